@@ -1,0 +1,25 @@
+# blossom_plugin(ID): a plugin made of plugin.json, kernel/*.cpp, features.cpp and manipulators/*.cpp in the current folder.
+# The kernel is a static library of its own, so that tests and benchmarks can link it without the plugin.
+function(blossom_plugin id)
+  file(GLOB kernel_sources CONFIGURE_DEPENDS kernel/*.cpp)
+  add_library(blossom_${id}_kernel STATIC ${kernel_sources})
+  target_include_directories(blossom_${id}_kernel PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(blossom_${id}_kernel PUBLIC Blossom::geometry PRIVATE Blossom::flags)
+
+  add_library(blossom_${id} MODULE features.cpp)
+  target_link_libraries(blossom_${id} PRIVATE blossom_${id}_kernel Blossom::feature fmt::fmt Blossom::flags)
+  set(modules blossom_${id})
+
+  file(GLOB manipulator_sources CONFIGURE_DEPENDS manipulators/*.cpp manipulators/*.h)
+  if(BLOSSOM_BUILD_UI AND manipulator_sources)
+    add_library(blossom_${id}_manipulators MODULE ${manipulator_sources})
+    target_link_libraries(blossom_${id}_manipulators PRIVATE blossom_${id}_kernel Blossom::ui Blossom::flags)
+    list(APPEND modules blossom_${id}_manipulators)
+  endif()
+
+  set(folder ${BLOSSOM_PLUGIN_OUTPUT_DIRECTORY}/${id})
+  set_target_properties(${modules} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${folder} INSTALL_RPATH "$ORIGIN/../../..")
+  configure_file(plugin.json ${folder}/plugin.json COPYONLY)
+  install(TARGETS ${modules} LIBRARY DESTINATION ${BLOSSOM_PLUGIN_INSTALL_DIR}/${id})
+  install(FILES plugin.json DESTINATION ${BLOSSOM_PLUGIN_INSTALL_DIR}/${id})
+endfunction()

@@ -1,0 +1,44 @@
+# Flags shared by all of our own targets, and one function for each sort of target.
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # A precompiled header carries time stamps; without this sloppiness ccache would never hit.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(BLOSSOM_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/blossom/plugins)
+set(BLOSSOM_PLUGIN_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/blossom/plugins)
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+
+add_library(blossom_flags INTERFACE)
+add_library(Blossom::flags ALIAS blossom_flags)
+target_compile_options(blossom_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+  # GCC 12 reports these two inside Eigen and the standard library at -O2
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds>)
+if(BLOSSOM_SANITIZE)
+  target_compile_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE})
+endif()
+
+# blossom_room(NAME PUBLIC libs.. PRIVATE libs.. PCH headers..)
+# A room is a shared library made of every .cpp in its folder; its headers are included as "NAME/header.h".
+function(blossom_room name)
+  cmake_parse_arguments(ROOM "" "" "PUBLIC;PRIVATE;PCH" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main(_[a-z]+)?\\.cpp$")
+  add_library(blossom_${name} SHARED ${sources})
+  add_library(Blossom::${name} ALIAS blossom_${name})
+  set_target_properties(blossom_${name} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    INSTALL_RPATH "$ORIGIN")
+  target_include_directories(blossom_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/blossom>)
+  target_link_libraries(blossom_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:Blossom::flags>)
+  if(ROOM_PCH)
+    target_precompile_headers(blossom_${name} PRIVATE ${ROOM_PCH})
+  endif()
+  install(TARGETS blossom_${name} EXPORT BlossomTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/blossom/${name} FILES_MATCHING PATTERN "*.h")
+endfunction()

@@ -1,0 +1,28 @@
+# Every third-party library, found in one place. The reason for each stands in CONTRIBUTING.md.
+find_package(OpenCASCADE REQUIRED)             # B-rep, STEP, IGES
+find_package(MPI REQUIRED COMPONENTS C)        # Debian's VTK configuration asks for it
+set(VTK_MODULE_ENABLE_VTK_GUISupportQt NO)     # Debian builds that module on Qt 5
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+  FiltersCore FiltersGeneral FiltersSources
+  RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation InteractionStyle InteractionWidgets IOImage)
+find_package(Eigen3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(Boost 1.74 REQUIRED COMPONENTS filesystem system)
+find_package(nlohmann_json REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(2Geom REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
+pkg_check_modules(ZIP REQUIRED IMPORTED_TARGET libzip)
+pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
+if(BLOSSOM_BUILD_UI)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGLWidgets Svg)
+endif()
+if(BLOSSOM_BUILD_TESTS)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Test)
+  find_package(benchmark REQUIRED)
+  find_package(rapidcheck REQUIRED)
+endif()

@@ -1,0 +1,8 @@
+# What an out-of-tree plugin needs: find_package(Blossom) and Blossom::feature.
+include(CMakePackageConfigHelpers)
+install(EXPORT BlossomTargets NAMESPACE Blossom:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Blossom)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/BlossomConfig.cmake.in ${CMAKE_BINARY_DIR}/BlossomConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Blossom)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/BlossomConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/BlossomConfig.cmake ${CMAKE_BINARY_DIR}/BlossomConfigVersion.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Blossom)

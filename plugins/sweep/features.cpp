@@ -1,0 +1,2 @@
+#include "feature/plugin.h"
+BLOSSOM_PLUGIN(registry) { (void)registry; }

@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+#include "document/evaluator.h"
+#include "document/storage.h"
+#include "exchange/format.h"
+#include "feature/plugin.h"
+#include "feature/registry.h"
+
+namespace blossom {
+
+/// What command line and window share: the feature types, the formats and the plugins of this installation.
+struct App {
+  std::shared_ptr<const FormatRegistry> formats;
+  std::shared_ptr<const Registry> registry;
+  std::vector<LoadedPlugin> plugins;
+};
+
+/// Registers built-in features and formats and loads the plugins. Broken plugins are in `plugins` with their problem.
+App loadApp(const std::vector<std::filesystem::path>& pluginFolders = pluginSearchPath());
+
+/// Samples, manual and icons: $BLOSSOM_RESOURCES, ../share/blossom beside the program (installed), or the source tree's resources.
+std::filesystem::path resourceFolder();
+
+/// The document with an import feature for `file` added; its content is taken into the document as an asset.
+/// @throws Error FileNotFound, FileUnreadable, FormatUnknown.
+Document withImported(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
+
+/// A document from any file: a .blossom is opened, anything else imported into a new document; a motion file becomes an import
+/// followed by the sweep that it describes.
+OpenedDocument openAny(const App&, const std::filesystem::path&, bool salvage = false);
+
+}  // namespace blossom

@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace blossom {
+
+/// Literals for code and tests: `3.0_cm`, `30.0_deg`.
+constexpr double operator""_mm(long double v) { return static_cast<double>(v); }
+constexpr double operator""_cm(long double v) { return static_cast<double>(v * 10); }
+constexpr double operator""_deg(long double v) { return static_cast<double>(v); }
+
+constexpr double millimetresPerInch = 25.4;
+
+/// Length in mm from text such as "12", "3cm", "1/2 in", "1 1/2 in", "0.5\"", "2'", "1e-3 m". No unit means mm; the decimal
+/// sign is a point. Units: um mm cm dm m in " ft ' mil.
+/// @throws Error InvalidParameter naming what is not understood.
+double parseLength(std::string_view text);
+
+/// Angle in degrees from "30", "30deg", "30°", "0.5rad", "0.25turn". No unit means degrees.
+/// @throws Error InvalidParameter.
+double parseAngle(std::string_view text);
+
+/// Plain number, also as a fraction "3/4". @throws Error InvalidParameter.
+double parseNumber(std::string_view text);
+
+/// The shortest text that reads back as the same double; "0.1", never "0.10000000000000001".
+std::string formatNumber(double value);
+
+/// @returns mm per unit for a unit name ("in", "mm", ..), 0 when it is not a unit of length.
+double millimetresPer(std::string_view unit);
+
+}  // namespace blossom

@@ -1,0 +1,56 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "parameter/value.h"
+
+namespace blossom {
+
+using FeatureId = std::string;  ///< unique in a document: "sweep-1"
+
+/// One step of the model. Its type is kept by id, so that a document survives a missing plugin.
+struct Feature {
+  FeatureId id;
+  std::string type;               ///< "sweep.sweep"
+  std::string name;               ///< as the tree shows it
+  Value parameters = Value::object();  ///< canonical; what is absent is at its default
+  std::vector<FeatureId> inputs;  ///< in order of the type's input specs
+  bool visible = true;
+  bool suppressed = false;
+  Value extra = Value::object();  ///< keys of newer minor versions, kept when saved again
+  friend bool operator==(const Feature&, const Feature&) = default;
+};
+
+/// A list of features; an edit makes a new document that shares all unchanged parts. O(features) pointers per edit.
+class Document {
+ public:
+  /// Adds, or replaces the feature of that id. @throws Error NotFound (an input), CycleFound.
+  [[nodiscard]] Document with(Feature) const;
+  /// @throws Error InUse while others take it as input; NotFound.
+  [[nodiscard]] Document without(const FeatureId&) const;
+  /// @throws Error NotFound; InvalidInput when it would stand before one of its inputs or after one of its users.
+  [[nodiscard]] Document moved(const FeatureId&, std::size_t place) const;
+  /// Content of imported files, by hash.
+  [[nodiscard]] Document withAsset(std::string hash, std::shared_ptr<const std::string> content) const;
+  [[nodiscard]] Document withExtra(Value extra) const;
+
+  /// @throws Error NotFound.
+  [[nodiscard]] const Feature& at(const FeatureId&) const;
+  [[nodiscard]] bool contains(const FeatureId&) const;
+  [[nodiscard]] std::span<const std::shared_ptr<const Feature>> features() const { return features_; }  ///< inputs before users
+  [[nodiscard]] std::vector<FeatureId> usersOf(const FeatureId&) const;
+  [[nodiscard]] const std::map<std::string, std::shared_ptr<const std::string>>& assets() const { return assets_; }
+  [[nodiscard]] const Value& extra() const { return extra_; }
+  /// "sweep-2": a free id made from a type's command.
+  [[nodiscard]] FeatureId freshId(const std::string& command) const;
+
+ private:
+  std::vector<std::shared_ptr<const Feature>> features_;
+  std::map<std::string, std::shared_ptr<const std::string>> assets_;
+  Value extra_ = Value::object();
+};
+
+}  // namespace blossom

@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "document/document.h"
+#include "feature/registry.h"
+
+namespace blossom {
+
+/// The state of one feature after an evaluation.
+struct FeatureResult {
+  Evaluated evaluated;            ///< empty shape when it failed
+  std::optional<Error> error;     ///< its own error, or "The input .. failed."
+  double kernelMs = 0;            ///< time of the evaluate function; 0 from the cache
+  bool fromCache = false;
+};
+
+using Results = std::map<FeatureId, std::shared_ptr<const FeatureResult>>;
+
+/// Evaluates documents. A result is kept under a key made of type, parameters and the keys of its inputs (files by content), so
+/// only what changed is computed again. Thread-safe; least recently used results beyond `cacheLimit` are dropped.
+class Evaluator {
+ public:
+  explicit Evaluator(std::shared_ptr<const Registry>, std::size_t cacheLimit = 256);
+  ~Evaluator();
+
+  /// Called after each feature, from the evaluating thread.
+  using Done = std::function<void(const FeatureId&, const std::shared_ptr<const FeatureResult>&)>;
+
+  /// All features, inputs first. A failing feature keeps its error; its users fail with a reference to it; the rest is evaluated.
+  /// @throws Error Cancelled only.
+  Results evaluate(const Document&, const Progress&, const Done& done = {});
+
+  /// The same on a thread of its own; a new call cancels the one under way and waits for nothing. Only the newest finishes with
+  /// `finished`. Called from the background thread.
+  void evaluateInBackground(Document, std::function<void(double fraction, const std::string& stage)> progress, Done done,
+                            std::function<void(Results)> finished);
+  void cancelBackground();
+  void waitForBackground();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace blossom

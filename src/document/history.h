@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+
+namespace blossom {
+
+/// Undo is an older value.
+class History {
+ public:
+  explicit History(Document = {});
+  void commit(Document, std::string what);   ///< forgets what could be redone
+  void preview(Document);                    ///< shown, not remembered; the next commit or revert ends it
+  void revert();
+  bool undo();
+  bool redo();
+  [[nodiscard]] const Document& current() const;
+  [[nodiscard]] std::string undoText() const;  ///< empty when nothing can be undone
+  [[nodiscard]] std::string redoText() const;
+  void markSaved();
+  [[nodiscard]] bool modified() const;
+
+ private:
+  struct Step {
+    Document document;
+    std::string what;
+  };
+  std::vector<Step> steps_;
+  std::size_t place_ = 0;
+  std::optional<std::size_t> savedPlace_ = 0;
+  std::optional<Document> preview_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "document/document.h"
+
+namespace blossom {
+
+/// A .blossom file is a zip with `document.json` ({"blossom": format version, "features": [..]}) and `assets/<hash>`.
+void saveDocument(const Document&, const std::filesystem::path&, const Progress& = Progress::none());
+
+struct OpenedDocument {
+  Document document;
+  std::vector<std::string> warnings;  ///< what could not be read, in full sentences
+};
+
+/// @throws Error FileNotFound, FormatTooNew, FormatDamaged; with `salvage`, whatever is readable of a damaged file is returned with warnings instead.
+OpenedDocument openDocument(const std::filesystem::path&, bool salvage = false);
+
+/// The document as text, as it stands in document.json (pretty-printed, stable order), and back.
+std::string toJson(const Document&);
+OpenedDocument fromJson(const std::string&, bool salvage = false);
+
+/// SHA-256 of a content in hex: the name of an asset.
+std::string contentHash(std::string_view content);
+
+}  // namespace blossom

@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/version.h"
+#include "feature/registry.h"
+
+/// A plugin is a folder with plugin.json, a compute module (no widgets) and, for the window, a manipulator module:
+///   {"id": "sweep", "title": "Sweep", "version": "0.1.0", "api": 1, "summary": "..", "icon": "sweep",
+///    "compute": "libblossom_sweep.so", "manipulators": "libblossom_sweep_manipulators.so", "features": ["sweep.sweep"]}
+/// The compute module exports `int blossomPluginApi()` and `void blossomRegister(blossom::Registry&)`: write BLOSSOM_PLUGIN.
+#define BLOSSOM_PLUGIN(registry)                                                                  \
+  extern "C" __attribute__((visibility("default"))) int blossomPluginApi() { return ::blossom::pluginApiVersion; } \
+  extern "C" __attribute__((visibility("default"))) void blossomRegister(::blossom::Registry& registry)
+
+namespace blossom {
+
+/// plugin.json, readable before anything is loaded.
+struct PluginManifest {
+  std::string id, title, version, summary, icon;
+  int api = 0;
+  std::string compute;       ///< file name of the compute module, in the same folder
+  std::string manipulators;  ///< file name of the manipulator module; empty when there is none
+  std::vector<std::string> features;
+  std::filesystem::path folder;
+};
+
+/// @throws Error PluginBroken saying which key is missing or wrong.
+PluginManifest readManifest(const std::filesystem::path& pluginJson);
+
+struct LoadedPlugin {
+  PluginManifest manifest;
+  std::string problem;  ///< empty when it was loaded; else a sentence why it was skipped
+};
+
+/// Folders searched for plugins, first wins on equal ids: $BLOSSOM_PLUGIN_PATH (colon-separated), ../lib/blossom/plugins beside the
+/// running program (build tree and installation alike), ~/.local/share/blossom/plugins.
+std::vector<std::filesystem::path> pluginSearchPath();
+
+/// Loads every plugin found under `folders` and registers its features. A plugin that is broken, missing its module, made for
+/// another API or registers what its manifest does not declare is reported and skipped, and leaves nothing in the registry.
+/// Never throws for a plugin's sake. Modules stay loaded until the process ends.
+std::vector<LoadedPlugin> loadPlugins(Registry&, const std::vector<std::filesystem::path>& folders = pluginSearchPath());
+
+}  // namespace blossom

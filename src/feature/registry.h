@@ -1,0 +1,43 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "feature/feature_type.h"
+
+namespace blossom {
+
+/// Where an input may be written down instead of drawn: "ball:5:3". `parse` gets the text after the name.
+struct LiteralForm {
+  std::string name;     ///< "ball"
+  std::string syntax;   ///< "ball:RADIUS:SUBDIVISIONS"
+  std::string summary;
+  std::function<Shape(std::string_view text)> parse;
+};
+
+/// All feature types and literal forms known to this process. Filled at start, then only read.
+class Registry {
+ public:
+  /// @throws Error PluginBroken when id or command is taken or the declaration is incomplete.
+  void add(FeatureType);
+  void add(LiteralForm);
+  template <class... Rest>
+  void addAll(Rest&&... rest) { (add(std::forward<Rest>(rest)), ...); }
+
+  [[nodiscard]] const std::vector<std::shared_ptr<const FeatureType>>& types() const { return types_; }
+  [[nodiscard]] const std::vector<LiteralForm>& literals() const { return literals_; }
+  /// By command or id; nullptr when there is none.
+  [[nodiscard]] std::shared_ptr<const FeatureType> find(std::string_view commandOrId) const;
+  /// @throws Error NotFound with the nearest name as hint.
+  [[nodiscard]] std::shared_ptr<const FeatureType> at(std::string_view commandOrId) const;
+  /// The shape that a literal such as "ball:5:3" stands for; empty when no form has that name.
+  /// @throws Error InvalidParameter.
+  [[nodiscard]] Shape literal(std::string_view text) const;
+
+ private:
+  std::vector<std::shared_ptr<const FeatureType>> types_;
+  std::vector<LiteralForm> literals_;
+};
+
+}  // namespace blossom

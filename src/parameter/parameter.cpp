@@ -1,0 +1,1 @@
+#include "parameter/parameter.h"

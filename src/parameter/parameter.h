@@ -1,0 +1,70 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parameter/value.h"
+
+namespace blossom {
+
+enum class ParameterKind {
+  Flag, Count, Number, Ratio, Length, Angle, Choice, Text, Color, Point, Vector, File, Curve, SubShape, List, Record
+};
+
+std::string_view parameterKindName(ParameterKind) noexcept;
+
+/// One parameter, declared once: flag, form field, document key and manual row are all made from this.
+struct ParameterSpec {
+  std::string name;              ///< "area-preserving": the flag, the key, and, with spaces, the label
+  std::string help;              ///< one sentence
+  ParameterKind kind = ParameterKind::Flag;
+  Value fallback;                ///< default, canonical form; null when the user must give one
+  std::optional<double> least;   ///< smallest value allowed (numbers, counts, lengths, angles)
+  std::optional<double> greatest;
+  bool aboveLeast = false;       ///< `least` itself is not allowed
+  std::vector<std::string> choices;
+  std::vector<ParameterSpec> fields;  ///< of a Record; of a List: exactly one, the element
+  std::string fileTypes;         ///< of a File: extensions, "json step"
+};
+
+/// "area preserving": the name as a user reads it.
+std::string label(const ParameterSpec&);
+/// "length in mm, above 0": what may be given, for help and manual.
+std::string describe(const ParameterSpec&);
+/// Canonical form of a value, checked against kind, range and choices; integers become numbers, texts with units are parsed.
+/// @throws Error InvalidParameter such as "t must lie between 0 and 1; it is 1.4."
+Value checked(const ParameterSpec&, const Value&);
+/// Canonical value from what a user typed ("1/2 in", "yes", "1,2,3", "#ff8800"). Lists take commas, records JSON.
+/// @throws Error InvalidParameter.
+Value parseText(const ParameterSpec&, std::string_view text);
+/// Inverse of parseText, as a form shows it.
+std::string formatText(const ParameterSpec&, const Value&);
+
+/// All parameters of `specs` in their canonical form: given ones checked, absent ones at their default.
+/// @throws Error InvalidParameter, also for a name that is not declared (with the nearest declared one as a hint).
+Value completed(const std::vector<ParameterSpec>& specs, const Value& given);
+
+/// The name in `known` that is most like `wanted`, empty when nothing is near; for "Did you mean ..?".
+std::string nearestName(std::string_view wanted, const std::vector<std::string>& known);
+
+// What kinds may be declared; used as feature<P>(..).parameter("t", &P::t, ratio(), "help").
+ParameterSpec flag();
+ParameterSpec count(int least = 0, std::optional<int> greatest = {});
+ParameterSpec number(std::optional<double> least = {}, std::optional<double> greatest = {});
+ParameterSpec ratio();                       ///< 0..1
+ParameterSpec length();                      ///< any length in mm
+ParameterSpec positiveLength();              ///< mm, above 0
+ParameterSpec angle();                       ///< degrees
+ParameterSpec choice(std::vector<std::string> names);
+ParameterSpec text();
+ParameterSpec color();
+ParameterSpec point();
+ParameterSpec vector();
+ParameterSpec file(std::string extensions);
+ParameterSpec controlCurve();
+ParameterSpec subShape(std::string kind);    ///< "face", "edge" or "vertex"
+ParameterSpec list(ParameterSpec element);
+ParameterSpec record(std::vector<ParameterSpec> fields);
+
+}  // namespace blossom

@@ -70,6 +70,12 @@ struct FeatureType {
   Evaluate evaluate;                  ///< pure; parameters are complete and checked, inputs have an accepted kind
 };
 
+/// The shapes given, in the order of the specs: each spec takes what it accepts until it is full, leaving enough for those after
+/// it. Closed curves become a region where only regions are taken.
+/// @throws Error InvalidInput such as "The input \"shape\" of Morph takes a region; it got a mesh.", also when there are too few or
+/// too many.
+Inputs arrangedInputs(const FeatureType&, std::span<const Shape> given);
+
 /// Declares a feature type over a plain struct of parameters:
 ///   feature<SweepParameters>("sweep.sweep", "Sweep", "The exact surface ..")
 ///     .command("sweep").input({..}).parameter("mode", &P::mode, choice({"exact", "cubic"}), "..")

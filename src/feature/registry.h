@@ -19,9 +19,12 @@ struct LiteralForm {
 /// All feature types and literal forms known to this process. Filled at start, then only read.
 class Registry {
  public:
-  /// @throws Error PluginBroken when id or command is taken or the declaration is incomplete.
+  /// The defaults are brought into canonical form.
+  /// @throws Error PluginBroken when id or command is taken or the declaration is incomplete or at odds with itself.
   void add(FeatureType);
   void add(LiteralForm);
+  /// Everything of `other`, or nothing when it throws. @throws Error PluginBroken as add does.
+  void merge(const Registry& other);
   template <class... Rest>
   void addAll(Rest&&... rest) { (add(std::forward<Rest>(rest)), ...); }
 

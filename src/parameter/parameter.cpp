@@ -1,1 +1,163 @@
 #include "parameter/parameter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/units.h"
+#include "parameter/wording.h"
+
+namespace blossom {
+namespace {
+
+constexpr std::array<std::string_view, 16> kindNames{"flag",   "count",     "number", "ratio", "length", "angle",
+                                                     "choice", "text",      "color",  "point", "vector", "file",
+                                                     "curve",  "sub-shape", "list",   "record"};
+
+ParameterSpec ofKind(ParameterKind kind) {
+  ParameterSpec spec;
+  spec.kind = kind;
+  return spec;
+}
+
+std::string fieldNames(const std::vector<ParameterSpec>& fields) {
+  std::vector<std::string> names;
+  for (const auto& field : fields) names.push_back(field.name);
+  return enumerated(names, "and");
+}
+
+/// "length in mm", without the range.
+std::string describeKind(const ParameterSpec& spec) {
+  switch (spec.kind) {
+    case ParameterKind::Flag:
+      return "yes or no";
+    case ParameterKind::Count:
+      return "whole number";
+    case ParameterKind::Number:
+    case ParameterKind::Ratio:
+      return "number";
+    case ParameterKind::Length:
+      return "length in mm";
+    case ParameterKind::Angle:
+      return "angle in degrees";
+    case ParameterKind::Choice:
+      return enumerated(spec.choices, "or");
+    case ParameterKind::Text:
+      return "text";
+    case ParameterKind::Color:
+      return "colour as #rrggbb";
+    case ParameterKind::Point:
+      return "point x,y,z in mm";
+    case ParameterKind::Vector:
+      return "vector x,y,z";
+    case ParameterKind::File:
+      return spec.fileTypes.empty() ? "file" : fmt::format("file ({})", spec.fileTypes);
+    case ParameterKind::Curve:
+      return "curve as t:value, t:value, ..";
+    case ParameterKind::SubShape:
+      return fmt::format("{} as input:{}:number", subShapeKind(spec), subShapeKind(spec));
+    case ParameterKind::List:
+      return spec.fields.empty() ? "list" : fmt::format("list; each item: {}", describe(spec.fields.front()));
+    case ParameterKind::Record:
+      return fmt::format("record of {} as JSON", fieldNames(spec.fields));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view parameterKindName(ParameterKind kind) noexcept {
+  const auto index = static_cast<std::size_t>(kind);
+  return index < kindNames.size() ? kindNames[index] : "";
+}
+
+std::string label(const ParameterSpec& spec) {
+  std::string text = spec.name;
+  std::replace(text.begin(), text.end(), '-', ' ');
+  return text;
+}
+
+std::string describe(const ParameterSpec& spec) {
+  const std::string range = describeRange(spec);
+  return range.empty() ? describeKind(spec) : fmt::format("{}, {}", describeKind(spec), range);
+}
+
+ParameterSpec flag() { return ofKind(ParameterKind::Flag); }
+
+ParameterSpec count(int least, std::optional<int> greatest) {
+  ParameterSpec spec = ofKind(ParameterKind::Count);
+  spec.least = least;
+  if (greatest) spec.greatest = *greatest;
+  return spec;
+}
+
+ParameterSpec number(std::optional<double> least, std::optional<double> greatest) {
+  ParameterSpec spec = ofKind(ParameterKind::Number);
+  spec.least = least;
+  spec.greatest = greatest;
+  return spec;
+}
+
+ParameterSpec ratio() {
+  ParameterSpec spec = ofKind(ParameterKind::Ratio);
+  spec.least = 0;
+  spec.greatest = 1;
+  return spec;
+}
+
+ParameterSpec length() { return ofKind(ParameterKind::Length); }
+
+ParameterSpec positiveLength() {
+  ParameterSpec spec = ofKind(ParameterKind::Length);
+  spec.least = 0;
+  spec.aboveLeast = true;
+  return spec;
+}
+
+ParameterSpec angle() { return ofKind(ParameterKind::Angle); }
+
+ParameterSpec choice(std::vector<std::string> names) {
+  ParameterSpec spec = ofKind(ParameterKind::Choice);
+  spec.choices = std::move(names);
+  return spec;
+}
+
+ParameterSpec text() { return ofKind(ParameterKind::Text); }
+ParameterSpec color() { return ofKind(ParameterKind::Color); }
+ParameterSpec point() { return ofKind(ParameterKind::Point); }
+ParameterSpec vector() { return ofKind(ParameterKind::Vector); }
+
+ParameterSpec file(std::string extensions) {
+  ParameterSpec spec = ofKind(ParameterKind::File);
+  spec.fileTypes = std::move(extensions);
+  return spec;
+}
+
+ParameterSpec controlCurve() { return ofKind(ParameterKind::Curve); }
+
+ParameterSpec subShape(std::string kind) {
+  ParameterSpec spec = ofKind(ParameterKind::SubShape);
+  spec.choices = {std::move(kind)};
+  return spec;
+}
+
+ParameterSpec list(ParameterSpec element) {
+  ParameterSpec spec = ofKind(ParameterKind::List);
+  spec.fields = {std::move(element)};
+  return spec;
+}
+
+ParameterSpec record(std::vector<ParameterSpec> fields) {
+  ParameterSpec spec = ofKind(ParameterKind::Record);
+  spec.fields = std::move(fields);
+  return spec;
+}
+
+ParameterSpec optional(ParameterSpec spec) {
+  spec.mayBeAbsent = true;
+  return spec;
+}
+
+}  // namespace blossom

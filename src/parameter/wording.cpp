@@ -1,0 +1,67 @@
+#include "parameter/wording.h"
+
+#include <fmt/format.h>
+
+#include "core/units.h"
+
+namespace blossom {
+namespace {
+
+constexpr std::size_t longestQuote = 60;
+
+std::string items(double n) { return fmt::format("{} {}", formatNumber(n), n == 1 ? "item" : "items"); }
+
+/// Bound with its unit; lists are bounded in their number of items.
+std::string bound(const ParameterSpec& spec, double value) {
+  return spec.kind == ParameterKind::List ? items(value) : formatNumber(value) + std::string(unitSuffix(spec));
+}
+
+}  // namespace
+
+std::string enumerated(const std::vector<std::string>& names, std::string_view lastJoint) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? fmt::format(" {} ", lastJoint) : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+std::string_view unitSuffix(const ParameterSpec& spec) {
+  if (spec.kind == ParameterKind::Length) return " mm";
+  if (spec.kind == ParameterKind::Angle) return "°";
+  return "";
+}
+
+std::string describeRange(const ParameterSpec& spec) {
+  if (spec.least && spec.greatest)
+    return fmt::format("{} {} to {}", spec.aboveLeast ? "above" : "from", formatNumber(*spec.least),
+                       bound(spec, *spec.greatest));
+  if (spec.least) return fmt::format("{} {}", spec.aboveLeast ? "above" : "at least", bound(spec, *spec.least));
+  if (spec.greatest) return fmt::format("at most {}", bound(spec, *spec.greatest));
+  return {};
+}
+
+std::string demandRange(const ParameterSpec& spec) {
+  const bool list = spec.kind == ParameterKind::List;
+  const std::string be = list ? "must have" : "must be";
+  if (spec.least && spec.greatest && spec.aboveLeast)
+    return fmt::format("{} above {} and at most {}", be, bound(spec, *spec.least), bound(spec, *spec.greatest));
+  if (spec.least && spec.greatest)
+    return fmt::format("{} between {} and {}", list ? be : "must lie", formatNumber(*spec.least),
+                       bound(spec, *spec.greatest));
+  return fmt::format("{} {}", be, describeRange(spec));
+}
+
+std::string subShapeKind(const ParameterSpec& spec) { return spec.choices.empty() ? "part" : spec.choices.front(); }
+
+std::string quoted(const Value& value) {
+  std::string text = value.is_number_float() ? formatNumber(value.get<double>())
+                                             : value.dump(-1, ' ', false, Value::error_handler_t::replace);
+  if (text.size() <= longestQuote) return text;
+  std::size_t cut = longestQuote;
+  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;  // never inside a UTF-8 character
+  return text.substr(0, cut) + "..";
+}
+
+}  // namespace blossom

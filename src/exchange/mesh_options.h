@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "core/progress.h"
+#include "exchange/format.h"
+#include "geometry/mesh.h"
+#include "geometry/tessellate.h"
+#include "parameter/parameter.h"
+
+/// What the writers of polygon meshes share.
+namespace blossom {
+
+/// `chord`: how near the polygons come to a curved shape.
+ParameterSpec chordOption();
+/// `ascii`: text in place of binary.
+ParameterSpec asciiOption();
+TessellationOptions tessellationOptions(const Value& options);
+/// Kinds that become polygons.
+std::vector<ShapeKind> meshableKinds();
+/// @throws Error FormatDamaged when the mesh has no face.
+Imported importedMesh(Mesh, std::vector<std::string> warnings = {});
+/// Text or bytes to a file that the caller made room for. @throws Error FileUnwritable.
+void writeBytes(const std::filesystem::path&, std::string_view);
+
+}  // namespace blossom

@@ -1,0 +1,47 @@
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace blossom {
+
+/// Gauss-Legendre rule on [0, 1]; exact for polynomials of degree 2 n - 1.
+struct GaussRule {
+  std::span<const double> nodes;
+  std::span<const double> weights;
+};
+
+/// Rule with n nodes, 1 <= n <= 32. Nodes are roots of Legendre polynomials found by Newton's method, good to the last bit
+/// or two.
+GaussRule gaussRule(std::size_t n);
+
+namespace detail {
+
+template <class F>
+double gaussSum(const F& f, const GaussRule& rule, double from, double to) {
+  double sum = 0;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * f(from + (to - from) * rule.nodes[i]);
+  return sum * (to - from);
+}
+
+template <class F>
+double integrateHalves(const F& f, const GaussRule& rule, double from, double to, double whole, double absolute, int depth) {
+  const double middle = 0.5 * (from + to);
+  const double left = gaussSum(f, rule, from, middle);
+  const double right = gaussSum(f, rule, middle, to);
+  if (depth == 0 || std::abs(left + right - whole) <= absolute) return left + right;
+  return integrateHalves(f, rule, from, middle, left, absolute, depth - 1) +
+         integrateHalves(f, rule, middle, to, right, absolute, depth - 1);
+}
+
+}  // namespace detail
+
+/// Adaptive integral of a smooth function; each interval is halved until both halves agree with the whole within `absolute`.
+template <class F>
+double integrate(const F& f, double from, double to, double absolute) {
+  const GaussRule rule = gaussRule(16);
+  constexpr int deepest = 24;  // enough for a cusp; smooth integrands stop at 1 or 2
+  return detail::integrateHalves(f, rule, from, to, detail::gaussSum(f, rule, from, to), absolute, deepest);
+}
+
+}  // namespace blossom

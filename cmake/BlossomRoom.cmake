@@ -16,8 +16,8 @@ add_library(blossom_flags INTERFACE)
 add_library(Blossom::flags ALIAS blossom_flags)
 target_compile_options(blossom_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
-  # GCC 12 reports these two inside Eigen and the standard library at -O2
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds>)
+  # GCC 12 reports these three inside Eigen and the standard library at -O2
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread>)
 if(BLOSSOM_SANITIZE)
   target_compile_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE})

@@ -8,16 +8,20 @@
 namespace blossom::detail {
 
 void applyRows(const PoleRows& rows, const double* in, std::size_t stride, double* out) {
+  const auto length = static_cast<Eigen::Index>(stride);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double* const weights = &rows.weights[i * rows.width];
-    double* const sum = out + i * stride;
-    std::fill_n(sum, stride, 0.0);
-    for (std::size_t k = 0; k < rows.width; ++k) {
-      if (weights[k] == 0) continue;
-      const double weight = weights[k];
-      const double* const item = in + (rows.first[i] + k) * stride;
-      for (std::size_t c = 0; c < stride; ++c) sum[c] += weight * item[c];
+    const double* const items = in + rows.first[i] * stride;
+    if (stride == 4) {  // one pole an item
+      Vec4 sum = Vec4::Zero();
+      for (std::size_t k = 0; k < rows.width; ++k) sum += weights[k] * Eigen::Map<const Vec4>(items + k * 4);
+      Eigen::Map<Vec4>(out + i * 4) = sum;
+      continue;
     }
+    Eigen::Map<Eigen::VectorXd> sum(out + i * stride, length);
+    sum.setZero();
+    for (std::size_t k = 0; k < rows.width; ++k)
+      if (weights[k] != 0) sum += weights[k] * Eigen::Map<const Eigen::VectorXd>(items + k * stride, length);
   }
 }
 

@@ -26,10 +26,24 @@ PoleRows refinementRows(int degree, std::span<const double> from, std::span<cons
 /// From degree `degree` over `from` to degree `degree + times` over `to`. All weights >= 0. O(n P p).
 PoleRows elevationRows(int degree, std::span<const double> from, int times, std::span<const double> to);
 
+/// From the poles of the Bezier pieces over `breaks`, one piece after the other, to the poles over `knots` (see fromBezier).
+/// With `scaled` the coefficients come multiplied by binomials.
+PoleRows blossomRows(int degree, std::span<const double> breaks, std::span<const double> knots, bool scaled);
+
 /// One step of the Oslo recurrence: hands the weights of the level - 1 + 1 poles that end at `last` on to the level + 1
 /// poles of `level`, for one more blossom argument. `next` is added to, times `share`.
 void raiseBlossom(std::span<const double> knots, std::size_t last, int level, double argument, double share,
                   const double* weights, double* next, std::size_t stride = 1);
+
+/// The distinct knots within the domain.
+std::vector<double> distinctKnots(int degree, std::span<const double> knots);
+/// Each break degree + 1 times: the knot vector of the Bezier pieces.
+std::vector<double> bezierKnots(int degree, std::span<const double> breaks);
+/// `knots` with those that lie within rounding of a break moved onto it.
+std::vector<double> snappedKnots(std::span<const double> knots, std::span<const double> breaks);
+
+/// Row n of Pascal's triangle.
+std::vector<double> binomials(int n);
 
 /// Index of the last knot that is not above t.
 std::size_t lastKnotNotAbove(std::span<const double> knots, double t);

@@ -127,8 +127,10 @@ const Format* FormatRegistry::find(std::string_view extensionOrId) const {
 
 FormatRegistry standardFormats() {
   FormatRegistry registry;
+  registry.add(stlFormat());
   registry.add(objFormat());
   registry.add(offFormat());
+  registry.add(plyFormat());
   return registry;
 }
 

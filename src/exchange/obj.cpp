@@ -85,10 +85,10 @@ class ObjReader {
   /// "7", "7/1", "7/1/2", "7//2"; negative ones count back from the last vertex so far.
   int vertexIndex(std::string_view word) {
     const std::optional<int> index = toInteger(word.substr(0, word.find('/')));
-    if (!index || *index == 0) throw damaged(lines_.number(), fmt::format("{} is not a vertex number.", quoted(word)));
+    if (!index || *index == 0) throw damaged(lines_.number(), fmt::format("{} is not a vertex number.", shown(word)));
     for (const char c : word)
       if (c != '/' && c != '-' && c != '+' && (c < '0' || c > '9'))
-        throw damaged(lines_.number(), fmt::format("{} is not a vertex number.", quoted(word)));
+        throw damaged(lines_.number(), fmt::format("{} is not a vertex number.", shown(word)));
     if (*index > 0) return *index - 1;
     const long long back = static_cast<long long>(mesh_.points.size()) + *index;
     if (back < 0)
@@ -115,7 +115,7 @@ class ObjReader {
   int tagIndex(std::string_view word) {
     const std::optional<int> index = toInteger(word);
     if (!index || *index < 0)
-      throw damaged(lines_.number(), fmt::format("a tag needs a vertex index; it has {}.", quoted(word)));
+      throw damaged(lines_.number(), fmt::format("a tag needs a vertex index; it has {}.", shown(word)));
     return *index;
   }
 
@@ -128,14 +128,14 @@ class ObjReader {
   void other(std::string_view key) {
     for (const char c : key)
       if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_')
-        throw damaged(lines_.number(), fmt::format("{} is not an OBJ statement.", quoted(key)));
+        throw damaged(lines_.number(), fmt::format("{} is not an OBJ statement.", shown(key)));
     skipped_.add(key);
   }
 
   double number(std::string_view word, const char* what) {
     if (const std::optional<double> value = toNumber(word)) return *value;
     throw damaged(lines_.number(),
-                  fmt::format("{} is expected, but there is {}.", what, word.empty() ? "nothing" : quoted(word)));
+                  fmt::format("{} is expected, but there is {}.", what, word.empty() ? "nothing" : shown(word)));
   }
 
   /// Faces and tags may come before their vertices, so this waits for the end.

@@ -46,10 +46,10 @@ class OffReader {
 
   void header(std::string_view word) {
     const bool known = word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
-    if (!known) throw damaged(lines_.number(), fmt::format("the word OFF is expected, but there is {}.", quoted(word)));
+    if (!known) throw damaged(lines_.number(), fmt::format("the word OFF is expected, but there is {}.", shown(word)));
     for (const char c : word.substr(0, word.size() - 3))
       if (c != 'S' && c != 'T' && c != 'C' && c != 'N')
-        throw damaged(lines_.number(), fmt::format("{} has points outside of three dimensions.", quoted(word)));
+        throw damaged(lines_.number(), fmt::format("{} has points outside of three dimensions.", shown(word)));
   }
 
   std::size_t count(std::string_view word, const char* what) {
@@ -57,8 +57,7 @@ class OffReader {
     const std::optional<int> value = toInteger(word);
     // Every vertex and face takes a line of two bytes or more.
     if (!value || *value < 0 || static_cast<std::size_t>(*value) > size_ / 2)
-      throw damaged(lines_.number(),
-                    fmt::format("the number of {} is {}, which this file cannot hold.", what, quoted(word)));
+      throw damaged(lines_.number(), fmt::format("the number of {} is {}, which this file cannot hold.", what, shown(word)));
     return static_cast<std::size_t>(*value);
   }
 
@@ -67,7 +66,7 @@ class OffReader {
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = takeWord(line);
       const std::optional<double> value = toNumber(word);
-      if (!value) throw damaged(lines_.number(), fmt::format("a coordinate is expected, but there is {}.", quoted(word)));
+      if (!value) throw damaged(lines_.number(), fmt::format("a coordinate is expected, but there is {}.", shown(word)));
       point[i] = *value;
     }
     mesh_.points.push_back(point);
@@ -77,14 +76,14 @@ class OffReader {
     const std::string_view first = takeWord(line);
     const std::optional<int> count = toInteger(first);
     if (!count || *count < 3)
-      throw damaged(lines_.number(), fmt::format("a face needs 3 vertices or more; it says {}.", quoted(first)));
+      throw damaged(lines_.number(), fmt::format("a face needs 3 vertices or more; it says {}.", shown(first)));
     corners_.clear();
     for (int i = 0; i < *count; ++i) {
       const std::string_view word = takeWord(line);
       const std::optional<int> index = toInteger(word);
       if (!index || *index < 0 || static_cast<std::size_t>(*index) >= mesh_.points.size())
         throw damaged(lines_.number(), fmt::format("a vertex index from 0 to {} is expected, but there is {}.",
-                                                   mesh_.points.size() - 1, quoted(word)));
+                                                   mesh_.points.size() - 1, shown(word)));
       corners_.push_back(*index);
     }
     mesh_.addFace(corners_);

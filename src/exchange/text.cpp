@@ -62,10 +62,10 @@ Error damaged(std::size_t line, const std::string& sentence) {
                "The file is damaged or was not written completely.");
 }
 
-std::string quoted(std::string_view text) {
-  std::string shown = "\"";
-  for (const char c : text.substr(0, 30)) shown += c >= ' ' && c < 127 ? c : '?';
-  return shown + (text.size() > 30 ? "..\"" : "\"");
+std::string shown(std::string_view text) {
+  std::string label = "\"";
+  for (const char c : text.substr(0, 30)) label += c >= ' ' && c < 127 ? c : '?';
+  return label + (text.size() > 30 ? "..\"" : "\"");
 }
 
 bool Lines::next(std::string_view& line) {

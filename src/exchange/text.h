@@ -24,7 +24,7 @@ std::string_view takeWord(std::string_view& rest);
 /// Error FormatDamaged "Line 12: ..".
 Error damaged(std::size_t line, const std::string& sentence);
 /// What stands in the file, short and printable enough for a message.
-std::string quoted(std::string_view);
+std::string shown(std::string_view);
 
 /// The lines of a text, numbered from 1; "\r\n", "\n" and "\r" end a line.
 class Lines {

@@ -32,15 +32,15 @@ void fillTriangle(Triangle& triangle, int degree, std::span<const double> knots,
     double saved = 0;
     for (int r = 0; r < j; ++r) {
       n[j][r] = right[r + 1] + left[j - r];
-      const double part = n[r][j - 1] / n[j][r];
-      n[r][j] = saved + right[r + 1] * part;
-      saved = left[j - r] * part;
+      // two quotients instead of one: at the ends of a clamped domain they are exactly 0 and 1
+      n[r][j] = saved + n[r][j - 1] * (right[r + 1] / n[j][r]);
+      saved = n[r][j - 1] * (left[j - r] / n[j][r]);
     }
     n[j][j] = saved;
   }
 }
 
-/// Values alone, without keeping the triangle.
+/// Values alone, without keeping the triangle; two quotients for the same reason.
 void basisValues(int degree, std::span<const double> knots, std::size_t span, double t, double* out) {
   Row left, right;
   out[0] = 1;
@@ -49,9 +49,9 @@ void basisValues(int degree, std::span<const double> knots, std::size_t span, do
     right[j] = knots[span + j] - t;
     double saved = 0;
     for (int r = 0; r < j; ++r) {
-      const double part = out[r] / (right[r + 1] + left[j - r]);
-      out[r] = saved + right[r + 1] * part;
-      saved = left[j - r] * part;
+      const double length = right[r + 1] + left[j - r], old = out[r];
+      out[r] = saved + old * (right[r + 1] / length);
+      saved = old * (left[j - r] / length);
     }
     out[j] = saved;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -8,21 +9,37 @@
 
 namespace blossom {
 
-/// A call that may run in a child process: arguments and result are JSON; bulk data travel as files in `folder`, which both sides see.
+/// A call that may run in a child process: arguments and result are JSON; bulk data travel as files in `folder`, which both
+/// sides see.
 using WorkerFunction = std::function<Value(const Value& arguments, const std::filesystem::path& folder, const Progress&)>;
 
-/// Makes a function callable by name from `blossom-worker`. Called at static initialisation of the room that owns it, or from
-/// its `registerXxxCalls()`.
+/// Makes a function callable by name from `blossom-worker`. Called at static initialisation of the room that owns it, or
+/// from its `registerXxxCalls()`.
 void registerWorkerCall(std::string name, WorkerFunction);
 
-/// Runs a registered call in a child process (`blossom-worker`, found beside the running program, in ../libexec/blossom, or
-/// named by $BLOSSOM_WORKER). Blocks; polls `progress` about every 20 ms and kills the child when cancelled.
-/// `folder` is a TemporaryFolder of the caller.
-/// @throws Error as thrown by the call in the child (code, message, hint kept); Cancelled; WorkerDied when the child crashed or was
-/// ended by hand, with the signal in the message; FileNotFound when the worker program is missing.
-Value runInWorker(const std::string& name, const Value& arguments, const std::filesystem::path& folder, const Progress&);
+struct WorkerOptions {
+  std::string activity{};     ///< what the child does, for messages: "reading wheel.step"; empty: the name of the call
+  double cpuSeconds = 0;      ///< computing time after which the child is ended, rounded up to whole seconds; 0: unlimited
+  std::uintmax_t memory = 0;  ///< address space of the child in bytes; 0: as much as the machine has memory
+};
 
-/// The child's side: serves one call read from stdin, writes progress and result as JSON lines to stdout. Returns the exit code.
+/// Runs a registered call in a child process (`blossom-worker`, found beside the running program, in ../libexec/blossom, or
+/// named by $BLOSSOM_WORKER). Blocks; polls `progress` about every 20 ms and kills the child, with all it started, when
+/// cancelled. The child also ends when the calling thread or its process dies. Callable from several threads at once.
+/// `folder` is a TemporaryFolder of the caller. Starting the child costs 50 to 100 ms, mostly dynamic linking.
+/// @throws Error as thrown by the call in the child (code, message, hint kept); Cancelled; WorkerDied when the child crashed
+/// or was ended by hand, with the signal in the message; LimitExceeded when it took more memory or computing time than
+/// `options` allow; FileNotFound when the worker program is missing.
+Value runInWorker(const std::string& name, const Value& arguments, const std::filesystem::path& folder, const Progress&,
+                  const WorkerOptions& options = {});
+
+/// The child's side: serves one call read from stdin, writes progress and result as JSON lines to stdout. What the call
+/// itself prints to stdout is dropped. Returns the exit code.
+///
+/// Every worker also knows the call "worker.selftest", by which a test or a diagnosis sees that processes start, report and
+/// end as they should. Its argument "mode": "echo" gives the arguments back; "wait" reports its process id as stage and
+/// waits to be ended; "abort" crashes; "throw" throws the Error that "code", "message" and "hint" describe; "noise" prints
+/// to stdout; "memory" takes memory and "spin" takes computing time without end.
 int workerMain();
 
 }  // namespace blossom

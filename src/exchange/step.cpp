@@ -1,0 +1,120 @@
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <IFSelect_ReturnStatus.hxx>
+#include <Interface_Check.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <StepData_StepModel.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include "core/version.h"
+#include "exchange/brep_import.h"
+#include "exchange/occt_io.h"
+#include "exchange/xcaf_read.h"
+#include "exchange/xcaf_write.h"
+
+namespace blossom {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkComplete(const std::string& path) {
+  if (tailOf(path, 4096).find("END-ISO-10303-21") != std::string::npos) return;
+  throw Error(ErrorCode::FormatDamaged, "Its end is missing (END-ISO-10303-21): it was cut off or not written completely.",
+              "Fetch or export the file again.");
+}
+
+Handle(StepData_StepModel) stepModel(const STEPControl_Reader& reader) {
+  return Handle(StepData_StepModel)::DownCast(reader.WS()->Model());
+}
+
+std::vector<std::string> readingProblems(const STEPControl_Reader& reader) {
+  const int count = stepModel(reader)->GlobalCheck(Standard_False)->NbFails();
+  if (count == 0) return {};
+  return {"The file breaks the rules of STEP in " + std::to_string(count) + (count == 1 ? " place" : " places") +
+          "; something may be missing."};
+}
+
+const char* schemaSetting(const std::string& schema) {
+  if (schema == "ap203") return "AP203";
+  return schema == "ap242" ? "AP242DIS" : "AP214IS";
+}
+
+/// `path` is temporary when this is written, so the file is named after its content.
+void fillHeader(STEPControl_Writer& writer, const Brep& brep) {
+  const auto text = [](const std::string& value) { return new TCollection_HAsciiString(value.c_str()); };
+  APIHeaderSection_MakeHeader header(writer.Model());
+  const std::string name = brep.roots().front().name;
+  header.SetName(text(name.empty() ? "Shape" : name));
+  header.SetAuthorValue(1, text(""));
+  header.SetOrganizationValue(1, text(""));
+  header.SetOriginatingSystem(text(std::string("Blossom ") + versionText));
+  header.SetPreprocessorVersion(text("Open CASCADE Technology"));
+  header.SetAuthorisation(text(""));
+  header.SetDescriptionValue(1, text("Blossom model"));
+}
+
+void write(const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
+  const Brep brep = toBrep(shape);
+  const OcctSession session;
+  const OcctSetting unit("write.step.unit", "MM");
+  const OcctSetting schema("write.step.schema", schemaSetting(options.value("schema", "ap214")));
+  const OcctSetting curvesOnSurfaces("write.surfacecurve.mode", 1);
+  const OcctSetting product("write.step.product.name", "Shape");
+  withOcctErrors(ErrorCode::FileUnwritable, "The shape cannot be written as STEP.", [&] {
+    STEPCAFControl_Writer writer;
+    writer.SetPropsMode(Standard_False);
+    Handle(OcctProgress) watcher = new OcctProgress(progress, "Writing");
+    const bool transferred = writer.Transfer(toDocument(brep), STEPControl_AsIs, nullptr, watcher->Start());
+    progress.check();
+    if (!transferred) throw Error(ErrorCode::InvalidInput, "The shape holds something that STEP cannot hold.");
+    fillHeader(writer.ChangeWriter(), brep);
+    if (writer.Write(path.c_str()) != IFSelect_RetDone)
+      throw Error(ErrorCode::FileUnwritable, "The file \"" + path.string() + "\" cannot be written.",
+                  "Check the folder and the space left.");
+  });
+}
+
+}  // namespace
+
+BrepImport readStep(const std::string& path, const Progress& progress) {
+  checkComplete(path);
+  const OcctSession session;
+  const OcctSetting unit("xstep.cascade.unit", "MM");
+  return withOcctErrors(ErrorCode::FormatDamaged, "It cannot be understood as STEP.", [&] {
+    progress.report(0, "Reading");
+    STEPCAFControl_Reader reader;
+    reader.SetPropsMode(Standard_False);
+    reader.SetGDTMode(Standard_False);
+    reader.SetMatMode(Standard_False);
+    reader.SetViewMode(Standard_False);
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+      throw Error(ErrorCode::FormatDamaged, "It breaks the rules of STEP so badly that nothing can be read.");
+    Handle(TDocStd_Document) document = newDocument();
+    Handle(OcctProgress) watcher = new OcctProgress(progress.part(0.4, 1), "Building shapes");
+    reader.Transfer(document, watcher->Start());
+    return BrepImport{fromDocument(document), Value::object(), readingProblems(reader.Reader())};
+  });
+}
+
+Format stepFormat() {
+  ParameterSpec schema = choice({"ap203", "ap214", "ap242"});
+  schema.name = "schema";
+  schema.help = "Application protocol of the file.";
+  schema.fallback = "ap214";
+  Format format;
+  format.id = "step";
+  format.title = "STEP (AP 203, 214, 242)";
+  format.extensions = {"step", "stp"};
+  format.writeOptions.push_back(schema);
+  format.read = [](const fs::path& path, const Value&, const Progress& progress) {
+    return importBrep("step.read", path, progress);
+  };
+  format.write = write;
+  format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
+                   ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
+  return format;
+}
+
+}  // namespace blossom

@@ -14,10 +14,10 @@ using FeatureId = std::string;  ///< unique in a document: "sweep-1"
 /// One step of the model. Its type is kept by id, so that a document survives a missing plugin.
 struct Feature {
   FeatureId id;
-  std::string type;               ///< "sweep.sweep"
-  std::string name;               ///< as the tree shows it
+  std::string type;                    ///< "sweep.sweep"
+  std::string name;                    ///< as the tree shows it
   Value parameters = Value::object();  ///< canonical; what is absent is at its default
-  std::vector<FeatureId> inputs;  ///< in order of the type's input specs
+  std::vector<FeatureId> inputs;       ///< in order of the type's input specs
   bool visible = true;
   bool suppressed = false;
   Value extra = Value::object();  ///< keys of newer minor versions, kept when saved again
@@ -27,7 +27,11 @@ struct Feature {
 /// A list of features; an edit makes a new document that shares all unchanged parts. O(features) pointers per edit.
 class Document {
  public:
-  /// Adds, or replaces the feature of that id. @throws Error NotFound (an input), CycleFound.
+  /// All at once, in any order; O(n log n). @throws Error InvalidInput (an id twice or empty), NotFound (an input),
+  /// CycleFound.
+  static Document of(std::vector<Feature>);
+  /// Adds at the end, or replaces the feature of that id in its place (inputs that stood after it move before it).
+  /// @throws Error NotFound (an input), CycleFound, InvalidInput (no id).
   [[nodiscard]] Document with(Feature) const;
   /// @throws Error InUse while others take it as input; NotFound.
   [[nodiscard]] Document without(const FeatureId&) const;
@@ -40,7 +44,9 @@ class Document {
   /// @throws Error NotFound.
   [[nodiscard]] const Feature& at(const FeatureId&) const;
   [[nodiscard]] bool contains(const FeatureId&) const;
-  [[nodiscard]] std::span<const std::shared_ptr<const Feature>> features() const { return features_; }  ///< inputs before users
+  [[nodiscard]] std::span<const std::shared_ptr<const Feature>> features() const {
+    return features_;
+  }  ///< inputs before users
   [[nodiscard]] std::vector<FeatureId> usersOf(const FeatureId&) const;
   [[nodiscard]] const std::map<std::string, std::shared_ptr<const std::string>>& assets() const { return assets_; }
   [[nodiscard]] const Value& extra() const { return extra_; }

@@ -1,1 +1,116 @@
 #include "document/evaluator.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "document/evaluation.h"
+
+namespace blossom {
+namespace {
+
+struct Job {
+  Document document;
+  Progress progress;
+  Evaluator::Done done;
+  std::function<void(Results)> finished;
+};
+
+}  // namespace
+
+struct Evaluator::State {
+  State(std::shared_ptr<const Registry> types, std::size_t cacheLimit) : registry(std::move(types)), cache(cacheLimit) {}
+
+  std::shared_ptr<const Registry> registry;
+  ResultCache cache;
+  FileSource files;
+
+  // The background thread: one job waits at most, for only the newest matters. `mutex` guards all of the following and is
+  // never held while a callback runs or a job is destroyed.
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::optional<Job> waiting;
+  std::optional<CancelToken> running;  ///< of the job under way
+  bool ending = false;
+  std::thread thread;
+
+  Results evaluate(const Document& document, const Progress& progress, const Done& done) {
+    return Evaluation(document, *registry, cache, files).run(progress, done);
+  }
+
+  void work();
+  void perform(const Job&);
+};
+
+void Evaluator::State::perform(const Job& job) {
+  try {
+    Results results =
+        evaluate(job.document, job.progress, [&](const FeatureId& id, const std::shared_ptr<const FeatureResult>& result) {
+          if (job.done && !job.progress.cancelled()) job.done(id, result);
+        });
+    if (job.finished && !job.progress.cancelled()) job.finished(std::move(results));
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::Cancelled) throw;
+  }
+}
+
+void Evaluator::State::work() {
+  std::unique_lock lock(mutex);
+  while (true) {
+    changed.wait(lock, [&] { return ending || waiting; });
+    if (ending) return;
+    std::optional<Job> job;
+    job.swap(waiting);
+    running = job->progress.token();
+    lock.unlock();
+    perform(*job);
+    job.reset();
+    lock.lock();
+    running.reset();
+    changed.notify_all();
+  }
+}
+
+Evaluator::Evaluator(std::shared_ptr<const Registry> registry, std::size_t cacheLimit)
+    : state_(std::make_unique<State>(std::move(registry), cacheLimit)) {}
+
+Evaluator::~Evaluator() {
+  cancelBackground();
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->ending = true;
+  }
+  state_->changed.notify_all();
+  if (state_->thread.joinable()) state_->thread.join();
+}
+
+Results Evaluator::evaluate(const Document& document, const Progress& progress, const Done& done) {
+  return state_->evaluate(document, progress, done);
+}
+
+void Evaluator::evaluateInBackground(Document document, std::function<void(double, const std::string&)> progress, Done done,
+                                     std::function<void(Results)> finished) {
+  std::optional<Job> job(
+      Job{std::move(document), Progress(CancelToken(), std::move(progress)), std::move(done), std::move(finished)});
+  const std::lock_guard lock(state_->mutex);
+  if (state_->running) state_->running->cancel();
+  state_->waiting.swap(job);  // the one replaced is destroyed after the lock is gone: `job` is older than `lock`
+  if (!state_->thread.joinable()) state_->thread = std::thread([state = state_.get()] { state->work(); });
+  state_->changed.notify_all();
+}
+
+void Evaluator::cancelBackground() {
+  std::optional<Job> dropped;
+  const std::lock_guard lock(state_->mutex);
+  if (state_->running) state_->running->cancel();
+  dropped.swap(state_->waiting);
+  state_->changed.notify_all();  // whoever waits for the end
+}
+
+void Evaluator::waitForBackground() {
+  std::unique_lock lock(state_->mutex);
+  if (state_->thread.get_id() == std::this_thread::get_id()) return;  // a callback would wait for itself
+  state_->changed.wait(lock, [&] { return !state_->running && !state_->waiting; });
+}
+
+}  // namespace blossom

@@ -12,18 +12,19 @@
 
 namespace blossom {
 
-/// The state of one feature after an evaluation.
+/// The state of one feature after an evaluation. Whatever a feature throws ends up here: OCCT's and the standard library's
+/// exceptions as Internal, exhausted memory as LimitExceeded.
 struct FeatureResult {
-  Evaluated evaluated;            ///< empty shape when it failed
-  std::optional<Error> error;     ///< its own error, or "The input .. failed."
-  double kernelMs = 0;            ///< time of the evaluate function; 0 from the cache
+  Evaluated evaluated;         ///< empty shape when it failed
+  std::optional<Error> error;  ///< its own error, or "The input .. failed."
+  double kernelMs = 0;         ///< time of the evaluate function; 0 from the cache
   bool fromCache = false;
 };
 
 using Results = std::map<FeatureId, std::shared_ptr<const FeatureResult>>;
 
-/// Evaluates documents. A result is kept under a key made of type, parameters and the keys of its inputs (files by content), so
-/// only what changed is computed again. Thread-safe; least recently used results beyond `cacheLimit` are dropped.
+/// Evaluates documents. A result is kept under a key made of type, parameters and the keys of its inputs (files by content),
+/// so only what changed is computed again. Thread-safe; least recently used results beyond `cacheLimit` are dropped.
 class Evaluator {
  public:
   explicit Evaluator(std::shared_ptr<const Registry>, std::size_t cacheLimit = 256);
@@ -32,16 +33,17 @@ class Evaluator {
   /// Called after each feature, from the evaluating thread.
   using Done = std::function<void(const FeatureId&, const std::shared_ptr<const FeatureResult>&)>;
 
-  /// All features, inputs first. A failing feature keeps its error; its users fail with a reference to it; the rest is evaluated.
+  /// All features, inputs first. A failing feature keeps its error; its users fail with a reference to it; the rest is
+  /// evaluated.
   /// @throws Error Cancelled only.
   Results evaluate(const Document&, const Progress&, const Done& done = {});
 
-  /// The same on a thread of its own; a new call cancels the one under way and waits for nothing. Only the newest finishes with
-  /// `finished`. Called from the background thread.
+  /// The same on a thread of its own; a new call cancels the one under way and waits for nothing. Only the newest finishes
+  /// with `finished`. Called from the background thread.
   void evaluateInBackground(Document, std::function<void(double fraction, const std::string& stage)> progress, Done done,
                             std::function<void(Results)> finished);
-  void cancelBackground();
-  void waitForBackground();
+  void cancelBackground();   ///< returns at once
+  void waitForBackground();  ///< until nothing is under way; not to be called by a thread that the callbacks wait for
 
  private:
   struct State;

@@ -1,1 +1,45 @@
 #include "document/history.h"
+
+#include <utility>
+
+namespace blossom {
+
+History::History(Document document) { steps_.push_back({std::move(document), {}}); }
+
+void History::commit(Document document, std::string what) {
+  preview_.reset();
+  steps_.resize(place_ + 1);
+  if (savedPlace_ && *savedPlace_ > place_) savedPlace_.reset();  // what was saved can no longer be reached
+  steps_.push_back({std::move(document), std::move(what)});
+  ++place_;
+}
+
+void History::preview(Document document) { preview_ = std::move(document); }
+
+void History::revert() { preview_.reset(); }
+
+bool History::undo() {
+  preview_.reset();
+  if (place_ == 0) return false;
+  --place_;
+  return true;
+}
+
+bool History::redo() {
+  preview_.reset();
+  if (place_ + 1 == steps_.size()) return false;
+  ++place_;
+  return true;
+}
+
+const Document& History::current() const { return preview_ ? *preview_ : steps_[place_].document; }
+
+std::string History::undoText() const { return place_ > 0 ? steps_[place_].what : std::string(); }
+
+std::string History::redoText() const { return place_ + 1 < steps_.size() ? steps_[place_ + 1].what : std::string(); }
+
+void History::markSaved() { savedPlace_ = place_; }
+
+bool History::modified() const { return savedPlace_ != place_; }
+
+}  // namespace blossom

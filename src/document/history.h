@@ -7,20 +7,20 @@
 
 namespace blossom {
 
-/// Undo is an older value.
+/// Undo is an older value. Documents share what is equal, so a long history costs little.
 class History {
  public:
   explicit History(Document = {});
-  void commit(Document, std::string what);   ///< forgets what could be redone
-  void preview(Document);                    ///< shown, not remembered; the next commit or revert ends it
+  void commit(Document, std::string what);  ///< forgets what could be redone
+  void preview(Document);                   ///< shown, not remembered; the next commit or revert ends it
   void revert();
-  bool undo();
+  bool undo();  ///< also ends a preview; false when there is nothing to undo
   bool redo();
   [[nodiscard]] const Document& current() const;
   [[nodiscard]] std::string undoText() const;  ///< empty when nothing can be undone
   [[nodiscard]] std::string redoText() const;
   void markSaved();
-  [[nodiscard]] bool modified() const;
+  [[nodiscard]] bool modified() const;  ///< a preview does not count
 
  private:
   struct Step {

@@ -1,1 +1,126 @@
 #include "document/storage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "document/document_json.h"
+#include "document/zip_archive.h"
+
+namespace blossom {
+namespace {
+
+constexpr const char* mimeType = "application/x-blossom";
+constexpr const char* documentEntry = "document.json";
+constexpr std::string_view assetFolder = "assets/";
+constexpr std::size_t hashDigits = 64;
+
+bool isHash(std::string_view text) {
+  return text.size() == hashDigits &&
+         std::all_of(text.begin(), text.end(), [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
+
+bool isAsset(std::string_view name) { return name.starts_with(assetFolder) && isHash(name.substr(assetFolder.size())); }
+
+bool isWanted(std::string_view name) { return name == documentEntry || isAsset(name); }
+
+/// Calls `visit` with every text that could name an asset. Types of parameters need not be known: their plugin may be
+/// missing.
+template <class Visit>
+void visitTexts(const Value& value, const Visit& visit) {
+  if (const auto* text = value.get_ptr<const std::string*>()) visit(*text);
+  if (value.is_structured())
+    for (const Value& item : value) visitTexts(item, visit);
+}
+
+std::set<std::string> namedAssets(const Document& document) {
+  std::set<std::string> named;
+  const auto keep = [&](const std::string& text) {
+    if (document.assets().contains(text)) named.insert(text);
+  };
+  visitTexts(document.extra(), keep);
+  for (const auto& feature : document.features()) visitTexts(feature->parameters, keep), visitTexts(feature->extra, keep);
+  return named;
+}
+
+/// Hashes under the key "asset", as file parameters have them.
+void visitFiles(const Value& value, const std::function<void(const std::string& hash)>& visit) {
+  if (value.is_object() && value.contains("asset") && value.at("asset").is_string() && value.at("asset") != "")
+    visit(value.at("asset").get<std::string>());
+  if (value.is_structured())
+    for (const Value& item : value) visitFiles(item, visit);
+}
+
+void checkAssets(const Document& document, Problems& problems) {
+  for (const auto& feature : document.features())
+    visitFiles(feature->parameters, [&](const std::string& hash) {
+      if (!document.assets().contains(hash))
+        problems.report(
+            fmt::format("the imported file of \"{}\" is missing", feature->name.empty() ? feature->id : feature->name));
+    });
+}
+
+/// From the directory at the end of the zip, or, salvaging, from the headers in front of the entries.
+ZipContent unpacked(const std::string& bytes, Problems& problems) {
+  ZipContent content;
+  try {
+    content = readZip(bytes, isWanted);
+    if (!problems.salvage() || content.damaged.empty()) return content;
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::FormatDamaged) throw;
+    problems.report("it is cut off or changed, " + e.message().substr(0, e.message().size() - 1));
+  }
+  ZipContent rest = salvageZip(bytes, isWanted);
+  content.entries.merge(rest.entries);
+  content.damaged = std::move(rest.damaged);
+  return content;
+}
+
+Document readContent(const std::string& bytes, Problems& problems) {
+  ZipContent content = unpacked(bytes, problems);
+  const auto json = content.entries.find(documentEntry);
+  const bool jsonDamaged = std::find(content.damaged.begin(), content.damaged.end(),
+                                     fmt::format("{} is damaged.", documentEntry)) != content.damaged.end();
+  if (json == content.entries.end() && !jsonDamaged) problems.fail(fmt::format("there is no {} in it", documentEntry));
+  for (const auto& damaged : content.damaged) problems.report(damaged.substr(0, damaged.size() - 1));
+  if (json == content.entries.end()) problems.fail(fmt::format("{} cannot be read", documentEntry));
+
+  Document document = readDocumentJson(json->second, problems);
+  for (auto& [name, bytesOfAsset] : content.entries) {
+    if (!isAsset(name)) continue;
+    const std::string hash = name.substr(assetFolder.size());
+    if (contentHash(bytesOfAsset) == hash)
+      document = document.withAsset(hash, std::make_shared<const std::string>(std::move(bytesOfAsset)));
+    else
+      problems.report(fmt::format("{} does not have the content that its name tells", name));
+  }
+  checkAssets(document, problems);
+  return document;
+}
+
+}  // namespace
+
+void saveDocument(const Document& document, const std::filesystem::path& path, const Progress& progress) {
+  const std::string json = toJson(document);
+  std::vector<ZipEntry> entries{{"mimetype", mimeType, true}, {documentEntry, json, false}};
+  for (const auto& hash : namedAssets(document))
+    entries.push_back({std::string(assetFolder) + hash, *document.assets().at(hash), false});
+  writeAtomically(path, [&](const std::filesystem::path& temporary) { writeZip(temporary, entries, progress); });
+}
+
+OpenedDocument openDocument(const std::filesystem::path& path, bool salvage) {
+  const std::string bytes = readFile(path);
+  if (!bytes.starts_with("PK"))
+    throw Error(ErrorCode::FormatDamaged, fmt::format("{} is not a Blossom document.", path.filename().string()),
+                bytes.empty() ? "The file is empty." : "A Blossom document is a zip file; this one holds something else.");
+  Problems problems(fmt::format("The document {}", path.filename().string()), salvage);
+  OpenedDocument opened;
+  opened.document = readContent(bytes, problems);
+  opened.warnings = std::move(problems.warnings);
+  return opened;
+}
+
+}  // namespace blossom

@@ -16,7 +16,8 @@ struct OpenedDocument {
   std::vector<std::string> warnings;  ///< what could not be read, in full sentences
 };
 
-/// @throws Error FileNotFound, FormatTooNew, FormatDamaged; with `salvage`, whatever is readable of a damaged file is returned with warnings instead.
+/// @throws Error FileNotFound, FormatTooNew, FormatDamaged; with `salvage`, whatever is readable of a damaged file is
+/// returned with warnings instead.
 OpenedDocument openDocument(const std::filesystem::path&, bool salvage = false);
 
 /// The document as text, as it stands in document.json (pretty-printed, stable order), and back.

@@ -16,9 +16,10 @@ namespace blossom {
 
 /// One input of a feature type, or a run of inputs of the same sort.
 struct InputSpec {
-  std::string name;   ///< "shape", "motion"
+  std::string name;  ///< "shape", "motion"
   std::string help;
-  std::vector<ShapeKind> kinds;  ///< accepted; empty means any. Region inputs also take closed Curves (converted by the evaluator).
+  std::vector<ShapeKind>
+      kinds;  ///< accepted; empty means any. Region inputs also take closed Curves (converted by the evaluator).
   std::size_t least = 1;
   std::size_t most = 1;
 };
@@ -55,7 +56,8 @@ const T& Inputs::get(std::size_t spec, std::size_t index) const {
   throwWrongKind(shape);
 }
 
-/// A feature type, declared once and present everywhere: command, flags, help, dialog, panel, undo text, file format, manual.
+/// A feature type, declared once and present everywhere: command, flags, help, dialog, panel, undo text, file format,
+/// manual.
 struct FeatureType {
   using Evaluate = std::function<Evaluated(const Value& parameters, const Inputs&, const Progress&)>;
 
@@ -70,10 +72,10 @@ struct FeatureType {
   Evaluate evaluate;                  ///< pure; parameters are complete and checked, inputs have an accepted kind
 };
 
-/// The shapes given, in the order of the specs: each spec takes what it accepts until it is full, leaving enough for those after
-/// it. Closed curves become a region where only regions are taken.
-/// @throws Error InvalidInput such as "The input \"shape\" of Morph takes a region; it got a mesh.", also when there are too few or
-/// too many.
+/// The shapes given, in the order of the specs: each spec takes what it accepts until it is full, leaving enough for those
+/// after it. Closed curves become a region where only regions are taken.
+/// @throws Error InvalidInput such as "The input \"shape\" of Morph takes a region; it got a mesh.", also when there are too
+/// few or too many.
 Inputs arrangedInputs(const FeatureType&, std::span<const Shape> given);
 
 /// Declares a feature type over a plain struct of parameters:
@@ -90,10 +92,22 @@ class FeatureBuilder {
     type_.summary = std::move(summary);
     type_.command = type_.id.substr(type_.id.rfind('.') + 1);
   }
-  FeatureBuilder& command(std::string name) { type_.command = std::move(name); return *this; }
-  FeatureBuilder& icon(std::string name) { type_.icon = std::move(name); return *this; }
-  FeatureBuilder& example(std::string line) { type_.examples.push_back(std::move(line)); return *this; }
-  FeatureBuilder& input(InputSpec spec) { type_.inputs.push_back(std::move(spec)); return *this; }
+  FeatureBuilder& command(std::string name) {
+    type_.command = std::move(name);
+    return *this;
+  }
+  FeatureBuilder& icon(std::string name) {
+    type_.icon = std::move(name);
+    return *this;
+  }
+  FeatureBuilder& example(std::string line) {
+    type_.examples.push_back(std::move(line));
+    return *this;
+  }
+  FeatureBuilder& input(InputSpec spec) {
+    type_.inputs.push_back(std::move(spec));
+    return *this;
+  }
 
   template <class T>
   FeatureBuilder& parameter(std::string name, T P::*member, ParameterSpec spec, std::string help) {

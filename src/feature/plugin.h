@@ -10,7 +10,7 @@
 ///   {"id": "sweep", "title": "Sweep", "version": "0.1.0", "api": 1, "summary": "..", "icon": "sweep",
 ///    "compute": "libblossom_sweep.so", "manipulators": "libblossom_sweep_manipulators.so", "features": ["sweep.sweep"]}
 /// The compute module exports `int blossomPluginApi()` and `void blossomRegister(blossom::Registry&)`: write BLOSSOM_PLUGIN.
-#define BLOSSOM_PLUGIN(registry)                                                                  \
+#define BLOSSOM_PLUGIN(registry)                                                                                   \
   extern "C" __attribute__((visibility("default"))) int blossomPluginApi() { return ::blossom::pluginApiVersion; } \
   extern "C" __attribute__((visibility("default"))) void blossomRegister(::blossom::Registry& registry)
 
@@ -34,13 +34,14 @@ struct LoadedPlugin {
   std::string problem;  ///< empty when it was loaded; else a sentence why it was skipped
 };
 
-/// Folders searched for plugins, first wins on equal ids: $BLOSSOM_PLUGIN_PATH (colon-separated), ../lib/blossom/plugins beside the
-/// running program (build tree and installation alike), ~/.local/share/blossom/plugins.
+/// Folders searched for plugins, first wins on equal ids: $BLOSSOM_PLUGIN_PATH (colon-separated), blossom/plugins beside our
+/// own libraries (build tree and installation alike), blossom/plugins in $XDG_DATA_HOME or ~/.local/share. Each may hold
+/// folders of plugins or be one plugin's folder.
 std::vector<std::filesystem::path> pluginSearchPath();
 
-/// Loads every plugin found under `folders` and registers its features. A plugin that is broken, missing its module, made for
-/// another API or registers what its manifest does not declare is reported and skipped, and leaves nothing in the registry.
-/// Never throws for a plugin's sake. Modules stay loaded until the process ends.
+/// Loads every plugin found under `folders` and registers its features. A plugin that is broken, missing its module, made
+/// for another API or registers what its manifest does not declare is reported and skipped, and leaves nothing in the
+/// registry. Never throws for a plugin's sake. Modules stay loaded until the process ends.
 std::vector<LoadedPlugin> loadPlugins(Registry&, const std::vector<std::filesystem::path>& folders = pluginSearchPath());
 
 }  // namespace blossom

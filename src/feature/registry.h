@@ -10,8 +10,8 @@ namespace blossom {
 
 /// Where an input may be written down instead of drawn: "ball:5:3". `parse` gets the text after the name.
 struct LiteralForm {
-  std::string name;     ///< "ball"
-  std::string syntax;   ///< "ball:RADIUS:SUBDIVISIONS"
+  std::string name;    ///< "ball"
+  std::string syntax;  ///< "ball:RADIUS:SUBDIVISIONS"
   std::string summary;
   std::function<Shape(std::string_view text)> parse;
 };
@@ -26,7 +26,9 @@ class Registry {
   /// Everything of `other`, or nothing when it throws. @throws Error PluginBroken as add does.
   void merge(const Registry& other);
   template <class... Rest>
-  void addAll(Rest&&... rest) { (add(std::forward<Rest>(rest)), ...); }
+  void addAll(Rest&&... rest) {
+    (add(std::forward<Rest>(rest)), ...);
+  }
 
   [[nodiscard]] const std::vector<std::shared_ptr<const FeatureType>>& types() const { return types_; }
   [[nodiscard]] const std::vector<LiteralForm>& literals() const { return literals_; }

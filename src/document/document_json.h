@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+#include "document/storage.h"
+
+namespace blossom {
+
+/// What is wrong with a document being read. Strict: the first problem is the error. Salvaging: problems become warnings.
+class Problems {
+ public:
+  Problems(std::string subject, bool salvage) : subject_(std::move(subject)), salvage_(salvage) {}
+  /// @param what "feature 3 has no id": goes on after "The document is damaged:" @throws Error FormatDamaged unless
+  /// salvaging
+  void report(const std::string& what);
+  [[noreturn]] void fail(const std::string& what) const;
+  [[nodiscard]] bool salvage() const { return salvage_; }
+  [[nodiscard]] const std::string& subject() const { return subject_; }
+  std::vector<std::string> warnings;
+
+ private:
+  std::string subject_;  ///< "The document propeller.blossom"
+  bool salvage_;
+};
+
+/// @throws Error FormatTooNew, FormatDamaged, LimitExceeded.
+Document readDocumentJson(const std::string& json, Problems&);
+
+}  // namespace blossom

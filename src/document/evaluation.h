@@ -1,0 +1,39 @@
+#pragma once
+#include "document/evaluator.h"
+#include "document/file_source.h"
+#include "document/result_cache.h"
+
+namespace blossom {
+
+/// One pass over a document: the part of the evaluator that knows no threads.
+class Evaluation {
+ public:
+  Evaluation(const Document& document, const Registry& registry, ResultCache& cache, FileSource& files)
+      : document_(document), registry_(registry), cache_(cache), files_(files) {}
+
+  /// @throws Error Cancelled only.
+  Results run(const Progress&, const Evaluator::Done&);
+
+ private:
+  /// What users of a feature need to know of it.
+  struct Outcome {
+    std::string key;  ///< of the content; empty when it has no result
+    Shape shape;
+    std::shared_ptr<const Error> rootError;  ///< where the failure began
+  };
+
+  std::shared_ptr<const FeatureResult> evaluated(const Feature&, Outcome&, const Progress&);
+  std::shared_ptr<const FeatureResult> passedOn(const Feature&, Outcome&);
+  void checkInputs(const Feature&, Outcome&) const;
+  Value openedFiles(const std::vector<ParameterSpec>&, Value parameters, Value& keyed);
+  void openFiles(const ParameterSpec&, Value& parameter, Value& keyed);
+  std::string keyOf(const Feature&, const Value& keyed) const;
+
+  const Document& document_;
+  const Registry& registry_;
+  ResultCache& cache_;
+  FileSource& files_;
+  std::map<FeatureId, Outcome> outcomes_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,28 @@
+#include "document/result_cache.h"
+
+namespace blossom {
+
+std::shared_ptr<const FeatureResult> ResultCache::find(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  const auto found = byKey_.find(key);
+  if (found == byKey_.end()) return nullptr;
+  recent_.splice(recent_.begin(), recent_, found->second);
+  return found->second->second;
+}
+
+void ResultCache::store(const std::string& key, std::shared_ptr<const FeatureResult> result) {
+  std::list<Entry> dropped;  // destroyed after the lock: a large shape takes its time
+  const std::lock_guard lock(mutex_);
+  if (const auto found = byKey_.find(key); found != byKey_.end()) {
+    dropped.splice(dropped.begin(), recent_, found->second);
+    byKey_.erase(found);
+  }
+  recent_.emplace_front(key, std::move(result));
+  byKey_[key] = recent_.begin();
+  while (recent_.size() > limit_) {
+    byKey_.erase(recent_.back().first);
+    dropped.splice(dropped.begin(), recent_, std::prev(recent_.end()));
+  }
+}
+
+}  // namespace blossom

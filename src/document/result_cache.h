@@ -1,0 +1,27 @@
+#pragma once
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include "document/evaluator.h"
+
+namespace blossom {
+
+/// Results by content key; the least recently used go first. Thread-safe; every operation is O(1).
+class ResultCache {
+ public:
+  explicit ResultCache(std::size_t limit) : limit_(limit) {}
+  std::shared_ptr<const FeatureResult> find(const std::string& key);
+  void store(const std::string& key, std::shared_ptr<const FeatureResult> result);
+
+ private:
+  using Entry = std::pair<std::string, std::shared_ptr<const FeatureResult>>;
+  std::mutex mutex_;
+  std::size_t limit_;
+  std::list<Entry> recent_;  ///< most recently used first
+  std::unordered_map<std::string, std::list<Entry>::iterator> byKey_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,194 @@
+#include "feature/registry.h"
+
+#include "support/support.h"
+
+using namespace blossom;
+
+namespace {
+
+enum class Mode { Exact, Cubic };
+
+struct Parameters {
+  double t = 0.5;
+  int copies = 3;
+  Mode mode = Mode::Cubic;
+  std::string title = "none";
+  Vec3 axis{0, 0, 1};
+  std::vector<double> widths{1, 2};
+};
+
+FeatureBuilder<Parameters> builder(std::string id = "test.thing") {
+  using P = Parameters;
+  auto b = feature<P>(std::move(id), "Thing", "A thing to test with.");
+  b.parameter("t", &P::t, ratio(), "Where.")
+      .parameter("copies", &P::copies, count(1), "How many.")
+      .parameter("mode", &P::mode, choice({"exact", "cubic"}), "How.")
+      .parameter("title", &P::title, text(), "Name.")
+      .parameter("axis", &P::axis, blossom::vector(), "Direction.")
+      .parameter("widths", &P::widths, list(number(0.0)), "Widths.");
+  return b;
+}
+
+FeatureType thing(std::string id = "test.thing") {
+  return builder(std::move(id)).evaluate([](const Parameters& p, const Inputs&, const Progress&) -> Evaluated {
+    return {Mesh{},
+            {{"t", p.t},
+             {"copies", p.copies},
+             {"cubic", p.mode == Mode::Cubic},
+             {"title", p.title},
+             {"z", p.axis.z()},
+             {"sum", p.widths.at(0) + p.widths.at(1)}},
+            {}};
+  });
+}
+
+FeatureType withInputs(std::vector<InputSpec> inputs) {
+  FeatureType type = thing();
+  type.title = "Morph";
+  type.inputs = std::move(inputs);
+  return type;
+}
+
+/// A closed circle.
+Curves circle() {
+  Curves curves;
+  curves.paths.push_back({{Arc2{Vec2(0, 0), 2, 0, 2 * M_PI}}, true, {}, {}});
+  return curves;
+}
+
+std::string messageOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& e) {
+    return e.message();
+  }
+  return "nothing was thrown";
+}
+
+}  // namespace
+
+class RegistryTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aDeclarationCarriesDefaultsAndBinds() {
+    const FeatureType type = thing();
+    QCOMPARE(type.command, std::string("thing"));
+    const Value all = completed(type.parameters, {{"t", 1}, {"mode", "exact"}});
+    QCOMPARE(all, (Value{{"t", 1.0},
+                         {"copies", 3},
+                         {"mode", "exact"},
+                         {"title", "none"},
+                         {"axis", {0.0, 0.0, 1.0}},
+                         {"widths", {1.0, 2.0}}}));
+    const Evaluated made = type.evaluate(all, Inputs(), Progress::none());
+    QCOMPARE(made.stats, (Value{{"t", 1.0}, {"copies", 3}, {"cubic", false}, {"title", "none"}, {"z", 1.0}, {"sum", 3.0}}));
+  }
+
+  void typesAreFoundByCommandAndId() {
+    Registry registry;
+    registry.addAll(thing(), thing("test.other"));
+    QCOMPARE(registry.at("thing")->id, std::string("test.thing"));
+    QCOMPARE(registry.at("test.other")->command, std::string("other"));
+    QVERIFY(registry.find("nothing") == nullptr);
+    try {
+      (void)registry.at("thign");
+      QFAIL("found");
+    } catch (const Error& e) {
+      QCOMPARE(e.code(), ErrorCode::NotFound);
+      QCOMPARE(e.hint(), std::string("Did you mean thing?"));
+    }
+  }
+
+  void contradictoryDeclarationsAreRefused() {
+    Registry registry;
+    registry.add(thing());
+    VERIFY_ERROR(registry.add(thing()), ErrorCode::PluginBroken);
+    const auto refused = [&](const std::function<void(FeatureType&)>& change) {
+      FeatureType type = thing("test.changed");
+      change(type);
+      VERIFY_ERROR(registry.add(type), ErrorCode::PluginBroken);
+    };
+    refused([](FeatureType& t) { t.command = "thing"; });
+    refused([](FeatureType& t) { t.command = "Two Words"; });
+    refused([](FeatureType& t) { t.id = "nodot"; });
+    refused([](FeatureType& t) { t.evaluate = {}; });
+    refused([](FeatureType& t) { t.summary = ""; });
+    refused([](FeatureType& t) { t.parameters.push_back(t.parameters[0]); });
+    refused([](FeatureType& t) { t.parameters[0].fallback = 2; });
+    refused([](FeatureType& t) { t.parameters[0].name = "-t"; });
+    refused([](FeatureType& t) { t.parameters[2].choices.clear(); });
+    refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
+    QCOMPARE(registry.types().size(), std::size_t{1});
+  }
+
+  void mergingIsAllOrNothing() {
+    Registry registry, good, bad;
+    registry.add(thing());
+    good.addAll(thing("good.a"), thing("good.b"));
+    bad.addAll(thing("bad.a2"), thing("bad.thing"));
+    registry.merge(good);
+    QCOMPARE(registry.types().size(), std::size_t{3});
+    VERIFY_ERROR(registry.merge(bad), ErrorCode::PluginBroken);
+    QCOMPARE(registry.types().size(), std::size_t{3});
+    QVERIFY(registry.find("bad.a2") == nullptr);
+  }
+
+  void literalsGoByTheirName() {
+    Registry registry;
+    registry.add(LiteralForm{"dot", "dot:NAME", "A mesh of nothing.", [](std::string_view text) {
+                               Mesh mesh;
+                               mesh.name = text;
+                               return Shape(mesh);
+                             }});
+    QCOMPARE(registry.literal("dot:a:b").get<Mesh>()->name, std::string("a:b"));
+    QCOMPARE(registry.literal("dot").get<Mesh>()->name, std::string());
+    QVERIFY(registry.literal("dots:1").empty());
+    VERIFY_ERROR(registry.add(LiteralForm{"dot", "", "", [](std::string_view) { return Shape(); }}),
+                 ErrorCode::PluginBroken);
+  }
+
+  void closedCurvesBecomeARegion() {
+    const auto type = withInputs({{"shape", "", {ShapeKind::Region}, 1, 1}});
+    const std::vector<Shape> given{circle()};
+    QCOMPARE(arrangedInputs(type, given).get<Region>().loops.size(), std::size_t{1});
+    const auto curves = withInputs({{"shape", "", {ShapeKind::Region, ShapeKind::Curves}, 1, 1}});
+    QCOMPARE(arrangedInputs(curves, given).of(0)[0].kind(), ShapeKind::Curves);
+    Curves open;
+    open.paths.push_back({{Line2{Vec2(0, 0), Vec2(1, 0)}}, false, {}, {}});
+    VERIFY_ERROR(arrangedInputs(type, std::vector<Shape>{open}), ErrorCode::InvalidInput);
+  }
+
+  void inputsOfTheWrongKindOrNumberAreNamed() {
+    const auto type = withInputs({{"shape", "", {ShapeKind::Region}, 2, anyNumber}});
+    QCOMPARE(messageOf([&] {
+               arrangedInputs(type, std::vector<Shape>{Region{}, Mesh{}});
+             }),
+             std::string("The input \"shape\" of Morph takes a region; it got a mesh."));
+    QCOMPARE(messageOf([&] {
+               arrangedInputs(type, std::vector<Shape>{Region{}, Shape()});
+             }),
+             std::string("The input \"shape\" of Morph takes a region; it got nothing."));
+    QCOMPARE(messageOf([&] { arrangedInputs(type, std::vector<Shape>{Region{}}); }),
+             std::string("Morph takes at least 2 \"shape\" as input; it got 1."));
+    QCOMPARE(messageOf([&] { arrangedInputs(withInputs({}), std::vector<Shape>{Region{}}); }),
+             std::string("Morph takes no input; it got 1."));
+  }
+
+  void runsOfInputsLeaveEnoughForTheRest() {
+    const auto type = withInputs({{"shape", "", {ShapeKind::Region}, 1, anyNumber},
+                                  {"guide", "", {ShapeKind::Curve}, 0, 1},
+                                  {"base", "", {ShapeKind::Mesh}, 1, 1}});
+    const auto counts = [&](const std::vector<Shape>& given) {
+      const Inputs inputs = arrangedInputs(type, given);
+      return std::vector<std::size_t>{inputs.of(0).size(), inputs.of(1).size(), inputs.of(2).size()};
+    };
+    QCOMPARE(counts({Region{}, Region{}, Mesh{}}), (std::vector<std::size_t>{2, 0, 1}));
+    QCOMPARE(counts({Region{}, Curve{}, Mesh{}}), (std::vector<std::size_t>{1, 1, 1}));
+    VERIFY_ERROR(counts({Region{}, Curve{}, Curve{}, Mesh{}}), ErrorCode::InvalidInput);
+    VERIFY_ERROR(counts({Mesh{}, Mesh{}}), ErrorCode::InvalidInput);
+  }
+};
+
+QTEST_GUILESS_MAIN(RegistryTest)
+#include "registry_test.moc"

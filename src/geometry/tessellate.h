@@ -10,26 +10,27 @@
 namespace blossom {
 
 struct TessellationOptions {
-  double chord = 0.05;          ///< mm, largest distance between the shape and its polygons; 0: 1/1000 of the shape's diagonal
-  double angle = 0.3;           ///< radians, largest turn of the normal from vertex to vertex
+  double chord = 0.05;  ///< mm, largest distance between the shape and its polygons; 0: 1/1000 of the shape's diagonal
+  double angle = 0.3;   ///< radians, largest turn of the normal from vertex to vertex
 };
 
 /// Triangles, lines and points that stand for a shape on the screen or in a mesh file.
 /// points and normals have equal length, or normals is empty for planar drawings.
 struct Tessellation {
   std::vector<Vec3> points;
-  std::vector<Vec3> normals;                     ///< unit length, outward for solids
+  std::vector<Vec3> normals;  ///< unit length, outward for solids
   std::vector<std::array<int, 3>> triangles;
-  std::vector<int> faceOfTriangle;               ///< index of the face of the shape, for picking
-  std::vector<Color> faceColors;                 ///< per face; empty when the shape has no colours of its own
-  std::vector<std::vector<Vec3>> edges;          ///< feature edges (of a B-rep), curves (of drawings) as polylines
-  std::vector<Vec3> markers;                     ///< free points
+  std::vector<int> faceOfTriangle;       ///< index of the face of the shape, for picking
+  std::vector<Color> faceColors;         ///< per face; empty when the shape has no colours of its own
+  std::vector<std::vector<Vec3>> edges;  ///< feature edges (of a B-rep), curves (of drawings) as polylines
+  std::vector<Vec3> markers;             ///< free points
 };
 
 /// Tessellates any shape within the chord given. @throws Error Cancelled, Degenerate.
 Tessellation tessellate(const Shape&, const TessellationOptions& = {}, const Progress& = Progress::none());
 
-/// The triangles as one mesh with shared vertices: points closer than 1e-7 mm become one, so that the mesh of a closed solid is closed.
+/// The triangles as one mesh with shared vertices: points closer than 1e-7 mm become one, so that the mesh of a closed solid
+/// is closed.
 Mesh toMesh(const Tessellation&);
 
 /// Mesh of a shape (the shape itself when it is one): what STL, OBJ, OFF and PLY write.

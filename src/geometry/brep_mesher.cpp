@@ -1,0 +1,290 @@
+#include "geometry/brep_mesher.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <GCPnts_TangentialDeflection.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/occt_progress.h"
+
+namespace blossom {
+namespace {
+
+Vec3 toVec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+
+struct FaceMesh {
+  TopoDS_Face face;
+  TopLoc_Location location;
+  Handle(Poly_Triangulation) triangulation;
+  int offset = 0;  ///< of its points in the result
+};
+
+/// Parameters in the middle of a face, towards which a degenerate normal is sought.
+gp_Pnt2d parameterCenter(const Poly_Triangulation& triangulation) {
+  gp_XY sum(0, 0);
+  for (int i = 1; i <= triangulation.NbNodes(); ++i) sum += triangulation.UVNode(i).XY();
+  return gp_Pnt2d(sum / std::max(1, triangulation.NbNodes()));
+}
+
+std::optional<Vec3> surfaceNormal(const BRepAdaptor_Surface& surface, const gp_XY& uv) {
+  gp_Pnt p;
+  gp_Vec du, dv;
+  surface.D1(uv.X(), uv.Y(), p, du, dv);
+  const Vec3 normal = toVec(du.XYZ()).cross(toVec(dv.XYZ()));
+  const double speed = std::max(du.SquareMagnitude(), dv.SquareMagnitude());
+  if (!(normal.norm() > 1e-8 * speed)) return std::nullopt;
+  return normal.normalized();
+}
+
+/// At a pole the normal is that of a point a little way inside.
+Vec3 normalAt(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_Pnt2d& center) {
+  for (const double step : {0.0, 1e-5, 1e-3, 1e-1})
+    if (const auto normal = surfaceNormal(surface, uv.XY() + (center.XY() - uv.XY()) * step)) return *normal;
+  return {0, 0, 1};
+}
+
+/// Distance from a triangle's plane to the surface point in the middle of its parameters.
+double sag(const FaceMesh& mesh, const BRepAdaptor_Surface& surface, const Poly_Triangle& triangle) {
+  int a = 0, b = 0, c = 0;
+  triangle.Get(a, b, c);
+  const Poly_Triangulation& t = *mesh.triangulation;
+  const auto at = [&](int i) { return toVec(t.Node(i).Transformed(mesh.location.Transformation()).XYZ()); };
+  const gp_XY middle = (t.UVNode(a).XY() + t.UVNode(b).XY() + t.UVNode(c).XY()) / 3;
+  const Vec3 p = at(a);
+  const Vec3 normal = (at(b) - p).cross(at(c) - p);
+  if (!(normal.norm() > 0)) return 0;
+  return std::abs((toVec(surface.Value(middle.X(), middle.Y()).XYZ()) - p).dot(normal.normalized()));
+}
+
+class ShapeMesher {
+ public:
+  ShapeMesher(const TopoDS_Shape& shape, const TessellationOptions& options, const Progress& progress)
+      : shape_(BRepBuilderAPI_Copy(shape, Standard_False, Standard_False).Shape()), options_(options), progress_(progress) {
+    TopExp::MapShapes(shape_, TopAbs_FACE, faceMap_);
+  }
+
+  Tessellation run() {
+    if (faceMap_.Extent() > 0) {
+      triangulateWithinChord();
+      placePoints();
+      addTriangles();
+    }
+    addEdges();
+    for (TopExp_Explorer vertex(shape_, TopAbs_VERTEX, TopAbs_EDGE); vertex.More(); vertex.Next())
+      result_.markers.push_back(toVec(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())).XYZ()));
+    return std::move(result_);
+  }
+
+ private:
+  /// OCCT does not always keep its deflection on free-form faces: measured, and meshed again finer if need be.
+  void triangulateWithinChord() {
+    constexpr int mostRounds = 4;
+    double deflection = options_.chord;
+    for (int round = 0; round < mostRounds; ++round) {
+      triangulate(deflection);
+      const double worst = largestSag();
+      if (worst <= options_.chord) return;
+      deflection = std::max(deflection * std::max(0.15, 0.8 * options_.chord / worst), 10 * Precision::Confusion());
+    }
+  }
+
+  void triangulate(double deflection) {
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = std::max(deflection, 2 * Precision::Confusion());
+    parameters.Angle = options_.angle;
+    parameters.InParallel = Standard_True;
+    const Handle(OcctProgress) indicator = new OcctProgress(progress_, "Meshing");
+    BRepMesh_IncrementalMesh(shape_, parameters, indicator->Start());
+    progress_.check();
+    collectFaces();
+  }
+
+  void collectFaces() {
+    faces_.assign(static_cast<std::size_t>(faceMap_.Extent()), {});
+    bool any = false;
+    for (int i = 1; i <= faceMap_.Extent(); ++i) {
+      FaceMesh& mesh = faces_[static_cast<std::size_t>(i - 1)];
+      mesh.face = TopoDS::Face(faceMap_(i));
+      mesh.triangulation = BRep_Tool::Triangulation(mesh.face, mesh.location);
+      if (!mesh.triangulation.IsNull() && !mesh.triangulation->HasUVNodes()) mesh.triangulation.Nullify();
+      any = any || !mesh.triangulation.IsNull();
+    }
+    if (!any)
+      throw Error(ErrorCode::Degenerate, "None of the faces can be divided into triangles.",
+                  "Check the shape; its edges may not bound its faces.");
+  }
+
+  double largestSag() const {
+    std::vector<double> worst(faces_.size());
+    parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        if (faces_[f].triangulation.IsNull()) continue;
+        const BRepAdaptor_Surface surface(faces_[f].face, Standard_False);
+        if (surface.GetType() == GeomAbs_Plane) continue;
+        for (int t = 1; t <= faces_[f].triangulation->NbTriangles(); ++t)
+          worst[f] = std::max(worst[f], sag(faces_[f], surface, faces_[f].triangulation->Triangle(t)) -
+                                            BRep_Tool::Tolerance(faces_[f].face));
+      }
+    });
+    return *std::max_element(worst.begin(), worst.end());
+  }
+
+  void placePoints() {
+    int total = 0;
+    for (FaceMesh& mesh : faces_) {
+      mesh.offset = total;
+      if (!mesh.triangulation.IsNull()) total += mesh.triangulation->NbNodes();
+    }
+    result_.points.resize(static_cast<std::size_t>(total));
+    result_.normals.resize(static_cast<std::size_t>(total));
+    parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        if (!faces_[f].triangulation.IsNull()) placeFace(faces_[f]);
+    });
+  }
+
+  void placeFace(const FaceMesh& mesh) {
+    const gp_Trsf& place = mesh.location.Transformation();
+    const BRepAdaptor_Surface surface(mesh.face, Standard_False);
+    const gp_Pnt2d center = parameterCenter(*mesh.triangulation);
+    const double side = isInverted(mesh) ? -1 : 1;
+    for (int i = 1; i <= mesh.triangulation->NbNodes(); ++i) {
+      const auto index = static_cast<std::size_t>(mesh.offset + i - 1);
+      result_.points[index] = toVec(mesh.triangulation->Node(i).Transformed(place).XYZ());
+      result_.normals[index] = side * normalAt(surface, mesh.triangulation->UVNode(i), center);
+    }
+  }
+
+  /// A mirroring location turns du x dv round, as a reversed orientation does.
+  static bool isInverted(const FaceMesh& mesh) {
+    return (mesh.face.Orientation() == TopAbs_REVERSED) != mesh.location.Transformation().IsNegative();
+  }
+
+  void addTriangles() {
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const FaceMesh& mesh = faces_[f];
+      if (mesh.triangulation.IsNull()) continue;
+      for (int t = 1; t <= mesh.triangulation->NbTriangles(); ++t) {
+        int a = 0, b = 0, c = 0;
+        mesh.triangulation->Triangle(t).Get(a, b, c);
+        if (isInverted(mesh)) std::swap(b, c);
+        result_.triangles.push_back({mesh.offset + a - 1, mesh.offset + b - 1, mesh.offset + c - 1});
+        result_.faceOfTriangle.push_back(static_cast<int>(f));
+      }
+    }
+  }
+
+  /// The points of an edge in one of its faces; a seam has two rows of them.
+  std::vector<std::vector<std::size_t>> rows(const TopoDS_Edge& edge, const TopTools_ListOfShape& owners) const {
+    std::vector<std::vector<std::size_t>> result;
+    for (const TopoDS_Shape& owner : owners) {
+      const int index = faceMap_.FindIndex(owner);
+      const FaceMesh& mesh = faces_[static_cast<std::size_t>(index - 1)];
+      if (mesh.triangulation.IsNull()) continue;
+      const auto add = [&](TopAbs_Orientation orientation) {
+        const TopoDS_Edge oriented = TopoDS::Edge(edge.Oriented(orientation));
+        const auto polygon = BRep_Tool::PolygonOnTriangulation(oriented, mesh.triangulation, mesh.location);
+        if (polygon.IsNull()) return;
+        auto& row = result.emplace_back();
+        for (int i = 1; i <= polygon->NbNodes(); ++i)
+          row.push_back(static_cast<std::size_t>(mesh.offset + polygon->Node(i) - 1));
+      };
+      add(TopAbs_FORWARD);
+      if (BRep_Tool::IsClosed(edge, mesh.face)) add(TopAbs_REVERSED);
+    }
+    return result;
+  }
+
+  void addEdges() {
+    TopTools_IndexedDataMapOfShapeListOfShape edges;
+    TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      if (i % 256 == 0) progress_.check();
+      const TopoDS_Edge& edge = TopoDS::Edge(edges.FindKey(i));
+      const auto edgeRows = rows(edge, edges(i));
+      alignRows(edge, edgeRows);
+      if (BRep_Tool::Degenerated(edge)) continue;
+      if (edges(i).IsEmpty()) {
+        addFreeEdge(edge);
+      } else if (!edgeRows.empty() && !isSmoothSeam(edge, edges(i), edgeRows)) {
+        auto& polyline = result_.edges.emplace_back();
+        for (const std::size_t p : edgeRows.front()) polyline.push_back(result_.points[p]);
+      }
+    }
+  }
+
+  /// Gives an edge's points the same coordinates in all faces, and its ends those of the vertices.
+  void alignRows(const TopoDS_Edge& edge, const std::vector<std::vector<std::size_t>>& edgeRows) {
+    const auto place = [&](const TopoDS_Vertex& vertex, std::size_t index) {
+      if (!vertex.IsNull()) result_.points[index] = toVec(BRep_Tool::Pnt(vertex).XYZ());
+    };
+    const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    for (const auto& row : edgeRows) {
+      const auto& first = edgeRows.front();
+      if (row.size() == first.size())
+        for (std::size_t k = 0; k < row.size(); ++k) result_.points[row[k]] = result_.points[first[k]];
+      place(TopExp::FirstVertex(forward), row.front());
+      place(TopExp::LastVertex(forward), row.back());
+    }
+  }
+
+  /// Where a surface closes smoothly onto itself, nothing is to be seen.
+  bool isSmoothSeam(const TopoDS_Edge& edge, const TopTools_ListOfShape& owners,
+                    const std::vector<std::vector<std::size_t>>& edgeRows) const {
+    constexpr double smooth = 0.99;
+    if (owners.Extent() != 1 || edgeRows.size() != 2 || !BRep_Tool::IsClosed(edge, TopoDS::Face(owners.First())))
+      return false;
+    const auto& [a, b] = std::pair(edgeRows[0], edgeRows[1]);
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+      if (result_.normals[a[k]].dot(result_.normals[b[k]]) < smooth) return false;
+    return true;
+  }
+
+  void addFreeEdge(const TopoDS_Edge& edge) {
+    const BRepAdaptor_Curve curve(edge);
+    const GCPnts_TangentialDeflection points(curve, options_.angle, options_.chord);
+    auto& polyline = result_.edges.emplace_back();
+    for (int i = 1; i <= points.NbPoints(); ++i) polyline.push_back(toVec(points.Value(i).XYZ()));
+  }
+
+  TopoDS_Shape shape_;
+  TessellationOptions options_;
+  const Progress& progress_;
+  TopTools_IndexedMapOfShape faceMap_;
+  std::vector<FaceMesh> faces_;
+  Tessellation result_;
+};
+
+}  // namespace
+
+Tessellation meshShape(const TopoDS_Shape& shape, const TessellationOptions& options, const Progress& progress) {
+  try {
+    return ShapeMesher(shape, options, progress).run();
+  } catch (const Standard_Failure& failure) {
+    throw Error(ErrorCode::Degenerate, std::string("The shape cannot be meshed: ") + failure.GetMessageString() + ".",
+                "Check the shape; it may come from a damaged file.");
+  }
+}
+
+}  // namespace blossom

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/vector.h"
+#include "geometry/surface.h"
+
+/// Surfaces evaluated on a grid of parameters: basis functions are tabulated once a row and once a column.
+namespace blossom {
+
+/// Where a surface is evaluated. Knots where it may have a kink come twice, once for either side.
+struct GridSample {
+  double t = 0;
+  std::size_t span = 0;      ///< knot span whose polynomial counts
+  std::size_t interval = 0;  ///< index of the interval between breaks
+  bool odd = false;          ///< a middle, when intervals are halved
+};
+
+struct SurfaceGrid {
+  std::vector<GridSample> u, v;
+  std::vector<Vec3> points;   ///< u.size() * v.size(), row by row of u
+  std::vector<Vec3> normals;  ///< unit length, along du x dv; at poles the limit from inside
+
+  [[nodiscard]] const Vec3& point(std::size_t i, std::size_t j) const { return points[i * v.size() + j]; }
+  /// Is there surface between sample i and the next, or are both one kink?
+  [[nodiscard]] bool connectedU(std::size_t i) const { return u[i].t != u[i + 1].t; }
+  [[nodiscard]] bool connectedV(std::size_t j) const { return v[j].t != v[j + 1].t; }
+};
+
+/// The distinct knots within the domain.
+std::vector<double> domainBreaks(int degree, const std::vector<double>& knots);
+
+/// `steps[k] * times` steps in the interval k of `breaks`.
+std::vector<GridSample> samples(int degree, const std::vector<double>& knots, const std::vector<double>& breaks,
+                                const std::vector<int>& steps, int times);
+
+/// O(p q) per row and O(q) per point, in parallel. @throws Error Degenerate when the surface runs through infinity,
+/// Cancelled.
+SurfaceGrid evaluateGrid(const Surface&, std::vector<GridSample> u, std::vector<GridSample> v, const Progress&);
+
+/// How a surface bends at a point: parts of the second derivatives along the normal, and lengths of the first ones.
+struct SecondOrder {
+  double bendUU = 0, bendUV = 0, bendVV = 0;
+  double speedU = 0, speedV = 0;
+};
+SecondOrder secondOrder(const Surface&, double u, double v);
+
+}  // namespace blossom

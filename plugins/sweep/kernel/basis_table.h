@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom::sweep {
+
+/// Which polynomial piece counts at a knot.
+enum class Side { Left, Right };
+
+/// The non-zero basis functions and their first derivatives at many parameters, tabulated once.
+struct BasisTable {
+  int degree = 0;
+  std::vector<std::size_t> first;  ///< index of the first pole that matters, one per parameter
+  std::vector<double> value;       ///< degree + 1 for each parameter
+  std::vector<double> derivative;  ///< degree + 1 for each parameter
+
+  [[nodiscard]] std::size_t size() const { return first.size(); }
+  [[nodiscard]] std::span<const double> values(std::size_t k) const { return row(value, k); }
+  [[nodiscard]] std::span<const double> derivatives(std::size_t k) const { return row(derivative, k); }
+
+ private:
+  [[nodiscard]] std::span<const double> row(const std::vector<double>& from, std::size_t k) const {
+    const std::size_t order = static_cast<std::size_t>(degree) + 1;
+    return std::span(from).subspan(k * order, order);
+  }
+};
+
+/// @param knots full vector, clamped or not  @param parameters inside the domain. O(parameters * degree^2).
+BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<const double> parameters,
+                         Side side = Side::Right);
+
+}  // namespace blossom::sweep

@@ -1,0 +1,199 @@
+#include "kernel/cubic_approximation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/product.h"
+#include "kernel/cubic_spline.h"
+#include "kernel/motion_grid.h"
+#include "kernel/motion_point.h"
+#include "kernel/surface_grid.h"
+#include "kernel/vanishing.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+/// Distinct knots of all factors in one direction, with the multiplicity that a cubic needs for the same smoothness.
+CubicBreaks motionBreaks(std::span<const ProductFactor> factors, bool closed) {
+  const ProductKnots product = productKnots(factors);
+  CubicBreaks breaks;
+  for (std::size_t i = 0; i < product.knots.size();) {
+    std::size_t next = i;
+    while (next < product.knots.size() && product.knots[next] == product.knots[i]) ++next;
+    const int smoothness = product.degree - static_cast<int>(next - i);
+    breaks.at.push_back(product.knots[i]);
+    breaks.multiplicity.push_back(std::clamp(3 - smoothness, 1, 3));
+    i = next;
+  }
+  breaks.multiplicity.front() = breaks.multiplicity.back() = 1;
+  breaks.periodic =
+      closed && std::all_of(breaks.multiplicity.begin(), breaks.multiplicity.end(), [](int m) { return m == 1; });
+  return breaks;
+}
+
+/// The knot at the seam of a closed factor leaves it C2 there.
+bool seamIsSmooth(const Surface& factor) {
+  const double seam = factor.domainU().first;
+  return factor.degreeU - std::count(factor.knotsU.begin(), factor.knotsU.end(), seam) >= 2;
+}
+
+CubicBreaks breaksU(const Motion& motion) {
+  const Surface &r = motion.orientation, &s = motion.scaling;
+  return motionBreaks(std::vector<ProductFactor>{{r.degreeU, 2, r.knotsU}, {s.degreeU, 1, s.knotsU}},
+                      motion.closedU != ClosedU::No && seamIsSmooth(r) && seamIsSmooth(s));
+}
+
+CubicBreaks breaksV(const Motion& motion) {
+  const Surface &r = motion.orientation, &s = motion.scaling;
+  const Curve& t = motion.trajectory;
+  return motionBreaks(std::vector<ProductFactor>{{t.degree, 1, t.knots}, {r.degreeV, 2, r.knotsV}, {s.degreeV, 1, s.knotsV}},
+                      false);
+}
+
+CubicBreaks halved(const CubicBreaks& breaks, std::size_t mostSpans) {
+  const std::size_t spans = breaks.at.size() - 1;
+  if (2 * spans > mostSpans) return breaks;
+  CubicBreaks result;
+  result.periodic = breaks.periodic;
+  for (std::size_t i = 0; i < spans; ++i) {
+    result.at.insert(result.at.end(), {breaks.at[i], (breaks.at[i] + breaks.at[i + 1]) / 2});
+    result.multiplicity.insert(result.multiplicity.end(), {breaks.multiplicity[i], 1});
+  }
+  result.at.push_back(breaks.at.back());
+  result.multiplicity.push_back(1);
+  return result;
+}
+
+void put(Rows& rows, std::size_t i, std::size_t column, const Vec3& value) {
+  rows.block<1, 3>(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(3 * column)) = value.transpose();
+}
+
+Rows makeRows(std::size_t rows, std::size_t points) {
+  return Rows(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(3 * points));
+}
+
+/// Points in rows of v become points in rows of u.
+Rows transposedPoints(const Rows& rows) {
+  const Eigen::Index points = rows.cols() / 3;
+  Rows result(points, 3 * rows.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    for (Eigen::Index j = 0; j < points; ++j) result.block<1, 3>(j, 3 * i) = rows.block<1, 3>(i, 3 * j);
+  return result;
+}
+
+/// A parameter where a slope is needed, and the side it is taken from.
+struct SlopePlace {
+  double at;
+  Side side;
+};
+std::vector<SlopePlace> slopePlaces(const CubicBreaks& breaks) {
+  std::vector<SlopePlace> places;
+  for (const auto& [from, to] : breaks.segments()) {
+    places.push_back({breaks.at[from], Side::Right});
+    places.push_back({breaks.at[to], Side::Left});
+  }
+  return places;
+}
+
+Rows pointsAtBreaks(const Motion& motion, const CubicBreaks& u, const CubicBreaks& v, const Progress& progress) {
+  MotionGrid grid;
+  evaluateGrid(motion, u.at, v.at, grid, GridDerivatives::No, progress);
+  Rows values = makeRows(grid.countU, grid.countV);
+  for (std::size_t i = 0; i < grid.countU; ++i)
+    for (std::size_t j = 0; j < grid.countV; ++j) put(values, i, j, grid.pointAt(i, j));
+  // The seam holds to the last bit.
+  if (motion.closedU != ClosedU::No) values.row(values.rows() - 1) = values.row(0);
+  return values;
+}
+
+Surface interpolate(const Motion& motion, const CubicBreaks& u, const CubicBreaks& v, const Progress& progress) {
+  const auto placesU = slopePlaces(u), placesV = slopePlaces(v);
+  const Rows values = pointsAtBreaks(motion, u, v, progress);
+  Rows slopesU = makeRows(placesU.size(), v.at.size()), slopesV = makeRows(u.at.size(), placesV.size()),
+       twists = makeRows(placesU.size(), placesV.size());
+  for (std::size_t i = 0; i < placesU.size(); ++i) {
+    for (std::size_t j = 0; j < v.at.size(); ++j)
+      put(slopesU, i, j, evaluate(motion, placesU[i].at, v.at[j], placesU[i].side).du);
+    for (std::size_t j = 0; j < placesV.size(); ++j)
+      put(twists, i, j, evaluate(motion, placesU[i].at, placesV[j].at, placesU[i].side, placesV[j].side).duv);
+  }
+  for (std::size_t i = 0; i < u.at.size(); ++i)
+    for (std::size_t j = 0; j < placesV.size(); ++j)
+      put(slopesV, i, j, evaluate(motion, u.at[i], placesV[j].at, Side::Right, placesV[j].side).dv);
+  if (motion.closedU != ClosedU::No) slopesV.row(slopesV.rows() - 1) = slopesV.row(0);
+
+  const Rows poles = interpolateCubic(v, transposedPoints(interpolateCubic(u, values, slopesU)),
+                                      transposedPoints(interpolateCubic(u, slopesV, twists)));
+  Surface surface{3, 3, u.knots(), v.knots(), {}};
+  surface.poles.reserve(static_cast<std::size_t>(poles.size() / 3));
+  for (Eigen::Index i = 0; i < poles.cols() / 3; ++i)
+    for (Eigen::Index j = 0; j < poles.rows(); ++j)
+      surface.poles.emplace_back(poles(j, 3 * i), poles(j, 3 * i + 1), poles(j, 3 * i + 2), 1.0);
+  return surface;
+}
+
+/// Middles of `samples` equal parts of every span.
+std::vector<double> innerSamples(int degree, const std::vector<double>& knots, int samples) {
+  std::vector<double> result;
+  for (std::size_t i = static_cast<std::size_t>(degree); i + static_cast<std::size_t>(degree) + 1 < knots.size(); ++i)
+    for (int k = 0; k < samples && knots[i] < knots[i + 1]; ++k)
+      result.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / samples);
+  return result;
+}
+
+}  // namespace
+
+double deviation(const Motion& motion, const Surface& surface, int samples, double enough, const Progress& progress) {
+  const std::vector<double> us = innerSamples(surface.degreeU, surface.knotsU, samples),
+                            vs = innerSamples(surface.degreeV, surface.knotsV, samples);
+  std::atomic<double> largest = 0;
+  constexpr std::size_t strip = 64;
+  parallelFor((us.size() + strip - 1) / strip, 1, progress, [&](std::size_t begin, std::size_t end) {
+    MotionGrid wanted;
+    for (std::size_t k = begin; k < end && largest <= enough; ++k) {
+      const std::span<const double> part = std::span(us).subspan(k * strip, std::min(strip, us.size() - k * strip));
+      evaluateGrid(motion, part, vs, wanted, GridDerivatives::No, progress);
+      const auto given = evaluateGrid(surface, part, vs);
+      double square = 0;
+      for (std::size_t i = 0; i < given[0].size(); ++i) {
+        const double dx = given[0][i] - wanted.point[0][i], dy = given[1][i] - wanted.point[1][i],
+                     dz = given[2][i] - wanted.point[2][i];
+        square = std::max(square, dx * dx + dy * dy + dz * dz);
+      }
+      const double found = std::sqrt(square);
+      for (double known = largest; known < found && !largest.compare_exchange_weak(known, found);) {
+      }
+    }
+  });
+  return largest;
+}
+
+CubicResult approximateCubic(const Motion& motion, const CubicOptions& options, const Progress& progress) {
+  requireNonVanishing(motion.orientation, progress);
+  CubicBreaks u = breaksU(motion), v = breaksV(motion);
+  CubicResult result;
+  while (true) {
+    const std::size_t spansU = u.at.size() - 1, spansV = v.at.size() - 1;
+    progress.report(0.1 + 0.8 * static_cast<double>(std::max(spansU, spansV)) / static_cast<double>(options.mostSpans),
+                    "Approximating");
+    result.surface = interpolate(motion, u, v, progress);
+    result.spansU = spansU, result.spansV = spansV;
+    result.deviation = deviation(motion, result.surface, 9, options.tolerance, progress);
+    if (result.deviation <= options.tolerance) return result;
+    u = halved(u, options.mostSpans), v = halved(v, options.mostSpans);
+    if (u.at.size() - 1 == spansU && v.at.size() - 1 == spansV)
+      throw Error(
+          ErrorCode::LimitExceeded,
+          fmt::format("With {} x {} spans the cubic surface still deviates by {:.3g} mm or more; {:.3g} mm were asked for.",
+                      spansU, spansV, result.deviation, options.tolerance),
+          "Ask for a larger tolerance, or export the exact surface.");
+  }
+}
+
+}  // namespace blossom::sweep

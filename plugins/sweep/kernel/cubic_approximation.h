@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+
+#include "core/progress.h"
+#include "geometry/motion.h"
+
+namespace blossom::sweep {
+
+struct CubicOptions {
+  double tolerance = 1e-3;       ///< mm, largest distance from x(u,v) at equal parameters
+  std::size_t mostSpans = 1024;  ///< in each direction
+};
+
+struct CubicResult {
+  Surface surface;       ///< polynomial (all weights 1), bicubic, clamped; first and last row the same when closed in u
+  double deviation = 0;  ///< mm, largest distance measured, 9 x 9 samples in every span
+  std::size_t spansU = 0, spansV = 0;
+};
+
+/// A bicubic B-spline surface near the swept surface, for receivers that cannot take rational surfaces of high degree. It
+/// interpolates the motion at its breaks and is C2 wherever the motion is; the spans of the motion are halved until the
+/// deviation, measured and not estimated, is at most the tolerance.
+/// @throws Error LimitExceeded with the deviation reached; Degenerate; Cancelled. Cost: O(samples), about 20 ns each.
+CubicResult approximateCubic(const Motion&, const CubicOptions& = {}, const Progress& = Progress::none());
+
+/// Largest distance at equal parameters between the motion and a surface, over samples x samples inner points of each span.
+/// Stops early once `enough` is passed.
+double deviation(const Motion&, const Surface&, int samples, double enough, const Progress& = Progress::none());
+
+}  // namespace blossom::sweep

@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/progress.h"
+#include "geometry/motion.h"
+
+namespace blossom::sweep {
+
+/// Points of a swept surface over a grid of parameters, one array for each coordinate. Entry (k, l) stands at [k * countV +
+/// l].
+struct MotionGrid {
+  std::size_t countU = 0, countV = 0;
+  std::array<std::vector<double>, 3> point;
+  std::array<std::vector<double>, 3> normal;  ///< x_u cross x_v, unit length; zero where that vanishes
+  std::array<std::vector<double>, 3> du, dv;  ///< only when asked for
+  [[nodiscard]] Vec3 pointAt(std::size_t k, std::size_t l) const { return at(point, k, l); }
+  [[nodiscard]] Vec3 normalAt(std::size_t k, std::size_t l) const { return at(normal, k, l); }
+  [[nodiscard]] Vec3 duAt(std::size_t k, std::size_t l) const { return at(du, k, l); }
+  [[nodiscard]] Vec3 dvAt(std::size_t k, std::size_t l) const { return at(dv, k, l); }
+
+ private:
+  [[nodiscard]] Vec3 at(const std::array<std::vector<double>, 3>& a, std::size_t k, std::size_t l) const {
+    const std::size_t i = k * countV + l;
+    return {a[0][i], a[1][i], a[2][i]};
+  }
+};
+
+enum class GridDerivatives { No, Yes };
+
+/// Evaluates the motion by its factors at all pairs of the parameters given; the product surface is never formed. Basis
+/// functions are tabulated once for each u and v, the factors are summed in two stages, and x = t + R a with a = s p / sw,
+/// x_u = R (a_u + W_u x a), W_u = 2 vec(conj(r) r_u) / |r|^2 (the body's angular velocity). Reuses the memory of `grid`. One
+/// thread; about 40 ns a point without and 10 ns with wide vector units.
+/// @throws Error Cancelled.
+void evaluateGrid(const Motion&, std::span<const double> us, std::span<const double> vs, MotionGrid& grid,
+                  GridDerivatives = GridDerivatives::No, const Progress& = Progress::none());
+
+/// `count` parameters from the first to the last of a domain, evenly spaced.
+std::vector<double> evenParameters(std::pair<double, double> domain, std::size_t count);
+
+}  // namespace blossom::sweep

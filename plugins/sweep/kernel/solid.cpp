@@ -1,0 +1,189 @@
+#include "kernel/solid.h"
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <gp_Pln.hxx>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "geometry/occt.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr double same = 1e-9;  // of the size
+
+Vec3 euclidean(const Vec4& pole) { return pole.head<3>() / pole[3]; }
+
+double sizeOf(const Surface& surface) {
+  Vec3 low = euclidean(surface.poles[0]), high = low;
+  for (const Vec4& pole : surface.poles) low = low.cwiseMin(euclidean(pole)), high = high.cwiseMax(euclidean(pole));
+  return (high - low).norm();
+}
+
+/// Copies line `from` of poles over line `to` when they stand for the same curve: the same points, weights in one ratio.
+/// @param step,lines stride inside a line and between positions, as indices into the pole array
+bool mergeLines(Surface& surface, std::size_t from, std::size_t to, std::size_t step, std::size_t count, double size) {
+  const double ratio = surface.poles[to][3] / surface.poles[from][3];
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec4 &a = surface.poles[from + i * step], &b = surface.poles[to + i * step];
+    if ((euclidean(a) - euclidean(b)).norm() > same * size || std::abs(b[3] - ratio * a[3]) > same * std::abs(b[3]))
+      return false;
+  }
+  if (std::abs(ratio - 1) > same) return false;
+  for (std::size_t i = 0; i < count; ++i) surface.poles[to + i * step] = surface.poles[from + i * step];
+  return true;
+}
+
+/// The row of poles at an end in v.
+std::vector<Vec4> endPoles(const Surface& surface, bool atEnd) {
+  std::vector<Vec4> poles;
+  for (std::size_t i = 0; i < surface.countU(); ++i) poles.push_back(surface.pole(i, atEnd ? surface.countV() - 1 : 0));
+  return poles;
+}
+
+Vec3 centre(const std::vector<Vec4>& poles) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i + 1 < poles.size(); ++i) sum += euclidean(poles[i]);
+  return sum / static_cast<double>(poles.size() - 1);
+}
+
+/// Normal of the plane through all poles within `tolerance`.
+std::optional<Vec3> planeNormal(const std::vector<Vec4>& poles, const Vec3& origin, double tolerance) {
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec4& pole : poles) spread += (euclidean(pole) - origin) * (euclidean(pole) - origin).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const Vec3 normal = solver.eigenvectors().col(0);
+  for (const Vec4& pole : poles)
+    if (std::abs(normal.dot(euclidean(pole) - origin)) > tolerance) return {};
+  return normal;
+}
+
+gp_Pnt toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+/// The boundary edge of the side face that runs along an end.
+TopoDS_Edge endEdge(const TopoDS_Face& side, double v) {
+  for (TopExp_Explorer explorer(side, TopAbs_EDGE); explorer.More(); explorer.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(explorer.Current());
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, side, first, last);
+    if (curve.IsNull() || BRep_Tool::Degenerated(edge)) continue;
+    const gp_Pnt2d a = curve->Value(first), b = curve->Value(last);
+    if (std::abs(a.Y() - v) < 1e-9 && std::abs(b.Y() - v) < 1e-9) return edge;
+  }
+  throw Error(ErrorCode::Degenerate, "An end of the sweep has no boundary to close.");
+}
+
+/// Straight lines from the end curve to its centre, over the same knots and weights: the boundary is shared homogeneously.
+Surface cone(const Surface& surface, const std::vector<Vec4>& poles, const Vec3& apex) {
+  Surface result{surface.degreeU, 1, surface.knotsU, {0, 0, 1, 1}, {}};
+  for (const Vec4& pole : poles) {
+    result.poles.push_back(pole);
+    result.poles.emplace_back(pole[3] * apex.x(), pole[3] * apex.y(), pole[3] * apex.z(), pole[3]);
+  }
+  return result;
+}
+
+struct Cap {
+  EndCap kind = EndCap::None;
+  TopoDS_Face face;
+};
+
+Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double size) {
+  const std::vector<Vec4> poles = endPoles(surface, atEnd);
+  const Vec3 origin = centre(poles);
+  const bool point = std::all_of(poles.begin(), poles.end(),
+                                 [&](const Vec4& pole) { return (euclidean(pole) - origin).norm() <= same * size; });
+  if (point) return {EndCap::Point, {}};
+  const auto [first, last] = surface.domainV();
+  if (const auto normal = planeNormal(poles, origin, std::max(same * size, 1e-9))) {
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(endEdge(side, atEnd ? last : first)).Wire();
+    BRepBuilderAPI_MakeFace maker(gp_Pln(toPoint(origin), gp_Dir(normal->x(), normal->y(), normal->z())), wire,
+                                  Standard_True);
+    if (!maker.IsDone()) throw Error(ErrorCode::Degenerate, "An end of the sweep could not be closed by a plane.");
+    return {EndCap::Planar, maker.Face()};
+  }
+  return {EndCap::Cone, toFace(cone(surface, poles, origin))};
+}
+
+/// Faces become one closed shell. Planar caps hold the side's own edges already; cones are joined by sewing.
+TopoDS_Shell sew(const std::vector<TopoDS_Face>& faces, double size) {
+  BRepBuilderAPI_Sewing sewing(std::max(1e-7, same * size));
+  for (const TopoDS_Face& face : faces) sewing.Add(face);
+  sewing.Perform();
+  const TopoDS_Shape sewed = sewing.SewedShape();
+  if (!sewed.IsNull() && sewed.ShapeType() == TopAbs_SHELL) return TopoDS::Shell(sewed);
+  TopoDS_Shell shell;
+  BRep_Builder builder;
+  builder.MakeShell(shell);
+  if (!sewed.IsNull())
+    for (TopExp_Explorer explorer(sewed, TopAbs_FACE); explorer.More(); explorer.Next())
+      builder.Add(shell, explorer.Current());
+  return shell;
+}
+
+TopoDS_Solid outwardSolid(const TopoDS_Shell& shell) {
+  BRepBuilderAPI_MakeSolid maker(shell);
+  if (!maker.IsDone()) throw Error(ErrorCode::Degenerate, "The faces of the sweep do not enclose a body.");
+  TopoDS_Solid solid = maker.Solid();
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+SolidResult build(Surface surface, const Progress& progress) {
+  const double size = sizeOf(surface);
+  const std::size_t nu = surface.countU(), nv = surface.countV();
+  if (!mergeLines(surface, 0, (nu - 1) * nv, 1, nv, size))
+    throw Error(ErrorCode::InvalidInput, "This motion is not closed in u, so the surface encloses no body.",
+                "Leave out --solid, or close the orientation with \"closed_u\".");
+  const bool ring = mergeLines(surface, 0, nv - 1, nv, nu, size);
+  SolidResult result;
+  std::vector<TopoDS_Face> faces{toFace(surface)};
+  if (!ring) {
+    const Cap start = makeCap(surface, faces[0], false, size), end = makeCap(surface, faces[0], true, size);
+    result.start = start.kind, result.end = end.kind;
+    for (const Cap& cap : {start, end})
+      if (!cap.face.IsNull()) faces.push_back(cap.face);
+  }
+  progress.check();
+  const TopoDS_Shell shell = sew(faces, size);
+  result.solid = outwardSolid(shell);
+  progress.check();
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(result.solid, properties);
+  result.volume = properties.Mass();
+  if (!BRep_Tool::IsClosed(shell) || !BRepCheck_Analyzer(result.solid).IsValid() || !(result.volume > 0))
+    throw Error(ErrorCode::Degenerate, "The swept surface and its caps do not make a valid solid.",
+                "Look at the surface without --solid: it may cross itself or fold over at an end.");
+  return result;
+}
+
+}  // namespace
+
+SolidResult makeSolid(const Surface& surface, const Progress& progress) {
+  try {
+    return build(surface, progress);
+  } catch (const Standard_Failure& failure) {
+    throw Error(ErrorCode::Degenerate, std::string("The solid could not be built: ") + failure.GetMessageString() + ".");
+  }
+}
+
+}  // namespace blossom::sweep

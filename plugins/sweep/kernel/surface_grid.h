@@ -1,0 +1,13 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "geometry/surface.h"
+
+namespace blossom::sweep {
+
+/// Points of a rational surface over a grid of parameters; entry (k, l) stands at [k * vs.size() + l] of each coordinate.
+std::array<std::vector<double>, 3> evaluateGrid(const Surface&, std::span<const double> us, std::span<const double> vs);
+
+}  // namespace blossom::sweep

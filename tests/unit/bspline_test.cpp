@@ -280,6 +280,8 @@ class BsplineTest : public QObject {
       for (std::size_t i = 0; i < same.poles.size();
            ++i)  // unequal spans make extrapolation worse, by the square of their ratio
         COMPARE_NEAR((same.poles[i] - clamped(curve).poles[i]).norm(), 0, 1e-9 * magnitude(curve.poles));
+      const Curve unclamped = fromBezier(toBezier(curve), curve.knots);
+      COMPARE_NEAR(difference(unclamped, curve, uniform(random_, 0, 1)), 0, 1e-10 * magnitude(curve.poles));
       const Surface s = clamped(randomSurface(random_, 2, 3, {.spans = 4}, {.spans = 4}));
       COMPARE_NEAR(
           difference(fromBezier(toBezier(s), s.knotsU, s.knotsV), s, uniform(random_, 0, 1), uniform(random_, 0, 1)), 0,

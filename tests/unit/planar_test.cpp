@@ -1,0 +1,326 @@
+#include "geometry/planar.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/bspline.h"
+#include "support/support.h"
+
+using namespace blossom;
+using blossom::test::seededRandom;
+
+namespace {
+
+using std::numbers::pi;
+using Random = std::mt19937_64;
+using Affine = Eigen::Matrix<double, 2, 3>;
+
+double uniform(Random& random, double low, double high) { return std::uniform_real_distribution(low, high)(random); }
+
+Path circle(const Vec2& center, double radius, double sweep = 2 * pi) {
+  return {{Arc2{center, radius, 0.3, sweep}}, true, {}, {}};
+}
+
+Path polygon(const std::vector<Vec2>& points, bool closed = true) {
+  Path path;
+  path.closed = closed;
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
+    path.segments.emplace_back(Line2{points[i], points[(i + 1) % points.size()]});
+  return path;
+}
+
+Path square(const Vec2& low, double side) {
+  return polygon({low, low + Vec2(side, 0), low + Vec2(side, side), low + Vec2(0, side)});
+}
+
+Spline2 randomSpline(Random& random) {
+  const int degree = std::uniform_int_distribution(1, 6)(random);
+  const int count = degree + 1 + std::uniform_int_distribution(0, 6)(random);
+  Spline2 spline{degree, {}, {}};
+  std::vector<double> inner;
+  for (int i = 0; i < count - degree - 1; ++i) inner.push_back(uniform(random, 0.05, 0.95));
+  std::sort(inner.begin(), inner.end());
+  spline.knots.assign(static_cast<std::size_t>(degree) + 1, 0.0);
+  spline.knots.insert(spline.knots.end(), inner.begin(), inner.end());
+  spline.knots.insert(spline.knots.end(), static_cast<std::size_t>(degree) + 1, 1.0);
+  for (int i = 0; i < count; ++i) {
+    const double w = uniform(random, 0.3, 3);
+    spline.poles.emplace_back(w * uniform(random, -10, 10), w * uniform(random, -10, 10), w);
+  }
+  return spline;
+}
+
+Vec2 at(const Spline2& spline, double t) { return point(toCurve(spline), t).head<2>(); }
+
+double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double squared = along.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0;
+  return (p - a - t * along).norm();
+}
+
+double distance(const Vec2& p, const std::vector<Vec2>& polyline) {
+  double least = 1e300;
+  for (std::size_t i = 0; i + 1 < polyline.size(); ++i) least = std::min(least, distance(p, polyline[i], polyline[i + 1]));
+  return least;
+}
+
+/// Perimeter of an ellipse by the arithmetic-geometric mean (Gauss, Kummer): 2 pi (a^2 - sum 2^(n-1) c_n^2) / agm, an
+/// independent way.
+double ellipsePerimeter(double a, double b) {
+  double x = a, y = b, factor = 0.5;
+  double sum = factor * (a * a - b * b);
+  for (int n = 0; n < 60 && std::abs(x - y) > 1e-17 * x; ++n) {
+    const double c = (x - y) / 2;
+    const double mean = (x + y) / 2;
+    y = std::sqrt(x * y);
+    x = mean;
+    factor *= 2;
+    sum += factor * c * c;
+  }
+  return 2 * pi * (a * a - sum) / x;
+}
+
+double distanceFromEllipse(const Vec2& p, double a, double b) { return std::abs(std::hypot(p.x() / a, p.y() / b) - 1); }
+
+std::size_t loopsOf(const Region& region, bool outer) {
+  return static_cast<std::size_t>(
+      std::count_if(region.loops.begin(), region.loops.end(), [&](const Path& p) { return (signedArea(p) > 0) == outer; }));
+}
+
+}  // namespace
+
+class PlanarTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void discIsExact() {
+    const Path disc = circle({3, -4}, 2.5);
+    COMPARE_NEAR(signedArea(disc), pi * 6.25, 1e-13);
+    COMPARE_NEAR(length(disc), 2 * pi * 2.5, 1e-13);
+    COMPARE_NEAR(signedArea(circle({3, -4}, 2.5, -2 * pi)), -pi * 6.25, 1e-13);
+  }
+  void farAwayNothingIsLost() { COMPARE_NEAR(signedArea(circle({1e6, 1e6}, 1)), pi, 1e-9); }
+  void slotOfLinesAndArcs() {
+    const double r = 2, l = 10;
+    const Path slot{
+        {Line2{{0, -r}, {l, -r}}, Arc2{{l, 0}, r, -pi / 2, pi}, Line2{{l, r}, {0, r}}, Arc2{{0, 0}, r, pi / 2, pi}},
+        true,
+        {},
+        {}};
+    COMPARE_NEAR(signedArea(slot), 2 * r * l + pi * r * r, 1e-12);
+    COMPARE_NEAR(length(slot), 2 * l + 2 * pi * r, 1e-12);
+    COMPARE_NEAR(signedArea(reversed(slot)), -(2 * r * l + pi * r * r), 1e-12);
+  }
+  void ellipticArcLiesOnItsEllipse() {
+    Random random = seededRandom();
+    for (int i = 0; i < 50; ++i) {
+      const double a = uniform(random, 0.5, 9), ratio = uniform(random, 0.1, 2) * (i % 2 == 0 ? 1 : -1),
+                   start = uniform(random, -7, 7);
+      const double sweep = uniform(random, -2 * pi, 2 * pi);
+      const Spline2 arc = ellipticArc({0, 0}, {a, 0}, ratio, start, sweep);
+      for (int k = 0; k <= 20; ++k)
+        COMPARE_NEAR(distanceFromEllipse(at(arc, arc.knots.back() * k / 20), a, a * ratio), 0, 1e-13);
+      const double end = start + sweep;
+      COMPARE_NEAR((endPoint(arc) - Vec2(a * std::cos(end), a * ratio * std::sin(end))).norm(), 0, 1e-12);
+      COMPARE_NEAR((startPoint(arc) - Vec2(a * std::cos(start), a * ratio * std::sin(start))).norm(), 0, 1e-12);
+    }
+  }
+  void ellipseHasItsAreaAndPerimeter() {
+    for (const double ratio : {1.0, 0.5, 0.1, 0.01}) {
+      const Path ellipse{{ellipticArc({5, 6}, Vec2(3, 4), ratio, 0, 2 * pi)}, true, {}, {}};
+      COMPARE_NEAR(signedArea(ellipse) / (pi * 25 * ratio), 1, 1e-12);
+      COMPARE_NEAR(length(ellipse) / ellipsePerimeter(5, 5 * ratio), 1, 1e-12);
+    }
+  }
+  void splineLengthAndAreaAgreeWithFinePolygons() {
+    Random random = seededRandom();
+    for (int i = 0; i < 20; ++i) {
+      const Spline2 spline = randomSpline(random);
+      constexpr int steps = 4000;  // in every span of knots, however short
+      double polygonLength = 0, twiceArea = 0;
+      Vec2 last = at(spline, 0);
+      for (std::size_t span = 0; span + 1 < spline.knots.size(); ++span) {
+        const double from = spline.knots[span], to = spline.knots[span + 1];
+        for (int k = 1; from < to && k <= steps; ++k) {
+          const Vec2 p = at(spline, k == steps ? to : from + (to - from) * k / steps);
+          polygonLength += (p - last).norm();
+          twiceArea += last.x() * p.y() - last.y() * p.x();
+          last = p;
+        }
+      }
+      const Path closed{{spline, Line2{endPoint(spline), startPoint(spline)}}, true, {}, {}};
+      const Vec2 a = endPoint(spline), b = startPoint(spline);
+      twiceArea += a.x() * b.y() - a.y() * b.x();
+      COMPARE_NEAR(length(Segment(spline)) / polygonLength, 1, 1e-6);
+      COMPARE_NEAR(signedArea(closed), twiceArea / 2, 1e-4);
+      COMPARE_NEAR(length(reversed(Segment(spline))), length(Segment(spline)), 1e-10 * polygonLength);
+    }
+  }
+  void flattenKeepsTheChord() {
+    Random random = seededRandom();
+    for (int i = 0; i < 40; ++i) {
+      const Spline2 spline = randomSpline(random);
+      const double chord = std::pow(10, uniform(random, -4, 0));
+      const std::vector<Vec2> polyline = flatten(Segment(spline), chord);
+      COMPARE_NEAR((polyline.front() - startPoint(spline)).norm() + (polyline.back() - endPoint(spline)).norm(), 0, 1e-12);
+      for (int k = 0; k <= 100; ++k) QVERIFY(distance(at(spline, k / 100.0), polyline) <= chord * (1 + 1e-9));
+
+      const Arc2 arc{{1, 2}, uniform(random, 0.01, 50), uniform(random, -4, 4), uniform(random, -2 * pi, 2 * pi)};
+      const std::vector<Vec2> arcLine = flatten(Segment(arc), chord);
+      for (int k = 0; k <= 100; ++k) {
+        const double angle = arc.start + arc.sweep * k / 100;
+        QVERIFY(distance(arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle)), arcLine) <= chord * (1 + 1e-9));
+      }
+    }
+    VERIFY_ERROR(flatten(Segment(Line2{{0, 0}, {1, 0}}), 0), ErrorCode::InvalidParameter);
+  }
+  void affineMapsScaleAreasByTheirDeterminant() {
+    Random random = seededRandom();
+    const Path shape{{Line2{{0, -2}, {10, -2}}, Arc2{{10, 0}, 2, -pi / 2, pi}, Line2{{10, 2}, {0, 2}},
+                      ellipticArc({0, 0}, {0, 2}, 1.7, 0, pi)},
+                     true,
+                     {},
+                     {}};
+    for (int i = 0; i < 30; ++i) {
+      Affine affine;
+      for (int k = 0; k < 6; ++k) affine(k / 3, k % 3) = uniform(random, -3, 3);
+      const Path image = transformed(shape, affine);
+      const double determinant = affine(0, 0) * affine(1, 1) - affine(0, 1) * affine(1, 0);
+      if (std::abs(determinant) < 0.01) continue;
+      COMPARE_NEAR(signedArea(image), determinant * signedArea(shape), 1e-9);
+      for (std::size_t k = 0; k < image.segments.size(); ++k)
+        COMPARE_NEAR((endPoint(image.segments[k]) - startPoint(image.segments[(k + 1) % image.segments.size()])).norm(), 0,
+                     1e-11);
+    }
+  }
+  void arcsStayArcsUnderSimilarities() {
+    const Arc2 arc{{1, 2}, 3, 0.4, 2};
+    Affine mirror;
+    mirror << 0, 2, 5, 2, 0, -1;  // scaled by two and reflected in the diagonal
+    const Segment image = transformed(Segment(arc), mirror);
+    QVERIFY(std::holds_alternative<Arc2>(image));
+    const Arc2 mirrored = std::get<Arc2>(image);
+    COMPARE_NEAR(mirrored.radius, 6, 1e-12);
+    COMPARE_NEAR(mirrored.sweep, -2, 1e-12);
+    COMPARE_NEAR((startPoint(image) - (mirror.leftCols<2>() * startPoint(Segment(arc)) + mirror.col(2))).norm(), 0, 1e-12);
+    COMPARE_NEAR((endPoint(image) - (mirror.leftCols<2>() * endPoint(Segment(arc)) + mirror.col(2))).norm(), 0, 1e-12);
+    Affine squeeze;
+    squeeze << 1, 0, 0, 0, 0.5, 0;
+    QVERIFY(std::holds_alternative<Spline2>(transformed(Segment(arc), squeeze)));
+    Affine flat;
+    flat << 1, 2, 0, 2, 4, 0;
+    VERIFY_ERROR(transformed(Segment(arc), flat), ErrorCode::Degenerate);
+  }
+  void shuffledSegmentsJoinIntoTheirLoops() {
+    Random random = seededRandom();
+    std::vector<Path> pieces;
+    double expected = 0;
+    for (int loop = 0; loop < 200; ++loop) {
+      std::vector<Vec2> points;
+      const int corners = 3 + loop % 9;
+      for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * pi * k / corners;
+        points.push_back(Vec2(loop * 3, 0) + Vec2(std::cos(angle), std::sin(angle)));
+      }
+      expected += corners / 2.0 * std::sin(2 * pi / corners);
+      for (int k = 0; k < corners; ++k) {
+        const Vec2 noise(uniform(random, -4e-5, 4e-5), 0);
+        Segment segment =
+            Line2{points[static_cast<std::size_t>(k)] + noise, points[static_cast<std::size_t>((k + 1) % corners)]};
+        if (random() % 2 == 0) segment = reversed(segment);
+        pieces.push_back({{segment}, false, {}, {}});
+      }
+    }
+    std::shuffle(pieces.begin(), pieces.end(), random);
+    const Curves whole = joined({pieces, FillRule::EvenOdd});
+    QCOMPARE(whole.paths.size(), std::size_t{200});
+    double total = 0;
+    for (const Path& path : whole.paths) {
+      QVERIFY(path.closed);
+      total += std::abs(signedArea(path));
+      for (std::size_t k = 0; k < path.segments.size(); ++k)  // lines give way: no gap is left
+        QVERIFY(endPoint(path.segments[k]) == startPoint(path.segments[(k + 1) % path.segments.size()]));
+    }
+    COMPARE_NEAR(total, expected, 0.1);
+    QVERIFY(joined(whole).paths == whole.paths);
+  }
+  void gapsWiderThanTheJoiningDistanceStay() {
+    const Path open = polygon({{0, 0}, {1, 0}, {1, 1}, {2e-4, 2e-4}}, false);
+    QVERIFY(!joined({{open}, FillRule::EvenOdd}).paths[0].closed);
+    Tolerance wide;
+    wide.joining = 1e-3;
+    QVERIFY(joined({{open}, FillRule::EvenOdd}, wide).paths[0].closed);
+  }
+  void windingNumbersOfCurvedLoops() {
+    Random random = seededRandom();
+    const Path ellipse{{ellipticArc({0, 0}, {5, 0}, 0.3, 0.7, 2 * pi)}, true, {}, {}};
+    const Path disc = circle({0, 0}, 3, -2 * pi);
+    for (int i = 0; i < 2000; ++i) {
+      const Vec2 p(uniform(random, -6, 6), uniform(random, -6, 6));
+      QCOMPARE(windingNumber(ellipse, p), std::hypot(p.x() / 5, p.y() / 1.5) < 1 ? 1 : 0);
+      QCOMPARE(windingNumber(disc, p), p.norm() < 3 ? -1 : 0);
+    }
+    // A hair from the curve, where a polygon would err.
+    for (int i = 0; i < 500; ++i) {
+      const double angle = uniform(random, 0, 2 * pi);
+      QCOMPARE(windingNumber(disc, Vec2(std::cos(angle), std::sin(angle)) * (3 - 1e-12)), -1);
+      QCOMPARE(windingNumber(disc, Vec2(std::cos(angle), std::sin(angle)) * (3 + 1e-12)), 0);
+    }
+  }
+  void interiorPointsAreInside() {
+    const std::vector<Path> shapes{square({0, 0}, 1), circle({9, 9}, 1e-3),
+                                   polygon({{0, 0}, {100, 0}, {100, 1e-3}, {50, 5e-4}}),
+                                   polygon({{0, 0}, {10, 0}, {10, 10}, {9.99, 10}, {9.99, 0.01}, {0, 0.01}})};
+    for (const Path& path : shapes) QVERIFY(windingNumber(path, interiorPoint(path)) != 0);
+    VERIFY_ERROR(interiorPoint(polygon({{0, 0}, {1, 0}})), ErrorCode::Degenerate);
+  }
+  void nestedLoopsAlternateByEvenOdd() {
+    Curves curves{{}, FillRule::EvenOdd};
+    for (int i = 5; i >= 1; --i) curves.paths.push_back(circle({1, 1}, i, i % 2 == 0 ? 2 * pi : -2 * pi));
+    const Region region = toRegion(curves);
+    QCOMPARE(loopsOf(region, true), std::size_t{3});
+    QCOMPARE(loopsOf(region, false), std::size_t{2});
+    COMPARE_NEAR(area(region), pi * (25 - 16 + 9 - 4 + 1), 1e-12);
+    const auto parts = components(region);
+    QCOMPARE(parts.size(), std::size_t{3});
+    QCOMPARE(parts[0].holes.size(), std::size_t{1});
+    QCOMPARE(parts[2].holes.size(), std::size_t{0});
+  }
+  void nonZeroFillsNestedLoopsOfOneDirection() {
+    Curves curves{{circle({0, 0}, 3), circle({0, 0}, 2), circle({0, 0}, 1, -2 * pi)}, FillRule::NonZero};
+    COMPARE_NEAR(area(toRegion(curves)), pi * 9, 1e-12);  // 1 + 1 - 1 is still not zero
+    curves.paths[1] = circle({0, 0}, 2, -2 * pi);
+    COMPARE_NEAR(area(toRegion(curves)), pi * (9 - 4 + 1), 1e-12);
+    const Curves clockwise{{reversed(square({0, 0}, 2))}, FillRule::NonZero};
+    COMPARE_NEAR(area(toRegion(clockwise)), 4, 1e-12);
+  }
+  void twoFacesWithHolesAreTwoComponents() {
+    const Curves curves{
+        {circle({0.5, 0.5}, 0.2), square({0, 0}, 1), square({2, 0}, 1), circle({2.3, 0.3}, 0.1), circle({2.7, 0.7}, 0.1)},
+        FillRule::EvenOdd};
+    const Region region = toRegion(curves);
+    COMPARE_NEAR(area(region), 2 - pi * (0.04 + 0.01 + 0.01), 1e-12);
+    const auto parts = components(region);
+    QCOMPARE(parts.size(), std::size_t{2});
+    QCOMPARE(parts[0].outer, std::size_t{1});
+    QCOMPARE(parts[0].holes, (std::vector<std::size_t>{0}));
+    QCOMPARE(parts[1].holes, (std::vector<std::size_t>{3, 4}));
+    QVERIFY(toRegion(toCurves(region)) == region);
+  }
+  void openOutlinesAreNamedWithTheirPlace() {
+    const Curves curves{{polygon({{12.5, 0}, {20, 0}, {20, 7}, {13, 1}}, false)}, FillRule::EvenOdd};
+    try {
+      toRegion(curves);
+      QFAIL("an open outline made a region");
+    } catch (const Error& error) {
+      QCOMPARE(error.code(), ErrorCode::InvalidInput);
+      QVERIFY2(error.message().find("(12.5, 0)") != std::string::npos, error.what());
+      QVERIFY2(error.message().find("(13, 1)") != std::string::npos, error.what());
+    }
+    VERIFY_ERROR(toRegion({}), ErrorCode::InvalidInput);
+    VERIFY_ERROR(toRegion({{polygon({{0, 0}, {5, 0}})}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
+  }
+};
+
+QTEST_GUILESS_MAIN(PlanarTest)
+#include "planar_test.moc"

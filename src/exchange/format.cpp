@@ -127,10 +127,9 @@ const Format* FormatRegistry::find(std::string_view extensionOrId) const {
 
 FormatRegistry standardFormats() {
   FormatRegistry registry;
-  registry.add(stlFormat());
-  registry.add(objFormat());
-  registry.add(offFormat());
-  registry.add(plyFormat());
+  for (const auto& format : {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, dxfFormat,
+                             svgFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
+    registry.add(format());
   return registry;
 }
 

@@ -108,7 +108,7 @@ class ObjReader {
       mesh_.corners.push_back({vertex, number(takeWord(rest), "a sharpness")});
       cornerLines_.push_back(lines_.number());
     } else {
-      mesh_.otherTags.emplace_back(whole);
+      mesh_.otherTags.push_back(utf8(whole));
     }
   }
 
@@ -122,7 +122,7 @@ class ObjReader {
   void name(std::string_view key, std::string_view rest) {
     const std::string_view given = trimmed(rest);
     ++(key == "o" ? objects_ : groups_);
-    if (!given.empty() && (mesh_.name.empty() || (key == "o" && objects_ == 1))) mesh_.name = given;
+    if (!given.empty() && (mesh_.name.empty() || (key == "o" && objects_ == 1))) mesh_.name = utf8(given);
   }
 
   void other(std::string_view key) {

@@ -103,7 +103,7 @@ class TextStl {
     if (key == "solid") {
       expect(!inSolid_, key);
       inSolid_ = true;
-      if (name_.empty()) name_ = trimmed(line);
+      if (name_.empty()) name_ = utf8(trimmed(line));
     } else if (key == "endsolid") {
       expect(inSolid_ && !inFacet_, key);
       inSolid_ = false;

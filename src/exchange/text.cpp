@@ -12,6 +12,29 @@ constexpr std::size_t mostNames = 200;
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
 
+/// Well-formed, without overlong forms and surrogates (RFC 3629).
+bool isUtf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xc2 && lead < 0xe0 ? 2
+                               : lead >= 0xe0 && lead < 0xf0 ? 3
+                               : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                             : 0;
+    if (length == 0 || i + length > text.size()) return false;
+    unsigned long code = length == 1 ? lead : lead & (0xffu >> (length + 1));
+    for (std::size_t k = 1; k < length; ++k) {
+      const auto next = static_cast<unsigned char>(text[i + k]);
+      if ((next & 0xc0) != 0x80) return false;
+      code = code << 6 | (next & 0x3f);
+    }
+    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+    if (overlong || (code >= 0xd800 && code < 0xe000) || code > 0x10ffff) return false;
+    i += length;
+  }
+  return true;
+}
+
 std::string_view withoutPlus(std::string_view word) {
   if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
@@ -45,6 +68,21 @@ std::string_view trimmed(std::string_view word) {
   while (!word.empty() && isSpace(word.front())) word.remove_prefix(1);
   while (!word.empty() && isSpace(word.back())) word.remove_suffix(1);
   return word;
+}
+
+std::string utf8(std::string_view text) {
+  if (isUtf8(text)) return std::string(text);
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      result += c;
+    } else {
+      result += static_cast<char>(0xc0 | byte >> 6);
+      result += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  return result;
 }
 
 std::string_view takeWord(std::string_view& rest) {
@@ -90,7 +128,7 @@ void Counter::add(std::string_view name) {
   if (counts_.size() >= mostNames)
     throw Error(ErrorCode::FormatDamaged, "Most of its statements are unknown.",
                 "The file is damaged or of another format.");
-  counts_.emplace(name.substr(0, 60), 1);
+  counts_.emplace(utf8(name.substr(0, 60)), 1);
 }
 
 std::size_t Counter::total() const {

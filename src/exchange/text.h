@@ -18,6 +18,8 @@ std::optional<double> toNumber(std::string_view word);
 std::optional<int> toInteger(std::string_view word);
 
 std::string_view trimmed(std::string_view);
+/// The text itself when it is UTF-8, else read as Latin-1: names from a file must not break a document later.
+std::string utf8(std::string_view);
 /// Takes the next word off `rest`; empty at its end.
 std::string_view takeWord(std::string_view& rest);
 

@@ -1,0 +1,137 @@
+#include "exchange/svg_path.h"
+
+#include <2geom/path-sink.h>
+#include <2geom/svg-path-parser.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "exchange/text.h"
+#include "geometry/planar.h"
+
+namespace blossom::svg {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double largestCoordinate = 1e12;
+
+Vec2 checkedPoint(const Geom::Point& p) {
+  const Vec2 point(p.x(), p.y());
+  if (!point.allFinite() || point.cwiseAbs().maxCoeff() > largestCoordinate)
+    throw Error(ErrorCode::FormatDamaged, "A path has a coordinate that is not a number or too large.");
+  return point;
+}
+
+Spline2 bezier(std::initializer_list<Vec2> points) {
+  Spline2 spline;
+  spline.degree = static_cast<int>(points.size()) - 1;
+  spline.knots.assign(points.size(), 0);
+  spline.knots.insert(spline.knots.end(), points.size(), 1);
+  for (const Vec2& p : points) spline.poles.emplace_back(p.x(), p.y(), 1);
+  return spline;
+}
+
+/// Receives what lib2geom parses.
+class Builder final : public Geom::PathSink {
+ public:
+  using Geom::PathSink::feed;
+
+  void moveTo(const Geom::Point& p) override {
+    finish(false);
+    start_ = at_ = checkedPoint(p);
+  }
+  void lineTo(const Geom::Point& p) override {
+    const Vec2 to = checkedPoint(p);
+    if (to != at_) current_.segments.push_back(Line2{at_, to});
+    at_ = to;
+  }
+  void curveTo(const Geom::Point& a, const Geom::Point& b, const Geom::Point& p) override {
+    addBezier({at_, checkedPoint(a), checkedPoint(b), checkedPoint(p)});
+  }
+  void quadTo(const Geom::Point& a, const Geom::Point& p) override { addBezier({at_, checkedPoint(a), checkedPoint(p)}); }
+  void arcTo(double rx, double ry, double rotation, bool large, bool sweep, const Geom::Point& p) override {
+    const Vec2 to = checkedPoint(p);
+    checkedPoint({rx, ry});
+    for (Segment& s : arcSegment(at_, to, rx, ry, rotation, large, sweep)) current_.segments.push_back(std::move(s));
+    at_ = to;
+  }
+  void closePath() override {
+    if (at_ != start_) current_.segments.push_back(Line2{at_, start_});
+    at_ = start_;
+    finish(true);
+  }
+  void flush() override { finish(false); }
+
+  std::vector<Path> take() {
+    finish(false);
+    return std::move(paths_);
+  }
+
+ private:
+  void addBezier(std::initializer_list<Vec2> points) {
+    const bool isPoint = std::all_of(points.begin(), points.end(), [&](const Vec2& p) { return p == at_; });
+    if (!isPoint) current_.segments.push_back(bezier(points));
+    at_ = *(points.end() - 1);
+  }
+
+  void finish(bool closed) {
+    current_.closed = closed;
+    if (!current_.segments.empty()) paths_.push_back(std::move(current_));
+    current_ = {};
+  }
+
+  std::vector<Path> paths_;
+  Path current_;
+  Vec2 start_{0, 0}, at_{0, 0};
+};
+
+}  // namespace
+
+std::vector<Path> parsePathData(const std::string& data) {
+  Builder builder;
+  try {
+    Geom::SVGPathParser(builder).parse(data);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception&) {
+    throw Error(ErrorCode::FormatDamaged, fmt::format("The path data {} cannot be understood.", parse::shown(data)));
+  }
+  return builder.take();
+}
+
+std::vector<Segment> arcSegment(const Vec2& from, const Vec2& to, double rx, double ry, double rotation, bool large,
+                                bool sweep) {
+  if (from == to) return {};
+  rx = std::abs(rx);
+  ry = std::abs(ry);
+  const Vec2 along(std::cos(rotation), std::sin(rotation)), across(-along.y(), along.x());
+  const Vec2 half = 0.5 * (from - to);
+  // Into the frame where the ellipse is the unit circle: the centre then lies on the bisector of the chord.
+  Vec2 p(along.dot(half) / rx, across.dot(half) / ry);
+  if (!(rx > 0) || !(ry > 0) || !p.allFinite() || p.norm() == 0) return {Line2{from, to}};
+  const double size = p.norm();
+  if (size > 1) {  // too small to reach: scaled up until it just does
+    rx *= size;
+    ry *= size;
+    p /= size;
+  }
+  const double offset = std::sqrt(std::max(0.0, 1 / p.squaredNorm() - 1)) * (large == sweep ? -1 : 1);
+  const Vec2 c = offset * Vec2(p.y(), -p.x());
+  const Vec2 center = 0.5 * (from + to) + c.x() * rx * along + c.y() * ry * across;
+  const double start = std::atan2(p.y() - c.y(), p.x() - c.x()), end = std::atan2(-p.y() - c.y(), -p.x() - c.x());
+  double angle = std::fmod(end - start, turn);
+  if (sweep && angle <= 0) angle += turn;
+  if (!sweep && angle >= 0) angle -= turn;
+  if (rx == ry) return {Arc2{center, rx, start + rotation, angle}};
+  return {ellipticArc(center, rx * along, ry / rx, start, angle)};
+}
+
+Segment ellipseSegment(const Vec2& center, double rx, double ry) {
+  if (rx == ry) return Arc2{center, rx, 0, turn};
+  return ellipticArc(center, {rx, 0}, ry / rx, 0, turn);
+}
+
+}  // namespace blossom::svg

@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/units.h"
+#include "exchange/format.h"
+#include "exchange/mesh_options.h"
+#include "exchange/svg_write.h"
+#include "geometry/bspline.h"
+#include "geometry/planar.h"
+
+namespace blossom::svg {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '"')
+      result += "&quot;";
+    else if (static_cast<unsigned char>(c) >= ' ')
+      result += c;
+  }
+  return result;
+}
+
+struct Bounds {
+  Vec2 low{0, 0}, high{0, 0};
+};
+
+Bounds boundsOf(const Curves& curves, double chord) {
+  Bounds b;
+  bool first = true;
+  for (const Path& path : curves.paths) {
+    for (const Vec2& p : flatten(path, chord)) {
+      b.low = first ? p : Vec2(b.low.cwiseMin(p));
+      b.high = first ? p : Vec2(b.high.cwiseMax(p));
+      first = false;
+    }
+  }
+  return b;
+}
+
+/// A piece of a spline in homogeneous Bézier form.
+using Piece = std::vector<Vec3>;
+
+Vec2 at(const Vec3& pole) { return pole.head<2>() / pole.z(); }
+
+std::pair<Piece, Piece> halved(Piece poles) {
+  const std::size_t n = poles.size();
+  Piece left, right(n);
+  for (std::size_t level = 0; level < n; ++level) {
+    left.push_back(poles.front());
+    right[n - 1 - level] = poles[n - 1 - level];
+    for (std::size_t i = 0; i + 1 + level < n; ++i) poles[i] = 0.5 * (poles[i] + poles[i + 1]);
+  }
+  return {left, right};
+}
+
+Vec2 pointOf(Piece poles, double t) {
+  for (std::size_t n = poles.size() - 1; n > 0; --n)
+    for (std::size_t i = 0; i < n; ++i) poles[i] = (1 - t) * poles[i] + t * poles[i + 1];
+  return at(poles[0]);
+}
+
+/// Derivative of the point at either end of a piece, over its parameter.
+Vec2 endDerivative(const Piece& p, bool atStart) {
+  const double degree = static_cast<double>(p.size() - 1);
+  const Vec3 &here = atStart ? p.front() : p.back(), &next = atStart ? p[1] : p[p.size() - 2];
+  return degree * next.z() / here.z() * (atStart ? 1 : -1) * (at(next) - at(here));
+}
+
+class PathWriter {
+ public:
+  PathWriter(double mirror, double tolerance) : mirror_(mirror), tolerance_(tolerance) {}
+
+  std::string data(const Path& path) {
+    if (path.segments.empty()) return {};
+    out_ = "M" + pair(startPoint(path.segments.front()));
+    for (const Segment& s : path.segments) {
+      if (const Line2* line = std::get_if<Line2>(&s))
+        out_ += "L" + pair(line->to);
+      else if (const Arc2* arc = std::get_if<Arc2>(&s))
+        addArc(*arc);
+      else
+        addSpline(std::get<Spline2>(s));
+    }
+    if (path.closed) out_ += "Z";
+    return out_;
+  }
+
+ private:
+  [[nodiscard]] std::string pair(const Vec2& p) const { return formatNumber(p.x()) + "," + formatNumber(mirror_ - p.y()); }
+
+  void addArc(const Arc2& arc) {
+    // Ends that coincide would draw nothing, and near half a turn the flags become unsure: pieces of a third are safe.
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (turn / 3) - 1e-12)));
+    for (int i = 1; i <= pieces; ++i) {
+      const double angle = arc.start + arc.sweep * i / pieces;
+      const Vec2 end =
+          i == pieces ? endPoint(Segment(arc)) : Vec2(arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle)));
+      const std::string radius = formatNumber(arc.radius);
+      // The page is mirrored, so counter-clockwise is the negative direction of SVG.
+      out_ += fmt::format("A{},{} 0 0 {} {}", radius, radius, arc.sweep > 0 ? 0 : 1, pair(end));
+    }
+  }
+
+  void addSpline(const Spline2& spline) {
+    const BezierCurve bezier = toBezier(toCurve(spline));
+    const std::size_t size = static_cast<std::size_t>(bezier.degree) + 1;
+    for (std::size_t first = 0; first + size <= bezier.poles.size(); first += size) {
+      Piece piece;
+      for (std::size_t i = 0; i < size; ++i) {
+        const Vec4& pole = bezier.poles[first + i];
+        piece.emplace_back(pole.x(), pole.y(), pole.w());
+      }
+      addPiece(piece, 0);
+    }
+  }
+
+  void addPiece(const Piece& p, int depth) {
+    const bool polynomial = std::all_of(p.begin(), p.end(), [&](const Vec3& pole) { return pole.z() == p.front().z(); });
+    if (polynomial && p.size() == 2) {
+      out_ += "L" + pair(at(p[1]));
+    } else if (polynomial && p.size() == 3) {
+      out_ += "Q" + pair(at(p[1])) + " " + pair(at(p[2]));
+    } else if (polynomial && p.size() == 4) {
+      addCubic(at(p[1]), at(p[2]), at(p[3]));
+    } else if (p.size() == 3 && addConic(p)) {
+      return;
+    } else {
+      const Vec2 a = at(p.front()), d = at(p.back());
+      const Vec2 b = a + endDerivative(p, true) / 3, c = d - endDerivative(p, false) / 3;
+      if (depth >= 16 || isNear(p, a, b, c, d)) {
+        addCubic(b, c, d);
+      } else {
+        const auto [left, right] = halved(p);
+        addPiece(left, depth + 1);
+        addPiece(right, depth + 1);
+      }
+    }
+  }
+
+  /// A rational quadratic piece of an ellipse is the affine image of an arc of half-angle acos(w) of the unit circle, where
+  /// w is the middle weight in standard form (Piegl & Tiller, The NURBS Book, 7.3). False for parabolas and hyperbolas.
+  bool addConic(const Piece& p) {
+    const double w = p[1].z() / std::sqrt(p[0].z() * p[2].z());
+    if (!(w > 1e-6) || !(w < 1 - 1e-9)) return false;
+    const Vec2 start = at(p[0]), corner = at(p[1]), end = at(p[2]);
+    const double sine = std::sqrt(1 - w * w);
+    Eigen::Matrix2d axes;  // conjugate half-diameters
+    axes.col(0) = (corner - 0.5 * (start + end)) * w / (sine * sine);
+    axes.col(1) = (end - start) / (2 * sine);
+    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(axes, Eigen::ComputeFullU);
+    const Vec2 radii = svd.singularValues();
+    if (!(radii.y() > 1e-9 * radii.x())) return false;
+    const double rotation = -std::atan2(svd.matrixU()(1, 0), svd.matrixU()(0, 0)) * 180 / std::numbers::pi;
+    out_ += fmt::format("A{},{} {} 0 {} {}", formatNumber(radii.x()), formatNumber(radii.y()), formatNumber(rotation),
+                        axes.determinant() > 0 ? 0 : 1, pair(end));
+    return true;
+  }
+
+  /// Compared at equal parameters, which bounds the distance of the curves from above.
+  [[nodiscard]] bool isNear(const Piece& p, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) const {
+    constexpr int samples = 8;
+    for (int i = 1; i < samples; ++i) {
+      const double t = static_cast<double>(i) / samples, s = 1 - t;
+      const Vec2 cubic = s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
+      if ((cubic - pointOf(p, t)).norm() > 0.8 * tolerance_) return false;
+    }
+    return true;
+  }
+
+  void addCubic(const Vec2& b, const Vec2& c, const Vec2& d) { out_ += "C" + pair(b) + " " + pair(c) + " " + pair(d); }
+
+  double mirror_, tolerance_;
+  std::string out_;
+};
+
+std::string attributes(const std::string& layer, const std::optional<Color>& color, bool filled, FillRule rule) {
+  std::string result = filled ? fmt::format(" fill=\"{}\"", color ? toHex(*color) : "black")
+                              : fmt::format(" fill=\"none\" stroke=\"{}\"", color ? toHex(*color) : "black");
+  if (!filled) result += " stroke-width=\"0.25\"";
+  if (filled && rule == FillRule::EvenOdd) result += " fill-rule=\"evenodd\"";
+  if (!layer.empty()) result = fmt::format(" inkscape:label=\"{}\"", escaped(layer)) + result;
+  return result;
+}
+
+}  // namespace
+
+void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress) {
+  const Region* region = shape.get<Region>();
+  const Curves curves = region ? toCurves(*region) : *shape.get<Curves>();
+  const double tolerance = options.value("tolerance", 1e-3);
+  const Bounds page = boundsOf(curves, std::max(tolerance, 1e-2));
+  const Vec2 size = (page.high - page.low).cwiseMax(Vec2(1e-3, 1e-3));
+  PathWriter writer(page.low.y() + page.low.y() + size.y(), tolerance);
+
+  const std::string width = formatNumber(size.x()), height = formatNumber(size.y());
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+      "width=\"{}mm\" height=\"{}mm\" viewBox=\"{} {} {} {}\">\n",
+      width, height, formatNumber(page.low.x()), formatNumber(page.low.y()), width, height);
+  for (std::size_t i = 0; i < curves.paths.size();) {
+    progress.check();
+    // Neighbours of one layer and colour are one element, so that holes are holes.
+    const Path& first = curves.paths[i];
+    std::string data;
+    std::size_t next = i;
+    for (; next < curves.paths.size(); ++next) {
+      const Path& path = curves.paths[next];
+      if (path.layer != first.layer || path.color != first.color || path.closed != first.closed) break;
+      data += (data.empty() ? "" : " ") + writer.data(path);
+    }
+    out += fmt::format("<g{}><path d=\"{}\"/></g>\n", attributes(first.layer, first.color, first.closed, curves.fillRule),
+                       data);
+    i = next;
+  }
+  writeBytes(file, out + "</svg>\n");
+}
+
+}  // namespace blossom::svg

@@ -1,0 +1,104 @@
+#include <cstring>
+
+#include "support/exchange.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+std::string facet(const std::string& a, const std::string& b, const std::string& c) {
+  return "facet normal 0 0 0\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " + c + "\n endloop\nendfacet\n";
+}
+
+const std::string tetrahedron = "solid four\n" + facet("0 0 0", "0 1 0", "1 0 0") + facet("0 0 0", "1 0 0", "0 0 1") +
+                                facet("0 0 0", "0 0 1", "0 1 0") + facet("1 0 0", "0 1 0", "0 0 1") + "endsolid four\n";
+
+Mesh cube() {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.points.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+  for (const auto& f : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+    mesh.addFace(f);
+  return mesh;
+}
+
+/// Divergence theorem over a fan of each face.
+double volume(const Mesh& mesh) {
+  double six = 0;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto v = mesh.face(f);
+    const auto p = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(v[i])]; };
+    for (std::size_t i = 1; i + 1 < v.size(); ++i) six += p(0).dot(p(i).cross(p(i + 1)));
+  }
+  return six / 6;
+}
+
+}  // namespace
+
+class StlTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void equalCornersBecomeOneVertex() {
+    const Imported imported = readText(tetrahedron, "stl");
+    const Mesh& mesh = *imported.shape.get<Mesh>();
+    QCOMPARE(mesh.points.size(), std::size_t(4));
+    QCOMPARE(mesh.faceCount(), std::size_t(4));
+    QCOMPARE(imported.entities, (Value{{"facet", 4}}));
+    QCOMPARE(mesh.name, std::string("four"));
+    COMPARE_NEAR(volume(mesh), 1.0 / 6, 1e-15);
+  }
+
+  void keepsFacetsWithoutArea() {
+    const Imported imported =
+        readText("solid\n" + facet("0 0 0", "0 0 0", "1 0 0") + facet("-0 0 0", "0 1 0", "1 0 0") + "endsolid\n", "stl");
+    QCOMPARE(imported.shape.get<Mesh>()->faceCount(), std::size_t(2));
+    QCOMPARE(imported.shape.get<Mesh>()->points.size(), std::size_t(3));
+    QCOMPARE(imported.warnings.size(), std::size_t(1));
+  }
+
+  void binaryThatBeginsWithSolidIsBinary() {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "a.stl";
+    writeShape(formats(), cube(), path);
+    std::string bytes = readFile(path);
+    QCOMPARE(bytes.size(), std::size_t(84 + 50 * 12));
+    std::memcpy(bytes.data(), "solid facet normal", 18);
+    writeText(path, bytes);
+    COMPARE_NEAR(volume(*readShape(formats(), path).shape.get<Mesh>()), 1, 1e-12);
+  }
+
+  void roundTripKeepsVolumeAndFaces() {
+    for (const bool ascii : {false, true}) {
+      const Imported imported = roundTrip(cube(), "stl", {{"ascii", ascii}});
+      const Mesh& mesh = *imported.shape.get<Mesh>();
+      QCOMPARE(mesh.faceCount(), std::size_t(12));
+      QCOMPARE(mesh.points.size(), std::size_t(8));
+      COMPARE_NEAR(volume(mesh), 1, 1e-12);
+    }
+  }
+
+  void refusesDamage_data() {
+    QTest::addColumn<QByteArray>("text");
+    const auto row = [](const char* name, const std::string& text) {
+      QTest::newRow(name) << QByteArray::fromStdString(text);
+    };
+    row("no end", tetrahedron.substr(0, tetrahedron.size() - 15));
+    row("in a facet", tetrahedron.substr(0, 60));
+    row("two corners", "solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid\n");
+    row("four corners",
+        "solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 0 0\nvertex 1 0 0\nendfacet\nendsolid\n");
+    row("no facets", "solid\nendsolid\n");
+    row("nan", "solid\n" + facet("nan 0 0", "0 1 0", "1 0 0") + "endsolid\n");
+    row("prose", "solid as a rock, it stands here and is no STL file at all, though it is long enough for a binary header.");
+    row("huge count", std::string(80, ' ') + std::string("\xff\xff\xff\xff", 4) + std::string(50, '\0'));
+    row("no room for a facet", std::string(80, ' ') + std::string("\x01\0\0\0", 4));
+  }
+  void refusesDamage() {
+    QFETCH(QByteArray, text);
+    VERIFY_ERROR(readText(text.toStdString(), "stl"), ErrorCode::FormatDamaged);
+  }
+};
+
+QTEST_GUILESS_MAIN(StlTest)
+#include "stl_test.moc"

@@ -1,1 +1,184 @@
 #include "app/app.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <set>
+
+#include "app/literal_feature.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "exchange/import_feature.h"
+#include "scene/scene.h"
+
+namespace blossom {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* importType = "exchange.import";
+constexpr const char* sweepType = "sweep.sweep";
+
+/// A file name as the tree shows it; bytes that are not UTF-8 cannot stand in a document.
+std::string readableName(const fs::path& file) {
+  const std::string name = file.stem().string();
+  return Value::parse(Value(name).dump(-1, ' ', false, Value::error_handler_t::replace)).get<std::string>();
+}
+
+bool isFileValue(const Value& value) { return value.is_object() && value.contains("path"); }
+
+/// The path of a file value becomes an asset; lists and records are searched for more of them.
+void embed(const ParameterSpec& spec, Value& value, Document& document) {
+  if (spec.kind == ParameterKind::List && value.is_array() && !spec.fields.empty()) {
+    for (Value& element : value) embed(spec.fields.front(), element, document);
+  } else if (spec.kind == ParameterKind::Record && value.is_object()) {
+    for (const ParameterSpec& field : spec.fields)
+      if (value.contains(field.name)) embed(field, value[field.name], document);
+  } else if (spec.kind == ParameterKind::File && isFileValue(value) && value.value("asset", std::string()).empty()) {
+    auto content = std::make_shared<const std::string>(readFile(value["path"].get<std::string>()));
+    const std::string hash = contentHash(*content);
+    document = document.withAsset(hash, std::move(content));
+    value = Value{{"path", value["path"]}, {"asset", hash}};
+  }
+}
+
+void takeAncestors(const Document& document, const FeatureId& id, std::set<FeatureId>& taken) {
+  if (!taken.insert(id).second) return;
+  for (const FeatureId& input : document.at(id).inputs) takeAncestors(document, input, taken);
+}
+
+std::string commandOf(const App& app, const std::string& type) {
+  if (const auto known = app.registry->find(type)) return known->command;
+  return type.substr(type.rfind('.') + 1);
+}
+
+const Format& readableFormat(const App& app, const fs::path& file) {
+  const Format* format = file.has_extension() ? app.formats->find(file.extension().string()) : nullptr;
+  if (format && format->read) return *format;
+  std::string known;
+  for (const Format& each : app.formats->formats())
+    if (each.read) known += (known.empty() ? "." : ", .") + each.extensions.front();
+  throw Error(ErrorCode::FormatUnknown, fmt::format("The file {} has no extension that Blossom reads.", file.string()),
+              fmt::format("Blossom reads {}.", known));
+}
+
+}  // namespace
+
+App loadApp(const std::vector<fs::path>& pluginFolders) {
+  auto formats = std::make_shared<FormatRegistry>(standardFormats());
+  addPictureFormats(*formats);
+  auto registry = std::make_shared<Registry>();
+  registry->add(importFeature(*formats));
+  registry->add(literalFeature(registry));
+  App app;
+  app.plugins = loadPlugins(*registry, pluginFolders);
+  app.formats = std::move(formats);
+  app.registry = std::move(registry);
+  return app;
+}
+
+fs::path resourceFolder() {
+  std::error_code ec;
+  if (const char* given = std::getenv("BLOSSOM_RESOURCES"); given && *given) return given;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ec);
+  const fs::path installed = program.parent_path().parent_path() / "share/blossom";
+  if (fs::is_directory(installed / "samples", ec)) return installed;
+  for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    if (fs::is_directory(folder / "resources/samples", ec)) return folder / "resources";
+  throw Error(ErrorCode::NotFound, "Blossom's samples and manual are not installed.",
+              fmt::format("They were looked for in {} and beside the program; BLOSSOM_RESOURCES names another folder.",
+                          installed.string()));
+}
+
+bool isDocument(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension == ".blossom";
+}
+
+Document withLinked(const App& app, const Document& document, const fs::path& file, FeatureId* added) {
+  std::error_code ec;
+  const auto status = fs::status(file, ec);
+  if (!fs::exists(status))
+    throw Error(ErrorCode::FileNotFound, fmt::format("The file {} does not exist.", file.string()),
+                "Check the name and the folder.");
+  if (!fs::is_regular_file(status))
+    throw Error(ErrorCode::FileUnreadable, fmt::format("{} is not a file.", file.string()),
+                "Give a file, not a folder or a device.");
+  readableFormat(app, file);
+  Feature import;
+  import.type = importType;
+  import.id = document.freshId(commandOf(app, importType));
+  import.name = readableName(file);
+  import.parameters["file"] = Value{{"path", file.string()}, { "asset", "" }};
+  if (added) *added = import.id;
+  return document.with(std::move(import));
+}
+
+Document withImported(const App& app, const Document& document, const fs::path& file, FeatureId* added) {
+  FeatureId id;
+  const Document linked = withLinked(app, document, file, &id);
+  if (added) *added = id;
+  return withFilesEmbedded(app, linked);
+}
+
+Document withFilesEmbedded(const App& app, const Document& document) {
+  Document result = document;
+  for (const auto& each : document.features()) {
+    const auto type = app.registry->find(each->type);
+    if (!type) continue;
+    Feature changed = *each;
+    for (const ParameterSpec& spec : type->parameters)
+      if (changed.parameters.contains(spec.name)) embed(spec, changed.parameters[spec.name], result);
+    if (!(changed == *each)) result = result.with(std::move(changed));
+  }
+  return result;
+}
+
+Document withFeatureOf(const App& app, const Document& into, const Document& other, const FeatureId& wanted,
+                       FeatureId* added) {
+  std::set<FeatureId> taken;
+  takeAncestors(other, wanted, taken);
+  Document result = into;
+  for (const auto& [hash, content] : other.assets()) result = result.withAsset(hash, content);
+  std::map<FeatureId, FeatureId> renamed;
+  for (const auto& each : other.features()) {
+    if (!taken.contains(each->id)) continue;
+    Feature copy = *each;
+    if (result.contains(copy.id)) copy.id = result.freshId(commandOf(app, copy.type));
+    renamed[each->id] = copy.id;
+    for (FeatureId& input : copy.inputs) input = renamed.at(input);
+    result = result.with(std::move(copy));
+  }
+  if (added) *added = renamed.at(wanted);
+  return result;
+}
+
+const Feature& lastFeature(const Document& document) {
+  const auto features = document.features();
+  const auto last = std::find_if(features.rbegin(), features.rend(), [](const auto& each) { return !each->suppressed; });
+  if (last == features.rend())
+    throw Error(ErrorCode::InvalidInput, "The document holds no feature.", "Add one, or choose another document.");
+  return **last;
+}
+
+OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
+  if (isDocument(file)) return openDocument(file, salvage);
+  FeatureId import;
+  OpenedDocument opened{withImported(app, Document(), file, &import), {}};
+  const auto sweep = app.registry->find(sweepType);
+  if (readableFormat(app, file).id == "motion" && sweep) {
+    Feature motion = opened.document.at(import);
+    motion.visible = false;
+    Feature swept;
+    swept.type = sweepType;
+    swept.id = opened.document.freshId(sweep->command);
+    swept.name = sweep->title;
+    swept.inputs = {import};
+    opened.document = opened.document.with(std::move(motion)).with(std::move(swept));
+  }
+  return opened;
+}
+
+}  // namespace blossom

@@ -23,15 +23,35 @@ struct App {
 /// Registers built-in features and formats and loads the plugins. Broken plugins are in `plugins` with their problem.
 App loadApp(const std::vector<std::filesystem::path>& pluginFolders = pluginSearchPath());
 
-/// Samples, manual and icons: $BLOSSOM_RESOURCES, ../share/blossom beside the program (installed), or the source tree's resources.
+/// Samples, manual and icons: $BLOSSOM_RESOURCES, ../share/blossom beside the program (installed), or the source tree's
+/// resources.
+/// @throws Error NotFound naming the places looked at.
 std::filesystem::path resourceFolder();
 
 /// The document with an import feature for `file` added; its content is taken into the document as an asset.
 /// @throws Error FileNotFound, FileUnreadable, FormatUnknown.
 Document withImported(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
 
-/// A document from any file: a .blossom is opened, anything else imported into a new document; a motion file becomes an import
-/// followed by the sweep that it describes.
+/// The same, but the feature names the file where it lies: for documents that live no longer than a command.
+Document withLinked(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
+
+/// The content of every file that a feature names by its path is taken into the document as an asset, so that the document
+/// can be moved away from its files. @throws Error FileNotFound, FileUnreadable, LimitExceeded.
+Document withFilesEmbedded(const App&, const Document&);
+
+/// `into` with the features of `other` added that `wanted` needs, itself included, under free ids; `added` is what `wanted`
+/// is called there. @throws Error NotFound.
+Document withFeatureOf(const App&, const Document& into, const Document& other, const FeatureId& wanted, FeatureId* added);
+
+/// The feature that a document makes: its last one that is not suppressed.
+/// @throws Error InvalidInput when there is none.
+const Feature& lastFeature(const Document&);
+
+/// A document from any file: a .blossom is opened, anything else imported into a new document; a motion file becomes an
+/// import followed by the sweep that it describes.
 OpenedDocument openAny(const App&, const std::filesystem::path&, bool salvage = false);
+
+/// Is it a Blossom document by its extension?
+bool isDocument(const std::filesystem::path&);
 
 }  // namespace blossom

@@ -1,1 +1,168 @@
-#include "app/app.h"
+#include "cli/cli.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <ostream>
+
+#include "cli/command_line.h"
+#include "core/parallel.h"
+#include "core/version.h"
+
+namespace blossom {
+namespace {
+
+enum ExitCode { Done = 0, Failed = 1, WrongUse = 2 };
+
+/// CLI11 takes "--name=" for "--name" and would swallow the next word: the empty value becomes a word of its own.
+std::vector<std::string> wordsOf(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  bool flags = true;
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    flags = flags && word != "--";
+    if (flags && word.size() > 3 && word.starts_with("--") && word.find('=') == word.size() - 1) {
+      words.push_back(word.substr(0, word.size() - 1));
+      words.emplace_back();
+    } else {
+      words.push_back(std::move(word));
+    }
+  }
+  return words;
+}
+
+bool asksForJson(const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), "--json") != words.end();
+}
+
+void printError(const Terminal& terminal, const Error& error, bool json) {
+  if (json) {
+    printJson(terminal.out, {{"error", toJson(error)}});
+    return;
+  }
+  terminal.err << "blossom: " << error.message() << '\n';
+  if (!error.hint().empty()) terminal.err << "  " << error.hint() << '\n';
+}
+
+std::vector<std::string> flagsOf(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string didYouMean(const std::string& word, const std::vector<std::string>& known, const std::string& otherwise) {
+  const std::string near = nearestName(word, known);
+  return near.empty() ? otherwise : fmt::format("Did you mean {}?", near);
+}
+
+/// What nobody understood: the first flag if there is one, because what follows an unknown flag is usually its value.
+[[noreturn]] void refuseWord(const CommandLine& line, const CLI::App& app, const std::vector<std::string>& extras) {
+  const auto flag =
+      std::find_if(extras.begin(), extras.end(), [](const auto& word) { return word.size() > 1 && word[0] == '-'; });
+  const std::string word = flag == extras.end() ? extras.front() : *flag;
+  const bool atRoot = &app == &line.root;
+  const std::string help = atRoot ? "\"blossom --help\" lists the commands."
+                                  : fmt::format("\"blossom {} --help\" lists its flags.", app.get_name());
+  if (flag != extras.end())
+    throw UsageError(fmt::format("{} has no flag {}.", atRoot ? "blossom" : app.get_name(), word.substr(0, word.find('='))),
+                     didYouMean(word.substr(0, word.find('=')), flagsOf(app), help), ErrorCode::NotFound);
+  if (atRoot)
+    throw UsageError(fmt::format("There is no command \"{}\".", word), didYouMean(word, line.commandNames(), help),
+                     ErrorCode::NotFound);
+  throw UsageError(fmt::format("{} has no use for \"{}\".", app.get_name(), word), help);
+}
+
+const Command* chosenCommand(const CommandLine& line) {
+  for (const Command& command : line.commands)
+    if (command.app->parsed()) return &command;
+  return nullptr;
+}
+
+void warnAboutPlugins(const App& app, const Terminal& terminal) {
+  for (const LoadedPlugin& plugin : app.plugins)
+    if (!plugin.problem.empty())
+      terminal.err << "blossom: warning: the plugin " << plugin.manifest.id << " was skipped: " << plugin.problem << '\n';
+}
+
+/// CLI11 asks for help and version by exception; what nobody understood is said first.
+int parseAndRun(CommandLine& line, Session& session, std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+  try {
+    line.root.parse(std::move(words));
+  } catch (const CLI::Success& request) {
+    if (!line.root.remaining(false).empty()) refuseWord(line, line.root, line.root.remaining(false));
+    line.root.exit(request, session.terminal.out, session.terminal.err);
+    return Done;
+  } catch (const CLI::ParseError& error) {
+    const Command* command = chosenCommand(line);
+    throw UsageError(error.what(), command ? fmt::format("\"blossom {} --help\" lists its flags.", command->app->get_name())
+                                           : "\"blossom --help\" lists the commands.");
+  }
+  const Command* command = chosenCommand(line);
+  if (!line.root.remaining(false).empty()) refuseWord(line, line.root, line.root.remaining(false));
+  if (!command) throw UsageError("A command is missing.", "\"blossom --help\" lists the commands.");
+  if (!command->app->remaining(true).empty()) refuseWord(line, *command->app, command->app->remaining(true));
+  setThreadLimit(session.threads);
+  return command->run();
+}
+
+int guarded(const Terminal& terminal, bool json, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const UsageError& error) {
+    printError(terminal, error, json);
+    return WrongUse;
+  } catch (const Error& error) {
+    printError(terminal, error, json);
+  } catch (const std::bad_alloc&) {
+    printError(terminal, Error(ErrorCode::LimitExceeded, "There is not enough memory for this."), json);
+  } catch (const std::exception& error) {
+    printError(
+        terminal,
+        Error(ErrorCode::Internal, fmt::format("Something broke inside Blossom: {}", error.what()), "Please report this."),
+        json);
+  }
+  return Failed;
+}
+
+int runWords(const App& app, const std::vector<std::string>& words, const Terminal& terminal,
+             std::chrono::steady_clock::time_point start) {
+  Session session{app, terminal, start};
+  warnAboutPlugins(app, terminal);
+  CommandLine line;
+  for (const auto add : {addConvertCommand, addInfoCommand, addRenderCommand, addRunCommand, addFeaturesCommand,
+                         addFormatsCommand, addPluginsCommand, addCompletionCommand, addHelpCommand, addFeatureCommands})
+    add(line, session);
+  return parseAndRun(line, session, words);
+}
+
+/// Loads what is needed, runs, and sees that the result has really left the program.
+int runGuarded(int argc, const char* const* argv, const Terminal& terminal, const App* given) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<std::string> words = wordsOf(argc, argv);
+  const int code = guarded(terminal, asksForJson(words), [&] {
+    if (words.size() == 1 && words[0] == "--version") {  // needs no plugin
+      terminal.out << "blossom " << versionText << '\n';
+      return static_cast<int>(Done);
+    }
+    return runWords(given ? *given : loadApp(), words, terminal, start);
+  });
+  terminal.out.flush();
+  if (terminal.out.fail() && code == Done) {
+    terminal.err << "blossom: The result could not be written to standard output.\n";
+    return Failed;
+  }
+  return code;
+}
+
+}  // namespace
+
+int runCli(int argc, const char* const* argv, const Terminal& terminal) { return runGuarded(argc, argv, terminal, nullptr); }
+
+int runCli(const App& app, int argc, const char* const* argv, const Terminal& terminal) {
+  return runGuarded(argc, argv, terminal, &app);
+}
+
+}  // namespace blossom

@@ -1,0 +1,74 @@
+#include "cli/command_line.h"
+
+#include <algorithm>
+
+#include "core/version.h"
+
+namespace blossom {
+namespace {
+
+/// CLI11 repeats "TEXT" for every option and joins help in one long line; this keeps two calm columns.
+class HelpFormatter final : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    column_width(34);
+    label("OPTIONS", "flags");
+    label("SUBCOMMAND", "COMMAND");
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_size() == 0 || option->get_type_name().empty() ? "" : " " + option->get_type_name();
+  }
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    return "Usage: " + CLI::Formatter::make_usage(app, std::move(name)).erase(0, std::string("Usage: ").size());
+  }
+};
+
+}  // namespace
+
+CommandLine::CommandLine()
+    : root("Blossom makes shapes that morph, sweep, grow and melt, and reads and writes the formats of the trade.",
+           "blossom") {
+  root.formatter(std::make_shared<HelpFormatter>());
+  root.set_help_flag("-h,--help", "Print this help.");
+  root.set_version_flag("--version", std::string("blossom ") + versionText, "Print the version.");
+  root.require_subcommand(0, 1);
+  root.allow_extras();  // reported by runCli, with the nearest name
+  setExamples(
+      root, {"blossom sweep propeller.json --solid -o propeller.step", "blossom convert part.step part.stl --stl.chord 0.01",
+             "blossom info part.step --json", "blossom help sweep"});
+}
+
+CLI::App& CommandLine::add(const std::string& name, const std::string& summary, Session& session, std::function<int()> run) {
+  CLI::App& command = *root.add_subcommand(name, summary);
+  command.allow_extras();
+  command.add_flag("--json", session.json, "Print exactly one JSON object on standard output.");
+  command.add_flag("--progress", session.progressLines, "Print progress as plain lines on standard error.");
+  command.add_option("--threads", session.threads, "Most threads to use; 0: as many as the machine has.")
+      ->type_name("COUNT")
+      ->check(CLI::Range(0, 4096));
+  commands.push_back({&command, std::move(run)});
+  return command;
+}
+
+const CLI::App* CommandLine::find(const std::string& name) const {
+  const auto found =
+      std::find_if(commands.begin(), commands.end(), [&](const Command& each) { return each.app->check_name(name); });
+  return found == commands.end() ? nullptr : found->app;
+}
+
+bool CommandLine::has(const std::string& name) const { return find(name) != nullptr; }
+
+std::vector<std::string> CommandLine::commandNames() const {
+  std::vector<std::string> names;
+  for (const Command& each : commands) names.push_back(each.app->get_name());
+  return names;
+}
+
+void setExamples(CLI::App& app, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  std::string footer = lines.size() == 1 ? "Example:" : "Examples:";
+  for (const std::string& line : lines) footer += "\n  " + line;
+  app.footer(footer);
+}
+
+}  // namespace blossom

@@ -1,0 +1,53 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/session.h"
+
+namespace blossom {
+
+/// One subcommand and what it does; `run` returns the exit code and may throw Error.
+struct Command {
+  CLI::App* app;
+  std::function<int()> run;
+};
+
+/// The whole command line: its grammar and its commands. Completion scripts are made from the same object.
+struct CommandLine {
+  CommandLine();
+
+  /// A subcommand with the flags that all have (--json, --progress, --threads).
+  CLI::App& add(const std::string& name, const std::string& summary, Session&, std::function<int()> run);
+  /// Keeps what the flags of a command write into alive as long as the grammar.
+  void keep(std::shared_ptr<void> owner) { owners.push_back(std::move(owner)); }
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// By name or by the id of its feature type; nullptr when there is none.
+  [[nodiscard]] const CLI::App* find(const std::string& name) const;
+  [[nodiscard]] std::vector<std::string> commandNames() const;
+
+  CLI::App root;
+  std::vector<Command> commands;
+  std::vector<std::shared_ptr<void>> owners;
+  std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< of options that take one of a few words
+};
+
+/// Lines of examples under the --help of a command.
+void setExamples(CLI::App&, const std::vector<std::string>& lines);
+
+// One file each. Built-in commands come first: a feature type of the same command name is then reached by its id alone.
+void addConvertCommand(CommandLine&, Session&);
+void addInfoCommand(CommandLine&, Session&);
+void addRenderCommand(CommandLine&, Session&);
+void addRunCommand(CommandLine&, Session&);
+void addFeaturesCommand(CommandLine&, Session&);
+void addFormatsCommand(CommandLine&, Session&);
+void addPluginsCommand(CommandLine&, Session&);
+void addCompletionCommand(CommandLine&, Session&);
+void addHelpCommand(CommandLine&, Session&);
+void addFeatureCommands(CommandLine&, Session&);
+
+}  // namespace blossom

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "cli/command_line.h"
+#include "cli/input.h"
+#include "cli/output.h"
+#include "cli/progress_display.h"
+#include "cli/report.h"
+
+namespace blossom {
+namespace {
+
+/// A file in, the same shape out in other formats.
+class ConvertCommand {
+ public:
+  ConvertCommand(CommandLine& line, Session& session)
+      : session_(session), app_(line.add("convert", "Write a file in another format.", session, [this] { return run(); })) {
+    app_.add_option("IN", words_, "The file to read (or model.blossom#feature), then the files to write.")
+        ->type_name("OUT..")
+        ->expected(0, -1);
+    app_.add_option("-o,--output", outputs_, "Files to write, as a comma list; the same as naming them after IN.")
+        ->type_name("FILE,..")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Reading | FormatFlags::Writing);
+    setExamples(app_, {"blossom convert part.igs part.step", "blossom convert part.step part.stl part.obj --chord 0.01",
+                       "blossom convert model.blossom#sweep-1 sweep.step"});
+  }
+
+ private:
+  struct Source {
+    Imported imported;
+    Document document;
+    double readMs = 0;
+  };
+
+  Source readFile(const std::string& text, const std::filesystem::path& file, const Progress& progress) const {
+    const auto start = std::chrono::steady_clock::now();
+    Source source;
+    FeatureId id = addInput(session_.app, source.document, text, source.imported.warnings);
+    if (isDocument(file) || file.empty()) {
+      source.imported.shape = evaluateFor(session_.app, source.document, id, progress)->evaluated.shape;
+    } else {
+      const Format* format = session_.app.formats->find(file.extension().string());
+      source.imported = readShape(*session_.app.formats, file, formats_->reading(*format), progress);
+    }
+    source.readMs = millisecondsSince(start);
+    return source;
+  }
+
+  int run() {
+    if (words_.empty())
+      throw UsageError("convert needs a file to read.",
+                       "\"blossom convert part.igs part.step\" writes an IGES file as STEP.");
+    const std::string in = words_.front();
+    std::vector<std::string> targets(words_.begin() + 1, words_.end());
+    targets.insert(targets.end(), outputs_.begin(), outputs_.end());
+    if (targets.empty())
+      throw UsageError("convert needs a file to write.", fmt::format("\"blossom info {}\" only looks at the file.", in));
+    const std::filesystem::path file = fileOfInput(in);
+    const auto planned =
+        plannedOutputs(*session_.app.formats, outputPaths(*session_.app.formats, targets), {file}, formats_.get());
+    std::vector<const Format*> used{session_.app.formats->find(file.extension().string())};
+    for (const Output& output : planned) used.push_back(output.format);
+    formats_->refuseUnused(used);
+
+    ProgressDisplay display(session_);
+    const Progress progress = display.progress();
+    const Source source = readFile(in, file, progress.part(0, 0.5));
+    const auto writing = std::chrono::steady_clock::now();
+    writeOutputs(session_.app, planned, source.imported.shape, source.document, progress.part(0.5, 0.95));
+    Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
+    const Measures measures = measure(source.imported.shape, progress.part(0.95, 1));
+    stats["entities"] = source.imported.entities;
+    stats["skipped"] = source.imported.skipped;
+    stats["total_ms"] = session_.elapsedMs();
+    report(in, planned, measures, stats, source.imported.warnings);
+    return 0;
+  }
+
+  void report(const std::string& in, const std::vector<Output>& planned, const Measures& measures, const Value& stats,
+              const std::vector<std::string>& warnings) const {
+    std::ostream& out = session_.terminal.out;
+    if (session_.json) {
+      printJson(out, {{"input", in},
+                      {"outputs", pathsJson(planned)},
+                      {"result", resultJson(measures)},
+                      {"stats", stats},
+                      {"warnings", warnings}});
+      return;
+    }
+    out << in << '\n';
+    auto rows = rowsOf(measures);
+    for (ReportRow& row : rowsOf(stats)) rows.push_back(std::move(row));
+    for (const Output& output : planned) rows.push_back({"written", output.path.string(), ""});
+    printRows(out, rows);
+    for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';
+  }
+
+  Session& session_;
+  CLI::App& app_;
+  std::vector<std::string> words_, outputs_;
+  std::unique_ptr<FormatFlags> formats_;
+};
+
+}  // namespace
+
+void addConvertCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<ConvertCommand>(line, session)); }
+
+}  // namespace blossom

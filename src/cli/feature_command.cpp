@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "cli/command_line.h"
+#include "cli/input.h"
+#include "cli/output.h"
+#include "cli/progress_display.h"
+#include "cli/report.h"
+
+namespace blossom {
+namespace {
+
+/// One feature type as a command: INPUT.. --parameter value .. -o OUT..
+class FeatureCommand {
+ public:
+  FeatureCommand(CommandLine& line, Session& session, std::shared_ptr<const FeatureType> type)
+      : session_(session), type_(std::move(type)) {
+    const std::string name = line.has(type_->command) ? type_->id : type_->command;
+    app_ = &line.add(name, type_->summary, session_, [this] { return run(); });
+    if (name != type_->id) app_->alias(type_->id);
+    if (!type_->inputs.empty()) declareInputs();
+    app_->add_option("-o,--output", outputs_, "Where the result goes; several files as a comma list or with several -o.")
+        ->type_name("FILE,..")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    parameters_ = std::make_unique<ParameterFlags>(line, *app_, type_->parameters, "", "Parameters");
+    formats_ = std::make_unique<FormatFlags>(line, *app_, *session_.app.formats, FormatFlags::Writing);
+    setExamples(*app_, type_->examples);
+  }
+
+ private:
+  void declareInputs() {
+    std::string help;
+    for (const InputSpec& spec : type_->inputs)
+      help += (help.empty() ? "" : " ") + fmt::format("{}: {}", spec.name, spec.help);
+    app_->add_option("INPUT", inputs_, help + " A file, a document (model.blossom#feature) or a shape written down.")
+        ->type_name("")
+        ->expected(0, -1);
+  }
+
+  void checkNumberOfInputs() const {
+    std::size_t least = 0, most = 0;
+    std::string wanted;
+    for (const InputSpec& spec : type_->inputs) {
+      least += spec.least;
+      most = spec.most == anyNumber || most == anyNumber ? anyNumber : most + spec.most;
+      wanted += (wanted.empty() ? "" : ", ") + spec.name;
+    }
+    if (inputs_.size() >= least && inputs_.size() <= most) return;
+    const std::string number = least == most       ? std::to_string(least)
+                               : most == anyNumber ? fmt::format("at least {}", least)
+                                                   : fmt::format("{} to {}", least, most);
+    throw UsageError(fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number,
+                                 number == "1" ? "" : "s", wanted, inputs_.size(), inputs_.size() == 1 ? "is" : "are"),
+                     inputs_.size() > most ? "Several outputs are a comma list: -o a.step,b.stl."
+                                           : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
+                     ErrorCode::InvalidInput);
+  }
+
+  [[nodiscard]] Value parameters() const {
+    const Value given = parameters_->given();
+    try {
+      (void)completed(type_->parameters, given);
+    } catch (const Error& error) {
+      throw UsageError(error.message(), error.hint(), error.code());
+    }
+    return given;
+  }
+
+  [[nodiscard]] std::vector<Output> outputs() const {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& input : inputs_) files.push_back(fileOfInput(input));
+    auto planned =
+        plannedOutputs(*session_.app.formats, outputPaths(*session_.app.formats, outputs_), files, formats_.get());
+    std::vector<const Format*> used;
+    for (const Output& output : planned) used.push_back(output.format);
+    formats_->refuseUnused(used);
+    return planned;
+  }
+
+  /// The document that this command line describes: its inputs, then the feature itself.
+  [[nodiscard]] Document document(const Value& parameters, FeatureId& id, std::vector<std::string>& warnings) const {
+    Document result;
+    Feature feature;
+    for (const std::string& input : inputs_) feature.inputs.push_back(addInput(session_.app, result, input, warnings));
+    for (const FeatureId& input : feature.inputs) {
+      Feature hidden = result.at(input);
+      hidden.visible = false;
+      result = result.with(std::move(hidden));
+    }
+    feature.type = type_->id;
+    feature.name = type_->title;
+    feature.id = result.freshId(type_->command);
+    feature.parameters = parameters;
+    id = feature.id;
+    return result.with(std::move(feature));
+  }
+
+  int run() {
+    checkNumberOfInputs();
+    const Value given = parameters();
+    const std::vector<Output> planned = outputs();
+    std::vector<std::string> warnings;
+    FeatureId id;
+    const Document made = document(given, id, warnings);
+    ProgressDisplay display(session_);
+    const Progress progress = display.progress();
+    Results results;
+    const auto result = evaluateFor(session_.app, made, id, progress.part(0, 0.8), &results);
+    for (const auto& feature : made.features())
+      if (const auto each = results.find(feature->id); each != results.end())
+        warnings.insert(warnings.end(), each->second->evaluated.warnings.begin(), each->second->evaluated.warnings.end());
+    const auto writing = std::chrono::steady_clock::now();
+    writeOutputs(session_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
+    const double writeMs = millisecondsSince(writing);
+    const Measures measures = measure(result->evaluated.shape, progress.part(0.95, 1));
+    Value stats{{"kernel_ms", result->kernelMs}, {"total_ms", 0.0}};
+    if (!planned.empty()) stats["write_ms"] = writeMs;
+    stats.update(result->evaluated.stats);
+    stats["total_ms"] = session_.elapsedMs();
+    report(planned, measures, stats, warnings);
+    return 0;
+  }
+
+  void report(const std::vector<Output>& planned, const Measures& measures, const Value& stats,
+              const std::vector<std::string>& warnings) const {
+    std::ostream& out = session_.terminal.out;
+    if (session_.json) {
+      printJson(out, {{"feature", type_->id},
+                      {"outputs", pathsJson(planned)},
+                      {"result", resultJson(measures)},
+                      {"stats", stats},
+                      {"warnings", warnings}});
+      return;
+    }
+    out << type_->title << '\n';
+    auto rows = rowsOf(measures);
+    for (ReportRow& row : rowsOf(stats)) rows.push_back(std::move(row));
+    for (const Output& output : planned) rows.push_back({"written", output.path.string(), ""});
+    printRows(out, rows);
+    for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';
+  }
+
+  Session& session_;
+  std::shared_ptr<const FeatureType> type_;
+  CLI::App* app_ = nullptr;
+  std::vector<std::string> inputs_, outputs_;
+  std::unique_ptr<ParameterFlags> parameters_;
+  std::unique_ptr<FormatFlags> formats_;
+};
+
+}  // namespace
+
+void addFeatureCommands(CommandLine& line, Session& session) {
+  for (const auto& type : session.app.registry->types()) line.keep(std::make_shared<FeatureCommand>(line, session, type));
+}
+
+}  // namespace blossom

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "cli/command_line.h"
+#include "cli/parameter_flags.h"
+#include "cli/report.h"
+
+namespace blossom {
+namespace {
+
+Value specJson(const ParameterSpec& spec) {
+  Value json{{"name", spec.name},
+             {"help", spec.help},
+             {"kind", parameterKindName(spec.kind)},
+             {"takes", describe(spec)},
+             {"default", spec.fallback}};
+  if (spec.least) json[spec.aboveLeast ? "above" : "least"] = *spec.least;
+  if (spec.greatest) json["greatest"] = *spec.greatest;
+  if (!spec.choices.empty()) json["choices"] = spec.choices;
+  if (!spec.fileTypes.empty()) json["file_types"] = spec.fileTypes;
+  for (const ParameterSpec& field : spec.fields) json["fields"].push_back(specJson(field));
+  return json;
+}
+
+Value inputJson(const InputSpec& spec) {
+  Value json{{"name", spec.name}, {"help", spec.help}, {"kinds", Value::array()}, {"least", spec.least}};
+  for (const ShapeKind kind : spec.kinds) json["kinds"].push_back(shapeKindName(kind));
+  json["most"] = spec.most == anyNumber ? Value() : Value(spec.most);
+  return json;
+}
+
+Value typeJson(const FeatureType& type) {
+  Value json{{"id", type.id}, {"command", type.command}, {"title", type.title}, {"summary", type.summary}};
+  json["inputs"] = Value::array();
+  for (const InputSpec& spec : type.inputs) json["inputs"].push_back(inputJson(spec));
+  json["parameters"] = Value::array();
+  for (const ParameterSpec& spec : type.parameters) json["parameters"].push_back(specJson(spec));
+  json["examples"] = type.examples;
+  return json;
+}
+
+std::string howMany(const InputSpec& spec) {
+  if (spec.least == 1 && spec.most == 1) return "one";
+  if (spec.least == spec.most) return std::to_string(spec.least);
+  return spec.most == anyNumber ? fmt::format("{} or more", spec.least) : fmt::format("{} to {}", spec.least, spec.most);
+}
+
+std::string kindsText(const InputSpec& spec) {
+  std::string text;
+  for (const ShapeKind kind : spec.kinds) text += (text.empty() ? "" : " or ") + std::string(shapeKindName(kind));
+  return text.empty() ? "any shape" : text;
+}
+
+void printType(std::ostream& out, const FeatureType& type) {
+  out << type.title << "  (" << type.id << ")\n" << type.summary << '\n';
+  if (!type.inputs.empty()) out << "\nInputs\n";
+  std::vector<std::vector<std::string>> lines;
+  for (const InputSpec& spec : type.inputs) lines.push_back({"  " + spec.name, howMany(spec), kindsText(spec), spec.help});
+  if (!lines.empty()) printTable(out, {"", "", "", ""}, lines);
+  lines.clear();
+  for (const ParameterSpec& spec : type.parameters)
+    lines.push_back(
+        {"  --" + spec.name, describe(spec), spec.fallback.is_null() ? "" : formatText(spec, spec.fallback), spec.help});
+  if (!lines.empty()) {
+    out << "\nParameters\n";
+    printTable(out, {"  FLAG", "TAKES", "DEFAULT", "HELP"}, lines);
+  }
+  for (const std::string& example : type.examples)
+    out << (&example == &type.examples.front() ? "\nExamples\n" : "") << "  " << example << '\n';
+}
+
+class FeaturesCommand {
+ public:
+  FeaturesCommand(CommandLine& line, Session& session) : session_(session) {
+    CLI::App& app =
+        line.add("features", "List the features, or all there is to know about one.", session, [this] { return run(); });
+    app.add_option("FEATURE", name_, "Command or id of a feature.")->type_name("");
+    setExamples(app, {"blossom features", "blossom features sweep", "blossom features --json"});
+  }
+
+ private:
+  int run() {
+    std::ostream& out = session_.terminal.out;
+    if (!name_.empty()) {
+      const auto type = session_.app.registry->at(name_);
+      if (session_.json)
+        printJson(out, typeJson(*type));
+      else
+        printType(out, *type);
+      return 0;
+    }
+    Value all = Value::array();
+    std::vector<std::vector<std::string>> lines;
+    for (const auto& type : session_.app.registry->types()) {
+      all.push_back(typeJson(*type));
+      lines.push_back({type->command, type->id, type->summary});
+    }
+    if (session_.json)
+      printJson(out, {{"features", all}});
+    else
+      printTable(out, {"COMMAND", "ID", "SUMMARY"}, lines);
+    return 0;
+  }
+
+  Session& session_;
+  std::string name_;
+};
+
+}  // namespace
+
+void addFeaturesCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<FeaturesCommand>(line, session)); }
+
+}  // namespace blossom

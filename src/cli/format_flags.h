@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "cli/parameter_flags.h"
+
+namespace blossom {
+
+/// Options of the formats as flags: --stl.ascii, --step.schema ap242; and --chord, which stands for the `chord` of every
+/// output.
+class FormatFlags {
+ public:
+  enum Side { Reading = 1, Writing = 2 };
+  FormatFlags(CommandLine&, CLI::App&, const FormatRegistry&, int sides);
+
+  /// Values for one side of a format. @throws UsageError.
+  [[nodiscard]] Value reading(const Format&) const;
+  [[nodiscard]] Value writing(const Format&) const;
+  /// @throws UsageError when a flag was given for a format that is not among `used`.
+  void refuseUnused(const std::vector<const Format*>& used) const;
+
+ private:
+  [[nodiscard]] Value given(const Format&, const std::vector<ParameterSpec>& declared) const;
+
+  struct Entry {
+    std::string id, title;
+    ParameterFlags flags;
+  };
+  std::vector<Entry> entries_;
+  CLI::Option* chord_ = nullptr;
+};
+
+}  // namespace blossom

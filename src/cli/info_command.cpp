@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "cli/command_line.h"
+#include "cli/feature_table.h"
+#include "cli/format_flags.h"
+#include "cli/input.h"
+#include "cli/progress_display.h"
+#include "cli/report.h"
+
+namespace blossom {
+namespace {
+
+/// What a file holds, measured like the result of a feature.
+class InfoCommand {
+ public:
+  InfoCommand(CommandLine& line, Session& session)
+      : session_(session), app_(line.add("info", "Measure what files hold.", session, [this] { return run(); })) {
+    app_.add_option("FILE", files_, "Files to look at (or model.blossom#feature).")->type_name("..")->expected(0, -1);
+    formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Reading);
+    setExamples(app_, {"blossom info part.step", "blossom info drawing.dxf --json"});
+  }
+
+ private:
+  struct Info {
+    Value json;
+    Measures measures;
+  };
+
+  Info ofFile(const std::filesystem::path& file, const Progress& progress) const {
+    const auto start = std::chrono::steady_clock::now();
+    const Format* format = session_.app.formats->find(file.extension().string());
+    const Imported imported =
+        readShape(*session_.app.formats, file, format ? formats_->reading(*format) : Value::object(), progress);
+    const double readMs = millisecondsSince(start);
+    Info info{Value{{"file", file.string()}, {"format", format->id}}, measure(imported.shape, progress)};
+    info.json["result"] = resultJson(info.measures);
+    info.json["stats"] = {{"read_ms", readMs},
+                          {"total_ms", session_.elapsedMs()},
+                          {"entities", imported.entities},
+                          {"skipped", imported.skipped}};
+    info.json["warnings"] = imported.warnings;
+    return info;
+  }
+
+  Info ofDocument(const std::filesystem::path& file, const Progress& progress) const {
+    const OpenedDocument opened = openDocument(file);
+    Info info{
+        Value{{"file", file.string()}, {"format", "blossom"}, {"features", Value::array()}, {"result", Value::object()}},
+        {}};
+    std::vector<std::string> warnings = opened.warnings;
+    if (!opened.document.features().empty()) {
+      const Results results = Evaluator(session_.app.registry).evaluate(opened.document, progress);
+      info.json["features"] = featuresJson(opened.document, results, progress);
+      const FeatureId last = lastFeature(opened.document).id;
+      const auto& result = *results.at(last);
+      if (result.error)
+        warnings.push_back(
+            fmt::format("The feature \"{}\" failed: {}", last, rootCause(opened.document, results, last).message()));
+      else
+        info.json["result"] = resultJson(info.measures = measure(result.evaluated.shape, progress));
+    }
+    info.json["stats"] = {{"total_ms", session_.elapsedMs()}};
+    info.json["warnings"] = warnings;
+    return info;
+  }
+
+  Info ofPart(const std::string& text, const Progress& progress) const {
+    Document document;
+    std::vector<std::string> warnings;
+    const FeatureId id = addInput(session_.app, document, text, warnings);
+    const auto result = evaluateFor(session_.app, document, id, progress);
+    warnings.insert(warnings.end(), result->evaluated.warnings.begin(), result->evaluated.warnings.end());
+    Info info{Value{{"file", text}}, measure(result->evaluated.shape, progress)};
+    info.json["result"] = resultJson(info.measures);
+    info.json["stats"] = {{"kernel_ms", result->kernelMs}, {"total_ms", session_.elapsedMs()}};
+    info.json["stats"].update(result->evaluated.stats);
+    info.json["warnings"] = warnings;
+    return info;
+  }
+
+  Info about(const std::string& text, const Progress& progress) const {
+    if (text.empty()) throw UsageError("The name of a file is empty.", "Give the name of a file.");
+    const std::filesystem::path file = fileOfInput(text);
+    if (file.empty() || file.string() != text) return ofPart(text, progress);
+    return isDocument(file) && std::filesystem::is_regular_file(file) ? ofDocument(file, progress) : ofFile(file, progress);
+  }
+
+  void print(const Info& all) const {
+    const Value& info = all.json;
+    std::ostream& out = session_.terminal.out;
+    out << info.at("file").get<std::string>() << '\n';
+    if (info.contains("features")) printFeatureTable(out, info.at("features"));
+    auto rows = all.measures.kind.empty() ? std::vector<ReportRow>() : rowsOf(all.measures);
+    for (ReportRow& row : rowsOf(info.at("stats"))) rows.push_back(std::move(row));
+    printRows(out, rows);
+    for (const auto& warning : info.at("warnings"))
+      session_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';
+  }
+
+  int run() {
+    if (files_.empty()) throw UsageError("info needs a file.", "\"blossom info part.step\" measures what the file holds.");
+    ProgressDisplay display(session_);
+    const Progress progress = display.progress();
+    std::vector<Info> all;
+    for (const std::string& file : files_) all.push_back(about(file, progress));
+    if (session_.json) {
+      Value objects = Value::array();
+      for (const Info& each : all) objects.push_back(each.json);
+      printJson(session_.terminal.out, objects.size() == 1 ? objects[0] : Value{{"files", objects}});
+    } else {
+      for (const Info& each : all) print(each);
+    }
+    return 0;
+  }
+
+  Session& session_;
+  CLI::App& app_;
+  std::vector<std::string> files_;
+  std::unique_ptr<FormatFlags> formats_;
+};
+
+}  // namespace
+
+void addInfoCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<InfoCommand>(line, session)); }
+
+}  // namespace blossom

@@ -1,0 +1,135 @@
+#include "cli/output.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace blossom {
+namespace fs = std::filesystem;
+namespace {
+
+const Format* writableFormat(const FormatRegistry& formats, const fs::path& path) {
+  const Format* format = path.has_extension() ? formats.find(path.extension().string()) : nullptr;
+  return format && format->write ? format : nullptr;
+}
+
+std::string writableExtensions(const FormatRegistry& formats) {
+  std::string known = ".blossom";
+  for (const Format& each : formats.formats())
+    if (each.write) known += ", ." + each.extensions.front();
+  return known;
+}
+
+[[noreturn]] void unwritable(const fs::path& path, const std::string& why, const std::string& hint) {
+  throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} cannot be written: {}.", path.string(), why), hint);
+}
+
+void checkPlace(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code ec;
+  if (fs::is_directory(path, ec)) unwritable(path, "it is a folder", "Name a file in it.");
+  if (!fs::exists(folder, ec))
+    unwritable(path, fmt::format("the folder {} does not exist", folder.string()), "Make the folder first.");
+  if (!fs::is_directory(folder, ec))
+    unwritable(path, fmt::format("{} is not a folder", folder.string()), "Choose another place.");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    unwritable(path, std::strerror(errno), "Choose a folder that you may write to.");
+  if (fs::exists(path, ec) && ::access(path.c_str(), W_OK) != 0)
+    unwritable(path, std::strerror(errno), "Choose another name.");
+  if (fs::exists(path, ec) && !fs::is_regular_file(path, ec))
+    unwritable(path, "it is not an ordinary file", "Choose another name.");
+}
+
+bool sameFile(const fs::path& a, const fs::path& b) {
+  std::error_code ec;
+  if (fs::equivalent(a, b, ec)) return true;
+  return fs::weakly_canonical(a, ec) == fs::weakly_canonical(b, ec);
+}
+
+Output planned(const FormatRegistry& formats, const fs::path& path) {
+  if (path.empty()) throw UsageError("The name of an output is empty.", "Write -o and the name of a file.");
+  Output output{path, nullptr, Value::object()};
+  if (!isDocument(path)) output.format = writableFormat(formats, path);
+  if (!isDocument(path) && !output.format)
+    throw Error(ErrorCode::FormatUnknown, fmt::format("The file {} has no extension that Blossom writes.", path.string()),
+                fmt::format("Blossom writes {}.", writableExtensions(formats)));
+  checkPlace(path);
+  return output;
+}
+
+std::vector<std::string> splitAtCommas(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text)
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+void refuseKind(const Output& output, const Shape& shape) {
+  const auto& kinds = output.format->writes;
+  if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return;
+  std::string known;
+  for (const ShapeKind kind : kinds) known += (known.empty() ? "" : ", ") + std::string(shapeKindName(kind));
+  throw Error(ErrorCode::OutputNotSupported,
+              fmt::format("{} files cannot hold a shape of kind {}.", output.format->title, shapeKindName(shape.kind())),
+              fmt::format("They hold {}.", known));
+}
+
+}  // namespace
+
+std::vector<std::string> outputPaths(const FormatRegistry& formats, const std::vector<std::string>& given) {
+  const auto known = [&](const std::string& path) { return isDocument(path) || writableFormat(formats, path); };
+  std::vector<std::string> paths;
+  for (const std::string& text : given) {
+    const auto parts = splitAtCommas(text);
+    if (std::all_of(parts.begin(), parts.end(), known))
+      paths.insert(paths.end(), parts.begin(), parts.end());
+    else
+      paths.push_back(text);
+  }
+  return paths;
+}
+
+std::vector<Output> plannedOutputs(const FormatRegistry& formats, const std::vector<std::string>& paths,
+                                   const std::vector<fs::path>& inputs, const FormatFlags* flags) {
+  std::vector<Output> outputs;
+  for (const std::string& path : paths) {
+    Output output = planned(formats, path);
+    for (const fs::path& input : inputs)
+      if (!input.empty() && sameFile(output.path, input))
+        throw UsageError(fmt::format("The output {} would replace the input.", path), "Choose another name for the output.");
+    for (const Output& other : outputs)
+      if (sameFile(other.path, output.path))
+        throw UsageError(fmt::format("The output {} is named twice.", path), "Name every file once.");
+    if (flags && output.format) output.options = completed(output.format->writeOptions, flags->writing(*output.format));
+    outputs.push_back(std::move(output));
+  }
+  return outputs;
+}
+
+void writeOutputs(const App& app, const std::vector<Output>& outputs, const Shape& shape, const Document& document,
+                  const Progress& progress) {
+  for (const Output& output : outputs)
+    if (output.format) refuseKind(output, shape);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const double count = static_cast<double>(outputs.size());
+    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    if (outputs[i].format)
+      writeShape(*app.formats, shape, outputs[i].path, outputs[i].options, part);
+    else
+      saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
+  }
+}
+
+Value pathsJson(const std::vector<Output>& outputs) {
+  Value paths = Value::array();
+  for (const Output& output : outputs) paths.push_back(output.path.string());
+  return paths;
+}
+
+}  // namespace blossom

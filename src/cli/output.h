@@ -1,0 +1,34 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/format_flags.h"
+
+namespace blossom {
+
+/// One file to be written; without a format it is a .blossom document.
+struct Output {
+  std::filesystem::path path;
+  const Format* format = nullptr;
+  Value options = Value::object();
+};
+
+/// The paths of -o: repeated or as a comma list. A comma stays part of a name where what it would split off has no known
+/// extension.
+std::vector<std::string> outputPaths(const FormatRegistry&, const std::vector<std::string>& given);
+
+/// The outputs asked for, checked before any work is done: known extensions, folders that exist and may be written to, no
+/// file twice, none of the inputs.
+/// @throws Error FormatUnknown, FileUnwritable; UsageError.
+std::vector<Output> plannedOutputs(const FormatRegistry&, const std::vector<std::string>& paths,
+                                   const std::vector<std::filesystem::path>& inputs, const FormatFlags* flags);
+
+/// Writes a shape (and, for .blossom files, the document that made it with all its files inside). What one of the formats
+/// cannot hold is said before the first is written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
+void writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
+
+/// The paths as --json prints them.
+Value pathsJson(const std::vector<Output>&);
+
+}  // namespace blossom

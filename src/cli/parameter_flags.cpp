@@ -1,0 +1,110 @@
+#include "cli/parameter_flags.h"
+
+#include <fmt/format.h>
+
+namespace blossom {
+namespace {
+
+std::string helpText(const ParameterSpec& spec) {
+  std::string text = spec.help;
+  if (spec.kind == ParameterKind::Flag) return spec.fallback == Value(true) ? text + " [on]" : text;
+  text += " (" + describe(spec);
+  if (spec.fallback.is_null()) return text + (spec.mayBeAbsent ? ")" : "; must be given)");
+  const std::string fallback = formatText(spec, spec.fallback);
+  return fallback.empty() ? text + ")" : fmt::format("{}; default {})", text, fallback);
+}
+
+/// Lists may be given in several flags; anything else once.
+std::string textOf(const ParameterSpec& spec, const CLI::Option& option) {
+  const auto& results = option.results();
+  if (results.size() > 1 && spec.kind != ParameterKind::List && spec.kind != ParameterKind::Flag)
+    throw UsageError(fmt::format("{} is given {} times.", option.get_name(), results.size()), "Give it once.");
+  if (spec.kind != ParameterKind::List) return results.back();
+  std::string joined;
+  for (const auto& each : results) joined += (joined.empty() ? "" : ",") + each;
+  return joined;
+}
+
+}  // namespace
+
+std::string placeholder(const ParameterSpec& spec) {
+  switch (spec.kind) {
+    case ParameterKind::Flag:
+      return "";
+    case ParameterKind::Count:
+      return "COUNT";
+    case ParameterKind::Number:
+    case ParameterKind::Ratio:
+      return "NUMBER";
+    case ParameterKind::Length:
+      return "LENGTH";
+    case ParameterKind::Angle:
+      return "ANGLE";
+    case ParameterKind::Text:
+      return "TEXT";
+    case ParameterKind::Color:
+      return "COLOUR";
+    case ParameterKind::Point:
+    case ParameterKind::Vector:
+      return "X,Y,Z";
+    case ParameterKind::File:
+      return "FILE";
+    case ParameterKind::Curve:
+      return "T:VALUE,..";
+    case ParameterKind::SubShape:
+      return "INPUT:KIND:INDEX";
+    case ParameterKind::List:
+      return spec.fields.empty() ? "LIST" : placeholder(spec.fields.front()) + ",..";
+    case ParameterKind::Record:
+      return "JSON";
+    case ParameterKind::Choice:
+      break;
+  }
+  std::string all;
+  for (const auto& name : spec.choices) all += (all.empty() ? "" : "|") + name;
+  return all;
+}
+
+ParameterFlags::ParameterFlags(CommandLine& line, CLI::App& app, std::vector<ParameterSpec> specs, const std::string& prefix,
+                               const std::string& group)
+    : specs_(std::move(specs)) {
+  for (const ParameterSpec& spec : specs_) {
+    std::string name = prefix + spec.name;
+    if (app.get_option_no_throw("--" + name)) name = "parameter." + name;
+    CLI::Option* option = nullptr;
+    const std::string help = helpText(spec);
+    if (spec.kind == ParameterKind::Flag) {
+      option = app.add_flag(
+          fmt::format("--{0},!--{1}no-{2}", name, name.substr(0, name.size() - spec.name.size()), spec.name), help);
+    } else {
+      option = app.add_option("--" + name, help);
+      option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    }
+    option->type_name(placeholder(spec))->group(group);
+    if (spec.kind == ParameterKind::Choice) line.choices[option] = spec.choices;
+    options_.push_back(option);
+  }
+}
+
+Value ParameterFlags::given() const {
+  Value values = Value::object();
+  for (std::size_t i = 0; i < specs_.size(); ++i) {
+    if (options_[i]->count() == 0) continue;
+    try {
+      values[specs_[i].name] = parseText(specs_[i], textOf(specs_[i], *options_[i]));
+    } catch (const UsageError&) {
+      throw;
+    } catch (const Error& error) {
+      throw UsageError(fmt::format("{}: {}", options_[i]->get_name(), error.message()), error.hint(), error.code());
+    }
+  }
+  return values;
+}
+
+std::string ParameterFlags::firstGiven() const {
+  for (const CLI::Option* option : options_)
+    if (option->count() > 0) return option->get_name();
+  return {};
+}
+
+}  // namespace blossom

@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "cli/command_line.h"
+#include "cli/feature_table.h"
+#include "cli/input.h"
+#include "cli/output.h"
+#include "cli/progress_display.h"
+#include "cli/report.h"
+
+namespace blossom {
+namespace {
+
+struct Export {
+  FeatureId feature;  ///< empty: the last one
+  std::string path;
+};
+
+/// A document evaluated as a whole, perhaps with other values, and exported.
+class RunCommand {
+ public:
+  RunCommand(CommandLine& line, Session& session)
+      : session_(session), app_(line.add("run", "Evaluate all features of a document.", session, [this] { return run(); })) {
+    app_.add_option("DOC", file_, "A .blossom document, or any file that Blossom reads.")->type_name("");
+    app_.add_option("--set", settings_, "Another value for a parameter of a feature; may be repeated.")
+        ->type_name("FEATURE.PARAMETER=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app_.add_option("--export,-o,--output", exports_,
+                    "Write a feature (the last one if none is named); may be repeated. A .blossom file takes the document.")
+        ->type_name("[FEATURE=]FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Writing);
+    setExamples(app_, {"blossom run model.blossom --json",
+                       "blossom run model.blossom --set sweep-1.tolerance=0.01 --export sweep-1=sweep.step",
+                       "blossom run model.blossom --set sweep-1.solid=yes --export other.blossom"});
+  }
+
+ private:
+  const Feature& featureNamed(const Document& document, const std::string& name) const {
+    const Feature* byName = nullptr;
+    std::vector<std::string> known;
+    for (const auto& each : document.features()) {
+      if (each->id == name) return *each;
+      if (each->name == name) byName = each.get();
+      known.push_back(each->id);
+    }
+    if (byName) return *byName;
+    const std::string near = nearestName(name, known);
+    throw UsageError(
+        fmt::format("The document has no feature \"{}\".", name),
+        near.empty() ? fmt::format("\"blossom info {}\" lists its features.", file_) : fmt::format("Did you mean {}?", near),
+        ErrorCode::NotFound);
+  }
+
+  /// "sweep-1.tolerance=0.01"
+  Document withSetting(const Document& document, const std::string& text) const {
+    const auto equals = text.find('=');
+    const auto dot = text.substr(0, equals).rfind('.');
+    if (equals == std::string::npos || dot == std::string::npos)
+      throw UsageError(fmt::format("\"{}\" is not FEATURE.PARAMETER=VALUE.", text),
+                       "Write for example --set sweep-1.tolerance=0.01.");
+    Feature changed = featureNamed(document, text.substr(0, dot));
+    const std::string name = text.substr(dot + 1, equals - dot - 1);
+    const auto type = session_.app.registry->find(changed.type);
+    if (!type)
+      throw Error(ErrorCode::PluginBroken, fmt::format("The feature type {} is not there.", changed.type),
+                  "\"blossom plugins\" lists the plugins that are loaded.");
+    const auto spec =
+        std::find_if(type->parameters.begin(), type->parameters.end(), [&](const auto& each) { return each.name == name; });
+    if (spec == type->parameters.end()) refuseParameter(*type, name);
+    try {
+      changed.parameters[name] = parseText(*spec, text.substr(equals + 1));
+      (void)completed(type->parameters, changed.parameters);
+    } catch (const Error& error) {
+      throw UsageError(fmt::format("--set {}: {}", text.substr(0, equals), error.message()), error.hint(), error.code());
+    }
+    return document.with(std::move(changed));
+  }
+
+  [[noreturn]] static void refuseParameter(const FeatureType& type, const std::string& name) {
+    std::vector<std::string> known;
+    for (const ParameterSpec& each : type.parameters) known.push_back(each.name);
+    const std::string near = nearestName(name, known);
+    throw UsageError(fmt::format("{} has no parameter \"{}\".", type.title, name),
+                     near.empty() ? fmt::format("\"blossom features {}\" lists its parameters.", type.command)
+                                  : fmt::format("Did you mean {}?", near),
+                     ErrorCode::NotFound);
+  }
+
+  /// "FEATURE=FILE" or "FILE"; a = in the name of a folder or file is none of ours.
+  std::vector<Export> exportsFor(const Document& document) const {
+    std::vector<Export> all;
+    for (const std::string& text : exports_) {
+      const auto equals = text.find('=');
+      if (equals == std::string::npos || text.find('/') < equals) {
+        for (const std::string& path : outputPaths(*session_.app.formats, {text})) all.push_back({"", path});
+      } else {
+        const FeatureId id = featureNamed(document, text.substr(0, equals)).id;
+        for (const std::string& path : outputPaths(*session_.app.formats, {text.substr(equals + 1)}))
+          all.push_back({id, path});
+      }
+    }
+    return all;
+  }
+
+  /// A document may be saved over itself (it was read whole and is replaced as a whole); other outputs must not replace the
+  /// input.
+  std::vector<Output> planned(const std::vector<Export>& exports) const {
+    std::vector<std::string> shapes, documents;
+    for (const Export& each : exports) (isDocument(each.path) ? documents : shapes).push_back(each.path);
+    const std::filesystem::path file = fileOfInput(file_);
+    (void)plannedOutputs(*session_.app.formats, shapes, {file}, formats_.get());
+    (void)plannedOutputs(*session_.app.formats, documents, {}, nullptr);
+    std::vector<Output> outputs;
+    std::vector<const Format*> used;
+    for (const Export& each : exports) {
+      outputs.push_back(plannedOutputs(*session_.app.formats, {each.path}, {}, formats_.get()).front());
+      used.push_back(outputs.back().format);
+    }
+    formats_->refuseUnused(used);
+    return outputs;
+  }
+
+  int run() {
+    if (file_.empty())
+      throw UsageError("run needs a document.", "\"blossom run model.blossom\" evaluates all its features.");
+    OpenedDocument opened = openAny(session_.app, file_);
+    for (const std::string& setting : settings_) opened.document = withSetting(opened.document, setting);
+    const auto exports = exportsFor(opened.document);
+    const auto outputs = planned(exports);
+    (void)lastFeature(opened.document);
+
+    ProgressDisplay display(session_);
+    const Progress progress = display.progress();
+    const Results results = Evaluator(session_.app.registry).evaluate(opened.document, progress.part(0, 0.8));
+    const Value features = featuresJson(opened.document, results, progress.part(0.8, 0.85));
+    std::vector<Output> written;
+    std::optional<Error> problem = firstFailure(opened.document, results);
+    for (std::size_t i = 0; i < exports.size(); ++i) {
+      try {
+        writeOne(opened.document, results, exports[i], outputs[i], progress.part(0.85, 1));
+        written.push_back(outputs[i]);
+      } catch (const Error& error) {
+        if (error.code() == ErrorCode::Cancelled) throw;
+        if (!problem) problem = error;
+      }
+    }
+    report(features, opened.warnings, written, problem);
+    return problem ? 1 : 0;
+  }
+
+  static std::optional<Error> firstFailure(const Document& document, const Results& results) {
+    for (const auto& feature : document.features())
+      if (const auto found = results.find(feature->id); found != results.end() && found->second->error)
+        return found->second->error;
+    return {};
+  }
+
+  void writeOne(const Document& document, const Results& results, const Export& wanted, const Output& output,
+                const Progress& progress) const {
+    if (!output.format) return writeOutputs(session_.app, {output}, {}, document, progress);
+    const FeatureId id = wanted.feature.empty() ? lastFeature(document).id : wanted.feature;
+    const auto found = results.find(id);
+    if (found == results.end())
+      throw Error(ErrorCode::InvalidInput, fmt::format("The feature \"{}\" is suppressed and was not exported.", id));
+    if (found->second->error)
+      throw Error(found->second->error->code(), fmt::format("{} was not written, because \"{}\" failed.", wanted.path, id),
+                  found->second->error->message());
+    writeOutputs(session_.app, {output}, found->second->evaluated.shape, document, progress);
+  }
+
+  void report(const Value& features, const std::vector<std::string>& warnings, const std::vector<Output>& written,
+              const std::optional<Error>& problem) const {
+    std::ostream& out = session_.terminal.out;
+    if (session_.json) {
+      Value all{{"document", file_}, {"features", features}, {"outputs", pathsJson(written)}};
+      all["stats"] = {{"total_ms", session_.elapsedMs()}};
+      all["warnings"] = warnings;
+      if (problem) all["error"] = toJson(*problem);
+      return printJson(out, all);
+    }
+    printFeatureTable(out, features);
+    for (const Output& output : written) out << "written  " << output.path.string() << '\n';
+    for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';
+    for (const Value& row : features)
+      for (const auto& warning : row.value("warnings", Value::array()))
+        session_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';
+    if (problem)
+      session_.terminal.err << "blossom: " << problem->message() << '\n'
+                            << (problem->hint().empty() ? "" : "  " + problem->hint() + "\n");
+  }
+
+  Session& session_;
+  CLI::App& app_;
+  std::string file_;
+  std::vector<std::string> settings_, exports_;
+  std::unique_ptr<FormatFlags> formats_;
+};
+
+}  // namespace
+
+void addRunCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<RunCommand>(line, session)); }
+
+}  // namespace blossom

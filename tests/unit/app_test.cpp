@@ -1,0 +1,126 @@
+#include "app/app.h"
+
+#include <QTemporaryDir>
+
+#include "core/file.h"
+#include "support/support.h"
+
+using namespace blossom;
+
+class AppTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void builtInTypesAndFormatsAreThere();
+  void anImportedFileLivesInTheDocument();
+  void aLinkedFileIsEmbeddedOnRequest();
+  void filesThatCannotBeImported();
+  void aFeatureMovesIntoAnotherDocument();
+  void theLastFeatureIsTheLastThatWorks();
+  void openAnyTakesDocumentsAndFiles();
+  void aMotionFileBecomesASweep();
+  void resourcesAreFound();
+
+ private:
+  [[nodiscard]] std::filesystem::path file(const char* name) const {
+    return std::filesystem::path(folder_->path().toStdString()) / name;
+  }
+  std::unique_ptr<QTemporaryDir> folder_;
+  const App app_ = loadApp();
+};
+
+void AppTest::init() {
+  folder_ = std::make_unique<QTemporaryDir>();
+  writeAtomically(file("triangle.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+}
+
+void AppTest::builtInTypesAndFormatsAreThere() {
+  for (const char* id : {"exchange.import", "import", "blossom.literal", "literal"}) QVERIFY2(app_.registry->find(id), id);
+  for (const char* extension : {"step", "iges", "brep", "stl", "obj", "off", "ply", "dxf", "svg", "json", "png"})
+    QVERIFY2(app_.formats->find(extension), extension);
+}
+
+void AppTest::anImportedFileLivesInTheDocument() {
+  FeatureId id;
+  const Document document = withImported(app_, Document(), file("triangle.off"), &id);
+  QCOMPARE(document.assets().size(), std::size_t{1});
+  QCOMPARE(document.at(id).name, std::string("triangle"));
+  QCOMPARE(document.at(id).parameters.at("file").at("asset").get<std::string>(),
+           contentHash(readFile(file("triangle.off"))));
+  std::filesystem::remove(file("triangle.off"));
+  const Results results = Evaluator(app_.registry).evaluate(document, Progress::none());
+  QVERIFY(!results.at(id)->error);
+  QCOMPARE(results.at(id)->evaluated.shape.kind(), ShapeKind::Mesh);
+}
+
+void AppTest::aLinkedFileIsEmbeddedOnRequest() {
+  FeatureId id;
+  const Document linked = withLinked(app_, Document(), file("triangle.off"), &id);
+  QVERIFY(linked.assets().empty());
+  const Document embedded = withFilesEmbedded(app_, linked);
+  QCOMPARE(embedded.assets().size(), std::size_t{1});
+  QVERIFY(withFilesEmbedded(app_, embedded).at(id) == embedded.at(id));
+}
+
+void AppTest::filesThatCannotBeImported() {
+  writeAtomically(file("text.xyz"), "text");
+  writeAtomically(file("bare"), "text");
+  VERIFY_ERROR(withImported(app_, Document(), file("none.off")), ErrorCode::FileNotFound);
+  VERIFY_ERROR(withImported(app_, Document(), folder_->path().toStdString()), ErrorCode::FileUnreadable);
+  VERIFY_ERROR(withImported(app_, Document(), file("text.xyz")), ErrorCode::FormatUnknown);
+  VERIFY_ERROR(withImported(app_, Document(), file("bare")), ErrorCode::FormatUnknown);
+}
+
+void AppTest::aFeatureMovesIntoAnotherDocument() {
+  FeatureId first, second, added;
+  const Document one = withImported(app_, Document(), file("triangle.off"), &first);
+  writeAtomically(file("other.off"), "OFF\n3 1 0\n0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n");
+  const Document two = withImported(app_, Document(), file("other.off"), &second);
+  QCOMPARE(first, second);
+  const Document both = withFeatureOf(app_, one, two, second, &added);
+  QCOMPARE(both.features().size(), std::size_t{2});
+  QVERIFY(added != first);
+  QCOMPARE(both.assets().size(), std::size_t{2});
+  QCOMPARE(both.at(added).name, std::string("other"));
+  VERIFY_ERROR(withFeatureOf(app_, one, two, "none", &added), ErrorCode::NotFound);
+}
+
+void AppTest::theLastFeatureIsTheLastThatWorks() {
+  VERIFY_ERROR(lastFeature(Document()), ErrorCode::InvalidInput);
+  FeatureId first, second;
+  Document document = withLinked(app_, Document(), file("triangle.off"), &first);
+  document = withLinked(app_, document, file("triangle.off"), &second);
+  QCOMPARE(lastFeature(document).id, second);
+  Feature suppressed = document.at(second);
+  suppressed.suppressed = true;
+  QCOMPARE(lastFeature(document.with(suppressed)).id, first);
+}
+
+void AppTest::openAnyTakesDocumentsAndFiles() {
+  const OpenedDocument imported = openAny(app_, file("triangle.off"));
+  QCOMPARE(imported.document.features().size(), std::size_t{1});
+  saveDocument(imported.document, file("model.BLOSSOM"));
+  QVERIFY(isDocument(file("model.BLOSSOM")));
+  QVERIFY(openAny(app_, file("model.BLOSSOM")).document.at(lastFeature(imported.document).id) ==
+          lastFeature(imported.document));
+  VERIFY_ERROR(openAny(app_, file("none.blossom")), ErrorCode::FileNotFound);
+}
+
+void AppTest::aMotionFileBecomesASweep() {
+  const auto sample = test::sample("propeller.json");
+  QVERIFY(std::filesystem::exists(sample));
+  const OpenedDocument opened = openAny(app_, sample);
+  QCOMPARE(lastFeature(opened.document).type, std::string("sweep.sweep"));
+  const Results results = Evaluator(app_.registry).evaluate(opened.document, Progress::none());
+  for (const auto& [id, result] : results) QVERIFY2(!result->error, result->error ? result->error->what() : "");
+}
+
+void AppTest::resourcesAreFound() {
+  QVERIFY(std::filesystem::exists(resourceFolder() / "manual/command-line.md"));
+  qputenv("BLOSSOM_RESOURCES", folder_->path().toUtf8());
+  QCOMPARE(QString::fromStdString(resourceFolder().string()), folder_->path());
+  qunsetenv("BLOSSOM_RESOURCES");
+}
+
+QTEST_GUILESS_MAIN(AppTest)
+#include "app_test.moc"

@@ -127,7 +127,7 @@ void breakCycles(std::vector<Feature>& features, Problems& problems) {
   }
 }
 
-void checkVersion(std::int64_t version, const Problems& problems) {
+void checkVersion(std::uint64_t version, const Problems& problems) {
   if (version <= documentFormatVersion) return;
   throw Error(ErrorCode::FormatTooNew,
               fmt::format("{} was written by a later Blossom (format {}; this one reads up to {}).", problems.subject(),
@@ -136,10 +136,10 @@ void checkVersion(std::int64_t version, const Problems& problems) {
 }
 
 /// The number after "blossom": in a text that is no longer JSON; 0 when it is not there.
-std::int64_t versionInText(const std::string& text) {
+std::uint64_t versionInText(const std::string& text) {
   std::size_t at = text.find("\"blossom\"");
   if (at == std::string::npos || (at = text.find_first_not_of(" :\t\r\n", at + 9)) == std::string::npos) return 0;
-  std::int64_t version = 0;
+  std::uint64_t version = 0;
   std::from_chars(text.data() + at, text.data() + text.size(), version);
   return version;
 }
@@ -161,7 +161,7 @@ Value parsedOrSalvaged(const std::string& text, Problems& problems) {
     }
   }
   if (features.empty()) problems.fail("no feature in it can be read");
-  return {{"blossom", documentFormatVersion}, {"features", features}};
+  return {{"blossom", static_cast<unsigned>(documentFormatVersion)}, {"features", features}};
 }
 
 }  // namespace
@@ -182,11 +182,8 @@ Document readDocumentJson(const std::string& text, Problems& problems) {
   const Value root = parsedOrSalvaged(text, problems);
   if (!root.is_object()) problems.fail("it holds no object");
   const Value version = root.value("blossom", Value());
-  if (version.is_number_integer() && version >= 1)
-    checkVersion(version.is_number_unsigned() && version > std::numeric_limits<std::int64_t>::max()
-                     ? std::numeric_limits<std::int64_t>::max()
-                     : version.get<std::int64_t>(),
-                 problems);
+  if (version.is_number_unsigned() && version != 0u)
+    checkVersion(version.get<std::uint64_t>(), problems);
   else
     problems.report("it does not tell its format version");
   const Value list = root.value("features", Value());

@@ -37,8 +37,9 @@ Curve product(const Curve&, const Curve&);
 Surface product(const Surface&, const Surface&);
 
 /// B-spline poles from Bezier pieces over the same breaks, for a knot vector under which the pieces are smooth enough. Pole
-/// i is the blossom of one piece at the knots i+1 .. i+p: of the piece for which rounding errors grow least. They grow
-/// little (some 10 times) when knots are multiple as in products, but like 2^(p^2) for p > 10 and simple knots.
+/// i is the blossom at the knots i+1 .. i+p of the piece for which rounding errors grow least. They grow some 10 times when
+/// knots are as multiple as in products of low degrees, about (p/e)^p times when they are simple (1e2 at degree 6, 1e6 at
+/// 10).
 /// @throws Error InvalidInput when sizes do not fit or a knot inside the breaks' range is no break.
 Curve fromBezier(const BezierCurve&, std::span<const double> knots);
 Surface fromBezier(const BezierSurface&, std::span<const double> knotsU, std::span<const double> knotsV);

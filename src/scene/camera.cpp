@@ -1,0 +1,141 @@
+#include "scene/camera.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkCamera.h>
+#include <vtkMapper.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "core/error.h"
+#include "scene/scene.h"
+
+namespace blossom {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+const std::map<std::string, Turn>& namedTurns() {
+  static const std::map<std::string, Turn> turns{{"iso", {35, 28}}, {"top", {0, 90}},   {"bottom", {0, -90}},
+                                                 {"front", {0, 0}}, {"back", {180, 0}}, {"left", {-90, 0}},
+                                                 {"right", {90, 0}}};
+  return turns;
+}
+
+bool liesFlat(const std::vector<Vec3>& points) {
+  if (points.empty()) return false;
+  const double z = points.front().z();
+  return std::all_of(points.begin(), points.end(), [z](const Vec3& p) { return p.z() == z; });
+}
+
+struct Extent {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+  void add(double value) {
+    least = std::min(least, value);
+    greatest = std::max(greatest, value);
+  }
+  [[nodiscard]] double middle() const { return (least + greatest) / 2; }
+  [[nodiscard]] double half() const { return (greatest - least) / 2; }
+};
+
+}  // namespace
+
+Vec3 Turn::toCamera() const {
+  const double y = yaw * degree, p = pitch * degree;
+  return {std::sin(y) * std::cos(p), -std::cos(y) * std::cos(p), std::sin(p)};
+}
+
+Vec3 Turn::up() const {
+  const double y = yaw * degree, p = pitch * degree;
+  return {-std::sin(y) * std::sin(p), std::cos(y) * std::sin(p), std::cos(p)};
+}
+
+Vec3 Turn::right() const { return {std::cos(yaw * degree), std::sin(yaw * degree), 0}; }
+
+Turn turnOf(const std::string& view) {
+  const auto it = namedTurns().find(view);
+  if (it != namedTurns().end()) return it->second;
+  throw Error(ErrorCode::InvalidParameter, "There is no view \"" + view + "\".",
+              "Views are auto, iso, top, bottom, front, back, left and right.");
+}
+
+const std::vector<std::string>& viewNames() {
+  static const std::vector<std::string> names{"auto", "iso", "top", "bottom", "front", "back", "left", "right"};
+  return names;
+}
+
+Framing frameAll(const std::vector<Vec3>& points, const Turn& turn, double aspect, double viewAngle, double margin) {
+  Framing framing;
+  if (points.empty()) return {Vec3::Zero(), 100 / std::tan(viewAngle * degree / 2), 100};
+  const Vec3 right = turn.right(), up = turn.up(), back = turn.toCamera();
+  Extent x, y, z;
+  for (const Vec3& p : points) {
+    x.add(p.dot(right));
+    y.add(p.dot(up));
+    z.add(p.dot(back));
+  }
+  framing.target = right * x.middle() + up * y.middle() + back * z.middle();
+  const double usable = 1 - 2 * margin;
+  const double size = std::max({x.half(), y.half(), z.half(), 1e-9});
+  framing.parallelScale = std::max({y.half(), x.half() / aspect, size * 1e-3}) / usable;
+  const double tangent = std::tan(viewAngle * degree / 2) * usable;
+  for (const Vec3& p : points) {
+    const Vec3 q = p - framing.target;
+    const double reach = std::max(std::abs(q.dot(up)), std::abs(q.dot(right)) / aspect) / tangent;
+    framing.distance = std::max(framing.distance, reach + q.dot(back));
+  }
+  framing.distance = std::max(framing.distance, z.half() * 1.05 + size * 1e-2);
+  return framing;
+}
+
+std::vector<Vec3> visiblePoints(vtkRenderer* renderer) {
+  std::vector<Vec3> found;
+  vtkActorCollection* actors = renderer->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor()) {
+    if (!actor->GetVisibility() || !actor->GetUseBounds() || !actor->GetMapper()) continue;
+    vtkDataSet* data = actor->GetMapper()->GetInputAsDataSet();
+    if (!data) continue;
+    const vtkIdType count = data->GetNumberOfPoints();
+    const vtkIdType step = std::max<vtkIdType>(1, count / 50'000);
+    for (vtkIdType i = 0; i < count; i += step) {
+      Vec3 p;
+      data->GetPoint(i, p.data());
+      found.push_back(p);
+    }
+  }
+  return found;
+}
+
+void place(vtkCamera* camera, const Turn& turn, const Framing& framing) {
+  const Vec3 position = framing.target + turn.toCamera() * framing.distance;
+  const Vec3 up = turn.up();
+  camera->SetFocalPoint(framing.target.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(up.data());
+  camera->SetParallelScale(framing.parallelScale);
+}
+
+void fitCamera(vtkRenderer* renderer, const std::string& view) {
+  const std::vector<Vec3> points = visiblePoints(renderer);
+  const bool flat = liesFlat(points);
+  const Turn turn = turnOf(view == "auto" ? (flat ? "top" : "iso") : view);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetViewAngle(22);  // about a portrait lens: little distortion, still depth
+  camera->SetParallelProjection(flat);
+  const int* size = renderer->GetRenderWindow() ? renderer->GetRenderWindow()->GetSize() : nullptr;
+  const double aspect = size && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.6;
+  place(camera, turn, frameAll(points, turn, aspect, camera->GetViewAngle()));
+  renderer->ResetCameraClippingRange();
+}
+
+}  // namespace blossom

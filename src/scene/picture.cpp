@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkImageData.h>
+#include <vtkPNGWriter.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "scene/offscreen.h"
+#include "scene/scene.h"
+
+namespace blossom {
+
+namespace {
+
+constexpr int largestSide = 32768;
+
+void checkSize(const PictureOptions& options) {
+  if (options.width >= 1 && options.height >= 1 && options.width <= largestSide && options.height <= largestSide) return;
+  throw Error(ErrorCode::InvalidParameter, fmt::format("A picture has 1 to {} pixels a side; {}x{} was asked for.",
+                                                       largestSide, options.width, options.height));
+}
+
+std::vector<SceneData> tessellateAll(const std::vector<Shape>& shapes, const PictureOptions& options,
+                                     const Progress& progress) {
+  std::vector<SceneData> drawn;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const double count = static_cast<double>(shapes.size());
+    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    SceneData data = toSceneData(tessellate(shapes[i], {.chord = options.chord, .angle = 0.12}, part));
+    if (!data.empty()) drawn.push_back(std::move(data));
+  }
+  if (drawn.empty()) throw Error(ErrorCode::InvalidInput, "There is nothing to draw.", "Give a shape with faces or curves.");
+  return drawn;
+}
+
+// Lines keep their look at any size: their width follows the size of the picture.
+double widthFactor(const PictureOptions& options, int supersampling) {
+  return supersampling * std::max(1.0, std::min(options.width, options.height) / 900.0);
+}
+
+void fillScene(vtkRenderer* renderer, const std::vector<SceneData>& drawn, Look look, const PictureOptions& options,
+               double factor) {
+  look.edgeWidth *= factor;
+  look.pointSize *= factor;
+  setUpRenderer(renderer, look);
+  for (const SceneData& data : drawn)
+    for (const auto& actor : makeActors(data, look)) {
+      if (!options.edges && data.faces && roleOf(actor) == ActorRole::Edges) continue;
+      renderer->AddActor(actor);
+    }
+  fitCamera(renderer, options.view);
+}
+
+void layOver(Image& image, const Look& look) {
+  const auto blend = [](std::uint8_t& channel, double alpha, double behind) {
+    channel = static_cast<std::uint8_t>(std::lround(channel * alpha + behind * 255 * (1 - alpha)));
+  };
+  for (int y = 0; y < image.height; ++y) {
+    const Color behind = mixed(look.backgroundTop, look.backgroundBottom, (y + 0.5) / image.height);
+    for (int x = 0; x < image.width; ++x) {
+      std::uint8_t* pixel =
+          &image.rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
+                      4];
+      const double alpha = pixel[3] / 255.0;
+      blend(pixel[0], alpha, behind.red);
+      blend(pixel[1], alpha, behind.green);
+      blend(pixel[2], alpha, behind.blue);
+      pixel[3] = 255;
+    }
+  }
+}
+
+void writePng(const Image& image, const std::filesystem::path& path, int channels) {
+  auto data = vtkSmartPointer<vtkImageData>::New();
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, channels);
+  auto* to = static_cast<std::uint8_t*>(data->GetScalarPointer());
+  for (int y = image.height - 1; y >= 0; --y)  // VTK counts rows from the bottom
+    for (int x = 0; x < image.width; ++x) {
+      const auto* from =
+          &image.rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
+                      4];
+      to = std::copy(from, from + channels, to);
+    }
+  auto writer = vtkSmartPointer<vtkPNGWriter>::New();
+  writer->SetInputData(data);
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+    throw Error(ErrorCode::FileUnwritable, fmt::format("The picture could not be written to {}.", path.string()));
+}
+
+}  // namespace
+
+void renderPicture(const std::vector<Shape>& shapes, const std::filesystem::path& png, const PictureOptions& options,
+                   const Progress& progress) {
+  static std::mutex onePictureAtATime;
+  checkSize(options);
+  const std::vector<SceneData> drawn = tessellateAll(shapes, options, progress.part(0, 0.5));
+  const std::scoped_lock lock(onePictureAtATime);
+  const Look look = options.lightTheme ? Look::light() : Look::dark();
+  const int supersampling = 2;
+  Image image = drawOffscreen(
+      options.width, options.height, supersampling,
+      [&](vtkRenderer* renderer) { fillScene(renderer, drawn, look, options, widthFactor(options, supersampling)); },
+      progress.part(0.5, 0.95));
+  if (!options.transparent) layOver(image, look);
+  writeAtomically(png,
+                  [&](const std::filesystem::path& temporary) { writePng(image, temporary, options.transparent ? 4 : 3); });
+  progress.report(1);
+}
+
+}  // namespace blossom

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "core/error.h"
+#include "exchange/format.h"
+#include "scene/scene.h"
+
+namespace blossom {
+
+namespace {
+
+ParameterSpec option(ParameterSpec spec, std::string name, std::string help, Value fallback) {
+  spec.name = std::move(name);
+  spec.help = std::move(help);
+  spec.fallback = std::move(fallback);
+  return spec;
+}
+
+std::vector<ParameterSpec> pictureOptions() {
+  return {option(text(), "size", "Width and height in pixels.", "1280x800"),
+          option(choice(viewNames()), "view",
+                 "Where it is seen from; auto takes top for planar drawings and iso for the rest.", "auto"),
+          option(choice({"dark", "light"}), "theme", "Colours of canvas and edges.", "dark"),
+          option(flag(), "transparent", "Leave the background out.", false),
+          option(flag(), "edges", "Draw the feature edges.", true),
+          option(length(), "chord", "Largest distance between the shape and its picture; 0 is as fine as the picture needs.",
+                 0.0)};
+}
+
+// "1280x800"
+void readSize(const std::string& text, PictureOptions& options) {
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, options.width);
+  if (width.ec == std::errc{} && width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X')) {
+    const auto height = std::from_chars(width.ptr + 1, end, options.height);
+    if (height.ec == std::errc{} && height.ptr == end) return;
+  }
+  throw Error(ErrorCode::InvalidParameter, fmt::format("\"{}\" is not a size of a picture.", text),
+              "Write width and height like 1280x800.");
+}
+
+void writePicture(const Shape& shape, const std::filesystem::path& path, const Value& values, const Progress& progress) {
+  renderPicture({shape}, path, readPictureOptions(values), progress);
+}
+
+}  // namespace
+
+PictureOptions readPictureOptions(const Value& values) {
+  const Value all = completed(pictureOptions(), values);
+  PictureOptions options;
+  readSize(all.at("size").get<std::string>(), options);
+  options.view = all.at("view").get<std::string>();
+  options.lightTheme = all.at("theme") == "light";
+  options.transparent = all.at("transparent").get<bool>();
+  options.edges = all.at("edges").get<bool>();
+  options.chord = all.at("chord").get<double>();
+  return options;
+}
+
+void addPictureFormats(FormatRegistry& registry) {
+  Format png;
+  png.id = "png";
+  png.title = "Picture (PNG)";
+  png.extensions = {"png"};
+  png.writeOptions = pictureOptions();
+  png.write = writePicture;
+  png.writes = {ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve,  ShapeKind::Surface,
+                ShapeKind::Brep,   ShapeKind::Mesh,   ShapeKind::Motion, ShapeKind::Sequence};
+  registry.add(std::move(png));
+}
+
+}  // namespace blossom

@@ -1,0 +1,132 @@
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/scene.h"
+
+namespace blossom {
+
+namespace {
+
+using Points = vtkSmartPointer<vtkPoints>;
+
+// Doubles, because a drawing may lie far from the origin; the mapper shifts them before they become floats on the card.
+Points makePoints(std::size_t count) {
+  auto points = Points::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  return points;
+}
+
+void setPoint(vtkPoints& points, std::size_t index, const Vec3& p) {
+  points.SetPoint(static_cast<vtkIdType>(index), p.data());
+}
+
+vtkSmartPointer<vtkFloatArray> normalArray(const std::vector<Vec3>& normals) {
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("normal");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(normals.size()));
+  for (std::size_t i = 0; i < normals.size(); ++i) array->SetTuple(static_cast<vtkIdType>(i), normals[i].data());
+  return array;
+}
+
+unsigned char toByte(double channel) { return static_cast<unsigned char>(std::lround(std::clamp(channel, 0.0, 1.0) * 255)); }
+
+vtkSmartPointer<vtkUnsignedCharArray> colorArray(const Tessellation& t) {
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName("color");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(t.triangles.size()));
+  for (std::size_t i = 0; i < t.triangles.size(); ++i) {
+    const auto face = i < t.faceOfTriangle.size() ? static_cast<std::size_t>(t.faceOfTriangle[i]) : 0;
+    const Color color = face < t.faceColors.size() ? t.faceColors[face] : Color{};
+    const unsigned char rgb[3] = {toByte(color.red), toByte(color.green), toByte(color.blue)};
+    array->SetTypedTuple(static_cast<vtkIdType>(i), rgb);
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
+  if (t.triangles.empty()) return nullptr;
+  auto points = makePoints(t.points.size());
+  for (std::size_t i = 0; i < t.points.size(); ++i) setPoint(*points, i, t.points[i]);
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(static_cast<vtkIdType>(t.triangles.size()), static_cast<vtkIdType>(t.triangles.size() * 3));
+  for (const auto& triangle : t.triangles) {
+    const vtkIdType ids[3] = {triangle[0], triangle[1], triangle[2]};
+    cells->InsertNextCell(3, ids);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  if (t.normals.size() == t.points.size()) data->GetPointData()->SetNormals(normalArray(t.normals));
+  if (!t.faceColors.empty()) data->GetCellData()->SetScalars(colorArray(t));
+  if (t.faceOfTriangle.size() == t.triangles.size()) {
+    auto faces = vtkSmartPointer<vtkIntArray>::New();
+    faces->SetName("face");
+    faces->SetNumberOfTuples(static_cast<vtkIdType>(t.faceOfTriangle.size()));
+    std::copy(t.faceOfTriangle.begin(), t.faceOfTriangle.end(), faces->GetPointer(0));
+    data->GetCellData()->AddArray(faces);
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> makeEdges(const Tessellation& t) {
+  std::size_t count = 0;
+  for (const auto& line : t.edges) count += line.size();
+  if (count == 0) return nullptr;
+  auto points = makePoints(count);
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  std::size_t next = 0;
+  for (const auto& line : t.edges) {
+    cells->InsertNextCell(static_cast<int>(line.size()));
+    for (const Vec3& p : line) {
+      setPoint(*points, next, p);
+      cells->InsertCellPoint(static_cast<vtkIdType>(next++));
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(cells);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> makeMarkers(const Tessellation& t) {
+  if (t.markers.empty()) return nullptr;
+  auto points = makePoints(t.markers.size());
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (std::size_t i = 0; i < t.markers.size(); ++i) {
+    setPoint(*points, i, t.markers[i]);
+    const vtkIdType id = static_cast<vtkIdType>(i);
+    cells->InsertNextCell(1, &id);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  return data;
+}
+
+bool isPlanar(const Tessellation& t) {
+  const auto flat = [](const Vec3& p) { return p.z() == 0; };
+  return t.normals.empty() && std::all_of(t.points.begin(), t.points.end(), flat) &&
+         std::all_of(t.markers.begin(), t.markers.end(), flat) &&
+         std::all_of(t.edges.begin(), t.edges.end(),
+                     [&](const auto& line) { return std::all_of(line.begin(), line.end(), flat); });
+}
+
+}  // namespace
+
+bool SceneData::empty() const { return !faces && !edges && !points; }
+
+SceneData toSceneData(const Tessellation& t) { return {makeFaces(t), makeEdges(t), makeMarkers(t), isPlanar(t)}; }
+
+}  // namespace blossom

@@ -1,1 +1,103 @@
-int main() { return 0; }
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <cstdio>
+
+#include "app/app.h"
+#include "core/error.h"
+#include "ui/application.h"
+#include "ui/main_window.h"
+#include "ui/screenshot.h"
+#include "ui/theme.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+namespace {
+
+struct Options {
+  QString file, screenshot;
+  QSize size;
+  ThemeChoice theme = ThemeChoice::System;
+  bool exitWhenDone = false;
+};
+
+[[noreturn]] void wrongUse(const QString& message) {
+  std::fprintf(stderr, "blossom-workbench: %s\n", qPrintable(message));
+  std::exit(2);
+}
+
+QSize parseSize(const QString& text) {
+  const QStringList parts = text.split(u'x');
+  const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
+  if (size.width() < 1 || size.height() < 1) wrongUse(QStringLiteral("\"%1\" is not a size such as 1440x900.").arg(text));
+  return size;
+}
+
+Options readOptions() {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QStringLiteral("The window of Blossom, a workbench for shapes that morph, sweep, grow and melt."));
+  parser.addPositionalArgument(QStringLiteral("FILE"),
+                               QStringLiteral("A .blossom document, or geometry to be opened in a new one."),
+                               QStringLiteral("[FILE]"));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  const QCommandLineOption screenshot(QStringLiteral("screenshot"),
+                                      QStringLiteral("Write a picture of the window once everything is computed."),
+                                      QStringLiteral("PNG"));
+  const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
+                                QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1440x900"));
+  const QCommandLineOption theme(
+      QStringLiteral("theme"), QStringLiteral("dark or light; otherwise as chosen in the window."), QStringLiteral("NAME"));
+  const QCommandLineOption leave(QStringLiteral("exit"), QStringLiteral("Close after the screenshot."));
+  parser.addOptions({screenshot, size, theme, leave});
+  parser.process(*qApp);
+  Options options;
+  if (parser.positionalArguments().size() > 1) wrongUse(QStringLiteral("one file at a time."));
+  options.file = parser.positionalArguments().value(0);
+  options.screenshot = parser.value(screenshot);
+  options.size = parseSize(parser.value(size));
+  options.exitWhenDone = parser.isSet(leave);
+  const QString named = parser.value(theme);
+  if (named == QLatin1String("dark"))
+    options.theme = ThemeChoice::Dark;
+  else if (named == QLatin1String("light"))
+    options.theme = ThemeChoice::Light;
+  else if (!named.isEmpty())
+    wrongUse(QStringLiteral("there is no theme \"%1\"; themes are dark and light.").arg(named));
+  else
+    options.theme = static_cast<ThemeChoice>(std::clamp(QSettings().value(QStringLiteral("theme"), 0).toInt(), 0, 2));
+  return options;
+}
+
+int run() {
+  const Options options = readOptions();
+  ThemeManager::instance().apply(options.theme);
+  MainWindow window(loadApp());
+  window.resize(options.size);
+  window.show();
+  if (!options.file.isEmpty()) window.openFile(options.file);
+  if (!options.screenshot.isEmpty()) {
+    auto* screenshot = new Screenshot(window, options.screenshot);
+    QObject::connect(screenshot, &Screenshot::taken, qApp, [&](bool written) {
+      if (!written) std::fprintf(stderr, "blossom-workbench: %s cannot be written.\n", qPrintable(options.screenshot));
+      if (options.exitWhenDone) QCoreApplication::exit(written ? 0 : 1);
+    });
+  }
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  prepareApplication();
+  QApplication application(argc, argv);
+  setUpApplication();
+  try {
+    return run();
+  } catch (const Error& error) {
+    std::fprintf(stderr, "blossom-workbench: %s %s\n", error.what(), error.hint().c_str());
+    return 1;
+  }
+}

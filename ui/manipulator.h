@@ -15,9 +15,10 @@
 class vtkProp;
 
 /// The manipulator half of a plugin exports these; write BLOSSOM_MANIPULATORS(registry) { registry.addOverlay(..); }.
-#define BLOSSOM_MANIPULATORS(registry)                                                                                      \
-  extern "C" __attribute__((visibility("default"))) int blossomManipulatorApi() { return ::blossom::pluginApiVersion; }     \
-  extern "C" __attribute__((visibility("default"))) void blossomRegisterManipulators(::blossom::ui::ManipulatorRegistry& registry)
+#define BLOSSOM_MANIPULATORS(registry)                                                                                  \
+  extern "C" __attribute__((visibility("default"))) int blossomManipulatorApi() { return ::blossom::pluginApiVersion; } \
+  extern "C" __attribute__((visibility("default"))) void blossomRegisterManipulators(                                   \
+      ::blossom::ui::ManipulatorRegistry& registry)
 
 namespace blossom::ui {
 
@@ -36,6 +37,10 @@ class ManipulatorRegistry {
   [[nodiscard]] const Overlay* overlay(const std::string& featureType) const {
     const auto it = overlays_.find(featureType);
     return it == overlays_.end() ? nullptr : &it->second;
+  }
+  /// Takes over everything of another registry.
+  void add(const ManipulatorRegistry& other) {
+    for (const auto& [type, made] : other.overlays_) overlays_[type] = made;
   }
 
  private:

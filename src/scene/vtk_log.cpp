@@ -1,3 +1,4 @@
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
@@ -35,6 +36,7 @@ vtkStandardNewMacro(MemoryLog)
 void quietVtk() {
   static std::once_flag once;
   std::call_once(once, [] {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     auto log = vtkSmartPointer<MemoryLog>::New();
     vtkOutputWindow::SetInstance(log);
   });

@@ -1,0 +1,38 @@
+#include "ui/application.h"
+
+#include <QApplication>
+#include <QLocale>
+#include <QStyleFactory>
+#include <QSurfaceFormat>
+#include <clocale>
+
+#include "core/version.h"
+#include "scene/scene.h"
+
+namespace blossom::ui {
+
+void prepareApplication() {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setDepthBufferSize(24);
+  format.setSwapInterval(1);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
+void setUpApplication() {
+  QCoreApplication::setOrganizationName(QStringLiteral("Blossom"));
+  QCoreApplication::setApplicationName(QStringLiteral("blossom-workbench"));
+  QCoreApplication::setApplicationVersion(QLatin1String(versionText));
+  QGuiApplication::setApplicationDisplayName(QStringLiteral("Blossom"));
+  QGuiApplication::setDesktopFileName(QStringLiteral("blossom"));
+  // QApplication has set LC_NUMERIC from the environment; readers of every format rely on the C locale.
+  std::setlocale(LC_NUMERIC, "C");
+  QLocale::setDefault(QLocale::c());
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  quietVtk();
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,55 @@
+#include "ui/display_cache.h"
+
+#include <algorithm>
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr std::size_t mostEntries = 96;
+
+const void* addressOf(const Shape& shape) {
+  return shape.visit([](const auto& value) { return static_cast<const void*>(&value); });
+}
+
+std::shared_ptr<const FeatureView> failed(const FeatureResult& result, const Error& error) {
+  auto copy = std::make_shared<FeatureResult>(result);
+  copy->error = error;
+  auto view = std::make_shared<FeatureView>();
+  view->result = copy;
+  return view;
+}
+
+}  // namespace
+
+std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result,
+                                                      const Progress& progress) {
+  auto view = std::make_shared<FeatureView>();
+  view->result = result;
+  const Shape& shape = result->evaluated.shape;
+  if (result->error || shape.empty()) return view;
+  {
+    const std::scoped_lock lock(guard_);
+    const auto it = std::find_if(entries_.begin(), entries_.end(),
+                                 [&](const Entry& e) { return addressOf(e.shape) == addressOf(shape); });
+    if (it != entries_.end()) {
+      entries_.splice(entries_.begin(), entries_, it);
+      view->scene = it->scene;
+      view->measures = it->measures;
+      return view;
+    }
+  }
+  try {
+    view->scene = toSceneData(tessellate(shape, {.chord = 0, .angle = 0.2}, progress.part(0, 0.7)));
+    view->measures = measure(shape, progress.part(0.7, 1));
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::Cancelled) throw;
+    return failed(*result, error);
+  }
+  const std::scoped_lock lock(guard_);
+  entries_.push_front({shape, view->scene, view->measures});
+  if (entries_.size() > mostEntries) entries_.pop_back();
+  return view;
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,36 @@
+#pragma once
+#include <list>
+#include <memory>
+#include <mutex>
+
+#include "core/progress.h"
+#include "document/evaluator.h"
+#include "geometry/measure.h"
+#include "scene/scene.h"
+
+namespace blossom::ui {
+
+/// What the window shows of one result: made once, on the evaluating thread.
+struct FeatureView {
+  std::shared_ptr<const FeatureResult> result;
+  SceneData scene;
+  Measures measures;
+};
+
+/// Remembers the drawings and measures of the last shapes, so that undo shows at once what was shown before. Thread-safe.
+class DisplayCache {
+ public:
+  /// @throws Error Cancelled. A shape that cannot be drawn or measured becomes a view whose result carries the error.
+  std::shared_ptr<const FeatureView> view(const std::shared_ptr<const FeatureResult>&, const Progress&);
+
+ private:
+  struct Entry {
+    Shape shape;  // keeps the address that is the key alive
+    SceneData scene;
+    Measures measures;
+  };
+  std::mutex guard_;
+  std::list<Entry> entries_;  // newest first
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,39 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+#include <thread>
+
+#include "core/error.h"
+#include "core/progress.h"
+
+namespace blossom::ui {
+
+/// Work that the window must not wait for, one at a time, on a thread of its own: opening, saving, importing, exporting.
+class Job : public QObject {
+  Q_OBJECT
+ public:
+  using Work = std::function<void(const Progress&)>;
+  using Then = std::function<void(const std::optional<Error>&)>;
+
+  explicit Job(QObject* parent = nullptr) : QObject(parent) {}
+  ~Job() override;
+
+  [[nodiscard]] bool running() const { return running_; }
+  /// Runs `work`, then `then` in the window's thread, with the error that `work` threw. @pre !running()
+  void start(const QString& title, Work work, Then then);
+  void cancel() { token_.cancel(); }
+
+ signals:
+  void started(const QString& title);
+  void progressed(double fraction, const QString& stage);
+  void finished();
+
+ private:
+  std::thread thread_;
+  CancelToken token_;
+  bool running_ = false;
+};
+
+}  // namespace blossom::ui

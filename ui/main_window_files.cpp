@@ -1,0 +1,173 @@
+// Files of the main window: choosing them, and not losing what is unsaved.
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <algorithm>
+
+#include "ui/document_tree.h"
+#include "ui/export_dialog.h"
+#include "ui/feature_menus.h"
+#include "ui/main_window.h"
+#include "ui/text.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr int mostRecent = 10;
+
+QString documentFilter() { return MainWindow::tr("Blossom documents (*.blossom)"); }
+
+QString lastFolder() { return QSettings().value(QStringLiteral("folder")).toString(); }
+void rememberFolder(const QString& file) { QSettings().setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath()); }
+
+QStringList filesOf(const QMimeData* data) {
+  QStringList files;
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  return files;
+}
+
+}  // namespace
+
+void MainWindow::guarded(std::function<void()> go) {
+  if (!session_.modified()) return go();
+  QMessageBox question(this);
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("Save the changes of %1?").arg(session_.title()));
+  question.setInformativeText(tr("Without saving, they are lost."));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Save)
+    save(std::move(go));
+  else if (answer == QMessageBox::Discard)
+    go();
+}
+
+void MainWindow::newDocument() {
+  guarded([this] { session_.clear(); });
+}
+
+void MainWindow::openFile(const QString& file) {
+  guarded([this, file] {
+    rememberFolder(file);
+    session_.open(file.toStdString());
+  });
+}
+
+void MainWindow::chooseAndOpen() {
+  QStringList filters = readFilters(session_);
+  filters.first().replace(QStringLiteral("("), QStringLiteral("(*.blossom "));
+  filters.insert(1, documentFilter());
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open"), lastFolder(), filters.join(QStringLiteral(";;")));
+  if (!file.isEmpty()) openFile(file);
+}
+
+void MainWindow::chooseAndImport() {
+  const QStringList files =
+      QFileDialog::getOpenFileNames(this, tr("Import"), lastFolder(), readFilters(session_).join(QStringLiteral(";;")));
+  if (files.isEmpty()) return;
+  rememberFolder(files.first());
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files) paths.emplace_back(file.toStdString());
+  session_.import(paths);
+}
+
+void MainWindow::save(std::function<void()> then) {
+  if (session_.file().empty())
+    saveAs(std::move(then));
+  else
+    session_.save(session_.file(), std::move(then));
+}
+
+void MainWindow::saveAs(std::function<void()> then) {
+  const QString name = session_.suggestedName().isEmpty() ? tr("untitled") : session_.suggestedName();
+  QString file = QFileDialog::getSaveFileName(this, tr("Save as"), lastFolder() + u'/' + name + QStringLiteral(".blossom"),
+                                              documentFilter());
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".blossom");
+  rememberFolder(file);
+  session_.save(file.toStdString(), [this, file, then = std::move(then)] {
+    remember(file);
+    if (then) then();
+  });
+}
+
+// The selected result, or the last one of the document.
+void MainWindow::chooseAndExport() {
+  FeatureId id = tree_->selected().empty() ? FeatureId() : tree_->current();
+  if (id.empty() && !session_.document().features().empty()) id = session_.document().features().back()->id;
+  const auto view = session_.view(id);
+  if (!view) return;
+  const ShapeKind kind = view->result->evaluated.shape.kind();
+  QStringList filters;
+  for (const Format& format : session_.app().formats->formats()) {
+    if (!format.write || std::find(format.writes.begin(), format.writes.end(), kind) == format.writes.end()) continue;
+    filters << QStringLiteral("%1 (*.%2)")
+                   .arg(qt(format.title).replace(u'(', u'[').replace(u')', u']'), qt(format.extensions.front()));
+  }
+  if (filters.isEmpty())
+    return showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."), {});
+  const QString name = qt(session_.document().at(id).name).toLower().replace(u' ', u'-');
+  QString chosen;
+  QString file = QFileDialog::getSaveFileName(this, tr("Export"), lastFolder() + u'/' + name,
+                                              filters.join(QStringLiteral(";;")), &chosen);
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += chosen.section(u'*', -1).chopped(1);
+  rememberFolder(file);
+  const Format* format = session_.app().formats->find(QFileInfo(file).suffix().toStdString());
+  if (!format || format->writeOptions.empty()) return session_.exportFeature(id, file.toStdString(), Value::object());
+  auto* dialog = new ExportDialog(*format, file, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog, id, file] { session_.exportFeature(id, file.toStdString(), dialog->options()); });
+  dialog->open();
+}
+
+QStringList MainWindow::recent() const {
+  QStringList files;
+  for (const QString& file : QSettings().value(QStringLiteral("recent")).toStringList())
+    if (QFileInfo::exists(file)) files << file;
+  return files;
+}
+
+void MainWindow::remember(const QString& file) {
+  QStringList files = recent();
+  const QString full = QFileInfo(file).absoluteFilePath();
+  files.removeAll(full);
+  files.prepend(full);
+  QSettings().setValue(QStringLiteral("recent"), QStringList(files.mid(0, mostRecent)));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (closing_ || !session_.modified()) return event->accept();
+  event->ignore();
+  guarded([this] {
+    closing_ = true;
+    close();
+  });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!filesOf(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+// A document replaces what is shown; geometry is added to it.
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QStringList files = filesOf(event->mimeData());
+  if (files.isEmpty()) return;
+  event->acceptProposedAction();
+  if (files.size() == 1 && (isDocument(files.first().toStdString()) || session_.document().features().empty()))
+    return openFile(files.first());
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files)
+    if (!isDocument(file.toStdString())) paths.emplace_back(file.toStdString());
+  if (!paths.empty()) session_.import(paths);
+}
+
+}  // namespace blossom::ui

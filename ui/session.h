@@ -1,0 +1,88 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/app.h"
+#include "core/error.h"
+#include "document/history.h"
+#include "ui/display_cache.h"
+#include "ui/job.h"
+
+namespace blossom::ui {
+
+/// One open document: its history, its results as they arrive, and its file. No widgets; everything slow runs on other
+/// threads.
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  explicit Session(App app, QObject* parent = nullptr);
+  ~Session() override;
+
+  [[nodiscard]] const App& app() const { return app_; }
+  [[nodiscard]] const Document& document() const { return history_.current(); }
+  [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] Job& job() { return job_; }
+  /// Newest view of a feature; the one before while a new one is computed; nullptr when there never was one.
+  [[nodiscard]] std::shared_ptr<const FeatureView> view(const FeatureId&) const;
+  [[nodiscard]] bool evaluating() const { return evaluating_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  [[nodiscard]] bool modified() const { return history_.modified(); }
+  [[nodiscard]] QString title() const;          ///< name of the file, or what the document would be called
+  [[nodiscard]] QString suggestedName() const;  ///< without extension
+
+  void commit(Document, const QString& what);
+  void preview(Document);
+  void endPreview();
+  void undo();
+  void redo();
+
+  void clear();  ///< a new, empty document
+  void open(const std::filesystem::path&, bool salvage = false);
+  void import(const std::vector<std::filesystem::path>&);
+  void save(const std::filesystem::path&, std::function<void()> then = {});
+  void exportFeature(const FeatureId&, const std::filesystem::path&, const Value& options);
+  /// A feature of `type` that takes `inputs`; with a file, that file is imported first and is its input.
+  void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs);
+  void addFeatureFromFile(const FeatureType&, const std::filesystem::path&);
+  void cancel();  ///< job and evaluation
+
+ signals:
+  void documentChanged();  ///< another document is shown, by an edit or a file
+  void opened();           ///< a document of another file is shown
+  void fileChanged();      ///< file name or modified mark
+  void viewChanged(const QString& feature);
+  void evaluationStarted();
+  void evaluationProgressed(double fraction, const QString& stage);
+  void evaluationFinished();
+  void featureAdded(const QString& feature);
+  void failed(const blossom::Error&, const QString& file);
+  void warned(const QStringList& sentences);
+  void noted(const QString& sentence);  ///< something went right
+
+ private:
+  void evaluate();
+  void changed();
+  void replace(Document, const std::filesystem::path& file, const QString& name);
+  bool begin(const QString& title, Job::Work, std::function<void()> then, const std::filesystem::path& file);
+  void dropOldViews();
+
+  App app_;
+  History history_;
+  std::filesystem::path file_;
+  QString name_;  // of the document while it has no file of its own
+  std::shared_ptr<DisplayCache> cache_ = std::make_shared<DisplayCache>();
+  std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
+  std::uint64_t generation_ = 0;  // of evaluations; late results of older ones are dropped
+  std::uint64_t edits_ = 0;       // tells whether the document changed while it was being saved
+  bool evaluating_ = false;
+  CancelToken displayToken_;
+  Evaluator evaluator_;
+  Job job_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,24 @@
+#pragma once
+#include <QString>
+#include <string>
+#include <string_view>
+
+#include "geometry/measure.h"
+
+namespace blossom::ui {
+
+inline QString qt(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
+/// "1 842.6": at most `digits` significant digits after the integer part has been kept whole, thin spaces between thousands.
+QString readable(double value, int digits = 5);
+QString readable(std::int64_t value);
+/// A measure with its unit: "128.3 mm²".
+QString readable(const Measure&);
+/// "Smallest weight" for "min_weight".
+QString measureLabel(const std::string& name);
+/// "surface 9 × 12, 128 mm²": what the tree says under a name.
+QString stateLine(const Measures&);
+/// First letter in upper case.
+QString sentenceCase(QString);
+
+}  // namespace blossom::ui

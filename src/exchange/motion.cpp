@@ -267,6 +267,8 @@ Imported read(const std::filesystem::path& path, const Value&, const Progress& p
   } catch (const Value::parse_error& error) {
     throw Error(ErrorCode::FormatDamaged, fmt::format("\"{}\" is not a JSON file: it breaks off or goes wrong at byte {}.",
                                                       path.filename().string(), error.byte));
+  } catch (const Value::exception&) {
+    throw Error(ErrorCode::FormatDamaged, fmt::format("\"{}\" holds a number that is too large.", path.filename().string()));
   }
   progress.check();
   Imported imported;

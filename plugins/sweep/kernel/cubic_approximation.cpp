@@ -138,20 +138,21 @@ Surface interpolate(const Motion& motion, const CubicBreaks& u, const CubicBreak
   return surface;
 }
 
-/// Middles of `samples` equal parts of every span.
-std::vector<double> innerSamples(int degree, const std::vector<double>& knots, int samples) {
+/// Beginning of each of `samples` equal parts of every span, and the end: edges and middles are where errors are largest.
+std::vector<double> spanSamples(int degree, const std::vector<double>& knots, int samples) {
   std::vector<double> result;
   for (std::size_t i = static_cast<std::size_t>(degree); i + static_cast<std::size_t>(degree) + 1 < knots.size(); ++i)
     for (int k = 0; k < samples && knots[i] < knots[i + 1]; ++k)
-      result.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / samples);
+      result.push_back(knots[i] + (knots[i + 1] - knots[i]) * k / samples);
+  result.push_back(knots[knots.size() - 1 - static_cast<std::size_t>(degree)]);
   return result;
 }
 
 }  // namespace
 
 double deviation(const Motion& motion, const Surface& surface, int samples, double enough, const Progress& progress) {
-  const std::vector<double> us = innerSamples(surface.degreeU, surface.knotsU, samples),
-                            vs = innerSamples(surface.degreeV, surface.knotsV, samples);
+  const std::vector<double> us = spanSamples(surface.degreeU, surface.knotsU, samples),
+                            vs = spanSamples(surface.degreeV, surface.knotsV, samples);
   std::atomic<double> largest = 0;
   constexpr std::size_t strip = 64;
   parallelFor((us.size() + strip - 1) / strip, 1, progress, [&](std::size_t begin, std::size_t end) {
@@ -184,7 +185,7 @@ CubicResult approximateCubic(const Motion& motion, const CubicOptions& options, 
                     "Approximating");
     result.surface = interpolate(motion, u, v, progress);
     result.spansU = spansU, result.spansV = spansV;
-    result.deviation = deviation(motion, result.surface, 9, options.tolerance, progress);
+    result.deviation = deviation(motion, result.surface, 8, options.tolerance, progress);
     if (result.deviation <= options.tolerance) return result;
     u = halved(u, options.mostSpans), v = halved(v, options.mostSpans);
     if (u.at.size() - 1 == spansU && v.at.size() - 1 == spansV)

@@ -13,7 +13,7 @@ struct CubicOptions {
 
 struct CubicResult {
   Surface surface;       ///< polynomial (all weights 1), bicubic, clamped; first and last row the same when closed in u
-  double deviation = 0;  ///< mm, largest distance measured, 9 x 9 samples in every span
+  double deviation = 0;  ///< mm, largest distance measured, 8 x 8 samples in every span and its edges
   std::size_t spansU = 0, spansV = 0;
 };
 
@@ -23,8 +23,8 @@ struct CubicResult {
 /// @throws Error LimitExceeded with the deviation reached; Degenerate; Cancelled. Cost: O(samples), about 20 ns each.
 CubicResult approximateCubic(const Motion&, const CubicOptions& = {}, const Progress& = Progress::none());
 
-/// Largest distance at equal parameters between the motion and a surface, over samples x samples inner points of each span.
-/// Stops early once `enough` is passed.
+/// Largest distance at equal parameters between the motion and a surface, at samples x samples places of each span and on
+/// its edges. Stops early once `enough` is passed.
 double deviation(const Motion&, const Surface&, int samples, double enough, const Progress& = Progress::none());
 
 }  // namespace blossom::sweep

@@ -35,7 +35,7 @@ class Search {
       throw Error(
           ErrorCode::Degenerate,
           fmt::format(
-              "The orientation of this motion vanishes near u = {:.6g}, v = {:.6g}: a zero quaternion is no rotation.",
+              "The orientation of this motion vanishes near u = {:.4g}, v = {:.4g}: a zero quaternion is no rotation.",
               patch.u0, patch.v0),
           "Move the orientation poles around that place so that neighbours turn by less than half a turn.");
     const auto [left, right] = split(patch, true);

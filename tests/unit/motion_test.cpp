@@ -1,0 +1,189 @@
+#include <fstream>
+
+#include "core/file.h"
+#include "exchange/format.h"
+#include "support/motions.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+/// A valid motion file: 2 x 2 poles, a straight trajectory.
+Value small() {
+  return Value::parse(R"({
+    "trajectory": {"degree": 1, "knots": [0, 0, 1, 1], "poles": [[0, 0, 0], [0, 0, 1]], "weights": [1, 2]},
+    "orientation": {"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "poles": [[[1,0,0,0],[1,0,0,0]],[[1,0,0,1],[1,0,0,1]]]},
+    "scaling": {"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "poles": [[[1,1,1,1],[1,1,1,1]],[[1,1,1,1],[1,1,1,1]]]},
+    "point": [1, 0, 0]})");
+}
+
+}  // namespace
+
+class MotionTest : public QObject {
+  Q_OBJECT
+
+  TemporaryFolder folder_;
+  Format format_ = motionFormat();
+
+  Imported readText(const std::string& text) const {
+    const auto path = folder_.path() / "motion.json";
+    std::ofstream(path, std::ios::binary) << text;
+    return format_.read(path, Value::object(), Progress::none());
+  }
+  Imported read(const Value& json) const { return readText(json.dump()); }
+  Motion motionOf(const Value& json) const { return *read(json).shape.get<Motion>(); }
+
+  /// Reading fails and says `path` and `words`.
+  void expectError(const Value& json, const char* path, const char* words) const {
+    try {
+      read(json);
+    } catch (const Error& error) {
+      QCOMPARE(error.code(), ErrorCode::FormatDamaged);
+      QVERIFY2(error.message().find(path) != std::string::npos && error.message().find(words) != std::string::npos,
+               error.what());
+      return;
+    }
+    QFAIL(qPrintable(QString("accepted, but %1 is wrong").arg(path)));
+  }
+
+ private slots:
+  void readsAClampedMotion() {
+    const Motion motion = motionOf(small());
+    validate(motion);
+    QCOMPARE(motion.closedU, ClosedU::No);
+    QVERIFY(motion.trajectory.poles[1] == Vec4(0, 0, 2, 2));
+    QVERIFY(motion.orientation.pole(1, 0) == Vec4(1, 0, 0, 1));
+  }
+
+  void samplesAreValidAndClosedAsTheySay() {
+    for (const auto& [name, closed] : {std::pair{"cylinder.json", true},
+                                       {"torus.json", true},
+                                       {"propeller.json", true},
+                                       {"twisted-tube.json", true},
+                                       {"helicoid.json", false}}) {
+      const Imported imported = format_.read(sample(name), Value::object(), Progress::none());
+      const Motion& motion = *imported.shape.get<Motion>();
+      validate(motion);
+      QVERIFY(imported.warnings.empty());
+      QCOMPARE(motion.closedU, closed ? ClosedU::AntiPeriodic : ClosedU::No);
+    }
+  }
+
+  void writesBackTheSameDoubles() {
+    auto random = seededRandom();
+    for (int k = 0; k < 60; ++k) {
+      Motion motion = randomMotion(random, static_cast<ClosedU>(k % 3));
+      alignQuaternions(motion);
+      // Homogeneous poles come from weight times point; let them be such products.
+      for (Vec4& pole : motion.trajectory.poles) pole.head<3>() = Vec3(pole.head<3>() / pole[3]) * pole[3];
+      const auto path = folder_.path() / "again.json";
+      format_.write(motion, path, Value::object(), Progress::none());
+      const Motion again = *format_.read(path, Value::object(), Progress::none()).shape.get<Motion>();
+      QVERIFY(again == motion);
+    }
+  }
+
+  void periodAndUnwrappedKnotsAreTheSameMotion() {
+    Value json = Value::parse(readFile(sample("cylinder.json")));
+    const Motion period = motionOf(json);
+    json["orientation"]["knots"][0] = period.orientation.knotsU;
+    json["scaling"]["knots"][0] = period.scaling.knotsU;
+    QVERIFY(motionOf(json) == period);
+    json["orientation"]["knots"][0][1] = -0.3;
+    expectError(json, "orientation.knots[0][1]", "to continue the period");
+  }
+
+  void antiPeriodicRowsFollowNegated() {
+    const Motion motion = *format_.read(sample("cylinder.json"), Value::object(), Progress::none()).shape.get<Motion>();
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < motion.orientation.countV(); ++j) {
+        QVERIFY(motion.orientation.pole(i + 8, j) == -motion.orientation.pole(i, j));
+        QVERIFY(motion.scaling.pole(i + 8, j) == motion.scaling.pole(i, j));
+      }
+  }
+
+  void signsOfQuaternionsAreAligned() {
+    auto random = seededRandom();
+    Value json = Value::parse(readFile(sample("propeller.json")));
+    const Motion wanted = motionOf(json);
+    for (auto& row : json["orientation"]["poles"])
+      for (auto& pole : row)
+        if (uniformInt(random, 0, 1))
+          for (auto& component : pole) component = -component.get<double>();
+    const Imported imported = read(json);
+    const Motion& found = *imported.shape.get<Motion>();
+    QCOMPARE(imported.warnings.size(), std::size_t(1));
+    // All of them may be turned around together: still the same rotations.
+    const double sign = found.orientation.poles[0].dot(wanted.orientation.poles[0]) > 0 ? 1 : -1;
+    for (std::size_t i = 0; i < wanted.orientation.poles.size(); ++i)
+      QVERIFY(found.orientation.poles[i] == sign * wanted.orientation.poles[i]);
+  }
+
+  void wrongClosureIsTold() {
+    Value json = Value::parse(readFile(sample("cylinder.json")));
+    json["orientation"]["closed_u"] = "periodic";
+    QVERIFY(!read(json).warnings.empty());
+  }
+
+  void editsAreNotIgnoredSilently() {
+    Value json = small();
+    json["edits"] = Value::array();
+    QVERIFY(read(json).warnings.empty());
+    json["edits"].push_back({{"at", {0.5, 0.5}}, {"to", {1, 2, 3}}});
+    QCOMPARE(read(json).warnings.size(), std::size_t(1));
+  }
+
+  void everyMistakeIsNamedWithItsPlace() {
+    const auto broken = [](auto change) {
+      Value json = small();
+      change(json);
+      return json;
+    };
+    expectError(Value::array(), "This motion file", "one JSON object");
+    expectError(broken([](Value& j) { j.erase("scaling"); }), "scaling", "is missing");
+    expectError(broken([](Value& j) { j["colour"] = 1; }), "colour", "not a key");
+    expectError(broken([](Value& j) { j["trajectory"]["degree"] = 0; }), "trajectory.degree", "between 1 and 25");
+    expectError(broken([](Value& j) { j["trajectory"]["degree"] = 1e300; }), "trajectory.degree", "whole number");
+    expectError(broken([](Value& j) { j["trajectory"]["poles"][1][2] = "x"; }), "trajectory.poles[1][2]", "number");
+    expectError(broken([](Value& j) { j["trajectory"]["weights"][1] = -2; }), "trajectory.weights[1]", "above 0");
+    expectError(broken([](Value& j) { j["trajectory"]["weights"] = {1}; }), "trajectory.weights", "2 poles");
+    expectError(broken([](Value& j) { j["trajectory"]["knots"] = {0, 0, 1}; }), "trajectory.knots", "4 knots");
+    expectError(broken([](Value& j) { j["trajectory"]["knots"] = {0, 0.5, 1, 1}; }), "trajectory.knots", "clamped");
+    expectError(broken([](Value& j) { j["trajectory"]["knots"] = {0, 0, 2, 2}; }), "trajectory", "0 to 1");
+    expectError(broken([](Value& j) { j["orientation"]["knots"][1] = {0, 0, 1, 0}; }), "orientation.knots[1][3]", "smaller");
+    expectError(broken([](Value& j) {
+                  j["orientation"]["poles"][1][0] = {1, 0, 0};
+                }),
+                "orientation.poles[1][0]", "quaternion");
+    expectError(broken([](Value& j) { j["orientation"]["poles"][1].erase(1); }), "orientation.poles[1]", "2 poles");
+    expectError(broken([](Value& j) { j["orientation"]["closed_u"] = "yes"; }), "orientation.closed_u", "anti-periodic");
+    expectError(broken([](Value& j) { j["scaling"]["poles"][0][1][3] = 0; }), "scaling.poles[0][1][3]", "above 0");
+    expectError(broken([](Value& j) { j["scaling"]["knots"] = {{0, 0, 2, 2}, {0, 0, 1, 1}}; }), "scaling", "in u");
+    expectError(broken([](Value& j) { j["point"] = {1, 2}; }), "point", "[x, y, z]");
+    expectError(broken([](Value& j) { j["orientation"]["degree"] = 3; }), "orientation.degree", "two degrees");
+  }
+
+  void rubbishIsNotAMotion() {
+    VERIFY_ERROR(readText(""), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readText("{\"trajectory\": {"), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readText(std::string(100000, '[')), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readText("{\"trajectory\": {\"degree\": 1, \"knots\": [0, 0, 1e999, 1]}}"), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(format_.read(folder_.path() / "absent.json", Value::object(), Progress::none()), ErrorCode::FileNotFound);
+  }
+
+  void closedKnotsWithASeamOfHigherMultiplicity() {
+    // u0 = u1: the seam is a double knot; the unwrapped vector repeats it on both sides, exactly.
+    const std::vector<double> knots = unwrappedKnots(2, {0, 0, 0.3, 0.7, 1});
+    QCOMPARE(knots.size(), std::size_t(9));
+    COMPARE_NEAR(knots[0], -0.7, 1e-15);
+    COMPARE_NEAR(knots[1], -0.3, 1e-15);
+    COMPARE_NEAR(knots[8], 1.3, 1e-15);
+    QCOMPARE(knots[2], knots[3]);
+    QCOMPARE(knots[6], knots[7]);
+  }
+};
+
+QTEST_GUILESS_MAIN(MotionTest)
+#include "motion_test.moc"

@@ -1,0 +1,137 @@
+#include "exchange/format.h"
+#include "geometry/bspline.h"
+#include "support/motions.h"
+#include "support/support.h"
+#include "sweep/kernel/cubic_approximation.h"
+#include "sweep/kernel/cubic_spline.h"
+#include "sweep/kernel/motion_point.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::sweep;
+
+namespace {
+
+Motion readSample(const char* name) {
+  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
+}
+
+Curve toCurve(const CubicBreaks& breaks, const Rows& poles) {
+  Curve curve{3, breaks.knots(), {}};
+  for (Eigen::Index i = 0; i < poles.rows(); ++i) curve.poles.emplace_back(poles(i, 0), 0, 0, 1);
+  return curve;
+}
+
+}  // namespace
+
+class SweepCubicTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void cubicPolynomialsAreReproduced() {
+    auto random = seededRandom();
+    for (int k = 0; k < 50; ++k) {
+      CubicBreaks breaks{{0}, {1}, false};
+      for (int i = uniformInt(random, 1, 9); i > 0; --i)
+        breaks.at.push_back(breaks.at.back() + uniform(random, 0.1, 1)),
+            breaks.multiplicity.push_back(uniformInt(random, 1, 3));
+      const double a = uniform(random, -1, 1), b = uniform(random, -1, 1), c = uniform(random, -1, 1),
+                   d = uniform(random, -1, 1);
+      const auto f = [&](double t) { return ((a * t + b) * t + c) * t + d; };
+      const auto df = [&](double t) { return (3 * a * t + 2 * b) * t + c; };
+      Rows values(static_cast<Eigen::Index>(breaks.at.size()), 1),
+          slopes(2 * static_cast<Eigen::Index>(breaks.segments().size()), 1);
+      for (std::size_t i = 0; i < breaks.at.size(); ++i) values(static_cast<Eigen::Index>(i), 0) = f(breaks.at[i]);
+      Eigen::Index row = 0;
+      for (const auto& [from, to] : breaks.segments())
+        slopes(row++, 0) = df(breaks.at[from]), slopes(row++, 0) = df(breaks.at[to]);
+      const Curve curve = toCurve(breaks, interpolateCubic(breaks, values, slopes));
+      validate(curve);
+      for (int i = 0; i <= 40; ++i) {
+        const double t = breaks.at.back() * i / 40;
+        COMPARE_NEAR(point(curve, t).x(), f(t), 1e-11 * (1 + std::abs(f(t))));
+      }
+    }
+  }
+
+  void periodicSplineInterpolatesAndIsC2AtTheSeam() {
+    auto random = seededRandom();
+    for (int n = 1; n < 12; ++n) {
+      CubicBreaks breaks{{0}, {1}, true};
+      for (int i = 0; i < n; ++i)
+        breaks.at.push_back(breaks.at.back() + uniform(random, 0.5, 1.5)), breaks.multiplicity.push_back(1);
+      Rows values(n + 1, 1);
+      for (int i = 0; i < n; ++i) values(i, 0) = uniform(random, -1, 1);
+      values(n, 0) = values(0, 0);
+      const Curve curve = toCurve(breaks, interpolateCubic(breaks, values, Rows(0, 1)));
+      validate(curve);
+      for (int i = 0; i <= n; ++i)
+        COMPARE_NEAR(point(curve, breaks.at[static_cast<std::size_t>(i)]).x(), values(i, 0), 1e-12);
+      const auto start = derivatives(curve, 0, 2), end = derivatives(curve, breaks.at.back(), 2);
+      for (std::size_t k = 0; k < 3; ++k) QVERIFY((start[k] - end[k]).norm() < 1e-11);
+    }
+  }
+
+  void keepsItsTolerance_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("tolerance");
+    for (const char* name : {"propeller.json", "torus.json", "helicoid.json"})
+      for (const double tolerance : {1e-1, 1e-3})
+        QTest::newRow(qPrintable(QString("%1 %2").arg(name).arg(tolerance))) << name << tolerance;
+  }
+  void keepsItsTolerance() {
+    QFETCH(QString, name);
+    QFETCH(double, tolerance);
+    const Motion motion = readSample(qPrintable(name));
+    const CubicResult cubic = approximateCubic(motion, {.tolerance = tolerance});
+    validate(cubic.surface);
+    QVERIFY(cubic.deviation <= tolerance);
+    QCOMPARE(cubic.surface.degreeU, 3);
+    auto random = seededRandom();
+    double worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const double u = randomIn(random, motion.domainU()), v = randomIn(random, motion.domainV());
+      worst = std::max(worst, (point(cubic.surface, u, v) - evaluate(motion, u, v).point).norm());
+    }
+    QVERIFY2(worst <= 1.02 * cubic.deviation, qPrintable(QString("%1 against %2").arg(worst).arg(cubic.deviation)));
+  }
+
+  void halvingTheSpansGainsAFactorSixteen() {
+    // Fourth order: the error of C2 cubic interpolation.
+    const Motion motion = readSample("torus.json");
+    const double coarse = approximateCubic(motion, {.tolerance = 1e-2}).deviation,
+                 fine = approximateCubic(motion, {.tolerance = coarse * 0.9}).deviation;
+    QVERIFY2(coarse / fine > 12 && coarse / fine < 20, qPrintable(QString::number(coarse / fine)));
+  }
+
+  void closedMotionsCloseExactly() {
+    const CubicResult cubic = approximateCubic(readSample("propeller.json"), {.tolerance = 1e-2});
+    const Surface& s = cubic.surface;
+    for (std::size_t j = 0; j < s.countV(); ++j) QVERIFY(s.pole(0, j) == s.pole(s.countU() - 1, j));
+    for (std::size_t i = 4; i + 4 < s.knotsU.size(); ++i) QVERIFY(s.knotsU[i] < s.knotsU[i + 1]);
+  }
+
+  void kinksOfTheMotionStay() {
+    auto random = seededRandom();
+    for (int k = 0; k < 10; ++k) {
+      // Degrees from 1: the motion has edges, which the cubic surface must follow with multiple knots.
+      const Motion motion = randomMotion(random, static_cast<ClosedU>(k % 3));
+      const CubicResult cubic = approximateCubic(motion, {.tolerance = 0.5});
+      validate(cubic.surface);
+      for (int i = 0; i < 300; ++i) {
+        const double u = randomIn(random, motion.domainU()), v = randomIn(random, motion.domainV());
+        QVERIFY((point(cubic.surface, u, v) - evaluate(motion, u, v).point).norm() <= 0.55);
+      }
+    }
+  }
+
+  void impossibleToleranceIsRefused() {
+    VERIFY_ERROR(approximateCubic(readSample("propeller.json"), {.tolerance = 1e-9, .mostSpans = 200}),
+                 ErrorCode::LimitExceeded);
+    CancelToken token;
+    token.cancel();
+    VERIFY_ERROR(approximateCubic(readSample("propeller.json"), {}, Progress(token)), ErrorCode::Cancelled);
+  }
+};
+
+QTEST_GUILESS_MAIN(SweepCubicTest)
+#include "sweep_cubic_test.moc"

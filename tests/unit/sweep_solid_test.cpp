@@ -1,0 +1,164 @@
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp_Explorer.hxx>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "exchange/format.h"
+#include "support/motions.h"
+#include "support/support.h"
+#include "sweep/kernel/cubic_approximation.h"
+#include "sweep/kernel/motion_grid.h"
+#include "sweep/kernel/product_surface.h"
+#include "sweep/kernel/solid.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::sweep;
+using std::numbers::pi;
+
+namespace {
+
+Motion readSample(const char* name) {
+  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
+}
+
+/// Integral over the surface of f(point, x_u cross x_v) by Gauss's rule with five nodes in every span.
+template <class F>
+double integrate(const Motion& motion, int parts, F f) {
+  constexpr double node[5] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
+  constexpr double weight[5] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
+                                0.2369268850561891};
+  const auto nodes = [&](std::pair<double, double> domain) {
+    std::vector<double> result;
+    const double h = (domain.second - domain.first) / parts;
+    for (int i = 0; i < parts; ++i)
+      for (const double x : node) result.push_back(domain.first + h * (i + (1 + x) / 2));
+    return result;
+  };
+  const auto us = nodes(motion.domainU()), vs = nodes(motion.domainV());
+  MotionGrid grid;
+  evaluateGrid(motion, us, vs, grid, GridDerivatives::Yes);
+  double sum = 0;
+  for (std::size_t k = 0; k < us.size(); ++k)
+    for (std::size_t l = 0; l < vs.size(); ++l)
+      sum += weight[k % 5] * weight[l % 5] * f(grid.pointAt(k, l), Vec3(grid.duAt(k, l).cross(grid.dvAt(k, l))));
+  const auto [u0, u1] = motion.domainU();
+  const auto [v0, v1] = motion.domainV();
+  return sum * (u1 - u0) * (v1 - v0) / (4.0 * parts * parts);
+}
+
+/// A tube that closes in u: circles whose radius is the spline `radii` over v, along z.
+Motion tube(const std::vector<double>& radii, double lean) {
+  const std::vector<double> knots{0, 0, 0, 0, 1, 1, 1, 1};
+  Motion motion;
+  motion.closedU = ClosedU::AntiPeriodic;
+  motion.point = Vec3::UnitX();
+  motion.trajectory = {3, knots, {}};
+  for (int j = 0; j < 4; ++j) motion.trajectory.poles.emplace_back(0, 0, 20.0 * j / 3, 1);
+  std::vector<double> period;
+  std::vector<Vec4> quaternions, scales;
+  for (int i = 0; i < 8; ++i) {
+    period.push_back(i / 8.0);
+    const double half = pi * (i - 1) / 8;
+    for (int j = 0; j < 4; ++j) {
+      quaternions.emplace_back(std::cos(half), 0, lean * std::sin(2 * half) * std::sin(half), std::sin(half));
+      const double r = radii[static_cast<std::size_t>(j)];
+      scales.emplace_back(r, r, r, 1);
+    }
+  }
+  period.push_back(1);
+  motion.orientation = unwrapped(3, 3, period, knots, quaternions, -1);
+  motion.scaling = unwrapped(3, 3, period, knots, scales, 1);
+  return motion;
+}
+
+void verifySolid(const SolidResult& result) {
+  QVERIFY(BRepCheck_Analyzer(result.solid).IsValid());
+  for (TopExp_Explorer shells(result.solid, TopAbs_SHELL); shells.More(); shells.Next())
+    QVERIFY(BRep_Tool::IsClosed(shells.Current()));
+  QVERIFY(result.volume > 0);
+}
+
+}  // namespace
+
+class SweepSolidTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void cylinderHasItsVolume() {
+    const Motion motion = readSample("cylinder.json");
+    const double wanted = pi * 100 * 40;
+    // Divergence theorem with the field (x, y, 0) / 2, to which the planar caps add nothing.
+    const double volume =
+        integrate(motion, 32, [](const Vec3& p, const Vec3& n) { return (p.x() * n.x() + p.y() * n.y()) / 2; });
+    COMPARE_NEAR(std::abs(volume), wanted, 1e-9 * wanted);
+    const SolidResult solid = makeSolid(productSurface(motion).surface);
+    verifySolid(solid);
+    QCOMPARE(solid.start, EndCap::Planar);
+    QCOMPARE(solid.end, EndCap::Planar);
+    COMPARE_NEAR(solid.volume, wanted, 1e-6 * wanted);
+  }
+
+  void torusHasItsVolume() {
+    const Motion motion = readSample("torus.json");
+    const double wanted = 2 * pi * pi * 30 * 100;
+    const double volume = integrate(motion, 32, [](const Vec3& p, const Vec3& n) { return p.dot(n) / 3; });
+    COMPARE_NEAR(std::abs(volume), wanted, 1e-9 * wanted);
+    const SolidResult solid = makeSolid(productSurface(motion).surface);
+    verifySolid(solid);
+    QCOMPARE(solid.start, EndCap::None);
+    COMPARE_NEAR(solid.volume, wanted, 1e-6 * wanted);
+  }
+
+  void helicoidHasItsArea() {
+    // Two turns of pitch 20: sqrt(rho^2 + c^2) integrated over rho from 0 to 25 and the angle, c = 20 / 2 pi.
+    const double c = 20 / (2 * pi), r = 25;
+    const double wanted = 4 * pi * (r * std::hypot(r, c) + c * c * std::asinh(r / c)) / 2;
+    const double area = integrate(readSample("helicoid.json"), 64, [](const Vec3&, const Vec3& n) { return n.norm(); });
+    COMPARE_NEAR(area, wanted, 1e-8 * wanted);
+  }
+
+  void samplesAreValidSolids_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"propeller.json", "twisted-tube.json", "torus.json", "cylinder.json"})
+      QTest::newRow(name) << name;
+  }
+  void samplesAreValidSolids() {
+    QFETCH(QString, name);
+    const Motion motion = readSample(qPrintable(name));
+    const SolidResult exact = makeSolid(productSurface(motion).surface);
+    verifySolid(exact);
+    const SolidResult cubic = makeSolid(approximateCubic(motion, {.tolerance = 1e-3}).surface);
+    verifySolid(cubic);
+    COMPARE_NEAR(cubic.volume, exact.volume, 1e-3 * exact.volume);
+  }
+
+  void endsThatRunIntoAPointNeedNoCap() {
+    const SolidResult lens = makeSolid(productSurface(tube({0, 10, 10, 0}, 0)).surface);
+    verifySolid(lens);
+    QCOMPARE(lens.start, EndCap::Point);
+    QCOMPARE(lens.end, EndCap::Point);
+    // Radius 30 t (1 - t), height 20: pi * 900 * 20 * integral of t^2 (1 - t)^2 = pi * 18000 / 30.
+    COMPARE_NEAR(lens.volume, pi * 600, 1e-5 * pi * 600);
+    const SolidResult drop = makeSolid(productSurface(tube({0, 8, 9, 5}, 0)).surface);
+    verifySolid(drop);
+    QCOMPARE(drop.end, EndCap::Planar);
+  }
+
+  void bentEndsAreClosedByCones() {
+    const SolidResult result = makeSolid(productSurface(tube({10, 8, 9, 10}, 0.3)).surface);
+    verifySolid(result);
+    QCOMPARE(result.start, EndCap::Cone);
+    QCOMPARE(result.end, EndCap::Cone);
+  }
+
+  void openSurfaceIsNoBody() {
+    VERIFY_ERROR(makeSolid(productSurface(readSample("helicoid.json")).surface), ErrorCode::InvalidInput);
+  }
+};
+
+QTEST_GUILESS_MAIN(SweepSolidTest)
+#include "sweep_solid_test.moc"

@@ -1,0 +1,286 @@
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <numbers>
+
+#include "geometry/bspline.h"
+#include "geometry/planar.h"
+#include "support/exchange.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Imported read(const std::string& content, const std::string& attributes = "") {
+  return readText("<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" " + attributes +
+                      ">" + content + "</svg>",
+                  "svg");
+}
+Curves curvesOf(const std::string& content, const std::string& attributes = "") {
+  return *read(content, attributes).shape.get<Curves>();
+}
+Path onlyPath(const std::string& content, const std::string& attributes = "") {
+  const Curves curves = curvesOf(content, attributes);
+  if (curves.paths.size() != 1) qFatal("%zu paths in %s", curves.paths.size(), content.c_str());
+  return curves.paths.front();
+}
+void compareNear(const Vec2& actual, const Vec2& expected, double tolerance = 1e-12) {
+  QVERIFY2(
+      (actual - expected).norm() <= tolerance,
+      qPrintable(QString("(%1, %2) is not (%3, %4)").arg(actual.x()).arg(actual.y()).arg(expected.x()).arg(expected.y())));
+}
+Vec2 middle(const Segment& s) {
+  if (const Arc2* a = std::get_if<Arc2>(&s))
+    return a->center + a->radius * Vec2(std::cos(a->start + a->sweep / 2), std::sin(a->start + a->sweep / 2));
+  const Curve c = toCurve(std::get<Spline2>(s));
+  return point(c, 0.5 * (c.domain().first + c.domain().second)).head<2>();
+}
+
+}  // namespace
+
+class SvgTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void pageIsMirroredInPlace() {
+    const Path line = onlyPath("<path d='M1 2L5 6'/>", "viewBox='0 0 24 24'");
+    compareNear(startPoint(line.segments[0]), {1, 22});
+    compareNear(endPoint(line.segments[0]), {5, 18});
+    compareNear(startPoint(onlyPath("<path d='M1 2L5 6'/>", "viewBox='10 -5 24 10'").segments[0]), {1, -2});
+  }
+
+  void physicalUnitsGiveMillimetres() {
+    const auto end = [](const std::string& attributes) {
+      return endPoint(onlyPath("<path d='M0 0L10 0'/>", attributes).segments[0]).x();
+    };
+    COMPARE_NEAR(end("viewBox='0 0 100 100'"), 10, 1e-12);
+    COMPARE_NEAR(end("width='100' height='100'"), 10, 1e-12);
+    COMPARE_NEAR(end("width='100px' height='100px' viewBox='0 0 10 10'"), 10, 1e-12);
+    COMPARE_NEAR(end("width='50mm' height='50mm' viewBox='0 0 100 100'"), 5, 1e-12);
+    COMPARE_NEAR(end("width='2in' height='2in' viewBox='0 0 100 100'"), 5.08, 1e-12);
+    COMPARE_NEAR(end("width='5cm' height='9cm' viewBox='0 0 100 100'"), 5, 1e-12);
+    COMPARE_NEAR(end("width='72pt' viewBox='0 0 100 100'"), 2.54, 1e-12);
+    COMPARE_NEAR(end("width='50mm' height='50mm'"), 10 * 25.4 / 96, 1e-12);
+  }
+
+  void basicShapes() {
+    COMPARE_NEAR(std::abs(signedArea(onlyPath("<rect x='1' y='2' width='3' height='4'/>"))), 12, 1e-12);
+    COMPARE_NEAR(std::abs(signedArea(onlyPath("<rect width='10' height='6' rx='2'/>"))), 60 - (4 - pi) * 4, 1e-12);
+    COMPARE_NEAR(std::abs(signedArea(onlyPath("<rect width='10' height='6' rx='20' ry='1'/>"))), 60 - (4 - pi) * 5, 1e-9);
+    COMPARE_NEAR(std::abs(signedArea(onlyPath("<circle cx='3' cy='3' r='2'/>"))), 4 * pi, 1e-12);
+    COMPARE_NEAR(std::abs(signedArea(onlyPath("<ellipse cx='3' cy='3' rx='2' ry='5'/>"))), 10 * pi, 1e-9);
+    COMPARE_NEAR(std::abs(signedArea(onlyPath("<polygon points='0,0 4,0 4,3'/>"))), 6, 1e-12);
+    QCOMPARE(onlyPath("<polyline points='0 0 4 0 4 3' fill='none'/>").closed, false);
+    QCOMPARE(onlyPath("<polyline points='0 0 4 0 4 3'/>").closed, true);
+    QCOMPARE(onlyPath("<line x1='1' y1='1' x2='2' y2='2' stroke='red'/>").closed, false);
+    QCOMPARE(curvesOf("<rect width='0' height='6'/><circle r='-1'/>").paths.size(), std::size_t(0));
+  }
+
+  void pathCommands() {
+    const Curves curves = curvesOf("<path fill='none' d='M1,1h2v2H1zm5 0l1-1.5.5.5q1 1 2 0t2 0c1 1 2 1 3 0s2-1 3 0'/>");
+    QCOMPARE(curves.paths.size(), std::size_t(2));
+    COMPARE_NEAR(std::abs(signedArea(curves.paths[0])), 4, 1e-12);
+    QCOMPARE(curves.paths[1].segments.size(), std::size_t(6));
+    const Spline2& cubic = std::get<Spline2>(curves.paths[1].segments[4]);
+    QCOMPARE(cubic.degree, 3);
+    QCOMPARE(cubic.knots, (std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1}));
+    // A new subpath without M starts where the last one closed.
+    const Curves twice = curvesOf("<path d='M0 0h1v1zh-1v-1z'/>");
+    QCOMPARE(twice.paths.size(), std::size_t(2));
+    compareNear(startPoint(twice.paths[1].segments[0]), {0, 0});
+  }
+
+  void arcsKeepTheRules() {
+    // Unit semicircles over (0,0)-(2,0), y down in the file: sweep 1 bulges up on the page.
+    compareNear(middle(onlyPath("<path fill='none' d='M0 0A1 1 0 0 1 2 0'/>").segments[0]), {1, 1});
+    compareNear(middle(onlyPath("<path fill='none' d='M0 0A1 1 0 0 0 2 0'/>").segments[0]), {1, -1});
+    // Radii too small are scaled up; zero radii make a line.
+    compareNear(middle(onlyPath("<path fill='none' d='M0 0A.1 .1 0 0 1 2 0'/>").segments[0]), {1, 1});
+    QVERIFY(std::holds_alternative<Line2>(onlyPath("<path fill='none' d='M0 0A0 5 0 0 1 2 0'/>").segments[0]));
+    COMPARE_NEAR(length(onlyPath("<path fill='none' d='M1 0A1 1 0 1 1 0 -1'/>").segments[0]), 1.5 * pi, 1e-12);
+    COMPARE_NEAR(length(onlyPath("<path fill='none' d='M1 0A1 1 0 0 0 0 -1'/>").segments[0]), 0.5 * pi, 1e-12);
+  }
+
+  void randomArcsLieOnTheirEllipse() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> anywhere(-10, 10), radius(6, 20), degrees(-180, 180);
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 from(anywhere(random), anywhere(random)), to(anywhere(random), anywhere(random));
+      const double rx = 2 * radius(random), ry = 2 * radius(random), rotation = degrees(random);
+      const bool large = i % 2, sweep = i / 2 % 2;
+      const Segment s = onlyPath(fmt::format("<path fill='none' d='M{} {}A{} {} {} {} {} {} {}'/>", from.x(), from.y(), rx,
+                                             ry, rotation, large ? 1 : 0, sweep ? 1 : 0, to.x(), to.y()))
+                            .segments[0];
+      compareNear(startPoint(s), {from.x(), -from.y()}, 1e-9);
+      compareNear(endPoint(s), {to.x(), -to.y()}, 1e-9);
+      // In the frame of the ellipse all points keep the distance 1 from one centre; three of them find it, others prove it.
+      const Spline2* spline = std::get_if<Spline2>(&s);
+      QVERIFY(spline);
+      const Curve curve = toCurve(*spline);
+      const double angle = rotation * pi / 180;
+      const auto unit = [&](double share) {
+        const double t = curve.domain().first + share * (curve.domain().second - curve.domain().first);
+        const Vec2 p = point(curve, t).head<2>();
+        const Vec2 q(p.x(), -p.y());
+        return Vec2(Vec2(std::cos(angle), std::sin(angle)).dot(q) / rx, Vec2(-std::sin(angle), std::cos(angle)).dot(q) / ry);
+      };
+      const Vec2 a = unit(0), b = unit(0.5), c = unit(1);
+      Eigen::Matrix2d m;
+      m.row(0) = 2 * (b - a);
+      m.row(1) = 2 * (c - a);
+      const Vec2 center = m.inverse() * Vec2(b.squaredNorm() - a.squaredNorm(), c.squaredNorm() - a.squaredNorm());
+      double turned = 0;
+      for (int k = 0; k <= 20; ++k) {
+        const Vec2 p = unit(k / 20.0) - center;
+        COMPARE_NEAR(p.norm(), 1, 1e-6);
+        if (k > 0) {
+          const Vec2 q = unit((k - 1) / 20.0) - center;
+          turned += std::atan2(q.x() * p.y() - q.y() * p.x(), q.dot(p));
+        }
+      }
+      QCOMPARE(std::abs(turned) > pi, large);
+      QCOMPARE(turned > 0, sweep);
+    }
+  }
+
+  void transformsNest() {
+    const auto start = [](const std::string& content) { return startPoint(onlyPath(content).segments[0]); };
+    const std::string line = "<path d='M1 0L2 0'/>";
+    compareNear(start("<g transform='translate(10,20) scale(2)'>" + line + "</g>"), {12, -20});
+    compareNear(start("<g transform='rotate(90)'>" + line + "</g>"), {0, -1});
+    compareNear(start("<g transform='rotate(90 1 1)'>" + line + "</g>"), {2, -1});
+    compareNear(start("<g transform='matrix(1 2 3 4 5 6)'>" + line + "</g>"), {6, -8});
+    compareNear(start("<g transform='skewY(45)'>" + line + "</g>"), {1, -1});
+    compareNear(start("<g transform='skewX(45)translate(0-1)'>" + line + "</g>"), {0, 1});
+    compareNear(
+        start("<g transform='scale(2)'><g transform='translate(1)'><path transform='scale(3)' d='M1 0L2 0'/></g></g>"),
+        {8, 0});
+    VERIFY_ERROR(read("<g transform='twist(3)'>" + line + "</g>"), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(read("<g transform='scale(1e300)'><g transform='scale(1e300)'>" + line + "</g></g>"),
+                 ErrorCode::FormatDamaged);
+  }
+
+  void useAndSymbol() {
+    const Imported twice = read(
+        "<defs><path id='a' d='M0 0h1v1z'/></defs><use href='#a' x='5'/><use xlink:href='#a' y='7' transform='scale(2)'/>");
+    const Curves& curves = *twice.shape.get<Curves>();
+    QCOMPARE(curves.paths.size(), std::size_t(2));
+    QCOMPARE(twice.entities, (Value{{"use", 2}}));
+    compareNear(startPoint(curves.paths[0].segments[0]), {5, 0});
+    compareNear(startPoint(curves.paths[1].segments[0]), {0, -14});
+    // The symbol's box is fitted into the size of the use.
+    const Path symbol = onlyPath(
+        "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol><use href='#s' width='20' height='40'/>");
+    COMPARE_NEAR(std::abs(signedArea(symbol)), 400, 1e-9);
+    compareNear(startPoint(symbol.segments[0]), {0, -10});
+  }
+
+  void cyclesAndExplosionsEnd() {
+    VERIFY_ERROR(read("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>"), ErrorCode::FormatDamaged);
+    std::string bomb = "<g id='a0'><path d='M0 0h1v1z'/></g>";
+    for (int i = 1; i < 30; ++i)
+      bomb += fmt::format("<g id='a{0}'><use href='#a{1}'/><use href='#a{1}'/><use href='#a{1}'/></g>", i, i - 1);
+    VERIFY_ERROR(read("<defs>" + bomb + "</defs><use href='#a29'/>"), ErrorCode::LimitExceeded);
+    std::string deep, end;
+    for (int i = 0; i < 100000; ++i) deep += "<g>", end += "</g>";
+    VERIFY_ERROR(read(deep + end), ErrorCode::LimitExceeded);
+  }
+
+  void whatIsNotDrawnIsNotRead() {
+    const Imported imported = read(
+        "<defs><path d='M0 0h1'/></defs><clipPath><rect width='1' height='1'/></clipPath><mask><circle r='1'/></mask><g "
+        "display='none'><circle r='1'/></g>"
+        "<circle style='display:none' r='1'/><circle visibility='hidden' "
+        "r='2'/><text>hello</text><image/><style>.a{display:none}</style><circle class='a' r='1'/>");
+    QCOMPARE(imported.shape.get<Curves>()->paths.size(), std::size_t(0));
+    QCOMPARE(imported.skipped, (Value{{"image", 1}, {"text", 1}}));
+    QVERIFY(!imported.warnings.empty());
+  }
+
+  void paintAndLayer() {
+    const Curves curves = curvesOf(
+        "<g id='cut'><circle r='1' fill='#ff0000'/><g inkscape:label='inner' style='fill:none;stroke:rgb(0,0,255)'><circle "
+        "r='1'/></g></g><circle r='1'/>",
+        "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'");
+    QCOMPARE(curves.paths[0].layer, std::string("cut"));
+    QCOMPARE(curves.paths[0].color, std::optional(Color{1, 0, 0}));
+    QCOMPARE(curves.paths[1].layer, std::string("inner"));
+    QCOMPARE(curves.paths[1].color, std::optional(Color{0, 0, 1}));
+    QVERIFY(!curves.paths[2].color);
+    QCOMPARE(curves.fillRule, FillRule::NonZero);
+    QCOMPARE(curvesOf("<path fill-rule='evenodd' d='M0 0h1v1z'/>").fillRule, FillRule::EvenOdd);
+  }
+
+  void refusesDamage_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("cut off") << "<svg><path d='M0 0";
+    QTest::newRow("unclosed") << "<svg><g></svg>";
+    QTest::newRow("not svg") << "<html><svg/></html>";
+    QTest::newRow("text") << "hello";
+    QTest::newRow("broken path") << "<svg><path d='M0 0 Q hello'/></svg>";
+    QTest::newRow("path without M") << "<svg><path d='L 1 1'/></svg>";
+    QTest::newRow("infinite") << "<svg><path d='M0 0L1e999 0'/></svg>";
+    QTest::newRow("huge") << "<svg><path d='M0 0L1e200 0'/></svg>";
+    QTest::newRow("nan") << "<svg><rect width='nan' height='1'/></svg>";
+    QTest::newRow("odd points") << "<svg><polygon points='1 2 3'/></svg>";
+    QTest::newRow("words for points") << "<svg><polygon points='a b'/></svg>";
+    QTest::newRow("broken viewBox") << "<svg viewBox='0 0 1'/>";
+  }
+  void refusesDamage() {
+    QFETCH(QString, text);
+    VERIFY_ERROR(readText(text.toStdString(), "svg"), ErrorCode::FormatDamaged);
+  }
+
+  void roundTripKeepsCurves() {
+    Curves curves;
+    const auto add = [&](std::vector<Segment> segments, bool closed) {
+      curves.paths.push_back({std::move(segments), closed, "a & b", Color{0, 0.4, 1}});
+    };
+    add({Line2{{-7, 3}, {5, 9}}}, false);
+    add({Arc2{{3, 4}, 2.5, 0.3, 4}}, false);
+    add({Arc2{{3, 4}, 2.5, 0.3, -2 * pi}}, true);
+    add({Spline2{3, {0, 0, 0, 0, 1, 2, 2, 2, 2}, {{0, 0, 1}, {1, 3, 1}, {4, 4, 1}, {6, -2, 1}, {8, 1, 1}}}}, false);
+    add({ellipticArc({1, 2}, {3, 1}, 0.5, 0.2, 2 * pi)}, true);
+    add({Line2{{0, 0}, {4, 0}}, Line2{{4, 0}, {4, 3}}, Line2{{4, 3}, {0, 0}}}, true);
+    const Curves back = *roundTrip(curves, "svg").shape.get<Curves>();
+    QCOMPARE(back.paths.size(), curves.paths.size());
+    for (std::size_t i = 0; i < curves.paths.size(); ++i) {
+      const Path &a = curves.paths[i], &b = back.paths[i];
+      QCOMPARE(b.closed, a.closed);
+      QCOMPARE(b.layer, a.layer);
+      QCOMPARE(toHex(*b.color), toHex(*a.color));
+      compareNear(startPoint(b.segments.front()), startPoint(a.segments.front()), 1e-9);
+      compareNear(endPoint(b.segments.back()), endPoint(a.segments.back()), 1e-9);
+      COMPARE_NEAR(length(b), length(a), 1e-9);
+      if (a.closed) COMPARE_NEAR(signedArea(b), signedArea(a), 1e-9);
+    }
+  }
+
+  void otherSplinesStayWithinTheTolerance() {
+    Spline2 wild{4, {0, 0, 0, 0, 0, 0.4, 1, 1, 1, 1, 1}, {}};
+    const std::array<Vec3, 6> poles{Vec3(0, 0, 1), {3, 9, 2}, {8, -4, 0.5}, {12, 5, 3}, {15, 0, 1}, {20, 4, 1}};
+    for (const Vec3& p : poles) wild.poles.emplace_back(p.x() * p.z(), p.y() * p.z(), p.z());
+    Curves curves;
+    curves.paths.push_back({{wild}, false, {}, {}});
+    for (const double tolerance : {1e-1, 1e-3, 1e-5}) {
+      const Curves back = *roundTrip(curves, "svg", {{"tolerance", tolerance}}).shape.get<Curves>();
+      // Every point of a fine polyline of the one is near the fine polyline of the other.
+      const std::vector<Vec2> a = flatten(curves.paths[0], 1e-7), b = flatten(back.paths[0], 1e-7);
+      for (std::size_t i = 0; i < a.size(); i += 7) {
+        double nearest = 1e9;
+        for (std::size_t k = 0; k + 1 < b.size(); ++k) {
+          const Vec2 d = b[k + 1] - b[k];
+          const double t = std::clamp((a[i] - b[k]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+          nearest = std::min(nearest, (a[i] - b[k] - t * d).norm());
+        }
+        QVERIFY2(nearest <= tolerance + 1e-6, qPrintable(QString::number(nearest)));
+      }
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(SvgTest)
+#include "svg_test.moc"

@@ -59,9 +59,12 @@ std::string bytesOf(const Document& document) {
 }
 
 OpenedDocument open(const std::string& bytes, bool salvage = false) {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path() / "a.blossom", std::ios::binary) << bytes;  // thousands of times: without syncing to the disk
-  return openDocument(folder.path() / "a.blossom", salvage);
+  static const TemporaryFolder folder;  // one for thousands of files, without syncing any to the disk
+  static int count = 0;
+  const auto place = folder.path() / std::to_string(++count);
+  std::filesystem::create_directory(place);
+  std::ofstream(place / "a.blossom", std::ios::binary) << bytes;
+  return openDocument(place / "a.blossom", salvage);
 }
 
 std::string zipOf(const std::vector<ZipEntry>& entries) {

@@ -1,0 +1,1 @@
+extern "C" int aLibraryOfAnotherSort() { return 1; }

@@ -1,0 +1,3 @@
+extern "C" int nobodyHasThis();
+extern "C" __attribute__((visibility("default"))) int blossomPluginApi() { return nobodyHasThis(); }
+extern "C" __attribute__((visibility("default"))) void blossomRegister(void*) {}

@@ -2,7 +2,10 @@
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESData_IGESModel.hxx>
-#include <Interface_Check.hxx>
+#include <IGESData_IGESWriter.hxx>
+#include <IGESData_Protocol.hxx>
+#include <IGESSelect_WorkLibrary.hxx>
+#include <fstream>
 
 #include "core/version.h"
 #include "exchange/brep_import.h"
@@ -27,6 +30,18 @@ void checkComplete(const std::string& path) {
               "Fetch or export the file again.");
 }
 
+/// As IGESControl_Writer::Write, but with all digits.
+bool print(IGESControl_Writer& writer, const fs::path& path) {
+  writer.ComputeModel();
+  IGESData_IGESWriter text(writer.Model());
+  text.FloatWriter().SetFormat(exactNumber);
+  text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
+  std::ofstream stream(path, std::ios::binary);
+  const bool printed = text.Print(stream);
+  stream.close();
+  return printed && stream.good();
+}
+
 void write(const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
   const Brep brep = toBrep(shape);
   const OcctSession session;
@@ -42,7 +57,7 @@ void write(const Shape& shape, const fs::path& path, const Value& options, const
     const bool transferred = writer.Transfer(toDocument(brep), watcher->Start());
     progress.check();
     if (!transferred) throw Error(ErrorCode::InvalidInput, "The shape holds something that IGES cannot hold.");
-    if (!writer.Write(path.c_str()))
+    if (!print(writer, path))
       throw Error(ErrorCode::FileUnwritable, "The file \"" + path.string() + "\" cannot be written.",
                   "Check the folder and the space left.");
   });

@@ -47,6 +47,9 @@ class OcctProgress : public Message_ProgressIndicator {
   std::string stage_;
 };
 
+/// Format by which OCCT's writers give numbers enough digits to be read back as the same double; their own has 12.
+inline constexpr const char* exactNumber = "%.16E";
+
 /// Calls `work`; an exception of OCCT comes out as an Error with `code` and `sentence`.
 template <class Work>
 auto withOcctErrors(ErrorCode code, const std::string& sentence, Work&& work) {

@@ -3,9 +3,12 @@
 #include <Interface_Check.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <fstream>
 
 #include "core/version.h"
 #include "exchange/brep_import.h"
@@ -55,6 +58,17 @@ void fillHeader(STEPControl_Writer& writer, const Brep& brep) {
   header.SetDescriptionValue(1, text("Blossom model"));
 }
 
+/// As STEPControl_Writer::Write, but with all digits.
+bool print(STEPControl_Writer& writer, const fs::path& path) {
+  StepData_StepWriter text(writer.Model());
+  text.FloatWriter().SetFormat(exactNumber);
+  text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
+  std::ofstream stream(path, std::ios::binary);
+  const bool printed = text.Print(stream);
+  stream.close();
+  return printed && stream.good();
+}
+
 void write(const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
   const Brep brep = toBrep(shape);
   const OcctSession session;
@@ -70,7 +84,7 @@ void write(const Shape& shape, const fs::path& path, const Value& options, const
     progress.check();
     if (!transferred) throw Error(ErrorCode::InvalidInput, "The shape holds something that STEP cannot hold.");
     fillHeader(writer.ChangeWriter(), brep);
-    if (writer.Write(path.c_str()) != IFSelect_RetDone)
+    if (!print(writer.ChangeWriter(), path))
       throw Error(ErrorCode::FileUnwritable, "The file \"" + path.string() + "\" cannot be written.",
                   "Check the folder and the space left.");
   });

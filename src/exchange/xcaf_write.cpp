@@ -45,7 +45,9 @@ class DocumentWriter {
     if (plain) {
       for (const BrepInstance& root : roots) part(*root.part, root.name);
     } else {
-      assemble(shapes_->NewShape(), roots);
+      const TDF_Label assembly = shapes_->NewShape();
+      setName(assembly, "Assembly");
+      assemble(assembly, roots);
     }
     shapes_->UpdateAssemblies();
     return document_;
@@ -56,7 +58,9 @@ class DocumentWriter {
     if (const auto known = labels_.find(&source); known != labels_.end()) return known->second;
     const TDF_Label label = shapes_->NewShape();
     labels_.emplace(&source, label);
-    setName(label, source.name.empty() ? nameOfUse : source.name);
+    // OCCT would number unnamed products by all it has written since the program started.
+    const std::string fallback = nameOfUse.empty() ? (source.children.empty() ? "Part" : "Assembly") : nameOfUse;
+    setName(label, source.name.empty() ? fallback : source.name);
     if (source.children.empty()) {
       shapes_->SetShape(label, source.shape);
       for (const auto& [shape, color] : source.subShapeColors) setColor(shapes_->AddSubShape(label, shape), color);

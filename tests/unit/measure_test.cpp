@@ -1,0 +1,162 @@
+#include "geometry/measure.h"
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopExp_Explorer.hxx>
+#include <gp_Ax2.hxx>
+#include <numbers>
+
+#include "geometry/bounds.h"
+#include "geometry/planar.h"
+#include "support/solids.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+using std::numbers::pi;
+
+struct Expected {
+  double volume, area;
+  std::int64_t faces, genus, components;
+};
+
+void compareSolid(const TopoDS_Shape& shape, const Expected& expected, double digits) {
+  const Measures m = measure(Brep(shape));
+  QCOMPARE(m.kind, std::string("solid"));
+  COMPARE_NEAR(measured<double>(m, "volume") / expected.volume, 1, digits);
+  COMPARE_NEAR(measured<double>(m, "area") / expected.area, 1, digits);
+  QCOMPARE(measured<std::int64_t>(m, "faces"), expected.faces);
+  QCOMPARE(measured<std::int64_t>(m, "genus"), expected.genus);
+  QCOMPARE(measured<std::int64_t>(m, "components"), expected.components);
+  QCOMPARE(measured<bool>(m, "closed"), true);
+}
+
+Path circle(const Vec2& center, double radius, double sweep) { return {{Arc2{center, radius, 0, sweep}}, true, {}, {}}; }
+
+}  // namespace
+
+class MeasureTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void primitivesHaveTheirClosedForms() {
+    compareSolid(BRepPrimAPI_MakeBox(gp_Pnt(1, 2, 3), 4.0, 5.0, 6.0).Shape(), {120, 148, 6, 0, 1}, 1e-13);
+    compareSolid(BRepPrimAPI_MakeSphere(3).Shape(), {36 * pi, 36 * pi, 1, 0, 1}, 1e-12);
+    compareSolid(BRepPrimAPI_MakeCylinder(2, 7).Shape(), {28 * pi, 36 * pi, 3, 0, 1}, 1e-12);
+    compareSolid(BRepPrimAPI_MakeTorus(5, 2).Shape(), {2 * pi * pi * 5 * 4, 4 * pi * pi * 10, 1, 1, 1}, 1e-12);
+    compareSolid(BRepPrimAPI_MakeCone(3, 1, 4).Shape(),
+                 {pi * 4 / 3 * (9 + 3 + 1), pi * (9 + 1 + (3 + 1) * std::sqrt(20.0)), 3, 0, 1}, 1e-12);
+  }
+  void trimmedFacesOfTheSteinmetzSolid() {
+    const double r = 2;
+    const TopoDS_Shape x = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-5, 0, 0), gp_Dir(1, 0, 0)), r, 10).Shape();
+    const TopoDS_Shape z = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -5), gp_Dir(0, 0, 1)), r, 10).Shape();
+    const Measures m = measure(Brep(BRepAlgoAPI_Common(x, z).Shape()));
+    COMPARE_NEAR(measured<double>(m, "volume") / (16 * r * r * r / 3), 1, 1e-6);
+    COMPARE_NEAR(measured<double>(m, "area") / (16 * r * r), 1, 1e-6);
+  }
+  void drilledBoxHasAHandle() {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10.0, 10.0, 4.0).Shape();
+    const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(1, 0, -1), gp_Dir(0, 0, 1)), 2, 9).Shape();
+    compareSolid(BRepAlgoAPI_Cut(box, drill).Shape(), {400 - 16 * pi, 2 * (100 - 4 * pi) + 160 + 16 * pi, 7, 1, 1}, 1e-9);
+  }
+  void hollowBallSubtractsItsHollow() {
+    const TopoDS_Shape shape = BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(3).Shape(), BRepPrimAPI_MakeSphere(1).Shape()).Shape();
+    compareSolid(shape, {4 * pi / 3 * (27 - 1), 4 * pi * (9 + 1), 2, 0, 1}, 1e-10);
+  }
+  void instancesCountOnceEach() {
+    auto part = std::make_shared<BrepPart>();
+    part->shape = BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape();
+    gp_Trsf aside, mirror;
+    aside.SetTranslation(gp_Vec(5, 0, 0));
+    mirror.SetMirror(gp_Ax2(gp_Pnt(0, 0, -3), gp_Dir(0, 0, 1)));
+    const Brep assembly(
+        std::vector<BrepInstance>{{"a", {}, gp_Trsf(), part}, {"b", {}, aside, part}, {"c", {}, mirror, part}});
+    compareSolid(assembly.shape(), {3, 18, 18, 0, 3}, 1e-12);
+  }
+  void highDegreeRationalSolid() {
+    const Surface torus = torusOfDegree9x12(5, 2);
+    QCOMPARE(torus.degreeU, 9);
+    QCOMPARE(torus.degreeV, 12);
+    compareSolid(solidOf(toFace(torus)), {2 * pi * pi * 5 * 4, 4 * pi * pi * 10, 1, 1, 1}, 1e-10);
+  }
+  void surfaceAndItsFaceMeasureAlike() {
+    const Surface torus = torusOfDegree9x12(5, 2);
+    const Measures own = measure(torus);
+    const Measures face = measure(Brep(toFace(torus)));
+    QCOMPARE(own.kind, std::string("surface"));
+    QCOMPARE(face.kind, std::string("surface"));
+    for (const char* name : {"degree_u", "degree_v", "poles_u", "poles_v"})
+      QCOMPARE(measured<std::int64_t>(own, name), measured<std::int64_t>(face, name));
+    COMPARE_NEAR(measured<double>(own, "min_weight"), measured<double>(face, "min_weight"), 1e-15);
+    COMPARE_NEAR(measured<double>(own, "area") / (4 * pi * pi * 10), 1, 1e-11);
+    COMPARE_NEAR(measured<double>(face, "area") / (4 * pi * pi * 10), 1, 1e-11);
+  }
+  void sphereWithPolesIsStillExact() {
+    Surface sphere{2, 2, circleKnots, {0, 0, 0, 1, 1, 2, 2, 2}, {}};
+    const double h = std::numbers::sqrt2 / 2;
+    const std::vector<Vec3> half{{0, -1, 1}, {h, -h, h}, {1, 0, 1}, {h, h, h}, {0, 1, 1}};
+    for (const Vec3& around : circlePoles(0, 1))
+      for (const Vec3& m : half)
+        sphere.poles.emplace_back(around.x() * m.x(), around.y() * m.x(), around.z() * m.y(), around.z() * m.z());
+    COMPARE_NEAR(measured<double>(measure(sphere), "area") / (4 * pi), 1, 1e-11);
+  }
+  void regionCountsItsParts() {
+    const Path plate{
+        {Line2{{0, 0}, {10, 0}}, Line2{{10, 0}, {10, 10}}, Line2{{10, 10}, {0, 10}}, Line2{{0, 10}, {0, 0}}}, true, {}, {}};
+    const Measures m = measure(Region{{plate, circle({5, 5}, 2, -2 * pi), circle({20, 0}, 1, 2 * pi)}});
+    QCOMPARE(m.kind, std::string("region"));
+    COMPARE_NEAR(measured<double>(m, "area"), 100 - 4 * pi + pi, 1e-12);
+    COMPARE_NEAR(measured<double>(m, "perimeter"), 40 + 4 * pi + 2 * pi, 1e-12);
+    for (const auto& [name, value] : std::vector<std::pair<std::string, std::int64_t>>{
+             {"loops", 3}, {"holes", 1}, {"components", 2}, {"vertices", 6}, {"lines", 4}, {"arcs", 2}, {"splines", 0}})
+      QCOMPARE(measured<std::int64_t>(m, name), value);
+  }
+  void curvesAddTheirLengths() {
+    const Curves curves{{circle({0, 0}, 1, 2 * pi), {{Line2{{0, 0}, {3, 4}}}, false, {}, {}}}, FillRule::EvenOdd};
+    const Measures m = measure(curves);
+    QCOMPARE(m.kind, std::string("curves"));
+    QCOMPARE(measured<std::int64_t>(m, "curves"), std::int64_t{2});
+    COMPARE_NEAR(measured<double>(m, "length"), 2 * pi + 5, 1e-12);
+    const Measures wires = measure(Brep(toWires(curves)));
+    QCOMPARE(wires.kind, std::string("curves"));
+    QCOMPARE(measured<std::int64_t>(wires, "curves"), std::int64_t{2});
+    COMPARE_NEAR(measured<double>(wires, "length"), 2 * pi + 5, 1e-11);
+  }
+  void facesWithoutASolid() {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
+    const Measures m = measure(Brep(TopExp_Explorer(box, TopAbs_FACE).Current()));
+    QCOMPARE(m.kind, std::string("faces"));
+    QCOMPARE(measured<std::int64_t>(m, "faces"), std::int64_t{1});
+    COMPARE_NEAR(measured<double>(m, "area"), 6, 1e-12);
+  }
+  void sequencesAndNothing() {
+    QCOMPARE(measured<std::int64_t>(measure(Sequence{{Shape(), Shape()}, {0, 1}}), "frames"), std::int64_t{2});
+    QCOMPARE(measure(Shape()).kind, std::string("nothing"));
+  }
+  void cancelledMeasuringStops() {
+    const CancelToken token;
+    token.cancel();
+    VERIFY_ERROR(measure(torusOfDegree9x12(5, 2), Progress(token)), ErrorCode::Cancelled);
+  }
+  void boundsFitClosely() {
+    const Bounds arc = bounds(Curves{{{{Arc2{{0, 0}, 2, -pi / 4, pi / 2}}, false, {}, {}}}, FillRule::EvenOdd});
+    COMPARE_NEAR(arc.low.x(), std::sqrt(2.0), 1e-12);
+    COMPARE_NEAR(arc.high.x(), 2, 1e-12);
+    COMPARE_NEAR(arc.high.y(), std::sqrt(2.0), 1e-12);
+    const Bounds box = bounds(Brep(BRepPrimAPI_MakeBox(gp_Pnt(1, 2, 3), 4.0, 5.0, 6.0).Shape()));
+    COMPARE_NEAR((box.low - Vec3(1, 2, 3)).norm() + (box.high - Vec3(5, 7, 9)).norm(), 0, 1e-6);
+    QVERIFY(bounds(Shape()).empty);
+    QVERIFY(bounds(torusSurface(5, 2)).high.x() >= 7);
+  }
+};
+
+QTEST_GUILESS_MAIN(MeasureTest)
+#include "measure_test.moc"

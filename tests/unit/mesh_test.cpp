@@ -1,0 +1,170 @@
+#include "geometry/mesh.h"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "geometry/mesh_topology.h"
+#include "geometry/point_merge.h"
+#include "geometry/tessellate.h"
+#include "support/solids.h"
+#include "support/splines.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+using std::numbers::pi;
+
+void append(Mesh& mesh, const Mesh& other) {
+  const int offset = static_cast<int>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  for (std::size_t f = 0; f < other.faceCount(); ++f) {
+    std::vector<int> face(other.face(f).begin(), other.face(f).end());
+    for (int& v : face) v += offset;
+    mesh.addFace(face);
+  }
+}
+
+/// Star-shaped polygon in a tilted plane, counter-clockwise around `axis`.
+std::vector<Vec3> starPolygon(Random& random, int corners, const Vec3& axis) {
+  const Vec3 x = axis.unitOrthogonal(), y = axis.cross(x);
+  std::vector<Vec3> points;
+  for (int k = 0; k < corners; ++k) {
+    const double r = uniform(random, 0.2, 5), angle = 2 * pi * k / corners;
+    points.push_back(Vec3(1, 2, 3) + r * (std::cos(angle) * x + std::sin(angle) * y));
+  }
+  return points;
+}
+
+}  // namespace
+
+class MeshTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void boxIsClosedWithItsVolume() {
+    const Measures m = measure(boxMesh({1, 2, 3}, {2, 3, 4}));
+    COMPARE_NEAR(measured<double>(m, "volume"), 24, 1e-13);
+    COMPARE_NEAR(measured<double>(m, "area"), 52, 1e-13);
+    QCOMPARE(measured<std::int64_t>(m, "faces"), std::int64_t{6});
+    QCOMPARE(measured<std::int64_t>(m, "vertices"), std::int64_t{8});
+    QCOMPARE(measured<std::int64_t>(m, "edges"), std::int64_t{12});
+    QCOMPARE(measured<std::int64_t>(m, "genus"), std::int64_t{0});
+    QCOMPARE(measured<bool>(m, "closed"), true);
+  }
+  void openMeshHasNoVolume() {
+    Mesh mesh = boxMesh({0, 0, 0}, {1, 1, 1});
+    mesh.faceStarts.pop_back();
+    mesh.faceVertices.resize(20);
+    const Measures m = measure(mesh);
+    QVERIFY(!hasMeasure(m, "volume"));
+    QCOMPARE(measured<bool>(m, "closed"), false);
+    COMPARE_NEAR(measured<double>(m, "area"), 5, 1e-13);
+  }
+  void torusHasOneHandle() {
+    const int n = 40, k = 20;
+    const Measures m = measure(torusMesh(5, 2, n, k));
+    QCOMPARE(measured<std::int64_t>(m, "genus"), std::int64_t{1});
+    QCOMPARE(measured<bool>(m, "closed"), true);
+    // Sectors of the k-gon between n half-planes: its area times its centre's radius times n sin(2 pi / n).
+    const double profile = k / 2.0 * 4 * std::sin(2 * pi / k);
+    COMPARE_NEAR(measured<double>(m, "volume"), profile * 5 * n * std::sin(2 * pi / n), 1e-9);
+  }
+  void componentsAndGenusAddUp() {
+    Mesh mesh = torusMesh(5, 1, 12, 8);
+    append(mesh, torusMesh(20, 1, 12, 8));
+    append(mesh, boxMesh({100, 0, 0}, {1, 1, 1}));
+    const Measures m = measure(mesh);
+    QCOMPARE(measured<std::int64_t>(m, "genus"), std::int64_t{2});
+    QCOMPARE(measured<std::int64_t>(m, "components"), std::int64_t{3});
+  }
+  void boxesThatTouchInAnEdgeStayTwo() {
+    Mesh mesh = boxMesh({0, 0, 0}, {1, 1, 1});
+    append(mesh, boxMesh({1, 1, 0}, {1, 1, 1}));
+    const Mesh merged = toMesh(tessellate(mesh));
+    QCOMPARE(merged.points.size(), std::size_t{14});
+    const Measures m = measure(merged);
+    QCOMPARE(measured<bool>(m, "closed"), true);
+    QCOMPARE(measured<std::int64_t>(m, "genus"), std::int64_t{0});
+    QCOMPARE(measured<std::int64_t>(m, "components"), std::int64_t{2});
+    COMPARE_NEAR(measured<double>(m, "volume"), 2, 1e-13);
+  }
+  void polygonsOfAnyFormAreCovered() {
+    Random random = seededRandom();
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 axis = Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 0.1, 1)).normalized();
+      const std::vector<Vec3> polygon = starPolygon(random, uniformInt(random, 3, 40), axis);
+      const double wanted = vectorArea(polygon).dot(axis);
+      if (wanted < 1e-3) continue;
+      const auto triangles = triangulate(polygon);
+      QCOMPARE(triangles.size(), polygon.size() - 2);
+      double signedSum = 0, sum = 0;
+      for (const auto& t : triangles) {
+        const std::vector<Vec3> corners{polygon[static_cast<std::size_t>(t[0])], polygon[static_cast<std::size_t>(t[1])],
+                                        polygon[static_cast<std::size_t>(t[2])]};
+        signedSum += vectorArea(corners).dot(axis);
+        sum += vectorArea(corners).norm();
+      }
+      COMPARE_NEAR(signedSum, wanted, 1e-10);
+      if (wanted > 1) COMPARE_NEAR(sum, wanted, 1e-9);  // no triangle is turned over
+    }
+  }
+  void nonConvexFaceHasItsArea() {
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {2, 0.5, 0}, {0, 3, 0}};
+    const int face[5] = {0, 1, 2, 3, 4};
+    mesh.addFace(face);
+    COMPARE_NEAR(measured<double>(measure(mesh), "area"), 12 - 0.5 * 4 * 2.5, 1e-13);
+    Mesh arrow;  // a quad whose one diagonal runs outside
+    arrow.points = {{0, 0, 0}, {3, 0, 0}, {1, 1, 0}, {0, 3, 0}};
+    const int quad[4] = {0, 1, 2, 3};
+    arrow.addFace(quad);
+    COMPARE_NEAR(measured<double>(measure(arrow), "area"), 3, 1e-13);
+  }
+  void sharpEdgesSplitNormals() {
+    const Tessellation box = tessellate(boxMesh({0, 0, 0}, {1, 1, 1}));
+    QCOMPARE(box.points.size(), std::size_t{24});
+    QCOMPARE(box.edges.size(), std::size_t{12});
+    QCOMPARE(box.triangles.size(), std::size_t{12});
+    const Tessellation torus = tessellate(torusMesh(5, 2, 60, 40));
+    QCOMPARE(torus.points.size(), std::size_t{2400});
+    QVERIFY(torus.edges.empty());
+    for (std::size_t i = 0; i < torus.points.size(); ++i) {
+      const Vec3& p = torus.points[i];
+      const Vec3 center = Vec3(p.x(), p.y(), 0).normalized() * 5;
+      QVERIFY(torus.normals[i].dot((p - center).normalized()) > 0.99);
+    }
+    Mesh creased = torusMesh(5, 2, 60, 40);
+    creased.creases.push_back({1, 0, 2.5});
+    QCOMPARE(tessellate(creased).edges.size(), std::size_t{1});
+  }
+  void facesOfUnknownVerticesAreRefused() {
+    Mesh mesh = boxMesh({0, 0, 0}, {1, 1, 1});
+    mesh.faceVertices[5] = 8;
+    VERIFY_ERROR(measure(mesh), ErrorCode::InvalidInput);
+    mesh.faceVertices[5] = -1;
+    VERIFY_ERROR(tessellate(mesh), ErrorCode::InvalidInput);
+  }
+  void nearPointsMergeAcrossCells() {
+    Random random = seededRandom();
+    std::vector<Vec3> points;
+    for (int i = 0; i < 500; ++i) {
+      const Vec3 p(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1e7, 1e7));
+      points.push_back(p);
+      points.push_back(p + Vec3(uniform(random, -5e-8, 5e-8), uniform(random, -5e-8, 5e-8), 0));
+    }
+    const std::vector<int> first = mergeClosePoints(points, 1e-7);
+    for (std::size_t i = 0; i < points.size(); ++i) QCOMPARE(first[i], static_cast<int>(i / 2 * 2));
+    const std::vector<Vec3> wild{{1e300, 0, 0}, {-1e300, 0, 0}, {1e300, 0, 0}};
+    QCOMPARE(mergeClosePoints(wild, 1e-7), (std::vector<int>{0, 1, 0}));
+  }
+  void cancelledWorkStops() {
+    const CancelToken token;
+    token.cancel();
+    VERIFY_ERROR(measure(boxMesh({0, 0, 0}, {1, 1, 1}), Progress(token)), ErrorCode::Cancelled);
+  }
+};
+
+QTEST_GUILESS_MAIN(MeshTest)
+#include "mesh_test.moc"

@@ -2,7 +2,7 @@
 
 #include <QApplication>
 #include <QLocale>
-#include <QStyleFactory>
+#include <QProxyStyle>
 #include <QSurfaceFormat>
 #include <clocale>
 
@@ -10,6 +10,20 @@
 #include "scene/scene.h"
 
 namespace blossom::ui {
+
+namespace {
+
+// Menus read calmer without underlined letters; Alt still works.
+class QuietStyle final : public QProxyStyle {
+ public:
+  QuietStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
+    if (hint == SH_UnderlineShortcut) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
+
+}  // namespace
 
 void prepareApplication() {
   QSurfaceFormat format;
@@ -31,7 +45,7 @@ void setUpApplication() {
   // QApplication has set LC_NUMERIC from the environment; readers of every format rely on the C locale.
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale::c());
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new QuietStyle);
   quietVtk();
 }
 

@@ -71,10 +71,12 @@ MainWindow::MainWindow(App app, QWidget* parent)
   view_->setLook(theme().look());
   refreshActions();
   refreshStart();
+  status_->setHint(ViewWidget::idleHint());
   if (!problems.isEmpty()) errors_->showNote(tr("A plugin was skipped."), problems.join(u'\n'));
 }
 
-MainWindow::~MainWindow() = default;
+// The widgets look at the session: they go first.
+MainWindow::~MainWindow() { delete takeCentralWidget(); }
 
 void MainWindow::buildLayout() {
   auto* side = new QSplitter(Qt::Vertical);

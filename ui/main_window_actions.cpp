@@ -147,7 +147,7 @@ void MainWindow::buildToolBar() {
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-  bar->setIconSize({22, 22});
+  bar->setIconSize({20, 20});
   bar->addActions({open_, import_, save_, export_});
   bar->addSeparator();
   bar->addActions({undo_, redo_});

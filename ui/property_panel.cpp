@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/parameter_field.h"
 #include "ui/session.h"
@@ -171,7 +172,12 @@ void PropertyPanel::refreshResult() {
   resultGrid_->setHorizontalSpacing(12);
   addResult(tr("Kind"), qt(view->measures.kind));
   for (const Measure& measure : view->measures.values) addResult(measureLabel(measure.name), readable(measure));
-  for (const auto& [name, value] : result.evaluated.stats.items()) addResult(measureLabel(name), statText(value));
+  const auto measured = [&](const std::string& name) {
+    return std::any_of(view->measures.values.begin(), view->measures.values.end(),
+                       [&](const Measure& m) { return m.name == name; });
+  };
+  for (const auto& [name, value] : result.evaluated.stats.items())
+    if (!measured(name)) addResult(measureLabel(name), statText(value));
   addResult(tr("Time"),
             result.fromCache || result.kernelMs == 0 ? tr("from the cache") : tr("%1 ms").arg(readable(result.kernelMs, 3)));
   resultColumn_->addWidget(table);

@@ -1,5 +1,6 @@
 #include "ui/screenshot.h"
 
+#include <QCoreApplication>
 #include <QPixmap>
 
 #include "ui/main_window.h"
@@ -21,6 +22,7 @@ void Screenshot::whenComputed() {
   connect(&window_.view(), &QOpenGLWidget::frameSwapped, this, [this] {
     if (window_.session().evaluating() || window_.session().job().running()) return;
     disconnect(&window_.view(), &QOpenGLWidget::frameSwapped, this, nullptr);
+    QCoreApplication::processEvents();  // layouts settle in several rounds
     emit taken(window_.grab().save(file_));
   });
   window_.view().update();

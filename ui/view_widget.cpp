@@ -26,7 +26,11 @@ ViewWidget::ViewWidget(QWidget* parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
+  // Qt makes the context current before it calls us.
   window_->SetOwnContext(false);
+  window_->SetReadyForRendering(true);
+  window_->SetIsCurrent(true);
+  window_->SetSupportsOpenGL(1);
   window_->SetFrameBlitModeToNoBlit();
   window_->SetMultiSamples(4);
   window_->AddRenderer(renderer_);
@@ -40,7 +44,10 @@ ViewWidget::ViewWidget(QWidget* parent)
   connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);
 }
 
-ViewWidget::~ViewWidget() { releaseGl(); }
+ViewWidget::~ViewWidget() {
+  releaseGl();
+  if (context()) disconnect(context(), nullptr, this, nullptr);
+}
 
 void ViewWidget::releaseGl() {
   if (!isValid()) return;
@@ -118,9 +125,12 @@ void ViewWidget::setItems(const std::vector<ViewItem>& items) {
   update();
 }
 
+// The grid is blended over what is drawn before it, so it stays last.
 void ViewWidget::show(Shown& shown) {
   shown.actors = makeActors(shown.scene, scaledLook());
+  renderer_->RemoveActor(grid_.actor());
   for (const auto& actor : shown.actors) renderer_->AddActor(actor);
+  renderer_->AddActor(grid_.actor());
 }
 
 void ViewWidget::hide(Shown& shown) {

@@ -50,6 +50,9 @@ class ViewWidget : public QOpenGLWidget {
   [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
   [[nodiscard]] QString problem() const { return problem_; }  ///< why nothing can be drawn; empty when all is well
 
+  /// What the mouse would do when it rests on the view.
+  static QString idleHint();
+
  signals:
   void picked(const QString& feature, bool extend);  ///< empty: the canvas itself
   void hint(const QString& text);

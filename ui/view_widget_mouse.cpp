@@ -16,11 +16,11 @@ namespace {
 
 constexpr double clickReach = 4;  // pixels a click may wander
 
-QString idleHint() {
-  return ViewWidget::tr("Click: select · Drag: orbit · Shift+drag or right drag: pan · Wheel: zoom · Double click: fit");
-}
-
 }  // namespace
+
+QString ViewWidget::idleHint() {
+  return tr("Click: select · Drag: orbit · Shift+drag or right drag: pan · Wheel: zoom · Double click: fit");
+}
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
   pressedAt_ = lastAt_ = event->position();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "core/error.h"
@@ -21,6 +22,12 @@ bool isName(std::string_view text, bool dots = false) {
   return std::all_of(text.begin(), text.end(), [&](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || (dots && (c == '.' || c == '_'));
   });
+}
+
+/// Flags that every command has, and the "no-" by which the command line turns a flag off.
+bool isReserved(const std::string& name) {
+  constexpr std::array<std::string_view, 6> common{"help", "json", "output", "progress", "threads", "version"};
+  return std::find(common.begin(), common.end(), name) != common.end() || name.starts_with("no-");
 }
 
 /// Checks a declaration and brings its default into canonical form.
@@ -56,6 +63,8 @@ void checkDeclaration(FeatureType& type) {
   std::set<std::string> names;
   for (auto& spec : type.parameters) {
     settle(type.id, spec);
+    if (isReserved(spec.name))
+      broken(fmt::format("The parameter \"{}\" of {}", spec.name, type.id), "has a name that every command needs itself");
     if (!names.insert(spec.name).second) broken(what, fmt::format("declares the parameter \"{}\" twice", spec.name));
   }
 }

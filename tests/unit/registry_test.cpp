@@ -117,6 +117,8 @@ class RegistryTest : public QObject {
     refused([](FeatureType& t) { t.parameters.push_back(t.parameters[0]); });
     refused([](FeatureType& t) { t.parameters[0].fallback = 2; });
     refused([](FeatureType& t) { t.parameters[0].name = "-t"; });
+    refused([](FeatureType& t) { t.parameters[0].name = "json"; });
+    refused([](FeatureType& t) { t.parameters[0].name = "no-copies"; });
     refused([](FeatureType& t) { t.parameters[2].choices.clear(); });
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
     QCOMPARE(registry.types().size(), std::size_t{1});

@@ -41,7 +41,7 @@ bool isShape(std::string_view name) {
 
 /// What children take over from their parents.
 struct Style {
-  std::string fill = "black", stroke = "none", color = "black";
+  std::string fill = "black", stroke = "none", color;
   bool paintGiven = false;  ///< fill or stroke stand in the file; a default black is no colour of its own
   bool evenOdd = false, visible = true, displayed = true;
   std::string layer;

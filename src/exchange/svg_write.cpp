@@ -187,9 +187,11 @@ class PathWriter {
 };
 
 std::string attributes(const std::string& layer, const std::optional<Color>& color, bool filled, FillRule rule) {
-  std::string result = filled ? fmt::format(" fill=\"{}\"", color ? toHex(*color) : "black")
-                              : fmt::format(" fill=\"none\" stroke=\"{}\"", color ? toHex(*color) : "black");
-  if (!filled) result += " stroke-width=\"0.25\"";
+  // Without a colour of its own a path takes the default, black, which reads back as no colour.
+  std::string result;
+  if (filled && color) result = fmt::format(" fill=\"{}\"", toHex(*color));
+  if (!filled)
+    result = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"0.25\"", color ? toHex(*color) : "currentColor");
   if (filled && rule == FillRule::EvenOdd) result += " fill-rule=\"evenodd\"";
   if (!layer.empty()) result = fmt::format(" inkscape:label=\"{}\"", escaped(layer)) + result;
   return result;

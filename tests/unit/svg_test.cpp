@@ -259,6 +259,13 @@ class SvgTest : public QObject {
     }
   }
 
+  void noColourStaysNone() {
+    Curves curves;
+    curves.paths.push_back({{Arc2{{0, 0}, 1, 0, 2 * pi}}, true, {}, {}});
+    curves.paths.push_back({{Line2{{0, 0}, {1, 0}}}, false, {}, {}});
+    for (const Path& path : roundTrip(curves, "svg").shape.get<Curves>()->paths) QVERIFY(!path.color);
+  }
+
   void otherSplinesStayWithinTheTolerance() {
     Spline2 wild{4, {0, 0, 0, 0, 0, 0.4, 1, 1, 1, 1, 1}, {}};
     const std::array<Vec3, 6> poles{Vec3(0, 0, 1), {3, 9, 2}, {8, -4, 0.5}, {12, 5, 3}, {15, 0, 1}, {20, 4, 1}};

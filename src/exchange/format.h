@@ -71,5 +71,8 @@ Format plyFormat();
 Format dxfFormat();
 Format svgFormat();
 Format motionFormat();
+Format gcodeFormat();
+Format controlPointsFormat();
+Format outlinesFormat();
 
 }  // namespace blossom

@@ -48,6 +48,7 @@ class OcctProgress : public Message_ProgressIndicator {
 };
 
 /// Format by which OCCT's writers give numbers enough digits to be read back as the same double; their own has 12.
+/// Trailing zeros must stay: suppressing them, OCCT 7.6 drops the exponent of numbers this long.
 inline constexpr const char* exactNumber = "%.16E";
 
 /// Calls `work`; an exception of OCCT comes out as an Error with `code` and `sentence`.

@@ -1,13 +1,12 @@
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "exchange/format.h"
+#include "geometry/measure.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"
@@ -76,11 +75,17 @@ Motion tube(const std::vector<double>& radii, double lean) {
   return motion;
 }
 
+double volumeOf(const SolidResult& result) {
+  for (const Measure& value : measure(Brep(result.solid)).values)
+    if (value.name == "volume") return std::get<double>(value.value);
+  return 0;
+}
+
 void verifySolid(const SolidResult& result) {
   QVERIFY(BRepCheck_Analyzer(result.solid).IsValid());
   for (TopExp_Explorer shells(result.solid, TopAbs_SHELL); shells.More(); shells.Next())
     QVERIFY(BRep_Tool::IsClosed(shells.Current()));
-  QVERIFY(result.volume > 0);
+  QVERIFY(volumeOf(result) > 0);
 }
 
 }  // namespace
@@ -99,7 +104,7 @@ class SweepSolidTest : public QObject {
     verifySolid(solid);
     QCOMPARE(solid.start, EndCap::Planar);
     QCOMPARE(solid.end, EndCap::Planar);
-    COMPARE_NEAR(solid.volume, wanted, 1e-6 * wanted);
+    COMPARE_NEAR(volumeOf(solid), wanted, 1e-6 * wanted);
   }
 
   void torusHasItsVolume() {
@@ -110,7 +115,7 @@ class SweepSolidTest : public QObject {
     const SolidResult solid = makeSolid(productSurface(motion).surface);
     verifySolid(solid);
     QCOMPARE(solid.start, EndCap::None);
-    COMPARE_NEAR(solid.volume, wanted, 1e-6 * wanted);
+    COMPARE_NEAR(volumeOf(solid), wanted, 1e-6 * wanted);
   }
 
   void helicoidHasItsArea() {
@@ -133,7 +138,7 @@ class SweepSolidTest : public QObject {
     verifySolid(exact);
     const SolidResult cubic = makeSolid(approximateCubic(motion, {.tolerance = 1e-3}).surface);
     verifySolid(cubic);
-    COMPARE_NEAR(cubic.volume, exact.volume, 1e-3 * exact.volume);
+    COMPARE_NEAR(volumeOf(cubic), volumeOf(exact), 1e-4 * volumeOf(exact));
   }
 
   void endsThatRunIntoAPointNeedNoCap() {
@@ -142,7 +147,7 @@ class SweepSolidTest : public QObject {
     QCOMPARE(lens.start, EndCap::Point);
     QCOMPARE(lens.end, EndCap::Point);
     // Radius 30 t (1 - t), height 20: pi * 900 * 20 * integral of t^2 (1 - t)^2 = pi * 18000 / 30.
-    COMPARE_NEAR(lens.volume, pi * 600, 1e-5 * pi * 600);
+    COMPARE_NEAR(volumeOf(lens), pi * 600, 1e-5 * pi * 600);
     const SolidResult drop = makeSolid(productSurface(tube({0, 8, 9, 5}, 0)).surface);
     verifySolid(drop);
     QCOMPARE(drop.end, EndCap::Planar);

@@ -167,10 +167,10 @@ SolidResult build(Surface surface, const Progress& progress) {
   const TopoDS_Shell shell = sew(faces, size);
   result.solid = outwardSolid(shell);
   progress.check();
+  // Its sign alone matters: inside out means that the orientation could not be settled.
   GProp_GProps properties;
   BRepGProp::VolumeProperties(result.solid, properties);
-  result.volume = properties.Mass();
-  if (!BRep_Tool::IsClosed(shell) || !BRepCheck_Analyzer(result.solid).IsValid() || !(result.volume > 0))
+  if (!BRep_Tool::IsClosed(shell) || !BRepCheck_Analyzer(result.solid).IsValid() || !(properties.Mass() > 0))
     throw Error(ErrorCode::Degenerate, "The swept surface and its caps do not make a valid solid.",
                 "Look at the surface without --solid: it may cross itself or fold over at an end.");
   return result;

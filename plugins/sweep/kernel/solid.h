@@ -17,7 +17,6 @@ enum class EndCap {
 
 struct SolidResult {
   TopoDS_Solid solid;
-  double volume = 0;  ///< mm^3, above 0
   EndCap start = EndCap::None, end = EndCap::None;
 };
 

@@ -1,0 +1,104 @@
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+#include "geometry/bspline.h"
+#include "geometry/motion.h"
+#include "ui/manipulator.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr std::size_t curveSamples = 200, frames = 9;
+
+/// Polylines drawn in one colour.
+class Lines {
+ public:
+  vtkIdType add(const Vec3& p) { return points_->InsertNextPoint(p.x(), p.y(), p.z()); }
+  void connect(std::initializer_list<vtkIdType> ids) {
+    cells_->InsertNextCell(static_cast<int>(ids.size()));
+    for (const vtkIdType id : ids) cells_->InsertCellPoint(id);
+  }
+  [[nodiscard]] vtkSmartPointer<vtkProp> actor(const Color& color, double width, double opacity) const {
+    const auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points_);
+    data->SetLines(cells_);
+    const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(data);
+    // Controls stay visible on the surface they control.
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    const auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(color.red, color.green, color.blue);
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+    actor->GetProperty()->SetOpacity(opacity);
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+    return actor;
+  }
+
+ private:
+  vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
+  vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
+};
+
+double along(std::pair<double, double> domain, std::size_t k, std::size_t count) {
+  return domain.first + (domain.second - domain.first) * static_cast<double>(k) / static_cast<double>(count - 1);
+}
+
+/// The vector a turned by the quaternion q of any length.
+Vec3 turned(const Vec4& q, const Vec3& a) {
+  const Vec3 axis = q.tail<3>();
+  const auto cross = [](const Vec3& x, const Vec3& y) {
+    return Vec3(x.y() * y.z() - x.z() * y.y(), x.z() * y.x() - x.x() * y.z(), x.x() * y.y() - x.y() * y.x());
+  };
+  return ((q[0] * q[0] - axis.squaredNorm()) * a + 2 * axis.dot(a) * axis + 2 * q[0] * cross(axis, a)) / q.squaredNorm();
+}
+
+/// Where the frame at v carries p, from the trajectory: a length that suits the drawing.
+double axisLength(const Motion& motion) {
+  const double u = motion.domainU().first, v = (motion.domainV().first + motion.domainV().second) / 2;
+  const Vec4 s = evaluate(motion.scaling, u, v);
+  const double reach = (s.head<3>().cwiseProduct(motion.point) / s[3]).norm();
+  const double height =
+      (point(motion.trajectory, motion.domainV().second) - point(motion.trajectory, motion.domainV().first)).norm();
+  return 0.6 * (reach > 0 ? reach : std::max(height / 10, 1e-3));
+}
+
+/// The trajectory, and the axes of the moving frame at a few places along it.
+std::vector<vtkSmartPointer<vtkProp>> motionOverlay(const ui::OverlayContext& context) {
+  const Motion* motion = context.inputs.empty() ? nullptr : context.inputs.front().get<Motion>();
+  if (!motion) return {};
+  Lines trajectory, axes, spokes;
+  vtkIdType previous = -1;
+  for (std::size_t k = 0; k < curveSamples; ++k) {
+    const vtkIdType here = trajectory.add(point(motion->trajectory, along(motion->domainV(), k, curveSamples)));
+    if (previous >= 0) trajectory.connect({previous, here});
+    previous = here;
+  }
+  const double length = axisLength(*motion), u = motion->domainU().first;
+  for (std::size_t k = 0; k < frames; ++k) {
+    const double v = along(motion->domainV(), k, frames);
+    const Vec3 origin = point(motion->trajectory, v);
+    const Vec4 r = evaluate(motion->orientation, u, v), s = evaluate(motion->scaling, u, v);
+    if (!(r.squaredNorm() > 0)) continue;
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+      axes.connect({axes.add(origin), axes.add(origin + turned(r, length * axis))});
+    // From the frame to the point it sweeps.
+    spokes.connect({spokes.add(origin), spokes.add(origin + turned(r, s.head<3>().cwiseProduct(motion->point) / s[3]))});
+  }
+  const Color& color = context.look.control;
+  return {trajectory.actor(color, 2.5, 1), axes.actor(color, 1.5, 1), spokes.actor(color, 1, 0.4)};
+}
+
+}  // namespace
+
+}  // namespace blossom::sweep
+
+BLOSSOM_MANIPULATORS(registry) { registry.addOverlay("sweep.sweep", blossom::sweep::motionOverlay); }

@@ -1,0 +1,79 @@
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "exchange/format.h"
+#include "geometry/bspline.h"
+#include "support/motions.h"
+#include "support/support.h"
+#include "sweep/kernel/direct_manipulation.h"
+#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/validity.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::sweep;
+
+class SweepManipulationTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void scaleDragArrives() {
+    auto random = seededRandom();
+    double worst = 0;
+    for (int k = 0; k < 300; ++k) {
+      Motion motion = randomMotion(random, static_cast<ClosedU>(k % 3));
+      const double u = randomIn(random, motion.domainU()), v = randomIn(random, motion.domainV());
+      const Vec3 target(uniform(random, -20, 20), uniform(random, -20, 20), uniform(random, -20, 20));
+      dragScaling(motion, u, v, target);
+      worst = std::max(worst, (evaluate(motion, u, v).point - target).norm());
+      validate(motion);
+    }
+    QVERIFY2(worst < 1e-11, qPrintable(QString::number(worst)));
+  }
+
+  void twistTurnsTheFrameByItsAngle() {
+    auto random = seededRandom();
+    for (int k = 0; k < 300; ++k) {
+      Motion motion = randomMotion(random, static_cast<ClosedU>(k % 3));
+      const double u = randomIn(random, motion.domainU()), v = randomIn(random, motion.domainV()),
+                   degrees = uniform(random, -170, 170);
+      const Vec3 axis(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 0.2, 1)),
+          centre = point(motion.trajectory, v);
+      const Vec3 arm = evaluate(motion, u, v).point - centre;
+      const double length = evaluate(motion.orientation, u, v).norm();
+      twistOrientation(motion, u, v, axis, degrees);
+      validate(motion);
+      const Vec3 wanted = Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis.normalized()) * arm;
+      QVERIFY((evaluate(motion, u, v).point - centre - wanted).norm() < 1e-11 * (1 + arm.norm()));
+      // The quaternion keeps its length: no drift over many twists.
+      COMPARE_NEAR(evaluate(motion.orientation, u, v).norm(), length, 1e-13 * length);
+    }
+  }
+
+  void aDragIsLocal() {
+    Motion motion = *motionFormat().read(sample("cylinder.json"), Value::object(), Progress::none()).shape.get<Motion>();
+    const Vec3 far = evaluate(motion, 0.8, 0.5).point;
+    dragScaling(motion, 0.25, 0.5, Vec3(0, 15, 20));
+    QVERIFY((evaluate(motion, 0.25, 0.5).point - Vec3(0, 15, 20)).norm() < 1e-12);
+    QVERIFY(evaluate(motion, 0.8, 0.5).point == far);
+  }
+
+  void whatScalingCannotReachIsSaid() {
+    Motion motion = *motionFormat().read(sample("cylinder.json"), Value::object(), Progress::none()).shape.get<Motion>();
+    VERIFY_ERROR(dragScaling(motion, 0.25, 0.5, Vec3(3, 15, 20)), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(twistOrientation(motion, 0.25, 0.5, Vec3::Zero(), 30), ErrorCode::InvalidParameter);
+  }
+
+  void validityFindsTheFold() {
+    Motion motion = *motionFormat().read(sample("cylinder.json"), Value::object(), Progress::none()).shape.get<Motion>();
+    QVERIFY(examine(motion).smallestShare > 0.99);
+    // The radius runs to zero at the end v = 1.
+    for (std::size_t i = 0; i < motion.scaling.countU(); ++i)
+      motion.scaling.pole(i, motion.scaling.countV() - 1).head<3>().setZero();
+    const Validity collapsed = examine(motion);
+    QVERIFY(collapsed.smallestShare < 1e-12);
+    COMPARE_NEAR(collapsed.v, 1, 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(SweepManipulationTest)
+#include "sweep_manipulation_test.moc"

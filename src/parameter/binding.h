@@ -9,7 +9,8 @@
 
 namespace blossom {
 
-/// A file given as parameter. `path` can be opened while the feature is evaluated, also when the content comes from the document.
+/// A file given as parameter. `path` can be opened while the feature is evaluated, also when the content comes from the
+/// document.
 struct FileValue {
   std::filesystem::path path;
   std::string asset;  ///< content hash of the copy kept in the document; empty outside of one
@@ -39,7 +40,8 @@ Value toValue(const ParameterSpec& spec, const T& member) {
   } else if constexpr (std::is_same_v<T, Vec3>) {
     return Value::array({member.x(), member.y(), member.z()});
   } else if constexpr (std::is_same_v<T, FileValue>) {
-    return member.path.empty() && member.asset.empty() ? Value() : Value{{"path", member.path.string()}, {"asset", member.asset}};
+    return member.path.empty() && member.asset.empty() ? Value()
+                                                       : Value{{"path", member.path.string()}, {"asset", member.asset}};
   } else {
     return member;
   }

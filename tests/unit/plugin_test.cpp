@@ -69,10 +69,10 @@ class PluginTest : public QObject {
     QVERIFY(brokenBy([](Value& j) { j = Value::array(); }).ends_with("it holds no object."));
     const TemporaryFolder folder;
     for (const std::string& rubbish : {std::string(), std::string("{"),
-                                      std::string("\x7f"
-                                                  "ELF\0\1",
-                                                  6),
-                                      std::string(100000, '[')}) {
+                                       std::string("\x7f"
+                                                   "ELF\0\1",
+                                                   6),
+                                       std::string(100000, '[')}) {
       write(folder.path(), rubbish);
       VERIFY_ERROR(readManifest(folder.path() / "plugin.json"), ErrorCode::PluginBroken);
     }

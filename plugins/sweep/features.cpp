@@ -46,9 +46,7 @@ Surface exactSurface(const Motion& motion, Evaluated& out, const Progress& progr
   out.stats["min_weight"] = product.smallestWeight;
   out.stats["refinements"] = product.refinements;
   if (product.refinements > 0)
-    out.warnings.push_back(
-        fmt::format("Knots were inserted {} times to make every weight positive; the surface is the same, with more poles.",
-                    product.refinements));
+    out.warnings.push_back("Knots were inserted to make every weight positive; the surface is the same, with more poles.");
   return product.surface;
 }
 

@@ -251,9 +251,10 @@ Motion readMotion(const Node& root, std::vector<std::string>& warnings) {
     const Node edits = root.at("edits");
     if (!edits.value.is_array()) edits.fail("must be a list");
     if (!edits.value.empty())
-      warnings.push_back(fmt::format(
-          "The file holds {} edits by dragging; this version does not apply them and sweeps the motion as its poles say.",
-          edits.value.size()));
+      warnings.push_back(
+          fmt::format("The file's list of edits by dragging (length {}) is not applied by this version; the motion is swept "
+                      "as its poles say.",
+                      edits.value.size()));
   }
   return motion;
 }

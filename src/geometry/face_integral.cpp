@@ -51,26 +51,33 @@ double direction(const TopoDS_Shape& shape) { return shape.Orientation() == TopA
 // --- Planar faces
 // -----------------------------------------------------------------------------------------------------------
 
+/// What an integral over edges of this extent can be asked for: farther from the origin, coordinates carry more rounding.
+double absoluteFor(const std::vector<TopoDS_Edge>& edges, const Vec3& reference) {
+  double extent = 0;
+  for (const TopoDS_Edge& edge : edges) {
+    const BRepAdaptor_Curve curve(edge);
+    for (const double t : {curve.FirstParameter(), (curve.FirstParameter() + curve.LastParameter()) / 2})
+      extent = std::max(extent, (toVec(curve.Value(t).XYZ()) - reference).norm());
+  }
+  return (1e-12 * extent + 1e-14 * reference.norm()) * extent + 1e-300;
+}
+
 /// Half the sum of the integrals of (x - reference) x dx along the edges.
 Vec3 vectorArea(const std::vector<TopoDS_Edge>& edges, const Vec3& reference) {
+  const double absolute = absoluteFor(edges, reference);
   Vec3 sum = Vec3::Zero();
   for (const TopoDS_Edge& edge : edges) {
-    if (BRep_Tool::Degenerated(edge)) continue;
     const BRepAdaptor_Curve curve(edge);
-    const auto component = [&](int axis) {
-      return [&curve, &reference, axis](double t) {
+    const std::vector<double> breaks = smoothBreaks(curve);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto component = [&](double t) {
         gp_Pnt p;
         gp_Vec d;
         curve.D1(t, p, d);
         return (toVec(p.XYZ()) - reference).cross(toVec(d.XYZ()))[axis];
       };
-    };
-    const std::vector<double> breaks = smoothBreaks(curve);
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      const double size = (toVec(curve.Value(breaks[i]).XYZ()) - reference).squaredNorm() +
-                          (toVec(curve.Value(breaks[i + 1]).XYZ()) - reference).squaredNorm();
-      for (int axis = 0; axis < 3; ++axis)
-        sum[axis] += direction(edge) / 2 * integrate(component(axis), breaks[i], breaks[i + 1], 1e-12 * size + 1e-300);
+      for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        sum[axis] += direction(edge) / 2 * integrate(component, breaks[i], breaks[i + 1], absolute);
     }
   }
   return sum;
@@ -81,7 +88,8 @@ FaceIntegral integratePlanar(const TopoDS_Face& face, const BRepAdaptor_Surface&
   gp_Vec du, dv;
   surface.D1(0, 0, origin, du, dv);
   const Vec3 normal = toVec(du.Crossed(dv).XYZ()).normalized();
-  const std::vector<TopoDS_Edge> edges = boundary(face);
+  std::vector<TopoDS_Edge> edges = boundary(face);
+  std::erase_if(edges, [](const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge); });
   if (edges.empty()) return {};
   const Vec3 start = toVec(BRepAdaptor_Curve(edges.front()).Value(BRepAdaptor_Curve(edges.front()).FirstParameter()).XYZ());
   const double area = vectorArea(edges, start).dot(normal);
@@ -220,6 +228,8 @@ TwoIntegrals alongBoundary(const Element& element, const Breaks& breaks, const s
     }
     return sum;
   };
+  // Parameter curves in files are only good to 1e-7 and wiggle on that scale: going on halving would chase their noise.
+  constexpr Adaptivity adaptivity{.nodes = 8, .deepest = 8};
   TwoIntegrals sum(0, 0);
   for (const BoundaryCurve& boundaryCurve : curves) {
     const std::vector<double> pieces = smoothBreaks(boundaryCurve.curve);
@@ -231,7 +241,8 @@ TwoIntegrals alongBoundary(const Element& element, const Breaks& breaks, const s
         return d.Y() == 0 ? 0 : antiderivative(p.X(), p.Y())(which) * d.Y();
       };
       for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
-        sum(which) += boundaryCurve.direction * integrate(integrand, pieces[i], pieces[i + 1], 10 * absolute(which));
+        sum(which) +=
+            boundaryCurve.direction * integrate(integrand, pieces[i], pieces[i + 1], 100 * absolute(which), adaptivity);
     }
   }
   return sum;

@@ -36,12 +36,16 @@ double integrateHalves(const F& f, const GaussRule& rule, double from, double to
 
 }  // namespace detail
 
+struct Adaptivity {
+  std::size_t nodes = 16;
+  int deepest = 24;  ///< halvings; enough for a cusp, while smooth integrands stop at 1 or 2
+};
+
 /// Adaptive integral of a smooth function; each interval is halved until both halves agree with the whole within `absolute`.
 template <class F>
-double integrate(const F& f, double from, double to, double absolute) {
-  const GaussRule rule = gaussRule(16);
-  constexpr int deepest = 24;  // enough for a cusp; smooth integrands stop at 1 or 2
-  return detail::integrateHalves(f, rule, from, to, detail::gaussSum(f, rule, from, to), absolute, deepest);
+double integrate(const F& f, double from, double to, double absolute, const Adaptivity& adaptivity = {}) {
+  const GaussRule rule = gaussRule(adaptivity.nodes);
+  return detail::integrateHalves(f, rule, from, to, detail::gaussSum(f, rule, from, to), absolute, adaptivity.deepest);
 }
 
 }  // namespace blossom

@@ -77,8 +77,10 @@ double edgeLength(const TopoDS_Edge& edge) {
   };
   const GaussRule rule = gaussRule(8);
   const double estimate = detail::gaussSum(speed, rule, curve.FirstParameter(), curve.LastParameter());
+  const double noise = 1e-14 * curve.Value(curve.FirstParameter()).XYZ().Modulus();
   double sum = 0;
-  for (int i = 1; i < breaks.Upper(); ++i) sum += integrate(speed, breaks(i), breaks(i + 1), 1e-12 * estimate + 1e-300);
+  for (int i = 1; i < breaks.Upper(); ++i)
+    sum += integrate(speed, breaks(i), breaks(i + 1), 1e-12 * estimate + noise + 1e-300);
   return sum;
 }
 

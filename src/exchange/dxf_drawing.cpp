@@ -139,7 +139,8 @@ class Collector final : public DL_CreationAdapter {
   }
   void addHatchLoop(const DL_HatchLoopData&) override { loops_.emplace_back(); }
   void addHatchEdge(const DL_HatchEdgeData& edge) override {
-    if (!loops_.empty()) loops_.back().push_back(edge);
+    // Taken over at once: a copy would carry members that dxflib never set.
+    if (!loops_.empty()) addTo(loops_.back(), edge);
   }
   void addInsert(const DL_InsertData&) override;
 
@@ -212,7 +213,8 @@ class Collector final : public DL_CreationAdapter {
   void finishPolyline();
   void finishSpline();
   void finishHatch();
-  std::optional<Segment> hatchSegment(const DL_HatchEdgeData&);
+  void addTo(Curves& loop, const DL_HatchEdgeData&) const;
+  std::optional<Segment> hatchSegment(const DL_HatchEdgeData&) const;
   Segment splineSegment(int degree, std::vector<double> knots, std::vector<Vec3> polesAndWeights) const;
 
   const CleanDxf& clean_;
@@ -226,7 +228,7 @@ class Collector final : public DL_CreationAdapter {
   std::vector<Vec2> fits_;
   std::vector<double> knots_, heights_;
   bool hatch_ = false;
-  std::vector<std::vector<DL_HatchEdgeData>> loops_;
+  std::vector<Curves> loops_;  ///< edges of each loop of the hatch at hand
 };
 
 void Collector::addEllipse(const DL_EllipseData& d) {
@@ -309,7 +311,7 @@ void Collector::finishSpline() {
   add({*spline}, closed);
 }
 
-std::optional<Segment> Collector::hatchSegment(const DL_HatchEdgeData& e) {
+std::optional<Segment> Collector::hatchSegment(const DL_HatchEdgeData& e) const {
   // Clockwise edges tell their angles clockwise.
   const double sign = e.type == 2 || e.type == 3 ? (e.ccw ? 1 : -1) : 1;
   switch (e.type) {
@@ -339,21 +341,21 @@ std::optional<Segment> Collector::hatchSegment(const DL_HatchEdgeData& e) {
   }
 }
 
+void Collector::addTo(Curves& loop, const DL_HatchEdgeData& edge) const {
+  if (!edge.vertices.empty()) {
+    std::vector<DxfVertex> vertices;
+    for (const std::vector<double>& v : edge.vertices)
+      if (v.size() >= 2) vertices.push_back({{v[0], v[1]}, v.size() > 2 ? v[2] : 0});
+    if (vertices.size() >= 2) loop.paths.push_back(polylinePath(vertices, true));
+  } else if (std::optional<Segment> segment = hatchSegment(edge)) {
+    const bool closed = meets(startPoint(*segment), endPoint(*segment));
+    loop.paths.push_back({{std::move(*segment)}, closed, {}, {}});
+  }
+}
+
 void Collector::finishHatch() {
   hatch_ = false;
-  for (const auto& loop : loops_) {
-    Curves edges;
-    for (const DL_HatchEdgeData& edge : loop) {
-      if (!edge.vertices.empty()) {
-        std::vector<DxfVertex> vertices;
-        for (const std::vector<double>& v : edge.vertices)
-          if (v.size() >= 2) vertices.push_back({{v[0], v[1]}, v.size() > 2 ? v[2] : 0});
-        if (vertices.size() >= 2) edges.paths.push_back(polylinePath(vertices, true));
-      } else if (std::optional<Segment> segment = hatchSegment(edge)) {
-        const bool closed = meets(startPoint(*segment), endPoint(*segment));
-        edges.paths.push_back({{std::move(*segment)}, closed, {}, {}});
-      }
-    }
+  for (const Curves& edges : loops_) {
     for (Path& path : joined(edges).paths) {
       DxfItem placed = item();
       if (path.segments.empty()) continue;

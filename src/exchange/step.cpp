@@ -32,8 +32,15 @@ Handle(StepData_StepModel) stepModel(const STEPControl_Reader& reader) {
   return Handle(StepData_StepModel)::DownCast(reader.WS()->Model());
 }
 
+/// Syntax errors, and entities whose values are missing or of the wrong sort.
+int countProblems(const Handle(StepData_StepModel) & model) {
+  int count = model->GlobalCheck(Standard_True)->NbFails();
+  for (int i = 1; i <= model->NbEntities(); ++i) count += model->Check(i, Standard_True)->HasFailed();
+  return count;
+}
+
 std::vector<std::string> readingProblems(const STEPControl_Reader& reader) {
-  const int count = stepModel(reader)->GlobalCheck(Standard_False)->NbFails();
+  const int count = countProblems(stepModel(reader));
   if (count == 0) return {};
   return {"The file breaks the rules of STEP in " + std::to_string(count) + (count == 1 ? " place" : " places") +
           "; something may be missing."};

@@ -6,6 +6,7 @@
 #include "app/app.h"
 #include "core/error.h"
 #include "ui/application.h"
+#include "ui/icons.h"
 #include "ui/main_window.h"
 #include "ui/screenshot.h"
 #include "ui/theme.h"
@@ -74,6 +75,7 @@ Options readOptions() {
 int run() {
   const Options options = readOptions();
   ThemeManager::instance().apply(options.theme);
+  QApplication::setWindowIcon(icon(QStringLiteral("blossom")));
   MainWindow window(loadApp());
   window.resize(options.size);
   window.show();

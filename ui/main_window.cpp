@@ -72,7 +72,7 @@ MainWindow::MainWindow(App app, QWidget* parent)
   refreshActions();
   refreshStart();
   status_->setHint(ViewWidget::idleHint());
-  if (!problems.isEmpty()) errors_->showNote(tr("A plugin was skipped."), problems.join(u'\n'));
+  if (!problems.isEmpty()) errors_->showNote(tr("Not every plugin could be loaded."), problems.join(u'\n'));
 }
 
 // The widgets look at the session: they go first.
@@ -83,8 +83,9 @@ void MainWindow::buildLayout() {
   side->setObjectName(QStringLiteral("sidePanel"));
   side->addWidget(withTitle(tr("DOCUMENT"), tree_));
   side->addWidget(properties_);
-  side->setSizes({330, 420});
-  side->setStretchFactor(1, 1);
+  side->setSizes({250, 450});
+  side->setStretchFactor(0, 2);
+  side->setStretchFactor(1, 3);
   side->setHandleWidth(1);
   side->setChildrenCollapsible(false);
 

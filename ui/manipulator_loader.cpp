@@ -19,6 +19,8 @@ std::list<boost::dll::shared_library>& loadedModules() {
 
 void load(ManipulatorRegistry& registry, const PluginManifest& manifest) {
   const auto file = manifest.folder / manifest.manipulators;
+  if (!std::filesystem::exists(file))
+    throw Error(ErrorCode::PluginBroken, fmt::format("its module {} is missing", file.filename().string()));
   boost::dll::shared_library module(file.string());
   const int api = module.get<int()>("blossomManipulatorApi")();
   if (api != pluginApiVersion)

@@ -20,7 +20,7 @@ void Screenshot::whenComputed() {
   if (window_.session().evaluating() || window_.session().job().running()) return;
   disconnect(&window_.view(), &QOpenGLWidget::frameSwapped, this, nullptr);
   connect(&window_.view(), &QOpenGLWidget::frameSwapped, this, [this] {
-    if (window_.session().evaluating() || window_.session().job().running()) return;
+    if (window_.session().evaluating() || window_.session().job().running() || !window_.view().sharp()) return;
     disconnect(&window_.view(), &QOpenGLWidget::frameSwapped, this, nullptr);
     QCoreApplication::processEvents();  // layouts settle in several rounds
     emit taken(window_.grab().save(file_));

@@ -17,6 +17,13 @@
 
 namespace blossom::ui {
 
+namespace {
+
+constexpr int samplesAtRest = 4;
+constexpr double fluentMs = 20;  // a smoothed frame that takes longer waits until the camera rests
+
+}  // namespace
+
 ViewWidget::ViewWidget(QWidget* parent)
     : QOpenGLWidget(parent),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
@@ -32,11 +39,20 @@ ViewWidget::ViewWidget(QWidget* parent)
   window_->SetIsCurrent(true);
   window_->SetSupportsOpenGL(1);
   window_->SetFrameBlitModeToNoBlit();
-  window_->SetMultiSamples(4);
   window_->AddRenderer(renderer_);
   renderer_->AddActor(grid_.actor());
   setUpRenderer(renderer_, look_);
+  settle_.setSingleShot(true);
+  settle_.setInterval(140);
+  connect(&settle_, &QTimer::timeout, this, [this] {
+    sharp_ = true;
+    update();
+  });
   connect(&camera_, &CameraControl::moved, this, [this] {
+    if (sharpFrameMs_ > fluentMs) {
+      sharp_ = false;
+      settle_.start();
+    }
     cube_->setTurn(camera_.turn());
     update();
   });
@@ -78,6 +94,7 @@ void ViewWidget::paintGL() {
   camera_.applyTo(renderer_->GetActiveCamera());
   grid_.follow(camera_.target(), camera_.millimetresPerPixel(), std::max(width(), height()), look_);
   renderer_->ResetCameraClippingRange();
+  window_->SetMultiSamples(sharp_ ? samplesAtRest : 0);
   window_->Render();
   auto* gl = context()->extraFunctions();
   const int w = window_->GetSize()[0], h = window_->GetSize()[1];
@@ -87,6 +104,7 @@ void ViewWidget::paintGL() {
   gl->glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl->glFinish();
   lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
+  if (sharp_) sharpFrameMs_ = lastFrameMs_;
   ++framesDrawn_;
 }
 

@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <map>
 #include <vector>
 
@@ -48,6 +49,7 @@ class ViewWidget : public QOpenGLWidget {
   [[nodiscard]] const CameraControl& camera() const { return camera_; }
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
   [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
+  [[nodiscard]] bool sharp() const { return sharp_; }         ///< false while the camera moves and frames are drawn faster
   [[nodiscard]] QString problem() const { return problem_; }  ///< why nothing can be drawn; empty when all is well
 
   /// What the mouse would do when it rests on the view.
@@ -101,7 +103,9 @@ class ViewWidget : public QOpenGLWidget {
   QPointF pressedAt_, lastAt_;
   bool moved_ = false;
   double scale_ = 1;  // device pixels per pixel
-  double lastFrameMs_ = 0;
+  double lastFrameMs_ = 0, sharpFrameMs_ = 0;
+  bool sharp_ = true;  // edges are smoothed; left out while the camera moves where that would stutter
+  QTimer settle_;
   int framesDrawn_ = 0;
   QString problem_;
 };

@@ -107,10 +107,10 @@ void setUpRenderer(vtkRenderer* renderer, const Look& look) {
   renderer->SetAutomaticLightCreation(false);
   renderer->SetTwoSidedLighting(true);
   renderer->RemoveAllLights();
-  addLight(*renderer, -0.55, 0.75, 0.8, 0.78, {1.0, 0.975, 0.94});  // key, warm
-  addLight(*renderer, 0.9, 0.1, 0.55, 0.34, {0.90, 0.95, 1.0});     // fill, cool
-  addLight(*renderer, 0.1, -0.9, 0.35, 0.16, {1.0, 0.96, 0.92});    // bounce from below
-  addLight(*renderer, 0.35, 0.55, -0.9, 0.30, {0.92, 0.96, 1.0});   // rim, from behind
+  addLight(*renderer, -0.5, 0.55, 0.9, 0.72, {1.0, 0.975, 0.94});  // key, warm
+  addLight(*renderer, 0.1, -0.15, 1.0, 0.36, {1.0, 0.99, 0.98});   // from beside the eye: nothing that is seen stays dark
+  addLight(*renderer, 0.9, 0.1, 0.5, 0.28, {0.90, 0.95, 1.0});     // fill, cool
+  addLight(*renderer, 0.35, 0.55, -0.9, 0.30, {0.92, 0.96, 1.0});  // rim, from behind
 }
 
 }  // namespace blossom

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "exchange/dxf_drawing.h"
+#include "exchange/finite.h"
 #include "geometry/planar.h"
 
 namespace blossom {
@@ -82,6 +83,7 @@ class Expander {
     if (segments_ > mostSegments)
       throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and arcs.", mostSegments));
     Path placed = context.isPlaced ? transformed(item.path, Eigen::Matrix<double, 2, 3>(context.place.affine())) : item.path;
+    if (!allFinite(placed)) throw damaged(item.line, "an entity has a coordinate that is not a number.");
     placed.layer = layerOf(item.ink, context);
     placed.color = colorOf(item.ink, placed.layer, context);
     curves_.paths.push_back(std::move(placed));

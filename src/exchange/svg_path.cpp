@@ -107,11 +107,18 @@ std::vector<Segment> arcSegment(const Vec2& from, const Vec2& to, double rx, dou
   if (from == to) return {};
   rx = std::abs(rx);
   ry = std::abs(ry);
+  // As thin as that, the ellipse is its chord; as small as that, it is scaled up anyway, but its squares would underflow.
+  const double chord = (to - from).norm(), largest = std::max(rx, ry);
+  if (!(std::min(rx, ry) > 1e-9 * largest)) return {Line2{from, to}};
+  if (largest < 1e-3 * chord) {
+    rx = rx / largest * (1e-3 * chord);
+    ry = ry / largest * (1e-3 * chord);
+  }
   const Vec2 along(std::cos(rotation), std::sin(rotation)), across(-along.y(), along.x());
   const Vec2 half = 0.5 * (from - to);
   // Into the frame where the ellipse is the unit circle: the centre then lies on the bisector of the chord.
   Vec2 p(along.dot(half) / rx, across.dot(half) / ry);
-  if (!(rx > 0) || !(ry > 0) || !p.allFinite() || p.norm() == 0) return {Line2{from, to}};
+  if (!p.allFinite() || !(p.squaredNorm() > 0)) return {Line2{from, to}};
   const double size = p.norm();
   if (size > 1) {  // too small to reach: scaled up until it just does
     rx *= size;

@@ -9,6 +9,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "exchange/finite.h"
 #include "exchange/svg_path.h"
 #include "exchange/svg_values.h"
 #include "exchange/text.h"
@@ -298,6 +299,7 @@ class Reader {
       throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and curves.", mostSegments));
     if (filled && !path.closed) close(path);
     Path placed = transformed(path, Eigen::Matrix<double, 2, 3>(place.affine()));
+    if (!allFinite(placed)) throw Error(ErrorCode::FormatDamaged, "A shape has a coordinate that is not a number.");
     placed.layer = style.layer;
     if (style.paintGiven) {
       const std::string& paint = filled ? style.fill : style.stroke;

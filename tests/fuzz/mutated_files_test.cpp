@@ -9,10 +9,10 @@
 #include <cstring>
 #include <map>
 
+#include "exchange/finite.h"
 #include "fuzz/mutations.h"
 #include "geometry/brep.h"
 #include "geometry/occt.h"
-#include "geometry/planar.h"
 #include "support/exchange.h"
 
 using namespace blossom;
@@ -51,10 +51,7 @@ bool isSound(const Shape& shape) {
            std::all_of(mesh->faceVertices.begin(), mesh->faceVertices.end(), [&](int v) { return v >= 0 && v < count; });
   }
   if (const Curves* curves = shape.get<Curves>()) {
-    for (const Path& path : curves->paths)
-      for (const Segment& s : path.segments)
-        if (!startPoint(s).allFinite() || !endPoint(s).allFinite()) return false;
-    return true;
+    return std::all_of(curves->paths.begin(), curves->paths.end(), allFinite);
   }
   return !shape.empty();
 }

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <numbers>
 
+#include "exchange/svg_path.h"
 #include "geometry/bspline.h"
 #include "geometry/planar.h"
 #include "support/exchange.h"
@@ -99,6 +100,8 @@ class SvgTest : public QObject {
     compareNear(middle(onlyPath("<path fill='none' d='M0 0A1 1 0 0 0 2 0'/>").segments[0]), {1, -1});
     // Radii too small are scaled up; zero radii make a line.
     compareNear(middle(onlyPath("<path fill='none' d='M0 0A.1 .1 0 0 1 2 0'/>").segments[0]), {1, 1});
+    compareNear(middle(svg::arcSegment({0, 0}, {2, 0}, 1e-320, 1e-320, 0, false, true).at(0)), {1, -1}, 1e-9);
+    QVERIFY(std::holds_alternative<Line2>(svg::arcSegment({0, 0}, {2, 0}, 1e-320, 5, 0, false, true).at(0)));
     QVERIFY(std::holds_alternative<Line2>(onlyPath("<path fill='none' d='M0 0A0 5 0 0 1 2 0'/>").segments[0]));
     COMPARE_NEAR(length(onlyPath("<path fill='none' d='M1 0A1 1 0 1 1 0 -1'/>").segments[0]), 1.5 * pi, 1e-12);
     COMPARE_NEAR(length(onlyPath("<path fill='none' d='M1 0A1 1 0 0 0 0 -1'/>").segments[0]), 0.5 * pi, 1e-12);

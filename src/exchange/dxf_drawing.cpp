@@ -71,7 +71,7 @@ class Collector final : public DL_CreationAdapter {
     if (key == "$INSUNITS") drawing_.unit = value;
   }
   void addLayer(const DL_LayerData& layer) override {
-    drawing_.layers[utf8(layer.name)] = {utf8(layer.name), std::abs(attributes.getColor()), attributes.getColor24()};
+    drawing_.layers[utf8(layer.name)] = {utf8(layer.name), std::abs(colorIndex()), attributes.getColor24()};
   }
 
   void addBlock(const DL_BlockData& data) override {
@@ -168,7 +168,9 @@ class Collector final : public DL_CreationAdapter {
     return clean_.objects[std::min(std::max<std::size_t>(objects_, 1), clean_.objects.size()) - 1].line;
   }
 
-  DxfItem item() { return {{utf8(attributes.getLayer()), attributes.getColor(), attributes.getColor24()}, {}, {}, line()}; }
+  /// Negative for layers that are switched off; beyond 256 there is no meaning.
+  [[nodiscard]] int colorIndex() const { return std::clamp(attributes.getColor(), -257, 257); }
+  DxfItem item() { return {{utf8(attributes.getLayer()), colorIndex(), attributes.getColor24()}, {}, {}, line()}; }
   [[nodiscard]] Vec3 normal() const {
     const double* n = extrusion->getDirection();
     const Vec3 given(n[0], n[1], n[2]);

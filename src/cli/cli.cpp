@@ -57,15 +57,16 @@ std::string didYouMean(const std::string& word, const std::vector<std::string>& 
   return near.empty() ? otherwise : fmt::format("Did you mean {}?", near);
 }
 
-/// What nobody understood: the first flag if there is one, because what follows an unknown flag is usually its value.
+/// What nobody understood: behind a command the first flag if there is one, because what follows an unknown flag is usually
+/// its value; in front of one the first word, because all that follows an unknown command is unknown too.
 [[noreturn]] void refuseWord(const CommandLine& line, const CLI::App& app, const std::vector<std::string>& extras) {
-  const auto flag =
-      std::find_if(extras.begin(), extras.end(), [](const auto& word) { return word.size() > 1 && word[0] == '-'; });
-  const std::string word = flag == extras.end() ? extras.front() : *flag;
+  const auto isFlag = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
   const bool atRoot = &app == &line.root;
+  const auto firstFlag = std::find_if(extras.begin(), extras.end(), isFlag);
+  const std::string word = atRoot || firstFlag == extras.end() ? extras.front() : *firstFlag;
   const std::string help = atRoot ? "\"blossom --help\" lists the commands."
                                   : fmt::format("\"blossom {} --help\" lists its flags.", app.get_name());
-  if (flag != extras.end())
+  if (isFlag(word))
     throw UsageError(fmt::format("{} has no flag {}.", atRoot ? "blossom" : app.get_name(), word.substr(0, word.find('='))),
                      didYouMean(word.substr(0, word.find('=')), flagsOf(app), help), ErrorCode::NotFound);
   if (atRoot)
@@ -150,11 +151,7 @@ int runGuarded(int argc, const char* const* argv, const Terminal& terminal, cons
     return runWords(given ? *given : loadApp(), words, terminal, start);
   });
   terminal.out.flush();
-  if (terminal.out.fail() && code == Done) {
-    terminal.err << "blossom: The result could not be written to standard output.\n";
-    return Failed;
-  }
-  return code;
+  return terminal.out.fail() && code == Done ? Failed : code;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ struct Terminal {
 };
 
 /// The `blossom` command. Every feature type of the registry is a subcommand.
-/// @returns 0 done, 1 failed or cancelled, 2 wrong use. Never throws.
+/// @returns 0 done, 1 failed or cancelled (also when `out` took not all of the result), 2 wrong use. Never throws.
 int runCli(int argc, const char* const* argv, const Terminal&);
 
 struct App;

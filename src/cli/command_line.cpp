@@ -7,6 +7,10 @@
 namespace blossom {
 namespace {
 
+/// "stl.ascii" -> "stl." and "ascii"
+std::string withoutLast(const std::string& name) { return name.substr(0, name.rfind('.') + 1); }
+std::string lastWord(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+
 /// CLI11 repeats "TEXT" for every option and joins help in one long line; this keeps two calm columns.
 class HelpFormatter final : public CLI::Formatter {
  public:
@@ -14,6 +18,15 @@ class HelpFormatter final : public CLI::Formatter {
     column_width(34);
     label("OPTIONS", "flags");
     label("SUBCOMMAND", "COMMAND");
+  }
+  /// "--[no-]solid" instead of "--solid,--no-solid{false}"
+  std::string make_option_name(const CLI::Option* option, bool positional) const override {
+    const auto& names = option->get_lnames();
+    if (!positional && names.size() == 2 && option->get_items_expected_max() == 0) {
+      const std::string no = withoutLast(names[0]) + "no-" + lastWord(names[0]);
+      if (names[1] == no) return "--" + withoutLast(names[0]) + "[no-]" + lastWord(names[0]);
+    }
+    return CLI::Formatter::make_option_name(option, positional);
   }
   std::string make_option_opts(const CLI::Option* option) const override {
     return option->get_type_size() == 0 || option->get_type_name().empty() ? "" : " " + option->get_type_name();
@@ -45,7 +58,7 @@ CLI::App& CommandLine::add(const std::string& name, const std::string& summary, 
   command.add_flag("--progress", session.progressLines, "Print progress as plain lines on standard error.");
   command.add_option("--threads", session.threads, "Most threads to use; 0: as many as the machine has.")
       ->type_name("COUNT")
-      ->check(CLI::Range(0, 4096));
+      ->check(CLI::Range(0, 4096).description(""));
   commands.push_back({&command, std::move(run)});
   return command;
 }

@@ -92,7 +92,7 @@ class ConvertCommand {
     }
     out << in << '\n';
     auto rows = rowsOf(measures);
-    for (ReportRow& row : rowsOf(stats)) rows.push_back(std::move(row));
+    addRows(rows, stats);
     for (const Output& output : planned) rows.push_back({"written", output.path.string(), ""});
     printRows(out, rows);
     for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';

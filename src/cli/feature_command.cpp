@@ -20,7 +20,7 @@ class FeatureCommand {
     const std::string name = line.has(type_->command) ? type_->id : type_->command;
     app_ = &line.add(name, type_->summary, session_, [this] { return run(); });
     if (name != type_->id) app_->alias(type_->id);
-    if (!type_->inputs.empty()) declareInputs();
+    declareInputs();
     app_->add_option("-o,--output", outputs_, "Where the result goes; several files as a comma list or with several -o.")
         ->type_name("FILE,..")
         ->expected(1)
@@ -32,6 +32,11 @@ class FeatureCommand {
 
  private:
   void declareInputs() {
+    if (const ParameterSpec* file = fileParameter()) {
+      app_->add_option("FILE", inputs_, file->help)->type_name("")->expected(0, -1);
+      return;
+    }
+    if (type_->inputs.empty()) return;
     std::string help;
     for (const InputSpec& spec : type_->inputs)
       help += (help.empty() ? "" : " ") + fmt::format("{}: {}", spec.name, spec.help);
@@ -40,7 +45,20 @@ class FeatureCommand {
         ->expected(0, -1);
   }
 
+  /// A feature without inputs that needs one file (import) takes it as the plain word that everybody would write.
+  [[nodiscard]] const ParameterSpec* fileParameter() const {
+    if (!type_->inputs.empty()) return nullptr;
+    const ParameterSpec* found = nullptr;
+    for (const ParameterSpec& spec : type_->parameters) {
+      if (spec.kind != ParameterKind::File || !spec.fallback.is_null() || spec.mayBeAbsent) continue;
+      if (found) return nullptr;
+      found = &spec;
+    }
+    return found;
+  }
+
   void checkNumberOfInputs() const {
+    if (fileParameter()) return;
     std::size_t least = 0, most = 0;
     std::string wanted;
     for (const InputSpec& spec : type_->inputs) {
@@ -60,7 +78,13 @@ class FeatureCommand {
   }
 
   [[nodiscard]] Value parameters() const {
-    const Value given = parameters_->given();
+    Value given = parameters_->given();
+    if (const ParameterSpec* file = fileParameter(); file && !inputs_.empty()) {
+      if (inputs_.size() > 1 || given.contains(file->name))
+        throw UsageError(fmt::format("{} takes one file; more are given.", app_->get_name()),
+                         "Several outputs are a comma list: -o a.step,b.stl.");
+      given[file->name] = parseText(*file, inputs_.front());
+    }
     try {
       (void)completed(type_->parameters, given);
     } catch (const Error& error) {
@@ -84,7 +108,8 @@ class FeatureCommand {
   [[nodiscard]] Document document(const Value& parameters, FeatureId& id, std::vector<std::string>& warnings) const {
     Document result;
     Feature feature;
-    for (const std::string& input : inputs_) feature.inputs.push_back(addInput(session_.app, result, input, warnings));
+    if (!fileParameter())
+      for (const std::string& input : inputs_) feature.inputs.push_back(addInput(session_.app, result, input, warnings));
     for (const FeatureId& input : feature.inputs) {
       Feature hidden = result.at(input);
       hidden.visible = false;
@@ -137,7 +162,7 @@ class FeatureCommand {
     }
     out << type_->title << '\n';
     auto rows = rowsOf(measures);
-    for (ReportRow& row : rowsOf(stats)) rows.push_back(std::move(row));
+    addRows(rows, stats);
     for (const Output& output : planned) rows.push_back({"written", output.path.string(), ""});
     printRows(out, rows);
     for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';

@@ -94,7 +94,7 @@ class InfoCommand {
     out << info.at("file").get<std::string>() << '\n';
     if (info.contains("features")) printFeatureTable(out, info.at("features"));
     auto rows = all.measures.kind.empty() ? std::vector<ReportRow>() : rowsOf(all.measures);
-    for (ReportRow& row : rowsOf(info.at("stats"))) rows.push_back(std::move(row));
+    addRows(rows, info.at("stats"));
     printRows(out, rows);
     for (const auto& warning : info.at("warnings"))
       session_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';

@@ -69,13 +69,11 @@ ParameterFlags::ParameterFlags(CommandLine& line, CLI::App& app, std::vector<Par
                                const std::string& group)
     : specs_(std::move(specs)) {
   for (const ParameterSpec& spec : specs_) {
-    std::string name = prefix + spec.name;
-    if (app.get_option_no_throw("--" + name)) name = "parameter." + name;
+    const std::string name = prefix + spec.name;
     CLI::Option* option = nullptr;
     const std::string help = helpText(spec);
     if (spec.kind == ParameterKind::Flag) {
-      option = app.add_flag(
-          fmt::format("--{0},!--{1}no-{2}", name, name.substr(0, name.size() - spec.name.size()), spec.name), help);
+      option = app.add_flag(fmt::format("--{0}{1},!--{0}no-{1}", prefix, spec.name), help);
     } else {
       option = app.add_option("--" + name, help);
       option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -9,8 +9,8 @@ namespace blossom {
 /// Flags made from parameter specs. A flag parameter becomes --name and --no-name, every other --name VALUE.
 class ParameterFlags {
  public:
-  /// @param prefix stands before every name: "stl." gives --stl.ascii. A name that the command has already gets
-  /// "parameter.".
+  /// @param prefix stands before every name: "stl." gives --stl.ascii. Names that every
+  /// command needs itself are refused by the registry.
   ParameterFlags(CommandLine&, CLI::App&, std::vector<ParameterSpec> specs, const std::string& prefix,
                  const std::string& group);
 

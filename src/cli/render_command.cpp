@@ -104,6 +104,8 @@ class RenderCommand {
 
 }  // namespace
 
-void addRenderCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<RenderCommand>(line, session)); }
+void addRenderCommand(CommandLine& line, Session& session) {
+  if (session.app.formats->find("png")) line.keep(std::make_shared<RenderCommand>(line, session));
+}
 
 }  // namespace blossom

@@ -38,6 +38,11 @@ std::string valueText(const Value& value) {
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return formatNumber(value.get<double>());
+  if (value.is_array()) {
+    std::string all;
+    for (const auto& each : value) all += (all.empty() ? "" : ", ") + valueText(each);
+    return all;
+  }
   if (value.is_object()) {
     std::string all;
     for (const auto& [key, each] : value.items()) all += (all.empty() ? "" : ", ") + valueText(each) + " " + key;
@@ -99,6 +104,12 @@ std::vector<ReportRow> rowsOf(const Value& object) {
     rows.push_back({readable(name), valueText(value), unit});
   }
   return rows;
+}
+
+void addRows(std::vector<ReportRow>& rows, const Value& more) {
+  for (ReportRow& row : rowsOf(more))
+    if (std::none_of(rows.begin(), rows.end(), [&](const ReportRow& each) { return each.name == row.name; }))
+      rows.push_back(std::move(row));
 }
 
 void printRows(std::ostream& out, const std::vector<ReportRow>& rows) {

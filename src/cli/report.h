@@ -23,6 +23,9 @@ std::vector<ReportRow> rowsOf(const Measures&);
 /// Rows of `stats` or other JSON; units follow from names such as "kernel_ms".
 std::vector<ReportRow> rowsOf(const Value& object);
 
+/// Adds the rows of `more` whose name is not there yet.
+void addRows(std::vector<ReportRow>& rows, const Value& more);
+
 /// Columns that align: names to the left, numbers at their decimal point.
 void printRows(std::ostream&, const std::vector<ReportRow>&);
 

@@ -27,7 +27,6 @@ struct EchoParameters {
   std::string text = "none";
   Vec3 axis{0, 0, 1};
   std::vector<double> levels{1, 2};
-  std::string json = "reserved";  ///< its flag is taken by --json
 };
 
 Mesh tetrahedron(double size) {
@@ -53,7 +52,6 @@ FeatureType echoFeature(const std::string& id, const std::string& command, std::
       .parameter("text", &P::text, text(), "A text.")
       .parameter("axis", &P::axis, vector(), "A vector.")
       .parameter("levels", &P::levels, list(number()), "A list.")
-      .parameter("json", &P::json, text(), "A name that is taken.")
       .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) -> Evaluated {
         progress.report(0.5, "echo");
         if (p.text == "fail") throw Error(ErrorCode::Degenerate, "It collapses.", "Take another text.");
@@ -68,7 +66,6 @@ FeatureType echoFeature(const std::string& id, const std::string& command, std::
                  {"text", p.text},
                  {"axis", {p.axis.x(), p.axis.y(), p.axis.z()}},
                  {"levels", p.levels},
-                 {"json", p.json},
                  {"inputs", inputs.of(0).size()}},
                 {"It is an echo."}};
       });
@@ -124,6 +121,7 @@ class CliGrammarTest : public QObject {
   void progressIsOnlyShownWhereItIsWanted();
   void theTableAlignsAtTheDecimalPoint();
   void featureDescriptionsCarryAllOfTheDeclaration();
+  void everyCommandHasHelpWithAnExample();
 };
 
 void CliGrammarTest::everyKindOfParameterIsAFlag() {
@@ -174,7 +172,7 @@ void CliGrammarTest::valuesAreCheckedBeforeTheWork_data() {
   QTest::newRow("zero") << QStringList{"--tolerance", "0"};
   QTest::newRow("word") << QStringList{"--angle", "steep"};
   QTest::newRow("choice") << QStringList{"--mode", "cubc"};
-  QTest::newRow("vector") << QStringList{"--axis", "1,2"};
+  QTest::newRow("vector") << QStringList{"--axis", "1,2,x"};
   QTest::newRow("list") << QStringList{"--levels", "1,x"};
   QTest::newRow("twice") << QStringList{"--t", "0.1", "--t", "0.2"};
   QTest::newRow("empty") << QStringList{"--t", ""};
@@ -192,8 +190,6 @@ void CliGrammarTest::valuesAreCheckedBeforeTheWork() {
 }
 
 void CliGrammarTest::namesThatAreTakenHaveAWayRound() {
-  QCOMPARE(run({"echo", "tetrahedron:1", "--json", "--parameter.json", "mine"}).stats().at("json").get<std::string>(),
-           std::string("mine"));
   const Ran byId = run({"test.info", "tetrahedron:1", "--json"});
   QCOMPARE(byId.json().at("feature").get<std::string>(), std::string("test.info"));
   QVERIFY(!run({"info", "tetrahedron:1", "--json"}).json().contains("feature"));
@@ -256,7 +252,7 @@ void CliGrammarTest::theTableAlignsAtTheDecimalPoint() {
 void CliGrammarTest::featureDescriptionsCarryAllOfTheDeclaration() {
   const Json echo = run({"features", "echo", "--json"}).json();
   QCOMPARE(echo.at("id").get<std::string>(), std::string("test.echo"));
-  QCOMPARE(echo.at("parameters").size(), std::size_t{11});
+  QCOMPARE(echo.at("parameters").size(), std::size_t{10});
   const Json& turns = echo.at("parameters").at(2);
   QCOMPARE(turns.at("least").get<double>(), 1.0);
   QCOMPARE(turns.at("greatest").get<double>(), 9.0);
@@ -265,8 +261,18 @@ void CliGrammarTest::featureDescriptionsCarryAllOfTheDeclaration() {
   for (const char* word : {"--tolerance", "A length.", "exact", "blossom echo"})
     QVERIFY2(text.find(word) != std::string::npos, word);
   const std::string help = run({"echo", "--help"}).out;
-  for (const char* word : {"--tolerance", "A length.", "exact|cubic", "blossom echo", "--no-edges", "default 0.01 mm"})
+  for (const char* word : {"--tolerance", "A length.", "exact|cubic", "blossom echo", "--[no-]edges", "default 0.01 mm"})
     QVERIFY2(help.find(word) != std::string::npos, help.c_str());
+}
+
+void CliGrammarTest::everyCommandHasHelpWithAnExample() {
+  for (const char* command :
+       {"convert", "info", "run", "features", "formats", "plugins", "completion", "help", "import", "echo"}) {
+    const Ran help = run({command, "--help"});
+    QCOMPARE(help.code, 0);
+    QVERIFY2(help.out.find("Example") != std::string::npos, command);
+    QCOMPARE(run({"help", command}).code, 0);
+  }
 }
 
 QTEST_GUILESS_MAIN(CliGrammarTest)

@@ -48,6 +48,7 @@ class CliTest : public QObject {
   void versionAndHelpEndWithZero();
   void wrongUseEndsWithTwoAndNamesTheNearestWord_data();
   void wrongUseEndsWithTwoAndNamesTheNearestWord();
+  void wrongUseIsAnErrorObjectToo();
   void infoMeasuresACube();
   void infoOfManyFilesIsStillOneObject();
   void convertWritesSeveralFilesAtOnce();
@@ -62,7 +63,6 @@ class CliTest : public QObject {
   void runReportsEveryFeatureAlsoWhenOneFails();
   void aFullDeviceIsAFailure();
   void completionScriptsAreGoodShell();
-  void everyCommandHasHelpWithAnExample();
   void brokenPluginsAreOneWarning();
 
  private:
@@ -109,7 +109,7 @@ void CliTest::wrongUseEndsWithTwoAndNamesTheNearestWord_data() {
   QTest::newRow("flag with value") << QStringList{"import", "--fiel=cube.off"} << "Did you mean --file?";
   QTest::newRow("root flag") << QStringList{"--verson"} << "Did you mean --version?";
   QTest::newRow("no input") << QStringList{"info"} << "needs a file";
-  QTest::newRow("too many inputs") << QStringList{"import", "cube.off", "--file", "cube.off"} << "cube.off";
+  QTest::newRow("too many inputs") << QStringList{"import", "cube.off", "--file", "cube.off"} << "takes one file";
   QTest::newRow("convert without output") << QStringList{"convert", "cube.off"} << "file to write";
   QTest::newRow("value missing") << QStringList{"import", "--file"} << "--file";
   QTest::newRow("parameter missing") << QStringList{"import"} << "file";
@@ -132,10 +132,13 @@ void CliTest::wrongUseEndsWithTwoAndNamesTheNearestWord() {
   QVERIFY2(plain.err.starts_with("blossom: "), plain.err.c_str());
   QVERIFY2(plain.err.find(mentions.toStdString()) != std::string::npos, plain.err.c_str());
   QCOMPARE(files(), QStringList{"cube.off"});
-  const Ran json = blossom(words + QStringList{"--json"});
-  if (words.isEmpty() || words.contains("--verson") || words.contains("--help") || words.last() == "--file") return;
+}
+
+void CliTest::wrongUseIsAnErrorObjectToo() {
+  const Ran json = blossom({"convert", "cube.off", "c.stl", "--chord", "-1", "--json"});
   QCOMPARE(json.code, 2);
-  QVERIFY(!json.json().at("error").at("message").get<std::string>().empty());
+  QCOMPARE(json.json().at("error").at("code").get<std::string>(), std::string("InvalidParameter"));
+  QCOMPARE(blossom({"infoo", "--json"}).json().at("error").at("hint").get<std::string>(), std::string("Did you mean info?"));
 }
 
 void CliTest::infoMeasuresACube() {
@@ -256,11 +259,12 @@ void CliTest::namesThatAreNotUtf8() {
   QCOMPARE(shell.exitCode(), 0);
   const Json result = Json::parse(shell.readAllStandardOutput().toStdString());
   QVERIFY(result.at("outputs").at(0).get<std::string>().ends_with(".obj"));
-  QVERIFY(std::filesystem::exists(file("k\344fer.obj")));
+  QVERIFY(std::filesystem::remove(file("k\344fer.obj")));  // QTemporaryDir cannot name them
+  QVERIFY(std::filesystem::remove(file("k\344fer.off")));
 }
 
 void CliTest::documentsAreInputsAndOutputs() {
-  const Ran made = blossom({"import", "--file", "cube.off", "-o", "model.blossom", "--json"});
+  const Ran made = blossom({"import", "cube.off", "-o", "model.blossom", "--json"});
   QVERIFY2(made.code == 0, (made.out + made.err).c_str());
   QVERIFY(QFile::remove(folder_->path() + "/cube.off"));  // the document holds its own copy
   const Json info = blossom({"info", "model.blossom", "--json"}).json();
@@ -334,17 +338,6 @@ void CliTest::completionScriptsAreGoodShell() {
                          "COMP_WORDS=(blossom render --view is) COMP_CWORD=3 && _blossom && echo ${COMPREPLY[@]}"});
   QVERIFY(shell.waitForFinished(60000));
   QCOMPARE(shell.readAllStandardOutput(), QByteArray("convert\n--view\niso\n"));
-}
-
-void CliTest::everyCommandHasHelpWithAnExample() {
-  for (const char* command :
-       {"convert", "info", "render", "run", "features", "formats", "plugins", "completion", "help", "import"}) {
-    const Ran help = blossom({command, "--help"});
-    QCOMPARE(help.code, 0);
-    QVERIFY2(help.out.find("Example") != std::string::npos, command);
-  }
-  for (const auto& feature : blossom({"features", "--json"}).json().at("features"))
-    QCOMPARE(blossom({QString::fromStdString(feature.at("id").get<std::string>()), "--help"}).code, 0);
 }
 
 void CliTest::brokenPluginsAreOneWarning() {

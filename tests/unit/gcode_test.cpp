@@ -1,6 +1,8 @@
+#include "core/file.h"
+
 #include <numbers>
 
-#include "core/file.h"
+
 #include "exchange/format.h"
 #include "geometry/planar.h"
 #include "support/support.h"

@@ -18,6 +18,7 @@ class GroundGrid {
   /// Rebuilds the lines when scale or place ask for it. @returns whether anything changed.
   bool follow(const Vec3& target, double millimetresPerPixel, double viewHeight, const Look&);
   [[nodiscard]] double spacing() const { return spacing_; }  ///< mm between two lines
+  [[nodiscard]] double reach() const { return reach_; }      ///< mm from the middle to where it ends
 
  private:
   void rebuild(const Look&);

@@ -20,7 +20,14 @@ QLabel* styled(const QString& text, const char* name) {
   return label;
 }
 
+// {"LINE": 29, "ARC": 3} reads "29 LINE, 3 ARC".
 QString statText(const Value& value) {
+  if (value.is_structured()) {
+    QStringList parts;
+    for (const auto& [name, part] : value.items())
+      parts << (value.is_object() ? statText(part) + u' ' + qt(name).replace(u'_', u' ') : statText(part));
+    return parts.join(QStringLiteral(", "));
+  }
   if (value.is_boolean()) return value.get<bool>() ? PropertyPanel::tr("yes") : PropertyPanel::tr("no");
   if (value.is_number_integer()) return readable(value.get<std::int64_t>());
   if (value.is_number()) return readable(value.get<double>());
@@ -139,9 +146,10 @@ void PropertyPanel::addResult(const QString& name, const QString& value) {
   const int row = resultGrid_->rowCount();
   auto* title = new QLabel(name);
   title->setObjectName(QStringLiteral("resultName"));
-  resultGrid_->addWidget(title, row, 0);
+  resultGrid_->addWidget(title, row, 0, Qt::AlignTop);
   auto* number = new QLabel(value);
   number->setAlignment(Qt::AlignRight);
+  number->setWordWrap(true);
   number->setTextInteractionFlags(Qt::TextSelectableByMouse);
   resultGrid_->addWidget(number, row, 1);
 }
@@ -170,6 +178,7 @@ void PropertyPanel::refreshResult() {
   resultGrid_->setContentsMargins(0, 0, 0, 0);
   resultGrid_->setVerticalSpacing(5);
   resultGrid_->setHorizontalSpacing(12);
+  resultGrid_->setColumnStretch(1, 1);
   addResult(tr("Kind"), qt(view->measures.kind));
   for (const Measure& measure : view->measures.values) addResult(measureLabel(measure.name), readable(measure));
   const auto measured = [&](const std::string& name) {
@@ -177,7 +186,7 @@ void PropertyPanel::refreshResult() {
                        [&](const Measure& m) { return m.name == name; });
   };
   for (const auto& [name, value] : result.evaluated.stats.items())
-    if (!measured(name)) addResult(measureLabel(name), statText(value));
+    if (!measured(name) && !value.empty()) addResult(measureLabel(name), statText(value));
   addResult(tr("Time"),
             result.fromCache || result.kernelMs == 0 ? tr("from the cache") : tr("%1 ms").arg(readable(result.kernelMs, 3)));
   resultColumn_->addWidget(table);

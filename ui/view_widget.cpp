@@ -94,6 +94,7 @@ void ViewWidget::paintGL() {
   camera_.applyTo(renderer_->GetActiveCamera());
   grid_.follow(camera_.target(), camera_.millimetresPerPixel(), std::max(width(), height()), look_);
   renderer_->ResetCameraClippingRange();
+  keepGridInSight();
   window_->SetMultiSamples(sharp_ ? samplesAtRest : 0);
   window_->Render();
   auto* gl = context()->extraFunctions();
@@ -106,6 +107,16 @@ void ViewWidget::paintGL() {
   lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
   if (sharp_) sharpFrameMs_ = lastFrameMs_;
   ++framesDrawn_;
+}
+
+// The clipping range is made for the shapes; the ground reaches farther.
+void ViewWidget::keepGridInSight() {
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  if (!grid_.actor()->GetVisibility() || camera.GetParallelProjection()) return;
+  const double distance = camera.GetDistance();
+  const double* range = camera.GetClippingRange();
+  const double far = std::max(range[1], distance + grid_.reach() * 1.5);
+  camera.SetClippingRange(std::max(std::min(range[0], distance * 0.2), far * 5e-4), far);
 }
 
 void ViewWidget::resizeEvent(QResizeEvent* event) {

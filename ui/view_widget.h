@@ -90,6 +90,7 @@ class ViewWidget : public QOpenGLWidget {
   [[nodiscard]] std::vector<Vec3> everything() const;
   void tellWhereabouts(QPointF);
   void placeCube();
+  void keepGridInSight();
 
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   vtkSmartPointer<vtkRenderer> renderer_;

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "exchange/sniff.h"
+#include "exchange/text.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
@@ -98,13 +99,18 @@ void refuseWrongContent(const FormatRegistry& registry, const Format& format, co
 Imported guardedRead(const Format& format, const fs::path& path, const Value& options, const Progress& progress) {
   const std::string file = path.filename().string();
   try {
-    return format.read(path, options, progress);
+    Imported imported = format.read(path, options, progress);
+    for (std::string& warning : imported.warnings) warning = parse::utf8(warning);
+    return imported;
   } catch (const Error& error) {
     const bool aboutContent = error.code() == ErrorCode::FormatDamaged || error.code() == ErrorCode::LimitExceeded ||
                               error.code() == ErrorCode::Degenerate || error.code() == ErrorCode::InvalidInput;
-    if (!aboutContent || error.message().find(file) != std::string::npos) throw;
+    if (!aboutContent) throw;
+    // Messages quote the file, whose bytes need not be text.
+    const std::string message = parse::utf8(error.message()), hint = parse::utf8(error.hint());
+    if (message.find(file) != std::string::npos) throw Error(error.code(), message, hint);
     const ErrorCode code = error.code() == ErrorCode::LimitExceeded ? error.code() : ErrorCode::FormatDamaged;
-    throw Error(code, fmt::format("The file \"{}\" cannot be read: {}", file, error.message()), error.hint());
+    throw Error(code, fmt::format("The file \"{}\" cannot be read: {}", file, message), hint);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::LimitExceeded, fmt::format("The file \"{}\" needs more memory than there is.", file));
   } catch (const std::exception& error) {

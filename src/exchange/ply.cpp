@@ -227,7 +227,7 @@ class PlyReader {
         readFaces(element, progress);
       else {
         passOver(element, progress);
-        if (element.count > 0) leftOut[element.name] = element.count;
+        if (element.count > 0) leftOut[utf8(element.name)] = element.count;
       }
     }
     for (const int v : mesh_.faceVertices)

@@ -176,8 +176,10 @@ class MutatedFilesTest : public QObject {
         QVERIFY2(isSound(imported.shape), path.c_str());
         (void)imported.entities.dump();
         (void)imported.skipped.dump();
+        (void)Value(imported.warnings).dump();
         ++read_;
       } catch (const Error& error) {
+        (void)Value{error.message(), error.hint()}.dump();
         const bool isAllowed = error.code() == ErrorCode::FormatDamaged || error.code() == ErrorCode::LimitExceeded ||
                                (error.code() == ErrorCode::WorkerDied && isInWorker(extension));
         QVERIFY2(isAllowed && !error.message().empty(),

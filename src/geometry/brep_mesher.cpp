@@ -4,6 +4,7 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
 #include <GCPnts_TangentialDeflection.hxx>
@@ -26,6 +27,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "geometry/grid_mesher.h"
 #include "geometry/occt_progress.h"
 
 namespace blossom {
@@ -37,7 +39,8 @@ struct FaceMesh {
   TopoDS_Face face;
   TopLoc_Location location;
   Handle(Poly_Triangulation) triangulation;
-  int offset = 0;  ///< of its points in the result
+  const std::vector<Vec3>* normals = nullptr;  ///< of a structured grid, whose chord is kept already
+  int offset = 0;                              ///< of its points in the result
 };
 
 /// Parameters in the middle of a face, towards which a degenerate normal is sought.
@@ -86,7 +89,7 @@ class ShapeMesher {
 
   Tessellation run() {
     if (faceMap_.Extent() > 0) {
-      triangulateWithinChord();
+      triangulate();
       placePoints();
       addTriangles();
     }
@@ -97,19 +100,38 @@ class ShapeMesher {
   }
 
  private:
-  /// OCCT does not always keep its deflection on free-form faces: measured, and meshed again finer if need be.
-  void triangulateWithinChord() {
-    constexpr int mostRounds = 4;
-    double deflection = options_.chord;
-    for (int round = 0; round < mostRounds; ++round) {
-      triangulate(deflection);
-      const double worst = largestSag();
-      if (worst <= options_.chord) return;
-      deflection = std::max(deflection * std::max(0.15, 0.8 * options_.chord / worst), 10 * Precision::Confusion());
-    }
+  /// B-spline rectangles become grids; BRepMesh does the other faces and takes over the edges of the grids.
+  void triangulate() {
+    grids_ = meshGridFaces(faceMap_, options_, progress_);
+    triangulateOthers();
+    if (grids_.empty() || edgesAgree()) return;
+    // BRepMesh has divided an edge anew: it must then do all faces.
+    grids_.clear();
+    BRepTools::Clean(shape_);
+    triangulateOthers();
   }
 
-  void triangulate(double deflection) {
+  /// OCCT does not always keep its deflection on free-form faces: measured, and the faces in question meshed again finer.
+  void triangulateOthers() {
+    constexpr int mostRounds = 4;
+    collectFaces();
+    double deflection = options_.chord;
+    for (int round = 0; round < mostRounds; ++round) {
+      if (std::all_of(faces_.begin(), faces_.end(), [](const FaceMesh& mesh) { return mesh.normals; })) break;
+      runBRepMesh(deflection);
+      collectFaces();
+      const std::vector<double> sags = largestSags();
+      const double worst = *std::max_element(sags.begin(), sags.end());
+      if (worst <= options_.chord || round + 1 == mostRounds) break;
+      forgetTooCoarse(sags, round > 0);
+      deflection = std::max(deflection * std::max(0.15, 0.8 * options_.chord / worst), 10 * Precision::Confusion());
+    }
+    if (std::all_of(faces_.begin(), faces_.end(), [](const FaceMesh& mesh) { return mesh.triangulation.IsNull(); }))
+      throw Error(ErrorCode::Degenerate, "None of the faces can be divided into triangles.",
+                  "Check the shape; its edges may not bound its faces.");
+  }
+
+  void runBRepMesh(double deflection) {
     IMeshTools_Parameters parameters;
     parameters.Deflection = std::max(deflection, 2 * Precision::Confusion());
     parameters.Angle = options_.angle;
@@ -117,29 +139,26 @@ class ShapeMesher {
     const Handle(OcctProgress) indicator = new OcctProgress(progress_, "Meshing");
     BRepMesh_IncrementalMesh(shape_, parameters, indicator->Start());
     progress_.check();
-    collectFaces();
   }
 
   void collectFaces() {
     faces_.assign(static_cast<std::size_t>(faceMap_.Extent()), {});
-    bool any = false;
     for (int i = 1; i <= faceMap_.Extent(); ++i) {
       FaceMesh& mesh = faces_[static_cast<std::size_t>(i - 1)];
       mesh.face = TopoDS::Face(faceMap_(i));
       mesh.triangulation = BRep_Tool::Triangulation(mesh.face, mesh.location);
       if (!mesh.triangulation.IsNull() && !mesh.triangulation->HasUVNodes()) mesh.triangulation.Nullify();
-      any = any || !mesh.triangulation.IsNull();
+      const auto grid = grids_.find(mesh.triangulation.get());
+      if (grid != grids_.end()) mesh.normals = &grid->second;
     }
-    if (!any)
-      throw Error(ErrorCode::Degenerate, "None of the faces can be divided into triangles.",
-                  "Check the shape; its edges may not bound its faces.");
   }
 
-  double largestSag() const {
+  /// Of each face that BRepMesh has done.
+  std::vector<double> largestSags() const {
     std::vector<double> worst(faces_.size());
     parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        if (faces_[f].triangulation.IsNull()) continue;
+        if (faces_[f].triangulation.IsNull() || faces_[f].normals) continue;
         const BRepAdaptor_Surface surface(faces_[f].face, Standard_False);
         if (surface.GetType() == GeomAbs_Plane) continue;
         for (int t = 1; t <= faces_[f].triangulation->NbTriangles(); ++t)
@@ -147,7 +166,51 @@ class ShapeMesher {
                                             BRep_Tool::Tolerance(faces_[f].face));
       }
     });
-    return *std::max_element(worst.begin(), worst.end());
+    return worst;
+  }
+
+  /// Leaves BRepMesh only the faces that are too coarse; the others keep their triangles, and with them their edges.
+  /// @param neighbors too: an edge may have been the reason
+  void forgetTooCoarse(const std::vector<double>& sags, bool neighbors) {
+    TopTools_IndexedDataMapOfShapeListOfShape owners;
+    TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, owners);
+    std::vector<bool> again(faces_.size());
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (sags[f] <= options_.chord) continue;
+      again[f] = true;
+      if (!neighbors) continue;
+      for (TopExp_Explorer edge(faces_[f].face, TopAbs_EDGE); edge.More(); edge.Next())
+        for (const TopoDS_Shape& owner : owners.FindFromKey(edge.Current()))
+          if (const auto other = static_cast<std::size_t>(faceMap_.FindIndex(owner) - 1); !faces_[other].normals)
+            again[other] = true;
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      if (!again[f]) keep(faces_[f]);
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      if (again[f]) BRepTools::Clean(faces_[f].face);
+  }
+
+  /// A deflection of 0 is fine enough whatever is asked for next.
+  static void keep(const FaceMesh& mesh) {
+    if (mesh.triangulation.IsNull()) return;
+    mesh.triangulation->Deflection(0);
+    for (TopExp_Explorer edge(mesh.face, TopAbs_EDGE); edge.More(); edge.Next()) {
+      const auto polygon =
+          BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(edge.Current()), mesh.triangulation, mesh.location);
+      if (!polygon.IsNull()) polygon->Deflection(0);
+    }
+  }
+
+  /// Has every edge the same number of points in all its faces?
+  bool edgesAgree() const {
+    TopTools_IndexedDataMapOfShapeListOfShape edges;
+    TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      const auto edgeRows = rows(TopoDS::Edge(edges.FindKey(i)), edges(i));
+      for (const auto& row : edgeRows)
+        if (row.size() != edgeRows.front().size()) return false;
+    }
+    return true;
   }
 
   void placePoints() {
@@ -172,8 +235,16 @@ class ShapeMesher {
     for (int i = 1; i <= mesh.triangulation->NbNodes(); ++i) {
       const auto index = static_cast<std::size_t>(mesh.offset + i - 1);
       result_.points[index] = toVec(mesh.triangulation->Node(i).Transformed(place).XYZ());
-      result_.normals[index] = side * normalAt(surface, mesh.triangulation->UVNode(i), center);
+      result_.normals[index] = mesh.normals ? gridNormal(mesh, static_cast<std::size_t>(i - 1))
+                                            : Vec3(side * normalAt(surface, mesh.triangulation->UVNode(i), center));
     }
+  }
+
+  /// Normals of a grid are those of the surface before it is placed.
+  static Vec3 gridNormal(const FaceMesh& mesh, std::size_t i) {
+    const Vec3& own = (*mesh.normals)[i];
+    const Vec3 placed = toVec(gp_Vec(own.x(), own.y(), own.z()).Transformed(mesh.location.Transformation()).XYZ());
+    return mesh.face.Orientation() == TopAbs_REVERSED ? -placed.normalized() : placed.normalized();
   }
 
   /// A mirroring location turns du x dv round, as a reversed orientation does.
@@ -244,6 +315,8 @@ class ShapeMesher {
       const auto& first = edgeRows.front();
       if (row.size() == first.size())
         for (std::size_t k = 0; k < row.size(); ++k) result_.points[row[k]] = result_.points[first[k]];
+      if (BRep_Tool::Degenerated(edge))
+        for (const std::size_t p : row) place(TopExp::FirstVertex(forward), p);
       place(TopExp::FirstVertex(forward), row.front());
       place(TopExp::LastVertex(forward), row.back());
     }
@@ -272,6 +345,7 @@ class ShapeMesher {
   TessellationOptions options_;
   const Progress& progress_;
   TopTools_IndexedMapOfShape faceMap_;
+  GridNormalsOf grids_;
   std::vector<FaceMesh> faces_;
   Tessellation result_;
 };

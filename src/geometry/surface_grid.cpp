@@ -68,11 +68,22 @@ class GridEvaluator {
         slope[j] += basis[orderU + k] * surface_.pole(first + k, j);
       }
     }
-    for (std::size_t j = 0; j < grid_.v.size(); ++j) evaluatePoint(i, j, value, slope);
+    for (std::size_t j = 0; j < grid_.v.size(); ++j)
+      grid_.normals.empty() ? placePoint(i, j, value) : placePointAndNormal(i, j, value, slope);
   }
 
  private:
-  void evaluatePoint(std::size_t i, std::size_t j, const std::vector<Vec4>& value, const std::vector<Vec4>& slope) const {
+  void placePoint(std::size_t i, std::size_t j, const std::vector<Vec4>& value) const {
+    const auto orderV = static_cast<std::size_t>(surface_.degreeV) + 1;
+    const double* basis = &tableV_[j * 2 * orderV];
+    const std::size_t first = grid_.v[j].span - orderV + 1;
+    Vec4 s = Vec4::Zero();
+    for (std::size_t k = 0; k < orderV; ++k) s += basis[k] * value[first + k];
+    place(i * grid_.v.size() + j, s.head<3>() / s.w());
+  }
+
+  void placePointAndNormal(std::size_t i, std::size_t j, const std::vector<Vec4>& value,
+                           const std::vector<Vec4>& slope) const {
     const auto orderV = static_cast<std::size_t>(surface_.degreeV) + 1;
     const double* basis = &tableV_[j * 2 * orderV];
     const std::size_t first = grid_.v[j].span - orderV + 1;
@@ -83,12 +94,16 @@ class GridEvaluator {
       dv += basis[orderV + k] * value[first + k];
     }
     const Frame at = quotient(s, du, dv);
-    if (!at.point.allFinite())
-      throw Error(ErrorCode::Degenerate, "The surface runs through infinity.", "Look for poles with the weight 0 or less.");
     const std::size_t index = i * grid_.v.size() + j;
-    grid_.points[index] = at.point;
+    place(index, at.point);
     const Vec3 normal = unitNormal(at.du, at.dv);
     grid_.normals[index] = normal.norm() > 0.5 ? normal : normalNear(surface_, grid_.u[i].t, grid_.v[j].t);
+  }
+
+  void place(std::size_t index, const Vec3& point) const {
+    if (!point.allFinite())
+      throw Error(ErrorCode::Degenerate, "The surface runs through infinity.", "Look for poles with the weight 0 or less.");
+    grid_.points[index] = point;
   }
 
   const Surface& surface_;
@@ -108,13 +123,13 @@ std::vector<double> domainBreaks(int degree, const std::vector<double>& knots) {
 }
 
 std::vector<GridSample> samples(int degree, const std::vector<double>& knots, const std::vector<double>& breaks,
-                                const std::vector<int>& steps, int times) {
+                                const std::vector<int>& steps, int times, Kinks kinks) {
   std::vector<GridSample> result;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const std::size_t span = findSpan(degree, knots, breaks[k]);
     const auto multiplicity = std::count(knots.begin(), knots.end(), breaks[k]);
     const int count = steps[k] * times;
-    const bool kink = multiplicity >= degree;
+    const bool kink = kinks == Kinks::Twice && multiplicity >= degree;
     for (int i = k == 0 || kink ? 0 : 1; i <= count; ++i) {
       const double t = i == count ? breaks[k + 1] : breaks[k] + (breaks[k + 1] - breaks[k]) * i / count;
       result.push_back({t, span, k, times == 2 && i % 2 == 1});
@@ -123,11 +138,17 @@ std::vector<GridSample> samples(int degree, const std::vector<double>& knots, co
   return result;
 }
 
+std::vector<GridSample> samplesAt(int degree, const std::vector<double>& knots, const std::vector<double>& parameters) {
+  std::vector<GridSample> result;
+  for (const double t : parameters) result.push_back({t, findSpan(degree, knots, t), 0, false});
+  return result;
+}
+
 SurfaceGrid evaluateGrid(const Surface& surface, std::vector<GridSample> u, std::vector<GridSample> v,
-                         const Progress& progress) {
+                         const Progress& progress, GridNormals normals) {
   SurfaceGrid grid{std::move(u), std::move(v), {}, {}};
   grid.points.resize(grid.u.size() * grid.v.size());
-  grid.normals.resize(grid.points.size());
+  if (normals == GridNormals::Yes) grid.normals.resize(grid.points.size());
   const GridEvaluator evaluator(surface, grid);
   parallelFor(grid.u.size(), 8, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) evaluator.row(i);

@@ -9,7 +9,13 @@
 /// Surfaces evaluated on a grid of parameters: basis functions are tabulated once a row and once a column.
 namespace blossom {
 
-/// Where a surface is evaluated. Knots where it may have a kink come twice, once for either side.
+/// What happens at a knot where a surface may have a kink.
+enum class Kinks {
+  Twice,  ///< two samples, one for the normal of either side
+  Once
+};
+
+/// Where a surface is evaluated.
 struct GridSample {
   double t = 0;
   std::size_t span = 0;      ///< knot span whose polynomial counts
@@ -20,7 +26,7 @@ struct GridSample {
 struct SurfaceGrid {
   std::vector<GridSample> u, v;
   std::vector<Vec3> points;   ///< u.size() * v.size(), row by row of u
-  std::vector<Vec3> normals;  ///< unit length, along du x dv; at poles the limit from inside
+  std::vector<Vec3> normals;  ///< unit length, along du x dv; at poles the limit from inside; empty when not asked for
 
   [[nodiscard]] const Vec3& point(std::size_t i, std::size_t j) const { return points[i * v.size() + j]; }
   /// Is there surface between sample i and the next, or are both one kink?
@@ -33,11 +39,16 @@ std::vector<double> domainBreaks(int degree, const std::vector<double>& knots);
 
 /// `steps[k] * times` steps in the interval k of `breaks`.
 std::vector<GridSample> samples(int degree, const std::vector<double>& knots, const std::vector<double>& breaks,
-                                const std::vector<int>& steps, int times);
+                                const std::vector<int>& steps, int times, Kinks kinks = Kinks::Twice);
+/// At any parameters within the domain.
+std::vector<GridSample> samplesAt(int degree, const std::vector<double>& knots, const std::vector<double>& parameters);
+
+enum class GridNormals { Yes, No };
 
 /// O(p q) per row and O(q) per point, in parallel. @throws Error Degenerate when the surface runs through infinity,
 /// Cancelled.
-SurfaceGrid evaluateGrid(const Surface&, std::vector<GridSample> u, std::vector<GridSample> v, const Progress&);
+SurfaceGrid evaluateGrid(const Surface&, std::vector<GridSample> u, std::vector<GridSample> v, const Progress&,
+                         GridNormals = GridNormals::Yes);
 
 /// How a surface bends at a point: parts of the second derivatives along the normal, and lengths of the first ones.
 struct SecondOrder {

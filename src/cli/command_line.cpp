@@ -63,6 +63,10 @@ CLI::App& CommandLine::add(const std::string& name, const std::string& summary, 
   return command;
 }
 
+void CommandLine::addDocumentFlags(CLI::App& command, Session& session) {
+  command.add_flag("--salvage", session.salvage, "Open what is readable of a damaged document; the rest is a warning.");
+}
+
 const CLI::App* CommandLine::find(const std::string& name) const {
   const auto found =
       std::find_if(commands.begin(), commands.end(), [&](const Command& each) { return each.app->check_name(name); });

@@ -23,6 +23,7 @@ class ConvertCommand {
         ->type_name("FILE,..")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    CommandLine::addDocumentFlags(app_, session_);
     formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Reading | FormatFlags::Writing);
     setExamples(app_, {"blossom convert part.igs part.step", "blossom convert part.step part.stl part.obj --chord 0.01",
                        "blossom convert model.blossom#sweep-1 sweep.step"});
@@ -38,7 +39,7 @@ class ConvertCommand {
   Source readFile(const std::string& text, const std::filesystem::path& file, const Progress& progress) const {
     const auto start = std::chrono::steady_clock::now();
     Source source;
-    FeatureId id = addInput(session_.app, source.document, text, source.imported.warnings);
+    FeatureId id = addInput(session_, source.document, text, source.imported.warnings);
     if (isDocument(file) || file.empty()) {
       source.imported.shape = evaluateFor(session_.app, source.document, id, progress)->evaluated.shape;
     } else {

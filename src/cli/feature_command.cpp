@@ -43,6 +43,7 @@ class FeatureCommand {
     app_->add_option("INPUT", inputs_, help + " A file, a document (model.blossom#feature) or a shape written down.")
         ->type_name("")
         ->expected(0, -1);
+    CommandLine::addDocumentFlags(*app_, session_);
   }
 
   /// A feature without inputs that needs one file (import) takes it as the plain word that everybody would write.
@@ -109,7 +110,7 @@ class FeatureCommand {
     Document result;
     Feature feature;
     if (!fileParameter())
-      for (const std::string& input : inputs_) feature.inputs.push_back(addInput(session_.app, result, input, warnings));
+      for (const std::string& input : inputs_) feature.inputs.push_back(addInput(session_, result, input, warnings));
     for (const FeatureId& input : feature.inputs) {
       Feature hidden = result.at(input);
       hidden.visible = false;

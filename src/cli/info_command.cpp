@@ -19,6 +19,7 @@ class InfoCommand {
   InfoCommand(CommandLine& line, Session& session)
       : session_(session), app_(line.add("info", "Measure what files hold.", session, [this] { return run(); })) {
     app_.add_option("FILE", files_, "Files to look at (or model.blossom#feature).")->type_name("..")->expected(0, -1);
+    CommandLine::addDocumentFlags(app_, session_);
     formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Reading);
     setExamples(app_, {"blossom info part.step", "blossom info drawing.dxf --json"});
   }
@@ -46,7 +47,7 @@ class InfoCommand {
   }
 
   Info ofDocument(const std::filesystem::path& file, const Progress& progress) const {
-    const OpenedDocument opened = openDocument(file);
+    const OpenedDocument opened = openInput(session_, file);
     Info info{
         Value{{"file", file.string()}, {"format", "blossom"}, {"features", Value::array()}, {"result", Value::object()}},
         {}};
@@ -70,7 +71,7 @@ class InfoCommand {
   Info ofPart(const std::string& text, const Progress& progress) const {
     Document document;
     std::vector<std::string> warnings;
-    const FeatureId id = addInput(session_.app, document, text, warnings);
+    const FeatureId id = addInput(session_, document, text, warnings);
     const auto result = evaluateFor(session_.app, document, id, progress);
     warnings.insert(warnings.end(), result->evaluated.warnings.begin(), result->evaluated.warnings.end());
     Info info{Value{{"file", text}}, measure(result->evaluated.shape, progress)};

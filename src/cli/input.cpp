@@ -39,9 +39,19 @@ FeatureId addLiteral(Document& document, const std::string& text) {
   return literal.id;
 }
 
-FeatureId addFromDocument(const App& app, Document& document, const fs::path& file, const std::string& wanted,
+/// Only a trial tells whether anything of a damaged document is readable.
+std::string salvageHint(const App& app, const fs::path& file) {
+  try {
+    const std::size_t count = openAny(app, file, true).document.features().size();
+    return fmt::format("With --salvage, what is readable of it is opened: {} feature{}.", count, count == 1 ? "" : "s");
+  } catch (const Error& error) {
+    return error.hint();
+  }
+}
+
+FeatureId addFromDocument(const Session& session, Document& document, const fs::path& file, const std::string& wanted,
                           std::vector<std::string>& warnings) {
-  const OpenedDocument opened = openDocument(file);
+  const OpenedDocument opened = openInput(session, file);
   warnings.insert(warnings.end(), opened.warnings.begin(), opened.warnings.end());
   const FeatureId id = wanted.empty() ? lastFeature(opened.document).id : wanted;
   if (!opened.document.contains(id)) {
@@ -53,7 +63,7 @@ FeatureId addFromDocument(const App& app, Document& document, const fs::path& fi
                              : fmt::format("Did you mean {}?", near));
   }
   FeatureId added;
-  document = withFeatureOf(app, document, opened.document, id, &added);
+  document = withFeatureOf(session.app, document, opened.document, id, &added);
   return added;
 }
 
@@ -65,17 +75,27 @@ fs::path fileOfInput(const std::string& text) {
   return fs::exists(file, ec) ? file : fs::path();
 }
 
-FeatureId addInput(const App& app, Document& document, const std::string& text, std::vector<std::string>& warnings) {
+OpenedDocument openInput(const Session& session, const fs::path& file) {
+  try {
+    return openAny(session.app, file, session.salvage);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::FormatDamaged || session.salvage || !isDocument(file)) throw;
+    throw Error(error.code(), error.message(), salvageHint(session.app, file));
+  }
+}
+
+FeatureId addInput(const Session& session, Document& document, const std::string& text, std::vector<std::string>& warnings) {
   if (text.empty()) throw UsageError("An input is empty.", "Give the name of a file or a shape such as ball:5:3.");
   const auto [file, wanted] = splitFeature(text);
   std::error_code ec;
   if (!fs::exists(file, ec)) {
-    if (isLiteral(app, text)) return addLiteral(document, text);
-    throw Error(ErrorCode::FileNotFound, fmt::format("The file {} does not exist.", file.string()), literalHint(app, text));
+    if (isLiteral(session.app, text)) return addLiteral(document, text);
+    throw Error(ErrorCode::FileNotFound, fmt::format("The file {} does not exist.", file.string()),
+                literalHint(session.app, text));
   }
-  if (isDocument(file) && !fs::is_directory(file, ec)) return addFromDocument(app, document, file, wanted, warnings);
+  if (isDocument(file) && !fs::is_directory(file, ec)) return addFromDocument(session, document, file, wanted, warnings);
   FeatureId added;
-  document = withLinked(app, document, file, &added);
+  document = withLinked(session.app, document, file, &added);
   return added;
 }
 

@@ -21,6 +21,7 @@ class RenderCommand {
     app_.add_option("FILE", files_, "Files to draw together (or model.blossom#feature).")->type_name("..")->expected(0, -1);
     app_.add_option("-o,--output", output_, "The picture.")->type_name("FILE.png");
     app_.add_flag("--light", light_, "The same as --theme light.");
+    CommandLine::addDocumentFlags(app_, session_);
     options_ = std::make_unique<ParameterFlags>(line, app_, session.app.formats->find("png")->writeOptions, "", "Picture");
     setExamples(app_,
                 {"blossom render part.step -o part.png", "blossom render propeller.json -o p.png --size 1920x1080 --light"});
@@ -32,11 +33,11 @@ class RenderCommand {
     const std::filesystem::path file = fileOfInput(text);
     if (file.string() != text) {
       Document document;
-      const FeatureId id = addInput(session_.app, document, text, warnings_);
+      const FeatureId id = addInput(session_, document, text, warnings_);
       shapes.push_back(evaluateFor(session_.app, document, id, progress)->evaluated.shape);
       return;
     }
-    const OpenedDocument opened = openAny(session_.app, file);
+    const OpenedDocument opened = openInput(session_, file);
     warnings_.insert(warnings_.end(), opened.warnings.begin(), opened.warnings.end());
     const FeatureId last = lastFeature(opened.document).id;
     Results results;

@@ -33,6 +33,7 @@ class RunCommand {
         ->type_name("[FEATURE=]FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    CommandLine::addDocumentFlags(app_, session_);
     formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Writing);
     setExamples(app_, {"blossom run model.blossom --json",
                        "blossom run model.blossom --set sweep-1.tolerance=0.01 --export sweep-1=sweep.step",
@@ -114,7 +115,9 @@ class RunCommand {
     for (const Export& each : exports) (isDocument(each.path) ? documents : shapes).push_back(each.path);
     const std::filesystem::path file = fileOfInput(file_);
     (void)plannedOutputs(*session_.app.formats, shapes, {file}, formats_.get());
-    (void)plannedOutputs(*session_.app.formats, documents, {}, nullptr);
+    // What was salvaged must not overwrite what could not be read.
+    const std::vector<std::filesystem::path> kept{session_.salvage ? file : std::filesystem::path()};
+    (void)plannedOutputs(*session_.app.formats, documents, kept, nullptr);
     std::vector<Output> outputs;
     std::vector<const Format*> used;
     for (const Export& each : exports) {
@@ -128,7 +131,7 @@ class RunCommand {
   int run() {
     if (file_.empty())
       throw UsageError("run needs a document.", "\"blossom run model.blossom\" evaluates all its features.");
-    OpenedDocument opened = openAny(session_.app, file_);
+    OpenedDocument opened = openInput(session_, file_);
     for (const std::string& setting : settings_) opened.document = withSetting(opened.document, setting);
     const auto exports = exportsFor(opened.document);
     const auto outputs = planned(exports);

@@ -25,6 +25,7 @@ struct Session {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   bool json = false;           ///< --json: one JSON object on stdout
   bool progressLines = false;  ///< --progress: plain lines also where stderr is no screen
+  bool salvage = false;        ///< --salvage: open what is readable of a damaged document
   int threads = 0;             ///< --threads; 0 leaves it to the machine
 
   [[nodiscard]] double elapsedMs() const;

@@ -59,6 +59,7 @@ class CliTest : public QObject {
   void anOutputNeverReplacesTheInput();
   void namesThatAreNotUtf8();
   void documentsAreInputsAndOutputs();
+  void salvageOpensWhatIsReadableOfADamagedDocument();
   void runSetsParametersAndExports();
   void runReportsEveryFeatureAlsoWhenOneFails();
   void aFullDeviceIsAFailure();
@@ -279,6 +280,34 @@ void CliTest::documentsAreInputsAndOutputs() {
   const Ran missing = blossom({"info", "model.blossom#none", "--json"});
   QCOMPARE(missing.code, 1);
   QCOMPARE(missing.json().at("error").at("code").get<std::string>(), std::string("NotFound"));
+}
+
+void CliTest::salvageOpensWhatIsReadableOfADamagedDocument() {
+  QCOMPARE(blossom({"import", "cube.off", "-o", "model.blossom"}).code, 0);
+  std::string bytes = blossom::readFile(file("model.blossom"));
+  bytes.resize(bytes.size() - 30);  // the directory at the end of the zip is gone
+  blossom::writeAtomically(file("cut.blossom"), bytes);
+  const std::vector<QStringList> commands{{"info", "cut.blossom"},
+                                          {"run", "cut.blossom", "-o", "a.obj"},
+                                          {"convert", "cut.blossom", "b.obj"},
+                                          {"render", "cut.blossom", "-o", "c.png"}};
+  for (const QStringList& words : commands) {
+    const Ran refused = blossom(words + QStringList{"--json"});
+    QCOMPARE(refused.code, 1);
+    const Json error = refused.json().at("error");
+    QCOMPARE(error.at("code").get<std::string>(), std::string("FormatDamaged"));
+    QVERIFY2(error.at("hint").get<std::string>().find("--salvage") != std::string::npos, refused.out.c_str());
+    const Ran opened = blossom(words + QStringList{"--salvage", "--json"});
+    QVERIFY2(opened.code == 0, (opened.out + opened.err).c_str());
+    QVERIFY2(!opened.json().at("warnings").empty(), opened.out.c_str());
+  }
+  COMPARE_NEAR(blossom({"info", "b.obj", "--json"}).json().at("result").at("volume").get<double>(), 8, 1e-12);
+  // What could not be read must stay where it is.
+  QCOMPARE(blossom({"run", "cut.blossom", "--salvage", "-o", "cut.blossom"}).code, 2);
+  QCOMPARE(blossom::readFile(file("cut.blossom")), bytes);
+  // No promise where nothing is left.
+  blossom::writeAtomically(file("rubbish.blossom"), "PK rubbish");
+  QVERIFY(blossom({"info", "rubbish.blossom"}).err.find("--salvage") == std::string::npos);
 }
 
 void CliTest::runSetsParametersAndExports() {

@@ -5,6 +5,7 @@
 #include <IGESData_IGESWriter.hxx>
 #include <IGESData_Protocol.hxx>
 #include <IGESSelect_WorkLibrary.hxx>
+#include <TopExp_Explorer.hxx>
 #include <fstream>
 
 #include "core/version.h"
@@ -42,11 +43,14 @@ bool print(IGESControl_Writer& writer, const fs::path& path) {
   return printed && stream.good();
 }
 
+/// Only B-Rep entities can hold a body; loose faces are left to the trimmed surfaces that every program reads.
+bool holdsSolid(const Brep& brep) { return TopExp_Explorer(brep.shape(), TopAbs_SOLID).More(); }
+
 void write(const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
   const Brep brep = toBrep(shape);
   const OcctSession session;
   const OcctSetting unit("write.iges.unit", "MM");
-  const OcctSetting mode("write.iges.brep.mode", options.value("brep", false) ? 1 : 0);
+  const OcctSetting mode("write.iges.brep.mode", options.value("brep", true) && holdsSolid(brep) ? 1 : 0);
   const OcctSetting product("write.iges.header.product", "Blossom");
   const OcctSetting author("write.iges.header.author", "Blossom");
   const OcctSetting company("write.iges.header.company", "");
@@ -84,8 +88,8 @@ BrepImport readIges(const std::string& path, const Progress& progress) {
 Format igesFormat() {
   ParameterSpec brep = flag();
   brep.name = "brep";
-  brep.help = "Write solids and shells as such (entities 186, 514); older programs read only trimmed surfaces.";
-  brep.fallback = false;
+  brep.help = "Write solids as solids (entity 186); off: as loose trimmed surfaces, for programs that read nothing else.";
+  brep.fallback = true;
   Format format;
   format.id = "iges";
   format.title = "IGES 5.3";

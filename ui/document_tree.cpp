@@ -59,6 +59,26 @@ void DocumentTree::toggleVisible(const FeatureId& id) {
                   (feature.visible ? tr("Show %1") : tr("Hide %1")).arg(qt(feature.name)));
 }
 
+void DocumentTree::renameCurrent() {
+  setFocus();
+  edit(currentIndex());
+}
+
+// All of them become what the first one becomes: one edit, one step of undo.
+void DocumentTree::toggleSelected() {
+  const std::vector<FeatureId> ids = selected();
+  if (ids.empty()) return;
+  if (ids.size() == 1) return toggleVisible(ids.front());
+  const bool visible = !session_.document().at(ids.front()).visible;
+  Document document = session_.document();
+  for (const FeatureId& id : ids) {
+    Feature feature = document.at(id);
+    feature.visible = visible;
+    document = document.with(feature);
+  }
+  session_.commit(std::move(document), (visible ? tr("Show %1 features") : tr("Hide %1 features")).arg(ids.size()));
+}
+
 // From the last to the first, so that users go before what they use.
 void DocumentTree::removeSelected() {
   std::vector<FeatureId> ids = selected();

@@ -18,6 +18,8 @@ class DocumentTree : public QListView {
   [[nodiscard]] FeatureId current() const;
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
   void selectLast();
+  void renameCurrent();
+  void toggleSelected();
   void toggleVisible(const FeatureId&);
   void removeSelected();
 

@@ -5,6 +5,7 @@
 
 #include "app/app.h"
 #include "core/error.h"
+#include "core/version.h"
 #include "ui/application.h"
 #include "ui/icons.h"
 #include "ui/main_window.h"
@@ -35,8 +36,18 @@ QSize parseSize(const QString& text) {
   return size;
 }
 
-Options readOptions() {
-  QCommandLineParser parser;
+struct Flags {
+  const QCommandLineOption screenshot{QStringLiteral("screenshot"),
+                                      QStringLiteral("Write a picture of the window once everything is computed."),
+                                      QStringLiteral("PNG")};
+  const QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Size of the window."),
+                                QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1440x900")};
+  const QCommandLineOption theme{
+      QStringLiteral("theme"), QStringLiteral("dark or light; otherwise as chosen in the window."), QStringLiteral("NAME")};
+  const QCommandLineOption leave{QStringLiteral("exit"), QStringLiteral("Close after the screenshot.")};
+};
+
+void setUp(QCommandLineParser& parser, const Flags& flags) {
   parser.setApplicationDescription(
       QStringLiteral("The window of Blossom, a workbench for shapes that morph, sweep, grow and melt."));
   parser.addPositionalArgument(QStringLiteral("FILE"),
@@ -44,23 +55,42 @@ Options readOptions() {
                                QStringLiteral("[FILE]"));
   parser.addHelpOption();
   parser.addVersionOption();
-  const QCommandLineOption screenshot(QStringLiteral("screenshot"),
-                                      QStringLiteral("Write a picture of the window once everything is computed."),
-                                      QStringLiteral("PNG"));
-  const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
-                                QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1440x900"));
-  const QCommandLineOption theme(
-      QStringLiteral("theme"), QStringLiteral("dark or light; otherwise as chosen in the window."), QStringLiteral("NAME"));
-  const QCommandLineOption leave(QStringLiteral("exit"), QStringLiteral("Close after the screenshot."));
-  parser.addOptions({screenshot, size, theme, leave});
+  parser.addOptions({flags.screenshot, flags.size, flags.theme, flags.leave});
+}
+
+// Help and version need no display.
+bool answeredWithoutWindow(int argc, char** argv) {
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  const auto asked = [&](const char* flag) { return arguments.contains(QLatin1String(flag)); };
+  if (!asked("-h") && !asked("--help") && !asked("--help-all") && !asked("-v") && !asked("--version")) return false;
+  QCoreApplication application(argc, argv);
+  QCoreApplication::setApplicationName(QStringLiteral("blossom-workbench"));
+  QCoreApplication::setApplicationVersion(QLatin1String(versionText));
+  QCommandLineParser parser;
+  setUp(parser, Flags());
+  parser.process(arguments);
+  return true;
+}
+
+bool displayMissing() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+    if (!qEnvironmentVariableIsEmpty(name)) return false;
+  return true;
+}
+
+Options readOptions() {
+  const Flags flags;
+  QCommandLineParser parser;
+  setUp(parser, flags);
   parser.process(*qApp);
   Options options;
   if (parser.positionalArguments().size() > 1) wrongUse(QStringLiteral("one file at a time."));
   options.file = parser.positionalArguments().value(0);
-  options.screenshot = parser.value(screenshot);
-  options.size = parseSize(parser.value(size));
-  options.exitWhenDone = parser.isSet(leave);
-  const QString named = parser.value(theme);
+  options.screenshot = parser.value(flags.screenshot);
+  options.size = parseSize(parser.value(flags.size));
+  options.exitWhenDone = parser.isSet(flags.leave);
+  const QString named = parser.value(flags.theme);
   if (named == QLatin1String("dark"))
     options.theme = ThemeChoice::Dark;
   else if (named == QLatin1String("light"))
@@ -93,6 +123,11 @@ int run() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (answeredWithoutWindow(argc, argv)) return 0;
+  if (displayMissing()) {
+    std::fprintf(stderr, "blossom-workbench: there is no display to open a window on. The command blossom needs none.\n");
+    return 1;
+  }
   prepareApplication();
   QApplication application(argc, argv);
   setUpApplication();

@@ -261,6 +261,8 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && errors_->isVisible())
     errors_->hide();
+  else if (event->key() == Qt::Key_Escape && (session_.evaluating() || session_.job().running()))
+    session_.cancel();
   else
     QMainWindow::keyPressEvent(event);
 }

@@ -72,6 +72,8 @@ class MainWindow : public QMainWindow {
   void guarded(std::function<void()> go);
   void remember(const QString& file);
   [[nodiscard]] QStringList recent() const;
+  /// Adds the extension; false when that file exists and shall stay.
+  bool completed(QString& file, const QString& extension);
 
   Session session_;
   ManipulatorRegistry manipulators_;
@@ -84,8 +86,8 @@ class MainWindow : public QMainWindow {
   StartPage* start_;
   QMenu* recentMenu_ = nullptr;
   QAction *open_ = nullptr, *import_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *export_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *delete_ = nullptr, *fit_ = nullptr, *home_ = nullptr, *parallel_ = nullptr,
-          *grid_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *delete_ = nullptr, *rename_ = nullptr, *visible_ = nullptr, *fit_ = nullptr,
+          *home_ = nullptr, *parallel_ = nullptr, *grid_ = nullptr;
   bool fitPending_ = true;
   bool closing_ = false;
 };

@@ -80,6 +80,11 @@ void MainWindow::buildEditMenu() {
   menu->addSeparator();
   delete_ = action(menu, QStringLiteral("delete"), tr("&Delete"), QKeySequence::Delete, tr("Delete the selected features."),
                    [this] { tree_->removeSelected(); });
+  rename_ = action(menu, {}, tr("Re&name"), QKeySequence(tr("F2")), tr("Give the selected feature another name."),
+                   [this] { tree_->renameCurrent(); });
+  visible_ = action(menu, QStringLiteral("eye"), tr("Show or &hide"), QKeySequence(tr("H")),
+                    tr("Show or hide the selected features."), [this] { tree_->toggleSelected(); });
+  menu->addSeparator();
   action(menu, {}, tr("Select &all"), QKeySequence::SelectAll, tr("Select every feature."), [this] { tree_->selectAll(); });
   action(menu, {}, tr("Select &nothing"), QKeySequence(tr("Ctrl+Shift+A")), tr("Select no feature."),
          [this] { tree_->clearSelection(); });
@@ -133,7 +138,7 @@ void MainWindow::buildHelpMenu() {
         tr("Mouse and keys"),
         tr("Left or middle drag: orbit. Shift+drag or right drag: pan. Wheel: zoom to the cursor. Double click or F: fit. "
            "1 to 7: front, back, left, right, top, bottom, iso. 0: home. P: parallel projection. G: grid. "
-           "In the document: Space shows or hides, F2 renames, Delete deletes."));
+           "H shows or hides what is selected, F2 renames it, Delete deletes it. Esc cancels what is being computed."));
   });
   action(menu, {}, tr("&About Blossom"), {}, tr("Version and licence."), [this] {
     errors_->showNote(
@@ -171,7 +176,8 @@ void MainWindow::refreshActions() {
   const bool something = !session_.document().features().empty();
   for (QAction* needing : {export_, saveAs_}) needing->setEnabled(something);
   save_->setEnabled(something && (session_.modified() || session_.file().empty()));
-  delete_->setEnabled(!tree_->selected().empty());
+  for (QAction* needing : {delete_, visible_}) needing->setEnabled(!tree_->selected().empty());
+  rename_->setEnabled(tree_->selected().size() == 1);
 }
 
 void MainWindow::refreshRecent() {

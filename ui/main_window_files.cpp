@@ -5,13 +5,16 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
 
 #include "ui/document_tree.h"
 #include "ui/export_dialog.h"
 #include "ui/feature_menus.h"
 #include "ui/main_window.h"
+#include "ui/start_page.h"
 #include "ui/text.h"
 
 namespace blossom::ui {
@@ -22,7 +25,11 @@ constexpr int mostRecent = 10;
 
 QString documentFilter() { return MainWindow::tr("Blossom documents (*.blossom)"); }
 
-QString lastFolder() { return QSettings().value(QStringLiteral("folder")).toString(); }
+QString lastFolder() {
+  const QString folder = QSettings().value(QStringLiteral("folder")).toString();
+  if (!folder.isEmpty() && QFileInfo(folder).isDir()) return folder;
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
 void rememberFolder(const QString& file) { QSettings().setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath()); }
 
 QStringList filesOf(const QMimeData* data) {
@@ -55,7 +62,7 @@ void MainWindow::newDocument() {
 
 void MainWindow::openFile(const QString& file) {
   guarded([this, file] {
-    rememberFolder(file);
+    if (!sampleFiles().contains(file)) rememberFolder(file);  // nobody saves beside the samples
     session_.open(file.toStdString());
   });
 }
@@ -78,6 +85,19 @@ void MainWindow::chooseAndImport() {
   session_.import(paths);
 }
 
+// The file dialog has asked about the name without the extension only.
+bool MainWindow::completed(QString& file, const QString& extension) {
+  file += extension;
+  if (!QFileInfo::exists(file)) return true;
+  QMessageBox question(this);
+  question.setText(tr("%1 already exists.").arg(QFileInfo(file).fileName()));
+  question.setInformativeText(tr("Saving replaces it."));
+  QPushButton* replace = question.addButton(tr("Replace"), QMessageBox::AcceptRole);
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  return question.clickedButton() == replace;
+}
+
 void MainWindow::save(std::function<void()> then) {
   if (session_.file().empty())
     saveAs(std::move(then));
@@ -90,7 +110,7 @@ void MainWindow::saveAs(std::function<void()> then) {
   QString file = QFileDialog::getSaveFileName(this, tr("Save as"), lastFolder() + u'/' + name + QStringLiteral(".blossom"),
                                               documentFilter());
   if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".blossom");
+  if (!isDocument(file.toStdString()) && !completed(file, QStringLiteral(".blossom"))) return;
   rememberFolder(file);
   session_.save(file.toStdString(), [this, file, then = std::move(then)] {
     remember(file);
@@ -118,7 +138,7 @@ void MainWindow::chooseAndExport() {
   QString file = QFileDialog::getSaveFileName(this, tr("Export"), lastFolder() + u'/' + name,
                                               filters.join(QStringLiteral(";;")), &chosen);
   if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += chosen.section(u'*', -1).chopped(1);
+  if (QFileInfo(file).suffix().isEmpty() && !completed(file, chosen.section(u'*', -1).chopped(1))) return;
   rememberFolder(file);
   const Format* format = session_.app().formats->find(QFileInfo(file).suffix().toStdString());
   if (!format || format->writeOptions.empty()) return session_.exportFeature(id, file.toStdString(), Value::object());

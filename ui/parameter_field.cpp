@@ -181,7 +181,7 @@ void ParameterField::offer(const Value& wanted, bool preview) {
     display(value_);
     if (changed) emit edited(value_);
   } catch (const Error& error) {
-    showProblem(qt(error.message()) + tr(" The value before is kept."));
+    showProblem(withoutName(error) + tr(" The value before is kept."));
   }
 }
 
@@ -189,7 +189,7 @@ void ParameterField::offerText(const QString& text) {
   try {
     offer(parseText(spec_, text.trimmed().toStdString()));
   } catch (const Error& error) {
-    showProblem(qt(error.message()) + tr(" The value before is kept."));
+    showProblem(withoutName(error) + tr(" The value before is kept."));
   }
 }
 

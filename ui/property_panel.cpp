@@ -25,7 +25,7 @@ QString statText(const Value& value) {
   if (value.is_structured()) {
     QStringList parts;
     for (const auto& [name, part] : value.items())
-      parts << (value.is_object() ? statText(part) + u' ' + qt(name).replace(u'_', u' ') : statText(part));
+      parts << (value.is_object() ? counted(statText(part), qt(name).replace(u'_', u' ')) : statText(part));
     return parts.join(QStringLiteral(", "));
   }
   if (value.is_boolean()) return value.get<bool>() ? PropertyPanel::tr("yes") : PropertyPanel::tr("no");
@@ -185,8 +185,10 @@ void PropertyPanel::refreshResult() {
     return std::any_of(view->measures.values.begin(), view->measures.values.end(),
                        [&](const Measure& m) { return m.name == name; });
   };
+  const auto given = [&](const std::string& name) { return field(qt(name)) != nullptr; };  // stands above already
   for (const auto& [name, value] : result.evaluated.stats.items())
-    if (!measured(name) && !value.empty()) addResult(measureLabel(name), statText(value));
+    if (!measured(name) && !given(name) && worthReading(name, value))
+      addResult(measureLabel(name), statText(value) + statUnit(name));
   addResult(tr("Time"),
             result.fromCache || result.kernelMs == 0 ? tr("from the cache") : tr("%1 ms").arg(readable(result.kernelMs, 3)));
   resultColumn_->addWidget(table);

@@ -99,7 +99,7 @@ void Session::save(const std::filesystem::path& file, std::function<void()> then
         if (edits == edits_) history_.markSaved();
         emit fileChanged();
         emit noted(tr("Saved as %1.").arg(fileName(file)));
-        then();
+        if (edits == edits_) then();  // what was edited meanwhile is not saved: nothing may be closed
       },
       file);
 }

@@ -1,10 +1,14 @@
 #pragma once
 #include <QFrame>
+#include <QHash>
 #include <QStringList>
 
+class QLabel;
 class QVBoxLayout;
 
 namespace blossom::ui {
+
+class SamplePictures;
 
 /// What an empty window offers: open a file, take a sample, go on with a recent document.
 class StartPage : public QFrame {
@@ -18,8 +22,16 @@ class StartPage : public QFrame {
   void importWanted();
   void fileChosen(const QString& file);
 
+ protected:
+  void showEvent(QShowEvent*) override;
+  void hideEvent(QHideEvent*) override;
+
  private:
-  QWidget* column(const QString& title, const QStringList& files);
+  QLayout* headings();
+  QLayout* sampleTiles();
+
+  SamplePictures* pictures_;
+  QHash<QString, QLabel*> pictureOf_;
   QVBoxLayout* recent_;
   QWidget* recentColumn_;
 };

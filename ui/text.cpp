@@ -3,6 +3,9 @@
 #include <QStringList>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace blossom::ui {
 
@@ -34,6 +37,15 @@ QString unitText(MeasureUnit unit) {
       return QStringLiteral(" s");
   }
   return {};
+}
+
+// Names of figures may end in their unit.
+const std::vector<std::pair<QString, QString>>& unitSuffixes() {
+  static const std::vector<std::pair<QString, QString>> suffixes{{QStringLiteral("_mm2"), QStringLiteral(" mm²")},
+                                                                 {QStringLiteral("_mm"), QStringLiteral(" mm")},
+                                                                 {QStringLiteral("_ms"), QStringLiteral(" ms")},
+                                                                 {QStringLiteral("_s"), QStringLiteral(" s")}};
+  return suffixes;
 }
 
 const Measure* find(const Measures& measures, std::string_view name) {
@@ -77,13 +89,41 @@ QString sentenceCase(QString text) {
 }
 
 QString measureLabel(const std::string& name) {
-  static const std::map<std::string, QString> labels{{"degree_u", QStringLiteral("Degree in u")},
-                                                     {"degree_v", QStringLiteral("Degree in v")},
-                                                     {"poles_u", QStringLiteral("Poles in u")},
-                                                     {"poles_v", QStringLiteral("Poles in v")},
-                                                     {"min_weight", QStringLiteral("Smallest weight")}};
+  static const std::map<std::string, QString> labels{
+      {"min_weight", QStringLiteral("Smallest weight")}, {"deviation", QStringLiteral("Largest deviation")},
+      {"closed_u", QStringLiteral("Closing in u")},      {"caps", QStringLiteral("Ends")},
+      {"refinements", QStringLiteral("Knots inserted")}, {"skipped", QStringLiteral("Left out")}};
   const auto it = labels.find(name);
-  return it != labels.end() ? it->second : sentenceCase(qt(name).replace(u'_', u' '));
+  if (it != labels.end()) return it->second;
+  QString words = qt(name);
+  for (const QString& axis : {QStringLiteral("u"), QStringLiteral("v")})
+    if (words.endsWith(u'_' + axis)) words = words.chopped(2) + QStringLiteral(" in ") + axis;
+  for (const auto& [suffix, unit] : unitSuffixes())
+    if (words.endsWith(suffix)) words.chop(suffix.size());
+  return sentenceCase(words.replace(u'_', u' '));
+}
+
+QString statUnit(const std::string& name) {
+  if (name == "deviation") return QStringLiteral(" mm");
+  for (const auto& [suffix, unit] : unitSuffixes())
+    if (qt(name).endsWith(suffix)) return unit;
+  return {};
+}
+
+bool worthReading(const std::string& name, const Value& value) {
+  static const std::set<std::string> technical{"min_normal"};
+  const bool nothing = (value.is_structured() && value.empty()) || value.is_null() ||
+                       (name == "refinements" && value.is_number() && value.get<double>() == 0);
+  return !nothing && !technical.contains(name);
+}
+
+QString counted(const QString& count, const QString& noun) {
+  if (count == QLatin1String("1") || noun != noun.toLower())
+    return count + u' ' + noun;  // LINE and ARC are names, not words
+  if (noun == QLatin1String("vertex")) return count + QStringLiteral(" vertices");
+  if (noun.endsWith(u'y')) return count + u' ' + noun.chopped(1) + QStringLiteral("ies");
+  const bool hissing = noun.endsWith(QLatin1String("sh")) || noun.endsWith(u'x');
+  return count + u' ' + noun + (noun.endsWith(u's') ? QString() : hissing ? QStringLiteral("es") : QStringLiteral("s"));
 }
 
 QString stateLine(const Measures& measures) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "geometry/measure.h"
+#include "parameter/value.h"
 
 namespace blossom::ui {
 
@@ -16,6 +17,12 @@ QString readable(std::int64_t value);
 QString readable(const Measure&);
 /// "Smallest weight" for "min_weight".
 QString measureLabel(const std::string& name);
+/// " mm" where the name of a figure says it.
+QString statUnit(const std::string& name);
+/// False for figures that only tell a programmer something, or that say that nothing happened.
+bool worthReading(const std::string& name, const Value&);
+/// "5 solids", "1 vertex", "84 vertices"; names in capitals stay as they are.
+QString counted(const QString& count, const QString& noun);
 /// "surface 9 × 12, 128 mm²": what the tree says under a name.
 QString stateLine(const Measures&);
 /// First letter in upper case.

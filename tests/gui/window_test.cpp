@@ -1,14 +1,19 @@
 #include <QApplication>
 #include <QComboBox>
+#include <QDragEnterEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <vtkActor.h>
 #include <vtkProp.h>
 
 #include "app/app.h"
+#include "document/storage.h"
 #include "support/support.h"
 #include "ui/application.h"
 #include "ui/document_tree.h"
@@ -77,17 +82,23 @@ class WindowTest : public QObject {
   void themesChangeCanvasAndPalette();
   void aFeatureIsAddedFromItsMenu();
   void exportedPictureIsAPicture();
+  void unsavedChangesAreAskedFor();
+  void escapeCancelsWork();
+  void droppedFilesAreOpenedOrAdded();
+  void selectedFeaturesAreHiddenByOneEdit();
   void figuresReadWell();
 
  private:
   void openPropeller();
   FeatureId sweep() const;
+  void answer(QMessageBox::StandardButton, bool& asked);
   std::unique_ptr<MainWindow> window_;
   QTemporaryDir folder_;
 };
 
 void WindowTest::initTestCase() {
   setUpApplication();
+  qputenv("XDG_CACHE_HOME", folder_.path().toLocal8Bit());
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   ThemeManager::instance().apply(ThemeChoice::Dark);
@@ -124,7 +135,7 @@ void WindowTest::openPropeller() {
 void WindowTest::anEmptyWindowOffersSamples() {
   auto* card = window_->findChild<QWidget*>(QStringLiteral("startCard"));
   QVERIFY(card && card->isVisible());
-  QVERIFY(card->findChildren<QPushButton*>(QStringLiteral("row")).size() >= 5);
+  QVERIFY(card->findChildren<QPushButton*>(QStringLiteral("tile")).size() >= 5);
   openPropeller();
   QVERIFY(!card->isVisible());
 }
@@ -372,7 +383,122 @@ void WindowTest::exportedPictureIsAPicture() {
   QVERIFY(colored(canvas(*window_), theme().color("made")) > 0.03);
 }
 
+// Answers the next question by the button given; `asked` tells that there was one.
+void WindowTest::answer(QMessageBox::StandardButton button, bool& asked) {
+  QTimer::singleShot(0, window_.get(), [this, button, &asked] {
+    auto* question = window_->findChild<QMessageBox*>();
+    asked = question != nullptr;
+    if (question) question->button(button)->click();
+  });
+}
+
+void WindowTest::unsavedChangesAreAskedFor() {
+  openPropeller();
+  window_->tree().model()->setData(window_->tree().currentIndex(), QStringLiteral("Blades"), Qt::EditRole);
+  const std::string before = toJson(window_->session().document());
+  bool asked = false;
+  answer(QMessageBox::Cancel, asked);
+  QVERIFY(!window_->close());
+  QVERIFY(asked && window_->isVisible());
+  asked = false;
+  answer(QMessageBox::Cancel, asked);
+  window_->openFile(propeller());
+  QVERIFY(asked);
+  QCOMPARE(toJson(window_->session().document()), before);
+
+  // Saved first: the file has the change, then the window closes.
+  const QString file = folder_.filePath(QStringLiteral("guarded.blossom"));
+  bool saved = false;
+  window_->session().save(file.toStdString(), [&] { saved = true; });
+  QTRY_VERIFY(saved);
+  window_->tree().model()->setData(window_->tree().currentIndex(), QStringLiteral("Four blades"), Qt::EditRole);
+  asked = false;
+  answer(QMessageBox::Save, asked);
+  window_->close();
+  QVERIFY(asked);
+  QTRY_VERIFY(!window_->isVisible());
+  QCOMPARE(openDocument(file.toStdString()).document.at(sweep()).name, std::string("Four blades"));
+}
+
+void WindowTest::escapeCancelsWork() {
+  openPropeller();
+  std::optional<Error> end;
+  bool ended = false;
+  window_->session().job().start(
+      QStringLiteral("Working"),
+      [](const Progress& progress) {
+        for (;;) progress.check();
+      },
+      [&](const std::optional<Error>& error) {
+        end = error;
+        ended = true;
+      });
+  QVERIFY(window_->session().job().running());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QTRY_VERIFY(ended);
+  QVERIFY(end && end->code() == ErrorCode::Cancelled);
+  QVERIFY(!window_->session().job().running());
+
+  // An evaluation that is cancelled leaves what was there, and the next edit computes again.
+  auto* box = window_->properties().field(QStringLiteral("mode"))->findChild<QComboBox*>();
+  QTest::keyClick(box, Qt::Key_Down);
+  window_->session().cancel();
+  QVERIFY(!window_->session().evaluating());
+  QVERIFY(window_->session().view(sweep()));
+  window_->session().undo();
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating(), 60000);
+  QVERIFY(!window_->session().view(sweep())->result->error);
+}
+
+void WindowTest::droppedFilesAreOpenedOrAdded() {
+  const auto drop = [&](const QStringList& files) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& file : files) urls << QUrl::fromLocalFile(file);
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(window_.get(), &enter);
+    if (!enter.isAccepted()) return false;
+    QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(window_.get(), &event);
+    return event.isAccepted();
+  };
+  QVERIFY(!drop({}));
+  QVERIFY(drop({propeller()}));
+  QTRY_VERIFY_WITH_TIMEOUT(!sweep().empty() && !window_->session().evaluating(), 60000);
+  const std::size_t count = window_->session().document().features().size();
+  const QString drawing = folder_.filePath(QStringLiteral("drawing.svg"));
+  QFile out(drawing);
+  QVERIFY(out.open(QIODevice::WriteOnly));
+  out.write("<svg xmlns='http://www.w3.org/2000/svg'><rect width='40' height='20'/></svg>");
+  out.close();
+  QVERIFY(drop({drawing}));
+  QTRY_COMPARE_WITH_TIMEOUT(window_->session().document().features().size(), count + 1, 60000);
+  QVERIFY(window_->session().modified());
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating(), 60000);
+  window_->session().undo();
+  QCOMPARE(window_->session().document().features().size(), count);
+}
+
+void WindowTest::selectedFeaturesAreHiddenByOneEdit() {
+  openPropeller();
+  window_->tree().selectAll();
+  QTest::keyClick(window_.get(), Qt::Key_H);
+  const auto features = window_->session().document().features();
+  QVERIFY(std::all_of(features.begin(), features.end(),
+                      [&](const auto& feature) { return feature->visible == features.front()->visible; }));
+  window_->session().undo();
+  QVERIFY(!window_->isWindowModified());
+}
+
 void WindowTest::figuresReadWell() {
+  QCOMPARE(counted(QStringLiteral("84"), QStringLiteral("vertex")), QStringLiteral("84 vertices"));
+  QCOMPARE(counted(QStringLiteral("4"), QStringLiteral("assembly")), QStringLiteral("4 assemblies"));
+  QCOMPARE(counted(QStringLiteral("1"), QStringLiteral("face")), QStringLiteral("1 face"));
+  QCOMPARE(counted(QStringLiteral("29"), QStringLiteral("LINE")), QStringLiteral("29 LINE"));
+  QCOMPARE(measureLabel("trajectory_degree_u"), QStringLiteral("Trajectory degree in u"));
+  QCOMPARE(measureLabel("length_mm") + statUnit("length_mm"), QStringLiteral("Length mm"));
+  QVERIFY(!worthReading("refinements", 0) && worthReading("refinements", 2) && !worthReading("skipped", Value::object()));
   const QString thin(QChar(0x2009));
   QCOMPARE(readable(1842.6), QStringLiteral("1") + thin + QStringLiteral("842.6"));
   QCOMPARE(readable(0.0), QStringLiteral("0"));

@@ -24,7 +24,8 @@ using Steps = std::vector<int>;
 
 struct Fineness {
   Steps u, v;
-  Steps leastU, leastV;  ///< what the angle asks for
+  Steps leastU,
+      leastV;  ///< what the angle asks for, and what keeps within the chord where the middle of a step does not tell
 };
 
 /// Steps so that the second-order error h^2 |S''| / 8 keeps within a third of the chord in each direction, and the normal
@@ -42,8 +43,9 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
   };
   const auto raise = [&](int& steps, int& least, double span, double bend, double speed) {
     const double byAngle = speed > 0 ? std::min<double>(mostByAngle, span * bend / (speed * options.angle)) : 1;
-    lift(least, std::min(byAngle, span * std::sqrt(bend / (8 * seen * options.chord))));
-    lift(steps, std::max<double>(least, span * std::sqrt(bend * 3 / (8 * options.chord))));
+    const double byBend = span * std::sqrt(bend / (8 * options.chord));
+    lift(least, std::max(byBend, std::min(byAngle, byBend / std::sqrt(seen))));
+    lift(steps, std::max<double>(least, byBend * std::sqrt(3)));
   };
   for (std::size_t a = 0; a + 1 < breaksU.size(); ++a) {
     for (std::size_t b = 0; b + 1 < breaksV.size(); ++b) {
@@ -71,23 +73,28 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
 
 class GridFitter {
  public:
-  GridFitter(const Surface& surface, const TessellationOptions& options, Kinks kinks, const Progress& progress,
-             int leastSteps)
+  GridFitter(const Surface& surface, const TessellationOptions& options, GridBorder border, const Progress& progress)
       : surface_(surface),
         options_(options),
-        kinks_(kinks),
+        border_(border),
         progress_(progress),
         breaksU_(domainBreaks(surface.degreeU, surface.knotsU)),
         breaksV_(domainBreaks(surface.degreeV, surface.knotsV)),
         fineness_(estimate(surface, breaksU_, breaksV_, options)) {
+    const int leastSteps = border == GridBorder::Shared ? 2 : 1;
     for (Steps* least : {&fineness_.leastU, &fineness_.leastV})
       if (static_cast<int>(least->size()) < leastSteps) least->front() = std::max(least->front(), leastSteps);
   }
 
   SurfaceGrid run() {
-    const Errors first = measured();
-    relax(fineness_.u, fineness_.leastU, first.u);
-    relax(fineness_.v, fineness_.leastV, first.v);
+    // The estimate is cautious: where the errors turn out small, fewer steps do. First both directions get their share of
+    // the chord, for the errors add up; then what is left of it.
+    const Errors first = measured(2);
+    relax(fineness_.u, fineness_.leastU, first.u, 0.45);
+    relax(fineness_.v, fineness_.leastV, first.v, 0.45);
+    const Errors second = measured(2);
+    relax(fineness_.u, fineness_.leastU, second.cellsU, 0.8);
+    relax(fineness_.v, fineness_.leastV, second.cellsV, 0.8);
     refineUntilWithinChord();
     return evaluated(1, GridNormals::Yes);
   }
@@ -95,70 +102,76 @@ class GridFitter {
  private:
   /// Largest error in each span of knots.
   struct Errors {
-    std::vector<double> u, v;
+    std::vector<double> u, v;            ///< by the bend in that direction
+    std::vector<double> cellsU, cellsV;  ///< of all cells in the span, whatever the reason
   };
 
   SurfaceGrid evaluated(int times, GridNormals normals) const {
-    const auto u = samples(surface_.degreeU, surface_.knotsU, breaksU_, fineness_.u, times, kinks_);
-    const auto v = samples(surface_.degreeV, surface_.knotsV, breaksV_, fineness_.v, times, kinks_);
+    const Kinks kinks = border_ == GridBorder::Own ? Kinks::Twice : Kinks::Once;
+    const auto u = samples(surface_.degreeU, surface_.knotsU, breaksU_, fineness_.u, times, kinks);
+    const auto v = samples(surface_.degreeV, surface_.knotsV, breaksV_, fineness_.v, times, kinks);
     if (u.size() * v.size() > mostPoints)
       throw Error(ErrorCode::LimitExceeded, "The surface needs too many triangles for this chord.", "Give a larger chord.");
     return evaluateGrid(surface_, u, v, progress_, normals);
   }
 
-  /// At the middles of all cells and cell sides, on a grid twice as fine.
-  Errors measured() const {
-    const SurfaceGrid fine = evaluated(2, GridNormals::No);
-    Errors errors{std::vector<double>(fineness_.u.size()), std::vector<double>(fineness_.v.size())};
-    for (std::size_t i = 0; i + 2 < fine.u.size(); ++i) {
-      if (fine.u[i].odd || !fine.connectedU(i) || !fine.connectedU(i + 1)) continue;
-      for (std::size_t j = 0; j + 2 < fine.v.size(); ++j) {
-        if (fine.v[j].odd || !fine.connectedV(j) || !fine.connectedV(j + 1)) continue;
-        double& u = errors.u[fine.u[i + 1].interval];
-        double& v = errors.v[fine.v[j + 1].interval];
-        const double sideU = std::max(sideError(fine, i, j, 2, 0), sideError(fine, i, j + 2, 2, 0));
-        const double sideV = std::max(sideError(fine, i, j, 0, 2), sideError(fine, i + 2, j, 0, 2));
-        // What the diagonal is off counts for the direction that bends more here.
-        const double inside = centerError(fine, i, j);
-        u = std::max(u, sideU >= sideV ? std::max(sideU, inside) : sideU);
-        v = std::max(v, sideV > sideU ? std::max(sideV, inside) : sideV);
-      }
+  /// At `parts` - 1 places on every side and diagonal of the cells.
+  Errors measured(int parts) const {
+    const SurfaceGrid fine = evaluated(parts, GridNormals::No);
+    const auto step = static_cast<std::size_t>(parts);
+    Errors errors{std::vector<double>(fineness_.u.size()), std::vector<double>(fineness_.v.size()), {}, {}};
+    errors.cellsU = errors.u;
+    errors.cellsV = errors.v;
+    for (std::size_t i = 0; i + step < fine.u.size(); ++i) {
+      if (fine.u[i].between || !fine.connectedU(i)) continue;
+      for (std::size_t j = 0; j + step < fine.v.size(); ++j)
+        if (!fine.v[j].between && fine.connectedV(j)) addCell(errors, fine, i, j, step);
     }
     return errors;
   }
 
-  /// The estimate is cautious: where the error turns out small, fewer steps do. The errors of both directions add up.
-  void relax(Steps& steps, const Steps& least, const std::vector<double>& errors) const {
-    constexpr double share = 0.45;
+  void addCell(Errors& errors, const SurfaceGrid& fine, std::size_t i, std::size_t j, std::size_t step) const {
+    const std::size_t spanU = fine.u[i + 1].interval, spanV = fine.v[j + 1].interval;
+    const auto at = [&](std::size_t k, std::size_t l) -> const Vec3& { return fine.point(i + k, j + l); };
+    const bool main = mainDiagonal(at(0, 0), at(step, 0), at(0, step), at(step, step));
+    const bool both = border_ == GridBorder::Shared &&
+                      (i == 0 || j == 0 || i + step + 1 == fine.u.size() || j + step + 1 == fine.v.size());
+    double sideU = 0, sideV = 0, inside = 0;
+    for (std::size_t k = 1; k < step; ++k) {
+      sideU = std::max({sideU, distanceToSegment(at(k, 0), at(0, 0), at(step, 0)),
+                        distanceToSegment(at(k, step), at(0, step), at(step, step))});
+      sideV = std::max({sideV, distanceToSegment(at(0, k), at(0, 0), at(0, step)),
+                        distanceToSegment(at(step, k), at(step, 0), at(step, step))});
+      if (main || both) inside = std::max(inside, distanceToSegment(at(k, k), at(0, 0), at(step, step)));
+      if (!main || both) inside = std::max(inside, distanceToSegment(at(k, step - k), at(0, step), at(step, 0)));
+    }
+    const auto raise = [](double& error, double by) { error = std::max(error, by); };
+    // What the diagonal is off counts for the direction that bends more here.
+    raise(errors.u[spanU], sideU >= sideV ? std::max(sideU, inside) : sideU);
+    raise(errors.v[spanV], sideV > sideU ? std::max(sideV, inside) : sideV);
+    raise(errors.cellsU[spanU], std::max({sideU, sideV, inside}));
+    raise(errors.cellsV[spanV], std::max({sideU, sideV, inside}));
+  }
+
+  void relax(Steps& steps, const Steps& least, const std::vector<double>& errors, double share) const {
     for (std::size_t k = 0; k < steps.size(); ++k) {
       const double factor = std::min(1.0, std::sqrt(errors[k] / (share * options_.chord)));
-      steps[k] = std::max(least[k], static_cast<int>(std::ceil(steps[k] * factor)));
+      steps[k] = std::max({1, least[k], static_cast<int>(std::ceil(steps[k] * factor))});
     }
   }
 
   void refineUntilWithinChord() {
     constexpr int mostRounds = 6;
     for (int round = 0; round < mostRounds; ++round) {
-      const Errors errors = measured();
+      const Errors errors = measured(4);
       const bool moreU = refine(fineness_.u, errors.u);
       const bool moreV = refine(fineness_.v, errors.v);
       if (!moreU && !moreV) return;
     }
   }
 
-  static double sideError(const SurfaceGrid& grid, std::size_t i, std::size_t j, std::size_t di, std::size_t dj) {
-    return distanceToSegment(grid.point(i + di / 2, j + dj / 2), grid.point(i, j), grid.point(i + di, j + dj));
-  }
-
-  static double centerError(const SurfaceGrid& grid, std::size_t i, std::size_t j) {
-    const Vec3 &p00 = grid.point(i, j), &p10 = grid.point(i + 2, j), &p01 = grid.point(i, j + 2),
-               &p11 = grid.point(i + 2, j + 2);
-    const Vec3& center = grid.point(i + 1, j + 1);
-    return mainDiagonal(p00, p10, p01, p11) ? distanceToSegment(center, p00, p11) : distanceToSegment(center, p10, p01);
-  }
-
   bool refine(Steps& steps, const std::vector<double>& errors) const {
-    constexpr double margin = 0.85;  // the largest error is not exactly in the middle
+    constexpr double margin = 0.85;  // the largest error is not exactly at the places measured
     bool changed = false;
     for (std::size_t k = 0; k < steps.size(); ++k) {
       if (errors[k] <= margin * options_.chord) continue;
@@ -171,7 +184,7 @@ class GridFitter {
 
   const Surface& surface_;
   const TessellationOptions& options_;
-  Kinks kinks_;
+  GridBorder border_;
   const Progress& progress_;
   std::vector<double> breaksU_, breaksV_;
   Fineness fineness_;
@@ -179,9 +192,9 @@ class GridFitter {
 
 }  // namespace
 
-SurfaceGrid fitGrid(const Surface& surface, const TessellationOptions& options, Kinks kinks, const Progress& progress,
-                    int leastSteps) {
-  return GridFitter(surface, options, kinks, progress, leastSteps).run();
+SurfaceGrid fitGrid(const Surface& surface, const TessellationOptions& options, GridBorder border,
+                    const Progress& progress) {
+  return GridFitter(surface, options, border, progress).run();
 }
 
 }  // namespace blossom

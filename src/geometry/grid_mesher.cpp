@@ -290,7 +290,7 @@ GridNormalsOf meshGridFaces(const TopTools_IndexedMapOfShape& faces, const Tesse
   for (GridFace& face : distinctGridFaces(faces)) fitted.push_back({std::move(face), {}});
   parallelFor(fitted.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
-      fitted[f].grid = fitGrid(fitted[f].face.surface, options, Kinks::Once, progress, 2);  // 2: one inner point
+      fitted[f].grid = fitGrid(fitted[f].face.surface, options, GridBorder::Shared, progress);
   });
   const EdgePoints points = edgePoints(fitted);
   GridNormalsOf normals;

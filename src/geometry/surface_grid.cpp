@@ -132,7 +132,7 @@ std::vector<GridSample> samples(int degree, const std::vector<double>& knots, co
     const bool kink = kinks == Kinks::Twice && multiplicity >= degree;
     for (int i = k == 0 || kink ? 0 : 1; i <= count; ++i) {
       const double t = i == count ? breaks[k + 1] : breaks[k] + (breaks[k + 1] - breaks[k]) * i / count;
-      result.push_back({t, span, k, times == 2 && i % 2 == 1});
+      result.push_back({t, span, k, i % times != 0});
     }
   }
   return result;

@@ -20,7 +20,7 @@ struct GridSample {
   double t = 0;
   std::size_t span = 0;      ///< knot span whose polynomial counts
   std::size_t interval = 0;  ///< index of the interval between breaks
-  bool odd = false;          ///< a middle, when intervals are halved
+  bool between = false;      ///< two steps, when `times` is more than 1
 };
 
 struct SurfaceGrid {

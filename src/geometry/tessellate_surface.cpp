@@ -76,7 +76,7 @@ class SurfaceTessellator {
 }  // namespace
 
 Tessellation tessellateSurface(const Surface& surface, const TessellationOptions& options, const Progress& progress) {
-  return SurfaceTessellator(fitGrid(surface, options, Kinks::Twice, progress)).result();
+  return SurfaceTessellator(fitGrid(surface, options, GridBorder::Own, progress)).result();
 }
 
 }  // namespace blossom

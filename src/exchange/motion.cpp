@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
@@ -9,6 +10,7 @@
 #include "core/file.h"
 #include "exchange/format.h"
 #include "geometry/motion.h"
+#include "parameter/wording.h"
 
 /// Motion files: JSON with the three factors of a two-parameter motion, as resources/manual/sweep.md describes them.
 namespace blossom {
@@ -17,6 +19,8 @@ namespace {
 
 constexpr int largestDegree = 25;
 constexpr std::size_t mostPoles = 1'000'000;
+/// 1,000 km: products of such numbers keep a meaning, and no measure of them drowns in rounding noise.
+constexpr double largestNumber = 1e9;
 
 /// A value of the file and the way to it, which every message names: "orientation.poles[3][2]".
 struct Node {
@@ -51,7 +55,7 @@ struct Node {
   [[nodiscard]] double number() const {
     if (!value.is_number()) fail("must be a number");
     const double number = value.get<double>();
-    if (!std::isfinite(number)) fail("must be a finite number");
+    if (!(std::abs(number) <= largestNumber)) fail(fmt::format("must lie between -1e9 and 1e9; it is {}", number));
     return number;
   }
   template <int N>
@@ -259,6 +263,14 @@ Motion readMotion(const Node& root, std::vector<std::string>& warnings) {
   return motion;
 }
 
+/// "in line 3, column 12": where a person finds byte `at` (counted from 1).
+std::string placeInText(const std::string& text, std::size_t at) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(at > 0 ? at - 1 : 0, text.size()));
+  const auto line = std::count(text.begin(), end, '\n') + 1;
+  const auto start = std::find(std::make_reverse_iterator(end), text.rend(), '\n').base();
+  return fmt::format("in line {}, column {}", line, end - start + 1);
+}
+
 Imported read(const std::filesystem::path& path, const Value&, const Progress& progress) {
   const std::string text = readFile(path);
   progress.check();
@@ -266,10 +278,17 @@ Imported read(const std::filesystem::path& path, const Value&, const Progress& p
   try {
     json = Value::parse(text);
   } catch (const Value::parse_error& error) {
-    throw Error(ErrorCode::FormatDamaged, fmt::format("\"{}\" is not a JSON file: it breaks off or goes wrong at byte {}.",
-                                                      path.filename().string(), error.byte));
-  } catch (const Value::exception&) {
-    throw Error(ErrorCode::FormatDamaged, fmt::format("\"{}\" holds a number that is too large.", path.filename().string()));
+    throw Error(ErrorCode::FormatDamaged, fmt::format("\"{}\" is not a JSON file: it breaks off or goes wrong {}.",
+                                                      path.filename().string(), placeInText(text, error.byte)));
+  } catch (const Value::exception& error) {
+    // "[json.exception.out_of_range.406] number overflow parsing '1e309'"
+    const std::string what = error.what();
+    const auto quote = what.find('\'');
+    throw Error(
+        ErrorCode::FormatDamaged,
+        fmt::format(
+            "\"{}\" holds a number that is too large{}.", path.filename().string(),
+            quote == std::string::npos ? "" : ": " + quoted(Value(what.substr(quote + 1, what.rfind('\'') - quote - 1)))));
   }
   progress.check();
   Imported imported;

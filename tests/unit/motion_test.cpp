@@ -163,6 +163,9 @@ class MotionTest : public QObject {
     expectError(broken([](Value& j) { j["scaling"]["knots"] = {{0, 0, 2, 2}, {0, 0, 1, 1}}; }), "scaling", "in u");
     expectError(broken([](Value& j) { j["point"] = {1, 2}; }), "point", "[x, y, z]");
     expectError(broken([](Value& j) { j["orientation"]["degree"] = 3; }), "orientation.degree", "two degrees");
+    // Sizes at which a surface could not be measured any more.
+    expectError(broken([](Value& j) { j["scaling"]["poles"][0][0][1] = 1e200; }), "scaling.poles[0][0][1]", "1e9");
+    expectError(broken([](Value& j) { j["point"][2] = -1e15; }), "point[2]", "1e9");
   }
 
   void rubbishIsNotAMotion() {
@@ -171,6 +174,23 @@ class MotionTest : public QObject {
     VERIFY_ERROR(readText(std::string(100000, '[')), ErrorCode::FormatDamaged);
     VERIFY_ERROR(readText("{\"trajectory\": {\"degree\": 1, \"knots\": [0, 0, 1e999, 1]}}"), ErrorCode::FormatDamaged);
     VERIFY_ERROR(format_.read(folder_.path() / "absent.json", Value::object(), Progress::none()), ErrorCode::FileNotFound);
+  }
+
+  void brokenTextIsNamedWithItsLine() {
+    const auto message = [this](const std::string& text) -> std::string {
+      try {
+        (void)readText(text);
+      } catch (const Error& error) {
+        return error.message();
+      }
+      return "";
+    };
+    const std::string nan = message("{\"point\": [\n  0, NaN, 1]}");
+    QVERIFY2(nan.find("line 2, column 6") != std::string::npos, nan.c_str());
+    const std::string cut = message("{\"point\": [");
+    QVERIFY2(cut.find("line 1, column 13") != std::string::npos, cut.c_str());
+    const std::string large = message("{\"point\": [1e309, 0, 0]}");
+    QVERIFY2(large.find("1e309") != std::string::npos, large.c_str());
   }
 
   void closedKnotsWithASeamOfHigherMultiplicity() {

@@ -17,6 +17,14 @@ namespace {
 
 constexpr int labelWidth = 92;
 
+// The name stands beside the field already.
+QString reason(const ParameterSpec& spec, const Error& error) {
+  QString text = qt(error.message());
+  const QString name = qt(spec.name) + QStringLiteral(": ");
+  if (text.startsWith(name)) text.remove(0, name.size());
+  return sentenceCase(text);
+}
+
 class FlagField final : public ParameterField {
  public:
   FlagField(const ParameterSpec& spec, QWidget* parent) : ParameterField(spec, parent), box_(new QCheckBox) {
@@ -181,7 +189,7 @@ void ParameterField::offer(const Value& wanted, bool preview) {
     display(value_);
     if (changed) emit edited(value_);
   } catch (const Error& error) {
-    showProblem(withoutName(error) + tr(" The value before is kept."));
+    showProblem(reason(spec_, error) + tr(" The value before is kept."));
   }
 }
 
@@ -189,7 +197,7 @@ void ParameterField::offerText(const QString& text) {
   try {
     offer(parseText(spec_, text.trimmed().toStdString()));
   } catch (const Error& error) {
-    showProblem(withoutName(error) + tr(" The value before is kept."));
+    showProblem(reason(spec_, error) + tr(" The value before is kept."));
   }
 }
 

@@ -262,6 +262,7 @@ void WindowTest::aWrongValueKeepsTheOldOneAndSaysWhy() {
   QTest::keyClicks(line, QStringLiteral("-3 mm"));
   QTest::keyClick(line, Qt::Key_Return);
   QVERIFY(!tolerance->problem().isEmpty());
+  QVERIFY2(tolerance->problem().front().isUpper() || tolerance->problem().front() == u'"', qPrintable(tolerance->problem()));
   QCOMPARE(tolerance->value(), before);
   QVERIFY(!window_->session().modified());
   line->selectAll();

@@ -108,8 +108,8 @@ int run() {
   QApplication::setWindowIcon(icon(QStringLiteral("blossom")));
   MainWindow window(loadApp());
   window.resize(options.size);
+  if (!options.file.isEmpty()) window.openFile(options.file);  // is read while the window comes up
   window.show();
-  if (!options.file.isEmpty()) window.openFile(options.file);
   if (!options.screenshot.isEmpty()) {
     auto* screenshot = new Screenshot(window, options.screenshot);
     QObject::connect(screenshot, &Screenshot::taken, qApp, [&](bool written) {

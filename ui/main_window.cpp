@@ -156,7 +156,10 @@ void MainWindow::connectSession() {
   connect(&job, &Job::progressed, this, [this](double fraction, const QString& stage) {
     status_->setWork(QStringLiteral("b"), stage.isEmpty() ? tr("Working") : stage, fraction);
   });
-  connect(&job, &Job::finished, this, [this] { status_->endWork(QStringLiteral("b")); });
+  connect(&job, &Job::finished, this, [this] {
+    status_->endWork(QStringLiteral("b"));
+    QMetaObject::invokeMethod(this, &MainWindow::refreshStart, Qt::QueuedConnection);  // when what was read is shown
+  });
   connect(status_, &StatusLine::cancelled, &session_, &Session::cancel);
 }
 
@@ -235,7 +238,7 @@ void MainWindow::fitWhenFirstShown() {
 }
 
 void MainWindow::refreshStart() {
-  const bool empty = session_.document().features().empty();
+  const bool empty = session_.document().features().empty() && !session_.job().running();
   if (empty) {
     fitPending_ = true;
     start_->setRecent(recent());

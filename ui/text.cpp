@@ -89,10 +89,13 @@ QString sentenceCase(QString text) {
 }
 
 QString measureLabel(const std::string& name) {
-  static const std::map<std::string, QString> labels{
-      {"min_weight", QStringLiteral("Smallest weight")}, {"deviation", QStringLiteral("Largest deviation")},
-      {"closed_u", QStringLiteral("Closing in u")},      {"caps", QStringLiteral("Ends")},
-      {"refinements", QStringLiteral("Knots inserted")}, {"skipped", QStringLiteral("Left out")}};
+  static const std::map<std::string, QString> labels{{"min_weight", QStringLiteral("Smallest weight")},
+                                                     {"deviation", QStringLiteral("Largest deviation")},
+                                                     {"closed_u", QStringLiteral("Closing in u")},
+                                                     {"entities", QStringLiteral("In the file")},
+                                                     {"caps", QStringLiteral("Ends")},
+                                                     {"refinements", QStringLiteral("Knots inserted")},
+                                                     {"skipped", QStringLiteral("Left out")}};
   const auto it = labels.find(name);
   if (it != labels.end()) return it->second;
   QString words = qt(name);

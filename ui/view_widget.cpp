@@ -74,6 +74,7 @@ void ViewWidget::releaseGl() {
 
 void ViewWidget::initializeGL() {
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ViewWidget::releaseGl, Qt::UniqueConnection);
+  settle_.start();
   if (!window_->InitializeFromCurrentContext()) {
     problem_ = tr("The graphics driver has no OpenGL 3.2, which the view needs.");
     for (const std::string& line : takeVtkMessages()) problem_ += QLatin1Char('\n') + QString::fromStdString(line);
@@ -151,6 +152,7 @@ void ViewWidget::setItems(const std::vector<ViewItem>& items) {
     }
     paintRole(shown);
   }
+  if (!sharp_) settle_.start();  // a shape appears at once, and smoothed a moment later
   update();
 }
 

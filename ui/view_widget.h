@@ -105,7 +105,7 @@ class ViewWidget : public QOpenGLWidget {
   bool moved_ = false;
   double scale_ = 1;  // device pixels per pixel
   double lastFrameMs_ = 0, sharpFrameMs_ = 0;
-  bool sharp_ = true;  // edges are smoothed; left out while the camera moves where that would stutter
+  bool sharp_ = false;  // edges are smoothed; left out at first, and while the camera moves where that would stutter
   QTimer settle_;
   int framesDrawn_ = 0;
   QString problem_;

@@ -96,6 +96,13 @@ int parseAndRun(CommandLine& line, Session& session, std::vector<std::string> wo
     if (!line.root.remaining(false).empty()) refuseWord(line, line.root, line.root.remaining(false));
     line.root.exit(request, session.terminal.out, session.terminal.err);
     return Done;
+  } catch (const CLI::ArgumentMismatch& error) {
+    // "--output: 1 required FILE,.. missing"
+    const std::string what = error.what();
+    const Command* command = chosenCommand(line);
+    throw UsageError(what.substr(0, what.find(':')) + " needs a value.",
+                     fmt::format("\"blossom {}--help\" lists the flags and what they take.",
+                                 command ? command->app->get_name() + " " : ""));
   } catch (const CLI::ParseError& error) {
     const Command* command = chosenCommand(line);
     throw UsageError(error.what(), command ? fmt::format("\"blossom {} --help\" lists its flags.", command->app->get_name())

@@ -1,6 +1,7 @@
 #include "cli/command_line.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "core/version.h"
 
@@ -11,11 +12,26 @@ namespace {
 std::string withoutLast(const std::string& name) { return name.substr(0, name.rfind('.') + 1); }
 std::string lastWord(const std::string& name) { return name.substr(name.rfind('.') + 1); }
 
+constexpr std::size_t helpColumn = 34, widestHelp = 110;
+
+/// Long help goes on below its beginning; lines of another form stay as they are.
+std::string wrapped(std::string line) {
+  if (line.size() <= helpColumn || line.substr(0, 2) != "  " || line[helpColumn - 1] != ' ') return line;
+  std::string text;
+  while (line.size() > widestHelp) {
+    const std::size_t space = line.rfind(' ', widestHelp);
+    if (space == std::string::npos || space <= helpColumn) break;
+    text += line.substr(0, space) + '\n';
+    line = std::string(helpColumn, ' ') + line.substr(space + 1);
+  }
+  return text + line;
+}
+
 /// CLI11 repeats "TEXT" for every option and joins help in one long line; this keeps two calm columns.
 class HelpFormatter final : public CLI::Formatter {
  public:
   HelpFormatter() {
-    column_width(34);
+    column_width(helpColumn);
     label("OPTIONS", "flags");
     label("SUBCOMMAND", "COMMAND");
   }
@@ -30,6 +46,13 @@ class HelpFormatter final : public CLI::Formatter {
   }
   std::string make_option_opts(const CLI::Option* option) const override {
     return option->get_type_size() == 0 || option->get_type_name().empty() ? "" : " " + option->get_type_name();
+  }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::istringstream lines(CLI::Formatter::make_help(app, std::move(name), mode));
+    std::string text, line;
+    for (bool wasEmpty = false; std::getline(lines, line); wasEmpty = line.empty())
+      if (!line.empty() || !wasEmpty) text += wrapped(line) + '\n';
+    return text;
   }
   std::string make_usage(const CLI::App* app, std::string name) const override {
     return "Usage: " + CLI::Formatter::make_usage(app, std::move(name)).erase(0, std::string("Usage: ").size());

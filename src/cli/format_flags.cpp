@@ -46,7 +46,7 @@ Value FormatFlags::given(const Format& format, const std::vector<ParameterSpec>&
     try {
       values["chord"] = parseText(*chord, chord_->results().back());
     } catch (const Error& error) {
-      throw UsageError("--chord: " + error.message(), error.hint());
+      throw UsageError(namingFlag("--chord", chord->name, error.message()), error.hint());
     }
   }
   for (const Entry& entry : entries_) {

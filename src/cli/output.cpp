@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "parameter/wording.h"
+
 namespace blossom {
 namespace fs = std::filesystem;
 namespace {
@@ -73,11 +75,11 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
 void refuseKind(const Output& output, const Shape& shape) {
   const auto& kinds = output.format->writes;
   if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return;
-  std::string known;
-  for (const ShapeKind kind : kinds) known += (known.empty() ? "" : ", ") + std::string(shapeKindName(kind));
+  std::vector<std::string> known;
+  for (const ShapeKind kind : kinds) known.emplace_back(shapeKindName(kind));
   throw Error(ErrorCode::OutputNotSupported,
               fmt::format("{} files cannot hold a shape of kind {}.", output.format->title, shapeKindName(shape.kind())),
-              fmt::format("They hold {}.", known));
+              fmt::format("They can hold: {}.", enumerated(known, "or")));
 }
 
 }  // namespace

@@ -8,6 +8,8 @@ namespace {
 std::string helpText(const ParameterSpec& spec) {
   std::string text = spec.help;
   if (spec.kind == ParameterKind::Flag) return spec.fallback == Value(true) ? text + " [on]" : text;
+  if (spec.kind == ParameterKind::Choice && !spec.fallback.is_null())  // the words stand in front of it
+    return fmt::format("{} (default {})", text, formatText(spec, spec.fallback));
   text += " (" + describe(spec);
   if (spec.fallback.is_null()) return text + (spec.mayBeAbsent ? ")" : "; must be given)");
   const std::string fallback = formatText(spec, spec.fallback);
@@ -26,6 +28,11 @@ std::string textOf(const ParameterSpec& spec, const CLI::Option& option) {
 }
 
 }  // namespace
+
+std::string namingFlag(const std::string& flag, const std::string& parameter, const std::string& message) {
+  if (message.starts_with(parameter)) return flag + message.substr(parameter.size());
+  return flag + ": " + message;
+}
 
 std::string placeholder(const ParameterSpec& spec) {
   switch (spec.kind) {
@@ -93,7 +100,7 @@ Value ParameterFlags::given() const {
     } catch (const UsageError&) {
       throw;
     } catch (const Error& error) {
-      throw UsageError(fmt::format("{}: {}", options_[i]->get_name(), error.message()), error.hint(), error.code());
+      throw UsageError(namingFlag(options_[i]->get_name(), specs_[i].name, error.message()), error.hint(), error.code());
     }
   }
   return values;

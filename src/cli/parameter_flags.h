@@ -25,6 +25,9 @@ class ParameterFlags {
   std::vector<CLI::Option*> options_;
 };
 
+/// A message about a parameter as one about its flag: "tolerance must be above 0" becomes "--tolerance must be above 0".
+std::string namingFlag(const std::string& flag, const std::string& parameter, const std::string& message);
+
 /// "number from 0 to 1": one word in capitals for the column of flags.
 std::string placeholder(const ParameterSpec&);
 

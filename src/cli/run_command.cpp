@@ -41,15 +41,23 @@ class RunCommand {
   }
 
  private:
+  /// By its id, else its name, else the command or the id of its type where only one feature is of that type.
   const Feature& featureNamed(const Document& document, const std::string& name) const {
     const Feature* byName = nullptr;
+    std::vector<const Feature*> ofType;
     std::vector<std::string> known;
     for (const auto& each : document.features()) {
       if (each->id == name) return *each;
       if (each->name == name) byName = each.get();
+      const auto type = session_.app.registry->find(each->type);
+      if (each->type == name || (type && type->command == name)) ofType.push_back(each.get());
       known.push_back(each->id);
     }
     if (byName) return *byName;
+    if (ofType.size() == 1) return *ofType.front();
+    if (ofType.size() > 1)
+      throw UsageError(fmt::format("The document has {} features of the type {}.", ofType.size(), name),
+                       fmt::format("Name one of them, such as {}.", ofType.front()->id), ErrorCode::NotFound);
     const std::string near = nearestName(name, known);
     throw UsageError(
         fmt::format("The document has no feature \"{}\".", name),
@@ -77,7 +85,7 @@ class RunCommand {
       changed.parameters[name] = parseText(*spec, text.substr(equals + 1));
       (void)completed(type->parameters, changed.parameters);
     } catch (const Error& error) {
-      throw UsageError(fmt::format("--set {}: {}", text.substr(0, equals), error.message()), error.hint(), error.code());
+      throw UsageError(namingFlag("--set " + text.substr(0, equals), name, error.message()), error.hint(), error.code());
     }
     return document.with(std::move(changed));
   }

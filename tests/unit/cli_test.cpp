@@ -112,11 +112,11 @@ void CliTest::wrongUseEndsWithTwoAndNamesTheNearestWord_data() {
   QTest::newRow("no input") << QStringList{"info"} << "needs a file";
   QTest::newRow("too many inputs") << QStringList{"import", "cube.off", "--file", "cube.off"} << "takes one file";
   QTest::newRow("convert without output") << QStringList{"convert", "cube.off"} << "file to write";
-  QTest::newRow("value missing") << QStringList{"import", "--file"} << "--file";
+  QTest::newRow("value missing") << QStringList{"import", "--file"} << "--file needs a value";
   QTest::newRow("parameter missing") << QStringList{"import"} << "file";
   QTest::newRow("empty input") << QStringList{"info", ""} << "empty";
   QTest::newRow("empty output") << QStringList{"convert", "cube.off", ""} << "empty";
-  QTest::newRow("option out of range") << QStringList{"convert", "cube.off", "c.stl", "--chord", "-1"} << "--chord";
+  QTest::newRow("option out of range") << QStringList{"convert", "cube.off", "c.stl", "--chord", "-1"} << "--chord must be";
   QTest::newRow("option of no file") << QStringList{"convert", "cube.off", "c.obj", "--stl.ascii"} << "--stl.ascii";
   QTest::newRow("unknown shell") << QStringList{"completion", "tcsh"} << "bash";
   QTest::newRow("huge number") << QStringList{"render", "cube.off", "-o", "c.png", "--size", "1e999x1"} << "size";
@@ -324,6 +324,9 @@ void CliTest::runSetsParametersAndExports() {
   QVERIFY2(ran.code == 0, (ran.out + ran.err).c_str());
   COMPARE_NEAR(ran.json().at("features").at(0).at("result").at("volume").get<double>(), 64, 1e-9);
   COMPARE_NEAR(blossom({"info", "larger.obj", "--json"}).json().at("result").at("volume").get<double>(), 64, 1e-9);
+  const Ran byType = blossom({"run", "model.blossom", "--set", "import.file=larger.off", "--json"});
+  QVERIFY2(byType.code == 0, (byType.out + byType.err).c_str());
+  COMPARE_NEAR(byType.json().at("features").at(0).at("result").at("volume").get<double>(), 64, 1e-9);
   QVERIFY(QFile::remove(folder_->path() + "/larger.off"));
   COMPARE_NEAR(blossom({"info", "larger.blossom", "--json"}).json().at("result").at("volume").get<double>(), 64, 1e-9);
   for (const QString& wrong : {id + ".fiel=a.off", QString("other.file=a.off"), QString("file"), QString("=")}) {

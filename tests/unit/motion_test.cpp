@@ -188,7 +188,7 @@ class MotionTest : public QObject {
     const std::string nan = message("{\"point\": [\n  0, NaN, 1]}");
     QVERIFY2(nan.find("line 2, column 6") != std::string::npos, nan.c_str());
     const std::string cut = message("{\"point\": [");
-    QVERIFY2(cut.find("line 1, column 13") != std::string::npos, cut.c_str());
+    QVERIFY2(cut.find("line 1, column 12") != std::string::npos, cut.c_str());
     const std::string large = message("{\"point\": [1e309, 0, 0]}");
     QVERIFY2(large.find("1e309") != std::string::npos, large.c_str());
   }

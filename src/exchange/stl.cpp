@@ -43,7 +43,9 @@ class FacetSink {
 
   Imported take(std::string name) {
     std::vector<std::string> warnings;
-    if (flat_ > 0) warnings.push_back(fmt::format("{} facets have two equal corners and no area.", flat_));
+    if (flat_ > 0)
+      warnings.push_back(fmt::format("{} two equal corners and no area.",
+                                     flat_ == 1 ? "1 facet has" : fmt::format("{} facets have", flat_)));
     mesh_.name = std::move(name);
     const std::size_t facets = mesh_.faceCount();
     Imported imported = importedMesh(std::move(mesh_), std::move(warnings));

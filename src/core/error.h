@@ -11,20 +11,20 @@ enum class ErrorCode {
   InvalidParameter,  ///< a value is outside its range or has the wrong form
   InvalidInput,      ///< the geometry given cannot be used here
   FileNotFound,
-  FileUnreadable,    ///< exists, but cannot be opened or read
+  FileUnreadable,  ///< exists, but cannot be opened or read
   FileUnwritable,
-  FormatUnknown,     ///< no reader or writer for this extension or content
-  FormatDamaged,     ///< truncated, or against the rules of its format
-  FormatTooNew,      ///< written by a later version of Blossom
-  LimitExceeded,     ///< larger than what can be handled
-  Degenerate,        ///< the geometry collapses: zero length, zero weight, vanishing quaternion
-  NotFound,          ///< a feature, a command or a sub-shape of that name does not exist
-  InUse,             ///< cannot be removed while others need it
-  CycleFound,        ///< a feature would depend on itself
+  FormatUnknown,  ///< no reader or writer for this extension or content
+  FormatDamaged,  ///< truncated, or against the rules of its format
+  FormatTooNew,   ///< written by a later version of Blossom
+  LimitExceeded,  ///< larger than what can be handled
+  Degenerate,     ///< the geometry collapses: zero length, zero weight, vanishing quaternion
+  NotFound,       ///< a feature, a command or a sub-shape of that name does not exist
+  InUse,          ///< cannot be removed while others need it
+  CycleFound,     ///< a feature would depend on itself
   PluginBroken,
-  WorkerDied,        ///< the child process crashed or was ended by hand
-  OutputNotSupported,///< this kind of shape cannot be written in that format
-  Internal           ///< a broken promise inside Blossom; always a defect
+  WorkerDied,          ///< the child process crashed or was ended by hand
+  OutputNotSupported,  ///< this kind of shape cannot be written in that format
+  Internal             ///< a broken promise inside Blossom; always a defect
 };
 
 std::string_view errorCodeName(ErrorCode) noexcept;

@@ -46,16 +46,21 @@ fs::path temporaryBeside(const fs::path& target) {
 std::string readFile(const fs::path& path) {
   std::error_code ec;
   const auto status = fs::status(path, ec);
-  if (!fs::exists(status)) throw Error(ErrorCode::FileNotFound, fmt::format("The file {} does not exist.", path.string()), "Check the name and the folder.");
+  if (!fs::exists(status))
+    throw Error(ErrorCode::FileNotFound, fmt::format("The file {} does not exist.", path.string()),
+                "Check the name and the folder.");
   if (!fs::is_regular_file(status))
-    throw Error(ErrorCode::FileUnreadable, fmt::format("{} is not a file.", path.string()), "Give a file, not a folder or a device.");
+    throw Error(ErrorCode::FileUnreadable, fmt::format("{} is not a file.", path.string()),
+                "Give a file, not a folder or a device.");
   const auto size = fs::file_size(path, ec);
   if (!ec && size > largestFile)
-    throw Error(ErrorCode::LimitExceeded, fmt::format("The file {} has {} MB; the limit is {} MB.", path.string(), size >> 20, largestFile >> 20));
+    throw Error(ErrorCode::LimitExceeded,
+                fmt::format("The file {} has {} MB; the limit is {} MB.", path.string(), size >> 20, largestFile >> 20));
   std::ifstream in(path, std::ios::binary);
   std::string content(static_cast<std::size_t>(ec ? 0 : size), '\0');
   if (!in || !in.read(content.data(), static_cast<std::streamsize>(content.size())))
-    throw Error(ErrorCode::FileUnreadable, fmt::format("The file {} cannot be read: {}.", path.string(), std::strerror(errno)));
+    throw Error(ErrorCode::FileUnreadable,
+                fmt::format("The file {} cannot be read: {}.", path.string(), std::strerror(errno)));
   return content;
 }
 

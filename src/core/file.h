@@ -14,10 +14,11 @@ inline constexpr std::uintmax_t largestFile = 2ull << 30;
 /// @throws Error FileNotFound, FileUnreadable (also for a folder), LimitExceeded.
 std::string readFile(const std::filesystem::path&);
 
-/// Lets `write` fill a temporary file beside `target`, syncs it to the disk and renames it over `target`: after a crash or an
-/// exception the old file is still whole. The temporary file is removed when `write` throws.
+/// Lets `write` fill a temporary file beside `target`, syncs it to the disk and renames it over `target`: after a crash or
+/// an exception the old file is still whole. The temporary file is removed when `write` throws.
 /// @throws Error FileUnwritable; whatever `write` throws.
-void writeAtomically(const std::filesystem::path& target, const std::function<void(const std::filesystem::path& temporary)>& write);
+void writeAtomically(const std::filesystem::path& target,
+                     const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// The same for content at hand.
 void writeAtomically(const std::filesystem::path& target, std::string_view content);

@@ -77,7 +77,8 @@ std::optional<Quantity> parseQuantity(std::string_view text) {
 }
 
 [[noreturn]] void notUnderstood(std::string_view text, std::string_view what, std::string_view examples) {
-  throw Error(ErrorCode::InvalidParameter, fmt::format("\"{}\" is not {}.", text, what), fmt::format("Write for example {}.", examples));
+  throw Error(ErrorCode::InvalidParameter, fmt::format("\"{}\" is not {}.", text, what),
+              fmt::format("Write for example {}.", examples));
 }
 
 }  // namespace

@@ -11,7 +11,8 @@
 
 namespace blossom {
 
-/// What a reader gives. `entities` counts what the file holds by type of entity ("LINE": 4, "face": 6), `skipped` what was left out.
+/// What a reader gives. `entities` counts what the file holds by type of entity ("LINE": 4, "face": 6), `skipped` what was
+/// left out.
 struct Imported {
   Shape shape;
   Value entities = Value::object();
@@ -29,9 +30,9 @@ struct Format {
   std::vector<std::string> extensions;  ///< lower case, without dot, preferred first
   std::vector<ParameterSpec> readOptions;
   std::vector<ParameterSpec> writeOptions;
-  Read read;                            ///< empty: cannot be read
-  Write write;                          ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
-  std::vector<ShapeKind> writes;        ///< kinds the writer takes; for the message when another comes
+  Read read;                      ///< empty: cannot be read
+  Write write;                    ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
+  std::vector<ShapeKind> writes;  ///< kinds the writer takes; for the message when another comes
 };
 
 class FormatRegistry {
@@ -49,13 +50,16 @@ class FormatRegistry {
 FormatRegistry standardFormats();
 
 /// Reads a file by its extension. Options are completed from their defaults.
-/// @throws Error FileNotFound, FileUnreadable, FormatUnknown, FormatDamaged, LimitExceeded, WorkerDied, Cancelled. A file whose
-/// content is of another format than its extension says is FormatDamaged with a hint that names the format it looks like.
-Imported readShape(const FormatRegistry&, const std::filesystem::path&, const Value& options = Value::object(), const Progress& = Progress::none());
+/// @throws Error FileNotFound, FileUnreadable, FormatUnknown, FormatDamaged, LimitExceeded, WorkerDied, Cancelled. A file
+/// whose content is of another format than its extension says is FormatDamaged with a hint that names the format it looks
+/// like.
+Imported readShape(const FormatRegistry&, const std::filesystem::path&, const Value& options = Value::object(),
+                   const Progress& = Progress::none());
 
 /// Writes a shape by the extension of the path, atomically: nothing half-written remains after an error.
 /// @throws Error FormatUnknown, OutputNotSupported, FileUnwritable, Cancelled.
-void writeShape(const FormatRegistry&, const Shape&, const std::filesystem::path&, const Value& options = Value::object(), const Progress& = Progress::none());
+void writeShape(const FormatRegistry&, const Shape&, const std::filesystem::path&, const Value& options = Value::object(),
+                const Progress& = Progress::none());
 
 /// Name of the format that the first bytes of a file look like; empty when unknown.
 std::string sniffFormat(std::string_view head);

@@ -10,7 +10,8 @@
 
 namespace blossom {
 
-/// Sharpness of an edge or a vertex of a subdivision cage (OpenSubdiv's `t crease` and `t corner` tags). 10 and more is infinitely sharp.
+/// Sharpness of an edge or a vertex of a subdivision cage (OpenSubdiv's `t crease` and `t corner` tags). 10 and more is
+/// infinitely sharp.
 struct Crease {
   int from = 0, to = 0;  ///< vertex indices
   double sharpness = 0;
@@ -22,8 +23,8 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// Polygons over shared points. Face f has the vertices faceVertices[faceStarts[f] .. faceStarts[f+1]), counter-clockwise seen
-/// from outside.
+/// Polygons over shared points. Face f has the vertices faceVertices[faceStarts[f] .. faceStarts[f+1]), counter-clockwise
+/// seen from outside.
 struct Mesh {
   std::vector<Vec3> points;
   std::vector<int> faceStarts{0};  ///< faceCount() + 1 entries
@@ -36,8 +37,8 @@ struct Mesh {
 
   [[nodiscard]] std::size_t faceCount() const { return faceStarts.size() - 1; }
   [[nodiscard]] std::span<const int> face(std::size_t f) const {
-    return std::span(faceVertices).subspan(static_cast<std::size_t>(faceStarts[f]),
-                                           static_cast<std::size_t>(faceStarts[f + 1] - faceStarts[f]));
+    return std::span(faceVertices)
+        .subspan(static_cast<std::size_t>(faceStarts[f]), static_cast<std::size_t>(faceStarts[f + 1] - faceStarts[f]));
   }
   void addFace(std::span<const int> vertices) {
     faceVertices.insert(faceVertices.end(), vertices.begin(), vertices.end());

@@ -26,7 +26,8 @@ TopoDS_Face toFace(const Surface&);
 TopoDS_Shape toFaces(const Region&);
 /// Wires in z = 0, one per path.
 TopoDS_Shape toWires(const Curves&);
-/// Edges and wires of a shape that lie in a plane z = const, as planar curves; lines, circles and B-splines stay what they are.
+/// Edges and wires of a shape that lie in a plane z = const, as planar curves; lines, circles and B-splines stay what they
+/// are.
 Curves planarCurves(const TopoDS_Shape&);
 /// A face per triangle or planar polygon, sewn; a solid when the mesh is closed.
 TopoDS_Shape toShape(const Mesh&);

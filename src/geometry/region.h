@@ -37,7 +37,7 @@ using Segment = std::variant<Line2, Arc2, Spline2>;
 struct Path {
   std::vector<Segment> segments;
   bool closed = false;
-  std::string layer;           ///< layer or group of the file it came from
+  std::string layer;  ///< layer or group of the file it came from
   std::optional<Color> color;
   friend bool operator==(const Path&, const Path&) = default;
 };

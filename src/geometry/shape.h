@@ -30,7 +30,9 @@ class Shape {
   template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, Shape>>>
   Shape(T value) : value_(std::make_shared<const Value>(std::move(value))) {}
 
-  [[nodiscard]] ShapeKind kind() const noexcept { return value_ ? static_cast<ShapeKind>(value_->index()) : ShapeKind::None; }
+  [[nodiscard]] ShapeKind kind() const noexcept {
+    return value_ ? static_cast<ShapeKind>(value_->index()) : ShapeKind::None;
+  }
   [[nodiscard]] bool empty() const noexcept { return kind() == ShapeKind::None; }
   /// nullptr when it is of another kind.
   template <class T>

@@ -20,8 +20,12 @@ struct Surface {
   [[nodiscard]] std::size_t countV() const { return knotsV.size() - static_cast<std::size_t>(degreeV) - 1; }
   [[nodiscard]] const Vec4& pole(std::size_t i, std::size_t j) const { return poles[i * countV() + j]; }
   [[nodiscard]] Vec4& pole(std::size_t i, std::size_t j) { return poles[i * countV() + j]; }
-  [[nodiscard]] std::pair<double, double> domainU() const { return {knotsU[static_cast<std::size_t>(degreeU)], knotsU[countU()]}; }
-  [[nodiscard]] std::pair<double, double> domainV() const { return {knotsV[static_cast<std::size_t>(degreeV)], knotsV[countV()]}; }
+  [[nodiscard]] std::pair<double, double> domainU() const {
+    return {knotsU[static_cast<std::size_t>(degreeU)], knotsU[countU()]};
+  }
+  [[nodiscard]] std::pair<double, double> domainV() const {
+    return {knotsV[static_cast<std::size_t>(degreeV)], knotsV[countV()]};
+  }
   friend bool operator==(const Surface&, const Surface&) = default;
 };
 

@@ -11,7 +11,8 @@ namespace blossom {
 
 struct TessellationOptions {
   double chord = 0.05;  ///< mm, largest distance between the shape and its polygons; 0: 1/1000 of the shape's diagonal
-  double angle = 0.3;   ///< radians, largest turn of the normal from vertex to vertex; turns far below the chord may exceed it
+  double angle =
+      0.3;  ///< radians, largest turn of the normal from vertex to vertex; turns far below the chord may exceed it
 };
 
 /// Triangles, lines and points that stand for a shape on the screen or in a mesh file.

@@ -20,8 +20,7 @@ constexpr std::size_t mostMessages = 200;
 class MemoryLog final : public vtkOutputWindow {
  public:
   static MemoryLog* New();
-  vtkTypeMacro(MemoryLog, vtkOutputWindow)
-  void DisplayText(const char* text) override {
+  vtkTypeMacro(MemoryLog, vtkOutputWindow) void DisplayText(const char* text) override {
     const std::scoped_lock lock(guard);
     if (messages.size() < mostMessages) messages.emplace_back(text);
   }

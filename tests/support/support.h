@@ -9,24 +9,28 @@
 #include "core/error.h"
 
 /// |actual - expected| <= tolerance, with the three numbers in the message.
-#define COMPARE_NEAR(actual, expected, tolerance)                                                                        \
-  do {                                                                                                                    \
-    const double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);                                    \
-    QVERIFY2(std::abs(actual_ - expected_) <= tolerance_,                                                                 \
-             qPrintable(QString("%1 = %2, expected %3 +- %4").arg(#actual).arg(actual_, 0, 'g', 17).arg(expected_, 0, 'g', 17).arg(tolerance_))); \
+#define COMPARE_NEAR(actual, expected, tolerance)                                                          \
+  do {                                                                                                     \
+    const double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);                     \
+    QVERIFY2(std::abs(actual_ - expected_) <= tolerance_, qPrintable(QString("%1 = %2, expected %3 +- %4") \
+                                                                         .arg(#actual)                     \
+                                                                         .arg(actual_, 0, 'g', 17)         \
+                                                                         .arg(expected_, 0, 'g', 17)       \
+                                                                         .arg(tolerance_)));               \
   } while (false)
 
 /// The expression throws blossom::Error with this code.
-#define VERIFY_ERROR(expression, wanted)                                                                    \
-  do {                                                                                                      \
-    bool thrown_ = false;                                                                                   \
-    try {                                                                                                   \
-      (void)(expression);                                                                                   \
-    } catch (const blossom::Error& error_) {                                                                \
-      thrown_ = true;                                                                                       \
-      QVERIFY2(error_.code() == (wanted), (std::string(blossom::errorCodeName(error_.code())) + ": " + error_.message()).c_str()); \
-    }                                                                                                       \
-    QVERIFY2(thrown_, #expression " did not throw");                                                        \
+#define VERIFY_ERROR(expression, wanted)                                                                \
+  do {                                                                                                  \
+    bool thrown_ = false;                                                                               \
+    try {                                                                                               \
+      (void)(expression);                                                                               \
+    } catch (const blossom::Error& error_) {                                                            \
+      thrown_ = true;                                                                                   \
+      QVERIFY2(error_.code() == (wanted),                                                               \
+               (std::string(blossom::errorCodeName(error_.code())) + ": " + error_.message()).c_str()); \
+    }                                                                                                   \
+    QVERIFY2(thrown_, #expression " did not throw");                                                    \
   } while (false)
 
 namespace blossom::test {

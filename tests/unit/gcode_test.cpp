@@ -2,7 +2,6 @@
 
 #include <numbers>
 
-
 #include "exchange/format.h"
 #include "geometry/planar.h"
 #include "support/support.h"

@@ -1,3 +1,6 @@
+#include <netdb.h>
+#include <unistd.h>
+
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_Check.hxx>
@@ -51,6 +54,15 @@ const char* schemaSetting(const std::string& schema) {
   return schema == "ap242" ? "AP242DIS" : "AP214IS";
 }
 
+/// An AP 203 file names who made it and on which machine. OCCT 7.6 looks the machine's own name up for that and crashes when
+/// it has no address (OSD_Host::InternetAddress), so this asks first.
+void requireHostAddress() {
+  char name[256] = {};
+  if (::gethostname(name, sizeof name - 1) == 0 && ::gethostbyname(name)) return;
+  throw Error(ErrorCode::OutputNotSupported, "AP 203 cannot be written here: this computer's own name has no address.",
+              "Write AP 214 or AP 242, or add the computer's name to /etc/hosts.");
+}
+
 /// `path` is temporary when this is written, so the file is named after its content.
 void fillHeader(STEPControl_Writer& writer, const Brep& brep) {
   const auto text = [](const std::string& value) { return new TCollection_HAsciiString(value.c_str()); };
@@ -78,6 +90,7 @@ bool print(STEPControl_Writer& writer, const fs::path& path) {
 
 void write(const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
   const Brep brep = toBrep(shape);
+  if (options.value("schema", "ap214") == "ap203") requireHostAddress();
   const OcctSession session;
   const OcctSetting unit("write.step.unit", "MM");
   const OcctSetting schema("write.step.schema", schemaSetting(options.value("schema", "ap214")));

@@ -127,10 +127,6 @@ class CadFormatsTest : public QObject {
     return path;
   }
 
-  static void needData() {
-    if (!test::fs::exists(test::sharedData())) QSKIP("the folder of shared data is not there");
-  }
-
   static void addFiles(std::initializer_list<std::pair<const char*, double>> files) {
     QTest::addColumn<QString>("file");
     QTest::addColumn<double>("tolerance");
@@ -160,7 +156,7 @@ class CadFormatsTest : public QObject {
               {"wing.brep", 0}});
   }
   void holdsWhatTheTextSays() {
-    needData();
+    NEED_SHARED_DATA();
     QFETCH(QString, file);
     const test::fs::path path = data(qPrintable(file));
     const Imported imported = readShape(formats_, path);
@@ -189,7 +185,7 @@ class CadFormatsTest : public QObject {
               {"wing.brep", 1e-9}});
   }
   void conversionToStepKeepsAll() {
-    needData();
+    NEED_SHARED_DATA();
     QFETCH(QString, file);
     QFETCH(double, tolerance);
     const Imported before = readShape(formats_, data(qPrintable(file)));
@@ -205,7 +201,7 @@ class CadFormatsTest : public QObject {
   }
 
   void assembliesKeepTheirStructure() {
-    needData();
+    NEED_SHARED_DATA();
     const Imported as1 = readShape(formats_, data("as1-oc-214.stp"));
     const std::vector<std::string> lines = describe(as1.shape);
     QCOMPARE(lines.size(), std::size_t{28});  // 27 uses of parts and the root
@@ -217,7 +213,7 @@ class CadFormatsTest : public QObject {
   }
 
   void igesKeepsFacesAndColours() {
-    needData();
+    NEED_SHARED_DATA();
     for (const char* file : {"io1-cm-214.stp", "wavy-cube.stp", "TAIL_TURBINE.stp"})
       for (const bool asBrep : {false, true}) {
         const Imported before = readShape(formats_, data(file));
@@ -289,7 +285,7 @@ class CadFormatsTest : public QObject {
   }
 
   void killingTheReaderIsAnError() {
-    needData();
+    NEED_SHARED_DATA();
     const Progress killer({}, [](double, const std::string&) {
       for (const pid_t child : childProcesses()) ::kill(child, SIGKILL);
     });
@@ -304,7 +300,7 @@ class CadFormatsTest : public QObject {
   }
 
   void cancelWhileReadingLeavesNoProcess() {
-    needData();
+    NEED_SHARED_DATA();
     const CancelToken token;
     const Progress canceller(token, [&](double, const std::string&) { token.cancel(); });
     VERIFY_ERROR(readShape(formats_, data("linkrods.step"), Value::object(), canceller), ErrorCode::Cancelled);
@@ -312,7 +308,7 @@ class CadFormatsTest : public QObject {
   }
 
   void progressIsReported() {
-    needData();
+    NEED_SHARED_DATA();
     std::vector<double> seen;
     readShape(formats_, data("as1-oc-214.stp"), Value::object(),
               Progress({}, [&](double fraction, const std::string&) { seen.push_back(fraction); }));

@@ -1,4 +1,5 @@
 // What Blossom writes as STEP, IGES and BREP, read again with OCCT's plain readers, which share no code with the writers.
+#include <netdb.h>
 #include <unistd.h>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -166,6 +167,12 @@ class StepRoundtripTest : public QObject {
     QVERIFY2(worst <= tolerance, qPrintable(QString::number(worst)));
   }
 
+  /// OCCT's AP 203 writer needs it; Blossom says so instead of crashing.
+  static bool hostHasAddress() {
+    char name[256] = {};
+    return ::gethostname(name, sizeof name - 1) == 0 && ::gethostbyname(name);
+  }
+
  private slots:
   void initTestCase() { qputenv("BLOSSOM_WORKER", (test::buildFolder() / "bin/blossom-worker").c_str()); }
 
@@ -269,6 +276,10 @@ class StepRoundtripTest : public QObject {
     for (const auto& [schema, wanted] : {std::pair{"ap203", "CONFIG_CONTROL_DESIGN"},
                                          {"ap214", "AUTOMOTIVE_DESIGN"},
                                          {"ap242", "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING"}}) {
+      if (std::string(schema) == "ap203" && !hostHasAddress()) {
+        VERIFY_ERROR(write(box, "header.step", {{"schema", schema}}), ErrorCode::OutputNotSupported);
+        continue;
+      }
       const std::string text = contentOf(write(box, "header.step", {{"schema", schema}}));
       const std::string header = text.substr(0, text.find("DATA;"));
       QVERIFY2(header.find(wanted) != std::string::npos, header.c_str());

@@ -19,6 +19,11 @@
                                                                          .arg(tolerance_)));               \
   } while (false)
 
+/// Skips the test function when the folder of shared data is not there. A macro: QSKIP only leaves the function it stands
+/// in.
+#define NEED_SHARED_DATA() \
+  if (!std::filesystem::exists(blossom::test::sharedData())) QSKIP("the folder of shared data is not there")
+
 /// The expression throws blossom::Error with this code.
 #define VERIFY_ERROR(expression, wanted)                                                                \
   do {                                                                                                  \

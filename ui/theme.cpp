@@ -19,7 +19,7 @@ namespace blossom::ui {
 class IconFiles {
  public:
   QString file(const QString& name, const Theme& theme) {
-    const QString path = folder_.filePath(QStringLiteral("%1-%2.svg").arg(name, theme.name.toLower()));
+    QString path = folder_.filePath(QStringLiteral("%1-%2.svg").arg(name, theme.name.toLower()));
     if (!QFile::exists(path)) {
       QFile out(path);
       if (!out.open(QIODevice::WriteOnly))

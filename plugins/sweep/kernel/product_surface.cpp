@@ -41,10 +41,10 @@ Surface multiply(const Motion& motion) {
                                       {twice(x, y, 1, w, z), sum(ww, xx, -1, yy, 1, zz, -1), twice(y, z, -1, w, x)},
                                       {twice(x, z, -1, w, y), twice(y, z, 1, w, x), sum(ww, xx, -1, yy, -1, zz, 1)}};
   const PatchPolynomial dsw = product(sum(ww, xx, 1, yy, 1, zz, 1), sw);
+  const PatchPolynomial* const scales[3] = {&sx, &sy, &sz};
   const auto coordinate = [&](std::size_t k) {
     // Components of p that are zero take no part.
     PatchPolynomial turned(dsw.patches(), dsw.degreeU(), dsw.degreeV());
-    const PatchPolynomial* scales[3] = {&sx, &sy, &sz};
     for (std::size_t c = 0; c < 3; ++c)
       if (const double p = motion.point[static_cast<Eigen::Index>(c)]; p != 0) turned.addProduct(rows[k][c], *scales[c], p);
     PatchPolynomial result = product(t[3], turned);

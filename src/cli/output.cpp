@@ -76,6 +76,7 @@ void refuseKind(const Output& output, const Shape& shape) {
   const auto& kinds = output.format->writes;
   if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return;
   std::vector<std::string> known;
+  known.reserve(kinds.size());
   for (const ShapeKind kind : kinds) known.emplace_back(shapeKindName(kind));
   throw Error(ErrorCode::OutputNotSupported,
               fmt::format("{} files cannot hold a shape of kind {}.", output.format->title, shapeKindName(shape.kind())),

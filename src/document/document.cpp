@@ -128,17 +128,21 @@ Document Document::moved(const FeatureId& id, std::size_t place) const {
   if (place >= features_.size())
     throw Error(ErrorCode::InvalidInput, fmt::format("There is no place {} among {} features.", place, features_.size()));
   Document result = *this;
-  const Pointer feature = *found;
-  result.features_.erase(result.features_.begin() + (found - features_.begin()));
-  result.features_.insert(result.features_.begin() + static_cast<std::ptrdiff_t>(place), feature);
+  const auto from = result.features_.begin() + (found - features_.begin());
+  const auto to = result.features_.begin() + static_cast<std::ptrdiff_t>(place);
+  if (from < to)
+    std::rotate(from, from + 1, to + 1);
+  else
+    std::rotate(to, from, from + 1);
+  const Feature& feature = *result.features_[place];
   for (std::size_t i = 0; i < result.features_.size(); ++i) {
     const Feature& other = *result.features_[i];
-    if (i > place && takes(*feature, other.id))
+    if (i > place && takes(feature, other.id))
       throw Error(ErrorCode::InvalidInput,
-                  fmt::format("\"{}\" cannot stand before its input \"{}\".", shownName(*feature), shownName(other)));
+                  fmt::format("\"{}\" cannot stand before its input \"{}\".", shownName(feature), shownName(other)));
     if (i < place && takes(other, id))
       throw Error(ErrorCode::InvalidInput,
-                  fmt::format("\"{}\" cannot stand after \"{}\", which uses it.", shownName(*feature), shownName(other)));
+                  fmt::format("\"{}\" cannot stand after \"{}\", which uses it.", shownName(feature), shownName(other)));
   }
   return result;
 }

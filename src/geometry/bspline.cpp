@@ -14,7 +14,7 @@ namespace {
 /// The non-zero basis functions of one direction at one parameter, with derivatives up to `Order`.
 template <int Order>
 struct Basis {
-  std::array<double, (Order + 1) * (kMaximumDegree + 1)> values;
+  std::array<double, static_cast<std::size_t>(Order + 1) * (kMaximumDegree + 1)> values;
   std::size_t first;  ///< the pole of the first one
   std::size_t width;
 

@@ -66,7 +66,7 @@ void basisDerivatives(int degree, std::span<const double> knots, std::size_t spa
   fillTriangle(triangle, degree, knots, span, t);
   const auto& n = triangle.value;
   const int p = degree, width = degree + 1;
-  std::fill(out.begin(), out.begin() + (order + 1) * width, 0.0);
+  std::fill(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(order + 1) * width, 0.0);
   for (int j = 0; j <= p; ++j) out[j] = n[j][p];
 
   std::array<Row, 2> a;

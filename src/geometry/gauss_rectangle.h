@@ -29,7 +29,7 @@ TwoIntegrals gaussSum(const F& f, const Rectangle& r, std::size_t n) {
 template <class F>
 TwoIntegrals integrate(const F& f, const Rectangle& r, const TwoIntegrals& absolute, int depth = 7) {
   const TwoIntegrals coarse = gaussSum(f, r, 10);
-  const TwoIntegrals fine = gaussSum(f, r, 14);
+  TwoIntegrals fine = gaussSum(f, r, 14);
   if (depth == 0 || ((fine - coarse).abs() <= absolute).all()) return fine;
   const double u = (r.u0 + r.u1) / 2;
   const double v = (r.v0 + r.v1) / 2;

@@ -85,7 +85,7 @@ class GridFaceMesher {
   /// Stores triangles and polygons in the face and its edges.
   Handle(Poly_Triangulation) store() const {
     const BRep_Builder builder;
-    const Handle(Poly_Triangulation) mesh = triangulation();
+    Handle(Poly_Triangulation) mesh = triangulation();
     builder.UpdateFace(fitted_.face.face, mesh);
     TopLoc_Location location;
     BRep_Tool::Triangulation(fitted_.face.face, location);
@@ -159,6 +159,7 @@ class GridFaceMesher {
     for (const SideEdge& edge : fitted_.face.side(side)) {
       const std::vector<double>& points = points_.at(edge.edge.TShape().get());
       std::vector<double> here;
+      here.reserve(points.size());
       for (const double t : points) here.push_back(edge.onSide(t));
       here.front() = edge.from;
       here.back() = edge.to;
@@ -222,7 +223,7 @@ class GridFaceMesher {
   }
 
   [[nodiscard]] Handle(Poly_Triangulation) triangulation() const {
-    const Handle(Poly_Triangulation) mesh =
+    Handle(Poly_Triangulation) mesh =
         new Poly_Triangulation(static_cast<int>(nodes_.size()), static_cast<int>(triangles_.size()), Standard_True);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       mesh->SetNode(static_cast<int>(i) + 1, gp_Pnt(nodes_[i].x(), nodes_[i].y(), nodes_[i].z()));
@@ -258,7 +259,7 @@ class GridFaceMesher {
       nodes.SetValue(k + 1, borders_[static_cast<std::size_t>(side)].nodes[place] + 1);
       parameters.SetValue(k + 1, points[static_cast<std::size_t>(k)]);
     }
-    const Handle(Poly_PolygonOnTriangulation) result = new Poly_PolygonOnTriangulation(nodes, parameters);
+    Handle(Poly_PolygonOnTriangulation) result = new Poly_PolygonOnTriangulation(nodes, parameters);
     result->Deflection(0);
     return result;
   }

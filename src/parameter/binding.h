@@ -17,7 +17,20 @@ struct FileValue {
   friend bool operator==(const FileValue&, const FileValue&) = default;
 };
 
-/// Between the members of a parameter struct and canonical values. Enums go by the index of their name in `choices`.
+/// A face, edge or vertex of an input, as a SubShape parameter names it.
+struct SubShapeValue {
+  std::string input;  ///< name of the input spec that it belongs to
+  int index = -1;     ///< see geometry/sub_shape.h; -1: none
+  friend bool operator==(const SubShapeValue&, const SubShapeValue&) = default;
+};
+
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+
+/// Between the members of a parameter struct and canonical values. Enums go by the index of their name in `choices`, lists
+/// by vectors; a record is bound to a member of type Value.
 template <class T>
 void fromValue(const ParameterSpec& spec, const Value& value, T& out) {
   if constexpr (std::is_enum_v<T>) {
@@ -28,6 +41,14 @@ void fromValue(const ParameterSpec& spec, const Value& value, T& out) {
   } else if constexpr (std::is_same_v<T, FileValue>) {
     out.path = value.value("path", std::string());
     out.asset = value.value("asset", std::string());
+  } else if constexpr (std::is_same_v<T, SubShapeValue>) {
+    out.input = value.value("input", std::string());
+    out.index = value.value("index", -1);
+  } else if constexpr (std::is_same_v<T, Value>) {
+    out = value;
+  } else if constexpr (IsVector<T>::value) {
+    out.clear();
+    for (const Value& item : value) fromValue(spec.fields.at(0), item, out.emplace_back());
   } else {
     out = value.get<T>();
   }
@@ -42,6 +63,13 @@ Value toValue(const ParameterSpec& spec, const T& member) {
   } else if constexpr (std::is_same_v<T, FileValue>) {
     return member.path.empty() && member.asset.empty() ? Value()
                                                        : Value{{"path", member.path.string()}, {"asset", member.asset}};
+  } else if constexpr (std::is_same_v<T, SubShapeValue>) {
+    return member.index < 0 ? Value()
+                            : Value{{"input", member.input}, {"kind", spec.choices.at(0)}, {"index", member.index}};
+  } else if constexpr (IsVector<T>::value) {
+    Value items = Value::array();
+    for (const auto& item : member) items.push_back(toValue(spec.fields.at(0), item));
+    return items;
   } else {
     return member;
   }

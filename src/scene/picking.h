@@ -1,0 +1,54 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/vector.h"
+#include "scene/scene.h"
+
+namespace blossom {
+
+/// A half line; `direction` has unit length.
+struct Ray {
+  Vec3 origin = Vec3::Zero();
+  Vec3 direction = Vec3::UnitZ();
+};
+
+/// The plane `normal . x = offset`; what lies on the side the normal points to is cut away.
+struct CutPlane {
+  Vec3 normal = Vec3::UnitX();  ///< unit length
+  double offset = 0;            ///< mm
+};
+
+enum class SubShapeKind { Whole, Face, Edge, Vertex };
+
+/// A part of a shape that was met by a ray. `index` counts as sub-shape parameters do: see geometry/sub_shape.h.
+struct SubPick {
+  SubShapeKind kind = SubShapeKind::Whole;
+  int index = -1;
+  Vec3 point = Vec3::Zero();  ///< on the shape
+  Vec3 normal = Vec3::UnitZ();   ///< of the face that was met, else towards the eye
+  double distance = 0;           ///< along the ray
+};
+
+struct PickOptions {
+  double tolerance = 0;         ///< mm at distance 0 within which edges and vertices are met
+  double tolerancePerMm = 0;    ///< growth of the tolerance along the ray (perspective)
+  bool faces = true, edges = true, vertices = true;
+  std::optional<CutPlane> cut;  ///< parts cut away are not met
+};
+
+/// Finds what a ray meets first in one drawn shape. Built once per shape, O(n log n); a pick costs O(log n). Vertices win over
+/// edges and edges over faces when they lie within the tolerance and are not hidden by a nearer face. Thread-safe once built.
+class PickIndex {
+ public:
+  explicit PickIndex(const SceneData&);
+  ~PickIndex();
+  [[nodiscard]] std::optional<SubPick> pick(const Ray&, const PickOptions&) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<const Tree> tree_;
+};
+
+}  // namespace blossom

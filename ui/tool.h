@@ -1,0 +1,91 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <QObject>
+#include <QPointF>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+#include "document/evaluator.h"
+#include "scene/picking.h"
+#include "scene/scene.h"
+
+class QKeyEvent;
+class vtkProp;
+
+namespace blossom::ui {
+
+/// A feature, or one face, edge or vertex of it, under the mouse.
+struct Pick {
+  FeatureId feature;  ///< empty: nothing is there
+  SubPick part;       ///< kind Whole when the feature was met but no part of it can be named
+};
+
+/// The mouse as a tool sees it.
+struct ToolEvent {
+  QPointF at;  ///< logical pixels from the upper left of the view
+  Ray ray;     ///< under the cursor, into the scene
+  Pick pick;   ///< the nearest thing under the cursor
+  Qt::MouseButton button = Qt::NoButton;
+  Qt::KeyboardModifiers modifiers;
+  double millimetresPerPixel = 1;  ///< at the camera's target
+};
+
+/// What a tool may ask of the workbench and do to the document.
+class ToolHost {
+ public:
+  virtual ~ToolHost() = default;
+  [[nodiscard]] virtual const Document& document() const = 0;
+  /// Newest result of a feature; nullptr while there is none.
+  [[nodiscard]] virtual std::shared_ptr<const FeatureResult> result(const FeatureId&) const = 0;
+  [[nodiscard]] virtual const Registry& registry() const = 0;
+  [[nodiscard]] virtual const Look& look() const = 0;
+  /// Spacing of the ground grid as it is drawn now, in mm.
+  [[nodiscard]] virtual double gridSpacing() const = 0;
+  [[nodiscard]] virtual std::vector<FeatureId> selection() const = 0;
+  virtual void select(const FeatureId&) = 0;
+  /// Shows a document without remembering it; ended by the next commit or by endPreview.
+  virtual void preview(Document) = 0;
+  virtual void endPreview() = 0;
+  /// One step of undo.
+  virtual void commit(Document, const QString& what) = 0;
+};
+
+/// One interaction in the view, a state machine that ends in a commit or takes everything back. While it is active it gets
+/// mouse and keys first; what it does not take moves the camera as always. Lives in the window's thread.
+class Tool : public QObject {
+  Q_OBJECT
+ public:
+  explicit Tool(ToolHost& host) : host_(host) {}
+
+  /// What the mouse would do now, for the status line.
+  [[nodiscard]] virtual QString hint() const = 0;
+  /// Each returns whether the event was taken.
+  virtual bool press(const ToolEvent&) { return false; }
+  virtual bool move(const ToolEvent&) { return false; }  ///< also without a button
+  virtual bool release(const ToolEvent&) { return false; }
+  virtual bool doubleClick(const ToolEvent&) { return false; }
+  virtual bool key(const QKeyEvent&) { return false; }  ///< Esc not taken ends the tool
+  /// Drawn over the scene, never picked. Asked for after every `changed`.
+  [[nodiscard]] virtual std::vector<vtkSmartPointer<vtkProp>> props() const { return {}; }
+  /// The document changed under the tool (undo, a new result). A tool whose feature is gone should emit finished().
+  virtual void documentChanged() {}
+  /// Called when the tool is ended from outside (Esc, another tool): takes back what is only previewed.
+  virtual void revert() {}
+
+ signals:
+  void changed();   ///< props or hint
+  void finished();  ///< the tool has committed or given up and wants to be removed
+
+ protected:
+  [[nodiscard]] ToolHost& host() const { return host_; }
+
+ private:
+  ToolHost& host_;
+};
+
+}  // namespace blossom::ui

@@ -1,4 +1,4 @@
-# blossom_plugin(ID): a plugin made of plugin.json, kernel/*.cpp, features.cpp and manipulators/*.cpp in the current folder.
+# blossom_plugin(ID): a plugin made of plugin.json, kernel/*.cpp, *.cpp (the feature types) and manipulators/*.cpp in the current folder.
 # The kernel is a static library of its own, so that tests and benchmarks can link it without the plugin.
 function(blossom_plugin id)
   file(GLOB kernel_sources CONFIGURE_DEPENDS kernel/*.cpp)
@@ -6,7 +6,8 @@ function(blossom_plugin id)
   target_include_directories(blossom_${id}_kernel PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(blossom_${id}_kernel PUBLIC Blossom::geometry PRIVATE Blossom::flags)
 
-  add_library(blossom_${id} MODULE features.cpp)
+  file(GLOB feature_sources CONFIGURE_DEPENDS *.cpp)
+  add_library(blossom_${id} MODULE ${feature_sources})
   target_link_libraries(blossom_${id} PRIVATE blossom_${id}_kernel Blossom::feature fmt::fmt Blossom::flags)
   set(modules blossom_${id})
 

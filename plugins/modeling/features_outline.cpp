@@ -1,0 +1,7 @@
+#include "features.h"
+
+namespace blossom::modeling {
+
+void registerOutlines(Registry&) {}
+
+}  // namespace blossom::modeling

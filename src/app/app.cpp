@@ -82,7 +82,7 @@ fs::path resourceFolder() {
   std::error_code ec;
   if (const char* given = std::getenv("BLOSSOM_RESOURCES"); given && *given) return given;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec);
-  const fs::path installed = program.parent_path().parent_path() / "share/blossom";
+  fs::path installed = program.parent_path().parent_path() / "share/blossom";
   if (fs::is_directory(installed / "samples", ec)) return installed;
   for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
     if (fs::is_directory(folder / "resources/samples", ec)) return folder / "resources";

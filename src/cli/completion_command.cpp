@@ -69,7 +69,7 @@ complete -o default -o bashdefault -F _blossom blossom
 }
 
 /// zsh's _arguments gives brackets and colons a meaning.
-std::string zshText(std::string text) {
+std::string zshText(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';

@@ -100,6 +100,7 @@ class FeatureCommand {
     auto planned =
         plannedOutputs(*session_.app.formats, outputPaths(*session_.app.formats, outputs_), files, formats_.get());
     std::vector<const Format*> used;
+    used.reserve(planned.size());
     for (const Output& output : planned) used.push_back(output.format);
     formats_->refuseUnused(used);
     return planned;

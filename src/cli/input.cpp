@@ -114,7 +114,7 @@ std::shared_ptr<const FeatureResult> evaluateFor(const App& app, const Document&
   if (found == results.end())
     throw Error(ErrorCode::InvalidInput, fmt::format("The feature \"{}\" is suppressed.", wanted),
                 "Choose another feature.");
-  const auto result = found->second;
+  auto result = found->second;
   if (result->error) throw Error(rootCause(document, results, wanted));
   if (all) *all = std::move(results);
   return result;

@@ -16,6 +16,7 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 
 std::vector<std::string> flagsOf(const std::string& id, const std::vector<ParameterSpec>& specs) {
   std::vector<std::string> flags;
+  flags.reserve(specs.size());
   for (const ParameterSpec& spec : specs) flags.push_back("--" + id + "." + spec.name);
   return flags;
 }

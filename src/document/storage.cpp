@@ -48,8 +48,8 @@ std::set<std::string> namedAssets(const Document& document) {
 
 /// Hashes under the key "asset", as file parameters have them.
 void visitFiles(const Value& value, const std::function<void(const std::string& hash)>& visit) {
-  if (value.is_object() && value.contains("asset") && value.at("asset").is_string() && value.at("asset") != "")
-    visit(value.at("asset").get<std::string>());
+  if (value.is_object() && value.contains("asset") && value.at("asset").is_string())
+    if (const auto& hash = value.at("asset").get_ref<const std::string&>(); !hash.empty()) visit(hash);
   if (value.is_structured())
     for (const Value& item : value) visitFiles(item, visit);
 }

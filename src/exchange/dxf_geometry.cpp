@@ -10,7 +10,8 @@ namespace {
 /// Colours 10 to 249 are 24 hues in five brightnesses, each full and pale.
 Color hueColor(int index) {
   static constexpr std::array<double, 5> brightness{1, 0.65, 0.5, 0.3, 0.15};
-  const double hue = (index / 10 - 1) * 0.25;  // sixths of the circle
+  const int hueNumber = index / 10 - 1;
+  const double hue = hueNumber * 0.25;  // sixths of the circle
   const double value = brightness[static_cast<std::size_t>(index % 10 / 2)], saturation = index % 2 == 0 ? 1 : 0.5;
   const auto channel = [&](double offset) {
     const double k = std::fmod(offset + hue, 6);

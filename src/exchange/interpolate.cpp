@@ -81,8 +81,8 @@ std::vector<Vec2> periodicTangents(const std::vector<Vec2>& p, const std::vector
 
 }  // namespace
 
-std::optional<Spline2> interpolated(std::span<const Vec2> points, bool closed, std::optional<Vec2> startTangent,
-                                    std::optional<Vec2> endTangent) {
+std::optional<Spline2> interpolated(std::span<const Vec2> points, bool closed, const std::optional<Vec2>& startTangent,
+                                    const std::optional<Vec2>& endTangent) {
   std::vector<Vec2> p = distinct(points, closed);
   if (p.size() < 2) return {};
   if (p.size() < 3) closed = false;

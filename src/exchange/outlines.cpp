@@ -108,7 +108,7 @@ Imported readCases(const std::string& text, const Progress& progress) {
     const bool open = part == "SUBJECTS_OPEN";
     if (part != "SUBJECTS" && part != "CLIPS" && !open) damaged(lineNumber, "numbers outside of SUBJECTS and CLIPS");
     if (numbers->size() % 2 != 0 || numbers->size() < 4) damaged(lineNumber, "a polygon is not made of pairs x,y");
-    drawing.paths.push_back(polygonOf(*numbers, !open, caption + " " + part));
+    drawing.paths.push_back(polygonOf(*numbers, !open, fmt::format("{} {}", caption, part)));
   }
   if (drawing.paths.empty()) damaged(lineNumber, "the file holds no polygon");
   imported.entities["case"] = cases;

@@ -19,7 +19,7 @@ constexpr double turn = 2 * std::numbers::pi;
 constexpr double largestCoordinate = 1e12;
 
 Vec2 checkedPoint(const Geom::Point& p) {
-  const Vec2 point(p.x(), p.y());
+  Vec2 point(p.x(), p.y());
   if (!point.allFinite() || point.cwiseAbs().maxCoeff() > largestCoordinate)
     throw Error(ErrorCode::FormatDamaged, "A path has a coordinate that is not a number or too large.");
   return point;

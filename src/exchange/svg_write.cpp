@@ -161,7 +161,7 @@ class PathWriter {
     axes.col(0) = (corner - 0.5 * (start + end)) * w / (sine * sine);
     axes.col(1) = (end - start) / (2 * sine);
     const Eigen::JacobiSVD<Eigen::Matrix2d> svd(axes, Eigen::ComputeFullU);
-    const Vec2 radii = svd.singularValues();
+    const Vec2& radii = svd.singularValues();
     if (!(radii.y() > 1e-9 * radii.x())) return false;
     const double rotation = -std::atan2(svd.matrixU()(1, 0), svd.matrixU()(0, 0)) * 180 / std::numbers::pi;
     out_ += fmt::format("A{},{} {} 0 {} {}", formatNumber(radii.x()), formatNumber(radii.y()), formatNumber(rotation),

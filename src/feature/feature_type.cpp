@@ -24,7 +24,7 @@ bool accepts(const InputSpec& spec, const Shape& shape) {
 
 /// "a mesh", "curves", "nothing".
 std::string withArticle(ShapeKind kind) {
-  const std::string name(shapeKindName(kind));
+  std::string name(shapeKindName(kind));
   if (kind == ShapeKind::None || kind == ShapeKind::Curves) return name;
   return "a " + name;
 }

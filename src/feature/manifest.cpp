@@ -24,13 +24,13 @@ class ManifestReader {
     if (found == json_.end() && !required) return {};
     if (found == json_.end()) broken(file_, fmt::format("the key \"{}\" is missing", key));
     if (!found->is_string()) broken(file_, fmt::format("\"{}\" must be a text", key));
-    if (required && *found == "") broken(file_, fmt::format("\"{}\" is empty", key));
+    if (required && found->get_ref<const std::string&>().empty()) broken(file_, fmt::format("\"{}\" is empty", key));
     return found->get<std::string>();
   }
 
   /// The plugin's name: it is the first half of its feature ids and the name of its folder.
   std::string id() const {
-    const std::string id = text("id");
+    std::string id = text("id");
     const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_'; };
     if (!std::all_of(id.begin(), id.end(), allowed))
       broken(file_, fmt::format("the id \"{}\" may only have lower-case letters, digits, - and _", id));
@@ -47,7 +47,7 @@ class ManifestReader {
 
   /// A file beside the manifest: a manifest must not reach for modules elsewhere.
   std::string module(const char* key, bool required) const {
-    const std::string name = text(key, required);
+    std::string name = text(key, required);
     if (!name.empty() && (fs::path(name).filename() != name || name == "." || name == ".."))
       broken(file_, fmt::format("\"{}\" must name a file in the plugin's own folder; it is \"{}\"", key, name));
     return name;

@@ -137,7 +137,7 @@ class ShapeMesher {
     parameters.Angle = options_.angle;
     parameters.InParallel = Standard_True;
     const Handle(OcctProgress) indicator = new OcctProgress(progress_, "Meshing");
-    BRepMesh_IncrementalMesh(shape_, parameters, indicator->Start());
+    const BRepMesh_IncrementalMesh mesher(shape_, parameters, indicator->Start());
     progress_.check();
   }
 

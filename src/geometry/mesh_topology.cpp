@@ -47,7 +47,7 @@ std::vector<MeshEdge> edgesOf(const std::vector<HalfEdge>& halfEdges) {
     if (edges.empty() || edges.back().low != half.low || edges.back().high != half.high)
       edges.push_back({half.low, half.high});
     MeshEdge& edge = edges.back();
-    const auto place = static_cast<std::size_t>(edge.forward + edge.backward);
+    const auto place = static_cast<std::size_t>(edge.forward) + static_cast<std::size_t>(edge.backward);
     if (place < 2) {
       edge.faces[place] = half.face;
       edge.corners[place] = half.corner;

@@ -158,7 +158,7 @@ Surface fromOcct(const Handle(Geom_BSplineSurface) & given) {
                  fullKnots(surface->UKnots(), surface->UMultiplicities()),
                  fullKnots(surface->VKnots(), surface->VMultiplicities()),
                  {}};
-  result.poles.reserve(static_cast<std::size_t>(surface->NbUPoles() * surface->NbVPoles()));
+  result.poles.reserve(static_cast<std::size_t>(surface->NbUPoles()) * static_cast<std::size_t>(surface->NbVPoles()));
   for (int i = 1; i <= surface->NbUPoles(); ++i)
     for (int j = 1; j <= surface->NbVPoles(); ++j)
       result.poles.push_back(homogeneous(surface->Pole(i, j), surface->Weight(i, j)));

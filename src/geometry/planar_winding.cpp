@@ -135,7 +135,7 @@ Vec2 interiorPoint(const Path& path) {
     for (int attempt = 0; attempt < 4 && chord > 0; ++attempt, chord /= 16) {
       const std::vector<Vec2> polygon = flatten(path, chord);
       if (polygon.size() < 2 || !(extent(polygon) > 0)) continue;
-      const Vec2 candidate = interiorPoint(polygon);
+      Vec2 candidate = interiorPoint(polygon);
       if (windingNumber(path, candidate) != 0) return candidate;
     }
   }

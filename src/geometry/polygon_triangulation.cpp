@@ -70,12 +70,12 @@ class EarClipper {
   }
 
   bool isEar(std::size_t place) const {
-    const auto [ia, ib, ic] = corner(place);
-    const Vec2 &a = at(ia), &b = at(ib), &c = at(ic);
+    const auto ears = corner(place);
+    const Vec2 &a = at(ears[0]), &b = at(ears[1]), &c = at(ears[2]);
     if (turn(a, b, c) <= 0) return false;
     return std::none_of(left_.begin(), left_.end(), [&](int i) {
       const Vec2& p = at(i);
-      if (i == ia || i == ib || i == ic || p == a || p == b || p == c) return false;
+      if (i == ears[0] || i == ears[1] || i == ears[2] || p == a || p == b || p == c) return false;
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     });
   }

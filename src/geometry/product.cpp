@@ -33,8 +33,8 @@ void requireSameDomain(std::span<const ProductFactor> factors) {
 
 /// Distinct knots of all factors, those within rounding of each other (or of an end) merged.
 std::vector<double> commonBreaks(std::span<const ProductFactor> factors) {
-  const auto [from, to] = domainOf(factors[0].degree, factors[0].knots);
-  const double tolerance = kSameKnot * (to - from);
+  const auto domain = domainOf(factors[0].degree, factors[0].knots);
+  const double from = domain.first, to = domain.second, tolerance = kSameKnot * (to - from);
   std::vector<double> inner;
   for (const ProductFactor& factor : factors)
     std::copy_if(factor.knots.begin(), factor.knots.end(), std::back_inserter(inner),

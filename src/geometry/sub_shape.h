@@ -11,6 +11,8 @@
 /// path); vertex k is the start of segment k; the only face is 0. Of a mesh: face k is polygon k, vertex k is vertex k.
 namespace blossom {
 
+enum class SubShapeKind { Whole, Face, Edge, Vertex };
+
 /// @throws Error NotFound saying how many there are: "The shape has 12 edges; edge 13 is not among them."
 TopoDS_Face faceOf(const Brep&, int index);
 TopoDS_Edge edgeOf(const Brep&, int index);

@@ -41,7 +41,7 @@ Vec3 normalNear(const Surface& surface, double u, double v) {
   const auto [v0, v1] = surface.domainV();
   for (const double step : {1e-5, 1e-3, 1e-2}) {
     const SurfaceFrame inside = frame(surface, u + step * ((u0 + u1) / 2 - u), v + step * ((v0 + v1) / 2 - v));
-    const Vec3 normal = unitNormal(inside.du, inside.dv);
+    Vec3 normal = unitNormal(inside.du, inside.dv);
     if (normal.norm() > 0.5) return normal;
   }
   return {0, 0, 1};
@@ -140,6 +140,7 @@ std::vector<GridSample> samples(int degree, const std::vector<double>& knots, co
 
 std::vector<GridSample> samplesAt(int degree, const std::vector<double>& knots, const std::vector<double>& parameters) {
   std::vector<GridSample> result;
+  result.reserve(parameters.size());
   for (const double t : parameters) result.push_back({t, findSpan(degree, knots, t), 0, false});
   return result;
 }

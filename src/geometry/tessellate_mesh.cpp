@@ -91,7 +91,9 @@ class MeshTessellator {
   void addTriangles() {
     for (std::size_t f = 0; f < mesh_.faceCount(); ++f) {
       if (f % 65536 == 0) progress_.check();
-      const auto corner = [&](int k) { return pointOfCorner_[static_cast<std::size_t>(mesh_.faceStarts[f] + k)]; };
+      const auto corner = [&](int k) {
+        return pointOfCorner_[static_cast<std::size_t>(mesh_.faceStarts[f]) + static_cast<std::size_t>(k)];
+      };
       for (const auto& [a, b, c] : triangulate(facePoints(mesh_, f))) {
         result_.triangles.push_back({corner(a), corner(b), corner(c)});
         result_.faceOfTriangle.push_back(static_cast<int>(f));

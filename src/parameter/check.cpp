@@ -13,14 +13,13 @@ namespace blossom {
 namespace {
 
 [[noreturn]] void invalid(const ParameterSpec& spec, const std::string& subject, const std::string& demand,
-                          const std::string& is, std::string hint = {}) {
-  throw Error(ErrorCode::InvalidParameter, fmt::format("{} {}; {}.", subject, demand, is),
-              hint.empty() ? spec.help : std::move(hint));
+                          const std::string& is, const std::string& hint = {}) {
+  throw Error(ErrorCode::InvalidParameter, fmt::format("{} {}; {}.", subject, demand, is), hint.empty() ? spec.help : hint);
 }
 
 [[noreturn]] void wrongForm(const ParameterSpec& spec, const std::string& subject, const std::string& demand,
-                            const Value& value, std::string hint = {}) {
-  invalid(spec, subject, demand, value.is_null() ? "it is empty" : "it is " + quoted(value), std::move(hint));
+                            const Value& value, const std::string& hint = {}) {
+  invalid(spec, subject, demand, value.is_null() ? "it is empty" : "it is " + quoted(value), hint);
 }
 
 void checkRange(const ParameterSpec& spec, const std::string& subject, double value, const std::string& is) {
@@ -92,7 +91,8 @@ Value checkFile(const ParameterSpec& spec, const std::string& subject, const Val
   const auto isText = [&](const char* key) { return !value.contains(key) || value.at(key).is_string(); };
   if (!value.is_object() || !isText("path") || !isText("asset")) wrongForm(spec, subject, "must be a file", value);
   Value file{{"path", value.value("path", "")}, {"asset", value.value("asset", "")}};
-  return file.at("path") == "" && file.at("asset") == "" ? Value() : file;
+  const auto blank = [&](const char* key) { return file.at(key).get_ref<const std::string&>().empty(); };
+  return blank("path") && blank("asset") ? Value() : file;
 }
 
 Value checkCurve(const ParameterSpec& spec, const std::string& subject, const Value& value) {
@@ -140,6 +140,7 @@ Value checkList(const ParameterSpec& spec, const std::string& subject, const Val
 /// @param of " of item 2 of pins": what the names belong to
 Value completeAt(const std::vector<ParameterSpec>& specs, const std::string& of, const Value& given) {
   std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const auto& spec : specs) names.push_back(spec.name);
   for (const auto& [name, value] : given.items()) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;

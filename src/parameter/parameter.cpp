@@ -24,6 +24,7 @@ ParameterSpec ofKind(ParameterKind kind) {
 
 std::string fieldNames(const std::vector<ParameterSpec>& fields) {
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const auto& field : fields) names.push_back(field.name);
   return enumerated(names, "and");
 }

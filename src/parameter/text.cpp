@@ -139,7 +139,7 @@ std::string formatList(const ParameterSpec& spec, const Value& list) {
   const ParameterSpec& element = spec.fields.at(0);
   const char separator = itemsHoldCommas(element) ? ';' : ',';
   const auto plain = [&](const Value& item) {
-    if (element.kind == ParameterKind::File && item.is_object() && item.value("asset", "") != "") return false;
+    if (element.kind == ParameterKind::File && item.is_object() && !item.value("asset", std::string()).empty()) return false;
     const std::string text = formatText(element, item);
     return !text.empty() && trimmed(text).size() == text.size() && text.find(separator) == std::string::npos &&
            text.front() != '[';

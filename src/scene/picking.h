@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "geometry/sub_shape.h"
 #include "scene/scene.h"
 
 namespace blossom {
@@ -19,8 +20,6 @@ struct CutPlane {
   Vec3 normal = Vec3::UnitX();  ///< unit length
   double offset = 0;            ///< mm
 };
-
-enum class SubShapeKind { Whole, Face, Edge, Vertex };
 
 /// A part of a shape that was met by a ray. `index` counts as sub-shape parameters do: see geometry/sub_shape.h.
 struct SubPick {

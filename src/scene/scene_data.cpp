@@ -60,7 +60,7 @@ vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
   auto points = makePoints(t.points.size());
   for (std::size_t i = 0; i < t.points.size(); ++i) setPoint(*points, i, t.points[i]);
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(static_cast<vtkIdType>(t.triangles.size()), static_cast<vtkIdType>(t.triangles.size() * 3));
+  cells->AllocateExact(static_cast<vtkIdType>(t.triangles.size()), 3 * static_cast<vtkIdType>(t.triangles.size()));
   for (const auto& triangle : t.triangles) {
     const vtkIdType ids[3] = {triangle[0], triangle[1], triangle[2]};
     cells->InsertNextCell(3, ids);

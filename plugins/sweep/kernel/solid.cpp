@@ -82,7 +82,7 @@ gp_Pnt toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 /// The boundary edge of the side face that runs along an end.
 TopoDS_Edge endEdge(const TopoDS_Face& side, double v) {
   for (TopExp_Explorer explorer(side, TopAbs_EDGE); explorer.More(); explorer.Next()) {
-    const TopoDS_Edge edge = TopoDS::Edge(explorer.Current());
+    TopoDS_Edge edge = TopoDS::Edge(explorer.Current());
     double first = 0, last = 0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, side, first, last);
     if (curve.IsNull() || BRep_Tool::Degenerated(edge)) continue;

@@ -1,4 +1,4 @@
-#include "features.h"
+#include "feature_groups.h"
 
 #include "feature/plugin.h"
 

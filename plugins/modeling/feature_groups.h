@@ -1,4 +1,5 @@
 #pragma once
+// Not named features.h: the C library has a header of that name, which the plugin's include folder would hide.
 #include "feature/registry.h"
 
 namespace blossom::modeling {

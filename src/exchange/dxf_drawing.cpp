@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "core/tolerance.h"
-#include "exchange/interpolate.h"
 #include "geometry/bspline.h"
+#include "geometry/interpolate.h"
 #include "geometry/planar.h"
 
 namespace blossom {

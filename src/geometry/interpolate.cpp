@@ -1,4 +1,4 @@
-#include "exchange/interpolate.h"
+#include "geometry/interpolate.h"
 
 #include <Eigen/Geometry>
 #include <vector>

@@ -28,9 +28,7 @@ using Matrix = Eigen::Matrix<double, 4, 4>;
 
 constexpr std::size_t startsPerPair = 5;
 
-double boxDistance(const Bounds& a, const Bounds& b) {
-  return (b.low - a.high).cwiseMax(a.low - b.high).cwiseMax(0).norm();
-}
+double boxDistance(const Bounds& a, const Bounds& b) { return (b.low - a.high).cwiseMax(a.low - b.high).cwiseMax(0).norm(); }
 
 /// Half the squared distance of a point of each patch with its first and second derivatives; parameters that a patch does
 /// not have stay out of the way as identity.
@@ -160,7 +158,7 @@ class Search {
     for (const MeasurePatch& patch : b) boxB.add(patch.box());
     // Where the boxes overlap, or half way between them.
     middle_ = (boxA.low.cwiseMax(boxB.low) + boxA.high.cwiseMin(boxB.high)) / 2;
-    tie_ = 1e-9 * std::max(boxA.diagonal(), boxB.diagonal());
+    tie_ = 1e-12 * std::max(boxA.diagonal(), boxB.diagonal());
   }
 
   FootPoints run(const Progress& progress) {
@@ -194,10 +192,10 @@ class Search {
   }
 
   void keep(const FootPoints& found) {
-    const double gain = best_.distance() - found.distance();
+    const double distance = found.distance();
     const auto offCentre = [&](const FootPoints& f) { return ((f.first + f.second) / 2 - middle_).norm(); };
-    if (gain > tie_ || (gain >= -tie_ * 1e-3 && offCentre(found) < offCentre(best_))) best_ = found;
-    smallest_ = std::min(smallest_, found.distance());
+    if (distance < smallest_ - tie_ || (distance <= smallest_ + tie_ && offCentre(found) < offCentre(best_))) best_ = found;
+    smallest_ = std::min(smallest_, distance);
   }
 
   struct Start {
@@ -233,9 +231,11 @@ class Search {
   }
 
   [[nodiscard]] Parameters nearestToMiddle(const MeasurePatch& patch) const {
-    return std::min_element(patch.samples().begin(), patch.samples().end(), [&](const auto& s, const auto& t) {
-             return (s.point - middle_).squaredNorm() < (t.point - middle_).squaredNorm();
-           })->at;
+    return std::min_element(patch.samples().begin(), patch.samples().end(),
+                            [&](const auto& s, const auto& t) {
+                              return (s.point - middle_).squaredNorm() < (t.point - middle_).squaredNorm();
+                            })
+        ->at;
   }
 
   const std::vector<MeasurePatch>& a_;
@@ -246,37 +246,44 @@ class Search {
   Vec3 middle_;
 };
 
-/// A point of `inner` that lies in a solid of `outer`, looking at one point of each of its connected parts.
-std::optional<Vec3> pointInside(const TopoDS_Shape& inner, const TopoDS_Shape& outer, const Progress& progress) {
-  std::vector<TopoDS_Shape> parts;
-  for (TopExp_Explorer solid(inner, TopAbs_SOLID); solid.More(); solid.Next()) parts.push_back(solid.Current());
-  for (TopExp_Explorer face(inner, TopAbs_FACE, TopAbs_SOLID); face.More(); face.Next()) parts.push_back(face.Current());
-  for (TopExp_Explorer edge(inner, TopAbs_EDGE, TopAbs_FACE); edge.More(); edge.Next()) parts.push_back(edge.Current());
-  for (TopExp_Explorer vertex(inner, TopAbs_VERTEX, TopAbs_EDGE); vertex.More(); vertex.Next())
-    parts.push_back(vertex.Current());
-  for (TopExp_Explorer solid(outer, TopAbs_SOLID); solid.More(); solid.Next()) {
-    BRepClass3d_SolidClassifier classifier(solid.Current());
-    for (const TopoDS_Shape& part : parts) {
-      progress.check();
-      TopExp_Explorer vertex(part, TopAbs_VERTEX);
+}  // namespace
+
+std::vector<Vec3> representatives(const TopoDS_Shape& shape) {
+  std::vector<Vec3> points;
+  const auto add = [&](TopAbs_ShapeEnum kind, TopAbs_ShapeEnum notIn) {
+    for (TopExp_Explorer part(shape, kind, notIn); part.More(); part.Next()) {
+      const TopExp_Explorer vertex(part.Current(), TopAbs_VERTEX);
       if (!vertex.More()) continue;
       const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current()));
-      classifier.Perform(p, Precision::Confusion());
-      if (classifier.State() == TopAbs_IN) return Vec3(p.X(), p.Y(), p.Z());
+      points.emplace_back(p.X(), p.Y(), p.Z());
+    }
+  };
+  add(TopAbs_SOLID, TopAbs_SHAPE);
+  add(TopAbs_FACE, TopAbs_SOLID);
+  add(TopAbs_EDGE, TopAbs_FACE);
+  add(TopAbs_VERTEX, TopAbs_EDGE);
+  return points;
+}
+
+std::optional<Vec3> pointInside(const std::vector<Vec3>& points, const TopoDS_Shape& shape, const Progress& progress) {
+  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) {
+    BRepClass3d_SolidClassifier classifier(solid.Current());
+    for (const Vec3& p : points) {
+      progress.check();
+      classifier.Perform(gp_Pnt(p.x(), p.y(), p.z()), Precision::Confusion());
+      if (classifier.State() == TopAbs_IN) return p;
     }
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 FootPoints closestPoints(const TopoDS_Shape& a, const TopoDS_Shape& b, const Progress& progress) {
   if (a.IsNull() || b.IsNull()) throw Error(ErrorCode::InvalidInput, "Nothing has no distance to anything.");
   const std::vector<MeasurePatch> patchesA = patchesOf(a, progress), patchesB = patchesOf(b, progress);
   const FootPoints found = Search(patchesA, patchesB).run(progress);
   if (found.distance() <= Tolerance().confusion) return found;
-  if (const auto point = pointInside(a, b, progress)) return {*point, *point};
-  if (const auto point = pointInside(b, a, progress)) return {*point, *point};
+  if (const auto point = pointInside(representatives(a), b, progress)) return {*point, *point};
+  if (const auto point = pointInside(representatives(b), a, progress)) return {*point, *point};
   return found;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 #include <TopoDS_Shape.hxx>
+#include <optional>
+#include <vector>
 
 #include "core/progress.h"
 #include "geometry/triangle_distance.h"
@@ -13,5 +15,10 @@ namespace blossom {
 /// those in the middle are taken.
 /// @throws Error InvalidInput when nothing is there or a part is unbounded, Cancelled.
 FootPoints closestPoints(const TopoDS_Shape&, const TopoDS_Shape&, const Progress&);
+
+/// One point of each connected part: of each solid, free face, free edge and free vertex.
+std::vector<Vec3> representatives(const TopoDS_Shape&);
+/// The first of `points` that lies in a solid of the shape, its boundary left out.
+std::optional<Vec3> pointInside(const std::vector<Vec3>& points, const TopoDS_Shape&, const Progress&);
 
 }  // namespace blossom

@@ -37,7 +37,7 @@ class TriangleTree {
  private:
   struct Node {
     Vec3 low, high;
-    std::size_t begin = 0, end = 0;    // of a leaf
+    std::size_t begin = 0, end = 0;   // of a leaf
     std::size_t left = 0, right = 0;  // 0: a leaf
   };
   friend struct TreeWalk;

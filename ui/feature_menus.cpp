@@ -5,8 +5,8 @@
 #include <QMenuBar>
 #include <algorithm>
 
-#include "ui/icons.h"
-#include "ui/session.h"
+#include "ui/commands.h"
+#include "ui/page.h"
 #include "ui/text.h"
 
 namespace blossom::ui {
@@ -29,10 +29,10 @@ QString kindsOf(const InputSpec& spec) {
 
 }  // namespace
 
-QStringList readFilters(const Session& session) {
+QStringList readFilters(const App& app) {
   QStringList filters;
   QStringList all;
-  for (const Format& format : session.app().formats->formats()) {
+  for (const Format& format : app.formats->formats()) {
     if (!format.read) continue;
     QStringList patterns;
     for (const std::string& extension : format.extensions) patterns << QStringLiteral("*.") + qt(extension);
@@ -43,18 +43,20 @@ QStringList readFilters(const Session& session) {
   return filters;
 }
 
-FeatureMenus::FeatureMenus(Session& session, QWidget* window) : QObject(window), session_(session), window_(window) {
-  for (const LoadedPlugin& plugin : session.app().plugins) {
+FeatureMenus::FeatureMenus(const App& app, Commands& commands, QWidget* window)
+    : QObject(window), app_(app), window_(window) {
+  for (const LoadedPlugin& plugin : app.plugins) {
     if (!plugin.problem.empty()) continue;
-    auto* menu = new QMenu(qt(plugin.manifest.title), window);
+    const QString group = qt(plugin.manifest.title);
+    auto* menu = new QMenu(group, window);
     menu->setToolTipsVisible(true);
     for (const std::string& id : plugin.manifest.features) {
-      const auto type = session.app().registry->find(id);
+      const auto type = app.registry->find(id);
       if (!type) continue;
       const std::string iconName = type->icon.empty() ? plugin.manifest.icon : type->icon;
-      QAction* action = menu->addAction(icon(qt(iconName)), qt(type->title), this, [this, type] { add(*type); });
-      action->setToolTip(qt(type->summary));
-      connect(action, &QAction::hovered, this, [this, type] { emit hint(qt(type->summary)); });
+      const CommandSpec spec{QStringLiteral("feature.") + qt(id), group, qt(iconName), qt(type->title), qt(type->summary)};
+      QAction* action = commands.add(spec, [this, type] { add(*type); });
+      menu->addAction(action);
       actions_.push_back(action);
     }
     menus_.push_back(menu);
@@ -71,7 +73,7 @@ std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, const In
   for (const InputSpec& spec : type.inputs) {
     std::size_t count = 0;
     for (auto it = left.begin(); it != left.end() && count < spec.most;) {
-      const auto view = session_.view(*it);
+      const auto view = page_->session().view(*it);
       if (view && accepts(spec, view->result->evaluated.shape.kind())) {
         taken.push_back(*it);
         it = left.erase(it);
@@ -91,22 +93,21 @@ std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, const In
 void FeatureMenus::add(const FeatureType& type) {
   const InputSpec* missing = nullptr;
   const std::vector<FeatureId> inputs = inputsFor(type, missing);
-  if (!missing) return session_.addFeature(type, inputs);
+  if (!missing) return page_->session().addFeature(type, inputs);
   if (type.inputs.size() == 1 && missing->least == 1) {
     const QString title = tr("%1: choose a file with a %2").arg(qt(type.title), kindsOf(*missing));
-    const QString file = QFileDialog::getOpenFileName(window_, title, {}, readFilters(session_).join(QStringLiteral(";;")));
-    if (!file.isEmpty()) session_.addFeatureFromFile(type, file.toStdString());
+    const QString file = QFileDialog::getOpenFileName(window_, title, {}, readFilters(app_).join(QStringLiteral(";;")));
+    if (!file.isEmpty()) page_->session().addFeatureFromFile(type, file.toStdString());
     return;
   }
   const QString hintText = tr("Select in the document: %1").arg(qt(missing->help));
-  emit session_.failed(Error(ErrorCode::InvalidInput,
-                             tr("%1 needs at least %2 %3 as \"%4\".")
-                                 .arg(qt(type.title))
-                                 .arg(missing->least)
-                                 .arg(kindsOf(*missing), qt(missing->name))
-                                 .toStdString(),
-                             hintText.toStdString()),
-                       {});
+  page_->showError(Error(ErrorCode::InvalidInput,
+                         tr("%1 needs at least %2 %3 as \"%4\".")
+                             .arg(qt(type.title))
+                             .arg(missing->least)
+                             .arg(kindsOf(*missing), qt(missing->name))
+                             .toStdString(),
+                         hintText.toStdString()));
 }
 
 }  // namespace blossom::ui

@@ -1,36 +1,44 @@
 #pragma once
 #include <QMainWindow>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
+#include "ui/commands.h"
 #include "ui/manipulator.h"
-#include "ui/session.h"
+#include "ui/page.h"
 
-class QActionGroup;
+class QStackedWidget;
+class QTabBar;
 
 namespace blossom::ui {
 
-class DocumentTree;
-class ErrorBar;
 class FeatureMenus;
-class PropertyPanel;
 class StartPage;
 class StatusLine;
-class ViewWidget;
 
-/// The workbench: document and properties on the left, the canvas, what went wrong above it, and the status line below.
+/// The workbench: open documents as tabs, each with its side and its canvas; commands above, the status line below.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   explicit MainWindow(App app, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  [[nodiscard]] Session& session() { return session_; }
-  [[nodiscard]] ViewWidget& view() { return *view_; }
-  [[nodiscard]] DocumentTree& tree() { return *tree_; }
-  [[nodiscard]] PropertyPanel& properties() { return *properties_; }
-  [[nodiscard]] ErrorBar& errors() { return *errors_; }
-  /// Opens what the extension says: a document, or geometry in a new document. Asks first when changes would be lost.
-  void openFile(const QString& file);
+  [[nodiscard]] DocumentPage& page() { return *pages_.at(current_); }  ///< the one that is shown; there always is one
+  [[nodiscard]] std::size_t pageCount() const { return pages_.size(); }
+  [[nodiscard]] DocumentPage& page(std::size_t index) { return *pages_.at(index); }
+  [[nodiscard]] Commands& commands() { return commands_; }
+  [[nodiscard]] Session& session() { return page().session(); }
+  [[nodiscard]] ViewWidget& view() { return page().view(); }
+  [[nodiscard]] DocumentTree& tree() { return page().tree(); }
+  [[nodiscard]] PropertyPanel& properties() { return page().properties(); }
+  [[nodiscard]] ErrorBar& errors() { return page().errors(); }
+  /// Opens what the extension says, a document or geometry, in a tab of its own; shows the tab of a file that is open
+  /// already.
+  void openFile(const QString& file, bool salvage = false);
+  DocumentPage& addPage();  ///< an empty document in a new tab, which is shown
+  void showPage(std::size_t index);
+  void closePage(std::size_t index);  ///< asks first when changes would be lost; the last one becomes an empty document
 
  protected:
   void closeEvent(QCloseEvent*) override;
@@ -42,14 +50,12 @@ class MainWindow : public QMainWindow {
  private:
   // main_window.cpp
   void buildLayout();
-  void connectSession();
-  void connectView();
-  void refreshView();
-  void refreshOverlay();
   void refreshStart();
-  void fitWhenFirstShown();
-  void selectionChanged();
-  void showError(const Error&, const QString& file);
+  void refreshTabs();
+  [[nodiscard]] std::size_t indexOf(const DocumentPage&) const;
+  // main_window_pages.cpp
+  void connectPage(DocumentPage&);
+  void removePage(std::size_t index);
   // main_window_actions.cpp
   void buildActions();
   void buildFileMenu();
@@ -59,36 +65,31 @@ class MainWindow : public QMainWindow {
   void buildToolBar();
   void refreshActions();
   void refreshRecent();
-  QAction* action(QMenu*, const QString& iconName, const QString& text, const QKeySequence&, const QString& help,
-                  std::function<void()>);
+  QAction* add(QMenu*, const CommandSpec&, std::function<void()>);
   // main_window_files.cpp
-  void newDocument();
   void chooseAndOpen();
   void chooseAndImport();
-  void save(std::function<void()> then = {});
-  void saveAs(std::function<void()> then = {});
+  void save(DocumentPage&, std::function<void()> then = {});
+  void saveAs(DocumentPage&, std::function<void()> then = {});
   void chooseAndExport();
-  /// Calls `go` at once, after saving, or never, as the user decides about unsaved changes.
-  void guarded(std::function<void()> go);
+  /// Calls `go` at once, after saving, or never, as the user decides about the unsaved changes of a document.
+  void guarded(DocumentPage&, std::function<void()> go);
   void remember(const QString& file);
   [[nodiscard]] QStringList recent() const;
   /// Adds the extension; false when that file exists and shall stay.
   bool completed(QString& file, const QString& extension);
 
-  Session session_;
+  App app_;
+  Commands commands_;
   ManipulatorRegistry manipulators_;
+  std::vector<std::unique_ptr<DocumentPage>> pages_;
+  std::size_t current_ = 0;
   FeatureMenus* featureMenus_;
-  DocumentTree* tree_;
-  PropertyPanel* properties_;
-  ViewWidget* view_;
-  ErrorBar* errors_;
+  QTabBar* tabs_;
+  QStackedWidget *sides_, *canvases_;
   StatusLine* status_;
   StartPage* start_;
   QMenu* recentMenu_ = nullptr;
-  QAction *open_ = nullptr, *import_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *export_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *delete_ = nullptr, *rename_ = nullptr, *visible_ = nullptr, *fit_ = nullptr,
-          *home_ = nullptr, *parallel_ = nullptr, *grid_ = nullptr;
-  bool fitPending_ = true;
   bool closing_ = false;
 };
 

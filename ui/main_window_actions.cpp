@@ -20,16 +20,8 @@
 
 namespace blossom::ui {
 
-QAction* MainWindow::action(QMenu* menu, const QString& iconName, const QString& text, const QKeySequence& keys,
-                            const QString& help, std::function<void()> go) {
-  auto* made = new QAction(text, this);
-  if (!iconName.isEmpty()) made->setIcon(icon(iconName));
-  made->setShortcut(keys);
-  made->setIconText(QString(text).remove(u'&').remove(u'…'));
-  const QString shown = keys.toString(QKeySequence::NativeText);
-  made->setToolTip(shown.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, shown));
-  connect(made, &QAction::triggered, this, std::move(go));
-  connect(made, &QAction::hovered, this, [this, help] { status_->setHint(help); });
+QAction* MainWindow::add(QMenu* menu, const CommandSpec& spec, std::function<void()> go) {
+  QAction* made = commands_.add(spec, std::move(go));
   menu->addAction(made);
   return made;
 }
@@ -45,10 +37,12 @@ void MainWindow::buildActions() {
 
 void MainWindow::buildFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
-  action(menu, QStringLiteral("document"), tr("&New"), QKeySequence::New, tr("Start an empty document."),
-         [this] { newDocument(); });
-  open_ = action(menu, QStringLiteral("open"), tr("&Open…"), QKeySequence::Open,
-                 tr("Open a document, or geometry in a new one."), [this] { chooseAndOpen(); });
+  const QString group = tr("File");
+  add(menu, {"file.new", group, "document", tr("&New"), tr("Start an empty document."), {QKeySequence::New}},
+      [this] { addPage(); });
+  add(menu,
+      {"file.open", group, "open", tr("&Open…"), tr("Open a document, or geometry in a new one."), {QKeySequence::Open}},
+      [this] { chooseAndOpen(); });
   recentMenu_ = menu->addMenu(tr("Open &recent"));
   QMenu* samples = menu->addMenu(tr("Open a s&ample"));
   for (const QString& file : sampleFiles()) {
@@ -56,68 +50,87 @@ void MainWindow::buildFileMenu() {
     samples->addAction(name, this, [this, file] { openFile(file); });
   }
   samples->setEnabled(!samples->isEmpty());
-  import_ = action(menu, QStringLiteral("import"), tr("&Import…"), QKeySequence(tr("Ctrl+I")),
-                   tr("Add geometry from files to this document."), [this] { chooseAndImport(); });
+  add(menu,
+      {"file.import", group, "import", tr("&Import…"), tr("Add geometry from files to this document."), {tr("Ctrl+I")}},
+      [this] { chooseAndImport(); });
   menu->addSeparator();
-  save_ =
-      action(menu, QStringLiteral("save"), tr("&Save"), QKeySequence::Save, tr("Save this document."), [this] { save(); });
-  saveAs_ = action(menu, {}, tr("Save &as…"), QKeySequence(tr("Ctrl+Shift+S")), tr("Save this document under another name."),
-                   [this] { saveAs(); });
-  export_ = action(menu, QStringLiteral("export"), tr("&Export…"), QKeySequence(tr("Ctrl+E")),
-                   tr("Write the selected result as STEP, STL, a picture, …"), [this] { chooseAndExport(); });
+  add(menu, {"file.save", group, "save", tr("&Save"), tr("Save this document."), {QKeySequence::Save}},
+      [this] { save(page()); });
+  add(menu, {"file.save-as", group, {}, tr("Save &as…"), tr("Save this document under another name."), {tr("Ctrl+Shift+S")}},
+      [this] { saveAs(page()); });
+  add(menu,
+      {"file.export",
+       group,
+       "export",
+       tr("&Export…"),
+       tr("Write the selected result as STEP, STL, a picture, …"),
+       {tr("Ctrl+E")}},
+      [this] { chooseAndExport(); });
   menu->addSeparator();
-  action(menu, {}, tr("&Quit"), QKeySequence::Quit, tr("Close the workbench."), [this] { close(); });
+  add(menu, {"file.close", group, {}, tr("&Close"), tr("Close this document."), {tr("Ctrl+W")}},
+      [this] { closePage(current_); });
+  add(menu, {"file.quit", group, {}, tr("&Quit"), tr("Close the workbench."), {QKeySequence::Quit}}, [this] { close(); });
   connect(menu, &QMenu::aboutToShow, this, &MainWindow::refreshRecent);
 }
 
 void MainWindow::buildEditMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-  undo_ = action(menu, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo, tr("Take the last change back."),
-                 [this] { session_.undo(); });
-  redo_ = action(menu, QStringLiteral("redo"), tr("&Redo"), QKeySequence::Redo, tr("Do again what was taken back."),
-                 [this] { session_.redo(); });
-  redo_->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+  const QString group = tr("Edit");
+  add(menu, {"edit.undo", group, "undo", tr("&Undo"), tr("Take the last change back."), {QKeySequence::Undo}},
+      [this] { session().undo(); });
+  add(menu,
+      {"edit.redo", group, "redo", tr("&Redo"), tr("Do again what was taken back."), {tr("Ctrl+Shift+Z"), tr("Ctrl+Y")}},
+      [this] { session().redo(); });
   menu->addSeparator();
-  delete_ = action(menu, QStringLiteral("delete"), tr("&Delete"), QKeySequence::Delete, tr("Delete the selected features."),
-                   [this] { tree_->removeSelected(); });
-  rename_ = action(menu, {}, tr("Re&name"), QKeySequence(tr("F2")), tr("Give the selected feature another name."),
-                   [this] { tree_->renameCurrent(); });
-  visible_ = action(menu, QStringLiteral("eye"), tr("Show or &hide"), QKeySequence(tr("H")),
-                    tr("Show or hide the selected features."), [this] { tree_->toggleSelected(); });
+  add(menu, {"edit.delete", group, "delete", tr("&Delete"), tr("Delete the selected features."), {QKeySequence::Delete}},
+      [this] { tree().removeSelected(); });
+  add(menu, {"edit.rename", group, {}, tr("Re&name"), tr("Give the selected feature another name."), {tr("F2")}},
+      [this] { tree().renameCurrent(); });
+  add(menu, {"edit.show-hide", group, "eye", tr("Show or &hide"), tr("Show or hide the selected features."), {tr("H")}},
+      [this] { tree().toggleSelected(); });
   menu->addSeparator();
-  action(menu, {}, tr("Select &all"), QKeySequence::SelectAll, tr("Select every feature."), [this] { tree_->selectAll(); });
-  action(menu, {}, tr("Select &nothing"), QKeySequence(tr("Ctrl+Shift+A")), tr("Select no feature."),
-         [this] { tree_->clearSelection(); });
+  add(menu, {"edit.select-all", group, {}, tr("Select &all"), tr("Select every feature."), {QKeySequence::SelectAll}},
+      [this] { tree().selectAll(); });
+  add(menu, {"edit.select-nothing", group, {}, tr("Select &nothing"), tr("Select no feature."), {tr("Ctrl+Shift+A")}},
+      [this] { tree().clearSelection(); });
 }
 
 void MainWindow::buildViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
-  fit_ = action(menu, QStringLiteral("fit"), tr("&Fit"), QKeySequence(tr("F")), tr("Show everything."),
-                [this] { view_->fit(); });
-  home_ = action(menu, QStringLiteral("home"), tr("&Home"), QKeySequence(tr("0")),
-                 tr("Look at everything as when it was opened."), [this] { view_->lookFrom(QStringLiteral("auto")); });
-  home_->setIconText(tr("Home"));
-  action(menu, {}, tr("Zoom &in"), QKeySequence::ZoomIn, tr("Come nearer."), [this] { view_->zoomBy(0.8); });
-  action(menu, {}, tr("Zoom &out"), QKeySequence::ZoomOut, tr("Step back."), [this] { view_->zoomBy(1.25); });
+  const QString group = tr("View");
+  add(menu, {"view.fit", group, "fit", tr("&Fit"), tr("Show everything."), {tr("F")}}, [this] { view().fit(); });
+  add(menu, {"view.home", group, "home", tr("&Home"), tr("Look at everything as when it was opened."), {tr("0")}},
+      [this] { view().lookFrom(QStringLiteral("auto")); });
+  add(menu, {"view.zoom-in", group, {}, tr("Zoom &in"), tr("Come nearer."), {QKeySequence::ZoomIn}},
+      [this] { view().zoomBy(0.8); });
+  add(menu, {"view.zoom-out", group, {}, tr("Zoom &out"), tr("Step back."), {QKeySequence::ZoomOut}},
+      [this] { view().zoomBy(1.25); });
   menu->addSeparator();
+  const std::pair<const char*, QString> sides[] = {{"front", tr("Front")},  {"back", tr("Back")}, {"left", tr("Left")},
+                                                   {"right", tr("Right")},  {"top", tr("Top")},   {"bottom", tr("Bottom")},
+                                                   {"iso", tr("Isometric")}};
   int key = 1;
-  for (const char* name : {"front", "back", "left", "right", "top", "bottom", "iso"}) {
-    const QString view = QLatin1String(name);
-    action(menu, {}, sentenceCase(view), QKeySequence(QString::number(key++)), tr("Look from: %1.").arg(view),
-           [this, view] { view_->lookFrom(view); });
+  for (const auto& [side, title] : sides) {
+    const QString name = QLatin1String(side);
+    add(menu, {"view." + name, group, {}, title, tr("Look from: %1.").arg(title), {QKeySequence(QString::number(key++))}},
+        [this, name] { view().lookFrom(name); });
   }
   menu->addSeparator();
-  parallel_ =
-      action(menu, {}, tr("&Parallel projection"), QKeySequence(tr("P")),
-             tr("Without perspective: equal lengths look equal."), [this] { view_->setParallel(parallel_->isChecked()); });
-  parallel_->setCheckable(true);
-  grid_ = action(menu, QStringLiteral("grid"), tr("&Grid"), QKeySequence(tr("G")), tr("Show the ground grid."),
-                 [this] { view_->setGridVisible(grid_->isChecked()); });
-  grid_->setCheckable(true);
-  grid_->setChecked(true);
+  add(menu,
+      {"view.parallel",
+       group,
+       {},
+       tr("&Parallel projection"),
+       tr("Without perspective: equal lengths look equal."),
+       {tr("P")},
+       true},
+      [this] { view().setParallel(commands_.action("view.parallel")->isChecked()); });
+  add(menu, {"view.grid", group, "grid", tr("&Grid"), tr("Show the ground grid."), {tr("G")}, true},
+      [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });
+  commands_.action("view.grid")->setChecked(true);
   menu->addSeparator();
   QMenu* themes = menu->addMenu(icon(QStringLiteral("sun")), tr("&Theme"));
-  auto* group = new QActionGroup(this);
+  auto* choices = new QActionGroup(this);
   for (const auto& [text, choice] : {std::pair{tr("As the &desktop"), ThemeChoice::System},
                                      {tr("&Dark"), ThemeChoice::Dark},
                                      {tr("&Light"), ThemeChoice::Light}}) {
@@ -127,21 +140,25 @@ void MainWindow::buildViewMenu() {
     });
     entry->setCheckable(true);
     entry->setChecked(ThemeManager::instance().choice() == choice);
-    group->addAction(entry);
+    choices->addAction(entry);
   }
 }
 
 void MainWindow::buildHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  action(menu, {}, tr("&Mouse and keys"), QKeySequence::HelpContents, tr("How to move around."), [this] {
-    errors_->showNote(
-        tr("Mouse and keys"),
-        tr("Left or middle drag: orbit. Shift+drag or right drag: pan. Wheel: zoom to the cursor. Double click or F: fit. "
-           "1 to 7: front, back, left, right, top, bottom, iso. 0: home. P: parallel projection. G: grid. "
-           "H shows or hides what is selected, F2 renames it, Delete deletes it. Esc cancels what is being computed."));
-  });
-  action(menu, {}, tr("&About Blossom"), {}, tr("Version and licence."), [this] {
-    errors_->showNote(
+  const QString group = tr("Help");
+  add(menu,
+      {"help.mouse-and-keys", group, {}, tr("&Mouse and keys"), tr("How to move around."), {QKeySequence::HelpContents}},
+      [this] {
+        errors().showNote(
+            tr("Mouse and keys"),
+            tr("Left or middle drag: orbit. Shift+drag or right drag: pan. Wheel: zoom to the cursor. Double click or F: "
+               "fit. "
+               "1 to 7: front, back, left, right, top, bottom, iso. 0: home. P: parallel projection. G: grid. "
+               "H shows or hides what is selected, F2 renames it, Delete deletes it. Esc cancels what is being computed."));
+      });
+  add(menu, {"help.about", group, {}, tr("&About Blossom"), tr("Version and licence."), {}}, [this] {
+    errors().showNote(
         tr("Blossom %1").arg(QLatin1String(versionText)),
         tr("A workbench for shapes that morph, sweep, grow and melt. Free software under the GNU GPL, version 3 or later."));
   });
@@ -153,31 +170,40 @@ void MainWindow::buildToolBar() {
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   bar->setIconSize({20, 20});
-  bar->addActions({open_, import_, save_, export_});
-  bar->addSeparator();
-  bar->addActions({undo_, redo_});
-  bar->addSeparator();
+  const auto show = [&](const std::vector<const char*>& ids) {
+    for (const char* id : ids) bar->addAction(commands_.action(QLatin1String(id)));
+    bar->addSeparator();
+  };
+  show({"file.open", "file.import", "file.save", "file.export"});
+  show({"edit.undo", "edit.redo"});
   for (QAction* add : featureMenus_->actions()) bar->addAction(add);
   if (!featureMenus_->actions().empty()) bar->addSeparator();
-  bar->addActions({fit_, home_, grid_});
+  show({"view.fit", "view.home", "view.grid"});
   setContextMenuPolicy(Qt::PreventContextMenu);
 }
 
 void MainWindow::refreshActions() {
-  setWindowTitle(QStringLiteral("%1[*] – Blossom").arg(session_.title()));
-  setWindowModified(session_.modified());
-  const QString undoText = qt(session_.history().undoText()), redoText = qt(session_.history().redoText());
-  undo_->setEnabled(!undoText.isEmpty());
-  redo_->setEnabled(!redoText.isEmpty());
-  undo_->setText(undoText.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undoText));
-  redo_->setText(redoText.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redoText));
-  undo_->setIconText(tr("Undo"));
-  redo_->setIconText(tr("Redo"));
-  const bool something = !session_.document().features().empty();
-  for (QAction* needing : {export_, saveAs_}) needing->setEnabled(something);
-  save_->setEnabled(something && (session_.modified() || session_.file().empty()));
-  for (QAction* needing : {delete_, visible_}) needing->setEnabled(!tree_->selected().empty());
-  rename_->setEnabled(tree_->selected().size() == 1);
+  const Session& shown = session();
+  setWindowTitle(QStringLiteral("%1[*] – Blossom").arg(shown.title()));
+  setWindowModified(shown.modified());
+  const auto describe = [&](const char* id, const QString& plain, const QString& full, const std::string& what) {
+    QAction& action = *commands_.action(QLatin1String(id));
+    const QString iconText = action.iconText();
+    action.setEnabled(!what.empty());
+    action.setText(what.empty() ? plain : full.arg(qt(what)));
+    action.setIconText(iconText);
+  };
+  describe("edit.undo", tr("&Undo"), tr("&Undo: %1"), shown.history().undoText());
+  describe("edit.redo", tr("&Redo"), tr("&Redo: %1"), shown.history().redoText());
+  const auto enable = [&](bool on, const std::vector<const char*>& ids) {
+    for (const char* id : ids) commands_.action(QLatin1String(id))->setEnabled(on);
+  };
+  const bool something = !shown.document().features().empty();
+  enable(something, {"file.export", "file.save-as"});
+  enable(something && (shown.modified() || shown.file().empty()), {"file.save"});
+  enable(!tree().selected().empty(), {"edit.delete", "edit.show-hide"});
+  enable(tree().selected().size() == 1, {"edit.rename"});
+  commands_.action(QStringLiteral("view.parallel"))->setChecked(view().parallel());
 }
 
 void MainWindow::refreshRecent() {

@@ -41,34 +41,32 @@ QStringList filesOf(const QMimeData* data) {
 
 }  // namespace
 
-void MainWindow::guarded(std::function<void()> go) {
-  if (!session_.modified()) return go();
+void MainWindow::guarded(DocumentPage& page, std::function<void()> go) {
+  if (!page.session().modified()) return go();
   QMessageBox question(this);
   question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("Save the changes of %1?").arg(session_.title()));
+  question.setText(tr("Save the changes of %1?").arg(page.session().title()));
   question.setInformativeText(tr("Without saving, they are lost."));
   question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   question.setDefaultButton(QMessageBox::Save);
   const int answer = question.exec();
   if (answer == QMessageBox::Save)
-    save(std::move(go));
+    save(page, std::move(go));
   else if (answer == QMessageBox::Discard)
     go();
 }
 
-void MainWindow::newDocument() {
-  guarded([this] { session_.clear(); });
-}
-
-void MainWindow::openFile(const QString& file) {
-  guarded([this, file] {
-    if (!sampleFiles().contains(file)) rememberFolder(file);  // nobody saves beside the samples
-    session_.open(file.toStdString());
-  });
+void MainWindow::openFile(const QString& file, bool salvage) {
+  const std::filesystem::path path = file.toStdString();
+  for (std::size_t i = 0; i < pages_.size() && !salvage; ++i)
+    if (pages_[i]->session().file() == path) return showPage(i);
+  if (!sampleFiles().contains(file)) rememberFolder(file);  // nobody saves beside the samples
+  DocumentPage& target = page().untouched() || salvage ? page() : addPage();
+  target.session().open(path, salvage);
 }
 
 void MainWindow::chooseAndOpen() {
-  QStringList filters = readFilters(session_);
+  QStringList filters = readFilters(app_);
   filters.first().replace(QStringLiteral("("), QStringLiteral("(*.blossom "));
   filters.insert(1, documentFilter());
   const QString file = QFileDialog::getOpenFileName(this, tr("Open"), lastFolder(), filters.join(QStringLiteral(";;")));
@@ -77,12 +75,12 @@ void MainWindow::chooseAndOpen() {
 
 void MainWindow::chooseAndImport() {
   const QStringList files =
-      QFileDialog::getOpenFileNames(this, tr("Import"), lastFolder(), readFilters(session_).join(QStringLiteral(";;")));
+      QFileDialog::getOpenFileNames(this, tr("Import"), lastFolder(), readFilters(app_).join(QStringLiteral(";;")));
   if (files.isEmpty()) return;
   rememberFolder(files.first());
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files) paths.emplace_back(file.toStdString());
-  session_.import(paths);
+  session().import(paths);
 }
 
 // The file dialog has asked about the name without the extension only.
@@ -98,21 +96,21 @@ bool MainWindow::completed(QString& file, const QString& extension) {
   return question.clickedButton() == replace;
 }
 
-void MainWindow::save(std::function<void()> then) {
-  if (session_.file().empty())
-    saveAs(std::move(then));
+void MainWindow::save(DocumentPage& page, std::function<void()> then) {
+  if (page.session().file().empty())
+    saveAs(page, std::move(then));
   else
-    session_.save(session_.file(), std::move(then));
+    page.session().save(page.session().file(), std::move(then));
 }
 
-void MainWindow::saveAs(std::function<void()> then) {
-  const QString name = session_.suggestedName().isEmpty() ? tr("untitled") : session_.suggestedName();
+void MainWindow::saveAs(DocumentPage& page, std::function<void()> then) {
+  const QString suggested = page.session().suggestedName(), name = suggested.isEmpty() ? tr("untitled") : suggested;
   QString file = QFileDialog::getSaveFileName(this, tr("Save as"), lastFolder() + u'/' + name + QStringLiteral(".blossom"),
                                               documentFilter());
   if (file.isEmpty()) return;
   if (!isDocument(file.toStdString()) && !completed(file, QStringLiteral(".blossom"))) return;
   rememberFolder(file);
-  session_.save(file.toStdString(), [this, file, then = std::move(then)] {
+  page.session().save(file.toStdString(), [this, file, then = std::move(then)] {
     remember(file);
     if (then) then();
   });
@@ -120,32 +118,32 @@ void MainWindow::saveAs(std::function<void()> then) {
 
 // The selected result, or the last one of the document.
 void MainWindow::chooseAndExport() {
-  FeatureId id = tree_->selected().empty() ? FeatureId() : tree_->current();
-  if (id.empty() && !session_.document().features().empty()) id = session_.document().features().back()->id;
-  const auto view = session_.view(id);
+  FeatureId id = tree().selected().empty() ? FeatureId() : tree().current();
+  if (id.empty() && !session().document().features().empty()) id = session().document().features().back()->id;
+  const auto view = session().view(id);
   if (!view) return;
   const ShapeKind kind = view->result->evaluated.shape.kind();
   QStringList filters;
-  for (const Format& format : session_.app().formats->formats()) {
+  for (const Format& format : session().app().formats->formats()) {
     if (!format.write || std::find(format.writes.begin(), format.writes.end(), kind) == format.writes.end()) continue;
     filters << QStringLiteral("%1 (*.%2)")
                    .arg(qt(format.title).replace(u'(', u'[').replace(u')', u']'), qt(format.extensions.front()));
   }
   if (filters.isEmpty())
-    return showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."), {});
-  const QString name = qt(session_.document().at(id).name).toLower().replace(u' ', u'-');
+    return page().showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."), {});
+  const QString name = qt(session().document().at(id).name).toLower().replace(u' ', u'-');
   QString chosen;
   QString file = QFileDialog::getSaveFileName(this, tr("Export"), lastFolder() + u'/' + name,
                                               filters.join(QStringLiteral(";;")), &chosen);
   if (file.isEmpty()) return;
   if (QFileInfo(file).suffix().isEmpty() && !completed(file, chosen.section(u'*', -1).chopped(1))) return;
   rememberFolder(file);
-  const Format* format = session_.app().formats->find(QFileInfo(file).suffix().toStdString());
-  if (!format || format->writeOptions.empty()) return session_.exportFeature(id, file.toStdString(), Value::object());
+  const Format* format = session().app().formats->find(QFileInfo(file).suffix().toStdString());
+  if (!format || format->writeOptions.empty()) return session().exportFeature(id, file.toStdString(), Value::object());
   auto* dialog = new ExportDialog(*format, file, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this,
-          [this, dialog, id, file] { session_.exportFeature(id, file.toStdString(), dialog->options()); });
+          [this, dialog, id, file] { session().exportFeature(id, file.toStdString(), dialog->options()); });
   dialog->open();
 }
 
@@ -164,13 +162,22 @@ void MainWindow::remember(const QString& file) {
   QSettings().setValue(QStringLiteral("recent"), QStringList(files.mid(0, mostRecent)));
 }
 
+// One document after the other is asked about; the first that shall stay keeps the window open.
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (closing_ || !session_.modified()) return event->accept();
-  event->ignore();
-  guarded([this] {
-    closing_ = true;
-    close();
-  });
+  if (closing_) return event->accept();
+  for (std::size_t i = 0; i < pages_.size(); ++i) {
+    if (!pages_[i]->session().modified()) continue;
+    event->ignore();
+    showPage(i);
+    return guarded(*pages_[i], [this, asked = pages_[i].get()] {
+      if (pages_.size() > 1)
+        removePage(indexOf(*asked));
+      else
+        closing_ = true;
+      close();
+    });
+  }
+  event->accept();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -182,12 +189,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QStringList files = filesOf(event->mimeData());
   if (files.isEmpty()) return;
   event->acceptProposedAction();
-  if (files.size() == 1 && (isDocument(files.first().toStdString()) || session_.document().features().empty()))
+  if (files.size() == 1 && (isDocument(files.first().toStdString()) || session().document().features().empty()))
     return openFile(files.first());
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files)
     if (!isDocument(file.toStdString())) paths.emplace_back(file.toStdString());
-  if (!paths.empty()) session_.import(paths);
+  if (!paths.empty()) session().import(paths);
 }
 
 }  // namespace blossom::ui

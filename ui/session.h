@@ -27,6 +27,7 @@ class Session : public QObject {
   [[nodiscard]] const Document& document() const { return history_.current(); }
   [[nodiscard]] const History& history() const { return history_; }
   [[nodiscard]] Job& job() { return job_; }
+  [[nodiscard]] const Job& job() const { return job_; }
   /// Newest view of a feature; the one before while a new one is computed; nullptr when there never was one.
   [[nodiscard]] std::shared_ptr<const FeatureView> view(const FeatureId&) const;
   [[nodiscard]] bool evaluating() const { return evaluating_; }

@@ -18,6 +18,7 @@ class vtkRenderer;
 
 namespace blossom::ui {
 
+class Tool;
 class ViewCube;
 
 /// How a shape takes part in what is being done, and thereby its colour.
@@ -39,6 +40,11 @@ class ViewWidget : public QOpenGLWidget {
 
   void setItems(const std::vector<ViewItem>&);
   void setOverlay(std::vector<vtkSmartPointer<vtkProp>>);
+  /// Gets mouse and keys first until another is set; nullptr: none. Not owned.
+  void setTool(Tool* tool) {
+    tool_ = tool;
+    update();
+  }
   void setLook(const Look&);
   void setGridVisible(bool);
   void setParallel(bool);
@@ -47,6 +53,7 @@ class ViewWidget : public QOpenGLWidget {
   void lookFrom(const QString& view, bool animated = true);  ///< a name of viewNames(); frames everything
   void zoomBy(double factor);
   [[nodiscard]] const CameraControl& camera() const { return camera_; }
+  [[nodiscard]] double gridSpacing() const { return grid_.spacing(); }  ///< mm
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
   [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
   [[nodiscard]] bool sharp() const { return sharp_; }         ///< false while the camera moves and frames are drawn faster
@@ -99,6 +106,7 @@ class ViewWidget : public QOpenGLWidget {
   GroundGrid grid_;
   Look look_ = Look::dark();
   CameraControl camera_;
+  Tool* tool_ = nullptr;
   ViewCube* cube_;
   Drag drag_ = Drag::None;
   QPointF pressedAt_, lastAt_;

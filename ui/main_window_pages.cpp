@@ -1,0 +1,88 @@
+// Documents as tabs: adding, showing and closing them.
+#include <QStackedWidget>
+#include <QTabBar>
+
+#include "ui/document_tree.h"
+#include "ui/feature_menus.h"
+#include "ui/main_window.h"
+#include "ui/status_line.h"
+#include "ui/text.h"
+#include "ui/view_widget.h"
+
+namespace blossom::ui {
+
+DocumentPage& MainWindow::addPage() {
+  pages_.push_back(std::make_unique<DocumentPage>(app_, manipulators_));
+  DocumentPage& added = *pages_.back();
+  sides_->addWidget(added.side());
+  canvases_->addWidget(added.canvas());
+  connectPage(added);
+  showPage(pages_.size() - 1);
+  return added;
+}
+
+void MainWindow::connectPage(DocumentPage& page) {
+  DocumentPage* const sender = &page;
+  const auto whenShown = [this, sender](auto act) {
+    return [this, sender, act](const auto&... values) {
+      if (sender == &this->page()) act(values...);
+    };
+  };
+  connect(sender, &DocumentPage::hint, this, whenShown([this](const QString& text) { status_->setHint(text); }));
+  connect(sender, &DocumentPage::whereabouts, this,
+          whenShown([this](const QString& text) { status_->setWhereabouts(text); }));
+  connect(sender, &DocumentPage::announced, this, whenShown([this](const QString& text) { status_->announce(text); }));
+  connect(sender, &DocumentPage::workChanged, this,
+          whenShown(
+              [this](const QString& key, const QString& what, double fraction) { status_->setWork(key, what, fraction); }));
+  connect(sender, &DocumentPage::workEnded, this, whenShown([this](const QString& key) { status_->endWork(key); }));
+  connect(sender, &DocumentPage::selectionChanged, this, whenShown([this] {
+            featureMenus_->setSelection(tree().selected());
+            refreshActions();
+          }));
+  connect(sender, &DocumentPage::stateChanged, this, [this, sender] {
+    refreshTabs();
+    if (sender != &this->page()) return;
+    refreshActions();
+    refreshStart();
+  });
+  connect(sender, &DocumentPage::toolChanged, this, whenShown([this] { refreshStart(); }));
+  connect(sender, &DocumentPage::opened, this, [this, sender] {
+    if (!sender->session().file().empty()) remember(qt(sender->session().file().string()));
+  });
+  connect(sender, &DocumentPage::salvageWanted, this, [this](const QString& file) { openFile(file, true); });
+}
+
+void MainWindow::showPage(std::size_t index) {
+  current_ = index;
+  DocumentPage& shown = page();
+  sides_->setCurrentWidget(shown.side());
+  canvases_->setCurrentWidget(shown.canvas());
+  featureMenus_->setPage(&shown);
+  featureMenus_->setSelection(shown.tree().selected());
+  for (const char* key : {"a", "b"}) status_->endWork(QLatin1String(key));
+  status_->setHint(shown.tool() ? shown.tool()->hint() : ViewWidget::idleHint());
+  refreshTabs();
+  refreshActions();
+  refreshStart();
+}
+
+void MainWindow::closePage(std::size_t index) {
+  if (index >= pages_.size()) return;
+  DocumentPage* const closing = pages_[index].get();
+  showPage(index);  // the question is about what is seen
+  guarded(*closing, [this, closing] { removePage(indexOf(*closing)); });
+}
+
+void MainWindow::removePage(std::size_t index) {
+  if (index >= pages_.size()) return;
+  const std::unique_ptr<DocumentPage> removed = std::move(pages_[index]);
+  pages_.erase(pages_.begin() + static_cast<std::ptrdiff_t>(index));
+  removed->disconnect(this);
+  if (pages_.empty())
+    addPage();
+  else
+    showPage(std::min(index, pages_.size() - 1));
+}
+
+}  // namespace blossom::ui

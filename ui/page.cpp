@@ -1,0 +1,245 @@
+#include "ui/page.h"
+
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/document_tree.h"
+#include "ui/error_bar.h"
+#include "ui/property_panel.h"
+#include "ui/text.h"
+#include "ui/theme.h"
+#include "ui/view_widget.h"
+
+namespace blossom::ui {
+
+namespace {
+
+const QString evaluationKey = QStringLiteral("a");
+const QString jobKey = QStringLiteral("b");
+
+QWidget* withTitle(const QString& title, QWidget* content) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 14, 0, 4);
+  column->setSpacing(8);
+  auto* label = new QLabel(title);
+  label->setObjectName(QStringLiteral("sectionTitle"));
+  label->setContentsMargins(16, 0, 16, 0);
+  column->addWidget(label);
+  column->addWidget(content, 1);
+  return box;
+}
+
+bool holds(const std::vector<FeatureId>& ids, const FeatureId& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+}  // namespace
+
+DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QObject* parent)
+    : QObject(parent),
+      manipulators_(manipulators),
+      session_(std::move(app)),
+      look_(theme().look()),
+      tree_(new DocumentTree(session_)),
+      properties_(new PropertyPanel(session_)),
+      view_(new ViewWidget),
+      errors_(new ErrorBar) {
+  buildWidgets();
+  connectSession();
+  connectWidgets();
+  view_->setLook(look_);
+}
+
+// The widgets look at the session: they go first.
+DocumentPage::~DocumentPage() {
+  tool_.reset();
+  delete side_;
+  delete canvas_;
+}
+
+void DocumentPage::buildWidgets() {
+  auto* side = new QSplitter(Qt::Vertical);
+  side->setObjectName(QStringLiteral("sidePanel"));
+  side->addWidget(withTitle(tr("DOCUMENT"), tree_));
+  side->addWidget(properties_);
+  side->setSizes({250, 450});
+  side->setStretchFactor(0, 2);
+  side->setStretchFactor(1, 3);
+  side->setHandleWidth(1);
+  side->setChildrenCollapsible(false);
+  side->setMinimumWidth(230);
+  side_ = side;
+
+  canvas_ = new QWidget;
+  auto* column = new QVBoxLayout(canvas_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(errors_);
+  column->addWidget(view_, 1);
+}
+
+bool DocumentPage::untouched() const {
+  return session_.document().features().empty() && session_.file().empty() && !session_.modified() &&
+         !session_.job().running() && !tool_;
+}
+
+void DocumentPage::connectSession() {
+  connect(&session_, &Session::documentChanged, this, [this] {
+    refreshView();
+    if (tool_) tool_->documentChanged();
+    emit stateChanged();
+  });
+  connect(&session_, &Session::opened, this, [this] {
+    endTool();
+    fitPending_ = true;
+    errors_->hide();
+    view_->setItems({});
+    view_->setOverlay({});
+    emit opened();
+  });
+  connect(&session_, &Session::fileChanged, this, &DocumentPage::stateChanged);
+  connect(&session_, &Session::viewChanged, this, [this](const QString& id) {
+    refreshView();
+    if (id.toStdString() == tree_->current()) refreshOverlay();
+    if (tool_) tool_->documentChanged();
+  });
+  connect(&session_, &Session::evaluationStarted, this, [this] { emit workChanged(evaluationKey, tr("Computing"), 0); });
+  connect(&session_, &Session::evaluationProgressed, this, [this](double fraction, const QString& stage) {
+    emit workChanged(evaluationKey, stage.isEmpty() ? tr("Computing") : stage, fraction);
+  });
+  connect(&session_, &Session::evaluationFinished, this, [this] {
+    emit workEnded(evaluationKey);
+    if (fitPending_ && tree_->selected().empty()) tree_->selectLast();
+    refreshView();
+    refreshOverlay();
+    fitWhenFirstShown();
+  });
+  connect(&session_, &Session::featureAdded, this, [this](const QString& id) { tree_->select(id.toStdString()); });
+  connect(&session_, &Session::failed, this, &DocumentPage::showError);
+  connect(&session_, &Session::warned, this, [this](const QStringList& sentences) {
+    errors_->showNote(tr("Not everything could be read."), sentences.join(u'\n'));
+  });
+  connect(&session_, &Session::noted, this, &DocumentPage::announced);
+  const Job& job = session_.job();
+  connect(&job, &Job::started, this, [this](const QString& title) { emit workChanged(jobKey, title, 0); });
+  connect(&job, &Job::progressed, this, [this](double fraction, const QString& stage) {
+    emit workChanged(jobKey, stage.isEmpty() ? tr("Working") : stage, fraction);
+  });
+  connect(&job, &Job::finished, this, [this] {
+    emit workEnded(jobKey);
+    QMetaObject::invokeMethod(this, &DocumentPage::stateChanged, Qt::QueuedConnection);  // when what was read is shown
+  });
+}
+
+void DocumentPage::connectWidgets() {
+  connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
+    properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current());
+    refreshView();
+    refreshOverlay();
+    emit selectionChanged();
+  });
+  connect(view_, &ViewWidget::picked, this,
+          [this](const QString& id, bool extend) { tree_->select(id.toStdString(), extend); });
+  connect(view_, &ViewWidget::hint, this, &DocumentPage::hint);
+  connect(view_, &ViewWidget::whereabouts, this, &DocumentPage::whereabouts);
+  connect(tree_, &DocumentTree::hint, this, &DocumentPage::hint);
+  connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
+  connect(&ThemeManager::instance(), &ThemeManager::changed, this, [this] {
+    look_ = theme().look();
+    view_->setLook(look_);
+    refreshOverlay();
+    tree_->viewport()->update();
+  });
+}
+
+void DocumentPage::refreshView() {
+  const std::vector<FeatureId> selected = tree_->selected();
+  std::vector<FeatureId> controls;
+  for (const FeatureId& id : selected)
+    if (document().contains(id)) {
+      const auto& inputs = document().at(id).inputs;
+      controls.insert(controls.end(), inputs.begin(), inputs.end());
+    }
+  std::vector<ViewItem> items;
+  for (const auto& feature : document().features()) {
+    const auto view = session_.view(feature->id);
+    if (!feature->visible || feature->suppressed || !view || view->scene.empty()) continue;
+    const ItemRole role = holds(selected, feature->id)   ? ItemRole::Made
+                          : holds(controls, feature->id) ? ItemRole::Control
+                                                         : ItemRole::Plain;
+    items.push_back({feature->id, view->scene, role});
+  }
+  view_->setItems(items);
+}
+
+void DocumentPage::refreshOverlay() {
+  const FeatureId id = tree_->selected().size() == 1 ? tree_->selected().front() : FeatureId();
+  const auto view = session_.view(id);
+  if (id.empty() || !document().contains(id) || !view || view->result->error) return view_->setOverlay({});
+  const Feature& feature = document().at(id);
+  const Overlay* overlay = feature.visible ? manipulators_.overlay(feature.type) : nullptr;
+  std::vector<Shape> inputs;
+  for (const FeatureId& input : feature.inputs) {
+    const auto shown = session_.view(input);
+    if (!shown) return view_->setOverlay({});
+    inputs.push_back(shown->result->evaluated.shape);
+  }
+  if (!overlay) return view_->setOverlay({});
+  try {
+    view_->setOverlay((*overlay)({feature, inputs, view->result->evaluated.shape, look_}));
+  } catch (const std::exception& problem) {
+    view_->setOverlay({});
+    errors_->showError(tr("The handles of %1 cannot be shown.").arg(qt(feature.name)), qt(problem.what()));
+  }
+}
+
+void DocumentPage::fitWhenFirstShown() {
+  if (!fitPending_ || document().features().empty()) return;
+  fitPending_ = false;
+  view_->lookFrom(QStringLiteral("auto"), false);
+  emit stateChanged();
+}
+
+void DocumentPage::showError(const Error& error, const QString& file) {
+  errors_->showError(qt(error.message()), qt(error.hint()));
+  const bool damagedDocument = error.code() == ErrorCode::FormatDamaged && !file.isEmpty() && isDocument(file.toStdString());
+  if (damagedDocument) errors_->offer(tr("Open what is readable"), [this, file] { emit salvageWanted(file); });
+}
+
+void DocumentPage::start(std::unique_ptr<Tool> tool) {
+  endTool();
+  tool_ = std::move(tool);
+  if (!tool_) return;
+  connect(tool_.get(), &Tool::finished, this, [this, started = tool_.get()] {
+    if (tool_.get() != started) return;
+    view_->setTool(nullptr);
+    tool_.release()->deleteLater();  // it is still on the stack
+    emit toolChanged();
+  });
+  view_->setTool(tool_.get());
+  view_->setFocus();
+  emit hint(tool_->hint());
+  emit toolChanged();
+}
+
+void DocumentPage::endTool() {
+  if (!tool_) return;
+  view_->setTool(nullptr);
+  const std::unique_ptr<Tool> ended = std::move(tool_);
+  ended->revert();
+  emit toolChanged();
+}
+
+std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) const {
+  const auto view = session_.view(id);
+  return view ? view->result : nullptr;
+}
+
+double DocumentPage::gridSpacing() const { return view_->gridSpacing(); }
+std::vector<FeatureId> DocumentPage::selection() const { return tree_->selected(); }
+void DocumentPage::select(const FeatureId& id) { tree_->select(id); }
+
+}  // namespace blossom::ui

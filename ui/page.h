@@ -1,0 +1,89 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+#include <memory>
+
+#include "ui/manipulator.h"
+#include "ui/session.h"
+#include "ui/tool.h"
+
+class QWidget;
+
+namespace blossom::ui {
+
+class DocumentTree;
+class ErrorBar;
+class PropertyPanel;
+class ViewWidget;
+
+/// One open document in the window: its session, its side (tree and properties) and its canvas (what went wrong, and the
+/// view). Also what a tool sees of the workbench.
+class DocumentPage : public QObject, public ToolHost {
+  Q_OBJECT
+ public:
+  DocumentPage(App app, const ManipulatorRegistry& manipulators, QObject* parent = nullptr);
+  ~DocumentPage() override;
+
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] const Session& session() const { return session_; }
+  [[nodiscard]] ViewWidget& view() { return *view_; }
+  [[nodiscard]] DocumentTree& tree() { return *tree_; }
+  [[nodiscard]] PropertyPanel& properties() { return *properties_; }
+  [[nodiscard]] ErrorBar& errors() { return *errors_; }
+  [[nodiscard]] QWidget* side() { return side_; }      ///< owned by the page until a window takes it in
+  [[nodiscard]] QWidget* canvas() { return canvas_; }  ///< likewise
+  /// Nothing in it, never saved, nothing under way: may be used for what is opened next.
+  [[nodiscard]] bool untouched() const;
+
+  /// The tool gets mouse and keys until it has finished; the one before is reverted.
+  void start(std::unique_ptr<Tool>);
+  [[nodiscard]] Tool* tool() { return tool_.get(); }
+  void endTool();
+
+  void showError(const Error&, const QString& file = {});
+
+  // ToolHost
+  [[nodiscard]] const Document& document() const override { return session_.document(); }
+  [[nodiscard]] std::shared_ptr<const FeatureResult> result(const FeatureId&) const override;
+  [[nodiscard]] const Registry& registry() const override { return *session_.app().registry; }
+  [[nodiscard]] const Look& look() const override { return look_; }
+  [[nodiscard]] double gridSpacing() const override;
+  [[nodiscard]] std::vector<FeatureId> selection() const override;
+  void select(const FeatureId&) override;
+  void preview(Document document) override { session_.preview(std::move(document)); }
+  void endPreview() override { session_.endPreview(); }
+  void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }
+
+ signals:
+  void hint(const QString&);
+  void whereabouts(const QString&);
+  void announced(const QString&);
+  void selectionChanged();
+  void stateChanged();  ///< document, file name, modified mark, work under way: whatever menus and tabs show
+  void opened();        ///< a document of another file is shown
+  void workChanged(const QString& key, const QString& what, double fraction);
+  void workEnded(const QString& key);
+  void salvageWanted(const QString& file);
+  void toolChanged();
+
+ private:
+  void buildWidgets();
+  void connectSession();
+  void connectWidgets();
+  void refreshView();
+  void refreshOverlay();
+  void fitWhenFirstShown();
+
+  const ManipulatorRegistry& manipulators_;
+  Session session_;
+  Look look_;
+  DocumentTree* tree_;
+  PropertyPanel* properties_;
+  ViewWidget* view_;
+  ErrorBar* errors_;
+  QPointer<QWidget> side_, canvas_;
+  std::unique_ptr<Tool> tool_;
+  bool fitPending_ = true;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,39 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <vector>
+
+#include "parameter/parameter.h"
+
+namespace blossom::ui {
+
+/// A heading and the preferences under it.
+struct PreferenceGroup {
+  QString title;
+  std::vector<ParameterSpec> specs;
+};
+
+/// Every preference, declared once: dialog, defaults and checks are made from this. Names are unique over all groups.
+const std::vector<PreferenceGroup>& preferenceGroups();
+
+/// The values that the user prefers, kept in QSettings under "preferences/NAME". One per application.
+class Preferences : public QObject {
+  Q_OBJECT
+ public:
+  static Preferences& instance();
+
+  /// @pre the name is declared. A stored value that no longer fits its declaration counts as absent.
+  [[nodiscard]] Value value(const std::string& name) const;
+  template <class T>
+  [[nodiscard]] T get(const std::string& name) const {
+    return value(name).get<T>();
+  }
+  /// @throws Error InvalidParameter.
+  void set(const std::string& name, const Value&);
+  void reset();  ///< everything to its default
+
+ signals:
+  void changed(const QString& name);
+};
+
+}  // namespace blossom::ui

@@ -18,6 +18,8 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
 pkg_check_modules(ZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
+find_package(Freetype REQUIRED)                # outlines of letters
+find_package(Fontconfig REQUIRED)              # which fonts are installed
 if(BLOSSOM_BUILD_UI)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGLWidgets Svg)
 endif()

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "kernel/text_outline.h"
+
+namespace blossom::modeling {
+
+inline constexpr const char* defaultFont = "DejaVu Sans";
+
+/// The face of an installed font. @throws Error NotFound naming similar installed fonts, or the styles that there are.
+FontFace fontFace(const std::string& family, FontStyle);
+
+}  // namespace blossom::modeling

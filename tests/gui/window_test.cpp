@@ -1,37 +1,22 @@
-#include <QApplication>
 #include <QComboBox>
-#include <QDragEnterEvent>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
-#include <QTemporaryDir>
-#include <QTimer>
 
 #include <vtkActor.h>
 #include <vtkProp.h>
 
-#include "app/app.h"
-#include "document/storage.h"
-#include "support/support.h"
-#include "ui/application.h"
 #include "ui/document_tree.h"
-#include "ui/error_bar.h"
-#include "ui/main_window.h"
 #include "ui/parameter_field.h"
 #include "ui/property_panel.h"
 #include "ui/ratio_slider.h"
 #include "ui/text.h"
-#include "ui/theme.h"
-#include "ui/view_widget.h"
+#include "window_fixture.h"
 
 using namespace blossom;
 using namespace blossom::ui;
 
 namespace {
-
-QString propeller() { return QString::fromStdString(test::sample("propeller.json").string()); }
 
 /// Share of pixels of two pictures that differ clearly.
 double difference(const QImage& a, const QImage& b) {
@@ -45,28 +30,14 @@ double difference(const QImage& a, const QImage& b) {
   return double(different) / (double(a.width()) * a.height());
 }
 
-/// The canvas without the cube in its corner.
-QImage canvas(MainWindow& window) { return window.view().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
-
-double colored(const QImage& image, const QColor& color) {
-  qint64 found = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const QColor pixel = image.pixelColor(x, y);
-      const int turn = std::abs(pixel.hsvHue() - color.hsvHue());
-      if (pixel.hsvSaturation() > 90 && std::min(turn, 360 - turn) < 14) ++found;
-    }
-  return double(found) / (double(image.width()) * image.height());
-}
-
 }  // namespace
 
-class WindowTest : public QObject {
+class WindowTest : public WindowFixture {
   Q_OBJECT
  private slots:
-  void initTestCase();
-  void init();
-  void cleanup();
+  void initTestCase() { setUpOnce(); }
+  void init() { openWindow(); }
+  void cleanup() { window_.reset(); }
   void anEmptyWindowOffersSamples();
   void theSampleIsComputedAndDrawn();
   void draggingOrbitsAndWheelZooms();
@@ -76,61 +47,11 @@ class WindowTest : public QObject {
   void undoAndRedoOfAParameter();
   void aWrongValueKeepsTheOldOneAndSaysWhy();
   void namesAndVisibilityAreEdits();
-  void savedAndOpenedAgainItIsTheSame();
-  void aBrokenFileIsSaidInPlace();
-  void aDamagedDocumentOffersWhatIsReadable();
   void themesChangeCanvasAndPalette();
   void aFeatureIsAddedFromItsMenu();
-  void exportedPictureIsAPicture();
-  void unsavedChangesAreAskedFor();
   void escapeCancelsWork();
-  void droppedFilesAreOpenedOrAdded();
   void selectedFeaturesAreHiddenByOneEdit();
-  void figuresReadWell();
-
- private:
-  void openPropeller();
-  FeatureId sweep() const;
-  void answer(QMessageBox::StandardButton, bool& asked);
-  std::unique_ptr<MainWindow> window_;
-  QTemporaryDir folder_;
 };
-
-void WindowTest::initTestCase() {
-  setUpApplication();
-  qputenv("XDG_CACHE_HOME", folder_.path().toLocal8Bit());
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
-  ThemeManager::instance().apply(ThemeChoice::Dark);
-}
-
-void WindowTest::init() {
-  window_ = std::make_unique<MainWindow>(loadApp({test::buildFolder() / "lib/blossom/plugins"}));
-  window_->resize(1000, 700);
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  QApplication::setActiveWindow(window_.get());  // no window manager does it; shortcuts need it
-  QVERIFY2(window_->view().problem().isEmpty(), qPrintable(window_->view().problem()));
-}
-
-void WindowTest::cleanup() { window_.reset(); }
-
-FeatureId WindowTest::sweep() const {
-  for (const auto& feature : window_->session().document().features())
-    if (feature->type == "sweep.sweep") return feature->id;
-  return {};
-}
-
-void WindowTest::openPropeller() {
-  QSignalSpy finished(&window_->session(), &Session::evaluationFinished);
-  window_->openFile(propeller());
-  QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty() && !window_->session().evaluating(), 60000);
-  QVERIFY2(window_->errors().isHidden(), qPrintable(window_->errors().message()));
-  QVERIFY(!sweep().empty());
-  const int frames = window_->view().framesDrawn();
-  window_->view().update();
-  QTRY_VERIFY(window_->view().framesDrawn() > frames);
-}
 
 void WindowTest::anEmptyWindowOffersSamples() {
   auto* card = window_->findChild<QWidget*>(QStringLiteral("startCard"));
@@ -150,18 +71,18 @@ void WindowTest::theSampleIsComputedAndDrawn() {
   QVERIFY(!window_->session().modified());
   // Selected, hence in the warm accent.
   QCOMPARE(window_->tree().current(), sweep());
-  QVERIFY2(colored(canvas(*window_), theme().color("made")) > 0.05, "the propeller is not seen");
+  QVERIFY2(colored(canvas(), theme().color("made")) > 0.05, "the propeller is not seen");
 }
 
 void WindowTest::draggingOrbitsAndWheelZooms() {
   openPropeller();
   ViewWidget& view = window_->view();
-  const QImage before = canvas(*window_);
+  const QImage before = canvas();
   const QPoint from(200, 400), to(330, 350);
   QTest::mousePress(&view, Qt::LeftButton, {}, from);
   for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from + (to - from) * i / 5);
   QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
-  const QImage orbited = canvas(*window_);
+  const QImage orbited = canvas();
   QVERIFY(difference(before, orbited) > 0.03);
 
   qInfo("frame of the propeller (%lld triangles) at %d x %d: %.1f ms",
@@ -173,7 +94,7 @@ void WindowTest::draggingOrbitsAndWheelZooms() {
   for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from + (to - from) * i / 5);
   QTest::mouseRelease(&view, Qt::RightButton, {}, to);
   QCOMPARE(view.camera().turn().yaw, turn.yaw);
-  QVERIFY(difference(orbited, canvas(*window_)) > 0.03);
+  QVERIFY(difference(orbited, canvas()) > 0.03);
 
   // The point under the cursor stays there.
   const QPointF at(420, 260);
@@ -194,11 +115,11 @@ void WindowTest::fitBringsEverythingBack() {
   openPropeller();
   ViewWidget& view = window_->view();
   view.fit(false);
-  const QImage fitted = canvas(*window_);
+  const QImage fitted = canvas();
   for (int i = 0; i < 8; ++i) view.zoomBy(2.5);
-  QVERIFY(difference(fitted, canvas(*window_)) > 0.03);
+  QVERIFY(difference(fitted, canvas()) > 0.03);
   QTest::keyClick(window_.get(), Qt::Key_F);
-  QTRY_VERIFY(difference(fitted, canvas(*window_)) < 0.001);
+  QTRY_VERIFY(difference(fitted, canvas()) < 0.001);
   QTest::keyClick(window_.get(), Qt::Key_5);
   QTRY_COMPARE(view.camera().turn().pitch, 90.0);
 }
@@ -209,13 +130,13 @@ void WindowTest::clickingSelects() {
   view.lookFrom(QStringLiteral("top"), false);
   QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(12, view.height() - 12));
   QVERIFY(window_->tree().selected().empty());
-  const double grey = colored(canvas(*window_), theme().color("made"));
+  const double grey = colored(canvas(), theme().color("made"));
   QVERIFY(grey < 0.01);
   // Somewhere on a line through the middle there is the shape.
   for (int x = 40; x < view.width() - 40 && window_->tree().selected().empty(); x += 20)
     QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(x, view.height() / 2));
   QCOMPARE(window_->tree().current(), sweep());
-  QVERIFY(colored(canvas(*window_), theme().color("made")) > 0.03);
+  QVERIFY(colored(canvas(), theme().color("made")) > 0.03);
 }
 
 void WindowTest::idleDrawsNothing() {
@@ -280,83 +201,22 @@ void WindowTest::namesAndVisibilityAreEdits() {
   QVERIFY(tree.model()->setData(tree.currentIndex(), QStringLiteral("Blades"), Qt::EditRole));
   QCOMPARE(window_->session().document().at(sweep()).name, std::string("Blades"));
   tree.toggleVisible(sweep());
-  QVERIFY(colored(canvas(*window_), theme().color("made")) < 0.01);
+  QVERIFY(colored(canvas(), theme().color("made")) < 0.01);
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(colored(canvas(*window_), theme().color("made")) > 0.03);
+  QVERIFY(colored(canvas(), theme().color("made")) > 0.03);
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(window_->session().document().at(sweep()).name, std::string("Sweep"));
-}
-
-void WindowTest::savedAndOpenedAgainItIsTheSame() {
-  openPropeller();
-  const std::filesystem::path file = folder_.filePath(QStringLiteral("saved.blossom")).toStdString();
-  DocumentTree& tree = window_->tree();
-  tree.model()->setData(tree.currentIndex(), QStringLiteral("Blades"), Qt::EditRole);
-  bool saved = false;
-  window_->session().save(file, [&] { saved = true; });
-  QTRY_VERIFY(saved);
-  QVERIFY(!window_->isWindowModified());
-  QVERIFY(window_->windowTitle().startsWith(QStringLiteral("saved.blossom")));
-  const std::string written = toJson(window_->session().document());
-  const auto area = [&] { return stateLine(window_->session().view(sweep())->measures); };
-  QTRY_VERIFY(!window_->session().evaluating());
-  const QString before = area();
-
-  window_->session().clear();
-  QVERIFY(window_->session().document().features().empty());
-  QSignalSpy finished(&window_->session(), &Session::evaluationFinished);
-  window_->openFile(qt(file.string()));
-  QTRY_VERIFY_WITH_TIMEOUT(!sweep().empty() && !finished.isEmpty() && !window_->session().evaluating(), 60000);
-  QCOMPARE(toJson(window_->session().document()), written);
-  QCOMPARE(area(), before);
-}
-
-void WindowTest::aBrokenFileIsSaidInPlace() {
-  const QString file = folder_.filePath(QStringLiteral("broken.step"));
-  QFile out(file);
-  QVERIFY(out.open(QIODevice::WriteOnly));
-  out.write("ISO-10303-21; nothing of the sort");
-  out.close();
-  window_->openFile(file);
-  const auto failedFeature = [&] {
-    for (const auto& feature : window_->session().document().features()) {
-      const auto view = window_->session().view(feature->id);
-      if (view && view->result->error) return true;
-    }
-    return false;
-  };
-  // Either the file is refused, or the import feature keeps the error.
-  QTRY_VERIFY_WITH_TIMEOUT(window_->errors().isVisible() || failedFeature(), 60000);
-  window_->openFile(folder_.filePath(QStringLiteral("not-there.step")));
-  QTRY_VERIFY(window_->errors().isVisible());
-  QVERIFY(!window_->errors().message().isEmpty());
-  QTest::keyClick(window_.get(), Qt::Key_Escape);
-  QVERIFY(window_->errors().isHidden());
-}
-
-void WindowTest::aDamagedDocumentOffersWhatIsReadable() {
-  openPropeller();
-  const QString file = folder_.filePath(QStringLiteral("damaged.blossom"));
-  QFile out(file);
-  QVERIFY(out.open(QIODevice::WriteOnly));
-  out.write("PK\003\004 cut off");
-  out.close();
-  const std::string before = toJson(window_->session().document());
-  window_->openFile(file);
-  QTRY_VERIFY(window_->errors().isVisible());
-  QCOMPARE(toJson(window_->session().document()), before);
-  QVERIFY(window_->errors().findChild<QPushButton*>()->isVisible());
 }
 
 void WindowTest::themesChangeCanvasAndPalette() {
   openPropeller();
   const int dark = QApplication::palette().color(QPalette::Window).lightness();
-  const int darkCanvas = qGray(canvas(*window_).pixel(20, 60));
+  const int darkCanvas = qGray(canvas().pixel(20, 60));
   ThemeManager::instance().apply(ThemeChoice::Light);
   QVERIFY(QApplication::palette().color(QPalette::Window).lightness() > dark + 100);
-  QVERIFY(qGray(canvas(*window_).pixel(20, 60)) > darkCanvas + 100);
+  QVERIFY(qGray(canvas().pixel(20, 60)) > darkCanvas + 100);
   ThemeManager::instance().apply(ThemeChoice::Dark);
-  QVERIFY(qGray(canvas(*window_).pixel(20, 60)) < darkCanvas + 10);
+  QVERIFY(qGray(canvas().pixel(20, 60)) < darkCanvas + 10);
 }
 
 void WindowTest::aFeatureIsAddedFromItsMenu() {
@@ -371,54 +231,6 @@ void WindowTest::aFeatureIsAddedFromItsMenu() {
   QCOMPARE(window_->session().document().features().size(), std::size_t(3));
   QCOMPARE(window_->session().document().features().back()->inputs, std::vector<FeatureId>{motion});
   QCOMPARE(qt(window_->session().history().undoText()), QStringLiteral("Add Sweep"));
-}
-
-void WindowTest::exportedPictureIsAPicture() {
-  openPropeller();
-  const QString file = folder_.filePath(QStringLiteral("propeller.png"));
-  window_->session().exportFeature(sweep(), file.toStdString(), Value{{"size", "320x200"}});
-  QTRY_VERIFY_WITH_TIMEOUT(!window_->session().job().running(), 60000);
-  QVERIFY2(window_->errors().isHidden(), qPrintable(window_->errors().message()));
-  QCOMPARE(QImage(file).size(), QSize(320, 200));
-  // Drawing elsewhere has left the window's own context alone.
-  QVERIFY(colored(canvas(*window_), theme().color("made")) > 0.03);
-}
-
-// Answers the next question by the button given; `asked` tells that there was one.
-void WindowTest::answer(QMessageBox::StandardButton button, bool& asked) {
-  QTimer::singleShot(0, window_.get(), [this, button, &asked] {
-    auto* question = window_->findChild<QMessageBox*>();
-    asked = question != nullptr;
-    if (question) question->button(button)->click();
-  });
-}
-
-void WindowTest::unsavedChangesAreAskedFor() {
-  openPropeller();
-  window_->tree().model()->setData(window_->tree().currentIndex(), QStringLiteral("Blades"), Qt::EditRole);
-  const std::string before = toJson(window_->session().document());
-  bool asked = false;
-  answer(QMessageBox::Cancel, asked);
-  QVERIFY(!window_->close());
-  QVERIFY(asked && window_->isVisible());
-  asked = false;
-  answer(QMessageBox::Cancel, asked);
-  window_->openFile(propeller());
-  QVERIFY(asked);
-  QCOMPARE(toJson(window_->session().document()), before);
-
-  // Saved first: the file has the change, then the window closes.
-  const QString file = folder_.filePath(QStringLiteral("guarded.blossom"));
-  bool saved = false;
-  window_->session().save(file.toStdString(), [&] { saved = true; });
-  QTRY_VERIFY(saved);
-  window_->tree().model()->setData(window_->tree().currentIndex(), QStringLiteral("Four blades"), Qt::EditRole);
-  asked = false;
-  answer(QMessageBox::Save, asked);
-  window_->close();
-  QVERIFY(asked);
-  QTRY_VERIFY(!window_->isVisible());
-  QCOMPARE(openDocument(file.toStdString()).document.at(sweep()).name, std::string("Four blades"));
 }
 
 void WindowTest::escapeCancelsWork() {
@@ -451,36 +263,6 @@ void WindowTest::escapeCancelsWork() {
   QVERIFY(!window_->session().view(sweep())->result->error);
 }
 
-void WindowTest::droppedFilesAreOpenedOrAdded() {
-  const auto drop = [&](const QStringList& files) {
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& file : files) urls << QUrl::fromLocalFile(file);
-    data.setUrls(urls);
-    QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(window_.get(), &enter);
-    if (!enter.isAccepted()) return false;
-    QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(window_.get(), &event);
-    return event.isAccepted();
-  };
-  QVERIFY(!drop({}));
-  QVERIFY(drop({propeller()}));
-  QTRY_VERIFY_WITH_TIMEOUT(!sweep().empty() && !window_->session().evaluating(), 60000);
-  const std::size_t count = window_->session().document().features().size();
-  const QString drawing = folder_.filePath(QStringLiteral("drawing.svg"));
-  QFile out(drawing);
-  QVERIFY(out.open(QIODevice::WriteOnly));
-  out.write("<svg xmlns='http://www.w3.org/2000/svg'><rect width='40' height='20'/></svg>");
-  out.close();
-  QVERIFY(drop({drawing}));
-  QTRY_COMPARE_WITH_TIMEOUT(window_->session().document().features().size(), count + 1, 60000);
-  QVERIFY(window_->session().modified());
-  QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating(), 60000);
-  window_->session().undo();
-  QCOMPARE(window_->session().document().features().size(), count);
-}
-
 void WindowTest::selectedFeaturesAreHiddenByOneEdit() {
   openPropeller();
   window_->tree().selectAll();
@@ -492,28 +274,5 @@ void WindowTest::selectedFeaturesAreHiddenByOneEdit() {
   QVERIFY(!window_->isWindowModified());
 }
 
-void WindowTest::figuresReadWell() {
-  QCOMPARE(counted(QStringLiteral("84"), QStringLiteral("vertex")), QStringLiteral("84 vertices"));
-  QCOMPARE(counted(QStringLiteral("4"), QStringLiteral("assembly")), QStringLiteral("4 assemblies"));
-  QCOMPARE(counted(QStringLiteral("1"), QStringLiteral("face")), QStringLiteral("1 face"));
-  QCOMPARE(counted(QStringLiteral("29"), QStringLiteral("LINE")), QStringLiteral("29 LINE"));
-  QCOMPARE(measureLabel("trajectory_degree_u"), QStringLiteral("Trajectory degree in u"));
-  QCOMPARE(measureLabel("length_mm") + statUnit("length_mm"), QStringLiteral("Length mm"));
-  QVERIFY(!worthReading("refinements", 0) && worthReading("refinements", 2) && !worthReading("skipped", Value::object()));
-  const QString thin(QChar(0x2009));
-  QCOMPARE(readable(1842.6), QStringLiteral("1") + thin + QStringLiteral("842.6"));
-  QCOMPARE(readable(0.0), QStringLiteral("0"));
-  QCOMPARE(readable(0.25), QStringLiteral("0.25"));
-  QCOMPARE(readable(-1234567.0),
-           QChar(0x2212) + QStringLiteral("1") + thin + QStringLiteral("234") + thin + QStringLiteral("567"));
-  QCOMPARE(readable(std::int64_t(999)), QStringLiteral("999"));
-  QCOMPARE(readable(3e-7), QStringLiteral("3.00e") + QChar(0x2212) + QStringLiteral("07"));
-}
-
-int main(int argc, char** argv) {
-  prepareApplication();
-  QApplication application(argc, argv);
-  WindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+BLOSSOM_WINDOW_TEST_MAIN(WindowTest)
 #include "window_test.moc"

@@ -1,0 +1,32 @@
+#include "support/support.h"
+#include "ui/text.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+class ReadableTextTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void figuresReadWell();
+};
+
+void ReadableTextTest::figuresReadWell() {
+  QCOMPARE(counted(QStringLiteral("84"), QStringLiteral("vertex")), QStringLiteral("84 vertices"));
+  QCOMPARE(counted(QStringLiteral("4"), QStringLiteral("assembly")), QStringLiteral("4 assemblies"));
+  QCOMPARE(counted(QStringLiteral("1"), QStringLiteral("face")), QStringLiteral("1 face"));
+  QCOMPARE(counted(QStringLiteral("29"), QStringLiteral("LINE")), QStringLiteral("29 LINE"));
+  QCOMPARE(measureLabel("trajectory_degree_u"), QStringLiteral("Trajectory degree in u"));
+  QCOMPARE(measureLabel("length_mm") + statUnit("length_mm"), QStringLiteral("Length mm"));
+  QVERIFY(!worthReading("refinements", 0) && worthReading("refinements", 2) && !worthReading("skipped", Value::object()));
+  const QString thin(QChar(0x2009));
+  QCOMPARE(readable(1842.6), QStringLiteral("1") + thin + QStringLiteral("842.6"));
+  QCOMPARE(readable(0.0), QStringLiteral("0"));
+  QCOMPARE(readable(0.25), QStringLiteral("0.25"));
+  QCOMPARE(readable(-1234567.0),
+           QChar(0x2212) + QStringLiteral("1") + thin + QStringLiteral("234") + thin + QStringLiteral("567"));
+  QCOMPARE(readable(std::int64_t(999)), QStringLiteral("999"));
+  QCOMPARE(readable(3e-7), QStringLiteral("3.00e") + QChar(0x2212) + QStringLiteral("07"));
+}
+
+QTEST_GUILESS_MAIN(ReadableTextTest)
+#include "readable_text_test.moc"

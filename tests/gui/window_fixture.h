@@ -1,0 +1,101 @@
+#pragma once
+#include <QApplication>
+#include <QMessageBox>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <memory>
+
+#include "app/app.h"
+#include "support/support.h"
+#include "ui/application.h"
+#include "ui/error_bar.h"
+#include "ui/main_window.h"
+#include "ui/theme.h"
+#include "ui/view_widget.h"
+
+namespace blossom::ui {
+
+/// The real window with the plugins of the build tree, settings and caches in a folder of its own; one new window a test.
+class WindowFixture : public QObject {
+ protected:
+  static QString propeller() { return QString::fromStdString(test::sample("propeller.json").string()); }
+
+  void setUpOnce() {
+    setUpApplication();
+    for (const char* name : {"XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+      qputenv(name, folder_.path().toLocal8Bit());
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+    ThemeManager::instance().apply(ThemeChoice::Dark);
+  }
+
+  void openWindow() {
+    window_ = std::make_unique<MainWindow>(loadApp({test::buildFolder() / "lib/blossom/plugins"}));
+    window_->resize(1000, 700);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());  // no window manager does it; shortcuts need it
+    QVERIFY2(window_->view().problem().isEmpty(), qPrintable(window_->view().problem()));
+  }
+
+  [[nodiscard]] FeatureId sweep() const {
+    for (const auto& feature : window_->session().document().features())
+      if (feature->type == "sweep.sweep") return feature->id;
+    return {};
+  }
+
+  /// Opens a file and waits until it is computed and drawn.
+  void openAndWait(const QString& file) {
+    window_->openFile(file);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->session().document().features().empty() && !window_->session().evaluating() &&
+                                 !window_->session().job().running(),
+                             60000);
+    QVERIFY2(window_->errors().isHidden(), qPrintable(window_->errors().message()));
+    const int frames = window_->view().framesDrawn();
+    window_->view().update();
+    QTRY_VERIFY(window_->view().framesDrawn() > frames);
+  }
+
+  void openPropeller() {
+    openAndWait(propeller());
+    QVERIFY(!sweep().empty());
+  }
+
+  /// Answers the next question by the button given; `asked` tells that there was one.
+  void answer(QMessageBox::StandardButton button, bool& asked) {
+    QTimer::singleShot(0, window_.get(), [this, button, &asked] {
+      auto* question = window_->findChild<QMessageBox*>();
+      asked = question != nullptr;
+      if (question) question->button(button)->click();
+    });
+  }
+
+  [[nodiscard]] QImage canvas() { return window_->view().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
+
+  /// Share of the pixels that have about the hue of a colour.
+  static double colored(const QImage& image, const QColor& color) {
+    qint64 found = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor pixel = image.pixelColor(x, y);
+        const int turn = std::abs(pixel.hsvHue() - color.hsvHue());
+        if (pixel.hsvSaturation() > 90 && std::min(turn, 360 - turn) < 14) ++found;
+      }
+    return double(found) / (double(image.width()) * image.height());
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace blossom::ui
+
+/// main() of a test program with a window.
+#define BLOSSOM_WINDOW_TEST_MAIN(Class)     \
+  int main(int argc, char** argv) {         \
+    blossom::ui::prepareApplication();      \
+    QApplication application(argc, argv);   \
+    Class test;                             \
+    return QTest::qExec(&test, argc, argv); \
+  }

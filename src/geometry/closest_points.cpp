@@ -26,7 +26,7 @@ using Parameters = MeasurePatch::Parameters;
 using Vector = Eigen::Matrix<double, 4, 1>;
 using Matrix = Eigen::Matrix<double, 4, 4>;
 
-constexpr std::size_t startsPerPair = 5;
+constexpr std::size_t startsPerPair = 24;
 
 double boxDistance(const Bounds& a, const Bounds& b) { return (b.low - a.high).cwiseMax(a.low - b.high).cwiseMax(0).norm(); }
 
@@ -45,8 +45,8 @@ class PairNewton {
  public:
   PairNewton(const MeasurePatch& a, const MeasurePatch& b) : a_(a), b_(b) {
     for (std::size_t i = 0; i < 2; ++i) {
-      set(i, i < a.dimension(), a.low()[i], a.high()[i]);
-      set(i + 2, i < b.dimension(), b.low()[i], b.high()[i]);
+      set(i, i < a.dimension(), a, i);
+      set(i + 2, i < b.dimension(), b, i);
     }
   }
 
@@ -74,11 +74,13 @@ class PairNewton {
   }
 
  private:
-  void set(std::size_t i, bool used, double low, double high) {
-    used_[i] = used;
-    const auto k = static_cast<Eigen::Index>(i);
-    low_[k] = used ? low : 0;
-    high_[k] = used ? high : 0;
+  void set(std::size_t place, bool used, const MeasurePatch& patch, std::size_t i) {
+    used_[place] = used;
+    const auto k = static_cast<Eigen::Index>(place);
+    low_[k] = used ? patch.low()[i] : 0;
+    high_[k] = used ? patch.high()[i] : 0;
+    const double speed = used ? 1e-3 * patch.box().diagonal() / (high_[k] - low_[k]) : 1;
+    floor_[k] = std::max(speed * speed, 1e-30);
   }
   [[nodiscard]] Vector clamped(const Vector& x) const { return x.cwiseMax(low_).cwiseMin(high_); }
 
@@ -119,7 +121,7 @@ class PairNewton {
       gauss.col(i).setZero();
       hessian(i, i) = gauss(i, i) = 1;
     }
-    const Vector scale = gauss.diagonal().cwiseMax(1e-30);
+    const Vector scale = gauss.diagonal().cwiseMax(floor_);
     hessian.diagonal() += damping * scale;
     const Eigen::LLT<Matrix> newton(hessian);
     if (newton.info() == Eigen::Success && newton.rcond() > 1e-15) return -newton.solve(gradient);
@@ -131,6 +133,7 @@ class PairNewton {
   const MeasurePatch& b_;
   std::array<bool, 4> used_{};
   Vector low_, high_;
+  Vector floor_;  // squares of slow speeds: at a pole a parameter stands still
 };
 
 std::vector<MeasurePatch> patchesOf(const TopoDS_Shape& shape, const Progress& progress) {
@@ -199,32 +202,39 @@ class Search {
   }
 
   struct Start {
-    double square;
+    double distance;
     Parameters a, b;
   };
 
   void search(const MeasurePatch& a, const MeasurePatch& b, const Progress& progress) {
     const PairNewton newton(a, b);
+    const double reach = a.spacing() + b.spacing();
     for (const Start& start : starts(a, b, progress))
-      if (const auto found = newton.from(start.a, start.b)) keep(*found);
+      if (start.distance <= best_.distance() + reach)
+        if (const auto found = newton.from(start.a, start.b)) keep(*found);
   }
 
-  /// Nearest sample of `b` to each sample of `a`; of these the best, and the one in the middle.
+  /// Where the samples of one come nearest to those of the other, seen from both, and where both are in the middle.
   [[nodiscard]] std::vector<Start> starts(const MeasurePatch& a, const MeasurePatch& b, const Progress& progress) const {
-    std::vector<Start> all;
-    all.reserve(a.samples().size() + 1);
-    for (const auto& p : a.samples()) {
+    const auto &p = a.samples(), &q = b.samples();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    std::vector<double> squareA(p.size(), infinite), squareB(q.size(), infinite);
+    std::vector<std::size_t> ofA(p.size(), 0), ofB(q.size(), 0);
+    for (std::size_t i = 0; i < p.size(); ++i) {
       progress.check();
-      Start start{std::numeric_limits<double>::infinity(), p.at, {0, 0}};
-      for (const auto& q : b.samples()) {
-        const double square = (p.point - q.point).squaredNorm();
-        if (square < start.square) start = {square, p.at, q.at};
+      for (std::size_t j = 0; j < q.size(); ++j) {
+        const double square = (p[i].point - q[j].point).squaredNorm();
+        if (square < squareA[i]) squareA[i] = square, ofA[i] = j;
+        if (square < squareB[j]) squareB[j] = square, ofB[j] = i;
       }
-      all.push_back(start);
     }
+    std::vector<Start> all;
+    for (const std::size_t i : a.localMinima(squareA)) all.push_back({std::sqrt(squareA[i]), p[i].at, q[ofA[i]].at});
+    for (const std::size_t j : b.localMinima(squareB)) all.push_back({std::sqrt(squareB[j]), p[ofB[j]].at, q[j].at});
+    // Surfaces that run along one another are everywhere as near.
     const std::size_t count = std::min(startsPerPair, all.size());
     std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), all.end(),
-                      [](const Start& s, const Start& t) { return s.square < t.square; });
+                      [](const Start& s, const Start& t) { return s.distance < t.distance; });
     all.resize(count);
     all.push_back({0, nearestToMiddle(a), nearestToMiddle(b)});
     return all;

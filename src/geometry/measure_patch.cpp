@@ -86,24 +86,64 @@ bool MeasurePatch::contains(const Parameters& at) const {
 }
 
 const std::vector<MeasurePatch::Sample>& MeasurePatch::samples() const {
-  if (!samples_.empty()) return samples_;
-  int countU = 1, countV = 1;
-  if (surface_) {
-    countU = samplesAlong(straightIn(surface_->GetType(), false), surface_->NbUIntervals(GeomAbs_C2));
-    countV = samplesAlong(straightIn(surface_->GetType(), true), surface_->NbVIntervals(GeomAbs_C2));
-  } else if (curve_) {
-    countU = samplesAlong(curve_->GetType() == GeomAbs_Line, curve_->NbIntervals(GeomAbs_C2));
-  }
-  std::vector<Sample> outside;
-  for (int i = 0; i < countU; ++i)
-    for (int j = 0; j < countV; ++j) {
-      const Parameters at{countU > 1 ? between(low_[0], high_[0], i, countU) : low_[0],
-                          countV > 1 ? between(low_[1], high_[1], j, countV) : low_[1]};
-      (contains(at) ? samples_ : outside).push_back({point(at), at});
-    }
-  // The grid may miss a narrow face; Newton's method may still come into it from beside.
-  if (samples_.empty()) samples_ = std::move(outside);
+  if (samples_.empty()) makeSamples();
   return samples_;
+}
+
+double MeasurePatch::spacing() const {
+  if (samples_.empty()) makeSamples();
+  return spacing_;
+}
+
+void MeasurePatch::makeSamples() const {
+  if (surface_) {
+    countU_ = samplesAlong(straightIn(surface_->GetType(), false), surface_->NbUIntervals(GeomAbs_C2));
+    countV_ = samplesAlong(straightIn(surface_->GetType(), true), surface_->NbVIntervals(GeomAbs_C2));
+  } else if (curve_) {
+    countU_ = samplesAlong(curve_->GetType() == GeomAbs_Line, curve_->NbIntervals(GeomAbs_C2));
+  }
+  std::vector<Sample> all;
+  all.reserve(static_cast<std::size_t>(countU_) * static_cast<std::size_t>(countV_));
+  for (int i = 0; i < countU_; ++i)
+    for (int j = 0; j < countV_; ++j) {
+      const Parameters at{countU_ > 1 ? between(low_[0], high_[0], i, countU_) : low_[0],
+                          countV_ > 1 ? between(low_[1], high_[1], j, countV_) : low_[1]};
+      all.push_back({point(at), at, i, j});
+    }
+  const auto step = [&](std::size_t from, std::size_t to) { return (all[to].point - all[from].point).norm(); };
+  const auto row = static_cast<std::size_t>(countV_);
+  double stepU = 0, stepV = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k >= row) stepU = std::max(stepU, step(k - row, k));
+    if (k % row > 0) stepV = std::max(stepV, step(k - 1, k));
+  }
+  spacing_ = (stepU + stepV) / 2;
+  for (const Sample& sample : all)
+    if (contains(sample.at)) samples_.push_back(sample);
+  // The grid may miss a narrow face; Newton's method may still come into it from beside.
+  if (samples_.empty()) samples_ = all;
+  grid_.assign(all.size(), -1);
+  for (std::size_t k = 0; k < samples_.size(); ++k)
+    grid_[static_cast<std::size_t>(samples_[k].i * countV_ + samples_[k].j)] = static_cast<int>(k);
+}
+
+int MeasurePatch::placeOf(int i, int j) const {
+  const bool there = i >= 0 && i < countU_ && j >= 0 && j < countV_;
+  return there ? grid_[static_cast<std::size_t>(i * countV_ + j)] : -1;
+}
+
+std::vector<std::size_t> MeasurePatch::localMinima(const std::vector<double>& values) const {
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    bool lowest = true;
+    for (int i = -1; i <= 1 && lowest; ++i)
+      for (int j = -1; j <= 1 && lowest; ++j) {
+        const int other = placeOf(samples_[k].i + i, samples_[k].j + j);
+        lowest = other < 0 || values[static_cast<std::size_t>(other)] >= values[k];
+      }
+    if (lowest) result.push_back(k);
+  }
+  return result;
 }
 
 }  // namespace blossom

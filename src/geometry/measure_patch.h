@@ -24,6 +24,7 @@ class MeasurePatch {
   struct Sample {
     Vec3 point;
     Parameters at{0, 0};
+    int i = 0, j = 0;  ///< place in the grid of samples
   };
 
   /// @pre not a degenerated edge. @throws Error InvalidInput when it is unbounded.
@@ -38,9 +39,15 @@ class MeasurePatch {
   [[nodiscard]] bool contains(const Parameters&) const;
   /// Points spread over the patch, at least one; made when they are first asked for.
   [[nodiscard]] const std::vector<Sample>& samples() const;
+  /// Those of `values`, one per sample, that no neighbour in the grid is below.
+  [[nodiscard]] std::vector<std::size_t> localMinima(const std::vector<double>& values) const;
+  /// About the farthest a point of the patch is from a sample.
+  [[nodiscard]] double spacing() const;
 
  private:
   [[nodiscard]] Vec3 point(const Parameters&) const;
+  void makeSamples() const;
+  [[nodiscard]] int placeOf(int i, int j) const;
   std::unique_ptr<BRepAdaptor_Surface> surface_;
   std::unique_ptr<BRepAdaptor_Curve> curve_;
   std::unique_ptr<BRepTopAdaptor_FClass2d> trimming_;
@@ -48,6 +55,9 @@ class MeasurePatch {
   Parameters low_{0, 0}, high_{0, 0};
   Bounds box_;
   mutable std::vector<Sample> samples_;
+  mutable std::vector<int> grid_;  // u-major; place in samples_, -1 where the patch is cut away
+  mutable int countU_ = 1, countV_ = 1;
+  mutable double spacing_ = 0;
 };
 
 }  // namespace blossom

@@ -6,5 +6,9 @@ namespace blossom::modeling {
 
 /// Each registers the feature types of one group.
 void registerOutlines(Registry&);
+void registerPrimitives(Registry&);       ///< box, cylinder, cone, sphere, torus
+void registerProfileFeatures(Registry&);  ///< extrude, revolve, loft, pipe
+void registerSolidFeatures(Registry&);    ///< Boolean, fillet, chamfer, shell
+void registerArrangements(Registry&);     ///< transform, pattern, mirror
 
 }  // namespace blossom::modeling

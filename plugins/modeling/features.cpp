@@ -1,5 +1,23 @@
-#include "feature_groups.h"
-
 #include "feature/plugin.h"
+#include "feature_groups.h"
+#include "worker/worker.h"
 
-BLOSSOM_PLUGIN(registry) { blossom::modeling::registerOutlines(registry); }
+namespace {
+
+void registerAll(blossom::Registry& registry) {
+  blossom::modeling::registerOutlines(registry);
+  blossom::modeling::registerPrimitives(registry);
+  blossom::modeling::registerProfileFeatures(registry);
+  blossom::modeling::registerSolidFeatures(registry);
+  blossom::modeling::registerArrangements(registry);
+}
+
+}  // namespace
+
+BLOSSOM_PLUGIN(registry) { registerAll(registry); }
+
+/// Feature types that run in the worker register their calls when they are made.
+BLOSSOM_WORKER_CALLS() {
+  blossom::Registry registry;
+  registerAll(registry);
+}

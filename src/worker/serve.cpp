@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -91,7 +92,22 @@ Value errorMessage(const Error& error) {
   return {{"error", {{"code", errorCodeName(error.code())}, {"message", error.message()}, {"hint", error.hint()}}}};
 }
 
+/// Stays loaded: its functions are called until the process ends.
+void loadModule(const std::string& path) {
+  if (path.empty()) return;
+  void* module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* entry = module ? ::dlsym(module, "blossomRegisterWorkerCalls") : nullptr;
+  if (!entry) {
+    const char* why = ::dlerror();
+    throw Error(ErrorCode::PluginBroken,
+                "The helper program cannot load the module " + path + ": " + (why ? why : "it registers no calls") + ".",
+                "Install the plugin again.");
+  }
+  reinterpret_cast<void (*)()>(entry)();
+}
+
 Value call(const Value& request, Channel& channel) {
+  loadModule(request.value("module", ""));
   const std::string name = request.at("call");
   const WorkerFunction* function = findWorkerCall(name);
   if (!function)

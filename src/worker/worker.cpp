@@ -1,5 +1,6 @@
 #include "worker/worker.h"
 
+#include <dlfcn.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -34,6 +35,7 @@ std::string requestLine(const std::string& name, const Value& arguments, const f
                       {"arguments", arguments},
                       {"folder", folder.string()},
                       {"parent", ::getpid()},
+                      {"module", options.module.string()},
                       {"cpu_seconds", options.cpuSeconds},
                       {"memory", options.memory}};
   // File names need not be UTF-8; in a message they may read a little odd, in a path of `folder` they do not occur.
@@ -76,6 +78,13 @@ std::string signalName(int number) {
 }
 
 }  // namespace
+
+fs::path moduleOf(const void* address) {
+  Dl_info found{};
+  if (::dladdr(address, &found) == 0 || !found.dli_fname)
+    throw Error(ErrorCode::Internal, "The module of a worker call is not known.");
+  return fs::absolute(found.dli_fname);
+}
 
 Value runInWorker(const std::string& name, const Value& arguments, const fs::path& folder, const Progress& progress,
                   const WorkerOptions& options) {

@@ -7,6 +7,11 @@
 #include "core/progress.h"
 #include "parameter/value.h"
 
+/// A module (a plugin, say) whose calls a worker is to serve defines this function and names itself in
+/// WorkerOptions::module:
+///   BLOSSOM_WORKER_CALLS() { blossom::registerWorkerCall("modeling.fillet", ..); }
+#define BLOSSOM_WORKER_CALLS() extern "C" __attribute__((visibility("default"))) void blossomRegisterWorkerCalls()
+
 namespace blossom {
 
 /// A call that may run in a child process: arguments and result are JSON; bulk data travel as files in `folder`, which both
@@ -21,7 +26,12 @@ struct WorkerOptions {
   std::string activity{};     ///< what the child does, for messages: "reading wheel.step"; empty: the name of the call
   double cpuSeconds = 0;      ///< computing time after which the child is ended, rounded up to whole seconds; 0: unlimited
   std::uintmax_t memory = 0;  ///< address space of the child in bytes; 0: as much as the machine has memory
+  std::filesystem::path module{};  ///< shared module that the child loads for the call; empty: the worker knows it itself
 };
+
+/// The shared module (or program) that a function or object belongs to: `moduleOf(&anchor)` is a plugin's way to find
+/// itself.
+std::filesystem::path moduleOf(const void* address);
 
 /// Runs a registered call in a child process (`blossom-worker`, found beside the running program, in ../libexec/blossom, or
 /// named by $BLOSSOM_WORKER). Blocks; polls `progress` about every 20 ms and kills the child, with all it started, when

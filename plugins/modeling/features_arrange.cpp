@@ -1,0 +1,186 @@
+#include "core/error.h"
+#include "feature_groups.h"
+#include "kernel/arrange.h"
+#include "kernel/boolean.h"
+#include "kernel/placement.h"
+#include "worker_feature.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+using Map = Eigen::Affine3d;
+
+InputSpec anyInput() {
+  return {.name = "shape",
+          .help = "What is arranged.",
+          .kinds = {ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Surface,
+                    ShapeKind::Mesh, ShapeKind::Sequence}};
+}
+
+Vec3 directionOf(const Vec3& v, const char* what) { return toVector(toDirection(v, what).XYZ()); }
+
+Map turned(const Vec3& centre, const Vec3& axis, double degrees) {
+  return Eigen::Translation3d(centre) * Eigen::AngleAxisd(radians(degrees), directionOf(axis, "axis")) *
+         Eigen::Translation3d(-centre);
+}
+
+struct TransformParameters {
+  Vec3 move{0, 0, 0}, axis{0, 0, 1}, centre{0, 0, 0}, stretch{1, 1, 1};
+  double angle = 0, scale = 1;
+};
+
+Map mapOf(const TransformParameters& p) {
+  Map map = Map::Identity();
+  map.translate(p.move + p.centre);
+  if (p.angle != 0) map.rotate(Eigen::AngleAxisd(radians(p.angle), directionOf(p.axis, "axis")));
+  map.scale(p.scale * p.stretch);
+  map.translate(-p.centre);
+  return map;
+}
+
+FeatureType transformFeature() {
+  using P = TransformParameters;
+  return feature<P>("modeling.transform", "Transform", "A shape moved, turned and scaled.")
+      .icon("transform")
+      .input(anyInput())
+      .parameter("move", &P::move, vector(), "How far it is moved, after turning and scaling.")
+      .parameter("angle", &P::angle, angle(), "How far it is turned about the axis.")
+      .parameter("axis", &P::axis, vector(), "Direction of the axis.")
+      .parameter("centre", &P::centre, point(), "The point that stays when it is turned and scaled.")
+      .parameter("scale", &P::scale, number(1e-6, 1e6), "How many times as large it becomes.")
+      .parameter("stretch", &P::stretch, vector(), "Factors along x, y and z on top of the scale, before it is turned.")
+      .example("blossom transform part.step --move 0,0,25 -o lifted.step")
+      .example("blossom transform part.stl --angle 90 --axis 1,0,0 --scale 25.4 -o upright.stl")
+      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+        progress.check();
+        return Evaluated{transformed(inputs.of(0)[0], mapOf(p)), Value::object(), {}};
+      });
+}
+
+/// Copies as one shape; solids that are to be joined as one body.
+Shape assembled(const std::vector<Shape>& copies, bool join, const Progress& progress) {
+  if (!join || copies.front().get<Region>()) return gathered(copies);
+  std::vector<TopoDS_Shape> solids;
+  solids.reserve(copies.size());
+  for (const Shape& copy : copies) {
+    if (!copy.get<Brep>())
+      throw Error(ErrorCode::InvalidInput,
+                  "Only solids and regions can be joined; the input is " + std::string(shapeKindName(copy.kind())) + ".",
+                  "Turn \"join\" off.");
+    solids.push_back(copy.get<Brep>()->shape());
+  }
+  return Brep(combine(solids, {}, progress).shape);
+}
+
+/// Joining solids is what may hang; the rest is cheap.
+bool joinsSolids(const Value& parameters, const Inputs& inputs) {
+  return parameters.value("join", false) && inputs.of(0)[0].kind() == ShapeKind::Brep;
+}
+
+enum class PatternKind { Linear, Circular };
+
+struct PatternParameters {
+  PatternKind kind = PatternKind::Linear;
+  int count = 3, secondCount = 1;
+  Vec3 step{50, 0, 0}, secondStep{0, 50, 0}, axis{0, 0, 1}, centre{0, 0, 0};
+  double angle = 360;
+  bool join = false;
+};
+
+std::vector<Map> linearMaps(const PatternParameters& p) {
+  std::vector<Map> maps;
+  maps.reserve(static_cast<std::size_t>(p.count) * static_cast<std::size_t>(p.secondCount));
+  for (int j = 0; j < p.secondCount; ++j)
+    for (int i = 0; i < p.count; ++i) maps.emplace_back(Eigen::Translation3d(i * p.step + j * p.secondStep));
+  return maps;
+}
+
+/// A full turn is shared by all; of a part of one, the last copy stands at its end.
+std::vector<Map> circularMaps(const PatternParameters& p) {
+  const bool full = std::abs(std::abs(p.angle) - 360) < 1e-9;
+  const double step = p.angle / std::max(1, full ? p.count : p.count - 1);
+  std::vector<Map> maps;
+  maps.reserve(static_cast<std::size_t>(p.count));
+  for (int i = 0; i < p.count; ++i) maps.push_back(turned(p.centre, p.axis, i * step));
+  return maps;
+}
+
+Evaluated patternOf(const PatternParameters& p, const Inputs& inputs, const Progress& progress) {
+  if (static_cast<long>(p.count) * p.secondCount > 10000)
+    throw Error(ErrorCode::LimitExceeded, "A pattern has at most 10000 copies.", "Use smaller counts.");
+  const auto maps = p.kind == PatternKind::Linear ? linearMaps(p) : circularMaps(p);
+  std::vector<Shape> copies;
+  copies.reserve(maps.size());
+  for (const Map& map : maps) {
+    progress.check();
+    copies.push_back(copies.empty() ? inputs.of(0)[0] : transformed(inputs.of(0)[0], map));
+  }
+  return {assembled(copies, p.join && copies.size() > 1, progress), {{"copies", maps.size()}}, {}};
+}
+
+ParameterSpec turn() {
+  ParameterSpec spec = angle();
+  spec.least = -360;
+  spec.greatest = 360;
+  return spec;
+}
+
+FeatureType patternFeature() {
+  using P = PatternParameters;
+  return inWorker(
+      feature<P>("modeling.pattern", "Pattern", "Copies of a shape in rows or round an axis.")
+          .icon("pattern")
+          .input(anyInput())
+          .parameter("kind", &P::kind, choice({"linear", "circular"}), "Whether the copies stand in rows or round an axis.")
+          .parameter("count", &P::count, count(1, 1000), "How many there are, the original among them.")
+          .parameter("step", &P::step, vector(), "From one to the next in a row.")
+          .parameter("second-count", &P::secondCount, count(1, 1000), "How many rows there are.")
+          .parameter("second-step", &P::secondStep, vector(), "From one row to the next.")
+          .parameter("axis", &P::axis, vector(), "Direction of the axis of a circular pattern.")
+          .parameter("centre", &P::centre, point(), "A point that this axis passes through.")
+          .parameter("angle", &P::angle, turn(), "The angle that the copies share.")
+          .parameter("join", &P::join, flag(), "Unite the copies to one body; off: an assembly of copies.")
+          .example("blossom pattern hole.step --count 4 --step 25,0,0 --second-count 2 --second-step 0,40,0 -o holes.step")
+          .example("blossom pattern tooth.step --kind circular --count 12 --join -o gear.step")
+          .evaluate(patternOf),
+      "for the pattern", joinsSolids);
+}
+
+struct MirrorParameters {
+  Vec3 point{0, 0, 0}, normal{1, 0, 0};
+  bool keep = true, join = false;
+};
+
+Map reflection(const Vec3& point, const Vec3& normal) {
+  const Vec3 n = directionOf(normal, "normal");
+  Map map = Map::Identity();
+  map.linear() -= 2 * n * n.transpose();
+  map.translation() = 2 * n.dot(point) * n;
+  return map;
+}
+
+FeatureType mirrorFeature() {
+  using P = MirrorParameters;
+  return inWorker(feature<P>("modeling.mirror", "Mirror", "A shape and its mirror image in a plane.")
+                      .icon("mirror")
+                      .input(anyInput())
+                      .parameter("normal", &P::normal, vector(), "The direction square to the mirror.")
+                      .parameter("point", &P::point, point(), "A point in the plane of the mirror.")
+                      .parameter("keep", &P::keep, flag(), "Keep the original beside its image.")
+                      .parameter("join", &P::join, flag(), "Unite both to one body.")
+                      .example("blossom mirror half.step --join -o whole.step")
+                      .example("blossom mirror left.stl --normal 0,1,0 --no-keep -o right.stl")
+                      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+                        const Shape& shape = inputs.of(0)[0];
+                        const Shape image = transformed(shape, reflection(p.point, p.normal));
+                        return Evaluated{p.keep ? assembled({shape, image}, p.join, progress) : image, Value::object(), {}};
+                      }),
+                  "for the mirror image", joinsSolids);
+}
+
+}  // namespace
+
+void registerArrangements(Registry& registry) { registry.addAll(transformFeature(), patternFeature(), mirrorFeature()); }
+
+}  // namespace blossom::modeling

@@ -1,0 +1,182 @@
+#include "core/error.h"
+#include "feature_groups.h"
+#include "kernel/arrange.h"
+#include "kernel/extrude.h"
+#include "kernel/loft.h"
+#include "kernel/pipe.h"
+#include "kernel/revolve.h"
+#include "kernel/shape_parts.h"
+#include "profile_input.h"
+#include "worker_feature.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+const std::vector<ShapeKind> profileKinds{ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Brep};
+
+InputSpec profileInput() { return {.name = "profile", .help = "A region, curves or a flat face.", .kinds = profileKinds}; }
+
+constexpr const char* solidHelp = "Fill closed outlines and make solids; off: sheets over the curves.";
+constexpr const char* faceHelp = "The flat face that is used when the profile is a solid.";
+
+struct ExtrudeParameters {
+  double height = 20, back = 0, taper = 0;
+  Vec3 direction{0, 0, 0};
+  bool solid = true;
+  SubShapeValue face;
+};
+
+ParameterSpec lengthFromZero() {
+  ParameterSpec spec = length();
+  spec.least = 0;
+  return spec;
+}
+
+ParameterSpec taperAngle() {
+  ParameterSpec spec = angle();
+  spec.least = -80;
+  spec.greatest = 80;
+  return spec;
+}
+
+FeatureType extrudeFeature() {
+  using P = ExtrudeParameters;
+  return feature<P>("modeling.extrude", "Extrude", "A solid over an outline, straight or tapered.")
+      .icon("extrude")
+      .input(profileInput())
+      .parameter("height", &P::height, length(), "How far it goes; below 0: the other way.")
+      .parameter("back", &P::back, lengthFromZero(), "How far it goes the other way as well.")
+      .parameter("taper", &P::taper, taperAngle(), "By how much the sides lean inwards; below 0: outwards.")
+      .parameter("direction", &P::direction, vector(), "Where it goes; 0,0,0: square to the outline.")
+      .parameter("solid", &P::solid, flag(), solidHelp)
+      .parameter("face", &P::face, optional(subShape("face")), faceHelp)
+      .example("blossom extrude outline.svg --height 12 -o part.step")
+      .example("blossom extrude outline.dxf --height 30 --taper 3 -o cast.step")
+      .example("blossom extrude block.step --face profile:face:0 --height 5 -o pad.step")
+      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+        const TopoDS_Shape profile = profileShape(inputs.of(0)[0], p.face, p.solid);
+        const ExtrudeOptions options{.height = p.height, .back = p.back, .taper = p.taper, .direction = p.direction};
+        return Evaluated{Brep(extrude(profile, options, progress).shape, "Extrusion"), Value::object(), {}};
+      });
+}
+
+struct RevolveParameters {
+  Vec3 point{0, 0, 0}, axis{0, 1, 0};
+  double angle = 360;
+  bool solid = true;
+  SubShapeValue face;
+};
+
+ParameterSpec turn() {
+  ParameterSpec spec = angle();
+  spec.least = -360;
+  spec.greatest = 360;
+  return spec;
+}
+
+FeatureType revolveFeature() {
+  using P = RevolveParameters;
+  return feature<P>("modeling.revolve", "Revolve", "A solid that an outline sweeps when it turns about an axis.")
+      .icon("revolve")
+      .input(profileInput())
+      .parameter("axis", &P::axis, vector(), "Direction of the axis; it lies beside the outline.")
+      .parameter("point", &P::point, point(), "A point that the axis passes through.")
+      .parameter("angle", &P::angle, turn(), "How far it turns; below 0: the other way.")
+      .parameter("solid", &P::solid, flag(), solidHelp)
+      .parameter("face", &P::face, optional(subShape("face")), faceHelp)
+      .example("blossom revolve profile.svg -o vase.step")
+      .example("blossom revolve profile.dxf --axis 1,0,0 --point 0,-10,0 --angle 270 -o part.step")
+      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+        const TopoDS_Shape profile = profileShape(inputs.of(0)[0], p.face, p.solid);
+        const RevolveOptions options{.point = p.point, .direction = p.axis, .angle = p.angle};
+        return Evaluated{Brep(revolve(profile, options, progress).shape, "Revolution"), Value::object(), {}};
+      });
+}
+
+struct LoftParameters {
+  bool ruled = false, solid = true;
+  double spacing = 20;
+  std::vector<double> heights;
+};
+
+bool isDrawnFlat(const Shape& shape) { return shape.kind() == ShapeKind::Region || shape.kind() == ShapeKind::Curves; }
+
+double heightOf(const LoftParameters& p, std::size_t index) {
+  return p.heights.empty() ? p.spacing * static_cast<double>(index) : p.heights.at(index);
+}
+
+/// Drawings all lie in z = 0: they are stacked. Sections that lie in space stay where they are.
+std::vector<TopoDS_Shape> sectionsOf(const LoftParameters& p, std::span<const Shape> shapes) {
+  const bool flat = std::all_of(shapes.begin(), shapes.end(), isDrawnFlat);
+  if (!p.heights.empty() && p.heights.size() != shapes.size())
+    throw Error(ErrorCode::InvalidParameter, "The number of heights differs from the number of sections.",
+                "Give one height for each section, or none.");
+  std::vector<TopoDS_Shape> sections;
+  sections.reserve(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Shape section = Brep(profileShape(shapes[i], {}, p.solid));
+    const bool lifted = flat || !p.heights.empty();
+    const Eigen::Affine3d lift(Eigen::Translation3d(0, 0, lifted ? heightOf(p, i) : 0));
+    sections.push_back(transformed(section, lift).get<Brep>()->shape());
+  }
+  return sections;
+}
+
+FeatureType loftFeature() {
+  using P = LoftParameters;
+  return inWorker(
+      feature<P>("modeling.loft", "Loft", "A solid through two or more outlines.")
+          .icon("loft")
+          .input(
+              {.name = "sections", .help = "Outlines in their order.", .kinds = profileKinds, .least = 2, .most = anyNumber})
+          .parameter("ruled", &P::ruled, flag(), "Straight from one section to the next instead of smooth through all.")
+          .parameter("solid", &P::solid, flag(), "Close both ends; off: an open sheet.")
+          .parameter("spacing", &P::spacing, positiveLength(), "Distance of sections that are all drawn in one plane.")
+          .parameter("heights", &P::heights, list(length()), "A height for each section, instead of the spacing.")
+          .example("blossom loft base.svg top.svg --spacing 40 -o adapter.step")
+          .example("blossom loft a.dxf b.dxf c.dxf --heights 0,15,40 --ruled -o duct.step")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            const LoftResult made = loft(sectionsOf(p, inputs.of(0)), {.ruled = p.ruled, .solid = p.solid}, progress);
+            return Evaluated{Brep(made.shape, "Loft"), {{"sections", inputs.of(0).size()}}, {}};
+          }),
+      "for the loft");
+}
+
+struct PipeParameters {
+  PipeCorners corners = PipeCorners::Mitred;
+  bool place = true, solid = true;
+};
+
+FeatureType pipeFeature() {
+  using P = PipeParameters;
+  return inWorker(
+      feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
+          .icon("pipe")
+          .input({.name = "profile", .help = "The outline that is moved.", .kinds = profileKinds})
+          .input({.name = "path",
+                  .help = "The curve that it is moved along.",
+                  .kinds = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::Brep}})
+          .parameter("corners", &P::corners, choice({"mitred", "round"}), "What becomes of corners in the path.")
+          .parameter(
+              "place", &P::place, flag(),
+              "Put the origin of the drawing on the start of the path, square to it; off: sweep it from where it lies.")
+          .parameter("solid", &P::solid, flag(), solidHelp)
+          .example("blossom pipe section.svg path.svg -o rail.step")
+          .example("blossom pipe ring.dxf path.dxf --corners round -o tube.step")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            const Shape& profile = inputs.of(0)[0];
+            PipeResult made = pipe(profileShape(profile, {}, p.solid), profileShape(inputs.of(1)[0], {}, false),
+                                   {.corners = p.corners, .place = p.place}, progress);
+            return Evaluated{Brep(made.shape, "Pipe"), Value::object(), std::move(made.warnings)};
+          }),
+      "for the pipe");
+}
+
+}  // namespace
+
+void registerProfileFeatures(Registry& registry) {
+  registry.addAll(extrudeFeature(), revolveFeature(), loftFeature(), pipeFeature());
+}
+
+}  // namespace blossom::modeling

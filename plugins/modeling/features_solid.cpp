@@ -1,0 +1,147 @@
+#include "core/error.h"
+#include "feature_groups.h"
+#include "kernel/arrange.h"
+#include "kernel/boolean.h"
+#include "kernel/fillet.h"
+#include "kernel/shape_parts.h"
+#include "kernel/shell.h"
+#include "profile_input.h"
+#include "worker_feature.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+struct BooleanParameters {
+  BooleanOperation operation = BooleanOperation::Union;
+  double fuzzy = 0;
+  bool simplify = true;
+};
+
+ParameterSpec smallLength() {
+  ParameterSpec spec = length();
+  spec.least = 0;
+  spec.greatest = 10;
+  return spec;
+}
+
+Evaluated booleanOf(const BooleanParameters& p, const Inputs& inputs, const Progress& progress) {
+  const auto shapes = inputs.of(0);
+  std::vector<TopoDS_Shape> breps;
+  breps.reserve(shapes.size());
+  for (const Shape& shape : shapes) {
+    if (shape.kind() != shapes.front().kind())
+      throw Error(ErrorCode::InvalidInput, "Regions and solids cannot be combined with each other.",
+                  "Extrude the region first.");
+    breps.push_back(shape.get<Region>() ? profileShape(shape, {}, true) : asBrep(shape).shape());
+  }
+  BooleanResult made = combine(breps, {p.operation, p.fuzzy, p.simplify}, progress);
+  Evaluated out;
+  out.stats["inputs"] = shapes.size();
+  out.warnings = std::move(made.warnings);
+  if (shapes.front().get<Region>())
+    out.shape = asRegion(made.shape);
+  else
+    out.shape = Brep(made.shape);
+  return out;
+}
+
+FeatureType booleanFeature() {
+  using P = BooleanParameters;
+  return inWorker(
+      feature<P>("modeling.boolean", "Boolean", "Solids or regions united, cut from each other or intersected.")
+          .icon("boolean")
+          .input({.name = "shapes",
+                  .help = "Solids, or regions. Of a difference, the first keeps what the others leave of it.",
+                  .kinds = {ShapeKind::Brep, ShapeKind::Region},
+                  .least = 2,
+                  .most = anyNumber})
+          .parameter("operation", &P::operation, choice({"union", "difference", "intersection"}), "What is made of them.")
+          .parameter("fuzzy", &P::fuzzy, smallLength(), "Faces this close count as touching; 0: only those that really do.")
+          .parameter("simplify", &P::simplify, flag(), "Join faces that lie in one surface and edges that lie in one curve.")
+          .example("blossom boolean plate.step pin.step --operation difference -o drilled.step")
+          .example("blossom boolean a.step b.step c.step -o all.step")
+          .evaluate(booleanOf),
+      "for the Boolean operation");
+}
+
+InputSpec solidInput() { return {.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}}; }
+
+struct FilletParameters {
+  double radius = 2;
+  std::vector<SubShapeValue> edges;
+};
+
+FeatureType filletFeature() {
+  using P = FilletParameters;
+  return inWorker(
+      feature<P>("modeling.fillet", "Fillet", "A solid with rounded edges.")
+          .icon("fillet")
+          .input(solidInput())
+          .parameter("edges", &P::edges, list(subShape("edge")), "The edges to round; none: all sharp ones.")
+          .parameter("radius", &P::radius, positiveLength(), "Radius of the rounding.")
+          .example("blossom fillet block.step --radius 3 -o soft.step")
+          .example("blossom fillet block.step --edges shape:edge:0,shape:edge:4 --radius 1.5 -o part.step")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            const FilletResult made = fillet(inputs.get<Brep>().shape(), {p.radius, numbersOf(p.edges)}, progress);
+            return Evaluated{Brep(made.shape), {{"rounded_edges", made.edges}}, {}};
+          }),
+      "for the fillet");
+}
+
+struct ChamferParameters {
+  double distance = 2, second = 0;
+  std::vector<SubShapeValue> edges;
+};
+
+FeatureType chamferFeature() {
+  using P = ChamferParameters;
+  ParameterSpec second = length();
+  second.least = 0;
+  return inWorker(
+      feature<P>("modeling.chamfer", "Chamfer", "A solid with edges cut off by flat strips.")
+          .icon("chamfer")
+          .input(solidInput())
+          .parameter("edges", &P::edges, list(subShape("edge")), "The edges to cut off; none: all sharp ones.")
+          .parameter("distance", &P::distance, positiveLength(), "Width of the strip on the faces beside the edge.")
+          .parameter("second", &P::second, second, "Width on the second of the two faces; 0: as on the first.")
+          .example("blossom chamfer block.step --distance 1 -o part.step")
+          .example("blossom chamfer block.step --edges shape:edge:2 --distance 2 --second 5 -o part.step")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            const ChamferResult made =
+                chamfer(inputs.get<Brep>().shape(), {p.distance, p.second, numbersOf(p.edges)}, progress);
+            return Evaluated{Brep(made.shape), {{"chamfered_edges", made.edges}}, {}};
+          }),
+      "for the chamfer");
+}
+
+struct ShellParameters {
+  double thickness = 2;
+  ShellSide side = ShellSide::Inside;
+  std::vector<SubShapeValue> faces;
+};
+
+FeatureType shellFeature() {
+  using P = ShellParameters;
+  return inWorker(
+      feature<P>("modeling.shell", "Shell", "A solid hollowed out to walls of even thickness.")
+          .icon("shell")
+          .input(solidInput())
+          .parameter("faces", &P::faces, list(subShape("face")), "The faces to open; none: a closed hollow.")
+          .parameter("thickness", &P::thickness, positiveLength(), "Thickness of the walls.")
+          .parameter("side", &P::side, choice({"inside", "outside"}), "Whether the walls grow into the solid or around it.")
+          .example("blossom shell block.step --faces shape:face:5 --thickness 1.5 -o tray.step")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            const ShellResult made = shell(inputs.get<Brep>().shape(), {p.thickness, p.side, numbersOf(p.faces)}, progress);
+            return Evaluated{Brep(made.shape), {{"open_faces", p.faces.size()}}, {}};
+          }),
+      "for the shell");
+}
+
+}  // namespace
+
+void registerSolidFeatures(Registry& registry) {
+  registry.addAll(booleanFeature(), filletFeature(), chamferFeature(), shellFeature());
+}
+
+}  // namespace blossom::modeling

@@ -1,0 +1,154 @@
+#include "kernel/extrude.h"
+
+#include <fmt/format.h>
+
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepGProp.hxx>
+#include <BRepOffsetAPI_DraftAngle.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <optional>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "kernel/finished_solid.h"
+#include "kernel/guarded.h"
+#include "kernel/placement.h"
+#include "kernel/profile.h"
+#include "kernel/shape_parts.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+constexpr double smallest = 1e-6;
+
+TopoDS_Shape moved(const TopoDS_Shape& shape, const gp_Vec& by) {
+  gp_Trsf trsf;
+  trsf.SetTranslation(by);
+  return shape.Moved(TopLoc_Location(trsf));
+}
+
+const char* const mixedMeasures = "The extrusion gives no good solid.";
+
+[[noreturn]] void throwTaper(double taper) {
+  throw Error(
+      ErrorCode::Degenerate,
+      fmt::format("With a taper of {} degrees the sides meet before the full height is reached.", formatNumber(taper)),
+      "Use a smaller taper or height.");
+}
+
+/// The one direction in which a profile goes.
+gp_Dir directionOf(const ExtrudeOptions& o, const gp_Pln& plane) {
+  const gp_Dir normal = plane.Axis().Direction();
+  if (o.direction.isZero()) return normal;
+  const gp_Dir given = toDirection(o.direction, "direction");
+  if (std::abs(given.Dot(normal)) < 1e-6)
+    throw Error(ErrorCode::InvalidParameter, "The direction lies in the plane of the outline, so it sweeps no space.",
+                "Give a direction that leaves the plane of the outline.");
+  return given;
+}
+
+/// A flat side of a prism has its centre between the ends; the ends are what must not lean.
+bool isSide(const TopoDS_Face& face, const gp_Pln& base, double height) {
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(face, properties);
+  const gp_Vec up(base.Axis().Direction());
+  const double z = gp_Vec(base.Location(), properties.CentreOfMass()).Dot(up) / height;
+  return z > 1e-6 && z < 1 - 1e-6;
+}
+
+[[noreturn]] void throwFreeForm() {
+  throw Error(ErrorCode::InvalidInput, "A taper needs outlines of lines and arcs; this one has free-form curves.",
+              "Extrude without a taper, or loft between two outlines.");
+}
+
+TopoDS_Shape leaning(const TopoDS_Shape& prism, const gp_Pln& base, double height, double taper) {
+  BRepOffsetAPI_DraftAngle draft(prism);
+  const gp_Dir up = height > 0 ? base.Axis().Direction() : base.Axis().Direction().Reversed();
+  for (const TopoDS_Shape& each : partsOf(prism, TopAbs_FACE)) {
+    const TopoDS_Face face = TopoDS::Face(each);
+    if (!isSide(face, base, height)) continue;
+    draft.Add(face, up, radians(taper), base);
+    if (!draft.AddDone()) throwFreeForm();
+  }
+  draft.Build();
+  if (!draft.IsDone() || !isGoodSolid(draft.Shape())) throwTaper(taper);
+  return draft.Shape();
+}
+
+/// From the plane of the face by `height` along its normal, leaning.
+TopoDS_Shape tapered(const TopoDS_Face& face, const gp_Pln& plane, double height, double taper) {
+  const TopoDS_Shape prism = BRepPrimAPI_MakePrism(face, gp_Vec(plane.Axis().Direction()) * height).Shape();
+  return guarded("The sides of the extrusion cannot be tapered.", "Use a smaller taper.", [&] {
+    return leaning(finishedSolid(prism, {mixedMeasures, ""}), plane, height, taper);
+  });
+}
+
+TopoDS_Shape taperedBothWays(const TopoDS_Face& face, const gp_Pln& plane, const ExtrudeOptions& o) {
+  if (!o.direction.isZero() && !directionOf(o, plane).IsParallel(plane.Axis().Direction(), 1e-9))
+    throw Error(ErrorCode::InvalidParameter, "A taper and a slanted direction cannot be combined.",
+                "Set the taper to 0 or the direction to 0,0,0.");
+  if (std::abs(o.back) < smallest) return tapered(face, plane, o.height, o.taper);
+  const TopoDS_Shape there = tapered(face, plane, o.height, o.taper), back = tapered(face, plane, -o.back, o.taper);
+  return BRepAlgoAPI_Fuse(there, back).Shape();
+}
+
+TopoDS_Shape solidOver(const TopoDS_Face& face, const ExtrudeOptions& o) {
+  const gp_Pln plane = planeOf(face);
+  const Complaint complaint{mixedMeasures, "The outline may cross itself, or its parts may overlap."};
+  if (std::abs(o.taper) > 1e-9) return finishedSolid(taperedBothWays(face, plane, o), complaint);
+  const gp_Vec along(directionOf(o, plane));
+  return finishedSolid(BRepPrimAPI_MakePrism(moved(face, along * -o.back), along * (o.height + o.back)).Shape(), complaint);
+}
+
+TopoDS_Shape sheetOver(const TopoDS_Wire& wire, const ExtrudeOptions& o) {
+  if (std::abs(o.taper) > 1e-9)
+    throw Error(ErrorCode::InvalidParameter, "Only closed outlines that are filled can be extruded with a taper.",
+                "Close the outline, or set the taper to 0.");
+  const gp_Vec along(directionOf(o, planeOf(wire)));
+  return finishedSheet(BRepPrimAPI_MakePrism(moved(wire, along * -o.back), along * (o.height + o.back)).Shape(),
+                       {"The curve cannot be extruded.", "It may cross itself."});
+}
+
+void check(const ExtrudeOptions& o) {
+  if (std::abs(o.height + o.back) < smallest)
+    throw Error(ErrorCode::InvalidParameter, "The extrusion has no height.", "Give a height other than 0.");
+  if (o.back < 0 || (o.height < 0 && o.back > 0))
+    throw Error(ErrorCode::InvalidParameter, "The two ways of the extrusion go against each other.",
+                "Use lengths of 0 or more for both, or one negative height alone.");
+  if (!(std::abs(o.taper) < 89))
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("The taper must stay within -89 and 89 degrees; it is {}.", formatNumber(o.taper)));
+  if (std::abs(o.taper) > 1e-9 && std::abs(o.height) < smallest)
+    throw Error(ErrorCode::InvalidParameter, "A tapered extrusion needs a height other than 0.");
+}
+
+}  // namespace
+
+ExtrudeResult extrude(const TopoDS_Shape& shape, const ExtrudeOptions& o, const Progress& progress) {
+  check(o);
+  const Profile profile = profileOf(shape);
+  return guarded("The outline cannot be extruded.", "It may cross itself, or be too small.", [&] {
+    std::vector<TopoDS_Shape> made;
+    made.reserve(profile.faces.size() + profile.wires.size());
+    const auto next = [&] {
+      progress.report(static_cast<double>(made.size()) / static_cast<double>(profile.faces.size() + profile.wires.size()),
+                      "Extruding");
+    };
+    for (const TopoDS_Face& face : profile.faces) {
+      next();
+      made.push_back(solidOver(face, o));
+    }
+    for (const TopoDS_Wire& wire : profile.wires) {
+      next();
+      made.push_back(sheetOver(wire, o));
+    }
+    return ExtrudeResult{together(made), !profile.faces.empty()};
+  });
+}
+
+}  // namespace blossom::modeling

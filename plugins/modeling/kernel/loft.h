@@ -1,0 +1,23 @@
+#pragma once
+#include <TopoDS_Shape.hxx>
+#include <vector>
+
+#include "core/progress.h"
+
+namespace blossom::modeling {
+
+struct LoftOptions {
+  bool ruled = false;  ///< straight between neighbours instead of smooth through all
+  bool solid = true;   ///< closed at both ends; needs closed sections
+};
+
+struct LoftResult {
+  TopoDS_Shape shape;
+};
+
+/// The skin through two or more sections in their order: faces (with holes, if all have equally many), wires, and single
+/// points at the ends. Sections of different corners are matched by length.
+/// @throws Error InvalidInput that names the section, Degenerate, Cancelled.
+LoftResult loft(const std::vector<TopoDS_Shape>& sections, const LoftOptions&, const Progress& = Progress::none());
+
+}  // namespace blossom::modeling

@@ -1,0 +1,152 @@
+#include "kernel/pipe.h"
+
+#include <fmt/format.h>
+
+#include <BRepAdaptor_CompCurve.hxx>
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepLProp_CLProps.hxx>
+#include <BRepOffsetAPI_MakePipeShell.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax3.hxx>
+#include <limits>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "kernel/finished_solid.h"
+#include "kernel/guarded.h"
+#include "kernel/profile.h"
+#include "kernel/shape_parts.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+TopoDS_Wire onePath(const TopoDS_Shape& shape) {
+  if (!partsOf(shape, TopAbs_FACE).empty())
+    throw Error(ErrorCode::InvalidInput, "The path is an area, not a curve.", "Give a curve as the second input.");
+  const Profile profile = profileOf(shape);
+  if (profile.wires.size() != 1)
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("The path must be one curve without gaps; it has {} parts.", profile.wires.size()),
+                "Join its parts end to end.");
+  return profile.wires.front();
+}
+
+/// The frame at the start of a path: z along it.
+gp_Ax3 startOf(const TopoDS_Wire& path) {
+  const BRepAdaptor_CompCurve curve(path);
+  gp_Pnt point;
+  gp_Vec tangent;
+  curve.D1(curve.FirstParameter(), point, tangent);
+  if (tangent.Magnitude() < 1e-9)
+    throw Error(ErrorCode::InvalidInput, "The path has no direction at its start.", "Let it begin in another point.");
+  const gp_Dir along(tangent);
+  // What was up in the profile stays up where it can.
+  const gp_Dir up = along.IsParallel(gp::DZ(), 1e-6) ? gp::DY() : gp::DZ();
+  return {point, along, up.Crossed(along)};
+}
+
+TopoDS_Shape placed(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
+  gp_Trsf toStart;
+  toStart.SetTransformation(startOf(path), gp_Ax3(gp::XOY()));
+  return profile.Moved(TopLoc_Location(toStart));
+}
+
+class Piper {
+ public:
+  Piper(TopoDS_Wire path, PipeCorners corners) : path_(std::move(path)), corners_(corners) {}
+
+  [[nodiscard]] TopoDS_Shape along(const TopoDS_Wire& outline, bool solid) const {
+    BRepOffsetAPI_MakePipeShell maker(path_);
+    maker.SetMode(Standard_False);
+    maker.SetTransitionMode(corners_ == PipeCorners::Mitred ? BRepBuilderAPI_RightCorner : BRepBuilderAPI_RoundCorner);
+    maker.Add(outline);
+    if (!maker.IsReady()) fail();
+    maker.Build();
+    if (!maker.IsDone() || (solid && !maker.MakeSolid())) fail();
+    return solid ? finishedSolid(maker.Shape(), complaint()) : finishedSheet(maker.Shape(), complaint());
+  }
+
+  [[nodiscard]] TopoDS_Shape along(const TopoDS_Face& face, const Progress& progress) const {
+    if (!BRep_Tool::IsClosed(BRepTools::OuterWire(face))) fail();
+    const TopoDS_Wire outer = BRepTools::OuterWire(face);
+    TopoDS_Shape body = along(outer, true);
+    bool cut = false;
+    for (const TopoDS_Shape& hole : partsOf(face, TopAbs_WIRE)) {
+      progress.check();
+      if (hole.IsSame(outer)) continue;
+      body = BRepAlgoAPI_Cut(body, along(TopoDS::Wire(hole), true)).Shape();
+      cut = true;
+    }
+    return cut ? finishedSolid(body, complaint()) : body;
+  }
+
+ private:
+  static Complaint complaint() {
+    return {"The outline cannot be moved along this path.",
+            "The path may bend more tightly than the outline is wide: use a smaller outline or a wider bend."};
+  }
+  [[noreturn]] static void fail() { throw Error(ErrorCode::Degenerate, complaint().message, complaint().hint); }
+
+  TopoDS_Wire path_;
+  PipeCorners corners_;
+};
+
+/// Radius of the tightest bend within the edges of a path.
+double tightestBend(const TopoDS_Wire& path) {
+  double largest = 0;
+  for (const TopoDS_Shape& each : partsOf(path, TopAbs_EDGE)) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(each));
+    constexpr int samples = 32;
+    for (int i = 0; i <= samples; ++i) {
+      const double t = curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / samples;
+      BRepLProp_CLProps properties(curve, t, 2, 1e-9);
+      if (properties.IsTangentDefined()) largest = std::max(largest, properties.Curvature());
+    }
+  }
+  return largest > 0 ? 1 / largest : std::numeric_limits<double>::infinity();
+}
+
+/// Farthest the outline reaches from the path.
+double reachOf(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
+  gp_Trsf flat;
+  flat.SetTransformation(startOf(path));
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(profile.Moved(TopLoc_Location(flat)), box, Standard_False, Standard_False);
+  double x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0;
+  box.Get(x0, y0, z0, x1, y1, z1);
+  return std::max({std::abs(x0), std::abs(x1), std::abs(y0), std::abs(y1)});
+}
+
+}  // namespace
+
+PipeResult pipe(const TopoDS_Shape& profileShape, const TopoDS_Shape& pathShape, const PipeOptions& o,
+                const Progress& progress) {
+  const TopoDS_Wire path = onePath(pathShape);
+  return guarded("The outline cannot be moved along this path.", "Simplify the path or make the outline smaller.", [&] {
+    const Profile profile = profileOf(o.place ? placed(profileShape, path) : profileShape);
+    PipeResult result;
+    result.solid = !profile.faces.empty();
+    const Piper piper(path, o.corners);
+    progress.report(0.1, "Moving the outline along the path");
+    std::vector<TopoDS_Shape> made;
+    made.reserve(profile.faces.size() + profile.wires.size());
+    for (const TopoDS_Face& face : profile.faces) made.push_back(piper.along(face, progress));
+    for (const TopoDS_Wire& wire : profile.wires) made.push_back(piper.along(wire, false));
+    result.shape = together(made);
+    if (const double bend = tightestBend(path); o.place && reachOf(placed(profileShape, path), path) > bend)
+      result.warnings.push_back(fmt::format(
+          "The path bends with a radius of {} mm, less than the outline reaches from it: the pipe may cut through "
+          "itself there.",
+          formatNumber(std::round(bend * 1000) / 1000)));
+    return result;
+  });
+}
+
+}  // namespace blossom::modeling

@@ -1,0 +1,24 @@
+#pragma once
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+
+#include "core/vector.h"
+
+namespace blossom::modeling {
+
+/// Where a primitive stands: its origin, the direction of its own z axis and a turn about it.
+struct Placement {
+  Vec3 position{0, 0, 0};
+  Vec3 axis{0, 0, 1};
+  double turn = 0;  ///< degrees
+};
+
+gp_Pnt toPoint(const Vec3&);
+Vec3 toVector(const gp_XYZ&);
+double radians(double degrees);
+/// @throws Error InvalidParameter for the zero vector, which `what` names in the message ("axis").
+gp_Dir toDirection(const Vec3&, const char* what);
+/// The frame of a placement. Its x axis is the world's, made square to the axis (the world's y axis where that vanishes).
+gp_Ax2 frameOf(const Placement&);
+
+}  // namespace blossom::modeling

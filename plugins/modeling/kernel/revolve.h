@@ -1,0 +1,24 @@
+#pragma once
+#include <TopoDS_Shape.hxx>
+
+#include "core/progress.h"
+#include "core/vector.h"
+
+namespace blossom::modeling {
+
+struct RevolveOptions {
+  Vec3 point{0, 0, 0};      ///< on the axis
+  Vec3 direction{0, 1, 0};  ///< of the axis
+  double angle = 360;       ///< degrees, counter-clockwise seen against the direction; negative: clockwise
+};
+
+struct RevolveResult {
+  TopoDS_Shape shape;
+  bool solid = false;
+};
+
+/// Turns flat faces (to solids) and wires (to sheets) about an axis. The outline may touch the axis, not cross it.
+/// @throws Error InvalidInput, InvalidParameter, Degenerate.
+RevolveResult revolve(const TopoDS_Shape& profile, const RevolveOptions&, const Progress& = Progress::none());
+
+}  // namespace blossom::modeling

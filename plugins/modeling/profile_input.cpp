@@ -1,0 +1,85 @@
+#include "profile_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "geometry/occt.h"
+#include "geometry/planar.h"
+#include "geometry/sub_shape.h"
+#include "kernel/arrange.h"
+#include "kernel/outline_crossing.h"
+#include "kernel/shape_parts.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+std::string place(const Vec2& p) {
+  const auto rounded = [](double v) { return formatNumber(std::round(v * 1000) / 1000); };
+  return fmt::format("({}, {})", rounded(p.x()), rounded(p.y()));
+}
+
+void checkCrossings(const Region& region) {
+  for (std::size_t i = 0; i < region.loops.size(); ++i) {
+    if (const auto at = selfCrossing(region.loops[i]))
+      throw Error(ErrorCode::InvalidInput, fmt::format("The outline crosses itself near {}.", place(*at)),
+                  "Redraw it there, or trim what crosses.");
+    for (std::size_t k = 0; k < i; ++k)
+      if (const auto at = crossing(region.loops[i], region.loops[k]))
+        throw Error(ErrorCode::InvalidInput, fmt::format("Two outlines cross near {}.", place(*at)),
+                    "Move them apart, or unite them first.");
+  }
+}
+
+TopoDS_Shape filled(const Region& region) {
+  if (region.loops.empty())
+    throw Error(ErrorCode::InvalidInput, "The region is empty.", "Give a region with at least one outline.");
+  checkCrossings(region);
+  return toFaces(region);
+}
+
+TopoDS_Shape ofCurves(const Curves& given, bool fill) {
+  const Curves curves = joined(given);
+  if (curves.paths.empty()) throw Error(ErrorCode::InvalidInput, "There are no curves in the input.");
+  const auto isOpen = [](const Path& path) { return !path.closed; };
+  const auto open = std::find_if(curves.paths.begin(), curves.paths.end(), isOpen);
+  if (open == curves.paths.end() && fill) return filled(toRegion(curves));
+  if (open != curves.paths.end() && fill && !std::all_of(curves.paths.begin(), curves.paths.end(), isOpen))
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("One of the outlines is open: it begins at {} and ends at {}.", place(startPoint(*open)),
+                            place(endPoint(*open))),
+                "Close it or delete it; or turn \"solid\" off to get sheets.");
+  return toWires(curves);
+}
+
+TopoDS_Shape ofBrep(const Brep& brep, const SubShapeValue& face, bool fill) {
+  if (face.index < 0 && !partsOf(brep.shape(), TopAbs_SOLID).empty())
+    throw Error(ErrorCode::InvalidInput, "The input is a solid; which of its faces is meant?",
+                "Choose one of its flat faces.");
+  const TopoDS_Shape shape = face.index < 0 ? brep.shape() : faceOf(brep, face.index);
+  return fill ? shape : together(partsOf(shape, TopAbs_WIRE));
+}
+
+}  // namespace
+
+TopoDS_Shape profileShape(const Shape& shape, const SubShapeValue& face, bool fill) {
+  if (const auto* brep = shape.get<Brep>()) return ofBrep(*brep, face, fill);
+  if (face.index > 0)
+    throw Error(ErrorCode::NotFound, fmt::format("The outline has one face; face {} is not among them.", face.index),
+                "Leave the face out.");
+  if (const auto* region = shape.get<Region>()) return fill ? filled(*region) : toWires(toCurves(*region));
+  if (const auto* curves = shape.get<Curves>()) return ofCurves(*curves, fill);
+  return asBrep(shape).shape();
+}
+
+std::vector<int> numbersOf(const std::vector<SubShapeValue>& picked) {
+  std::vector<int> numbers;
+  numbers.reserve(picked.size());
+  for (const SubShapeValue& each : picked) numbers.push_back(each.index);
+  return numbers;
+}
+
+}  // namespace blossom::modeling

@@ -1,0 +1,122 @@
+#include "shape_transport.h"
+
+#include <BinTools.hxx>
+#include <fstream>
+
+#include "core/error.h"
+#include "kernel/guarded.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Vector>
+Value numbers(const Vector& v) {
+  Value list = Value::array();
+  for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(v[i]);
+  return list;
+}
+
+template <class Vector>
+Vector vectorOf(const Value& list) {
+  Vector v;
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = list.at(static_cast<std::size_t>(i)).template get<double>();
+  return v;
+}
+
+template <class Vector>
+Value lists(const std::vector<Vector>& vectors) {
+  Value all = Value::array();
+  for (const Vector& each : vectors) all.push_back(numbers(each));
+  return all;
+}
+
+template <class Vector>
+std::vector<Vector> vectorsOf(const Value& all) {
+  std::vector<Vector> vectors;
+  vectors.reserve(all.size());
+  for (const Value& each : all) vectors.push_back(vectorOf<Vector>(each));
+  return vectors;
+}
+
+Value saved(const Line2& line) { return {{"line", {numbers(line.from), numbers(line.to)}}}; }
+Value saved(const Arc2& arc) { return {{"arc", {numbers(arc.center), arc.radius, arc.start, arc.sweep}}}; }
+Value saved(const Spline2& s) { return {{"spline", {s.degree, s.knots, lists(s.poles)}}}; }
+
+Segment segmentOf(const Value& value) {
+  const auto entry = value.begin();
+  const std::string& kind = entry.key();
+  const Value& v = entry.value();
+  if (kind == "line") return Line2{vectorOf<Vec2>(v.at(0)), vectorOf<Vec2>(v.at(1))};
+  if (kind == "arc") return Arc2{vectorOf<Vec2>(v.at(0)), v.at(1), v.at(2), v.at(3)};
+  return Spline2{v.at(0), v.at(1).get<std::vector<double>>(), vectorsOf<Vec3>(v.at(2))};
+}
+
+Value saved(const std::vector<Path>& paths) {
+  Value all = Value::array();
+  for (const Path& path : paths) {
+    Value segments = Value::array();
+    for (const Segment& segment : path.segments)
+      segments.push_back(std::visit([](const auto& s) { return saved(s); }, segment));
+    all.push_back({{"closed", path.closed}, {"segments", std::move(segments)}});
+  }
+  return all;
+}
+
+std::vector<Path> pathsOf(const Value& all) {
+  std::vector<Path> paths;
+  paths.reserve(all.size());
+  for (const Value& each : all) {
+    Path path;
+    path.closed = each.at("closed");
+    for (const Value& segment : each.at("segments")) path.segments.push_back(segmentOf(segment));
+    paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+void writeBrep(const TopoDS_Shape& shape, const fs::path& file) {
+  std::ofstream stream(file, std::ios::binary);
+  guarded("The shape could not be handed over.", "", [&] { BinTools::Write(shape, stream); });
+  stream.close();
+  if (!stream)
+    throw Error(ErrorCode::FileUnwritable,
+                "There is no room for temporary files in \"" + file.parent_path().string() + "\".", "Free some disk space.");
+}
+
+TopoDS_Shape readBrep(const fs::path& file) {
+  TopoDS_Shape shape;
+  std::ifstream stream(file, std::ios::binary);
+  guarded("A shape could not be taken over.", "", [&] { BinTools::Read(shape, stream); });
+  if (shape.IsNull()) throw Error(ErrorCode::Internal, "The shapes of a helper process cannot be read.");
+  return shape;
+}
+
+}  // namespace
+
+Value saveShape(const Shape& shape, const fs::path& folder, const std::string& name) {
+  if (const auto* region = shape.get<Region>()) return {{"region", saved(region->loops)}};
+  if (const auto* curves = shape.get<Curves>())
+    return {{"curves", saved(curves->paths)}, {"even_odd", curves->fillRule == FillRule::EvenOdd}};
+  if (const auto* curve = shape.get<Curve>()) return {{"curve", {curve->degree, curve->knots, lists(curve->poles)}}};
+  const auto* brep = shape.get<Brep>();
+  if (!brep || brep->shape().IsNull())
+    throw Error(ErrorCode::InvalidInput,
+                brep ? "The input is empty." : "A " + std::string(shapeKindName(shape.kind())) + " cannot be used here.");
+  writeBrep(brep->shape(), folder / (name + ".bin"));
+  return {{"brep", name + ".bin"}};
+}
+
+Shape loadShape(const Value& value, const fs::path& folder) {
+  const auto entry = value.begin();
+  const std::string& kind = entry.key();
+  const Value& v = entry.value();
+  if (kind == "region") return Region{pathsOf(v)};
+  if (kind == "curves") return Curves{pathsOf(v), value.at("even_odd").get<bool>() ? FillRule::EvenOdd : FillRule::NonZero};
+  if (kind == "curve") return Curve{v.at(0), v.at(1).get<std::vector<double>>(), vectorsOf<Vec4>(v.at(2))};
+  return Brep(readBrep(folder / v.get<std::string>()));
+}
+
+}  // namespace blossom::modeling

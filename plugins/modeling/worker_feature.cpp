@@ -1,0 +1,85 @@
+#include "worker_feature.h"
+
+#include "core/file.h"
+#include "shape_transport.h"
+#include "worker/worker.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Its address tells which module this is.
+const char anchor = 0;
+
+Value savedInputs(const FeatureType& type, const Inputs& inputs, const fs::path& folder) {
+  Value bySpec = Value::array();
+  int count = 0;
+  for (std::size_t spec = 0; spec < type.inputs.size(); ++spec) {
+    Value shapes = Value::array();
+    for (const Shape& shape : inputs.of(spec)) shapes.push_back(saveShape(shape, folder, "input" + std::to_string(count++)));
+    bySpec.push_back(std::move(shapes));
+  }
+  return bySpec;
+}
+
+Inputs loadedInputs(const Value& bySpec, const fs::path& folder) {
+  std::vector<std::vector<Shape>> inputs;
+  inputs.reserve(bySpec.size());
+  for (const Value& shapes : bySpec) {
+    auto& loaded = inputs.emplace_back();
+    for (const Value& shape : shapes) loaded.push_back(loadShape(shape, folder));
+  }
+  return Inputs(std::move(inputs));
+}
+
+/// The child's side.
+Value serve(const FeatureType::Evaluate& evaluate, const Value& arguments, const fs::path& folder,
+            const Progress& progress) {
+  const Evaluated made = evaluate(arguments.at("parameters"), loadedInputs(arguments.at("inputs"), folder), progress);
+  return {{"shape", saveShape(made.shape, folder, "result")}, {"stats", made.stats}, {"warnings", made.warnings}};
+}
+
+Shape namedLike(const Shape& made, const FeatureType& type, const Inputs& inputs) {
+  const Brep* brep = made.get<Brep>();
+  if (!brep) return made;
+  for (std::size_t spec = 0; spec < type.inputs.size(); ++spec)
+    for (const Shape& input : inputs.of(spec))
+      if (const Brep* first = input.get<Brep>(); first && !first->roots().empty()) {
+        const BrepInstance& root = first->roots().front();
+        return Brep(brep->shape(), root.name, root.color || !root.part ? root.color : root.part->color);
+      }
+  return made;
+}
+
+Evaluated evaluateInWorker(const FeatureType& type, const std::string& activity, const Value& parameters,
+                           const Inputs& inputs, const Progress& progress) {
+  const TemporaryFolder folder;
+  const Value arguments{{"parameters", parameters}, {"inputs", savedInputs(type, inputs, folder.path())}};
+  const WorkerOptions options{.activity = activity, .module = moduleOf(&anchor)};
+  const Value answer = runInWorker(type.id, arguments, folder.path(), progress, options);
+  Evaluated made;
+  made.shape = namedLike(loadShape(answer.at("shape"), folder.path()), type, inputs);
+  made.stats = answer.at("stats");
+  made.warnings = answer.at("warnings").get<std::vector<std::string>>();
+  return made;
+}
+
+}  // namespace
+
+FeatureType inWorker(FeatureType type, std::string activity, WorkerCondition when) {
+  const auto direct = type.evaluate;
+  registerWorkerCall(type.id, [direct](const Value& arguments, const fs::path& folder, const Progress& progress) {
+    return serve(direct, arguments, folder, progress);
+  });
+  FeatureType made = type;
+  made.evaluate = [type = std::move(type), activity = std::move(activity), when = std::move(when)](
+                      const Value& parameters, const Inputs& inputs, const Progress& progress) {
+    if (when && !when(parameters, inputs)) return type.evaluate(parameters, inputs, progress);
+    return evaluateInWorker(type, activity, parameters, inputs, progress);
+  };
+  return made;
+}
+
+}  // namespace blossom::modeling

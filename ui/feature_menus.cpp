@@ -91,6 +91,7 @@ std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, const In
 }
 
 void FeatureMenus::add(const FeatureType& type) {
+  if (page_->startDrawing(type.id)) return;
   const InputSpec* missing = nullptr;
   const std::vector<FeatureId> inputs = inputsFor(type, missing);
   if (!missing) return page_->session().addFeature(type, inputs);

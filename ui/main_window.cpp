@@ -138,7 +138,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
-  if (page().tool())
+  if (page().toolStarted())
     page().endTool();
   else if (errors().isVisible())
     errors().hide();

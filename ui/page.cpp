@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/document_tree.h"
+#include "ui/document_tree_panel.h"
 #include "ui/error_bar.h"
 #include "ui/property_panel.h"
 #include "ui/text.h"
@@ -19,19 +20,6 @@ namespace {
 const QString evaluationKey = QStringLiteral("a");
 const QString jobKey = QStringLiteral("b");
 
-QWidget* withTitle(const QString& title, QWidget* content) {
-  auto* box = new QWidget;
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 14, 0, 4);
-  column->setSpacing(8);
-  auto* label = new QLabel(title);
-  label->setObjectName(QStringLiteral("sectionTitle"));
-  label->setContentsMargins(16, 0, 16, 0);
-  column->addWidget(label);
-  column->addWidget(content, 1);
-  return box;
-}
-
 bool holds(const std::vector<FeatureId>& ids, const FeatureId& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
@@ -44,6 +32,7 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       session_(std::move(app)),
       look_(theme().look()),
       tree_(new DocumentTree(session_)),
+      treePanel_(new DocumentTreePanel(tree_)),
       properties_(new PropertyPanel(session_)),
       view_(new ViewWidget),
       errors_(new ErrorBar) {
@@ -55,7 +44,9 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
 
 // The widgets look at the session: they go first.
 DocumentPage::~DocumentPage() {
+  view_->setTool(nullptr);
   tool_.reset();
+  handles_.reset();
   delete side_;
   delete canvas_;
 }
@@ -63,7 +54,7 @@ DocumentPage::~DocumentPage() {
 void DocumentPage::buildWidgets() {
   auto* side = new QSplitter(Qt::Vertical);
   side->setObjectName(QStringLiteral("sidePanel"));
-  side->addWidget(withTitle(tr("DOCUMENT"), tree_));
+  side->addWidget(treePanel_);
   side->addWidget(properties_);
   side->setSizes({250, 450});
   side->setStretchFactor(0, 2);
@@ -89,7 +80,8 @@ bool DocumentPage::untouched() const {
 void DocumentPage::connectSession() {
   connect(&session_, &Session::documentChanged, this, [this] {
     refreshView();
-    if (tool_) tool_->documentChanged();
+    if (Tool* const active = tool()) active->documentChanged();
+    refreshHandles();
     emit stateChanged();
   });
   connect(&session_, &Session::opened, this, [this] {
@@ -104,7 +96,8 @@ void DocumentPage::connectSession() {
   connect(&session_, &Session::viewChanged, this, [this](const QString& id) {
     refreshView();
     if (id.toStdString() == tree_->current()) refreshOverlay();
-    if (tool_) tool_->documentChanged();
+    if (Tool* const active = tool()) active->documentChanged();
+    refreshHandles();
   });
   connect(&session_, &Session::evaluationStarted, this, [this] { emit workChanged(evaluationKey, tr("Computing"), 0); });
   connect(&session_, &Session::evaluationProgressed, this, [this](double fraction, const QString& stage) {
@@ -139,6 +132,7 @@ void DocumentPage::connectWidgets() {
     properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current());
     refreshView();
     refreshOverlay();
+    refreshHandles();
     emit selectionChanged();
   });
   connect(view_, &ViewWidget::picked, this,
@@ -146,6 +140,11 @@ void DocumentPage::connectWidgets() {
   connect(view_, &ViewWidget::hint, this, &DocumentPage::hint);
   connect(view_, &ViewWidget::whereabouts, this, &DocumentPage::whereabouts);
   connect(tree_, &DocumentTree::hint, this, &DocumentPage::hint);
+  connect(tree_, &DocumentTree::contextMenuWanted, this, &DocumentPage::contextMenuWanted);
+  connect(tree_, &DocumentTree::refused, this, [this](const Error& error, const std::vector<Offer>& offers) {
+    showError(error);
+    for (const Offer& offer : offers) errors_->offer(offer.label, offer.go);
+  });
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
   connect(&ThemeManager::instance(), &ThemeManager::changed, this, [this] {
     look_ = theme().look();
@@ -207,30 +206,6 @@ void DocumentPage::showError(const Error& error, const QString& file) {
   errors_->showError(qt(error.message()), qt(error.hint()));
   const bool damagedDocument = error.code() == ErrorCode::FormatDamaged && !file.isEmpty() && isDocument(file.toStdString());
   if (damagedDocument) errors_->offer(tr("Open what is readable"), [this, file] { emit salvageWanted(file); });
-}
-
-void DocumentPage::start(std::unique_ptr<Tool> tool) {
-  endTool();
-  tool_ = std::move(tool);
-  if (!tool_) return;
-  connect(tool_.get(), &Tool::finished, this, [this, started = tool_.get()] {
-    if (tool_.get() != started) return;
-    view_->setTool(nullptr);
-    tool_.release()->deleteLater();  // it is still on the stack
-    emit toolChanged();
-  });
-  view_->setTool(tool_.get());
-  view_->setFocus();
-  emit hint(tool_->hint());
-  emit toolChanged();
-}
-
-void DocumentPage::endTool() {
-  if (!tool_) return;
-  view_->setTool(nullptr);
-  const std::unique_ptr<Tool> ended = std::move(tool_);
-  ended->revert();
-  emit toolChanged();
 }
 
 std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) const {

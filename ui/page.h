@@ -12,6 +12,7 @@ class QWidget;
 namespace blossom::ui {
 
 class DocumentTree;
+class DocumentTreePanel;
 class ErrorBar;
 class PropertyPanel;
 class ViewWidget;
@@ -28,6 +29,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] const Session& session() const { return session_; }
   [[nodiscard]] ViewWidget& view() { return *view_; }
   [[nodiscard]] DocumentTree& tree() { return *tree_; }
+  [[nodiscard]] DocumentTreePanel& treePanel() { return *treePanel_; }
   [[nodiscard]] PropertyPanel& properties() { return *properties_; }
   [[nodiscard]] ErrorBar& errors() { return *errors_; }
   [[nodiscard]] QWidget* side() { return side_; }      ///< owned by the page until a window takes it in
@@ -37,7 +39,10 @@ class DocumentPage : public QObject, public ToolHost {
 
   /// The tool gets mouse and keys until it has finished; the one before is reverted.
   void start(std::unique_ptr<Tool>);
-  [[nodiscard]] Tool* tool() { return tool_.get(); }
+  /// Draws a new feature of a type, or edits one; false when the type has no tool of its own.
+  bool startDrawing(const std::string& featureType, const FeatureId& edited = {});
+  [[nodiscard]] Tool* tool() const { return tool_ ? tool_.get() : handles_.get(); }
+  [[nodiscard]] bool toolStarted() const { return tool_ != nullptr; }  ///< by the user; handles do not count
   void endTool();
 
   void showError(const Error&, const QString& file = {});
@@ -65,6 +70,7 @@ class DocumentPage : public QObject, public ToolHost {
   void workEnded(const QString& key);
   void salvageWanted(const QString& file);
   void toolChanged();
+  void contextMenuWanted(const QPoint& global);  ///< about what is selected
 
  private:
   void buildWidgets();
@@ -73,16 +79,23 @@ class DocumentPage : public QObject, public ToolHost {
   void refreshView();
   void refreshOverlay();
   void fitWhenFirstShown();
+  // page_tools.cpp
+  void refreshHandles();
+  void giveViewItsTool();
+  void follow(Tool&);
 
   const ManipulatorRegistry& manipulators_;
   Session session_;
   Look look_;
   DocumentTree* tree_;
+  DocumentTreePanel* treePanel_;
   PropertyPanel* properties_;
   ViewWidget* view_;
   ErrorBar* errors_;
   QPointer<QWidget> side_, canvas_;
-  std::unique_ptr<Tool> tool_;
+  std::unique_ptr<Tool> tool_;     // started by the user
+  std::unique_ptr<Tool> handles_;  // of the selected feature, while no tool is active
+  FeatureId handled_;
   bool fitPending_ = true;
 };
 

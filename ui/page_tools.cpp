@@ -1,0 +1,79 @@
+// Tools of a page: one that the user has started, or the handles of the selected feature.
+#include "ui/page.h"
+#include "ui/text.h"
+#include "ui/view_widget.h"
+
+namespace blossom::ui {
+
+void DocumentPage::follow(Tool& tool) {
+  connect(&tool, &Tool::changed, this, [this, changed = &tool] {
+    if (changed == this->tool()) emit hint(changed->hint());
+  });
+  connect(&tool, &Tool::finished, this, [this, finished = &tool] {
+    if (tool_.get() != finished && handles_.get() != finished) return;
+    std::unique_ptr<Tool>& place = tool_.get() == finished ? tool_ : handles_;
+    view_->setTool(nullptr);
+    place.release()->deleteLater();  // it is still on the stack
+    refreshHandles();
+    giveViewItsTool();
+  });
+}
+
+void DocumentPage::giveViewItsTool() {
+  view_->setTool(tool());
+  emit hint(tool() ? tool()->hint() : ViewWidget::idleHint());
+  emit toolChanged();
+}
+
+void DocumentPage::start(std::unique_ptr<Tool> started) {
+  endTool();
+  if (!started) return;
+  handles_.reset();
+  tool_ = std::move(started);
+  follow(*tool_);
+  giveViewItsTool();
+  view_->setFocus();
+}
+
+bool DocumentPage::startDrawing(const std::string& featureType, const FeatureId& edited) {
+  const ToolSpec* spec = manipulators_.toolFor(featureType);
+  if (!spec) return false;
+  try {
+    start(spec->make(*this, edited));
+  } catch (const Error& problem) {
+    showError(problem);
+  }
+  return true;
+}
+
+void DocumentPage::endTool() {
+  if (!tool_) return;
+  view_->setTool(nullptr);
+  const std::unique_ptr<Tool> ended = std::move(tool_);
+  ended->revert();
+  refreshHandles();
+  giveViewItsTool();
+}
+
+// Handles stay while the same feature is selected: a drag under way must not lose them to its own preview.
+void DocumentPage::refreshHandles() {
+  const std::vector<FeatureId> selected = selection();
+  const FeatureId wanted = selected.size() == 1 && !tool_ ? selected.front() : FeatureId();
+  const bool usable = !wanted.empty() && document().contains(wanted) && document().at(wanted).visible && result(wanted);
+  if (usable && handles_ && handled_ == wanted) return;
+  if (!usable && !handles_) return;
+  if (handles_) {
+    view_->setTool(nullptr);
+    const std::unique_ptr<Tool> ended = std::move(handles_);
+    ended->revert();  // may change the document, and so come here again
+  }
+  const MakeTool* make = usable && !handles_ ? manipulators_.handles(document().at(wanted).type) : nullptr;
+  if (make) {
+    handles_ = (*make)(*this, wanted);
+    handled_ = wanted;
+    follow(*handles_);
+  }
+  giveViewItsTool();
+}
+
+}  // namespace blossom::ui

@@ -3,7 +3,8 @@
 
 namespace blossom::ui {
 
-/// Paints a row of the document tree.
+/// Paints a row of the document tree: icon, name, one line of state. What failed takes as many lines as it needs to say why
+/// and what to do.
 class DocumentDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -1,5 +1,6 @@
 #include "ui/document_model.h"
 
+#include <QMimeData>
 #include <algorithm>
 
 #include "ui/icons.h"
@@ -9,6 +10,8 @@
 namespace blossom::ui {
 
 namespace {
+
+constexpr int patienceMs = 150;
 
 QString iconOfKind(ShapeKind kind) {
   switch (kind) {
@@ -37,43 +40,83 @@ QString iconOfKind(ShapeKind kind) {
 }  // namespace
 
 DocumentModel::DocumentModel(Session& session, QObject* parent) : QAbstractListModel(parent), session_(session) {
+  patience_.setSingleShot(true);
+  patience_.setInterval(patienceMs);
+  connect(&patience_, &QTimer::timeout, this, &DocumentModel::refreshState);
   connect(&session, &Session::documentChanged, this, &DocumentModel::refresh);
+  connect(&session, &Session::evaluationStarted, this, [this] {
+    arrived_.clear();
+    if (!patience_.isActive()) patience_.start();
+  });
   connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
+    arrived_.insert(feature.toStdString());
     const QModelIndex index = indexOf(feature.toStdString());
     if (index.isValid()) emit dataChanged(index, index);
   });
   connect(&session, &Session::evaluationFinished, this, [this] {
-    if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
+    patience_.stop();
+    refreshState();
   });
   refresh();
 }
 
-// Rows that stay keep their selection: only what differs is inserted or removed.
+void DocumentModel::refreshState() {
+  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
+}
+
+// Rows that stay keep their selection: what is gone is removed, what stays is put in order, what is new is inserted.
 void DocumentModel::refresh() {
+  removeGone();
+  reorder();
   const auto features = session_.document().features();
-  const std::vector<std::shared_ptr<const Feature>> next(features.begin(), features.end());
-  std::size_t same = 0;
-  while (same < rows_.size() && same < next.size() && rows_[same]->id == next[same]->id) ++same;
-  if (same < rows_.size()) {
-    beginRemoveRows({}, static_cast<int>(same), static_cast<int>(rows_.size()) - 1);
-    rows_.resize(same);
-    endRemoveRows();
-  }
-  std::copy_n(next.begin(), same, rows_.begin());
-  if (same < next.size()) {
-    beginInsertRows({}, static_cast<int>(same), static_cast<int>(next.size()) - 1);
-    rows_ = next;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (i < rows_.size() && rows_[i]->id == features[i]->id) {
+      rows_[i] = features[i];
+      continue;
+    }
+    beginInsertRows({}, static_cast<int>(i), static_cast<int>(i));
+    rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(i), features[i]);
     endInsertRows();
   }
-  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
+  refreshState();
+}
+
+void DocumentModel::removeGone() {
+  std::set<FeatureId> there;
+  for (const auto& feature : session_.document().features()) there.insert(feature->id);
+  for (std::size_t i = rows_.size(); i-- > 0;) {
+    if (there.contains(rows_[i]->id)) continue;
+    beginRemoveRows({}, static_cast<int>(i), static_cast<int>(i));
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(i));
+    endRemoveRows();
+  }
+}
+
+void DocumentModel::reorder() {
+  std::map<FeatureId, std::size_t> place;
+  for (const auto& feature : session_.document().features()) place.emplace(feature->id, place.size());
+  const auto byPlace = [&](const auto& a, const auto& b) { return place.at(a->id) < place.at(b->id); };
+  if (std::is_sorted(rows_.begin(), rows_.end(), byPlace)) return;
+  emit layoutAboutToBeChanged();
+  const QModelIndexList before = persistentIndexList();
+  std::vector<FeatureId> ids;
+  ids.reserve(static_cast<std::size_t>(before.size()));
+  for (const QModelIndex& each : before) ids.push_back(idAt(each));
+  std::sort(rows_.begin(), rows_.end(), byPlace);
+  QModelIndexList after;
+  for (const FeatureId& id : ids) after << indexOf(id);
+  changePersistentIndexList(before, after);
+  emit layoutChanged();
 }
 
 int DocumentModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
+const Feature& DocumentModel::at(const QModelIndex& index) const { return *rows_[static_cast<std::size_t>(index.row())]; }
+
 FeatureId DocumentModel::idAt(const QModelIndex& index) const {
-  return index.isValid() && index.row() < rowCount() ? rows_[static_cast<std::size_t>(index.row())]->id : FeatureId();
+  return index.isValid() && index.row() < rowCount() ? at(index).id : FeatureId();
 }
 
 QModelIndex DocumentModel::indexOf(const FeatureId& id) const {
@@ -81,12 +124,37 @@ QModelIndex DocumentModel::indexOf(const FeatureId& id) const {
   return it == rows_.end() ? QModelIndex() : index(static_cast<int>(it - rows_.begin()));
 }
 
+bool DocumentModel::computing(const Feature& feature) const {
+  return session_.evaluating() && !patience_.isActive() && !feature.suppressed && !arrived_.contains(feature.id);
+}
+
 QString DocumentModel::stateOf(const Feature& feature) const {
   if (feature.suppressed) return tr("suppressed");
+  if (computing(feature)) return tr("computing…");
   const auto view = session_.view(feature.id);
   if (!view) return session_.evaluating() ? tr("computing…") : tr("not computed");
   if (view->result->error) return qt(view->result->error->message());
   return stateLine(view->measures);
+}
+
+QString DocumentModel::remedyOf(const Feature& feature) const {
+  const auto view = session_.view(feature.id);
+  if (feature.suppressed || computing(feature) || !view || !view->result->error) return {};
+  return qt(view->result->error->hint());
+}
+
+QString DocumentModel::tipOf(const Feature& feature) const {
+  QStringList lines{qt(feature.name) + QStringLiteral(" – ") + typeOf(feature), stateOf(feature)};
+  if (const QString remedy = remedyOf(feature); !remedy.isEmpty()) lines << remedy;
+  const auto view = session_.view(feature.id);
+  if (view && !view->result->error && !feature.suppressed)
+    for (const std::string& warning : view->result->evaluated.warnings) lines << qt(warning);
+  return lines.join(u'\n');
+}
+
+QString DocumentModel::typeOf(const Feature& feature) const {
+  const auto type = session_.app().registry->find(feature.type);
+  return type ? qt(type->title) : qt(feature.type);
 }
 
 QString DocumentModel::iconOf(const Feature& feature) const {
@@ -98,7 +166,7 @@ QString DocumentModel::iconOf(const Feature& feature) const {
 
 QVariant DocumentModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const Feature& feature = *rows_[static_cast<std::size_t>(index.row())];
+  const Feature& feature = at(index);
   const auto view = session_.view(feature.id);
   switch (role) {
     case Qt::DisplayRole:
@@ -106,21 +174,27 @@ QVariant DocumentModel::data(const QModelIndex& index, int role) const {
       return qt(feature.name);
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
-      return stateOf(feature);
+      return tipOf(feature);
     case IdRole:
       return qt(feature.id);
     case StateRole:
       return stateOf(feature);
+    case RemedyRole:
+      return remedyOf(feature);
+    case TypeRole:
+      return typeOf(feature);
     case FailedRole:
-      return view && view->result->error.has_value();
+      return !feature.suppressed && !computing(feature) && view && view->result->error.has_value();
     case WarnedRole:
       return view && !view->result->evaluated.warnings.empty();
     case PendingRole:
-      return !view;
+      return !view || computing(feature);
     case IconRole:
       return iconOf(feature);
     case VisibleRole:
       return feature.visible;
+    case SuppressedRole:
+      return feature.suppressed;
     default:
       return {};
   }
@@ -129,7 +203,7 @@ QVariant DocumentModel::data(const QModelIndex& index, int role) const {
 bool DocumentModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const std::string name = value.toString().trimmed().toStdString();
   if (role != Qt::EditRole || !index.isValid() || name.empty()) return false;
-  Feature feature = *rows_[static_cast<std::size_t>(index.row())];
+  Feature feature = at(index);
   if (feature.name == name) return false;
   const QString what = tr("Rename %1").arg(qt(feature.name));
   feature.name = name;
@@ -137,8 +211,19 @@ bool DocumentModel::setData(const QModelIndex& index, const QVariant& value, int
   return true;
 }
 
-Qt::ItemFlags DocumentModel::flags(const QModelIndex&) const {
-  return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable;
+Qt::ItemFlags DocumentModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::ItemIsDropEnabled;  // between the rows, never on one
+  return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
+}
+
+QStringList DocumentModel::mimeTypes() const { return {QStringLiteral("application/x-blossom-rows")}; }
+
+QMimeData* DocumentModel::mimeData(const QModelIndexList& indexes) const {
+  QStringList ids;
+  for (const QModelIndex& index : indexes) ids << qt(idAt(index));
+  auto* data = new QMimeData;
+  data->setData(mimeTypes().front(), ids.join(u'\n').toUtf8());
+  return data;
 }
 
 }  // namespace blossom::ui

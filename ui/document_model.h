@@ -1,5 +1,7 @@
 #pragma once
 #include <QAbstractListModel>
+#include <QTimer>
+#include <set>
 #include <vector>
 
 #include "document/document.h"
@@ -12,23 +14,48 @@ class Session;
 class DocumentModel : public QAbstractListModel {
   Q_OBJECT
  public:
-  enum Role { IdRole = Qt::UserRole, StateRole, FailedRole, IconRole, VisibleRole, PendingRole, WarnedRole };
+  enum Role {
+    IdRole = Qt::UserRole,
+    StateRole,   ///< one line: kind and main measure, the error, "suppressed" or "computing…"
+    RemedyRole,  ///< what to do about the error; empty when there is none
+    TypeRole,    ///< title of the feature type
+    FailedRole,
+    IconRole,
+    VisibleRole,
+    SuppressedRole,
+    PendingRole,
+    WarnedRole
+  };
 
   explicit DocumentModel(Session&, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex&, int role) const override;
   bool setData(const QModelIndex&, const QVariant&, int role) override;  ///< renames
   Qt::ItemFlags flags(const QModelIndex&) const override;
+  QStringList mimeTypes() const override;
+  QMimeData* mimeData(const QModelIndexList&) const override;  ///< the rows, to be dropped elsewhere in the document
+  Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
 
   [[nodiscard]] FeatureId idAt(const QModelIndex&) const;
   [[nodiscard]] QModelIndex indexOf(const FeatureId&) const;
   void refresh();  ///< the document changed
 
  private:
+  [[nodiscard]] const Feature& at(const QModelIndex&) const;
+  [[nodiscard]] bool computing(const Feature&) const;
   [[nodiscard]] QString stateOf(const Feature&) const;
+  [[nodiscard]] QString remedyOf(const Feature&) const;
+  [[nodiscard]] QString tipOf(const Feature&) const;
+  [[nodiscard]] QString typeOf(const Feature&) const;
   [[nodiscard]] QString iconOf(const Feature&) const;
+  void refreshState();
+  void removeGone();
+  void reorder();
+
   Session& session_;
   std::vector<std::shared_ptr<const Feature>> rows_;
+  std::set<FeatureId> arrived_;  // results of the evaluation under way
+  QTimer patience_;              // what is computed at once is not said to be computing
 };
 
 }  // namespace blossom::ui

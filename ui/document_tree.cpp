@@ -2,13 +2,13 @@
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
-#include <QMenu>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <algorithm>
 
 #include "ui/document_delegate.h"
+#include "ui/document_edits.h"
 #include "ui/document_model.h"
-#include "ui/icons.h"
 #include "ui/session.h"
 #include "ui/text.h"
 
@@ -22,10 +22,19 @@ DocumentTree::DocumentTree(Session& session, QWidget* parent)
   setEditTriggers(EditKeyPressed | DoubleClicked);
   setVerticalScrollMode(ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setUniformItemSizes(true);
+  setResizeMode(Adjust);
   setMouseTracking(true);
+  setDragDropMode(InternalMove);
+  setDefaultDropAction(Qt::MoveAction);
   setAccessibleName(tr("Document"));
   viewport()->setAttribute(Qt::WA_Hover);
+  connect(model_, &QAbstractItemModel::layoutChanged, this, &DocumentTree::applyFilter);
+  connect(model_, &QAbstractItemModel::rowsInserted, this, &DocumentTree::applyFilter);
+  // A state may take more lines than the one before.
+  connect(model_, &QAbstractItemModel::dataChanged, this, [this] {
+    applyFilter();
+    scheduleDelayedItemsLayout();
+  });
 }
 
 FeatureId DocumentTree::current() const { return model_->idAt(currentIndex()); }
@@ -34,6 +43,7 @@ std::vector<FeatureId> DocumentTree::selected() const {
   QModelIndexList indexes = selectionModel()->selectedIndexes();
   std::sort(indexes.begin(), indexes.end());
   std::vector<FeatureId> ids;
+  ids.reserve(static_cast<std::size_t>(indexes.size()));
   for (const QModelIndex& index : indexes) ids.push_back(model_->idAt(index));
   return ids;
 }
@@ -48,50 +58,53 @@ void DocumentTree::select(const FeatureId& id, bool extend) {
   scrollTo(index);
 }
 
+void DocumentTree::select(const std::vector<FeatureId>& ids) {
+  QItemSelection selection;
+  for (const FeatureId& id : ids) selection.select(model_->indexOf(id), model_->indexOf(id));
+  if (!ids.empty()) selectionModel()->setCurrentIndex(model_->indexOf(ids.back()), QItemSelectionModel::NoUpdate);
+  selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+}
+
 void DocumentTree::selectLast() {
   if (model_->rowCount() > 0) select(model_->idAt(model_->index(model_->rowCount() - 1)));
 }
 
-void DocumentTree::toggleVisible(const FeatureId& id) {
-  Feature feature = session_.document().at(id);
-  feature.visible = !feature.visible;
-  session_.commit(session_.document().with(feature),
-                  (feature.visible ? tr("Show %1") : tr("Hide %1")).arg(qt(feature.name)));
+void DocumentTree::selectFirstShown() {
+  for (int row = 0; row < model_->rowCount(); ++row)
+    if (!isRowHidden(row)) return select(model_->idAt(model_->index(row)));
 }
 
-void DocumentTree::renameCurrent() {
-  setFocus();
-  edit(currentIndex());
+void DocumentTree::selectAll() {
+  std::vector<FeatureId> shown;
+  for (int row = 0; row < model_->rowCount(); ++row)
+    if (!isRowHidden(row)) shown.push_back(model_->idAt(model_->index(row)));
+  select(shown);
 }
 
-// All of them become what the first one becomes: one edit, one step of undo.
-void DocumentTree::toggleSelected() {
-  const std::vector<FeatureId> ids = selected();
-  if (ids.empty()) return;
-  if (ids.size() == 1) return toggleVisible(ids.front());
-  const bool visible = !session_.document().at(ids.front()).visible;
-  Document document = session_.document();
-  for (const FeatureId& id : ids) {
-    Feature feature = document.at(id);
-    feature.visible = visible;
-    document = document.with(feature);
+void DocumentTree::setFilter(const QString& text) {
+  filter_ = text.split(u' ', Qt::SkipEmptyParts);
+  applyFilter();
+}
+
+void DocumentTree::applyFilter() {
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    const QModelIndex index = model_->index(row);
+    const auto text = [&](int role) { return index.data(role).toString() + u'\n'; };
+    const auto mark = [&](int role, const QString& word) { return index.data(role).toBool() ? word + u'\n' : QString(); };
+    const QString all = text(Qt::DisplayRole) + text(DocumentModel::TypeRole) + text(DocumentModel::StateRole) +
+                        mark(DocumentModel::FailedRole, tr("error failed")) +
+                        mark(DocumentModel::WarnedRole, tr("warning")) +
+                        (index.data(DocumentModel::VisibleRole).toBool() ? QString() : tr("hidden"));
+    const bool hidden = !std::all_of(filter_.begin(), filter_.end(),
+                                     [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+    if (hidden != isRowHidden(row)) setRowHidden(row, hidden);
   }
-  session_.commit(std::move(document), (visible ? tr("Show %1 features") : tr("Hide %1 features")).arg(ids.size()));
 }
 
-// From the last to the first, so that users go before what they use.
-void DocumentTree::removeSelected() {
-  std::vector<FeatureId> ids = selected();
-  if (ids.empty()) return;
-  const QString what = ids.size() == 1 ? tr("Delete %1").arg(qt(session_.document().at(ids.front()).name))
-                                       : tr("Delete %1 features").arg(ids.size());
-  try {
-    Document document = session_.document();
-    for (auto it = ids.rbegin(); it != ids.rend(); ++it) document = document.without(*it);
-    session_.commit(std::move(document), what);
-  } catch (const Error& error) {
-    emit session_.failed(error, {});
-  }
+std::size_t DocumentTree::rowAt(QPoint at) const {
+  const QModelIndex index = indexAt(at);
+  if (!index.isValid()) return static_cast<std::size_t>(model_->rowCount());
+  return static_cast<std::size_t>(index.row()) + (at.y() > visualRect(index).center().y() ? 1 : 0);
 }
 
 void DocumentTree::mousePressEvent(QMouseEvent* event) {
@@ -106,8 +119,16 @@ void DocumentTree::mousePressEvent(QMouseEvent* event) {
 }
 
 void DocumentTree::mouseMoveEvent(QMouseEvent* event) {
-  const bool onRow = indexAt(event->position().toPoint()).isValid();
-  emit hint(onRow ? tr("Click: select · Ctrl+click: select more · Double click: rename · Eye: show or hide") : QString());
+  const QPoint at = event->position().toPoint();
+  const QModelIndex index = indexAt(at);
+  if (!index.isValid())
+    emit hint({});
+  else if (DocumentDelegate::eyeRect(visualRect(index)).adjusted(-5, -5, 5, 5).contains(at))
+    emit hint(index.data(DocumentModel::VisibleRole).toBool() ? tr("Click: hide %1").arg(index.data().toString())
+                                                              : tr("Click: show %1").arg(index.data().toString()));
+  else
+    emit hint(tr("%1 · Click: select · Ctrl+click: select more · Double click: rename · Drag: reorder · Right click: more")
+                  .arg(index.data().toString()));
   QListView::mouseMoveEvent(event);
 }
 
@@ -118,27 +139,40 @@ void DocumentTree::leaveEvent(QEvent* event) {
 
 void DocumentTree::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space && !current().empty())
-    toggleVisible(current());
+    toggleSelected();
   else
     QListView::keyPressEvent(event);
 }
 
+// The menu is about what is selected; a row that is not gets selected first.
 void DocumentTree::contextMenuEvent(QContextMenuEvent* event) {
-  const QModelIndex index = indexAt(event->pos());
-  if (!index.isValid()) return;
-  const FeatureId id = model_->idAt(index);
-  Feature feature = session_.document().at(id);
-  QMenu menu(this);
-  menu.addAction(tr("Rename"), this, [this, index] { edit(index); });
-  menu.addAction(feature.visible ? tr("Hide") : tr("Show"), this, [this, id] { toggleVisible(id); });
-  menu.addAction(feature.suppressed ? tr("Compute again") : tr("Suppress"), this, [this, feature]() mutable {
-    feature.suppressed = !feature.suppressed;
-    session_.commit(session_.document().with(feature),
-                    (feature.suppressed ? tr("Suppress %1") : tr("Compute %1 again")).arg(qt(feature.name)));
-  });
-  menu.addSeparator();
-  menu.addAction(icon(QStringLiteral("delete")), tr("Delete"), this, &DocumentTree::removeSelected);
-  menu.exec(event->globalPos());
+  const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+  const QPoint at = byKey ? visualRect(currentIndex()).center() : event->pos();
+  const QModelIndex index = byKey ? currentIndex() : indexAt(at);
+  if (index.isValid() && !selectionModel()->isSelected(index)) select(model_->idAt(index));
+  if (!index.isValid()) clearSelection();
+  emit contextMenuWanted(viewport()->mapToGlobal(at));
+}
+
+// The reason against a place is told before the button is released.
+void DocumentTree::dragMoveEvent(QDragMoveEvent* event) {
+  QListView::dragMoveEvent(event);
+  try {
+    withMoved(session_.document(), selected(), rowAt(event->position().toPoint()));
+    emit hint(tr("Release: move here"));
+  } catch (const Error& error) {
+    emit hint(qt(error.message()));
+  }
+}
+
+void DocumentTree::dropEvent(QDropEvent* event) {
+  if (!event->mimeData()->hasFormat(model_->mimeTypes().front())) return event->ignore();
+  event->setDropAction(Qt::MoveAction);
+  event->accept();
+  moveSelectedBefore(rowAt(event->position().toPoint()));
+  stopAutoScroll();
+  setState(NoState);
+  viewport()->update();
 }
 
 void DocumentTree::selectionChanged(const QItemSelection& now, const QItemSelection& before) {

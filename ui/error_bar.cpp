@@ -13,7 +13,7 @@
 namespace blossom::ui {
 
 ErrorBar::ErrorBar(QWidget* parent)
-    : QFrame(parent), icon_(new QLabel), message_(new QLabel), hint_(new QLabel), action_(new QPushButton) {
+    : QFrame(parent), icon_(new QLabel), message_(new QLabel), hint_(new QLabel), offers_(new QHBoxLayout) {
   setObjectName(QStringLiteral("errorBar"));
   message_->setObjectName(QStringLiteral("errorMessage"));
   hint_->setObjectName(QStringLiteral("errorHint"));
@@ -31,16 +31,13 @@ ErrorBar::ErrorBar(QWidget* parent)
   close->setToolTip(tr("Dismiss (Esc)"));
   close->setAccessibleName(tr("Dismiss"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  connect(action_, &QPushButton::clicked, this, [this] {
-    hide();
-    if (act_) act_();
-  });
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(14, 9, 10, 9);
   row->setSpacing(12);
   row->addWidget(icon_, 0, Qt::AlignTop);
   row->addLayout(words, 1);
-  row->addWidget(action_);
+  offers_->setSpacing(8);
+  row->addLayout(offers_);
   row->addWidget(close, 0, Qt::AlignTop);
   hide();
 }
@@ -61,8 +58,11 @@ void ErrorBar::present(const char* kind, const QString& message, const QString& 
   message_->setText(message);
   hint_->setText(hint);
   hint_->setVisible(!hint.isEmpty());
-  action_->hide();
-  act_ = {};
+  while (QLayoutItem* old = offers_->takeAt(0)) {
+    old->widget()->hide();
+    old->widget()->deleteLater();  // it may be the one whose click is being answered
+    delete old;
+  }
   show();
 }
 
@@ -70,9 +70,12 @@ void ErrorBar::showError(const QString& message, const QString& hint) { present(
 void ErrorBar::showNote(const QString& message, const QString& details) { present("note", message, details); }
 
 void ErrorBar::offer(const QString& label, std::function<void()> action) {
-  action_->setText(label);
-  act_ = std::move(action);
-  action_->show();
+  auto* button = new QPushButton(label);
+  connect(button, &QPushButton::clicked, this, [this, go = std::move(action)] {
+    hide();
+    go();
+  });
+  offers_->addWidget(button);
 }
 
 QString ErrorBar::message() const { return message_->text(); }

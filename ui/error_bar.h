@@ -2,10 +2,16 @@
 #include <QFrame>
 #include <functional>
 
+class QHBoxLayout;
 class QLabel;
-class QPushButton;
 
 namespace blossom::ui {
+
+/// Something that can be done about a problem.
+struct Offer {
+  QString label;  ///< of the button
+  std::function<void()> go;
+};
 
 /// Says in place what went wrong and what to do about it; nothing waits for it to be read.
 class ErrorBar : public QFrame {
@@ -15,7 +21,7 @@ class ErrorBar : public QFrame {
 
   void showError(const QString& message, const QString& hint);
   void showNote(const QString& message, const QString& details);
-  /// A button that does something about it, e.g. "Open what is readable".
+  /// A button that does something about it, e.g. "Open what is readable"; the first one offered stands first.
   void offer(const QString& label, std::function<void()> action);
   [[nodiscard]] QString message() const;
   [[nodiscard]] QString hint() const;
@@ -25,8 +31,7 @@ class ErrorBar : public QFrame {
   QLabel* icon_;
   QLabel* message_;
   QLabel* hint_;
-  QPushButton* action_;
-  std::function<void()> act_;
+  QHBoxLayout* offers_;
 };
 
 }  // namespace blossom::ui

@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+
+namespace blossom::ui {
+
+/// What the document tree does to a document, as functions from values to values: each result is one step of undo.
+
+/// Everything that is made from one of `ids`, directly or not, without those themselves; in document order.
+std::vector<FeatureId> dependants(const Document&, const std::vector<FeatureId>& ids);
+
+Document withVisible(Document, const std::vector<FeatureId>& ids, bool visible);
+Document withSuppressed(Document, const std::vector<FeatureId>& ids, bool suppressed);
+
+/// Users go before what they use. @throws Error InUse when one of them is used by a feature that stays.
+Document withoutAll(Document, const std::vector<FeatureId>& ids);
+
+/// Only `ids` are visible.
+Document isolated(Document, const std::vector<FeatureId>& ids);
+bool isIsolated(const Document&, const std::vector<FeatureId>& ids);
+
+/// `ids` stand one after the other, in document order, before what is in row `row` now; row == size: at the end.
+/// @throws Error InvalidInput when one would stand before an input or after a user of its own.
+Document withMoved(const Document&, const std::vector<FeatureId>& ids, std::size_t row);
+/// `ids` one place up (-1) or down (+1). @throws as withMoved; nullopt when they stand at that end already.
+std::optional<Document> withStepped(const Document&, const std::vector<FeatureId>& ids, int by);
+
+/// "Box", or "Box 2" when there is one; a number that `name` ends in is counted on.
+std::string freeName(const Document&, const std::string& name);
+
+/// `wanted` of `clip` added to a document as new features with ids and names of their own; `added` is what they are called
+/// there. What they are made from is taken over too, unless `into` holds just that feature already.
+Document withCopies(const Document& into, const Document& clip, const std::vector<FeatureId>& wanted,
+                    std::vector<FeatureId>& added);
+/// The part of a document that `wanted` needs: these, and everything they are made from.
+Document excerpt(const Document&, const std::vector<FeatureId>& wanted);
+
+}  // namespace blossom::ui

@@ -11,16 +11,16 @@ constexpr double operator""_deg(long double v) { return static_cast<double>(v); 
 
 constexpr double millimetresPerInch = 25.4;
 
-/// Length in mm from text such as "12", "3cm", "1/2 in", "1 1/2 in", "0.5\"", "2'", "1e-3 m". No unit means mm; the decimal
-/// sign is a point. Units: um mm cm dm m in " ft ' mil.
-/// @throws Error InvalidParameter naming what is not understood.
+/// Length in mm from text such as "12", "3cm", "1 1/2 in", "0.5\"", "5' 6\"" or an expression "1/2 in + 3*(2 cm)" (see
+/// core/expression.h). No unit means mm; the decimal sign is a point. Units: nm um mm cm dm m in " ft ' yd mil thou.
+/// @throws Error InvalidParameter saying what is not understood and where.
 double parseLength(std::string_view text);
 
-/// Angle in degrees from "30", "30deg", "30°", "0.5rad", "0.25turn". No unit means degrees.
-/// @throws Error InvalidParameter.
+/// Angle in degrees from "30", "30deg", "30°", "0.5rad", "100gon", "0.25turn" or an expression "pi/4 rad". No unit means
+/// degrees. @throws Error InvalidParameter.
 double parseAngle(std::string_view text);
 
-/// Plain number, also as a fraction "3/4". @throws Error InvalidParameter.
+/// Plain number, also a fraction "3/4" or an expression "sqrt(2)/2". @throws Error InvalidParameter.
 double parseNumber(std::string_view text);
 
 /// The shortest text that reads back as the same double; "0.1", never "0.10000000000000001".

@@ -18,14 +18,20 @@ std::string_view trimmed(std::string_view text) {
                                          : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
+/// Separators inside of parentheses belong to an expression, as in "max(1, 2), 3".
+std::vector<std::string_view> split(std::string_view text, char separator, bool expressions = true) {
   std::vector<std::string_view> parts;
   if (trimmed(text).empty()) return parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(separator, from), text.size());
-    parts.push_back(trimmed(text.substr(from, to - from)));
-    from = to + 1;
+  int depth = 0;
+  std::size_t from = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (expressions && text[at] == '(') ++depth;
+    if (expressions && text[at] == ')') --depth;
+    if (text[at] != separator || depth > 0) continue;
+    parts.push_back(trimmed(text.substr(from, at - from)));
+    from = at + 1;
   }
+  parts.push_back(trimmed(text.substr(from)));
   return parts;
 }
 
@@ -82,6 +88,12 @@ Value parseSubShape(const ParameterSpec& spec, std::string_view text) {
   return checked(spec, result);
 }
 
+/// Texts may hold any parenthesis.
+bool itemsAreExpressions(const ParameterSpec& element) {
+  using enum ParameterKind;
+  return element.kind != Text && element.kind != File && element.kind != SubShape && element.kind != Choice;
+}
+
 bool itemsHoldCommas(const ParameterSpec& element) {
   using enum ParameterKind;
   return element.kind == Point || element.kind == Vector || element.kind == Curve || element.kind == List;
@@ -99,7 +111,7 @@ Value parseList(const ParameterSpec& spec, std::string_view text) {
   if (text.starts_with('[')) return checked(spec, parseJsonText(spec, text));
   const ParameterSpec& element = spec.fields.at(0);
   Value items = Value::array();
-  for (const auto part : split(text, itemsHoldCommas(element) ? ';' : ',')) {
+  for (const auto part : split(text, itemsHoldCommas(element) ? ';' : ',', itemsAreExpressions(element))) {
     ParameterSpec item = element;
     item.name = fmt::format("item {} of {}", items.size() + 1, label(spec));
     items.push_back(parseText(item, part));

@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace blossom {
+
+/// A number with the powers of its units: {25.4, 1, 0} is an inch, {30, 0, 1} thirty degrees. Part of core/expression.
+struct Dimensioned {
+  double value = 0;
+  int lengths = 0;  ///< power of mm
+  int angles = 0;   ///< power of degrees
+
+  [[nodiscard]] bool is(int lengthPower, int anglePower) const { return lengths == lengthPower && angles == anglePower; }
+  [[nodiscard]] bool plain() const { return is(0, 0); }
+  [[nodiscard]] bool sameUnit(const Dimensioned& other) const { return is(other.lengths, other.angles); }
+  [[nodiscard]] Dimensioned with(double number) const { return {number, lengths, angles}; }
+};
+
+inline Dimensioned operator*(const Dimensioned& a, const Dimensioned& b) {
+  return {a.value * b.value, a.lengths + b.lengths, a.angles + b.angles};
+}
+inline Dimensioned operator/(const Dimensioned& a, const Dimensioned& b) {
+  return {a.value / b.value, a.lengths - b.lengths, a.angles - b.angles};
+}
+/// Empty when the power of a unit would not be whole.
+std::optional<Dimensioned> power(const Dimensioned& base, double exponent);
+
+/// One mm, inch, degree or radian, .. as what it is of mm or degrees; empty when there is no such unit.
+std::optional<Dimensioned> unitNamed(std::string_view);
+
+struct ExpressionFunction {
+  std::string_view name;
+  std::size_t least, most;  ///< number of values
+  /// Empty when the values have units that the function does not take.
+  std::optional<Dimensioned> (*call)(std::span<const Dimensioned>);
+};
+
+/// nullptr when there is none of that name.
+const ExpressionFunction* findFunction(std::string_view name);
+
+}  // namespace blossom

@@ -11,6 +11,7 @@
 
 #include "document/document.h"
 #include "document/evaluator.h"
+#include "geometry/bounds.h"
 #include "scene/picking.h"
 #include "scene/scene.h"
 
@@ -24,6 +25,9 @@ struct Pick {
   FeatureId feature;  ///< empty: nothing is there
   SubPick part;       ///< kind Whole when the feature was met but no part of it can be named
 };
+
+/// Which parts are found under the mouse: whole features, parts of one kind, or whatever is nearest.
+enum class PickMode { None, Feature, Face, Edge, Vertex, Any };
 
 /// The mouse as a tool sees it.
 struct ToolEvent {
@@ -48,6 +52,13 @@ class ToolHost {
   [[nodiscard]] virtual double gridSpacing() const = 0;
   [[nodiscard]] virtual std::vector<FeatureId> selection() const = 0;
   virtual void select(const FeatureId&) = 0;
+  /// The plane that cuts what is shown; nothing: all is whole.
+  [[nodiscard]] virtual std::optional<CutPlane> section() const { return std::nullopt; }
+  virtual void setSection(const std::optional<CutPlane>&) {}
+  /// Box around all that is shown; empty where nothing is.
+  [[nodiscard]] virtual Bounds extent() const { return {}; }
+  /// Device pixels per logical pixel of the view.
+  [[nodiscard]] virtual double pixelRatio() const { return 1; }
   /// Shows a document without remembering it; ended by the next commit or by endPreview.
   virtual void preview(Document) = 0;
   virtual void endPreview() = 0;
@@ -70,6 +81,8 @@ class Tool : public QObject {
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }  ///< Esc not taken ends the tool
+  /// What `ToolEvent::pick` is looked for among, and lights up under the mouse.
+  [[nodiscard]] virtual PickMode picks() const { return PickMode::Any; }
   /// Drawn over the scene, never picked. Asked for after every `changed`.
   [[nodiscard]] virtual std::vector<vtkSmartPointer<vtkProp>> props() const { return {}; }
   /// The document changed under the tool (undo, a new result). A tool whose feature is gone should emit finished().

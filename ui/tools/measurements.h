@@ -1,0 +1,90 @@
+#pragma once
+#include <vtkProp.h>
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QThreadPool>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "geometry/measure_between.h"
+#include "ui/tool.h"
+
+namespace blossom::ui {
+
+/// A feature, or one part of it by number, that a measurement holds on to.
+struct PartReference {
+  FeatureId feature;
+  SubShapeKind kind = SubShapeKind::Whole;
+  int index = -1;
+  friend bool operator==(const PartReference&, const PartReference&) = default;
+};
+
+/// The measurements of one open document: they stay when the tool that took them has ended, follow every edit and undo, and
+/// are lost only while a part of theirs is gone. The kernel runs on a thread of its own, newest wish first come.
+class Measurements : public QObject {
+  Q_OBJECT
+ public:
+  enum class State { Computing, Ready, Lost };
+  struct Entry {
+    int id = 0;
+    PartReference first;
+    std::optional<PartReference> second;
+    State state = State::Computing;
+    Measurement figures;  ///< the last there were
+    QString problem;      ///< why it is lost
+  };
+
+  explicit Measurements(ToolHost& host, QObject* parent = nullptr);
+  ~Measurements() override;
+
+  /// @returns its id, never used again.
+  int add(const PartReference&, const std::optional<PartReference>& second = {});
+  /// Makes a measurement of one part a measurement to another.
+  void extend(int id, const PartReference& second);
+  void remove(int id);
+  void clear();
+  void select(int id);  ///< 0: none
+  [[nodiscard]] int selected() const { return selected_; }
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  [[nodiscard]] const Entry* find(int id) const;
+
+  /// Measures anew what changed. To be called whenever the document or a result is another.
+  void documentChanged();
+
+  [[nodiscard]] QString partName(const PartReference&) const;  ///< "Box, face 2"
+  [[nodiscard]] QString headline(const Entry&) const;          ///< "12.5 mm"
+  [[nodiscard]] QString text(const Entry&) const;              ///< all of it, a line for each figure, to be copied
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const;
+
+ signals:
+  void changed();
+
+ private:
+  struct Run {
+    CancelToken token;
+    std::vector<std::shared_ptr<const FeatureResult>> of;  // what is or was measured
+  };
+  Entry* entry(int id);
+  void measure(Entry&);
+  void finish(int id, const CancelToken&, const Measurement&, const std::optional<Error>&);
+  /// Results of the parts; the reason when there is one missing.
+  [[nodiscard]] std::vector<std::shared_ptr<const FeatureResult>> resultsOf(const Entry&, QString& missing) const;
+  [[nodiscard]] bool isShown(const Entry&) const;
+
+  ToolHost& host_;
+  std::vector<Entry> entries_;
+  std::map<int, Run> runs_;
+  QThreadPool pool_;
+  int lastId_ = 0;
+  int selected_ = 0;
+};
+
+/// "Diameter" for "diameter", in the user's language.
+QString figureName(const std::string& name);
+
+}  // namespace blossom::ui

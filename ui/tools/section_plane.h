@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+
+#include "geometry/bounds.h"
+#include "scene/picking.h"
+
+namespace blossom::ui {
+
+enum class SectionAxis { X, Y, Z, Face };
+
+/// A cutting plane as its panel and its handle speak of it: a direction, a place along it and the side cut away.
+class SectionPlane {
+ public:
+  /// Across y through the middle, the front half cut away: what the standard view looks into.
+  static SectionPlane through(const Bounds&);
+  static SectionPlane of(const CutPlane&);
+
+  void setAxis(SectionAxis, const Bounds&);  ///< X, Y or Z, through the middle
+  /// Parallel to a face; offsets are counted from it, outwards.
+  void setFace(const Vec3& point, const Vec3& normal);
+  void flip() { flipped_ = !flipped_; }
+  void setOffset(double offset) { offset_ = offset; }
+
+  [[nodiscard]] SectionAxis axis() const { return axis_; }
+  [[nodiscard]] const Vec3& direction() const { return direction_; }
+  [[nodiscard]] bool flipped() const { return flipped_; }
+  [[nodiscard]] double offset() const { return offset_; }  ///< mm along the direction, from the origin or the face
+  [[nodiscard]] CutPlane plane() const;
+  /// Offsets between which the plane meets a box.
+  [[nodiscard]] std::pair<double, double> range(const Bounds&) const;
+  /// The point of the plane nearest to another.
+  [[nodiscard]] Vec3 onPlane(const Vec3& p) const;
+  /// Offset at which the direction through `anchor` comes nearest to a ray; nothing when it is looked at end on.
+  [[nodiscard]] std::optional<double> offsetAlong(const Ray&, const Vec3& anchor) const;
+
+ private:
+  SectionAxis axis_ = SectionAxis::Y;
+  Vec3 direction_ = Vec3::UnitY();
+  double base_ = 0;  // of offset 0, along the direction
+  double offset_ = 0;
+  bool flipped_ = false;
+};
+
+}  // namespace blossom::ui

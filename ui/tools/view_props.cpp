@@ -1,0 +1,164 @@
+#include "ui/tools/view_props.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty.h>
+#include <vtkTexture.h>
+#include <vtkTexturedActor2D.h>
+
+#include <QApplication>
+#include <QFontMetricsF>
+#include <QImage>
+#include <QPainter>
+#include <cstring>
+
+namespace blossom::ui {
+
+namespace {
+
+// A depth offset beyond all that occurs brings lines and points before everything.
+constexpr double before = -66000;
+
+vtkSmartPointer<vtkActor> actorOf(vtkPolyData* data, const Color& color) {
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(data);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, before);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(before);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color.red, color.green, color.blue);
+  actor->GetProperty()->SetLighting(false);
+  actor->PickableOff();
+  return actor;
+}
+
+QImage drawnLabel(const QString& text, const LabelLook& look) {
+  QFont font = QApplication::font();
+  font.setPixelSize(12);
+  font.setWeight(QFont::DemiBold);
+  const QFontMetricsF metrics(font);
+  const QSizeF size(std::ceil(metrics.horizontalAdvance(text)) + 14, std::ceil(metrics.height()) + 6);
+  QImage image((size * look.pixelRatio).toSize(), QImage::Format_RGBA8888);
+  image.setDevicePixelRatio(look.pixelRatio);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(look.border, 1));
+  painter.setBrush(look.card);
+  const QRectF card(QPointF(0, 0), size);
+  painter.drawRoundedRect(card.adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
+  painter.setFont(font);
+  painter.setPen(look.text);
+  painter.drawText(card, Qt::AlignCenter, text);
+  painter.end();
+  return image.mirrored();  // VTK's first row is the lowest
+}
+
+vtkSmartPointer<vtkTexture> textureOf(const QImage& image) {
+  auto data = vtkSmartPointer<vtkImageData>::New();
+  data->SetDimensions(image.width(), image.height(), 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int y = 0; y < image.height(); ++y)
+    std::memcpy(data->GetScalarPointer(0, y, 0), image.constScanLine(y), static_cast<std::size_t>(image.width()) * 4);
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(data);
+  texture->InterpolateOff();
+  texture->RepeatOff();
+  return texture;
+}
+
+// A rectangle of pixels around the place where it is anchored.
+vtkSmartPointer<vtkPolyData> rectangle(int width, int height) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  auto places = vtkSmartPointer<vtkFloatArray>::New();
+  places->SetNumberOfComponents(2);
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->InsertNextCell(4);
+  const int left = -width / 2, low = -height / 2;
+  const float corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (const auto& corner : corners) {
+    const int x = corner[0] > 0 ? left + width : left, y = corner[1] > 0 ? low + height : low;
+    cells->InsertCellPoint(points->InsertNextPoint(x, y, 0));
+    places->InsertNextTuple(corner);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetTCoords(places);
+  return data;
+}
+
+}  // namespace
+
+PropPtr linesProp(const std::vector<std::vector<Vec3>>& lines, const Color& color, double width) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& line : lines) {
+    cells->InsertNextCell(static_cast<int>(line.size()));
+    for (const Vec3& p : line) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(cells);
+  auto actor = actorOf(data, color);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  return actor;
+}
+
+PropPtr pointsProp(const std::vector<Vec3>& all, const Color& color, double size) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const Vec3& p : all) {
+    const vtkIdType id = points->InsertNextPoint(p.data());
+    cells->InsertNextCell(1, &id);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  auto actor = actorOf(data, color);
+  actor->GetProperty()->SetRenderPointsAsSpheres(true);
+  actor->GetProperty()->SetPointSize(static_cast<float>(size));
+  return actor;
+}
+
+PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const Color& color, double opacity) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& triangle : triangles) {
+    cells->InsertNextCell(3);
+    for (const Vec3& p : triangle) cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  auto actor = actorOf(data, color);
+  actor->GetProperty()->SetOpacity(opacity);
+  return actor;
+}
+
+PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
+  const QImage image = drawnLabel(text, look);
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
+  mapper->SetInputData(rectangle(image.width(), image.height()));
+  auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->SetTexture(textureOf(image));
+  actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  actor->GetPositionCoordinate()->SetValue(at.x(), at.y(), at.z());
+  actor->PickableOff();
+  return actor;
+}
+
+}  // namespace blossom::ui

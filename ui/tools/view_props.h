@@ -1,0 +1,30 @@
+#pragma once
+#include <vtkProp.h>
+#include <vtkSmartPointer.h>
+
+#include <QColor>
+#include <QString>
+#include <array>
+#include <vector>
+
+#include "core/vector.h"
+#include "geometry/color.h"
+
+/// What tools draw over the scene: always in front of it. Widths are in device pixels.
+namespace blossom::ui {
+
+using PropPtr = vtkSmartPointer<vtkProp>;
+
+PropPtr linesProp(const std::vector<std::vector<Vec3>>& lines, const Color&, double width);
+PropPtr pointsProp(const std::vector<Vec3>& points, const Color&, double size);
+/// Seen through; `opacity` from 0 to 1. It does not hide what stands before it.
+PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const Color&, double opacity);
+
+/// A text on a small card that keeps its size and faces the viewer.
+struct LabelLook {
+  QColor text, card, border;
+  double pixelRatio = 1;
+};
+PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook&);
+
+}  // namespace blossom::ui

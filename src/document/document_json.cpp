@@ -22,16 +22,6 @@ bool isFeatureKey(std::string_view key) {
   return std::find(featureKeys.begin(), featureKeys.end(), key) != featureKeys.end();
 }
 
-Value featureJson(const Feature& feature) {
-  Value json{{"id", feature.id}, {"type", feature.type}, {"name", feature.name}, {"inputs", feature.inputs}};
-  json["parameters"] = feature.parameters.is_object() ? feature.parameters : Value::object();
-  if (!feature.visible) json["visible"] = false;
-  if (feature.suppressed) json["suppressed"] = true;
-  for (const auto& [key, value] : feature.extra.items())
-    if (!isFeatureKey(key)) json[key] = value;
-  return json;
-}
-
 /// Reads the members of one feature; each wrong one is a problem and keeps its default.
 class FeatureReader {
  public:
@@ -205,13 +195,25 @@ Document readDocumentJson(const std::string& text, Problems& problems) {
   return Document::of(std::move(features)).withExtra(std::move(extra));
 }
 
-std::string toJson(const Document& document) {
+Value featureJson(const Feature& feature) {
+  Value json{{"id", feature.id}, {"type", feature.type}, {"name", feature.name}, {"inputs", feature.inputs}};
+  json["parameters"] = feature.parameters.is_object() ? feature.parameters : Value::object();
+  if (!feature.visible) json["visible"] = false;
+  if (feature.suppressed) json["suppressed"] = true;
+  for (const auto& [key, value] : feature.extra.items())
+    if (!isFeatureKey(key)) json[key] = value;
+  return json;
+}
+
+Value documentJson(const Document& document) {
   Value json{{"blossom", documentFormatVersion}, {"features", Value::array()}};
   for (const auto& feature : document.features()) json["features"].push_back(featureJson(*feature));
   for (const auto& [key, value] : document.extra().items())
     if (!json.contains(key)) json[key] = value;
-  return prettyJson(json);
+  return json;
 }
+
+std::string toJson(const Document& document) { return prettyJson(documentJson(document)); }
 
 OpenedDocument fromJson(const std::string& json, bool salvage) {
   Problems problems("The document", salvage);

@@ -22,6 +22,11 @@ class Problems {
   bool salvage_;
 };
 
+/// One feature as it stands in document.json.
+Value featureJson(const Feature&);
+/// The document as it stands in document.json.
+Value documentJson(const Document&);
+
 /// @throws Error FormatTooNew, FormatDamaged, LimitExceeded.
 Document readDocumentJson(const std::string& json, Problems&);
 

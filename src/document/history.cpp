@@ -40,6 +40,8 @@ std::string History::redoText() const { return place_ + 1 < steps_.size() ? step
 
 void History::markSaved() { savedPlace_ = place_; }
 
+void History::markUnsaved() { savedPlace_.reset(); }
+
 bool History::modified() const { return savedPlace_ != place_; }
 
 }  // namespace blossom

@@ -17,9 +17,11 @@ class History {
   bool undo();  ///< also ends a preview; false when there is nothing to undo
   bool redo();
   [[nodiscard]] const Document& current() const;
-  [[nodiscard]] std::string undoText() const;  ///< empty when nothing can be undone
+  [[nodiscard]] const Document& committed() const { return steps_[place_].document; }  ///< without a preview
+  [[nodiscard]] std::string undoText() const;                                          ///< empty when nothing can be undone
   [[nodiscard]] std::string redoText() const;
   void markSaved();
+  void markUnsaved();                   ///< no file holds any of its documents
   [[nodiscard]] bool modified() const;  ///< a preview does not count
 
  private:

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "core/error.h"
 #include "core/file.h"
+#include "document/assets.h"
 #include "document/document_json.h"
 #include "document/zip_archive.h"
 
@@ -26,42 +26,6 @@ bool isHash(std::string_view text) {
 bool isAsset(std::string_view name) { return name.starts_with(assetFolder) && isHash(name.substr(assetFolder.size())); }
 
 bool isWanted(std::string_view name) { return name == documentEntry || isAsset(name); }
-
-/// Calls `visit` with every text that could name an asset. Types of parameters need not be known: their plugin may be
-/// missing.
-template <class Visit>
-void visitTexts(const Value& value, const Visit& visit) {
-  if (const auto* text = value.get_ptr<const std::string*>()) visit(*text);
-  if (value.is_structured())
-    for (const Value& item : value) visitTexts(item, visit);
-}
-
-std::set<std::string> namedAssets(const Document& document) {
-  std::set<std::string> named;
-  const auto keep = [&](const std::string& text) {
-    if (document.assets().contains(text)) named.insert(text);
-  };
-  visitTexts(document.extra(), keep);
-  for (const auto& feature : document.features()) visitTexts(feature->parameters, keep), visitTexts(feature->extra, keep);
-  return named;
-}
-
-/// Hashes under the key "asset", as file parameters have them.
-void visitFiles(const Value& value, const std::function<void(const std::string& hash)>& visit) {
-  if (value.is_object() && value.contains("asset") && value.at("asset").is_string())
-    if (const auto& hash = value.at("asset").get_ref<const std::string&>(); !hash.empty()) visit(hash);
-  if (value.is_structured())
-    for (const Value& item : value) visitFiles(item, visit);
-}
-
-void checkAssets(const Document& document, Problems& problems) {
-  for (const auto& feature : document.features())
-    visitFiles(feature->parameters, [&](const std::string& hash) {
-      if (!document.assets().contains(hash))
-        problems.report(
-            fmt::format("the imported file of \"{}\" is missing", feature->name.empty() ? feature->id : feature->name));
-    });
-}
 
 /// From the directory at the end of the zip, or, salvaging, from the headers in front of the entries.
 ZipContent unpacked(const std::string& bytes, Problems& problems) {

@@ -2,7 +2,9 @@
 
 #include <vtkCamera.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -36,10 +38,13 @@ CameraControl::CameraControl(QObject* parent) : QObject(parent) {
 
 double CameraControl::millimetresPerPixel() const { return 2 * state_.distance * tangent / std::max(1.0, size_.height()); }
 
-void CameraControl::orbit(QPointF by) {
+void CameraControl::orbit(QPointF by, const std::optional<Vec3>& about) {
   stop();
+  const Vec3 arm = about ? Vec3(*about - state_.target) : Vec3(Vec3::Zero());
+  const Vec3 seen(arm.dot(state_.turn.right()), arm.dot(state_.turn.up()), arm.dot(state_.turn.toCamera()));
   state_.turn.yaw -= by.x() * degreesPerPixel;
   state_.turn.pitch = std::clamp(state_.turn.pitch + by.y() * degreesPerPixel, -90.0, 90.0);
+  state_.target += arm - (seen.x() * state_.turn.right() + seen.y() * state_.turn.up() + seen.z() * state_.turn.toCamera());
   emit moved();
 }
 
@@ -88,7 +93,7 @@ void CameraControl::glideTo(const State& goal, bool animated) {
   emit moved();
 }
 
-CameraControl::Ray CameraControl::rayThrough(QPointF at) const {
+Ray CameraControl::rayThrough(QPointF at) const {
   const double scale = millimetresPerPixel();
   const QPointF off = at - QPointF(size_.width(), size_.height()) / 2;
   const Vec3 onPlane = state_.target + state_.turn.right() * (off.x() * scale) - state_.turn.up() * (off.y() * scale);
@@ -97,6 +102,33 @@ CameraControl::Ray CameraControl::rayThrough(QPointF at) const {
   const Vec3 eye = state_.target + back * state_.distance;
   return {eye, (onPlane - eye).normalized()};
 }
+
+QPointF CameraControl::project(const Vec3& p) const {
+  const Vec3 arm = p - state_.target;
+  const double depth = parallel_ ? state_.distance : state_.distance - arm.dot(state_.turn.toCamera());
+  const double pixels = std::max(1.0, size_.height()) / (2 * depth * tangent);
+  return QPointF(size_.width() / 2 + arm.dot(state_.turn.right()) * pixels,
+                 size_.height() / 2 - arm.dot(state_.turn.up()) * pixels);
+}
+
+std::vector<CutPlane> CameraControl::boundsOf(const QRectF& rect) const {
+  const std::array<QPointF, 4> corners{rect.topLeft(), rect.topRight(), rect.bottomRight(), rect.bottomLeft()};
+  const Ray middle = rayThrough(rect.center());
+  std::vector<CutPlane> bounds;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Ray a = rayThrough(corners[i]), b = rayThrough(corners[(i + 1) % 4]);
+    const Vec3 aside = (b.origin + b.direction) - (a.origin + a.direction);
+    Vec3 normal = a.direction.cross(aside).normalized();
+    if (normal.dot(middle.origin + middle.direction - a.origin - a.direction) > 0) normal = -normal;
+    bounds.push_back({normal, normal.dot(a.origin)});
+  }
+  if (parallel_) return bounds;
+  const Vec3 back = state_.turn.toCamera();
+  bounds.push_back({back, back.dot(middle.origin)});
+  return bounds;
+}
+
+double CameraControl::pixelGrowth() const { return parallel_ ? 0 : 2 * tangent / std::max(1.0, size_.height()); }
 
 void CameraControl::applyTo(vtkCamera* camera) const {
   camera->SetViewAngle(viewAngle);

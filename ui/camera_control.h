@@ -1,11 +1,14 @@
 #pragma once
 #include <QObject>
 #include <QPointF>
+#include <QRectF>
 #include <QSizeF>
 #include <QVariantAnimation>
+#include <optional>
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/picking.h"
 
 class vtkCamera;
 
@@ -19,7 +22,8 @@ class CameraControl : public QObject {
   explicit CameraControl(QObject* parent = nullptr);
 
   void setViewSize(QSizeF size) { size_ = size; }
-  void orbit(QPointF by);
+  /// Turns about the target, or about a point, which stays where it is on the screen.
+  void orbit(QPointF by, const std::optional<Vec3>& about = {});
   void pan(QPointF by);
   /// @param factor below 1 comes nearer; the point under `at` stays there.
   void zoom(QPointF at, double factor);
@@ -33,10 +37,13 @@ class CameraControl : public QObject {
   [[nodiscard]] const Turn& turn() const { return state_.turn; }
   [[nodiscard]] const Vec3& target() const { return state_.target; }
   [[nodiscard]] double millimetresPerPixel() const;
-  struct Ray {
-    Vec3 origin, direction;
-  };
   [[nodiscard]] Ray rayThrough(QPointF at) const;
+  /// Where a point is seen; meaningless for points behind the eye.
+  [[nodiscard]] QPointF project(const Vec3&) const;
+  /// What is seen within a rectangle, as the planes that bound it; in front of the eye only.
+  [[nodiscard]] std::vector<CutPlane> boundsOf(const QRectF&) const;
+  /// Growth of the length of a pixel along a ray; 0 without perspective.
+  [[nodiscard]] double pixelGrowth() const;
   void applyTo(vtkCamera*) const;
 
  signals:

@@ -2,11 +2,21 @@
 
 #include <algorithm>
 
+#include "scene/picking.h"
+
 namespace blossom::ui {
 
 namespace {
 
 constexpr std::size_t mostEntries = 96;
+
+bool isSolid(const Measures& measures) {
+  if (measures.kind == "solid") return true;
+  return std::any_of(measures.values.begin(), measures.values.end(), [](const Measure& measure) {
+    const bool* closed = std::get_if<bool>(&measure.value);
+    return measure.name == "closed" && closed && *closed;
+  });
+}
 
 const void* addressOf(const Shape& shape) {
   return shape.visit([](const auto& value) { return static_cast<const void*>(&value); });
@@ -41,7 +51,9 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
   }
   try {
     view->scene = toSceneData(tessellate(shape, {.chord = 0, .angle = 0.2}, progress.part(0, 0.7)));
-    view->measures = measure(shape, progress.part(0.7, 1));
+    view->measures = measure(shape, progress.part(0.7, 0.95));
+    view->scene.solid = isSolid(view->measures);
+    view->scene.picks = std::make_shared<const PickIndex>(view->scene);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::Cancelled) throw;
     return failed(*result, error);

@@ -20,7 +20,7 @@ void DocumentPage::follow(Tool& tool) {
 }
 
 void DocumentPage::giveViewItsTool() {
-  view_->setTool(tool());
+  view_->setTool(tool(), !tool_);
   emit hint(tool() ? tool()->hint() : ViewWidget::idleHint());
   emit toolChanged();
 }

@@ -4,8 +4,6 @@
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
-#include <vtkPolyData.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <QElapsedTimer>
@@ -13,6 +11,7 @@
 #include <QOpenGLExtraFunctions>
 #include <algorithm>
 
+#include "ui/view_band.h"
 #include "ui/view_cube.h"
 
 namespace blossom::ui {
@@ -28,11 +27,33 @@ ViewWidget::ViewWidget(QWidget* parent)
     : QOpenGLWidget(parent),
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
-      cube_(new ViewCube(this)) {
+      items_(renderer_),
+      hoverLight_(renderer_),
+      selected_(renderer_),
+      cube_(new ViewCube(this)),
+      band_(new SelectionBand(this)) {
   quietVtk();
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
+  buildRenderer();
+  settle_.setSingleShot(true);
+  settle_.setInterval(140);
+  connect(&settle_, &QTimer::timeout, this, [this] {
+    sharp_ = true;
+    update();
+  });
+  connect(&camera_, &CameraControl::moved, this, &ViewWidget::cameraMoved);
+  connect(cube_, &ViewCube::sideChosen, this, [this](const QString& view) { lookFrom(view); });
+  connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);
+}
+
+ViewWidget::~ViewWidget() {
+  releaseGl();
+  if (context()) disconnect(context(), nullptr, this, nullptr);
+}
+
+void ViewWidget::buildRenderer() {
   // Qt makes the context current before it calls us.
   window_->SetOwnContext(false);
   window_->SetReadyForRendering(true);
@@ -42,27 +63,16 @@ ViewWidget::ViewWidget(QWidget* parent)
   window_->AddRenderer(renderer_);
   renderer_->AddActor(grid_.actor());
   setUpRenderer(renderer_, look_);
-  settle_.setSingleShot(true);
-  settle_.setInterval(140);
-  connect(&settle_, &QTimer::timeout, this, [this] {
-    sharp_ = true;
-    update();
-  });
-  connect(&camera_, &CameraControl::moved, this, [this] {
-    if (sharpFrameMs_ > fluentMs) {
-      sharp_ = false;
-      settle_.start();
-    }
-    cube_->setTurn(camera_.turn());
-    update();
-  });
-  connect(cube_, &ViewCube::sideChosen, this, [this](const QString& view) { lookFrom(view); });
-  connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);
+  applyLook();
 }
 
-ViewWidget::~ViewWidget() {
-  releaseGl();
-  if (context()) disconnect(context(), nullptr, this, nullptr);
+void ViewWidget::cameraMoved() {
+  if (sharpFrameMs_ > fluentMs) {
+    sharp_ = false;
+    settle_.start();
+  }
+  cube_->setTurn(camera_.turn());
+  update();
 }
 
 void ViewWidget::releaseGl() {
@@ -82,10 +92,11 @@ void ViewWidget::initializeGL() {
 }
 
 void ViewWidget::resizeGL(int, int) {
-  scale_ = devicePixelRatioF();
-  window_->SetSize(static_cast<int>(width() * scale_), static_cast<int>(height() * scale_));
+  window_->SetSize(static_cast<int>(width() * devicePixelRatioF()), static_cast<int>(height() * devicePixelRatioF()));
   camera_.setViewSize(size());
-  for (const auto& [id, shown] : shown_) paintRole(shown);  // the pixel ratio may have changed with the screen
+  if (scale_ == devicePixelRatioF()) return;
+  scale_ = devicePixelRatioF();  // it changes with the screen
+  applyLook();
 }
 
 void ViewWidget::paintGL() {
@@ -133,110 +144,5 @@ Look ViewWidget::scaledLook() const {
   look.pointSize *= scale_;
   return look;
 }
-
-void ViewWidget::setItems(const std::vector<ViewItem>& items) {
-  for (auto it = shown_.begin(); it != shown_.end();) {
-    const bool gone = std::none_of(items.begin(), items.end(), [&](const ViewItem& item) { return item.id == it->first; });
-    if (gone) hide(it->second);
-    it = gone ? shown_.erase(it) : std::next(it);
-  }
-  for (const ViewItem& item : items) {
-    Shown& shown = shown_[item.id];
-    shown.role = item.role;
-    const bool same = shown.scene.faces == item.scene.faces && shown.scene.edges == item.scene.edges &&
-                      shown.scene.points == item.scene.points;
-    if (!same || shown.actors.empty()) {
-      hide(shown);
-      shown.scene = item.scene;
-      show(shown);
-    }
-    paintRole(shown);
-  }
-  if (!sharp_) settle_.start();  // a shape appears at once, and smoothed a moment later
-  update();
-}
-
-// The grid is blended over what is drawn before it, so it stays last.
-void ViewWidget::show(Shown& shown) {
-  shown.actors = makeActors(shown.scene, scaledLook());
-  renderer_->RemoveActor(grid_.actor());
-  for (const auto& actor : shown.actors) renderer_->AddActor(actor);
-  renderer_->AddActor(grid_.actor());
-}
-
-void ViewWidget::hide(Shown& shown) {
-  for (const auto& actor : shown.actors) renderer_->RemoveActor(actor);
-  shown.actors.clear();
-}
-
-void ViewWidget::setOverlay(std::vector<vtkSmartPointer<vtkProp>> overlay) {
-  for (const auto& prop : overlay_) renderer_->RemoveViewProp(prop);
-  overlay_ = std::move(overlay);
-  for (const auto& prop : overlay_) {
-    prop->PickableOff();
-    renderer_->AddViewProp(prop);
-  }
-  update();
-}
-
-void ViewWidget::setLook(const Look& look) {
-  look_ = look;
-  setUpRenderer(renderer_, look_);
-  for (auto& [id, shown] : shown_) {
-    hide(shown);
-    show(shown);
-    paintRole(shown);
-  }
-  update();
-}
-
-void ViewWidget::setGridVisible(bool visible) {
-  grid_.actor()->SetVisibility(visible);
-  update();
-}
-
-void ViewWidget::setParallel(bool parallel) { camera_.setParallel(parallel); }
-
-// Only colours change: the geometry stays on the card.
-void ViewWidget::paintRole(const Shown& shown) const {
-  const Look look = scaledLook();
-  const bool drawing = !shown.scene.faces || shown.scene.planar;
-  const Color accent = shown.role == ItemRole::Made ? look.made : look.control;
-  const bool plain = shown.role == ItemRole::Plain;
-  for (const auto& actor : shown.actors) {
-    vtkProperty& property = *actor->GetProperty();
-    const auto paint = [&](const Color& color) { property.SetColor(color.red, color.green, color.blue); };
-    const ActorRole part = roleOf(actor);
-    if (part == ActorRole::Faces && shown.scene.planar)
-      paint(mixed(mixed(look.backgroundTop, look.backgroundBottom, 0.5), plain ? look.curve : accent,
-                  shown.role == ItemRole::Made ? 0.88 : 0.2));
-    else if (part == ActorRole::Faces)
-      paint(plain ? look.surface : mixed(look.surface, accent, shown.role == ItemRole::Made ? 0.92 : 0.55));
-    else if (part == ActorRole::Edges && drawing)
-      paint(plain ? look.curve : accent);
-    else if (part == ActorRole::Edges)
-      paint(plain ? look.edge : mixed(accent, look.edge, 0.62));
-    if (part == ActorRole::Edges) property.SetLineWidth(static_cast<float>(look.edgeWidth * (drawing ? 1.5 : 1.1)));
-    if (part == ActorRole::Points) property.SetPointSize(static_cast<float>(look.pointSize));
-  }
-}
-
-std::vector<Vec3> ViewWidget::everything() const { return visiblePoints(renderer_); }
-
-void ViewWidget::fit(bool animated) { camera_.frame(everything(), camera_.turn(), animated); }
-
-void ViewWidget::lookFrom(const QString& view, bool animated) {
-  const std::vector<Vec3> points = everything();
-  if (view != QLatin1String("auto")) {
-    camera_.frame(points, turnOf(view.toStdString()), animated);
-    return;
-  }
-  const bool flat = !shown_.empty() &&
-                    std::all_of(shown_.begin(), shown_.end(), [](const auto& entry) { return entry.second.scene.planar; });
-  camera_.setParallel(flat);
-  camera_.frame(points, turnOf(flat ? "top" : "iso"), animated);
-}
-
-void ViewWidget::zoomBy(double factor) { camera_.zoom(QPointF(width(), height()) / 2, factor); }
 
 }  // namespace blossom::ui

@@ -94,6 +94,7 @@ class ShapeMesher {
       addTriangles();
     }
     addEdges();
+    addVertices();
     for (TopExp_Explorer vertex(shape_, TopAbs_VERTEX, TopAbs_EDGE); vertex.More(); vertex.Next())
       result_.markers.push_back(toVec(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())).XYZ()));
     return std::move(result_);
@@ -287,7 +288,17 @@ class ShapeMesher {
     return result;
   }
 
+  void addVertices() {
+    TopTools_IndexedMapOfShape vertices;
+    TopExp::MapShapes(shape_, TopAbs_VERTEX, vertices);
+    result_.vertices.reserve(static_cast<std::size_t>(vertices.Extent()));
+    for (int i = 1; i <= vertices.Extent(); ++i)
+      result_.vertices.push_back(toVec(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))).XYZ()));
+  }
+
   void addEdges() {
+    TopTools_IndexedMapOfShape numbers;  // the map with the faces counts in another order where there are free edges
+    TopExp::MapShapes(shape_, TopAbs_EDGE, numbers);
     TopTools_IndexedDataMapOfShapeListOfShape edges;
     TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, edges);
     for (int i = 1; i <= edges.Extent(); ++i) {
@@ -296,12 +307,14 @@ class ShapeMesher {
       const auto edgeRows = rows(edge, edges(i));
       alignRows(edge, edgeRows);
       if (BRep_Tool::Degenerated(edge)) continue;
+      const std::size_t drawn = result_.edges.size();
       if (edges(i).IsEmpty()) {
         addFreeEdge(edge);
       } else if (!edgeRows.empty() && !isSmoothSeam(edge, edges(i), edgeRows)) {
         auto& polyline = result_.edges.emplace_back();
         for (const std::size_t p : edgeRows.front()) polyline.push_back(result_.points[p]);
       }
+      if (result_.edges.size() > drawn) result_.edgeIndices.push_back(numbers.FindIndex(edge) - 1);
     }
   }
 

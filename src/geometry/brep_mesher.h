@@ -7,7 +7,7 @@
 
 namespace blossom {
 
-/// Triangles of one OCCT shape, face by face in the order of TopExp::MapShapes, with its edges and free vertices. Points on
+/// Triangles of one OCCT shape, with its edges and vertices, all numbered in the order of TopExp::MapShapes. Points on
 /// an edge have the same coordinates in all faces that meet there, so that the triangles of a closed shell close. Works on a
 /// copy: the shape itself stays without triangulation, and any thread may read it meanwhile.
 /// @throws Error Degenerate when no face can be triangulated, Cancelled.

@@ -19,25 +19,32 @@ std::vector<Vec3> lifted(const std::vector<Vec2>& points) {
   return result;
 }
 
-/// Closed paths come back to their first point.
-std::vector<Vec3> outline(const Path& path, double chord) {
-  std::vector<Vec3> points = lifted(flatten(path, chord));
-  if (path.closed && !points.empty()) points.push_back(points.front());
-  return points;
+/// A polyline for each segment: segments are what is picked. Their ends are made to meet exactly.
+void addOutlines(const std::vector<Path>& paths, double chord, const Progress& progress, Tessellation& result) {
+  for (const Path& path : paths) {
+    progress.check();
+    const std::size_t first = result.edges.size();
+    for (const Segment& segment : path.segments) {
+      result.edgeIndices.push_back(static_cast<int>(result.edges.size()));
+      result.edges.push_back(lifted(flatten(segment, chord)));
+      result.vertices.push_back(result.edges.back().front());
+    }
+    for (std::size_t i = first; i + 1 < result.edges.size(); ++i) result.edges[i].back() = result.edges[i + 1].front();
+    if (path.closed && result.edges.size() > first) result.edges.back().back() = result.edges[first].front();
+  }
 }
 
 Tessellation tessellateCurves(const Curves& curves, double chord, const Progress& progress) {
   Tessellation result;
-  for (const Path& path : curves.paths) {
-    progress.check();
-    if (!path.segments.empty()) result.edges.push_back(outline(path, chord));
-  }
+  addOutlines(curves.paths, chord, progress, result);
   return result;
 }
 
 Tessellation tessellateCurve(const Curve& curve, double chord) {
   Tessellation result;
   result.edges.push_back(polyline(curve, chord));
+  result.edgeIndices.push_back(0);
+  result.vertices = {result.edges.front().front(), result.edges.front().back()};
   return result;
 }
 
@@ -48,7 +55,7 @@ struct Visitor {
   Tessellation operator()(std::monostate) const { return {}; }
   Tessellation operator()(const Region& region) const {
     Tessellation result = tessellateRegion(region, options, progress);
-    for (const Path& loop : region.loops) result.edges.push_back(outline(loop, options.chord));
+    addOutlines(region.loops, options.chord, progress, result);
     return result;
   }
   Tessellation operator()(const Curves& curves) const { return tessellateCurves(curves, options.chord, progress); }

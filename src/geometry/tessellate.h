@@ -21,9 +21,11 @@ struct Tessellation {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;  ///< unit length, outward for solids
   std::vector<std::array<int, 3>> triangles;
-  std::vector<int> faceOfTriangle;       ///< index of the face of the shape, for picking
+  std::vector<int> faceOfTriangle;       ///< number of the face (see geometry/sub_shape.h), for picking
   std::vector<Color> faceColors;         ///< per face; empty when the shape has no colours of its own
   std::vector<std::vector<Vec3>> edges;  ///< feature edges (of a B-rep), curves (of drawings) as polylines
+  std::vector<int> edgeIndices;          ///< number of the edge each of `edges` is; -1: it has none
+  std::vector<Vec3> vertices;            ///< by their number; for picking, not drawn
   std::vector<Vec3> markers;             ///< free points
 };
 

@@ -27,6 +27,8 @@ class MeshTessellator {
       const MeshEdge& edge = topology_.edges[e];
       if (sharp_[e]) result_.edges.push_back({point(edge.low), point(edge.high)});
     }
+    result_.edgeIndices.assign(result_.edges.size(), -1);
+    result_.vertices = mesh_.points;
     if (mesh_.color) result_.faceColors.assign(mesh_.faceCount(), *mesh_.color);
     return std::move(result_);
   }

@@ -34,7 +34,10 @@ Tessellation tessellateRegion(const Region& region, const TessellationOptions& o
     Tessellation result = meshShape(faces, finer, progress);
     if (std::abs(triangleArea(result) - wanted) <= perimeter * finer.chord + 1e-6 * wanted) {
       result.normals.clear();  // planar drawings are shown flat
-      result.edges.clear();
+      result.edges.clear();    // its outlines are drawn as they are, and numbered by their segments
+      result.edgeIndices.clear();
+      result.vertices.clear();
+      std::fill(result.faceOfTriangle.begin(), result.faceOfTriangle.end(), 0);  // the only face is the region itself
       return result;
     }
     finer.chord /= 8;

@@ -66,8 +66,12 @@ class SurfaceTessellator {
     if (std::equal(first.begin(), first.end(), last.begin(), [&](const Vec3& a, const Vec3& b) { return !differ(a, b); }))
       return;
     for (const auto& side : {first, last})
-      if (std::any_of(side.begin(), side.end(), [&](const Vec3& p) { return differ(p, side.front()); }))
-        result_.edges.push_back(side);
+      if (std::any_of(side.begin(), side.end(), [&](const Vec3& p) { return differ(p, side.front()); })) addEdge(side);
+  }
+
+  void addEdge(const std::vector<Vec3>& side) {
+    result_.edges.push_back(side);
+    result_.edgeIndices.push_back(-1);
   }
 
   Tessellation result_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,15 @@
 #include <nlohmann/json_fwd.hpp>
 // A vtkSmartPointer can only be copied where its type is complete.
 #include <vtkActor.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 class vtkRenderer;
 
 namespace blossom {
+
+class PickIndex;
 
 /// Colours and widths of a drawing; one for the dark canvas, one for its light twin.
 struct Look {
@@ -37,15 +41,18 @@ struct Look {
 Color mixed(const Color& from, const Color& to, double t);
 
 /// What the screen shows of one shape. The arrays of the Tessellation become vtkPolyData with normals, per-face colours and
-/// a cell array "face" for picking. Parts that the shape does not have are null.
+/// the cell arrays "face" and "edge" with the numbers for picking. Parts that the shape does not have are null.
 struct SceneData {
   vtkSmartPointer<vtkPolyData> faces;
   vtkSmartPointer<vtkPolyData> edges;
   vtkSmartPointer<vtkPolyData> points;
-  bool planar = false;  ///< a drawing: all of it lies at z = 0, faces have no normals
+  vtkSmartPointer<vtkPoints> vertices;     ///< by their number; picked, not drawn
+  bool solid = false;                      ///< the faces close, outward side out: a cut through them is filled
+  std::shared_ptr<const PickIndex> picks;  ///< null until somebody has made it
+  bool planar = false;                     ///< a drawing: all of it lies at z = 0, faces have no normals
   [[nodiscard]] bool empty() const;
 };
-/// O(points + triangles). Safe to call from any thread.
+/// O(points + triangles). Safe to call from any thread. Without `picks`.
 SceneData toSceneData(const Tessellation&);
 
 /// Actors of a shape, ready to be added to a renderer: faces first, then edges, then points.

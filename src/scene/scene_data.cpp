@@ -55,6 +55,14 @@ vtkSmartPointer<vtkUnsignedCharArray> colorArray(const Tessellation& t) {
   return array;
 }
 
+vtkSmartPointer<vtkIntArray> numberArray(const char* name, const std::vector<int>& numbers) {
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), array->GetPointer(0));
+  return array;
+}
+
 vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
   if (t.triangles.empty()) return nullptr;
   auto points = makePoints(t.points.size());
@@ -70,13 +78,7 @@ vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
   data->SetPolys(cells);
   if (t.normals.size() == t.points.size()) data->GetPointData()->SetNormals(normalArray(t.normals));
   if (!t.faceColors.empty()) data->GetCellData()->SetScalars(colorArray(t));
-  if (t.faceOfTriangle.size() == t.triangles.size()) {
-    auto faces = vtkSmartPointer<vtkIntArray>::New();
-    faces->SetName("face");
-    faces->SetNumberOfTuples(static_cast<vtkIdType>(t.faceOfTriangle.size()));
-    std::copy(t.faceOfTriangle.begin(), t.faceOfTriangle.end(), faces->GetPointer(0));
-    data->GetCellData()->AddArray(faces);
-  }
+  if (t.faceOfTriangle.size() == t.triangles.size()) data->GetCellData()->AddArray(numberArray("face", t.faceOfTriangle));
   return data;
 }
 
@@ -97,6 +99,7 @@ vtkSmartPointer<vtkPolyData> makeEdges(const Tessellation& t) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetLines(cells);
+  if (t.edgeIndices.size() == t.edges.size()) data->GetCellData()->AddArray(numberArray("edge", t.edgeIndices));
   return data;
 }
 
@@ -115,6 +118,13 @@ vtkSmartPointer<vtkPolyData> makeMarkers(const Tessellation& t) {
   return data;
 }
 
+vtkSmartPointer<vtkPoints> makeVertices(const Tessellation& t) {
+  if (t.vertices.empty()) return nullptr;
+  auto points = makePoints(t.vertices.size());
+  for (std::size_t i = 0; i < t.vertices.size(); ++i) setPoint(*points, i, t.vertices[i]);
+  return points;
+}
+
 bool isPlanar(const Tessellation& t) {
   const auto flat = [](const Vec3& p) { return p.z() == 0; };
   return t.normals.empty() && std::all_of(t.points.begin(), t.points.end(), flat) &&
@@ -127,6 +137,14 @@ bool isPlanar(const Tessellation& t) {
 
 bool SceneData::empty() const { return !faces && !edges && !points; }
 
-SceneData toSceneData(const Tessellation& t) { return {makeFaces(t), makeEdges(t), makeMarkers(t), isPlanar(t)}; }
+SceneData toSceneData(const Tessellation& t) {
+  SceneData data;
+  data.faces = makeFaces(t);
+  data.edges = makeEdges(t);
+  data.points = makeMarkers(t);
+  data.vertices = makeVertices(t);
+  data.planar = isPlanar(t);
+  return data;
+}
 
 }  // namespace blossom

@@ -191,7 +191,10 @@ class TessellateTest : public QObject {
     const Region region{{plate, circle({5, 5}, 2, -2 * pi), circle({20, 0}, 1, 2 * pi)}};
     const Tessellation t = tessellate(region, {0.001, 0.5});
     QVERIFY(t.normals.empty());
-    QCOMPARE(t.edges.size(), std::size_t{3});
+    QCOMPARE(t.edges.size(), std::size_t{6});  // the segments
+    QCOMPARE(t.edgeIndices, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+    QVERIFY(t.vertices[2] == Vec3(10, 10, 0) && t.edges[2].front() == t.vertices[2]);
+    QCOMPARE(*std::max_element(t.faceOfTriangle.begin(), t.faceOfTriangle.end()), 0);
     double total = 0;
     for (std::size_t i = 0; i < t.triangles.size(); ++i) {
       QVERIFY(triangleNormal(t, i).z() > 0);

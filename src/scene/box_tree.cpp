@@ -1,0 +1,129 @@
+#include "scene/box_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace blossom {
+
+void FloatBox::add(const Vec3& p) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double value = p[static_cast<Eigen::Index>(k)];
+    low[k] = std::min(low[k], std::nextafter(static_cast<float>(value), std::numeric_limits<float>::lowest()));
+    high[k] = std::max(high[k], std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max()));
+  }
+}
+
+void FloatBox::add(const FloatBox& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = std::min(low[k], box.low[k]);
+    high[k] = std::max(high[k], box.high[k]);
+  }
+}
+
+float FloatBox::area() const {
+  if (empty()) return 0;
+  const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+  return x * y + y * z + z * x;
+}
+
+class BoxTree::Builder {
+ public:
+  Builder(const std::vector<FloatBox>& items, std::vector<Node>& nodes, std::vector<int>& order)
+      : items_(items), nodes_(nodes), order_(order) {}
+
+  void run() {
+    order_.resize(items_.size());
+    std::iota(order_.begin(), order_.end(), 0);
+    nodes_.reserve(items_.size());
+    nodes_.emplace_back();
+    split(0, 0, static_cast<int>(items_.size()), 0);
+  }
+
+ private:
+  static constexpr int bins = 12, fewest = 4;
+  struct Cut {
+    std::size_t axis = 0;
+    int bin = -1;  // items of bins up to this one go left
+    float cost = std::numeric_limits<float>::max();
+  };
+
+  [[nodiscard]] const FloatBox& box(int place) const {
+    return items_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
+  }
+  static float middle(const FloatBox& box, std::size_t axis) { return (box.low[axis] + box.high[axis]) / 2; }
+
+  void split(std::size_t node, int first, int count, int depth) {
+    FloatBox all, middles;
+    for (int i = first; i < first + count; ++i) {
+      all.add(box(i));
+      middles.add(Vec3(middle(box(i), 0), middle(box(i), 1), middle(box(i), 2)));
+    }
+    nodes_[node] = {all, first, count};
+    if (count <= fewest || depth >= deepest) return;
+    const int left = divide(first, count, middles);
+    const auto children = static_cast<int>(nodes_.size());
+    nodes_.resize(nodes_.size() + 2);
+    nodes_[node].first = children;
+    nodes_[node].count = 0;
+    split(static_cast<std::size_t>(children), first, left, depth + 1);
+    split(static_cast<std::size_t>(children) + 1, first + left, count - left, depth + 1);
+  }
+
+  // Puts the items of the left child in front. @returns how many they are.
+  int divide(int first, int count, const FloatBox& middles) {
+    Cut best;
+    for (std::size_t axis = 0; axis < 3; ++axis) tryAxis(axis, first, count, middles, best);
+    const auto begin = order_.begin() + first, end = begin + count;
+    const auto half = begin + count / 2;
+    if (best.bin >= 0) {
+      const auto middleOf = [&](int item) { return middle(items_[static_cast<std::size_t>(item)], best.axis); };
+      const auto border =
+          std::partition(begin, end, [&](int item) { return binOf(middleOf(item), best.axis, middles) <= best.bin; });
+      if (border != begin && border != end) return static_cast<int>(border - begin);
+    }
+    return static_cast<int>(half - begin);  // all middles are one point
+  }
+
+  static int binOf(float value, std::size_t axis, const FloatBox& middles) {
+    const float width = middles.high[axis] - middles.low[axis];
+    return std::clamp(static_cast<int>((value - middles.low[axis]) / width * bins), 0, bins - 1);
+  }
+
+  void tryAxis(std::size_t axis, int first, int count, const FloatBox& middles, Cut& best) const {
+    if (!(middles.high[axis] > middles.low[axis])) return;
+    std::array<FloatBox, bins> boxes;
+    std::array<int, bins> counts{};
+    for (int i = first; i < first + count; ++i) {
+      const auto bin = static_cast<std::size_t>(binOf(middle(box(i), axis), axis, middles));
+      boxes[bin].add(box(i));
+      ++counts[bin];
+    }
+    std::array<float, bins> rightCost{};
+    FloatBox right;
+    int rightCount = 0;
+    for (std::size_t b = bins - 1; b > 0; --b) {
+      right.add(boxes[b]);
+      rightCount += counts[b];
+      rightCost[b - 1] = right.area() * static_cast<float>(rightCount);
+    }
+    FloatBox left;
+    int leftCount = 0;
+    for (std::size_t b = 0; b + 1 < bins; ++b) {
+      left.add(boxes[b]);
+      leftCount += counts[b];
+      const float cost = left.area() * static_cast<float>(leftCount) + rightCost[b];
+      if (leftCount > 0 && leftCount < count && cost < best.cost) best = {axis, static_cast<int>(b), cost};
+    }
+  }
+
+  const std::vector<FloatBox>& items_;
+  std::vector<Node>& nodes_;
+  std::vector<int>& order_;
+};
+
+BoxTree::BoxTree(const std::vector<FloatBox>& items) {
+  if (!items.empty()) Builder(items, nodes_, order_).run();
+}
+
+}  // namespace blossom

@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace blossom {
+
+/// A box whose sides are rounded outwards to float: half the memory, and never a miss.
+struct FloatBox {
+  std::array<float, 3> low{std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
+                           std::numeric_limits<float>::max()};
+  std::array<float, 3> high{std::numeric_limits<float>::lowest(), std::numeric_limits<float>::lowest(),
+                            std::numeric_limits<float>::lowest()};
+  void add(const Vec3&);
+  void add(const FloatBox&);
+  [[nodiscard]] float area() const;  ///< half of it
+  [[nodiscard]] bool empty() const { return low[0] > high[0]; }
+};
+
+/// Hierarchy of boxes split by the surface area heuristic over bins (I. Wald, "On fast construction of SAH-based bounding
+/// volume hierarchies", 2007). Items are numbered as given. Built in O(n log n).
+class BoxTree {
+ public:
+  BoxTree() = default;
+  explicit BoxTree(const std::vector<FloatBox>& items);
+  [[nodiscard]] bool empty() const { return nodes_.empty(); }
+
+  /// Visits items whose boxes are entered, roughly nearest first. `enter(box)` gives the distance at which a box is entered,
+  /// infinity when it is missed; boxes farther than `limit`, which `visit(item)` may lower, are left out.
+  template <class Enter, class Visit>
+  void walk(const Enter& enter, const Visit& visit, const double& limit) const;
+
+ private:
+  struct Node {
+    FloatBox box;
+    int first = 0;  // of the items, or of the two children
+    int count = 0;  // 0: an inner node
+  };
+  class Builder;
+  static constexpr int deepest = 60;
+
+  std::vector<Node> nodes_;
+  std::vector<int> order_;
+};
+
+template <class Enter, class Visit>
+void BoxTree::walk(const Enter& enter, const Visit& visit, const double& limit) const {
+  if (nodes_.empty()) return;
+  struct Waiting {
+    int node;
+    double distance;
+  };
+  std::array<Waiting, deepest + 2> stack;
+  std::size_t waiting = 0;
+  const auto push = [&](int node, double distance) {
+    if (distance <= limit && distance < std::numeric_limits<double>::infinity()) stack[waiting++] = {node, distance};
+  };
+  push(0, enter(nodes_.front().box));
+  while (waiting > 0) {
+    const Waiting next = stack[--waiting];
+    if (next.distance > limit) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(next.node)];
+    if (node.count > 0) {
+      for (int i = node.first; i < node.first + node.count; ++i) visit(order_[static_cast<std::size_t>(i)]);
+      continue;
+    }
+    const double left = enter(nodes_[static_cast<std::size_t>(node.first)].box);
+    const double right = enter(nodes_[static_cast<std::size_t>(node.first) + 1].box);
+    push(node.first + (left < right ? 1 : 0), std::max(left, right));
+    push(node.first + (left < right ? 0 : 1), std::min(left, right));
+  }
+}
+
+}  // namespace blossom

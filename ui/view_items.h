@@ -1,0 +1,80 @@
+#pragma once
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "document/document.h"
+#include "geometry/bounds.h"
+#include "scene/picking.h"
+#include "scene/scene.h"
+#include "ui/tool.h"
+
+class vtkPlane;
+class vtkRenderer;
+
+namespace blossom::ui {
+
+/// How a shape takes part in what is being done, and thereby its colour.
+enum class ItemRole { Plain, Made, Control };
+
+enum class DisplayMode { ShadedWithEdges, Shaded, Wireframe };
+
+struct ViewItem {
+  FeatureId id;
+  SceneData scene;
+  ItemRole role = ItemRole::Plain;
+};
+
+/// The shapes in the view: their actors in the renderer, how they are painted, and what a ray meets of them.
+class ViewItems {
+ public:
+  explicit ViewItems(vtkRenderer*);
+  ~ViewItems();
+
+  /// Shapes that stay the same keep their place on the graphics card. @returns the features whose shape is new or gone.
+  std::vector<FeatureId> set(const std::vector<ViewItem>&);
+  void setLook(const Look&);  ///< with widths in device pixels
+  void setDisplayMode(DisplayMode);
+  [[nodiscard]] DisplayMode displayMode() const { return mode_; }
+  void setHovered(const FeatureId&);  ///< lights up as a whole; empty: none
+  void setSection(const std::optional<CutPlane>&);
+  /// What everything that follows the section is clipped by; nullptr: there is none.
+  [[nodiscard]] vtkPlane* clip() const;
+
+  [[nodiscard]] bool empty() const { return shown_.empty(); }
+  [[nodiscard]] bool planar() const;  ///< drawings only, and at least one
+  [[nodiscard]] const SceneData* scene(const FeatureId&) const;
+  [[nodiscard]] std::size_t triangles() const;
+  [[nodiscard]] Bounds extent() const;
+
+  /// The nearest thing along a ray. `base` gives tolerances and section.
+  [[nodiscard]] Pick pick(const Ray&, PickOptions base, PickMode) const;
+  /// What lies within bounds, of the kind of a mode.
+  [[nodiscard]] std::vector<Pick> within(const std::vector<CutPlane>& bounds, PickMode, bool crossing) const;
+
+ private:
+  struct Shown {
+    SceneData scene;
+    ItemRole role = ItemRole::Plain;
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+  };
+  void show(Shown&);
+  void hide(Shown&);
+  void paint(const FeatureId&, const Shown&) const;
+  void paintFaces(vtkActor&, const Shown&, bool hovered) const;
+  void paintEdges(vtkActor&, const Shown&, bool hovered) const;
+  void applyMode(const Shown&) const;
+
+  vtkRenderer* renderer_;
+  std::map<FeatureId, Shown> shown_;
+  Look look_ = Look::dark();
+  DisplayMode mode_ = DisplayMode::ShadedWithEdges;
+  FeatureId hovered_;
+  std::optional<CutPlane> section_;
+  vtkSmartPointer<vtkPlane> clip_;
+};
+
+}  // namespace blossom::ui

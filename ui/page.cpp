@@ -80,6 +80,7 @@ bool DocumentPage::untouched() const {
 void DocumentPage::connectSession() {
   connect(&session_, &Session::documentChanged, this, [this] {
     refreshView();
+    measurements_.documentChanged();
     if (Tool* const active = tool()) active->documentChanged();
     refreshHandles();
     emit stateChanged();
@@ -89,12 +90,15 @@ void DocumentPage::connectSession() {
     fitPending_ = true;
     errors_->hide();
     view_->setItems({});
+    measurements_.clear();
+    view_->setSection(std::nullopt);
     view_->setOverlay({});
     emit opened();
   });
   connect(&session_, &Session::fileChanged, this, &DocumentPage::stateChanged);
   connect(&session_, &Session::viewChanged, this, [this](const QString& id) {
     refreshView();
+    measurements_.documentChanged();
     if (id.toStdString() == tree_->current()) refreshOverlay();
     if (Tool* const active = tool()) active->documentChanged();
     refreshHandles();
@@ -128,6 +132,7 @@ void DocumentPage::connectSession() {
 }
 
 void DocumentPage::connectWidgets() {
+  connect(&measurements_, &Measurements::changed, this, &DocumentPage::refreshOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
     properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current());
     refreshView();
@@ -175,23 +180,30 @@ void DocumentPage::refreshView() {
 }
 
 void DocumentPage::refreshOverlay() {
+  std::vector<vtkSmartPointer<vtkProp>> props = overlayOfSelected();
+  const auto measured = measurements_.props();
+  props.insert(props.end(), measured.begin(), measured.end());
+  view_->setOverlay(std::move(props));
+}
+
+std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayOfSelected() {
   const FeatureId id = tree_->selected().size() == 1 ? tree_->selected().front() : FeatureId();
   const auto view = session_.view(id);
-  if (id.empty() || !document().contains(id) || !view || view->result->error) return view_->setOverlay({});
+  if (id.empty() || !document().contains(id) || !view || view->result->error) return {};
   const Feature& feature = document().at(id);
   const Overlay* overlay = feature.visible ? manipulators_.overlay(feature.type) : nullptr;
   std::vector<Shape> inputs;
   for (const FeatureId& input : feature.inputs) {
     const auto shown = session_.view(input);
-    if (!shown) return view_->setOverlay({});
+    if (!shown) return {};
     inputs.push_back(shown->result->evaluated.shape);
   }
-  if (!overlay) return view_->setOverlay({});
+  if (!overlay) return {};
   try {
-    view_->setOverlay((*overlay)({feature, inputs, view->result->evaluated.shape, look_}));
+    return (*overlay)({feature, inputs, view->result->evaluated.shape, look_});
   } catch (const std::exception& problem) {
-    view_->setOverlay({});
     errors_->showError(tr("The handles of %1 cannot be shown.").arg(qt(feature.name)), qt(problem.what()));
+    return {};
   }
 }
 
@@ -214,6 +226,10 @@ std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) c
 }
 
 double DocumentPage::gridSpacing() const { return view_->gridSpacing(); }
+double DocumentPage::pixelRatio() const { return view_->devicePixelRatioF(); }
+Bounds DocumentPage::extent() const { return view_->extent(); }
+std::optional<CutPlane> DocumentPage::section() const { return view_->section(); }
+void DocumentPage::setSection(const std::optional<CutPlane>& plane) { view_->setSection(plane); }
 std::vector<FeatureId> DocumentPage::selection() const { return tree_->selected(); }
 void DocumentPage::select(const FeatureId& id) { tree_->select(id); }
 

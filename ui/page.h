@@ -6,6 +6,7 @@
 #include "ui/manipulator.h"
 #include "ui/session.h"
 #include "ui/tool.h"
+#include "ui/tools/measurements.h"
 
 class QWidget;
 
@@ -44,6 +45,10 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] Tool* tool() const { return tool_ ? tool_.get() : handles_.get(); }
   [[nodiscard]] bool toolStarted() const { return tool_ != nullptr; }  ///< by the user; handles do not count
   void endTool();
+  void startMeasuring();
+  void startSection();
+  /// They stay in the view until they are deleted.
+  [[nodiscard]] Measurements& measurements() { return measurements_; }
 
   void showError(const Error&, const QString& file = {});
 
@@ -55,6 +60,10 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] double gridSpacing() const override;
   [[nodiscard]] std::vector<FeatureId> selection() const override;
   void select(const FeatureId&) override;
+  [[nodiscard]] std::optional<CutPlane> section() const override;
+  void setSection(const std::optional<CutPlane>&) override;
+  [[nodiscard]] Bounds extent() const override;
+  [[nodiscard]] double pixelRatio() const override;
   void preview(Document document) override { session_.preview(std::move(document)); }
   void endPreview() override { session_.endPreview(); }
   void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }
@@ -78,6 +87,7 @@ class DocumentPage : public QObject, public ToolHost {
   void connectWidgets();
   void refreshView();
   void refreshOverlay();
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();
   void fitWhenFirstShown();
   // page_tools.cpp
   void refreshHandles();
@@ -87,6 +97,7 @@ class DocumentPage : public QObject, public ToolHost {
   const ManipulatorRegistry& manipulators_;
   Session session_;
   Look look_;
+  Measurements measurements_{*this};
   DocumentTree* tree_;
   DocumentTreePanel* treePanel_;
   PropertyPanel* properties_;

@@ -1,6 +1,8 @@
 // Tools of a page: one that the user has started, or the handles of the selected feature.
 #include "ui/page.h"
 #include "ui/text.h"
+#include "ui/tools/measure_tool.h"
+#include "ui/tools/section_tool.h"
 #include "ui/view_widget.h"
 
 namespace blossom::ui {
@@ -34,6 +36,9 @@ void DocumentPage::start(std::unique_ptr<Tool> started) {
   giveViewItsTool();
   view_->setFocus();
 }
+
+void DocumentPage::startMeasuring() { start(std::make_unique<MeasureTool>(*this, measurements_, view_)); }
+void DocumentPage::startSection() { start(std::make_unique<SectionTool>(*this, view_)); }
 
 bool DocumentPage::startDrawing(const std::string& featureType, const FeatureId& edited) {
   const ToolSpec* spec = manipulators_.toolFor(featureType);

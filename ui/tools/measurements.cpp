@@ -145,6 +145,7 @@ std::vector<std::shared_ptr<const FeatureResult>> Measurements::resultsOf(const 
 }
 
 void Measurements::documentChanged() {
+  if (entries_.empty()) return;
   for (Entry& each : entries_) measure(each);
   emit changed();
 }

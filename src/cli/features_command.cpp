@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "app/reference_page.h"
 #include "cli/command_line.h"
 #include "cli/parameter_flags.h"
 #include "cli/report.h"
@@ -40,18 +41,6 @@ Value typeJson(const FeatureType& type) {
   return json;
 }
 
-std::string howMany(const InputSpec& spec) {
-  if (spec.least == 1 && spec.most == 1) return "one";
-  if (spec.least == spec.most) return std::to_string(spec.least);
-  return spec.most == anyNumber ? fmt::format("{} or more", spec.least) : fmt::format("{} to {}", spec.least, spec.most);
-}
-
-std::string kindsText(const InputSpec& spec) {
-  std::string text;
-  for (const ShapeKind kind : spec.kinds) text += (text.empty() ? "" : " or ") + std::string(shapeKindName(kind));
-  return text.empty() ? "any shape" : text;
-}
-
 void printType(std::ostream& out, const FeatureType& type) {
   out << type.title << "  (" << type.id << ")\n" << type.summary << '\n';
   if (!type.inputs.empty()) out << "\nInputs\n";
@@ -76,7 +65,8 @@ class FeaturesCommand {
     CLI::App& app =
         line.add("features", "List the features, or all there is to know about one.", session, [this] { return run(); });
     app.add_option("FEATURE", name_, "Command or id of a feature.")->type_name("");
-    setExamples(app, {"blossom features", "blossom features sweep", "blossom features --json"});
+    app.add_flag("--markdown", markdown_, "Print the manual's pages.");
+    setExamples(app, {"blossom features", "blossom features sweep", "blossom features --markdown >reference.md"});
   }
 
  private:
@@ -86,6 +76,8 @@ class FeaturesCommand {
       const auto type = session_.app.registry->at(name_);
       if (session_.json)
         printJson(out, typeJson(*type));
+      else if (markdown_)
+        out << referencePage(*type);
       else
         printType(out, *type);
       return 0;
@@ -98,6 +90,8 @@ class FeaturesCommand {
     }
     if (session_.json)
       printJson(out, {{"features", all}});
+    else if (markdown_)
+      for (const auto& type : session_.app.registry->types()) out << referencePage(*type) << '\n';
     else
       printTable(out, {"COMMAND", "ID", "SUMMARY"}, lines);
     return 0;
@@ -105,6 +99,7 @@ class FeaturesCommand {
 
   Session& session_;
   std::string name_;
+  bool markdown_ = false;
 };
 
 }  // namespace

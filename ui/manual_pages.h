@@ -1,0 +1,50 @@
+#pragma once
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace blossom {
+struct App;
+}
+
+namespace blossom::ui {
+
+class Commands;
+
+/// One page of the manual, in Markdown.
+struct ManualPage {
+  QString name;   ///< "sweep.md", "reference/sweep.sweep.md"
+  QString title;  ///< its first heading
+  QString group;  ///< heading of the index that it stands under, or the plugin of a feature type
+  QString text;
+};
+
+/// A section in which all words of a search occur.
+struct ManualHit {
+  QString page, title;      ///< title of the page
+  QString heading, anchor;  ///< of the section; empty above the first heading
+  QString excerpt;          ///< one line around the first word
+  int weight = 0;           ///< larger: a better hit
+};
+
+/// Everything there is to read: the files of resources/manual in the order of index.md, a reference page per feature type,
+/// and the keys as they are set now.
+class ManualPages {
+ public:
+  ManualPages(const App&, const Commands&);
+
+  [[nodiscard]] const std::vector<ManualPage>& all() const { return pages_; }
+  [[nodiscard]] const ManualPage* find(const QString& name) const;
+  /// Best first; none when there is no word.
+  [[nodiscard]] std::vector<ManualHit> search(const QString& words) const;
+
+ private:
+  std::vector<ManualPage> pages_;
+};
+
+/// "Mouse and keys" becomes "mouse-and-keys": where links to a heading point.
+QString anchorOf(const QString& heading);
+/// Markdown table of every command and its keys, by group.
+QString keyTable(const Commands&);
+
+}  // namespace blossom::ui

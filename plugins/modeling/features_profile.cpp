@@ -55,9 +55,12 @@ FeatureType extrudeFeature() {
       .example("blossom extrude outline.dxf --height 30 --taper 3 -o cast.step")
       .example("blossom extrude block.step --face profile:face:0 --height 5 -o pad.step")
       .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-        const TopoDS_Shape profile = profileShape(inputs.of(0)[0], p.face, p.solid);
+        Evaluated out;
+        const Shape& given = inputs.of(0)[0];
+        const Shape drawn = p.taper != 0 && p.solid ? withArcs(given, out.warnings) : given;
         const ExtrudeOptions options{.height = p.height, .back = p.back, .taper = p.taper, .direction = p.direction};
-        return Evaluated{Brep(extrude(profile, options, progress).shape, "Extrusion"), Value::object(), {}};
+        out.shape = Brep(extrude(profileShape(drawn, p.face, p.solid), options, progress).shape, "Extrusion");
+        return out;
       });
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/occt.h"
 #include "geometry/planar.h"
 #include "geometry/sub_shape.h"
+#include "kernel/arc_fit.h"
 #include "kernel/arrange.h"
 #include "kernel/outline_crossing.h"
 #include "kernel/shape_parts.h"
@@ -73,6 +74,22 @@ TopoDS_Shape profileShape(const Shape& shape, const SubShapeValue& face, bool fi
   if (const auto* region = shape.get<Region>()) return fill ? filled(*region) : toWires(toCurves(*region));
   if (const auto* curves = shape.get<Curves>()) return ofCurves(*curves, fill);
   return asBrep(shape).shape();
+}
+
+Shape withArcs(const Shape& shape, std::vector<std::string>& warnings) {
+  if (const auto* curves = shape.get<Curves>()) {
+    const Curves whole = joined(*curves);
+    const bool closed = std::all_of(whole.paths.begin(), whole.paths.end(), [](const Path& path) { return path.closed; });
+    return closed && !whole.paths.empty() ? withArcs(toRegion(whole), warnings) : shape;
+  }
+  const auto* region = shape.get<Region>();
+  if (!region) return shape;
+  ArcFitResult fitted = fitArcs(*region);
+  if (fitted.splines == 0) return shape;
+  warnings.push_back(
+      fmt::format("The free-form curves of the outline were made into arcs, at most {:.1g} mm away from them.",
+                  std::max(fitted.deviation, 1e-6)));
+  return std::move(fitted.region);
 }
 
 std::vector<int> numbersOf(const std::vector<SubShapeValue>& picked) {

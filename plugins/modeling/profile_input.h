@@ -1,6 +1,9 @@
 #pragma once
 #include <TopoDS_Shape.hxx>
 
+#include <string>
+#include <vector>
+
 #include "geometry/shape.h"
 #include "parameter/binding.h"
 
@@ -10,6 +13,10 @@ namespace blossom::modeling {
 /// says which face; -1 takes the whole of a sheet.
 /// @throws Error InvalidInput naming the place where an outline crosses itself or is open among closed ones.
 TopoDS_Shape profileShape(const Shape&, const SubShapeValue& face, bool fill);
+
+/// For sides that can only lean over lines and arcs: free-form parts of a drawing are made into arcs, with a warning that
+/// says how far off they are. Other shapes stay as they are.
+Shape withArcs(const Shape&, std::vector<std::string>& warnings);
 
 /// The numbers of sub-shapes picked on the one input of a feature.
 std::vector<int> numbersOf(const std::vector<SubShapeValue>&);

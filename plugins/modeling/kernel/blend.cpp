@@ -6,6 +6,8 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
+#include <optional>
 
 #include "core/error.h"
 #include "core/units.h"
@@ -52,22 +54,20 @@ class Blender {
     }
   }
 
-  /// Looks for the edge that fails alone and for what it could take.
+  /// Looks for an edge that fails by itself and for the size that would do for all.
   [[noreturn]] void explain(const std::vector<TopoDS_Edge>& edges) const {
-    progress_.report(0.5, "Looking for the edge that fails");
-    for (std::size_t i = 0; i < edges.size() && i < mostTried; ++i) {
+    progress_.report(0.4, "Looking for the edge that fails");
+    const TopoDS_Edge* failing = &edges.front();
+    for (std::size_t i = 0; edges.size() > 1; ++i) {
       progress_.check();
-      if (edges.size() == 1 || tried({edges[i]}, size_).IsNull()) explain(edges[i]);
+      failing = i < std::min(edges.size(), mostTried) ? &edges[i] : nullptr;
+      if (!failing || tried({*failing}, size_).IsNull()) break;
     }
+    progress_.report(0.6, fmt::format("Looking for the largest {}", words_.size));
     const auto largest = largestSize(
         size_, [&](double size) { return !tried(edges, size).IsNull(); }, progress_);
-    const std::string message = fmt::format(
-        "The edges cannot all be {} with {} mm: where they meet there is not enough room.", words_.done, mm(size_));
-    throw Error(ErrorCode::InvalidInput,
-                largest
-                    ? message + fmt::format(" The largest {} for all is about {} mm.", words_.size, roundedDown(*largest))
-                    : message,
-                fmt::format("Use a smaller {}, or choose fewer edges.", words_.size));
+    throw Error(ErrorCode::InvalidInput, whatFails(failing) + whatWorks(largest, edges.size() > 1),
+                fmt::format("Use a smaller {}, or leave edges out.", words_.size));
   }
 
  private:
@@ -93,18 +93,15 @@ class Blender {
                 "Choose an edge where two faces meet at an angle.");
   }
 
-  [[noreturn]] void explain(const TopoDS_Edge& edge) const {
-    const auto largest = largestSize(
-        size_, [&](double size) { return !tried({edge}, size).IsNull(); }, progress_);
-    if (!largest)
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("Edge {} cannot be {} with {} mm, nor with a much smaller {}.", numberOf(edge), words_.done,
-                              mm(size_), words_.size),
-                  "The faces beside it leave no room. Choose other edges.");
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("Edge {} cannot be {} with {} mm: the largest {} here is about {} mm.", numberOf(edge),
-                            words_.done, mm(size_), words_.size, roundedDown(*largest)),
-                fmt::format("Use a smaller {}, or leave this edge out.", words_.size));
+  [[nodiscard]] std::string whatFails(const TopoDS_Edge* edge) const {
+    if (edge) return fmt::format("Edge {} cannot be {} with {} mm", numberOf(*edge), words_.done, mm(size_));
+    return fmt::format("The edges cannot all be {} with {} mm", words_.done, mm(size_));
+  }
+
+  [[nodiscard]] std::string whatWorks(const std::optional<double>& largest, bool several) const {
+    if (!largest) return fmt::format(", nor with a much smaller {}.", words_.size);
+    return fmt::format(": the largest {} {} is about {} mm.", words_.size, several ? "for all these edges" : "here",
+                       roundedDown(*largest));
   }
 
   const TopoDS_Shape& shape_;

@@ -37,11 +37,12 @@ bool checkInputs(const std::vector<TopoDS_Shape>& shapes) {
     throw Error(ErrorCode::InvalidInput, "A Boolean operation needs at least two shapes.", "Add another input.");
   const bool solids = !partsOf(shapes.front(), TopAbs_SOLID).empty();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (!looseParts(shapes[i], TopAbs_FACE, TopAbs_SOLID).empty() == !solids && !shapes[i].IsNull()) {
-      if (!partsOf(shapes[i], TopAbs_FACE).empty()) continue;
-    }
+    // Solids without loose faces, or faces alone.
+    const bool hasSolids = !partsOf(shapes[i], TopAbs_SOLID).empty();
+    const bool hasLooseFaces = !looseParts(shapes[i], TopAbs_FACE, TopAbs_SOLID).empty();
+    if (hasSolids == solids && hasLooseFaces == !solids) continue;
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("Input {} is not {}, as the first one is.", i + 1, solids ? "a closed solid" : "a flat region"),
+                fmt::format("Input {} is not {}.", i + 1, solids ? "a closed solid" : "a flat region"),
                 solids ? "Close its surfaces to a solid first." : "Combine solids with solids and regions with regions.");
   }
   return solids;

@@ -3,13 +3,18 @@
 
 namespace blossom::ui {
 
-/// A value from 0 to 1 as a bar that is dragged; a double click types it.
+/// A value between two bounds as a bar that is dragged; arrow keys step, a double click, F2 or Enter types it. Esc takes
+/// back what is dragged or typed.
 class RatioSlider : public QLineEdit {
   Q_OBJECT
  public:
   explicit RatioSlider(QWidget* parent = nullptr);
+  void setRange(double least, double greatest);
   void setValue(double);
+  /// Shows that there is no value yet.
+  void setAbsent(bool);
   [[nodiscard]] double value() const { return value_; }
+  [[nodiscard]] bool typing() const { return !isReadOnly(); }
 
  signals:
   void dragged(double value);
@@ -23,12 +28,24 @@ class RatioSlider : public QLineEdit {
   void mouseReleaseEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  void keyReleaseEvent(QKeyEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void focusOutEvent(QFocusEvent*) override;
+  void timerEvent(QTimerEvent*) override;
 
  private:
   [[nodiscard]] double valueAt(double x) const;
+  void showValue();
   void stopTyping();
-  double value_ = 0;
+  void startTyping();
+  void step(double by);
+  void endSteps();
+
+  double value_ = 0, least_ = 0, greatest_ = 1;
+  bool absent_ = false;
   bool dragging_ = false;
+  bool stepping_ = false;
+  int wheelTimer_ = 0;
 };
 
 }  // namespace blossom::ui

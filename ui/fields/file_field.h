@@ -1,0 +1,29 @@
+#pragma once
+#include <QStringList>
+
+#include "ui/parameter_field.h"
+
+class QLineEdit;
+
+namespace blossom::ui {
+
+/// A file: chosen, dropped or written as a path.
+class FileField final : public ParameterField {
+ public:
+  FileField(const ParameterSpec&, const Context&, QWidget* parent);
+  [[nodiscard]] bool editing() const override;
+  void choose();
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
+
+ private:
+  void display(const Value&) override;
+  void take(const QString& path);
+  [[nodiscard]] QStringList extensions() const;
+
+  QLineEdit* line_;
+};
+
+}  // namespace blossom::ui

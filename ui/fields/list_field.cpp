@@ -1,0 +1,168 @@
+#include "ui/fields/list_field.h"
+
+#include <QFrame>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/fields/list_row.h"
+#include "ui/icons.h"
+#include "ui/text.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr std::size_t rowsAtOnce = 20;  // so that a list of thousands does not hold up the window
+
+}  // namespace
+
+ListField::ListField(const ParameterSpec& given, const Context& outside, QWidget* parent)
+    : ParameterField(given, outside, parent), limit_(rowsAtOnce), more_(new QPushButton), dropLine_(new QFrame(this)) {
+  auto* body = new QWidget;
+  column_ = new QVBoxLayout(body);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(5);
+  more_->setObjectName(QStringLiteral("link"));
+  more_->hide();
+  column_->addWidget(more_);
+  connect(more_, &QPushButton::clicked, this, [this] {
+    limit_ += 2 * rowsAtOnce;
+    fitRows();
+  });
+  auto* add = new QToolButton;
+  add->setObjectName(QStringLiteral("fieldButton"));
+  add->setProperty("role", QStringLiteral("add"));
+  add->setIcon(icon(QStringLiteral("plus")));
+  add->setToolTip(tr("Add an item"));
+  add->setAccessibleName(tr("Add an item to %1").arg(qt(label(given))));
+  connect(add, &QToolButton::clicked, this, &ListField::add);
+  setWideEditor(body, add);
+  dropLine_->setObjectName(QStringLiteral("dropLine"));
+  dropLine_->setFixedHeight(2);
+  dropLine_->hide();
+}
+
+bool ListField::editing() const {
+  return ParameterField::editing() || (value().is_array() ? draft_ != value() : !draft_.empty()) ||
+         std::any_of(rows_.begin(), rows_.end(), [](const ListRow* row) { return row->editing(); });
+}
+
+void ListField::display(const Value& shown) {
+  draft_ = shown.is_array() ? shown : Value::array();
+  fitRows();
+}
+
+void ListField::fitRows() {
+  const std::size_t count = std::min(draft_.size(), limit_);
+  while (rows_.size() > count) {
+    rows_.back()->hide();
+    rows_.back()->deleteLater();  // it may be the one whose button was clicked
+    rows_.pop_back();
+  }
+  while (rows_.size() < count) addRow();
+  for (std::size_t i = 0; i < count; ++i) {
+    rows_[i]->setValue(draft_[i]);
+    rows_[i]->setEnds(i == 0, i + 1 == draft_.size());
+  }
+  more_->setVisible(draft_.size() > count);
+  more_->setText(tr("%1 more").arg(draft_.size() - count));
+}
+
+void ListField::addRow() {
+  const std::size_t index = rows_.size();
+  auto* row = new ListRow(spec().fields.at(0), index, context(), nullptr);
+  rows_.push_back(row);
+  column_->insertWidget(static_cast<int>(index), row);
+  connect(row, &ListRow::edited, this, [this, index](const Value& item) { replace(index, item, false); });
+  connect(row, &ListRow::previewed, this, [this, index](const Value& item) { replace(index, item, true); });
+  connect(row, &ListRow::reverted, this, &ListField::revert);
+  connect(row, &ListRow::hint, this, &ListField::hint);
+  connect(row, &ListRow::removeWanted, this, [this, index] { remove(index); });
+  connect(row, &ListRow::copyWanted, this, [this, index] { copy(index); });
+  connect(row, &ListRow::moveWanted, this,
+          [this, index](int by) { move(index, static_cast<std::size_t>(static_cast<int>(index) + by)); });
+  connect(row, &ListRow::dragged, this, &ListField::showDropLine);
+  connect(row, &ListRow::dropped, this, [this, index](int globalY) {
+    dropLine_->hide();
+    const std::size_t place = placeAt(globalY);
+    move(index, place > index ? place - 1 : place);
+  });
+  connect(row, &ListRow::pickUnwanted, this, &ListField::pickUnwanted);
+  connect(row, &ListRow::pickWanted, this, [this, index](ParameterField* from, PickRequest request) {
+    const QString place = QString::number(index);
+    request.parameter = request.parameter.isEmpty() ? place : place + u'/' + request.parameter;
+    emit pickWanted(from, request);
+  });
+}
+
+// What only the user can tell (a file) is asked for in the row; the list is passed on when it is given.
+void ListField::add() {
+  const Value start = startValue(spec().fields.at(0));
+  draft_.push_back(start);
+  limit_ = std::max(limit_, draft_.size());
+  fitRows();
+  ListRow* row = rows_.back();
+  row->open(true);
+  if (!start.is_null()) offer(draft_);
+  if (row->field()) row->field()->setFocus();
+}
+
+void ListField::replace(std::size_t index, const Value& item, bool preview) {
+  Value all = draft_;
+  all.at(index) = item;
+  if (!preview) draft_ = all;
+  offer(all, preview);
+}
+
+void ListField::move(std::size_t from, std::size_t to) {
+  if (from == to || to >= draft_.size()) return;
+  const Value item = draft_.at(from);
+  draft_.erase(from);
+  draft_.insert(draft_.begin() + static_cast<std::ptrdiff_t>(to), item);
+  fitRows();
+  offer(draft_);
+}
+
+// A list that needs its items keeps them.
+void ListField::remove(std::size_t index) {
+  Value rest = draft_;
+  rest.erase(index);
+  if (spec().least && static_cast<double>(rest.size()) < *spec().least) return offer(rest);  // says why
+  draft_ = rest;
+  fitRows();
+  offer(draft_);
+}
+
+void ListField::copy(std::size_t index) {
+  const Value item = draft_.at(index);
+  draft_.insert(draft_.begin() + static_cast<std::ptrdiff_t>(index), item);
+  limit_ = std::max(limit_, draft_.size());
+  fitRows();
+  offer(draft_);
+}
+
+std::size_t ListField::placeAt(int globalY) const {
+  std::size_t place = 0;
+  for (const ListRow* row : rows_)
+    if (globalY > row->mapToGlobal(QPoint(0, row->height() / 2)).y()) ++place;
+  return place;
+}
+
+void ListField::showDropLine(int globalY) {
+  const std::size_t place = placeAt(globalY);
+  const ListRow* row = place < rows_.size() ? rows_[place] : rows_.back();
+  const int edge = place < rows_.size() ? -3 : row->height() + 1;
+  dropLine_->setGeometry(0, mapFromGlobal(row->mapToGlobal(QPoint(0, edge))).y(), width(), 2);
+  dropLine_->raise();
+  dropLine_->show();
+}
+
+void ListField::addToMenu(QMenu& menu) {
+  menu.addAction(tr("Add an item"), this, &ListField::add);
+  menu.addAction(tr("Remove all"), this, [this] { offer(Value::array()); })->setEnabled(!draft_.empty());
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,42 @@
+#pragma once
+#include <vector>
+
+#include "ui/parameter_field.h"
+
+class QFrame;
+class QPushButton;
+class QVBoxLayout;
+
+namespace blossom::ui {
+
+class ListRow;
+
+/// Items of any kind: added, removed, copied, moved. Long lists are shown bit by bit.
+class ListField final : public ParameterField {
+ public:
+  ListField(const ParameterSpec&, const Context&, QWidget* parent);
+  [[nodiscard]] bool editing() const override;
+  [[nodiscard]] const std::vector<ListRow*>& rows() const { return rows_; }
+
+ private:
+  void display(const Value&) override;
+  void addToMenu(QMenu&) override;
+  void fitRows();
+  void addRow();
+  void add();
+  void replace(std::size_t index, const Value&, bool preview);
+  void move(std::size_t from, std::size_t to);
+  void remove(std::size_t index);
+  void copy(std::size_t index);
+  void showDropLine(int globalY);
+  [[nodiscard]] std::size_t placeAt(int globalY) const;
+
+  Value draft_ = Value::array();  // what is shown; more than the value while an item must still be given
+  std::size_t limit_;
+  std::vector<ListRow*> rows_;
+  QVBoxLayout* column_;
+  QPushButton* more_;
+  QFrame* dropLine_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,105 @@
+#include "ui/fields/number_field.h"
+
+#include <cmath>
+
+#include "core/error.h"
+#include "ui/fields/field_label.h"
+#include "ui/fields/number_line.h"
+#include "ui/fields/stepping.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr double pixelsPerStep = 4;
+
+}  // namespace
+
+NumberField::NumberField(const ParameterSpec& given, const Context& context, QWidget* parent)
+    : ParameterField(given, context, parent), line_(new NumberLine) {
+  setEditor(line_);
+  line_->setPlaceholderText(given.mayBeAbsent ? tr("none") : tr("must be given"));
+  connect(line_, &QLineEdit::textEdited, this, &NumberField::tellResult);
+  connect(line_, &QLineEdit::editingFinished, this, &NumberField::finish);
+  connect(line_, &NumberLine::stepped, this, &NumberField::step);
+  connect(line_, &NumberLine::stepsEnded, this, [this] {
+    if (ParameterField::editing()) offer(shown_);
+  });
+  caption().setScrubbable(true);
+  caption().setToolTip(tr("%1\nDrag sideways to change it.").arg(caption().toolTip()));
+  connect(&caption(), &FieldLabel::scrubStarted, this, [this] { line_->setFocus(); });
+  connect(&caption(), &FieldLabel::scrubbed, this, &NumberField::scrub);
+  connect(&caption(), &FieldLabel::scrubEnded, this, [this] {
+    if (ParameterField::editing()) offer(shown_);
+  });
+  connect(&caption(), &FieldLabel::clicked, this, [this] {
+    line_->setFocus();
+    line_->selectAll();
+  });
+}
+
+bool NumberField::editing() const { return ParameterField::editing() || line_->isModified(); }
+
+void NumberField::display(const Value& value) {
+  shown_ = value;
+  fraction_ = 0;
+  caption().cancelScrub();
+  line_->setText(displayText(spec(), value));
+  line_->setCursorPosition(0);
+}
+
+double NumberField::shownNumber() const {
+  if (shown_.is_number()) return shown_.get<double>();
+  const Value start = startValue(spec());
+  return start.is_number() ? start.get<double>() : 0;
+}
+
+// What is typed and not yet taken over is where the steps begin.
+void NumberField::step(double steps, Qt::KeyboardModifiers modifiers) {
+  if (line_->isModified()) {
+    try {
+      shown_ = parseText(spec(), line_->text().toStdString());
+    } catch (const Error&) {
+      return offerText(line_->text());  // says why
+    }
+  }
+  fraction_ += steps;
+  const double whole = std::trunc(fraction_);
+  fraction_ -= whole;
+  if (whole == 0) return;
+  const double now = shownNumber();
+  shown_ = moved(spec(), now, whole, stepOf(spec(), now, modifiers));
+  line_->setText(displayText(spec(), checked(spec(), shown_)));
+  offer(shown_, true);
+}
+
+void NumberField::scrub(int pixels, Qt::KeyboardModifiers modifiers) {
+  const double from = value().is_number() ? value().get<double>() : shownNumber();
+  shown_ = moved(spec(), from, std::trunc(pixels / pixelsPerStep), stepOf(spec(), from, modifiers));
+  line_->setText(displayText(spec(), checked(spec(), shown_)));
+  offer(shown_, true);
+}
+
+void NumberField::finish() {
+  if (line_->isModified())
+    offerText(line_->text());
+  else if (!ParameterField::editing() && problem().isEmpty())
+    display(value());
+}
+
+// "= 72.7 mm" under what is typed, as soon as it is more than a number.
+void NumberField::tellResult(const QString& typed) {
+  QString told;
+  try {
+    const Value result = parseText(spec(), typed.trimmed().toStdString());
+    const QString text = displayText(spec(), result);
+    bool plain = false;
+    typed.toDouble(&plain);
+    if (!plain && text.simplified() != typed.simplified()) told = QStringLiteral("= ") + text;
+  } catch (const Error&) {
+    told.clear();  // not finished yet
+  }
+  showNote(told);
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,30 @@
+#pragma once
+#include <QLineEdit>
+
+namespace blossom::ui {
+
+/// A line for a number: arrow keys, page keys and the wheel (only with the focus) ask for steps, which end when the key is
+/// let go or the wheel rests.
+class NumberLine : public QLineEdit {
+  Q_OBJECT
+ public:
+  explicit NumberLine(QWidget* parent = nullptr);
+
+ signals:
+  void stepped(double steps, Qt::KeyboardModifiers);
+  void stepsEnded();
+
+ protected:
+  void keyPressEvent(QKeyEvent*) override;
+  void keyReleaseEvent(QKeyEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void focusOutEvent(QFocusEvent*) override;
+  void timerEvent(QTimerEvent*) override;
+
+ private:
+  void endSteps();
+  bool stepping_ = false;
+  int wheelTimer_ = 0;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,91 @@
+#include "ui/fields/record_field.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/fields/field_label.h"
+#include "ui/fields/switch_box.h"
+#include "ui/text.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr int indent = 10;
+
+}  // namespace
+
+RecordField::RecordField(const ParameterSpec& given, const Context& outside, QWidget* parent)
+    : ParameterField(given, outside, parent), body_(new QWidget) {
+  body_->setObjectName(QStringLiteral("fieldGroup"));
+  auto* column = new QVBoxLayout(body_);
+  column->setContentsMargins(indent, 2, 0, 2);
+  column->setSpacing(7);
+  for (const ParameterSpec& field : given.fields) addField(field);
+  if (given.mayBeAbsent && given.fallback.is_null()) {
+    switch_ = new SwitchBox;
+    connect(switch_, &QCheckBox::clicked, this, [this](bool on) { offer(on ? startValue(spec()) : Value()); });
+  }
+  setWideEditor(body_, switch_);
+}
+
+void RecordField::addField(const ParameterSpec& given) {
+  ParameterField* field = make(given, nullptr, context());
+  field->indentLabel(indent);
+  body_->layout()->addWidget(field);
+  fields_.push_back(field);
+  const std::string name = given.name;
+  connect(field, &ParameterField::edited, this, [this, name](const Value& part) {
+    draft_ = with(name, part);
+    offer(draft_);
+  });
+  connect(field, &ParameterField::previewed, this, [this, name](const Value& part) { offer(with(name, part), true); });
+  connect(field, &ParameterField::reverted, this, &RecordField::revert);
+  connect(field, &ParameterField::hint, this, &RecordField::hint);
+  connect(field, &ParameterField::pickUnwanted, this, &RecordField::pickUnwanted);
+  connect(field, &ParameterField::pickWanted, this, [this, name](ParameterField* from, PickRequest request) {
+    request.parameter = request.parameter.isEmpty() ? qt(name) : qt(name) + u'/' + request.parameter;
+    emit pickWanted(from, request);
+  });
+}
+
+Value RecordField::with(const std::string& name, const Value& part) const {
+  Value whole = draft_.is_object() ? draft_ : startValue(spec());
+  whole[name] = part;
+  return whole;
+}
+
+bool RecordField::editing() const {
+  return ParameterField::editing() ||
+         std::any_of(fields_.begin(), fields_.end(), [](const ParameterField* field) { return field->editing(); });
+}
+
+void RecordField::showAsItem() {
+  hideLabel();
+  body_->setProperty("item", true);
+}
+
+void RecordField::display(const Value& shown) {
+  draft_ = shown;
+  if (switch_) switch_->setChecked(!shown.is_null());
+  body_->setVisible(!switch_ || !shown.is_null());
+  for (ParameterField* field : fields_) {
+    const auto found = shown.is_object() ? shown.find(field->spec().name) : shown.end();
+    const bool given = shown.is_object() && found != shown.end() && !found->is_null();
+    field->setValue(given ? *found : field->spec().fallback);
+  }
+}
+
+QString summaryOf(const ParameterSpec& record, const Value& value) {
+  QStringList parts;
+  for (const ParameterSpec& field : record.fields) {
+    using enum ParameterKind;
+    if (!value.is_object() || !value.contains(field.name) || parts.size() == 3) continue;
+    const bool lengthy = field.kind == List || field.kind == Record || field.kind == Curve || field.kind == SubShape;
+    const QString text = lengthy ? QString() : displayText(field, value.at(field.name));
+    if (!text.isEmpty()) parts << (field.kind == Flag ? qt(label(field)) + u' ' + text : text);
+  }
+  return parts.join(QStringLiteral(" · "));
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,32 @@
+#pragma once
+#include <vector>
+
+#include "ui/parameter_field.h"
+
+class QCheckBox;
+
+namespace blossom::ui {
+
+/// A titled group of fields, in line with those around it. One that may be absent has a switch.
+class RecordField final : public ParameterField {
+ public:
+  RecordField(const ParameterSpec&, const Context&, QWidget* parent);
+  [[nodiscard]] bool editing() const override;
+  /// Inside of a list the row has the title.
+  void showAsItem();
+
+ private:
+  void display(const Value&) override;
+  void addField(const ParameterSpec&);
+  [[nodiscard]] Value with(const std::string& name, const Value&) const;
+
+  Value draft_;  // what is shown; more than the value while something in it must still be given
+  QWidget* body_;
+  QCheckBox* switch_ = nullptr;
+  std::vector<ParameterField*> fields_;
+};
+
+/// "5 mm, flat": what a closed group says of its content.
+QString summaryOf(const ParameterSpec& record, const Value&);
+
+}  // namespace blossom::ui

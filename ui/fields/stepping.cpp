@@ -1,0 +1,33 @@
+#include "ui/fields/stepping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blossom::ui {
+
+double stepOf(const ParameterSpec& spec, double value, Qt::KeyboardModifiers modifiers) {
+  const double factor = modifiers.testFlag(Qt::ShiftModifier) ? 0.1 : modifiers.testFlag(Qt::ControlModifier) ? 10 : 1;
+  if (spec.kind == ParameterKind::Count) return std::max(1.0, factor);
+  if (spec.kind == ParameterKind::Angle) return factor;
+  if (spec.kind == ParameterKind::Ratio) return factor * 0.01;
+  const double size = std::abs(value);
+  if (size == 0) return factor * (spec.kind == ParameterKind::Number ? 0.1 : 1);
+  if (size >= 2 && size < 1000) return factor;
+  return factor * std::pow(10, std::floor(std::log10(size)) - 1);
+}
+
+double moved(const ParameterSpec& spec, double value, double steps, double step) {
+  // Division by a whole number of steps per unit keeps 0.1 + 0.2 at 0.3.
+  const double perUnit = 1 / step;
+  const double target = value + steps * step;
+  double result = step < 1 ? std::round(target * perUnit) / std::round(perUnit) : std::round(target / step) * step;
+  if (!std::isfinite(result)) return value;
+  if (spec.greatest) result = std::min(result, *spec.greatest);
+  if (spec.least && result < *spec.least) result = *spec.least;
+  // An open bound is approached, never reached.
+  if (spec.least && spec.aboveLeast && result <= *spec.least)
+    result = *spec.least + std::min(step, value - *spec.least) / 10;
+  return result;
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,14 @@
+#pragma once
+#include <qnamespace.h>
+
+#include "parameter/parameter.h"
+
+namespace blossom::ui {
+
+/// By how much a key, a notch of the wheel or some pixels of dragging change a number: 1 for counts and angles, about a
+/// tenth of small lengths and numbers; a tenth of it with Shift, ten times with Ctrl.
+double stepOf(const ParameterSpec&, double value, Qt::KeyboardModifiers);
+/// `value` moved by `steps` steps of size `step`, on a multiple of the step and inside the range.
+double moved(const ParameterSpec&, double value, double steps, double step);
+
+}  // namespace blossom::ui

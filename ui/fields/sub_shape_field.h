@@ -1,0 +1,32 @@
+#pragma once
+#include "ui/parameter_field.h"
+
+class QToolButton;
+
+namespace blossom::ui {
+
+class FlowLayout;
+
+/// Faces, edges or vertices of the inputs as chips: one, or as many as are picked (a list of sub-shapes). Picking one that
+/// is there already lets go of it.
+class SubShapeField final : public ParameterField {
+ public:
+  SubShapeField(const ParameterSpec&, const Context&, QWidget* parent);
+  bool takePick(const Pick&) override;
+  void pickEnded() override;
+
+ private:
+  void display(const Value&) override;
+  void addToMenu(QMenu&) override;
+  void togglePick(bool on);
+  void remove(std::size_t index);
+  [[nodiscard]] bool several() const { return spec().kind == ParameterKind::List; }
+  [[nodiscard]] const ParameterSpec& element() const { return several() ? spec().fields.at(0) : spec(); }
+  [[nodiscard]] Value items() const;  ///< always a list
+
+  QWidget* chips_;
+  FlowLayout* flow_;
+  QToolButton* pick_ = nullptr;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,127 @@
+#include "ui/fields/vector_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "ui/fields/number_line.h"
+#include "ui/fields/pick_button.h"
+#include "ui/fields/stepping.h"
+#include "ui/text.h"
+#include "ui/tool.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
+
+/// 0.1 + 0.2 from a picture is not worth seventeen digits.
+double tidy(double value) { return std::round(value * 1e6) / 1e6; }
+
+}  // namespace
+
+VectorField::VectorField(const ParameterSpec& given, const Context& outside, QWidget* parent)
+    : ParameterField(given, outside, parent),
+      component_(given.kind == ParameterKind::Point ? blossom::length() : blossom::number()) {
+  auto* all = new QWidget;
+  auto* row = new QHBoxLayout(all);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto* name = new QLabel(QLatin1String(axisNames[axis]));
+    name->setObjectName(QStringLiteral("axisName"));
+    NumberLine* line = lines_[axis] = new NumberLine;
+    line->setObjectName(QLatin1String(axisNames[axis]));
+    line->setAccessibleName(QStringLiteral("%1 %2").arg(qt(label(given)), QLatin1String(axisNames[axis])));
+    row->addWidget(name);
+    row->addWidget(line, 1);
+    connect(line, &QLineEdit::editingFinished, this, [this, axis] { finish(axis); });
+    connect(line, &NumberLine::stepped, this,
+            [this, axis](double steps, Qt::KeyboardModifiers modifiers) { step(axis, steps, modifiers); });
+    connect(line, &NumberLine::stepsEnded, this, [this] {
+      if (ParameterField::editing()) offer(shown_);
+    });
+  }
+  if (context()->picking) {
+    pick_ = given.kind == ParameterKind::Point
+                ? new PickButton(QStringLiteral("pick-point"), tr("Pick a point in the view"))
+                : new PickButton(QStringLiteral("pick-face"), tr("Pick a face in the view; its normal is taken"));
+    connect(pick_, &QToolButton::toggled, this, &VectorField::togglePick);
+  }
+  setWideEditor(all, pick_);
+  all->setFocusProxy(lines_[0]);
+}
+
+bool VectorField::typing() const {
+  return std::any_of(lines_.begin(), lines_.end(), [](const NumberLine* line) { return line->isModified(); });
+}
+
+bool VectorField::editing() const { return ParameterField::editing() || typing(); }
+
+void VectorField::display(const Value& value) {
+  shown_ = value;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool there = value.is_array() && value.size() > axis;
+    lines_[axis]->setText(there ? qt(formatNumber(value[axis].get<double>())) : QString());
+    lines_[axis]->setCursorPosition(0);
+  }
+}
+
+void VectorField::finish(std::size_t axis) {
+  if (!lines_[axis]->isModified()) return;
+  const bool allEmpty =
+      std::all_of(lines_.begin(), lines_.end(), [](const NumberLine* line) { return line->text().trimmed().isEmpty(); });
+  if (allEmpty && spec().mayBeAbsent) return offer(Value());
+  try {
+    ParameterSpec named = component_;
+    named.name = axisNames[axis];
+    Value wanted = value().is_array() ? value() : Value::array({0.0, 0.0, 0.0});
+    wanted[axis] = parseText(named, lines_[axis]->text().trimmed().toStdString());
+    offer(wanted);
+  } catch (const Error& error) {
+    showProblem(sentenceCase(qt(error.message())) + tr(" The value before is kept."));
+  }
+}
+
+void VectorField::step(std::size_t axis, double steps, Qt::KeyboardModifiers modifiers) {
+  if (!shown_.is_array()) shown_ = Value::array({0.0, 0.0, 0.0});
+  const double now = shown_[axis].get<double>();
+  shown_[axis] = moved(component_, now, std::trunc(steps), stepOf(component_, now, modifiers));
+  lines_[axis]->setText(qt(formatNumber(shown_[axis].get<double>())));
+  offer(shown_, true);
+}
+
+void VectorField::togglePick(bool on) {
+  if (!on) {
+    emit pickUnwanted(this);
+    return;
+  }
+  PickRequest request;
+  const bool point = spec().kind == ParameterKind::Point;
+  request.want = point ? PickRequest::Want::Point : PickRequest::Want::Direction;
+  request.hint = point ? tr("Click where %1 is to be; Esc ends").arg(qt(label(spec())))
+                       : tr("Click a face whose normal is to be %1; Esc ends").arg(qt(label(spec())));
+  emit pickWanted(this, request);
+}
+
+bool VectorField::takePick(const Pick& pick) {
+  if (pick.feature.empty()) return false;
+  const Vec3& from = spec().kind == ParameterKind::Point ? pick.part.point : pick.part.normal;
+  offer(Value::array({tidy(from.x()), tidy(from.y()), tidy(from.z())}));
+  return true;
+}
+
+void VectorField::pickEnded() {
+  if (pick_) pick_->setChecked(false);
+}
+
+void VectorField::addToMenu(QMenu& menu) {
+  if (pick_) menu.addAction(tr("Pick in the view"), pick_, &QToolButton::click);
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,34 @@
+#pragma once
+#include <array>
+
+#include "ui/parameter_field.h"
+
+class QToolButton;
+
+namespace blossom::ui {
+
+class NumberLine;
+
+/// Points and vectors: x, y and z in three lines, or picked in the view (of a vector: the normal of a face).
+class VectorField final : public ParameterField {
+ public:
+  VectorField(const ParameterSpec&, const Context&, QWidget* parent);
+  [[nodiscard]] bool editing() const override;
+  bool takePick(const Pick&) override;
+  void pickEnded() override;
+
+ private:
+  void display(const Value&) override;
+  void addToMenu(QMenu&) override;
+  void finish(std::size_t axis);
+  void step(std::size_t axis, double steps, Qt::KeyboardModifiers);
+  void togglePick(bool on);
+  [[nodiscard]] bool typing() const;
+
+  ParameterSpec component_;
+  std::array<NumberLine*, 3> lines_{};
+  QToolButton* pick_ = nullptr;
+  Value shown_;
+};
+
+}  // namespace blossom::ui

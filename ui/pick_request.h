@@ -1,0 +1,26 @@
+#pragma once
+#include <QString>
+#include <vector>
+
+#include "document/document.h"
+#include "scene/picking.h"
+
+namespace blossom::ui {
+
+/// What a form would like to be picked in the view, until it is given or the request is ended.
+struct PickRequest {
+  enum class Want {
+    Feature,   ///< a whole feature, as an input
+    SubShape,  ///< a face, edge or vertex, as `kind` says
+    Point,     ///< a place on anything
+    Direction  ///< the normal of a face
+  };
+  Want want = Want::Point;
+  QString parameter;                        ///< path of the parameter: "pins/2/target"; of an input: "shape/1"
+  SubShapeKind kind = SubShapeKind::Whole;  ///< of a SubShape
+  std::vector<FeatureId> features;          ///< on which the pick must be; empty: on any
+  bool several = false;                     ///< more picks are taken until the request is ended
+  QString hint;                             ///< a sentence for the status line
+};
+
+}  // namespace blossom::ui

@@ -25,7 +25,7 @@ QAction* Commands::add(const CommandSpec& spec, std::function<void()> go) {
   connect(action, &QAction::triggered, this, std::move(go));
   connect(action, &QAction::hovered, this, [this, help = spec.help] { emit hint(help); });
   window_->addAction(action);  // its keys work wherever it is shown, and where it is not
-  commands_.push_back({spec.id, spec.group, action, spec.keys, spec.help});
+  commands_.push_back({spec.id, spec.group, spec.icon, action, spec.keys, spec.help, {}});
   const QSettings settings;
   const QVariant own = settings.value(keyOf(spec.id));
   show(commands_.back(), own.isValid() ? QKeySequence::listFromString(own.toString()) : spec.keys);
@@ -47,6 +47,14 @@ QAction* Commands::action(const QString& id) const {
   const Command* command = find(id);
   Q_ASSERT(command);
   return command->action;
+}
+
+void Commands::setEnabled(const QString& id, bool on, const QString& whyNot) {
+  for (Command& command : commands_) {
+    if (command.id != id) continue;
+    command.action->setEnabled(on);
+    command.whyNot = on ? QString() : whyNot;
+  }
 }
 
 const Command* Commands::holderOf(const QKeySequence& keys) const {

@@ -12,9 +12,11 @@ namespace blossom::ui {
 struct Command {
   QString id;     ///< "file.open": stable, the key of a shortcut of the user's own
   QString group;  ///< "File": what the palette shows before the text
+  QString icon;   ///< of resources/icons; empty: none
   QAction* action = nullptr;
   QList<QKeySequence> standardKeys;
   QString help;
+  QString whyNot;  ///< while it is disabled: one sentence; empty when nobody said
 };
 
 struct CommandSpec {
@@ -37,7 +39,8 @@ class Commands : public QObject {
   QAction* add(const CommandSpec&, std::function<void()> go);
   [[nodiscard]] const std::vector<Command>& all() const { return commands_; }
   [[nodiscard]] const Command* find(const QString& id) const;
-  [[nodiscard]] QAction* action(const QString& id) const;  ///< @pre there is one
+  [[nodiscard]] QAction* action(const QString& id) const;                   ///< @pre there is one
+  void setEnabled(const QString& id, bool on, const QString& whyNot = {});  ///< @pre there is one
   /// The command that has these keys; nullptr when they are free.
   [[nodiscard]] const Command* holderOf(const QKeySequence&) const;
   /// Kept for the next start; an empty list leaves the command without keys.

@@ -58,7 +58,7 @@ void DocumentTree::select(const FeatureId& id, bool extend) {
   scrollTo(index);
 }
 
-void DocumentTree::select(const std::vector<FeatureId>& ids) {
+void DocumentTree::selectThese(const std::vector<FeatureId>& ids) {
   QItemSelection selection;
   for (const FeatureId& id : ids) selection.select(model_->indexOf(id), model_->indexOf(id));
   if (!ids.empty()) selectionModel()->setCurrentIndex(model_->indexOf(ids.back()), QItemSelectionModel::NoUpdate);
@@ -78,7 +78,7 @@ void DocumentTree::selectAll() {
   std::vector<FeatureId> shown;
   for (int row = 0; row < model_->rowCount(); ++row)
     if (!isRowHidden(row)) shown.push_back(model_->idAt(model_->index(row)));
-  select(shown);
+  selectThese(shown);
 }
 
 void DocumentTree::setFilter(const QString& text) {

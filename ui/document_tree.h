@@ -22,7 +22,7 @@ class DocumentTree : public QListView {
   [[nodiscard]] std::vector<FeatureId> selected() const;  ///< in document order; the current one is `current()`
   [[nodiscard]] FeatureId current() const;
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
-  void select(const std::vector<FeatureId>&);
+  void selectThese(const std::vector<FeatureId>&);
   void selectLast();
   void selectFirstShown();
   void selectAll() override;  ///< what the filter shows

@@ -151,7 +151,7 @@ void DocumentTree::addCopies(const Document& clip, const std::vector<FeatureId>&
   if (wanted.empty()) return;
   std::vector<FeatureId> added;
   const QString what = wanted.size() == 1 ? one.arg(qt(clip.at(wanted.front()).name)) : several.arg(wanted.size());
-  if (attempt(what, [&] { return withCopies(session_.document(), clip, wanted, added); })) select(added);
+  if (attempt(what, [&] { return withCopies(session_.document(), clip, wanted, added); })) selectThese(added);
 }
 
 void DocumentTree::paste() {

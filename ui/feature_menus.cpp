@@ -44,32 +44,36 @@ QStringList readFilters(const App& app) {
 }
 
 FeatureMenus::FeatureMenus(const App& app, Commands& commands, QWidget* window)
-    : QObject(window), app_(app), window_(window) {
-  for (const LoadedPlugin& plugin : app.plugins) {
-    if (!plugin.problem.empty()) continue;
-    const QString group = qt(plugin.manifest.title);
-    auto* menu = new QMenu(group, window);
-    menu->setToolTipsVisible(true);
-    for (const std::string& id : plugin.manifest.features) {
-      const auto type = app.registry->find(id);
-      if (!type) continue;
-      const std::string iconName = type->icon.empty() ? plugin.manifest.icon : type->icon;
-      const CommandSpec spec{QStringLiteral("feature.") + qt(id), group, qt(iconName), qt(type->title), qt(type->summary)};
-      QAction* action = commands.add(spec, [this, type] { add(*type); });
-      menu->addAction(action);
-      actions_.push_back(action);
-    }
-    menus_.push_back(menu);
+    : QObject(window), app_(app), commands_(commands), window_(window) {
+  for (const LoadedPlugin& plugin : app.plugins)
+    if (plugin.problem.empty()) addGroup(plugin);
+}
+
+void FeatureMenus::addGroup(const LoadedPlugin& plugin) {
+  FeatureGroup group{qt(plugin.manifest.title), qt(plugin.manifest.icon), nullptr, {}};
+  group.menu = new QMenu(group.title, window_);
+  group.menu->setToolTipsVisible(true);
+  for (const std::string& id : plugin.manifest.features) {
+    const auto type = app_.registry->find(id);
+    if (!type) continue;
+    const std::string iconName = type->icon.empty() ? plugin.manifest.icon : type->icon;
+    const CommandSpec spec{QStringLiteral("feature.") + qt(id), group.title, qt(iconName), qt(type->title),
+                           qt(type->summary)};
+    QAction* action = commands_.add(spec, [this, type] { add(*type); });
+    group.menu->addAction(action);
+    group.actions.push_back(action);
+    types_.emplace_back(action, type);
   }
+  if (!group.actions.empty()) groups_.push_back(std::move(group));
 }
 
 void FeatureMenus::addTo(QMenuBar* bar) {
-  for (QMenu* menu : menus_)
-    if (!menu->isEmpty()) bar->addMenu(menu);
+  for (const FeatureGroup& group : groups_) bar->addMenu(group.menu);
 }
 
-std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, const InputSpec*& missing) const {
-  std::vector<FeatureId> left = selected_, taken;
+std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, std::vector<FeatureId> left,
+                                               const InputSpec*& missing) const {
+  std::vector<FeatureId> taken;
   for (const InputSpec& spec : type.inputs) {
     std::size_t count = 0;
     for (auto it = left.begin(); it != left.end() && count < spec.most;) {
@@ -90,10 +94,31 @@ std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, const In
   return taken;
 }
 
+std::vector<QAction*> FeatureMenus::taking(const std::vector<FeatureId>& selected) const {
+  std::vector<QAction*> found;
+  for (const auto& [action, type] : types_) {
+    const InputSpec* missing = nullptr;
+    const bool all = !type->inputs.empty() && inputsFor(*type, selected, missing).size() == selected.size();
+    if (all && !missing) found.push_back(action);
+  }
+  return found;
+}
+
+QString FeatureMenus::wants(const QString& commandId) const {
+  const auto found =
+      std::find_if(types_.begin(), types_.end(), [&](const auto& each) { return each.first->objectName() == commandId; });
+  if (found == types_.end() || !page_) return {};
+  const InputSpec* missing = nullptr;
+  static_cast<void>(inputsFor(*found->second, selected_, missing));
+  if (!missing) return {};
+  return missing->least == 1 ? tr("Takes a %1 as \"%2\".").arg(kindsOf(*missing), qt(missing->name))
+                             : tr("Takes %1 × %2 as \"%3\".").arg(missing->least).arg(kindsOf(*missing), qt(missing->name));
+}
+
 void FeatureMenus::add(const FeatureType& type) {
   if (page_->startDrawing(type.id)) return;
   const InputSpec* missing = nullptr;
-  const std::vector<FeatureId> inputs = inputsFor(type, missing);
+  const std::vector<FeatureId> inputs = inputsFor(type, selected_, missing);
   if (!missing) return page_->session().addFeature(type, inputs);
   if (type.inputs.size() == 1 && missing->least == 1) {
     const QString title = tr("%1: choose a file with a %2").arg(qt(type.title), kindsOf(*missing));

@@ -16,25 +16,39 @@ namespace blossom::ui {
 class Commands;
 class DocumentPage;
 
+/// The feature types of one plugin, as commands in the order of its manifest.
+struct FeatureGroup {
+  QString title, icon;
+  QMenu* menu;
+  std::vector<QAction*> actions;
+};
+
 /// One menu per plugin, made from the registry: every entry adds a feature that takes the selected features as its inputs.
 class FeatureMenus : public QObject {
   Q_OBJECT
  public:
   FeatureMenus(const App&, Commands&, QWidget* window);
   void addTo(QMenuBar*);
-  [[nodiscard]] const std::vector<QAction*>& actions() const { return actions_; }
+  [[nodiscard]] const std::vector<FeatureGroup>& groups() const { return groups_; }
+  /// Commands of the types that can be made from just these features.
+  [[nodiscard]] std::vector<QAction*> taking(const std::vector<FeatureId>&) const;
+  /// What is still to be selected for a type, in a sentence; empty when nothing is, or when the command is no feature type.
+  [[nodiscard]] QString wants(const QString& commandId) const;
   void setPage(DocumentPage* page) { page_ = page; }  ///< where features are added
   void setSelection(std::vector<FeatureId> selected) { selected_ = std::move(selected); }
 
  private:
+  void addGroup(const LoadedPlugin&);
   void add(const FeatureType&);
-  /// The selected features in order of the type's inputs; `missing` is the first input that has too few.
-  [[nodiscard]] std::vector<FeatureId> inputsFor(const FeatureType&, const InputSpec*& missing) const;
+  /// Of those selected, in order of the type's inputs; `missing` is the first input that has too few.
+  [[nodiscard]] std::vector<FeatureId> inputsFor(const FeatureType&, std::vector<FeatureId> selected,
+                                                 const InputSpec*& missing) const;
   const App& app_;
+  Commands& commands_;
   DocumentPage* page_ = nullptr;
   QWidget* window_;
-  std::vector<QMenu*> menus_;
-  std::vector<QAction*> actions_;
+  std::vector<FeatureGroup> groups_;
+  std::vector<std::pair<QAction*, std::shared_ptr<const FeatureType>>> types_;
   std::vector<FeatureId> selected_;
 };
 

@@ -38,6 +38,7 @@ void Job::start(const QString& title, Work work, Then then) {
         this,
         [this, error = std::move(error), then] {
           running_ = false;
+          lastError_ = error;
           emit finished();
           then(error);
         },

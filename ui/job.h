@@ -24,6 +24,8 @@ class Job : public QObject {
   /// Runs `work`, then `then` in the window's thread, with the error that `work` threw. @pre !running()
   void start(const QString& title, Work work, Then then);
   void cancel() { token_.cancel(); }
+  /// What the newest work that has finished threw.
+  [[nodiscard]] const std::optional<Error>& lastError() const { return lastError_; }
 
  signals:
   void started(const QString& title);
@@ -34,6 +36,7 @@ class Job : public QObject {
   std::thread thread_;
   CancelToken token_;
   bool running_ = false;
+  std::optional<Error> lastError_;
 };
 
 }  // namespace blossom::ui

@@ -105,11 +105,16 @@ void Session::evaluate() {
 
 void Session::cancel() {
   job_.cancel();
+  cancelEvaluation();
+}
+
+void Session::cancelEvaluation() {
   if (!evaluating_) return;
   displayToken_.cancel();
   evaluator_.cancelBackground();
   ++generation_;
   evaluating_ = false;
+  emit evaluationCancelled();
   emit evaluationFinished();
   emit noted(tr("Computing was cancelled; what was ready is shown."));
 }

@@ -51,6 +51,7 @@ class Session : public QObject {
   void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs);
   void addFeatureFromFile(const FeatureType&, const std::filesystem::path&);
   void cancel();  ///< job and evaluation
+  void cancelEvaluation();
 
  signals:
   void documentChanged();  ///< another document is shown, by an edit or a file
@@ -60,6 +61,7 @@ class Session : public QObject {
   void evaluationStarted();
   void evaluationProgressed(double fraction, const QString& stage);
   void evaluationFinished();
+  void evaluationCancelled();  ///< followed by evaluationFinished
   void featureAdded(const QString& feature);
   void failed(const blossom::Error&, const QString& file);
   void warned(const QStringList& sentences);

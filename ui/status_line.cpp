@@ -14,11 +14,11 @@ StatusLine::StatusLine(QWidget* parent)
     : QFrame(parent),
       hint_(new QLabel),
       whereabouts_(new QLabel),
-      workText_(new QLabel),
+      workText_(new QToolButton),
       bar_(new QProgressBar),
       cancel_(new QToolButton) {
   setObjectName(QStringLiteral("statusLine"));
-  setFixedHeight(28);
+  setFixedHeight(24);
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedWidth(120);
@@ -27,6 +27,9 @@ StatusLine::StatusLine(QWidget* parent)
   cancel_->setToolTip(tr("Cancel"));
   cancel_->setAccessibleName(tr("Cancel"));
   whereabouts_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  workText_->setObjectName(QStringLiteral("work"));
+  workText_->setToolTip(tr("Show all jobs"));
+  connect(workText_, &QToolButton::clicked, this, &StatusLine::jobsWanted);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(14, 0, 14, 0);
   row->setSpacing(10);
@@ -48,8 +51,20 @@ StatusLine::StatusLine(QWidget* parent)
 }
 
 void StatusLine::setHint(const QString& text) {
-  idle_ = text;
-  if (!announcing_.isActive()) hint_->setText(text);
+  idle_ = text.isEmpty() ? standing_ : text;
+  if (!announcing_.isActive()) hint_->setText(idle_);
+}
+
+void StatusLine::setStandingHint(const QString& text) {
+  if (idle_.isEmpty() || idle_ == standing_) setHint(text);
+  standing_ = text;
+}
+
+QString StatusLine::hint() const { return hint_->text(); }
+
+void StatusLine::setJobs(int running) {
+  jobs_ = running;
+  if (!patience_.isActive()) refresh();
 }
 
 void StatusLine::setWhereabouts(const QString& text) { whereabouts_->setText(text); }
@@ -81,7 +96,8 @@ void StatusLine::refresh() {
   cancel_->setVisible(busy);
   if (!busy) return;
   const Work& shown = work_.last();
-  workText_->setText(shown.what);
+  const QString percent = shown.fraction > 0 ? tr(" %1 %").arg(std::lround(shown.fraction * 100)) : QString();
+  workText_->setText((jobs_ > 1 ? tr("%1 jobs: ").arg(jobs_) : QString()) + shown.what + percent);
   bar_->setValue(static_cast<int>(std::lround(shown.fraction * 1000)));
 }
 

@@ -14,17 +14,22 @@ class StatusLine : public QFrame {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
+  /// What the mouse would do where it is; empty: the standing hint is shown.
   void setHint(const QString&);
+  void setStandingHint(const QString&);
   void setWhereabouts(const QString&);
   /// Shown for a few seconds in place of the hint.
   void announce(const QString&);
   /// Two sorts of work may run at once; each has its own key.
   void setWork(const QString& key, const QString& what, double fraction);
   void endWork(const QString& key);
+  void setJobs(int running);  ///< of all documents
+  [[nodiscard]] QString hint() const;
   [[nodiscard]] bool working() const { return !work_.isEmpty(); }
 
  signals:
   void cancelled();
+  void jobsWanted();  ///< the words about the work under way were clicked
 
  private:
   void refresh();
@@ -35,10 +40,11 @@ class StatusLine : public QFrame {
   QMap<QString, Work> work_;
   QLabel* hint_;
   QLabel* whereabouts_;
-  QLabel* workText_;
+  QToolButton* workText_;
   QProgressBar* bar_;
   QToolButton* cancel_;
-  QString idle_;
+  QString idle_, standing_;
+  int jobs_ = 0;
   QTimer announcing_, patience_;
 };
 

@@ -1,0 +1,84 @@
+#include "ui/log_and_jobs.h"
+
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+
+#include "ui/commands.h"
+#include "ui/jobs_list.h"
+#include "ui/jobs_panel.h"
+#include "ui/log_list.h"
+#include "ui/log_panel.h"
+
+namespace blossom::ui {
+
+namespace {
+
+const QString stateKey = QStringLiteral("window/docks");
+constexpr int startHeight = 160;
+
+}  // namespace
+
+LogAndJobs::LogAndJobs(QMainWindow& window, Commands& commands)
+    : QObject(&window), window_(window), commands_(commands), jobs_(new JobsList(this)), log_(new LogList(this)) {
+  const QString group = tr("View");
+  commands.add(
+      {"view.jobs", group, "jobs", tr("&Jobs"), tr("Show what is being computed, read and written."), {tr("Ctrl+J")}, true},
+      [this] { toggleJobs(); });
+  commands.add({"view.log", group, "log", tr("&Log"), tr("Show what has happened so far."), {tr("Ctrl+L")}, true},
+               [this] { toggle(*logDock_, "view.log"); });
+  auto* jobsPanel = new JobsPanel(*jobs_);
+  connect(jobsPanel, &JobsPanel::hint, this, &LogAndJobs::hint);
+  jobsDock_ = dock("jobsDock", tr("JOBS"), jobsPanel, QStringLiteral("view.jobs"));
+  logDock_ = dock("logDock", tr("LOG"), new LogPanel(*log_), QStringLiteral("view.log"));
+  window_.tabifyDockWidget(jobsDock_, logDock_);
+  window_.installEventFilter(this);
+  jobsDock_->hide();
+  logDock_->hide();
+}
+
+QDockWidget* LogAndJobs::dock(const char* name, const QString& title, QWidget* content, const QString& command) {
+  auto* made = new QDockWidget(title, &window_);
+  made->setObjectName(QLatin1String(name));
+  made->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  made->setAllowedAreas(Qt::BottomDockWidgetArea | Qt::RightDockWidgetArea);
+  made->setWidget(content);
+  content->setMinimumHeight(90);
+  window_.addDockWidget(Qt::BottomDockWidgetArea, made);
+  window_.resizeDocks({made}, {startHeight}, Qt::Vertical);
+  connect(made, &QDockWidget::visibilityChanged, this,
+          [this, made, command] { commands_.action(command)->setChecked(!made->isHidden()); });
+  return made;
+}
+
+void LogAndJobs::addTo(QMenu& view) {
+  view.addAction(commands_.action(QStringLiteral("view.jobs")));
+  view.addAction(commands_.action(QStringLiteral("view.log")));
+}
+
+void LogAndJobs::watch(DocumentPage& page) {
+  jobs_->watch(page);
+  log_->watch(page);
+}
+
+void LogAndJobs::restore() { window_.restoreState(QSettings().value(stateKey).toByteArray()); }
+
+// Whether or not the window stays open.
+bool LogAndJobs::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Close) QSettings().setValue(stateKey, window_.saveState());
+  return QObject::eventFilter(watched, event);
+}
+
+void LogAndJobs::toggleJobs() { toggle(*jobsDock_, "view.jobs"); }
+
+// What stands behind the other one comes to the front.
+void LogAndJobs::toggle(QDockWidget& dock, const char* command) {
+  const bool front = dock.isVisible() && !dock.visibleRegion().isEmpty();
+  dock.setVisible(!front);
+  if (!front) dock.raise();
+  commands_.action(QLatin1String(command))->setChecked(!front);
+}
+
+}  // namespace blossom::ui

@@ -46,8 +46,8 @@ MainWindow::MainWindow(App app, QWidget* parent)
   for (const std::string& problem : loadManipulators(manipulators_, app_.plugins)) problems << qt(problem);
   buildActions();
   buildLayout();
-  connect(&commands_, &Commands::hint, status_, &StatusLine::setHint);
-  connect(status_, &StatusLine::cancelled, this, [this] { session().cancel(); });
+  buildStatus();
+  buildPalette();
   connect(start_, &StartPage::openWanted, this, &MainWindow::chooseAndOpen);
   connect(start_, &StartPage::importWanted, this, &MainWindow::chooseAndImport);
   connect(start_, &StartPage::fileChosen, this, [this](const QString& file) { openFile(file); });
@@ -91,13 +91,7 @@ void MainWindow::buildLayout() {
   across->setHandleWidth(1);
   across->setChildrenCollapsible(false);
 
-  auto* all = new QWidget;
-  auto* rows = new QVBoxLayout(all);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(0);
-  rows->addWidget(across, 1);
-  rows->addWidget(status_);
-  setCentralWidget(all);
+  setCentralWidget(across);
 }
 
 std::size_t MainWindow::indexOf(const DocumentPage& page) const {

@@ -13,7 +13,10 @@ class QTabBar;
 
 namespace blossom::ui {
 
+class CommandPalette;
+class DocumentCommands;
 class FeatureMenus;
+class LogAndJobs;
 class StartPage;
 class StatusLine;
 
@@ -28,6 +31,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::size_t pageCount() const { return pages_.size(); }
   [[nodiscard]] DocumentPage& page(std::size_t index) { return *pages_.at(index); }
   [[nodiscard]] Commands& commands() { return commands_; }
+  [[nodiscard]] CommandPalette& palette() { return *palette_; }
+  [[nodiscard]] LogAndJobs& logAndJobs() { return *logAndJobs_; }
   [[nodiscard]] Session& session() { return page().session(); }
   [[nodiscard]] ViewWidget& view() { return page().view(); }
   [[nodiscard]] DocumentTree& tree() { return page().tree(); }
@@ -66,6 +71,9 @@ class MainWindow : public QMainWindow {
   void refreshActions();
   void refreshRecent();
   QAction* add(QMenu*, const CommandSpec&, std::function<void()>);
+  // main_window_palette.cpp
+  void buildPalette();
+  void buildStatus();
   // main_window_files.cpp
   void chooseAndOpen();
   void chooseAndImport();
@@ -85,6 +93,9 @@ class MainWindow : public QMainWindow {
   std::vector<std::unique_ptr<DocumentPage>> pages_;
   std::size_t current_ = 0;
   FeatureMenus* featureMenus_;
+  DocumentCommands* documentCommands_ = nullptr;
+  CommandPalette* palette_ = nullptr;
+  LogAndJobs* logAndJobs_ = nullptr;
   QTabBar* tabs_;
   QStackedWidget *sides_, *canvases_;
   StatusLine* status_;

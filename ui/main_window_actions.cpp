@@ -7,10 +7,15 @@
 #include <QToolButton>
 
 #include "core/version.h"
+#include "ui/command_palette.h"
+#include "ui/document_commands.h"
 #include "ui/document_tree.h"
 #include "ui/error_bar.h"
 #include "ui/feature_menus.h"
+#include "ui/feature_tool_bar.h"
+#include "ui/find_field.h"
 #include "ui/icons.h"
+#include "ui/log_and_jobs.h"
 #include "ui/main_window.h"
 #include "ui/start_page.h"
 #include "ui/status_line.h"
@@ -75,24 +80,16 @@ void MainWindow::buildFileMenu() {
 
 void MainWindow::buildEditMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-  const QString group = tr("Edit");
-  add(menu, {"edit.undo", group, "undo", tr("&Undo"), tr("Take the last change back."), {QKeySequence::Undo}},
-      [this] { session().undo(); });
+  documentCommands_ = new DocumentCommands(commands_, *featureMenus_, this);
+  documentCommands_->addTo(menu);
   add(menu,
-      {"edit.redo", group, "redo", tr("&Redo"), tr("Do again what was taken back."), {tr("Ctrl+Shift+Z"), tr("Ctrl+Y")}},
-      [this] { session().redo(); });
-  menu->addSeparator();
-  add(menu, {"edit.delete", group, "delete", tr("&Delete"), tr("Delete the selected features."), {QKeySequence::Delete}},
-      [this] { tree().removeSelected(); });
-  add(menu, {"edit.rename", group, {}, tr("Re&name"), tr("Give the selected feature another name."), {tr("F2")}},
-      [this] { tree().renameCurrent(); });
-  add(menu, {"edit.show-hide", group, "eye", tr("Show or &hide"), tr("Show or hide the selected features."), {tr("H")}},
-      [this] { tree().toggleSelected(); });
-  menu->addSeparator();
-  add(menu, {"edit.select-all", group, {}, tr("Select &all"), tr("Select every feature."), {QKeySequence::SelectAll}},
-      [this] { tree().selectAll(); });
-  add(menu, {"edit.select-nothing", group, {}, tr("Select &nothing"), tr("Select no feature."), {tr("Ctrl+Shift+A")}},
-      [this] { tree().clearSelection(); });
+      {"edit.find-command",
+       tr("Edit"),
+       "search",
+       tr("Find a co&mmand…"),
+       tr("Find a command, a sample, a feature or a page of the manual by a few letters."),
+       {tr("Ctrl+K")}},
+      [this] { palette_->open(); });
 }
 
 void MainWindow::buildViewMenu() {
@@ -128,6 +125,9 @@ void MainWindow::buildViewMenu() {
   add(menu, {"view.grid", group, "grid", tr("&Grid"), tr("Show the ground grid."), {tr("G")}, true},
       [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });
   commands_.action("view.grid")->setChecked(true);
+  menu->addSeparator();
+  logAndJobs_ = new LogAndJobs(*this, commands_);
+  logAndJobs_->addTo(*menu);
   menu->addSeparator();
   QMenu* themes = menu->addMenu(icon(QStringLiteral("sun")), tr("&Theme"));
   auto* choices = new QActionGroup(this);
@@ -166,6 +166,7 @@ void MainWindow::buildHelpMenu() {
 
 void MainWindow::buildToolBar() {
   QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
@@ -176,9 +177,9 @@ void MainWindow::buildToolBar() {
   };
   show({"file.open", "file.import", "file.save", "file.export"});
   show({"edit.undo", "edit.redo"});
-  for (QAction* add : featureMenus_->actions()) bar->addAction(add);
-  if (!featureMenus_->actions().empty()) bar->addSeparator();
-  show({"view.fit", "view.home", "view.grid"});
+  for (const char* id : {"view.fit", "view.home", "view.grid"}) bar->addAction(commands_.action(QLatin1String(id)));
+  bar->addWidget(new FeatureToolBar(*featureMenus_));
+  bar->addWidget(new FindField(commands_.action(QStringLiteral("edit.find-command"))));
   setContextMenuPolicy(Qt::PreventContextMenu);
 }
 
@@ -186,23 +187,13 @@ void MainWindow::refreshActions() {
   const Session& shown = session();
   setWindowTitle(QStringLiteral("%1[*] – Blossom").arg(shown.title()));
   setWindowModified(shown.modified());
-  const auto describe = [&](const char* id, const QString& plain, const QString& full, const std::string& what) {
-    QAction& action = *commands_.action(QLatin1String(id));
-    const QString iconText = action.iconText();
-    action.setEnabled(!what.empty());
-    action.setText(what.empty() ? plain : full.arg(qt(what)));
-    action.setIconText(iconText);
-  };
-  describe("edit.undo", tr("&Undo"), tr("&Undo: %1"), shown.history().undoText());
-  describe("edit.redo", tr("&Redo"), tr("&Redo: %1"), shown.history().redoText());
+  documentCommands_->refresh();
   const auto enable = [&](bool on, const std::vector<const char*>& ids) {
     for (const char* id : ids) commands_.action(QLatin1String(id))->setEnabled(on);
   };
   const bool something = !shown.document().features().empty();
   enable(something, {"file.export", "file.save-as"});
   enable(something && (shown.modified() || shown.file().empty()), {"file.save"});
-  enable(!tree().selected().empty(), {"edit.delete", "edit.show-hide"});
-  enable(tree().selected().size() == 1, {"edit.rename"});
   commands_.action(QStringLiteral("view.parallel"))->setChecked(view().parallel());
 }
 

@@ -2,8 +2,10 @@
 #include <QStackedWidget>
 #include <QTabBar>
 
+#include "ui/document_commands.h"
 #include "ui/document_tree.h"
 #include "ui/feature_menus.h"
+#include "ui/log_and_jobs.h"
 #include "ui/main_window.h"
 #include "ui/status_line.h"
 #include "ui/text.h"
@@ -22,6 +24,7 @@ DocumentPage& MainWindow::addPage() {
 }
 
 void MainWindow::connectPage(DocumentPage& page) {
+  logAndJobs_->watch(page);
   DocumentPage* const sender = &page;
   const auto whenShown = [this, sender](auto act) {
     return [this, sender, act](const auto&... values) {
@@ -47,6 +50,8 @@ void MainWindow::connectPage(DocumentPage& page) {
     refreshStart();
   });
   connect(sender, &DocumentPage::toolChanged, this, whenShown([this] { refreshStart(); }));
+  connect(sender, &DocumentPage::contextMenuWanted, this,
+          whenShown([this](const QPoint& global) { documentCommands_->popup(global); }));
   connect(sender, &DocumentPage::opened, this, [this, sender] {
     if (!sender->session().file().empty()) remember(qt(sender->session().file().string()));
   });
@@ -59,6 +64,7 @@ void MainWindow::showPage(std::size_t index) {
   sides_->setCurrentWidget(shown.side());
   canvases_->setCurrentWidget(shown.canvas());
   featureMenus_->setPage(&shown);
+  documentCommands_->setPage(&shown);
   featureMenus_->setSelection(shown.tree().selected());
   for (const char* key : {"a", "b"}) status_->endWork(QLatin1String(key));
   status_->setHint(shown.tool() ? shown.tool()->hint() : ViewWidget::idleHint());

@@ -39,9 +39,10 @@ Value serve(BrepReader reader, const fs::path& folder, const Progress& progress)
   return {{"entities", countEntities(read.brep)}, {"skipped", read.skipped}, {"warnings", read.warnings}};
 }
 
+/// OCCT reads about 2 MB a second; a damaged file can send it round for ever.
 double cpuLimit(const fs::path& path) {
-  constexpr double secondsPerMegabyte = 60;
-  return secondsPerMegabyte * (1 + static_cast<double>(fs::file_size(path)) / 1e6);
+  constexpr double leastSeconds = 15, secondsPerMegabyte = 20;
+  return leastSeconds + secondsPerMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ class WindowFixture : public QObject {
     ThemeManager::instance().apply(ThemeChoice::Dark);
   }
 
-  void openWindow() {
-    window_ = std::make_unique<MainWindow>(loadApp({test::buildFolder() / "lib/blossom/plugins"}));
+  void openWindow(const std::vector<std::filesystem::path>& plugins = {test::buildFolder() / "lib/blossom/plugins"}) {
+    window_ = std::make_unique<MainWindow>(loadApp(plugins));
     window_->resize(1000, 700);
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));

@@ -142,6 +142,10 @@ void DocumentPage::connectWidgets() {
   });
   connect(view_, &ViewWidget::picked, this,
           [this](const QString& id, bool extend) { tree_->select(id.toStdString(), extend); });
+  connect(view_, &ViewWidget::contextMenuWanted, this, [this](const QPoint& global, const Pick& pick) {
+    if (!holds(tree_->selected(), pick.feature)) tree_->select(pick.feature);
+    emit contextMenuWanted(global);
+  });
   connect(view_, &ViewWidget::hint, this, &DocumentPage::hint);
   connect(view_, &ViewWidget::whereabouts, this, &DocumentPage::whereabouts);
   connect(tree_, &DocumentTree::hint, this, &DocumentPage::hint);

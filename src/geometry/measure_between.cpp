@@ -108,10 +108,13 @@ FootPoints footPoints(const PartGeometry& a, const PartGeometry& b, const Progre
   return found;
 }
 
+/// What rounding leaves of a zero is a zero; far below any tolerance.
+double withoutNoise(double value) { return value < 1e-11 ? 0 : value; }
+
 Measurement related(const MeasuredPart& one, const MeasuredPart& other, const Progress& progress) {
   const PartGeometry a = geometryOf(one), b = geometryOf(other);
   const FootPoints feet = footPoints(a, b, progress);
-  const Vec3 delta = (feet.second - feet.first).cwiseAbs();
+  const Vec3 delta = (feet.second - feet.first).cwiseAbs().unaryExpr([](double d) { return withoutNoise(d); });
   Measurement m;
   m.kind = "distance";
   m.values = {{"distance", feet.distance(), MeasureUnit::Length},

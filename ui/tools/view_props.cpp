@@ -18,6 +18,7 @@
 #include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
+#include <cmath>
 #include <cstring>
 
 namespace blossom::ui {
@@ -76,14 +77,14 @@ vtkSmartPointer<vtkTexture> textureOf(const QImage& image) {
   return texture;
 }
 
-// A rectangle of pixels around the place where it is anchored.
-vtkSmartPointer<vtkPolyData> rectangle(int width, int height) {
+// A rectangle of pixels above the place where it is anchored, so that what it names stays in sight.
+vtkSmartPointer<vtkPolyData> rectangle(int width, int height, int gap) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   auto places = vtkSmartPointer<vtkFloatArray>::New();
   places->SetNumberOfComponents(2);
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->InsertNextCell(4);
-  const int left = -width / 2, low = -height / 2;
+  const int left = -width / 2, low = gap;
   const float corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (const auto& corner : corners) {
     const int x = corner[0] > 0 ? left + width : left, y = corner[1] > 0 ? low + height : low;
@@ -145,13 +146,14 @@ PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const C
   data->SetPolys(cells);
   auto actor = actorOf(data, color);
   actor->GetProperty()->SetOpacity(opacity);
+  actor->GetProperty()->SetLighting(opacity == 1);  // solid things show their form
   return actor;
 }
 
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
   const QImage image = drawnLabel(text, look);
   auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
-  mapper->SetInputData(rectangle(image.width(), image.height()));
+  mapper->SetInputData(rectangle(image.width(), image.height(), static_cast<int>(std::lround(6 * look.pixelRatio))));
   auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
   actor->SetMapper(mapper);
   actor->SetTexture(textureOf(image));

@@ -20,7 +20,7 @@ PropPtr pointsProp(const std::vector<Vec3>& points, const Color&, double size);
 /// Seen through; `opacity` from 0 to 1. It does not hide what stands before it.
 PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const Color&, double opacity);
 
-/// A text on a small card that keeps its size and faces the viewer.
+/// A text on a small card that keeps its size, faces the viewer and stands just above its place.
 struct LabelLook {
   QColor text, card, border;
   double pixelRatio = 1;

@@ -6,7 +6,6 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "core/version.h"
 #include "ui/command_palette.h"
 #include "ui/document_commands.h"
 #include "ui/document_tree.h"
@@ -14,13 +13,18 @@
 #include "ui/feature_menus.h"
 #include "ui/feature_tool_bar.h"
 #include "ui/find_field.h"
+#include "ui/help_menu.h"
 #include "ui/icons.h"
 #include "ui/log_and_jobs.h"
 #include "ui/main_window.h"
+#include "ui/preferences.h"
+#include "ui/preferences_commands.h"
 #include "ui/start_page.h"
 #include "ui/status_line.h"
 #include "ui/text.h"
 #include "ui/theme.h"
+#include "ui/tour_steps.h"
+#include "ui/view_commands.h"
 #include "ui/view_widget.h"
 
 namespace blossom::ui {
@@ -40,44 +44,6 @@ void MainWindow::buildActions() {
   buildToolBar();
 }
 
-void MainWindow::buildFileMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&File"));
-  const QString group = tr("File");
-  add(menu, {"file.new", group, "document", tr("&New"), tr("Start an empty document."), {QKeySequence::New}},
-      [this] { addPage(); });
-  add(menu,
-      {"file.open", group, "open", tr("&Open…"), tr("Open a document, or geometry in a new one."), {QKeySequence::Open}},
-      [this] { chooseAndOpen(); });
-  recentMenu_ = menu->addMenu(tr("Open &recent"));
-  QMenu* samples = menu->addMenu(tr("Open a s&ample"));
-  for (const QString& file : sampleFiles()) {
-    const QString name = sentenceCase(QFileInfo(file).completeBaseName().replace(u'-', u' '));
-    samples->addAction(name, this, [this, file] { openFile(file); });
-  }
-  samples->setEnabled(!samples->isEmpty());
-  add(menu,
-      {"file.import", group, "import", tr("&Import…"), tr("Add geometry from files to this document."), {tr("Ctrl+I")}},
-      [this] { chooseAndImport(); });
-  menu->addSeparator();
-  add(menu, {"file.save", group, "save", tr("&Save"), tr("Save this document."), {QKeySequence::Save}},
-      [this] { save(page()); });
-  add(menu, {"file.save-as", group, {}, tr("Save &as…"), tr("Save this document under another name."), {tr("Ctrl+Shift+S")}},
-      [this] { saveAs(page()); });
-  add(menu,
-      {"file.export",
-       group,
-       "export",
-       tr("&Export…"),
-       tr("Write the selected result as STEP, STL, a picture, …"),
-       {tr("Ctrl+E")}},
-      [this] { chooseAndExport(); });
-  menu->addSeparator();
-  add(menu, {"file.close", group, {}, tr("&Close"), tr("Close this document."), {tr("Ctrl+W")}},
-      [this] { closePage(current_); });
-  add(menu, {"file.quit", group, {}, tr("&Quit"), tr("Close the workbench."), {QKeySequence::Quit}}, [this] { close(); });
-  connect(menu, &QMenu::aboutToShow, this, &MainWindow::refreshRecent);
-}
-
 void MainWindow::buildEditMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Edit"));
   documentCommands_ = new DocumentCommands(commands_, *featureMenus_, this);
@@ -90,6 +56,8 @@ void MainWindow::buildEditMenu() {
        tr("Find a command, a sample, a feature or a page of the manual by a few letters."),
        {tr("Ctrl+K")}},
       [this] { palette_->open(); });
+  menu->addSeparator();
+  new PreferencesCommands(commands_, *menu, this);
 }
 
 void MainWindow::buildViewMenu() {
@@ -126,6 +94,9 @@ void MainWindow::buildViewMenu() {
       [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });
   commands_.action("view.grid")->setChecked(true);
   menu->addSeparator();
+  viewCommands_ = new ViewCommands(commands_, [this]() -> DocumentPage& { return page(); }, this);
+  viewCommands_->addTo(*menu, *menuBar()->addMenu(tr("&Select")));
+  menu->addSeparator();
   logAndJobs_ = new LogAndJobs(*this, commands_);
   logAndJobs_->addTo(*menu);
   menu->addSeparator();
@@ -135,8 +106,9 @@ void MainWindow::buildViewMenu() {
                                      {tr("&Dark"), ThemeChoice::Dark},
                                      {tr("&Light"), ThemeChoice::Light}}) {
     QAction* entry = themes->addAction(text, this, [wanted = choice] {
-      ThemeManager::instance().apply(wanted);
-      QSettings().setValue(QStringLiteral("theme"), static_cast<int>(wanted));
+      Preferences::instance().set("theme", wanted == ThemeChoice::Dark    ? "dark"
+                                           : wanted == ThemeChoice::Light ? "light"
+                                                                          : "system");
     });
     entry->setCheckable(true);
     entry->setChecked(ThemeManager::instance().choice() == choice);
@@ -145,23 +117,14 @@ void MainWindow::buildViewMenu() {
 }
 
 void MainWindow::buildHelpMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  const QString group = tr("Help");
-  add(menu,
-      {"help.mouse-and-keys", group, {}, tr("&Mouse and keys"), tr("How to move around."), {QKeySequence::HelpContents}},
-      [this] {
-        errors().showNote(
-            tr("Mouse and keys"),
-            tr("Left or middle drag: orbit. Shift+drag or right drag: pan. Wheel: zoom to the cursor. Double click or F: "
-               "fit. "
-               "1 to 7: front, back, left, right, top, bottom, iso. 0: home. P: parallel projection. G: grid. "
-               "H shows or hides what is selected, F2 renames it, Delete deletes it. Esc cancels what is being computed."));
-      });
-  add(menu, {"help.about", group, {}, tr("&About Blossom"), tr("Version and licence."), {}}, [this] {
-    errors().showNote(
-        tr("Blossom %1").arg(QLatin1String(versionText)),
-        tr("A workbench for shapes that morph, sweep, grow and melt. Free software under the GNU GPL, version 3 or later."));
-  });
+  auto* help = new HelpMenu(app_, commands_, this);
+  help->addTo(
+      *menuBar()->addMenu(tr("&Help")),
+      [this]() -> std::string {
+        const FeatureId current = tree().current();
+        return current.empty() ? current : page().document().at(current).type;
+      },
+      [this] { return windowTour(*this); });
 }
 
 void MainWindow::buildToolBar() {
@@ -195,15 +158,7 @@ void MainWindow::refreshActions() {
   enable(something, {"file.export", "file.save-as"});
   enable(something && (shown.modified() || shown.file().empty()), {"file.save"});
   commands_.action(QStringLiteral("view.parallel"))->setChecked(view().parallel());
-}
-
-void MainWindow::refreshRecent() {
-  recentMenu_->clear();
-  for (const QString& file : recent()) {
-    QAction* entry = recentMenu_->addAction(QFileInfo(file).fileName(), this, [this, file] { openFile(file); });
-    entry->setToolTip(file);
-  }
-  recentMenu_->setEnabled(!recentMenu_->isEmpty());
+  viewCommands_->refresh();
 }
 
 }  // namespace blossom::ui

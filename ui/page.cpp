@@ -8,6 +8,7 @@
 #include "ui/document_tree.h"
 #include "ui/document_tree_panel.h"
 #include "ui/error_bar.h"
+#include "ui/preferences.h"
 #include "ui/property_panel.h"
 #include "ui/text.h"
 #include "ui/theme.h"
@@ -155,6 +156,11 @@ void DocumentPage::connectWidgets() {
     for (const Offer& offer : offers) errors_->offer(offer.label, offer.go);
   });
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
+  const auto follow = [this] {
+    view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
+  };
+  follow();
+  connect(&Preferences::instance(), &Preferences::changed, this, follow);
   connect(&ThemeManager::instance(), &ThemeManager::changed, this, [this] {
     look_ = theme().look();
     view_->setLook(look_);

@@ -1,0 +1,29 @@
+#pragma once
+#include <QObject>
+#include <functional>
+
+class QMenu;
+
+namespace blossom::ui {
+
+class Commands;
+class DocumentPage;
+
+/// The commands about what is seen of a document: what a click selects, how shapes are drawn, measuring and the section.
+class ViewCommands : public QObject {
+  Q_OBJECT
+ public:
+  /// @param page the one that is shown
+  ViewCommands(Commands&, std::function<DocumentPage&()> page, QObject* parent);
+  void addTo(QMenu& view, QMenu& select);
+  void refresh();  ///< another page is shown, or its view has changed
+
+ private:
+  void addPickModes();
+  void addDisplayModes();
+  void addTools();
+  Commands& commands_;
+  std::function<DocumentPage&()> page_;
+};
+
+}  // namespace blossom::ui

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QPointer>
 
+#include "geometry/bounds.h"
 #include "ui/commands.h"
 #include "ui/document_edits.h"
 #include "ui/document_tree.h"
@@ -10,6 +11,7 @@
 #include "ui/feature_menus.h"
 #include "ui/page.h"
 #include "ui/text.h"
+#include "ui/view_widget.h"
 
 namespace blossom::ui {
 
@@ -131,6 +133,27 @@ void DocumentCommands::declareSelection() {
                  tr("Look for features by name, type or state."),
                  {QKeySequence(QKeySequence::Find)}},
                 [this] { page_->treePanel().startSearch(); });
+  commands_.add({"view.fit-selection",
+                 tr("View"),
+                 "fit",
+                 tr("Fit to &selection"),
+                 tr("Show just the selected features, as large as fits."),
+                 {tr("Shift+F")}},
+                [this] { fitToSelection(); });
+}
+
+// The box around what is selected is brought into sight.
+void DocumentCommands::fitToSelection() {
+  Bounds box;
+  for (const FeatureId& id : page_->tree().selected())
+    if (const auto view = page_->session().view(id)) box.add(bounds(view->result->evaluated.shape));
+  if (box.empty) return page_->view().fit();
+  std::vector<Vec3> corners;
+  corners.reserve(8);
+  for (const double x : {box.low.x(), box.high.x()})
+    for (const double y : {box.low.y(), box.high.y()})
+      for (const double z : {box.low.z(), box.high.z()}) corners.emplace_back(x, y, z);
+  page_->view().fitTo(corners);
 }
 
 void DocumentCommands::addTo(QMenu* edit) {
@@ -174,7 +197,7 @@ void DocumentCommands::refresh() {
   const bool empty = page_->session().document().features().empty();
   const QString selectFirst = tr("Select a feature first.");
   for (const char* id : {"edit.cut", "edit.copy", "edit.duplicate", "edit.show-hide", "edit.isolate", "edit.suppress",
-                         "edit.move-up", "edit.move-down", "edit.delete"})
+                         "edit.move-up", "edit.move-down", "edit.delete", "view.fit-selection"})
     commands_.setEnabled(QLatin1String(id), selected > 0, selectFirst);
   commands_.setEnabled(QStringLiteral("edit.rename"), selected == 1,
                        selected == 0 ? selectFirst : tr("Select one feature only."));

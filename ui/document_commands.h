@@ -28,6 +28,7 @@ class DocumentCommands : public QObject {
   void declareClipboard();
   void declareSelection();
   void fillContextMenu(QMenu&);
+  void fitToSelection();
   void refreshHistory();
   void refreshWords();
   Commands& commands_;

@@ -64,6 +64,7 @@ void MainWindow::buildViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   const QString group = tr("View");
   add(menu, {"view.fit", group, "fit", tr("&Fit"), tr("Show everything."), {tr("F")}}, [this] { view().fit(); });
+  menu->addAction(commands_.action(QStringLiteral("view.fit-selection")));
   add(menu, {"view.home", group, "home", tr("&Home"), tr("Look at everything as when it was opened."), {tr("0")}},
       [this] { view().lookFrom(QStringLiteral("auto")); });
   add(menu, {"view.zoom-in", group, {}, tr("Zoom &in"), tr("Come nearer."), {QKeySequence::ZoomIn}},

@@ -33,7 +33,7 @@ void MainWindow::buildPalette() {
   palette_ = new CommandPalette(this);
   palette_->addSource(commandEntries(commands_, *featureMenus_));
   palette_->addSource(featureEntries([this]() -> DocumentPage& { return page(); }));
-  palette_->addSource(fileEntries([this] { return recent(); }, [this](const QString& file) { openFile(file); }));
+  palette_->addSource(fileEntries([this](const QString& file) { openFile(file); }));
   palette_->addSource(manualEntries([this] { return ManualPages(app_, commands_); },
                                     [this](const QString& name) {
                                       if (auto* help = findChild<HelpMenu*>()) help->openManual(name);

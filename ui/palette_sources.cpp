@@ -9,14 +9,13 @@
 #include "ui/feature_menus.h"
 #include "ui/manual_pages.h"
 #include "ui/page.h"
+#include "ui/recent_files.h"
 #include "ui/start_page.h"
 #include "ui/text.h"
 
 namespace blossom::ui {
 
 namespace {
-
-constexpr int mostRecent = 10;
 
 QString tr(const char* text) { return QCoreApplication::translate("blossom::ui::CommandPalette", text); }
 
@@ -54,8 +53,8 @@ PaletteSource commandEntries(const Commands& commands, const FeatureMenus& menus
   };
 }
 
-PaletteSource fileEntries(std::function<QStringList()> recent, std::function<void(const QString&)> open) {
-  return [recent = std::move(recent), open = std::move(open)] {
+PaletteSource fileEntries(std::function<void(const QString&)> open) {
+  return [open = std::move(open)] {
     std::vector<PaletteEntry> entries;
     const auto add = [&](const char* kind, const QString& group, const char* icon, const QString& file) {
       PaletteEntry entry;
@@ -68,7 +67,8 @@ PaletteSource fileEntries(std::function<QStringList()> recent, std::function<voi
       entries.push_back(std::move(entry));
     };
     for (const QString& file : sampleFiles()) add("sample:", tr("Sample"), "samples", file);
-    for (const QString& file : recent().mid(0, mostRecent)) add("recent:", tr("Recent"), "recent", file);
+    for (const RecentFile& each : RecentFiles::instance().list())
+      if (!each.missing) add("recent:", tr("Recent"), "recent", each.file);
     return entries;
   };
 }

@@ -23,10 +23,9 @@ namespace {
 
 constexpr double tolerance = 1e-4;
 
-TopoDS_Shape opened(const TopoDS_Shape& solid, const TopTools_ListOfShape& open, double offset) {
+TopoDS_Shape opened(const TopoDS_Shape& solid, const TopTools_ListOfShape& open, double offset, GeomAbs_JoinType join) {
   BRepOffsetAPI_MakeThickSolid maker;
-  maker.MakeThickSolidByJoin(solid, open, offset, tolerance, BRepOffset_Skin, Standard_False, Standard_False,
-                             GeomAbs_Intersection);
+  maker.MakeThickSolidByJoin(solid, open, offset, tolerance, BRepOffset_Skin, Standard_False, Standard_False, join);
   return maker.IsDone() ? maker.Shape() : TopoDS_Shape();
 }
 
@@ -36,9 +35,9 @@ TopoDS_Shape onlyShell(const TopoDS_Shape& shape) {
 }
 
 /// The solid between the given faces and their offset, which nothing opens.
-TopoDS_Shape hollow(const TopoDS_Shape& solid, double offset) {
+TopoDS_Shape hollow(const TopoDS_Shape& solid, double offset, GeomAbs_JoinType join) {
   BRepOffsetAPI_MakeOffsetShape maker;
-  maker.PerformByJoin(solid, offset, tolerance, BRepOffset_Skin, Standard_False, Standard_False, GeomAbs_Intersection);
+  maker.PerformByJoin(solid, offset, tolerance, BRepOffset_Skin, Standard_False, Standard_False, join);
   if (!maker.IsDone()) return {};
   const TopoDS_Shape own = onlyShell(solid), other = onlyShell(maker.Shape());
   if (own.IsNull() || other.IsNull()) return {};
@@ -57,6 +56,29 @@ bool isPlausible(const TopoDS_Shape& made, const TopoDS_Shape& solid, double off
   return offset > 0 ? volume > 0 : volume > 0 && volume < volumeOf(solid) * (1 + 1e-9);
 }
 
+/// Sharp corners if they can be had, else rounded ones. Null when neither works.
+TopoDS_Shape tried(const TopoDS_Shape& solid, const TopTools_ListOfShape& open, double offset) {
+  for (const GeomAbs_JoinType join : {GeomAbs_Intersection, GeomAbs_Arc}) {
+    try {
+      TopoDS_Shape made = open.IsEmpty() ? hollow(solid, offset, join) : opened(solid, open, offset, join);
+      if (isPlausible(made, solid, offset)) return made;
+    } catch (const Standard_Failure&) {
+      continue;  // the other join may work
+    }
+  }
+  return {};
+}
+
+TopTools_ListOfShape facesToOpen(const TopoDS_Shape& shape, const std::vector<int>& indices) {
+  TopTools_ListOfShape open;
+  const Brep brep(shape);
+  for (const int index : indices)
+    if (const TopoDS_Face face = faceOf(brep, index); !open.Contains(face)) open.Append(face);
+  if (open.Extent() == static_cast<int>(partsOf(shape, TopAbs_FACE).size()))
+    throw Error(ErrorCode::InvalidInput, "All faces are to be opened, so no wall is left.", "Leave some faces closed.");
+  return open;
+}
+
 }  // namespace
 
 ShellResult shell(const TopoDS_Shape& shape, const ShellOptions& o, const Progress& progress) {
@@ -69,27 +91,16 @@ ShellResult shell(const TopoDS_Shape& shape, const ShellOptions& o, const Progre
   if (!(o.thickness > 1e-6))
     throw Error(ErrorCode::InvalidParameter,
                 fmt::format("The thickness must be above 0; it is {} mm.", formatNumber(o.thickness)));
-  TopTools_ListOfShape open;
-  const Brep brep(shape);
-  for (const int index : o.openFaces)
-    if (const TopoDS_Face face = faceOf(brep, index); !open.Contains(face)) open.Append(face);
-  if (open.Extent() == static_cast<int>(partsOf(shape, TopAbs_FACE).size()))
-    throw Error(ErrorCode::InvalidInput, "All faces are to be opened, so no wall is left.", "Leave some faces closed.");
-  const auto tried = [&](double thickness) -> TopoDS_Shape {
-    const double offset = o.side == ShellSide::Inside ? -thickness : thickness;
-    try {
-      const TopoDS_Shape made = open.IsEmpty() ? hollow(solids.front(), offset) : opened(solids.front(), open, offset);
-      return isPlausible(made, solids.front(), offset) ? made : TopoDS_Shape();
-    } catch (const Standard_Failure&) {
-      return {};
-    }
+  const TopTools_ListOfShape open = facesToOpen(shape, o.openFaces);
+  const auto walls = [&](double thickness) {
+    return tried(solids.front(), open, o.side == ShellSide::Inside ? -thickness : thickness);
   };
   progress.report(0.1, "Hollowing");
-  const TopoDS_Shape made = tried(o.thickness);
+  const TopoDS_Shape made = walls(o.thickness);
   if (!made.IsNull()) return {finishedSolid(made, {"The solid cannot be hollowed.", ""})};
   progress.report(0.5, "Looking for the thickest wall");
   const auto largest = largestSize(
-      o.thickness, [&](double size) { return !tried(size).IsNull(); }, progress);
+      o.thickness, [&](double size) { return !walls(size).IsNull(); }, progress);
   if (largest)
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("Walls of {} mm do not fit this shape: the thickest possible are about {} mm.",

@@ -21,7 +21,7 @@ pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 find_package(Freetype REQUIRED)                # outlines of letters
 find_package(Fontconfig REQUIRED)              # which fonts are installed
 if(BLOSSOM_BUILD_UI)
-  find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGLWidgets Svg)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGLWidgets Svg DBus)
 endif()
 if(BLOSSOM_BUILD_TESTS)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Test)

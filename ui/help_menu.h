@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/app.h"
+#include "ui/tour.h"
 
 class QMenu;
 class QWidget;
@@ -19,8 +20,9 @@ class HelpMenu : public QObject {
  public:
   HelpMenu(const App&, Commands&, QWidget* window);
 
-  /// `selectedType` tells the feature type that is worked on, empty when there is none.
-  void addTo(QMenu&, std::function<std::string()> selectedType);
+  /// `selectedType` tells the feature type that is worked on, empty when there is none; `tour` what a walk through the
+  /// window shows.
+  void addTo(QMenu&, std::function<std::string()> selectedType, std::function<std::vector<TourStep>()> tour);
   /// The window of the manual with this page.
   ManualWindow& openManual(const QString& page, const QString& anchor = {});
 

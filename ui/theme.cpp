@@ -11,7 +11,9 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "parameter/value.h"
+#include "ui/desktop_colors.h"
 #include "ui/icons.h"
+#include "ui/preferences.h"
 
 namespace blossom::ui {
 
@@ -85,12 +87,6 @@ QString styleSheet(const Theme& theme, IconFiles& icons) {
   return result;
 }
 
-// A desktop that says nothing about itself gets the dark canvas; any other is asked through Qt's palette.
-bool desktopIsDark() {
-  if (qEnvironmentVariableIsEmpty("XDG_CURRENT_DESKTOP")) return true;
-  return QApplication::palette().color(QPalette::Window).lightness() < 128;
-}
-
 }  // namespace
 
 QColor Theme::color(const char* token) const {
@@ -112,14 +108,22 @@ QPalette Theme::palette() const {
   p.setColor(QPalette::HighlightedText, color("window"));
   p.setColor(QPalette::ToolTipBase, color("raised"));
   p.setColor(QPalette::ToolTipText, color("text"));
-  p.setColor(QPalette::PlaceholderText, color("faint"));
+  p.setColor(QPalette::PlaceholderText, color("muted"));
   p.setColor(QPalette::Link, color("control"));
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     p.setColor(QPalette::Disabled, role, color("faint"));
   return p;
 }
 
-ThemeManager::ThemeManager() : systemIsDark_(desktopIsDark()), iconFiles_(std::make_unique<IconFiles>()) {}
+ThemeManager::ThemeManager() : desktop_(std::make_unique<DesktopColors>()), iconFiles_(std::make_unique<IconFiles>()) {
+  connect(&Preferences::instance(), &Preferences::changed, this, [this](const QString& name) {
+    if (name == QLatin1String("theme")) apply(preferredTheme());
+  });
+  connect(desktop_.get(), &DesktopColors::changed, this, [this] {
+    if (choice_ == ThemeChoice::System) apply(choice_);
+  });
+  QMetaObject::invokeMethod(desktop_.get(), &DesktopColors::listen, Qt::QueuedConnection);  // the window comes first
+}
 ThemeManager::~ThemeManager() = default;
 
 ThemeManager& ThemeManager::instance() {
@@ -127,9 +131,15 @@ ThemeManager& ThemeManager::instance() {
   return manager;
 }
 
+ThemeChoice preferredTheme() {
+  const std::string wanted = Preferences::instance().get<std::string>("theme");
+  return wanted == "dark" ? ThemeChoice::Dark : wanted == "light" ? ThemeChoice::Light : ThemeChoice::System;
+}
+
 void ThemeManager::apply(ThemeChoice choice) {
   choice_ = choice;
-  const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemIsDark_);
+  const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && desktop_->dark());
+  if (!theme_.name.isEmpty() && theme_.dark == dark) return;
   theme_ = readTheme(resourceFolder() / "themes" / (dark ? "dark.json" : "light.json"));
   QApplication::setPalette(theme_.palette());
   qApp->setStyleSheet(styleSheet(theme_, *iconFiles_));

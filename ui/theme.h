@@ -31,7 +31,8 @@ class ThemeManager : public QObject {
  public:
   static ThemeManager& instance();
 
-  /// Reads the tables and applies the choice to the application. @throws Error FileNotFound, FormatDamaged.
+  /// Reads the tables and applies the choice to the application; nothing happens when it looks like that already.
+  /// @throws Error FileNotFound, FormatDamaged.
   void apply(ThemeChoice);
   [[nodiscard]] ThemeChoice choice() const { return choice_; }
   [[nodiscard]] const Theme& theme() const { return theme_; }
@@ -44,9 +45,12 @@ class ThemeManager : public QObject {
   ~ThemeManager() override;
   ThemeChoice choice_ = ThemeChoice::System;
   Theme theme_;
-  bool systemIsDark_ = true;
+  std::unique_ptr<class DesktopColors> desktop_;
   std::unique_ptr<class IconFiles> iconFiles_;  // pictures that the style sheet refers to
 };
+
+/// What the preference "theme" says.
+ThemeChoice preferredTheme();
 
 inline const Theme& theme() { return ThemeManager::instance().theme(); }
 

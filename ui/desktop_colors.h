@@ -1,0 +1,30 @@
+#pragma once
+#include <QObject>
+
+class QDBusVariant;
+
+namespace blossom::ui {
+
+/// Whether the desktop is dark. Known at once from the palette Qt starts with, and corrected when the desktop's settings
+/// portal answers or the user changes it there; nothing waits for that.
+class DesktopColors : public QObject {
+  Q_OBJECT
+ public:
+  explicit DesktopColors(QObject* parent = nullptr);
+
+  [[nodiscard]] bool dark() const { return dark_; }
+  /// Begins to listen to the portal; without a session bus there is nothing to hear.
+  void listen();
+
+ signals:
+  void changed();
+
+ private slots:
+  void settingChanged(const QString& group, const QString& key, const QDBusVariant& value);
+
+ private:
+  void take(const QVariant& scheme);
+  bool dark_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,29 @@
+#pragma once
+#include <QKeySequence>
+#include <QPushButton>
+
+namespace blossom::ui {
+
+/// A button that, once pressed, takes the next keys as they are struck. Esc leaves it as it was.
+class KeyRecorder : public QPushButton {
+  Q_OBJECT
+ public:
+  explicit KeyRecorder(QWidget* parent = nullptr);
+
+  void showKeys(const QList<QKeySequence>&);
+  [[nodiscard]] bool recording() const { return isChecked(); }
+
+ signals:
+  void recorded(const QKeySequence&);
+
+ protected:
+  bool event(QEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void focusOutEvent(QFocusEvent*) override;
+
+ private:
+  void refresh();
+  QString keys_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,58 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+#include <functional>
+#include <vector>
+
+class QWidget;
+
+namespace blossom::ui {
+
+class TourBubble;
+class TourFrame;
+
+/// One thing to be shown: where it is, what it is called and what it is for.
+struct TourStep {
+  QString title, text;
+  std::function<QWidget*()> target;  ///< asked when its turn comes; nullptr when it is not there: the middle of the window
+  QRect part = {};                   ///< of the target, when only that is meant; empty: all of it
+};
+
+/// A walk through the window: a bubble beside one thing after the other. Enter or Right goes on, Left goes back, Esc ends.
+class Tour : public QObject {
+  Q_OBJECT
+ public:
+  Tour(QWidget* window, std::vector<TourStep>);
+  ~Tour() override;
+
+  void start();
+  void next();
+  void back();
+  void end();
+  [[nodiscard]] bool running() const;
+  [[nodiscard]] std::size_t step() const { return step_; }
+  [[nodiscard]] std::size_t steps() const { return all_.size(); }
+  [[nodiscard]] TourBubble* bubble() const;
+
+  /// Whether this user has been shown round already.
+  static bool shownBefore();
+
+ signals:
+  void ended();
+
+ protected:
+  bool eventFilter(QObject*, QEvent*) override;
+
+ private:
+  void show();
+  void place();
+  [[nodiscard]] QRect targetRect() const;
+  QWidget* window_;
+  std::vector<TourStep> all_;
+  std::size_t step_ = 0;
+  QPointer<TourBubble> bubble_;
+  QPointer<TourFrame> frame_;
+  QPointer<QWidget> before_;  // had the focus
+};
+
+}  // namespace blossom::ui

@@ -26,6 +26,7 @@ void Job::start(const QString& title, Work work, Then then) {
   Q_ASSERT(!running_);
   if (thread_.joinable()) thread_.join();
   running_ = true;
+  watched_ = std::make_shared<StallWatch::Work>();
   token_ = CancelToken();
   emit started(title);
   const Progress progress(token_, [this](double fraction, const std::string& stage) {
@@ -39,6 +40,7 @@ void Job::start(const QString& title, Work work, Then then) {
         [this, error = std::move(error), then] {
           running_ = false;
           lastError_ = error;
+          const auto watched = std::move(watched_);  // `then` belongs to the work, and may be the end of this object
           emit finished();
           then(error);
         },

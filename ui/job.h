@@ -2,11 +2,13 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <thread>
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "ui/stall_watch.h"
 
 namespace blossom::ui {
 
@@ -36,6 +38,7 @@ class Job : public QObject {
   std::thread thread_;
   CancelToken token_;
   bool running_ = false;
+  std::shared_ptr<StallWatch::Work> watched_;
   std::optional<Error> lastError_;
 };
 

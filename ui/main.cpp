@@ -1,6 +1,5 @@
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSettings>
 #include <cstdio>
 
 #include "app/app.h"
@@ -9,8 +8,13 @@
 #include "ui/application.h"
 #include "ui/icons.h"
 #include "ui/main_window.h"
+#include "ui/recovery.h"
 #include "ui/screenshot.h"
+#include "ui/stall_watch.h"
+#include "ui/startup_clock.h"
 #include "ui/theme.h"
+#include "ui/tour.h"
+#include "ui/view_widget.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -18,7 +22,8 @@ using namespace blossom::ui;
 namespace {
 
 struct Options {
-  QString file, screenshot;
+  QStringList files;
+  QString screenshot;
   QSize size;
   ThemeChoice theme = ThemeChoice::System;
   bool exitWhenDone = false;
@@ -44,6 +49,8 @@ struct Flags {
                                 QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1440x900")};
   const QCommandLineOption theme{
       QStringLiteral("theme"), QStringLiteral("dark or light; otherwise as chosen in the window."), QStringLiteral("NAME")};
+  const QCommandLineOption timings{QStringLiteral("print-timings"),
+                                   QStringLiteral("Print when the window was shown and the first shape painted.")};
   const QCommandLineOption leave{QStringLiteral("exit"), QStringLiteral("Close after the screenshot.")};
 };
 
@@ -51,11 +58,11 @@ void setUp(QCommandLineParser& parser, const Flags& flags) {
   parser.setApplicationDescription(
       QStringLiteral("The window of Blossom, a workbench for shapes that morph, sweep, grow and melt."));
   parser.addPositionalArgument(QStringLiteral("FILE"),
-                               QStringLiteral("A .blossom document, or geometry to be opened in a new one."),
-                               QStringLiteral("[FILE]"));
+                               QStringLiteral("Documents, or geometry to be opened in new ones; each in a tab of its own."),
+                               QStringLiteral("[FILE..]"));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addOptions({flags.screenshot, flags.size, flags.theme, flags.leave});
+  parser.addOptions({flags.screenshot, flags.size, flags.theme, flags.timings, flags.leave});
 }
 
 // Help and version need no display.
@@ -85,11 +92,11 @@ Options readOptions() {
   setUp(parser, flags);
   parser.process(*qApp);
   Options options;
-  if (parser.positionalArguments().size() > 1) wrongUse(QStringLiteral("one file at a time."));
-  options.file = parser.positionalArguments().value(0);
+  options.files = parser.positionalArguments();
   options.screenshot = parser.value(flags.screenshot);
   options.size = parseSize(parser.value(flags.size));
   options.exitWhenDone = parser.isSet(flags.leave);
+  printTimings(parser.isSet(flags.timings));
   const QString named = parser.value(flags.theme);
   if (named == QLatin1String("dark"))
     options.theme = ThemeChoice::Dark;
@@ -98,18 +105,51 @@ Options readOptions() {
   else if (!named.isEmpty())
     wrongUse(QStringLiteral("there is no theme \"%1\"; themes are dark and light.").arg(named));
   else
-    options.theme = static_cast<ThemeChoice>(std::clamp(QSettings().value(QStringLiteral("theme"), 0).toInt(), 0, 2));
+    options.theme = preferredTheme();
   return options;
+}
+
+// A frame counts once it holds a shape: the evaluation has handed it to the view before.
+void tellFirstFrame(MainWindow& window) {
+  auto shape = std::make_shared<bool>(false);
+  QObject::connect(&window.session(), &Session::viewChanged, &window.view(), [shape] { *shape = true; });
+  QObject::connect(&window.view(), &QOpenGLWidget::frameSwapped, &window.view(),
+                   [shape] { reached(*shape ? "first frame with a shape" : "first frame"); });
+}
+
+// Whoever starts Blossom for the first time, with nothing particular in mind, is shown round.
+void offerTour(MainWindow& window) {
+  if (Tour::shownBefore()) return;
+  QAction* tour = window.commands().action(QStringLiteral("help.tour"));
+  QMetaObject::invokeMethod(tour, &QAction::trigger, Qt::QueuedConnection);
+}
+
+// Where no safety copies can be kept, work goes on without them; the window says so.
+void keepSafe(MainWindow& window) {
+  try {
+    Recovery::instance().start();
+  } catch (const Error& error) {
+    window.page().showError(error);
+  }
 }
 
 int run() {
   const Options options = readOptions();
+  reached("main");
   ThemeManager::instance().apply(options.theme);
   QApplication::setWindowIcon(icon(QStringLiteral("blossom")));
-  MainWindow window(loadApp());
+  reached("theme");
+  App app = loadApp();
+  reached("plugins");
+  MainWindow window(std::move(app));
+  reached("window made");
   window.resize(options.size);
-  if (!options.file.isEmpty()) window.openFile(options.file);  // is read while the window comes up
+  tellFirstFrame(window);
+  if (!options.files.isEmpty()) window.openFiles(options.files);  // are read while the window comes up
   window.show();
+  reached("window shown");
+  keepSafe(window);
+  if (options.files.isEmpty() && options.screenshot.isEmpty()) offerTour(window);
   if (!options.screenshot.isEmpty()) {
     auto* screenshot = new Screenshot(window, options.screenshot);
     QObject::connect(screenshot, &Screenshot::taken, qApp, [&](bool written) {
@@ -117,7 +157,11 @@ int run() {
       if (options.exitWhenDone) QCoreApplication::exit(written ? 0 : 1);
     });
   }
-  return QApplication::exec();
+  std::unique_ptr<StallWatch> watch;
+  if (StallWatch::wanted()) watch = std::make_unique<StallWatch>();
+  const int code = QApplication::exec();
+  if (watch) watch->print();
+  return code;
 }
 
 }  // namespace

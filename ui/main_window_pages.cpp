@@ -1,9 +1,9 @@
 // Documents as tabs: adding, showing and closing them.
 #include <QStackedWidget>
-#include <QTabBar>
 
 #include "ui/document_commands.h"
 #include "ui/document_tree.h"
+#include "ui/error_bar.h"
 #include "ui/feature_menus.h"
 #include "ui/log_and_jobs.h"
 #include "ui/main_window.h"
@@ -55,6 +55,12 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(sender, &DocumentPage::opened, this, [this, sender] {
     if (!sender->session().file().empty()) remember(qt(sender->session().file().string()));
   });
+  connect(&sender->session(), &Session::saveFailed, this,
+          [this, sender] { sender->errors().offer(tr("Save as…"), [this, sender] { saveAs(*sender); }); });
+  connect(&sender->session(), &Session::unsafe, this, [sender](const Error& error) {
+    sender->errors().showError(
+        tr("No safety copy of %1 can be kept: %2").arg(sender->session().title(), qt(error.message())), qt(error.hint()));
+  });
   connect(sender, &DocumentPage::salvageWanted, this, [this](const QString& file) { openFile(file, true); });
 }
 
@@ -73,22 +79,18 @@ void MainWindow::showPage(std::size_t index) {
   refreshStart();
 }
 
-void MainWindow::closePage(std::size_t index) {
-  if (index >= pages_.size()) return;
-  DocumentPage* const closing = pages_[index].get();
-  showPage(index);  // the question is about what is seen
-  guarded(*closing, [this, closing] { removePage(indexOf(*closing)); });
-}
-
 void MainWindow::removePage(std::size_t index) {
   if (index >= pages_.size()) return;
   const std::unique_ptr<DocumentPage> removed = std::move(pages_[index]);
   pages_.erase(pages_.begin() + static_cast<std::ptrdiff_t>(index));
   removed->disconnect(this);
-  if (pages_.empty())
-    addPage();
-  else
-    showPage(std::min(index, pages_.size() - 1));
+  if (startFor_ == removed.get()) startFor_ = nullptr;
+  if (pages_.empty()) {
+    startFor_ = &addPage();
+    refreshStart();
+  } else {
+    showPage(std::min(current_ > index ? current_ - 1 : current_, pages_.size() - 1));
+  }
 }
 
 }  // namespace blossom::ui

@@ -17,7 +17,7 @@ QString drawingProgram() { return QCoreApplication::applicationDirPath() + QStri
 
 }  // namespace
 
-SamplePictures::SamplePictures(QSize size, QObject* parent) : QObject(parent), size_(size) {
+SamplePictures::SamplePictures(QObject* parent) : QObject(parent) {
   connect(&drawing_, &QProcess::finished, this, [this] {
     if (waiting_.isEmpty()) return;
     const QString file = waiting_.takeFirst();
@@ -37,14 +37,14 @@ SamplePictures::~SamplePictures() {
 }
 
 // One name for one content, look and program.
-QString SamplePictures::cached(const QString& file) const {
+QString SamplePictures::cached(const QString& file) {
   const QFileInfo info(file);
   const QString key = QStringLiteral("%1|%2|%3|%4x%5|%6")
                           .arg(info.absoluteFilePath())
                           .arg(info.size())
                           .arg(info.lastModified().toMSecsSinceEpoch())
-                          .arg(size_.width())
-                          .arg(size_.height())
+                          .arg(size.width())
+                          .arg(size.height())
                           .arg(QLatin1String(versionText));
   const QByteArray name = QCryptographicHash::hash(key.toUtf8(), QCryptographicHash::Sha1).toHex();
   return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/blossom/pictures/") +
@@ -53,6 +53,7 @@ QString SamplePictures::cached(const QString& file) const {
 
 void SamplePictures::request(const QStringList& files) {
   for (const QString& file : files) {
+    if (!QFileInfo::exists(file)) continue;
     if (waiting_.contains(file)) continue;
     const QPixmap picture(cached(file));
     if (picture.isNull())
@@ -77,7 +78,7 @@ void SamplePictures::next() {
   drawing_.start(drawingProgram(),
                  {QStringLiteral("render"), waiting_.first(), QStringLiteral("-o"), to, QStringLiteral("--transparent"),
                   QStringLiteral("--threads"), QStringLiteral("1"), QStringLiteral("--size"),
-                  QStringLiteral("%1x%2").arg(size_.width()).arg(size_.height())},
+                  QStringLiteral("%1x%2").arg(size.width()).arg(size.height())},
                  QIODevice::ReadOnly);
 }
 

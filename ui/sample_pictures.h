@@ -11,8 +11,12 @@ namespace blossom::ui {
 class SamplePictures : public QObject {
   Q_OBJECT
  public:
-  /// @param size of the pictures in device pixels
-  explicit SamplePictures(QSize size, QObject* parent = nullptr);
+  /// Of all pictures, in device pixels: twice the size that tiles show them at.
+  static constexpr QSize size{300, 168};
+  /// Where the picture of a file as it is now belongs.
+  [[nodiscard]] static QString cached(const QString& file);
+
+  explicit SamplePictures(QObject* parent = nullptr);
   ~SamplePictures() override;
   /// Pictures arrive by `ready`, those of the cache at once.
   void request(const QStringList& files);
@@ -24,9 +28,7 @@ class SamplePictures : public QObject {
 
  private:
   void next();
-  [[nodiscard]] QString cached(const QString& file) const;
 
-  QSize size_;
   QStringList waiting_;
   QProcess drawing_;
 };

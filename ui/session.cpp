@@ -6,9 +6,14 @@
 
 namespace blossom::ui {
 
-Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app)), evaluator_(app_.registry) {}
+Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app)), evaluator_(app_.registry) {
+  connect(&autosave_, &QTimer::timeout, this, [this] {
+    if (journal_) journal_->snapshot();
+  });
+}
 
 Session::~Session() {
+  nothingToKeep();  // whoever closes a document has saved it or does not want it
   displayToken_.cancel();
   evaluator_.cancelBackground();
   evaluator_.waitForBackground();
@@ -27,6 +32,7 @@ QString Session::title() const {
 
 void Session::commit(Document document, const QString& what) {
   history_.commit(std::move(document), what.toStdString());
+  keep(what);
   changed();
 }
 
@@ -41,11 +47,16 @@ void Session::endPreview() {
 }
 
 void Session::undo() {
-  if (history_.undo()) changed();
+  const QString what = tr("Undo: %1").arg(qt(history_.undoText()));
+  if (!history_.undo()) return;
+  keep(what);
+  changed();
 }
 
 void Session::redo() {
-  if (history_.redo()) changed();
+  if (!history_.redo()) return;
+  keep(qt(history_.undoText()));
+  changed();
 }
 
 void Session::changed() {
@@ -66,6 +77,7 @@ void Session::evaluate() {
   displayToken_ = CancelToken();
   const std::uint64_t generation = ++generation_;
   evaluating_ = true;
+  watched_.emplace();
   emit evaluationStarted();
   const auto here = [this, generation](auto function) {
     QMetaObject::invokeMethod(
@@ -99,6 +111,7 @@ void Session::evaluate() {
         here([this] {
           evaluating_ = false;
           emit evaluationFinished();
+          if (!evaluating_) watched_.reset();
         });
       });
 }
@@ -114,6 +127,7 @@ void Session::cancelEvaluation() {
   evaluator_.cancelBackground();
   ++generation_;
   evaluating_ = false;
+  watched_.reset();
   emit evaluationCancelled();
   emit evaluationFinished();
   emit noted(tr("Computing was cancelled; what was ready is shown."));
@@ -123,6 +137,7 @@ void Session::replace(Document document, const std::filesystem::path& file, cons
   name_ = name;
   history_ = History(std::move(document));
   history_.markSaved();
+  nothingToKeep();
   views_.clear();
   file_ = file;
   emit opened();

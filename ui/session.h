@@ -2,6 +2,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,13 +11,19 @@
 #include "app/app.h"
 #include "core/error.h"
 #include "document/history.h"
+#include "document/journal.h"
+#include "document/recovery_area.h"
 #include "ui/display_cache.h"
+#include "ui/file_stamp.h"
 #include "ui/job.h"
 
 namespace blossom::ui {
 
 /// One open document: its history, its results as they arrive, and its file. No widgets; everything slow runs on other
 /// threads.
+/// Sentences of a reader.
+QStringList toList(const std::vector<std::string>& sentences);
+
 class Session : public QObject {
   Q_OBJECT
  public:
@@ -44,9 +51,17 @@ class Session : public QObject {
 
   void clear();  ///< a new, empty document
   void open(const std::filesystem::path&, bool salvage = false);
+  /// What a crash left; it opens unsaved. The lost copy goes when this one has a safety copy of its own, or was saved.
+  void recover(const LostDocument&);
   void import(const std::vector<std::filesystem::path>&);
   void save(const std::filesystem::path&, std::function<void()> then = {});
-  void exportFeature(const FeatureId&, const std::filesystem::path&, const Value& options);
+  /// Somebody else wrote or removed the file since it was opened or saved here.
+  [[nodiscard]] bool changedOnDisk() const;
+  /// The features as one file; the format must be able to hold what they are together.
+  void exportFeatures(const std::vector<FeatureId>&, const std::filesystem::path&, const Value& options);
+  void exportFeature(const FeatureId& id, const std::filesystem::path& file, const Value& options) {
+    exportFeatures({id}, file, options);
+  }
   /// A feature of `type` that takes `inputs`; with a file, that file is imported first and is its input.
   void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs);
   void addFeatureFromFile(const FeatureType&, const std::filesystem::path&);
@@ -64,6 +79,8 @@ class Session : public QObject {
   void evaluationCancelled();  ///< followed by evaluationFinished
   void featureAdded(const QString& feature);
   void failed(const blossom::Error&, const QString& file);
+  void unsafe(const blossom::Error&);  ///< unsaved steps cannot be kept against a crash
+  void saveFailed();                   ///< after `failed`: the document still has its changes
   void warned(const QStringList& sentences);
   void noted(const QString& sentence);  ///< something went right
 
@@ -71,8 +88,13 @@ class Session : public QObject {
   void evaluate();
   void changed();
   void replace(Document, const std::filesystem::path& file, const QString& name);
-  bool begin(const QString& title, Job::Work, std::function<void()> then, const std::filesystem::path& file);
+  bool begin(const QString& title, Job::Work, std::function<void()> then, const std::filesystem::path& file,
+             std::function<void()> otherwise = {});
   void dropOldViews();
+  // session_safety.cpp
+  void keep(const QString& what);
+  void nothingToKeep();
+  void forgetLost();
 
   App app_;
   History history_;
@@ -83,6 +105,11 @@ class Session : public QObject {
   std::uint64_t generation_ = 0;  // of evaluations; late results of older ones are dropped
   std::uint64_t edits_ = 0;       // tells whether the document changed while it was being saved
   bool evaluating_ = false;
+  std::optional<StallWatch::Work> watched_;
+  FileStamp stamp_;  // of the file when it was opened or saved here
+  std::shared_ptr<Journal> journal_;
+  std::filesystem::path lostCopy_;  // that this document came from
+  QTimer autosave_;
   CancelToken displayToken_;
   Evaluator evaluator_;
   Job job_;

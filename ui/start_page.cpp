@@ -1,54 +1,36 @@
 #include "ui/start_page.h"
 
+#include <QDateTime>
 #include <QDir>
+#include <QEvent>
 #include <QFileInfo>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/app.h"
 #include "ui/icons.h"
-#include "ui/sample_pictures.h"
+#include "ui/recent_files.h"
+#include "ui/show_in_folder.h"
 #include "ui/text.h"
+#include "ui/tile.h"
+#include "ui/tile_grid.h"
 
 namespace blossom::ui {
 
 namespace {
 
-constexpr int mostRows = 4;
-constexpr int tilesPerRow = 3;
-constexpr QSize pictureSize(150, 84);
+constexpr int widest = 916;  // five tiles
 
 QLabel* label(const QString& text, const char* name) {
   auto* made = new QLabel(text);
   made->setObjectName(QLatin1String(name));
   made->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   return made;
-}
-
-QString readableName(const QString& file) {
-  return sentenceCase(QFileInfo(file).completeBaseName().replace(u'-', u' ').replace(u'_', u' '));
-}
-
-void clear(QLayout* layout) {
-  while (QLayoutItem* item = layout->takeAt(0)) {
-    if (QWidget* widget = item->widget()) widget->deleteLater();
-    delete item;
-  }
-}
-
-void fill(QVBoxLayout* layout, const QStringList& files, StartPage* page) {
-  for (const QString& file : files.mid(0, mostRows)) {
-    auto* row = new QPushButton(icon(QStringLiteral("document")), readableName(file));
-    row->setObjectName(QStringLiteral("row"));
-    row->setToolTip(file);
-    row->setCursor(Qt::PointingHandCursor);
-    QObject::connect(row, &QPushButton::clicked, page, [page, file] { emit page->fileChosen(file); });
-    layout->addWidget(row);
-  }
 }
 
 // "name: sentence" in every line.
@@ -59,6 +41,12 @@ QHash<QString, QString> sampleDescriptions() {
   for (const QString& line : QString::fromUtf8(file.readAll()).split(u'\n'))
     words.insert(line.section(u':', 0, 0).trimmed(), line.section(u':', 1).trimmed());
   return words;
+}
+
+QPushButton* button(const QString& text, const char* iconName) {
+  auto* made = new QPushButton(icon(QLatin1String(iconName)), text);
+  made->setIconSize({16, 16});
+  return made;
 }
 
 }  // namespace
@@ -76,111 +64,152 @@ QStringList sampleFiles() {
   return files;
 }
 
+QString readableFileName(const QString& file) {
+  return sentenceCase(QFileInfo(file).completeBaseName().replace(u'-', u' ').replace(u'_', u' '));
+}
+
 StartPage::StartPage(QWidget* parent)
-    : QFrame(parent),
-      pictures_(new SamplePictures(pictureSize * 2, this)),
-      recent_(new QVBoxLayout),
-      recentColumn_(new QWidget) {
+    : QFrame(parent), samples_(new TileGrid), recent_(new TileGrid), recentTitle_(label(tr("RECENT"), "sectionTitle")) {
   setObjectName(QStringLiteral("startCard"));
-  connect(pictures_, &SamplePictures::ready, this, [this](const QString& file, const QPixmap& picture) {
-    QLabel* label = pictureOf_.value(file);
-    if (!label) return;
-    const double ratio = devicePixelRatioF();
-    QPixmap scaled = picture.scaled(pictureSize * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    scaled.setDevicePixelRatio(ratio);
-    label->setPixmap(scaled);
+  connect(&pictures_, &SamplePictures::ready, this, [this](const QString& file, const QPixmap& picture) {
+    for (const TileGrid* grid : {samples_, recent_})
+      for (Tile* tile : grid->tiles())
+        if (tile->file() == file) tile->setPicture(picture);
   });
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(32, 28, 32, 28);
-  all->setSpacing(8);
+  connect(&RecentFiles::instance(), &RecentFiles::changed, this, [this] {
+    if (isVisible()) fillRecent();
+  });
+  auto* content = new QWidget;
+  content->setObjectName(QStringLiteral("startContent"));
+  auto* all = new QVBoxLayout(content);
+  all->setContentsMargins(36, 32, 36, 32);
+  all->setSpacing(10);
   all->addLayout(headings());
-  all->addSpacing(14);
-  all->addWidget(label(tr("SAMPLES"), "sectionTitle"), 0, Qt::AlignTop);
-  all->addLayout(sampleTiles());
-  auto* second = new QVBoxLayout(recentColumn_);
-  second->setContentsMargins(0, 12, 0, 0);
-  second->setSpacing(2);
-  second->addWidget(label(tr("RECENT"), "sectionTitle"));
-  second->addLayout(recent_);
-  recent_->setSpacing(0);
-  all->addWidget(recentColumn_);
-  setFixedWidth(620);
-  setRecent({});
+  all->addSpacing(16);
+  all->addWidget(label(tr("SAMPLES"), "sectionTitle"));
+  all->addWidget(samples_);
+  all->addSpacing(16);
+  all->addWidget(recentTitle_);
+  all->addWidget(recent_);
+  all->addStretch();
+  content->setMaximumWidth(widest + 72);
+  auto* middle = new QWidget;
+  middle->setObjectName(QStringLiteral("startContent"));
+  auto* across = new QHBoxLayout(middle);
+  across->setContentsMargins(0, 0, 0, 0);
+  across->addStretch();
+  across->addWidget(content, 100);
+  across->addStretch();
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(middle);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll);
+  fillSamples();
 }
 
 QLayout* StartPage::headings() {
   auto* row = new QHBoxLayout;
+  row->setSpacing(8);
   auto* words = new QVBoxLayout;
   words->setSpacing(6);
   words->addWidget(label(tr("Start with a shape"), "startTitle"));
-  auto* note = label(tr("Take a sample, or drop a file anywhere on the window."), "note");
+  auto* note = label(tr("Take a sample, or drop files anywhere on the window."), "note");
   note->setWordWrap(true);
   words->addWidget(note);
   row->addLayout(words, 1);
+  auto* fresh = button(tr("New"), "new");
+  fresh->setToolTip(tr("Start an empty document."));
+  auto* import = button(tr("Import…"), "import");
+  import->setToolTip(tr("Start a document with geometry from files."));
   auto* open = new QPushButton(tr("Open…"));
   open->setProperty("primary", true);
   open->setDefault(true);
-  auto* import = new QPushButton(tr("Import…"));
+  connect(fresh, &QPushButton::clicked, this, &StartPage::newWanted);
   connect(open, &QPushButton::clicked, this, &StartPage::openWanted);
   connect(import, &QPushButton::clicked, this, &StartPage::importWanted);
-  row->addWidget(open);
-  row->addWidget(import);
+  for (QPushButton* each : {fresh, import, open}) row->addWidget(each, 0, Qt::AlignTop);
   return row;
 }
 
-QLayout* StartPage::sampleTiles() {
-  auto* grid = new QGridLayout;
-  grid->setSpacing(10);
+void StartPage::fillSamples() {
   const QHash<QString, QString> words = sampleDescriptions();
-  const QStringList files = sampleFiles();
-  for (int i = 0; i < files.size(); ++i) {
-    const QString& file = files[i];
-    auto* tile = new QPushButton;
-    tile->setObjectName(QStringLiteral("tile"));
-    tile->setAccessibleName(readableName(file));
-    tile->setToolTip(file);
-    tile->setCursor(Qt::PointingHandCursor);
-    auto* column = new QVBoxLayout(tile);
-    column->setContentsMargins(10, 8, 10, 9);
-    column->setSpacing(2);
-    auto* picture = new QLabel;
-    picture->setFixedHeight(pictureSize.height());
-    picture->setAlignment(Qt::AlignCenter);
-    auto* about = label(words.value(QFileInfo(file).completeBaseName()), "note");
-    about->setWordWrap(true);
-    about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    column->addWidget(picture);
-    column->addWidget(label(readableName(file), "tileTitle"));
-    column->addWidget(about);
-    column->addStretch();
-    for (QLabel* part : tile->findChildren<QLabel*>()) part->setAttribute(Qt::WA_TransparentForMouseEvents);
-    tile->setFixedHeight(pictureSize.height() + 54);
-    pictureOf_.insert(file, picture);
+  std::vector<Tile*> tiles;
+  for (const QString& file : sampleFiles()) {
+    auto* tile = new Tile(file, readableFileName(file), words.value(QFileInfo(file).completeBaseName()));
     connect(tile, &QPushButton::clicked, this, [this, file] { emit fileChosen(file); });
-    grid->addWidget(tile, i / tilesPerRow, i % tilesPerRow);
+    tiles.push_back(tile);
   }
-  for (int i = 0; i < tilesPerRow; ++i) grid->setColumnStretch(i, 1);
-  return grid;
+  samples_->setTiles(std::move(tiles));
+}
+
+void StartPage::fillRecent() {
+  std::vector<Tile*> tiles;
+  QStringList wanted;
+  for (const RecentFile& each : RecentFiles::instance().list()) {
+    const QFileInfo info(each.file);
+    auto* tile = new Tile(each.file, info.completeBaseName(), info.dir().dirName());
+    tile->setPinned(each.pinned);
+    if (each.missing)
+      tile->setMissing();
+    else
+      wanted << each.file;
+    tile->setContextMenuPolicy(Qt::CustomContextMenu);
+    const auto menu = [this, each, tile](const QPoint& at) { showMenu(each.file, each.pinned, tile->mapToGlobal(at)); };
+    connect(tile, &QWidget::customContextMenuRequested, this, menu);
+    connect(tile, &QPushButton::clicked, this, [this, each, tile, menu] {
+      if (each.missing) return menu(tile->rect().center());
+      emit fileChosen(each.file);
+    });
+    tiles.push_back(tile);
+  }
+  recentTitle_->setVisible(!tiles.empty());
+  recent_->setTiles(std::move(tiles));
+  pictures_.request(wanted);
+}
+
+void StartPage::showMenu(const QString& file, bool pinned, const QPoint& at) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(pinned ? tr("Unpin") : tr("Pin"), this,
+                  [file, pinned] { RecentFiles::instance().setPinned(file, !pinned); });
+  menu->addAction(tr("Show in folder"), this, [file] { showInFolder(file); });
+  menu->addSeparator();
+  menu->addAction(tr("Remove from this list"), this, [file] { RecentFiles::instance().remove(file); });
+  menu->popup(at);
+}
+
+void StartPage::cover(QWidget* widget) {
+  if (covered_) covered_->removeEventFilter(this);
+  covered_ = widget;
+  widget->installEventFilter(this);
+  follow();
+}
+
+void StartPage::follow() {
+  if (covered_ && parentWidget()) setGeometry(QRect(covered_->mapTo(parentWidget(), QPoint()), covered_->size()));
+}
+
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == covered_ && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) follow();
+  return QFrame::eventFilter(watched, event);
 }
 
 void StartPage::showEvent(QShowEvent* event) {
   QFrame::showEvent(event);
+  fillRecent();
   // After the first frame: the window must not wait for its pictures.
   QTimer::singleShot(0, this, [this] {
-    if (isVisible()) pictures_->request(sampleFiles());
+    if (isVisible()) pictures_.request(sampleFiles());
   });
 }
 
 void StartPage::hideEvent(QHideEvent* event) {
   QFrame::hideEvent(event);
-  pictures_->stop();
-}
-
-void StartPage::setRecent(const QStringList& files) {
-  clear(recent_);
-  fill(recent_, files, this);
-  recentColumn_->setVisible(!files.isEmpty());
-  adjustSize();
+  pictures_.stop();
 }
 
 }  // namespace blossom::ui

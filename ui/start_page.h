@@ -1,23 +1,24 @@
 #pragma once
 #include <QFrame>
-#include <QHash>
+#include <QPointer>
 #include <QStringList>
 
-class QLabel;
-class QVBoxLayout;
+#include "ui/sample_pictures.h"
 
 namespace blossom::ui {
 
-class SamplePictures;
+class TileGrid;
 
-/// What an empty window offers: open a file, take a sample, go on with a recent document.
+/// What an empty window offers: a new document, a file, a sample, or one of the documents that were open last.
 class StartPage : public QFrame {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
-  void setRecent(const QStringList& files);
+  /// Lies over this widget from here on, wherever that goes.
+  void cover(QWidget*);
 
  signals:
+  void newWanted();
   void openWanted();
   void importWanted();
   void fileChosen(const QString& file);
@@ -25,18 +26,24 @@ class StartPage : public QFrame {
  protected:
   void showEvent(QShowEvent*) override;
   void hideEvent(QHideEvent*) override;
+  bool eventFilter(QObject*, QEvent*) override;
 
  private:
   QLayout* headings();
-  QLayout* sampleTiles();
+  void fillSamples();
+  void fillRecent();
+  void showMenu(const QString& file, bool pinned, const QPoint& at);
+  void follow();
 
-  SamplePictures* pictures_;
-  QHash<QString, QLabel*> pictureOf_;
-  QVBoxLayout* recent_;
-  QWidget* recentColumn_;
+  SamplePictures pictures_;
+  QPointer<QWidget> covered_;
+  TileGrid *samples_, *recent_;
+  QWidget* recentTitle_;
 };
 
 /// Sample documents of this installation, sorted by name.
 QStringList sampleFiles();
+/// "Twisted tube" for twisted-tube.json.
+QString readableFileName(const QString& file);
 
 }  // namespace blossom::ui

@@ -1,0 +1,28 @@
+#pragma once
+#include <QFrame>
+
+#include "document/recovery_area.h"
+
+class QLabel;
+class QVBoxLayout;
+
+namespace blossom::ui {
+
+/// Offers, above the documents, what an earlier run left unsaved. Put aside, it is offered again at the next start.
+class RecoveryBar : public QFrame {
+  Q_OBJECT
+ public:
+  explicit RecoveryBar(QWidget* parent = nullptr);
+
+ signals:
+  void recoverWanted(const blossom::LostDocument&);
+
+ private:
+  void refresh();
+  QWidget* row(const LostDocument&);
+  QLabel* message_;
+  QVBoxLayout* rows_;
+  class QPushButton* all_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,29 @@
+#pragma once
+#include <QWidget>
+#include <vector>
+
+class QGridLayout;
+
+namespace blossom::ui {
+
+class Tile;
+
+/// Tiles in as many columns as there is room for.
+class TileGrid : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TileGrid(QWidget* parent = nullptr);
+  void setTiles(std::vector<Tile*>);  ///< takes them; the ones before go
+  [[nodiscard]] const std::vector<Tile*>& tiles() const { return tiles_; }
+
+ protected:
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  void arrange();
+  QGridLayout* grid_;
+  std::vector<Tile*> tiles_;
+  int columns_ = 0;
+};
+
+}  // namespace blossom::ui

@@ -8,6 +8,7 @@
 
 #include "core/version.h"
 #include "scene/scene.h"
+#include "ui/language.h"
 
 namespace blossom::ui {
 
@@ -45,6 +46,7 @@ void setUpApplication() {
   // QApplication has set LC_NUMERIC from the environment; readers of every format rely on the C locale.
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale::c());
+  installLanguage();
   QApplication::setStyle(new QuietStyle);
   quietVtk();
 }

@@ -5,6 +5,7 @@
 #include "ui/document_tree.h"
 #include "ui/error_bar.h"
 #include "ui/feature_menus.h"
+#include "ui/help_menu.h"
 #include "ui/log_and_jobs.h"
 #include "ui/main_window.h"
 #include "ui/status_line.h"
@@ -60,6 +61,9 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(&sender->session(), &Session::unsafe, this, [sender](const Error& error) {
     sender->errors().showError(
         tr("No safety copy of %1 can be kept: %2").arg(sender->session().title(), qt(error.message())), qt(error.hint()));
+  });
+  connect(sender, &DocumentPage::manualWanted, this, [this](const QString& name) {
+    if (auto* help = findChild<HelpMenu*>()) help->openManual(name);
   });
   connect(sender, &DocumentPage::salvageWanted, this, [this](const QString& file) { openFile(file, true); });
 }

@@ -156,6 +156,8 @@ void DocumentPage::connectWidgets() {
     for (const Offer& offer : offers) errors_->offer(offer.label, offer.go);
   });
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
+  connect(properties_, &PropertyPanel::manualWanted, this, &DocumentPage::manualWanted);
+  connectPicking();
   const auto follow = [this] {
     view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
   };

@@ -78,6 +78,7 @@ class DocumentPage : public QObject, public ToolHost {
   void workChanged(const QString& key, const QString& what, double fraction);
   void workEnded(const QString& key);
   void salvageWanted(const QString& file);
+  void manualWanted(const QString& page);
   void toolChanged();
   void contextMenuWanted(const QPoint& global);  ///< about what is selected
 
@@ -93,6 +94,7 @@ class DocumentPage : public QObject, public ToolHost {
   void refreshHandles();
   void giveViewItsTool();
   void follow(Tool&);
+  void connectPicking();
 
   const ManipulatorRegistry& manipulators_;
   Session session_;

@@ -1,7 +1,9 @@
 // Tools of a page: one that the user has started, or the handles of the selected feature.
 #include "ui/page.h"
+#include "ui/property_panel.h"
 #include "ui/text.h"
 #include "ui/tools/measure_tool.h"
+#include "ui/tools/pick_tool.h"
 #include "ui/tools/section_tool.h"
 #include "ui/view_widget.h"
 
@@ -40,6 +42,21 @@ void DocumentPage::start(std::unique_ptr<Tool> started) {
 void DocumentPage::startMeasuring() { start(std::make_unique<MeasureTool>(*this, measurements_, view_)); }
 void DocumentPage::startSection() { start(std::make_unique<SectionTool>(*this, view_)); }
 
+void DocumentPage::connectPicking() {
+  const auto picking = [this] { return qobject_cast<PickTool*>(tool_.get()) != nullptr; };
+  connect(properties_, &PropertyPanel::pickWanted, this, [this](const PickRequest& request) {
+    auto tool = std::make_unique<PickTool>(*this, request);
+    connect(tool.get(), &PickTool::answered, properties_, &PropertyPanel::offerPick);
+    start(std::move(tool));
+  });
+  connect(properties_, &PropertyPanel::pickEnded, this, [this, picking] {
+    if (picking()) endTool();
+  });
+  connect(this, &DocumentPage::toolChanged, properties_, [this, picking] {
+    if (!picking() && properties_->wanted()) properties_->endPick();
+  });
+}
+
 bool DocumentPage::startDrawing(const std::string& featureType, const FeatureId& edited) {
   const ToolSpec* spec = manipulators_.toolFor(featureType);
   if (!spec) return false;
@@ -54,8 +71,9 @@ bool DocumentPage::startDrawing(const std::string& featureType, const FeatureId&
 void DocumentPage::endTool() {
   if (!tool_) return;
   view_->setTool(nullptr);
-  const std::unique_ptr<Tool> ended = std::move(tool_);
+  std::unique_ptr<Tool> ended = std::move(tool_);
   ended->revert();
+  ended.release()->deleteLater();  // it may still be on the stack
   refreshHandles();
   giveViewItsTool();
 }

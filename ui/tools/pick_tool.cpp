@@ -1,0 +1,41 @@
+#include "ui/tools/pick_tool.h"
+
+#include <algorithm>
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr double clickReach = 4;  // pixels that a click may wander; beyond, the camera is moved
+
+}  // namespace
+
+PickTool::PickTool(ToolHost& host, PickRequest request) : Tool(host), request_(std::move(request)) {}
+
+PickMode PickTool::picks() const {
+  if (request_.want == PickRequest::Want::Feature) return PickMode::Feature;
+  if (request_.want == PickRequest::Want::Point) return PickMode::Any;
+  if (request_.want == PickRequest::Want::Direction || request_.kind == SubShapeKind::Face) return PickMode::Face;
+  if (request_.kind == SubShapeKind::Edge) return PickMode::Edge;
+  return request_.kind == SubShapeKind::Vertex ? PickMode::Vertex : PickMode::Feature;
+}
+
+bool PickTool::suits(const Pick& pick) const {
+  const auto& features = request_.features;
+  return !pick.feature.empty() &&
+         (features.empty() || std::find(features.begin(), features.end(), pick.feature) != features.end());
+}
+
+// The camera takes the press too, so that the view can be turned while picking.
+bool PickTool::press(const ToolEvent& event) {
+  pressedAt_ = event.at;
+  return false;
+}
+
+bool PickTool::release(const ToolEvent& event) {
+  const bool clicked = event.button == Qt::LeftButton && (event.at - pressedAt_).manhattanLength() < clickReach;
+  if (clicked && suits(event.pick)) emit answered(event.pick);
+  return clicked;  // also what does not suit: selecting it would take the form away
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,27 @@
+#pragma once
+#include "ui/pick_request.h"
+#include "ui/tool.h"
+
+namespace blossom::ui {
+
+/// Clicks in the view answer a form that has asked for a feature, a part, a point or a direction.
+class PickTool : public Tool {
+  Q_OBJECT
+ public:
+  PickTool(ToolHost&, PickRequest);
+
+  [[nodiscard]] QString hint() const override { return request_.hint; }
+  [[nodiscard]] PickMode picks() const override;
+  bool press(const ToolEvent&) override;
+  bool release(const ToolEvent&) override;
+
+ signals:
+  void answered(const blossom::ui::Pick&);
+
+ private:
+  [[nodiscard]] bool suits(const Pick&) const;
+  PickRequest request_;
+  QPointF pressedAt_;
+};
+
+}  // namespace blossom::ui

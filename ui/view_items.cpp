@@ -106,11 +106,13 @@ void ViewItems::setSection(const std::optional<CutPlane>& cut) {
     clip_->SetNormal(kept.data());
   }
   if (!switched) return;
-  for (const auto& [id, shown] : shown_)
+  for (const auto& [id, shown] : shown_) {
     for (const auto& actor : shown.actors) {
       actor->GetMapper()->RemoveAllClippingPlanes();
       if (cut) actor->GetMapper()->AddClippingPlane(clip_);
     }
+    paint(id, shown);
+  }
 }
 
 vtkPlane* ViewItems::clip() const { return section_ ? clip_.Get() : nullptr; }
@@ -135,6 +137,20 @@ void ViewItems::paintFaces(vtkActor& actor, const Shown& shown, bool hovered) co
   else
     color = plain ? look_.surface : mixed(look_.surface, accent, made ? 0.92 : 0.55);
   setColor(actor, hovered ? mixed(color, plain ? look_.control : Color{1, 1, 1}, 0.2) : color);
+  fillCut(actor, shown, color);
+}
+
+// Who looks into a solid through the cut sees the inner sides of its faces; in one even colour they look like the filled
+// cut.
+void ViewItems::fillCut(vtkActor& actor, const Shown& shown, const Color& color) const {
+  if (!section_ || !shown.scene.solid) return actor.SetBackfaceProperty(nullptr);
+  const Color fill = mixed(color, look_.backgroundBottom, 0.38);
+  auto inner = vtkSmartPointer<vtkProperty>::New();
+  inner->SetColor(fill.red, fill.green, fill.blue);
+  inner->SetAmbient(1);
+  inner->SetDiffuse(0);
+  inner->SetSpecular(0);
+  actor.SetBackfaceProperty(inner);
 }
 
 void ViewItems::paintEdges(vtkActor& actor, const Shown& shown, bool hovered) const {

@@ -65,6 +65,7 @@ class ViewItems {
   void hide(Shown&);
   void paint(const FeatureId&, const Shown&) const;
   void paintFaces(vtkActor&, const Shown&, bool hovered) const;
+  void fillCut(vtkActor&, const Shown&, const Color&) const;
   void paintEdges(vtkActor&, const Shown&, bool hovered) const;
   void applyMode(const Shown&) const;
 

@@ -141,6 +141,13 @@ class ModelingExtrudeTest : public QObject {
     COMPARE_NEAR(sum, surfaceArea(box), 1e-8);
   }
 
+  void aClosingLineWithoutLengthIsNoCrossing() {
+    Path disc;
+    disc.closed = true;
+    disc.segments = {Arc2{{0, 0}, 2, 0, pi}, Arc2{{0, 0}, 2, pi, pi}, Line2{{2, -4.9e-16}, {2, 0}}};
+    COMPARE_NEAR(volume(made("extrude", {{"height", 1}}, {Region{{disc}}})), 4 * pi, 1e-9);
+  }
+
   void badOutlinesAreRefusedWithTheirPlace() {
     const Region bow{{polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}};
     VERIFY_REFUSED(refusal("extrude", {}, {bow}), ErrorCode::InvalidInput, "crosses itself near (5, 5)");

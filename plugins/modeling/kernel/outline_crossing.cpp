@@ -72,7 +72,11 @@ std::vector<Piece> piecesOf(const Path& path) {
   constexpr int deepest = 12;
   std::vector<Piece> pieces;
   for (const Segment& segment : path.segments)
-    for (const BezierPiece& curve : curvesOf(segment)) addPieces(curve, deepest, pieces);
+    for (const BezierPiece& curve : curvesOf(segment)) {
+      // The line that closes a rounded end is none: its neighbours follow each other.
+      const Box box = boxOf(curve);
+      if ((box.most - box.least).norm() > touching) addPieces(curve, deepest, pieces);
+    }
   return pieces;
 }
 

@@ -39,8 +39,15 @@ void DocumentPage::start(std::unique_ptr<Tool> started) {
   view_->setFocus();
 }
 
-void DocumentPage::startMeasuring() { start(std::make_unique<MeasureTool>(*this, measurements_, view_)); }
-void DocumentPage::startSection() { start(std::make_unique<SectionTool>(*this, view_)); }
+// The same command again puts the tool away.
+void DocumentPage::startMeasuring() {
+  if (dynamic_cast<MeasureTool*>(tool_.get())) return endTool();
+  start(std::make_unique<MeasureTool>(*this, measurements_, view_));
+}
+void DocumentPage::startSection() {
+  if (dynamic_cast<SectionTool*>(tool_.get())) return endTool();
+  start(std::make_unique<SectionTool>(*this, view_));
+}
 
 void DocumentPage::connectPicking() {
   const auto picking = [this] { return qobject_cast<PickTool*>(tool_.get()) != nullptr; };

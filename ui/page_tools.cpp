@@ -50,6 +50,7 @@ void DocumentPage::startSection() {
 }
 
 void DocumentPage::connectPicking() {
+  connect(view_, &ViewWidget::toolDismissed, this, &DocumentPage::endTool);
   const auto picking = [this] { return qobject_cast<PickTool*>(tool_.get()) != nullptr; };
   connect(properties_, &PropertyPanel::pickWanted, this, [this](const PickRequest& request) {
     auto tool = std::make_unique<PickTool>(*this, request);

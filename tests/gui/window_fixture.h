@@ -1,9 +1,11 @@
 #pragma once
 #include <QApplication>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <limits>
 #include <memory>
 
 #include "app/app.h"
@@ -11,6 +13,8 @@
 #include "ui/application.h"
 #include "ui/error_bar.h"
 #include "ui/main_window.h"
+#include "ui/parameter_field.h"
+#include "ui/property_panel.h"
 #include "ui/theme.h"
 #include "ui/view_widget.h"
 
@@ -60,6 +64,49 @@ class WindowFixture : public QObject {
   void openPropeller() {
     openAndWait(propeller());
     QVERIFY(!sweep().empty());
+  }
+
+  void waitUntilComputed() {
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating() && !window_->session().job().running(), 60000);
+  }
+
+  void run(const char* command) {
+    const Command* found = window_->commands().find(QLatin1String(command));
+    QVERIFY2(found, command);
+    found->action->trigger();
+  }
+
+  /// Types a value into a field of the panel, as a user does.
+  void edit(const char* parameter, const char* typed) {
+    ParameterField* const field = window_->properties().field(QLatin1String(parameter));
+    QVERIFY2(field, parameter);
+    auto* const line = field->findChild<QLineEdit*>();
+    QVERIFY2(line, parameter);
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, QLatin1String(typed));
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+
+  [[nodiscard]] FeatureId last() const { return window_->page().document().features().back()->id; }
+
+  /// A measure of a result by its name; NaN when there is none.
+  [[nodiscard]] double measureOf(const FeatureId& id, const char* name) const {
+    const auto view = window_->session().view(id);
+    if (view)
+      for (const Measure& measure : view->measures.values)
+        if (measure.name == name) {
+          if (const auto* number = std::get_if<double>(&measure.value)) return *number;
+          if (const auto* count = std::get_if<std::int64_t>(&measure.value)) return static_cast<double>(*count);
+        }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  [[nodiscard]] QPoint screenOf(const Vec3& p) const { return window_->view().camera().project(p).toPoint(); }
+  void moveTo(const Vec3& p) { QTest::mouseMove(&window_->view(), screenOf(p)); }
+  void clickAt(const Vec3& p, Qt::KeyboardModifiers modifiers = {}) {
+    moveTo(p);
+    QTest::mouseClick(&window_->view(), Qt::LeftButton, modifiers, screenOf(p));
   }
 
   /// Answers the next question by the button given; `asked` tells that there was one.

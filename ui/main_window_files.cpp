@@ -61,8 +61,13 @@ void MainWindow::openFiles(const QStringList& files) {
     else
       problems << problem;
   }
-  if (!problems.isEmpty())
-    errors().showError(tr("%1 of %2 files cannot be opened.").arg(problems.size()).arg(files.size()), problems.join(u'\n'));
+  if (problems.isEmpty()) return;
+  const auto tell = [shown = &page(), text = tr("%1 of %2 files cannot be opened.").arg(problems.size()).arg(files.size()),
+                     problems] { shown->errors().showError(text, problems.join(u'\n')); };
+  if (session().job().running())  // what is read now will start with a clean slate
+    connect(&page(), &DocumentPage::opened, this, tell, Qt::SingleShotConnection);
+  else
+    tell();
 }
 
 void MainWindow::chooseAndOpen() {

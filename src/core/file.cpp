@@ -29,6 +29,17 @@ void syncToDisk(const fs::path& path, int flags) {
               "Check that the folder exists, that you may write there and that the disk is not full.");
 }
 
+/// Renaming over it would work all the same, but is not what its owner wants.
+void refuseProtected(const fs::path& target) {
+  std::error_code ec;
+  const fs::perms mode = fs::status(target, ec).permissions();
+  constexpr fs::perms anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  if (ec || !fs::exists(target, ec)) return;
+  if ((mode & anyWrite) == fs::perms::none || ::access(target.c_str(), W_OK) != 0)
+    throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} is write-protected.", target.string()),
+                "Save under another name, or allow writing to it.");
+}
+
 /// Beside the target (rename must not cross file systems), with its extension (some writers look at it).
 fs::path temporaryBeside(const fs::path& target) {
   fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
@@ -36,7 +47,8 @@ fs::path temporaryBeside(const fs::path& target) {
   std::string pattern = (folder / ("." + target.stem().string() + "-XXXXXX" + suffix)).string();
   const int fd = ::mkstemps(pattern.data(), static_cast<int>(suffix.size()));
   if (fd < 0) cannotWrite(target, std::strerror(errno));
-  ::fchmod(fd, 0644);
+  struct stat existing {};
+  ::fchmod(fd, ::stat(target.c_str(), &existing) == 0 ? existing.st_mode & 07777 : 0644);
   ::close(fd);
   return pattern;
 }
@@ -64,9 +76,13 @@ std::string readFile(const fs::path& path) {
   return content;
 }
 
-void writeAtomically(const fs::path& target, const std::function<void(const fs::path&)>& write) {
+void writeAtomically(const fs::path& given, const std::function<void(const fs::path&)>& write) {
   std::error_code ec;
+  // A link stays a link: what it points to is replaced.
+  const fs::path resolved = fs::is_symlink(given, ec) ? fs::weakly_canonical(given, ec) : given;
+  const fs::path& target = resolved.empty() ? given : resolved;
   if (fs::is_directory(target, ec)) cannotWrite(target, "it is a folder");
+  refuseProtected(target);
   const fs::path temporary = temporaryBeside(target);
   try {
     write(temporary);

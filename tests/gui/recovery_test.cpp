@@ -31,6 +31,14 @@ std::int64_t monotonicMs() {
 
 std::string identity(const Document& document) { return contentHash(toJson(document)); }
 
+Document part(const std::string& name) {
+  Feature feature;
+  feature.id = "a";
+  feature.type = "test.part";
+  feature.name = name;
+  return Document().with(std::move(feature));
+}
+
 struct Place {
   explicit Place(const fs::path& folder)
       : recovery(folder / "recovery"), file(folder / "wheel.blossom"), log(folder / "states.txt") {}
@@ -243,7 +251,7 @@ void RecoveryTest::savedAndClosedNothingIsOffered() {
   Recovery::instance().start(place.recovery);
   {
     Session session(loadApp({}));
-    session.commit(Document().with({.id = "a", .type = "test.part", .name = "A"}), QStringLiteral("Add A"));
+    session.commit(part("A"), QStringLiteral("Add A"));
     bool saved = false;
     session.save(place.file, [&] { saved = true; });
     QTRY_VERIFY(saved);
@@ -256,7 +264,7 @@ void RecoveryTest::savedAndClosedNothingIsOffered() {
 
 void RecoveryTest::withoutSafetyCopiesNothingIsKept() {
   Session session(loadApp({}));
-  session.commit(Document().with({.id = "a", .type = "test.part", .name = "A"}), QStringLiteral("Add A"));
+  session.commit(part("A"), QStringLiteral("Add A"));
   QVERIFY(session.modified());
   QVERIFY(!Recovery::instance().newJournal({}));
 }

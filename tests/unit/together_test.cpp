@@ -1,0 +1,94 @@
+#include "geometry/together.h"
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+
+#include "geometry/measure.h"
+#include "support/support.h"
+
+using namespace blossom;
+
+namespace {
+
+Mesh tetrahedron(double x) {
+  Mesh mesh;
+  mesh.points = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
+  for (const auto& face : {std::array{0, 2, 1}, std::array{0, 1, 3}, std::array{1, 2, 3}, std::array{0, 3, 2}})
+    mesh.addFace(face);
+  return mesh;
+}
+
+Region square(double x, double size) {
+  Region region;
+  Path path;
+  path.closed = true;
+  const Vec2 corners[] = {{x, 0}, {x + size, 0}, {x + size, size}, {x, size}};
+  for (int i = 0; i < 4; ++i) path.segments.emplace_back(Line2{corners[i], corners[(i + 1) % 4]});
+  region.loops.push_back(path);
+  return region;
+}
+
+double valueOf(const Shape& shape, const std::string& name) {
+  for (const Measure& each : measure(shape, Progress::none()).values)
+    if (each.name == name)
+      return std::holds_alternative<double>(each.value) ? std::get<double>(each.value)
+                                                        : static_cast<double>(std::get<std::int64_t>(each.value));
+  return -1;
+}
+
+}  // namespace
+
+class TogetherTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void aSingleShapeStaysWhatItIs();
+  void meshesAreMeasuredAsTheirSum();
+  void solidsBecomeAnAssemblyWithNames();
+  void drawingsKeepEveryPath();
+  void drawingsBesideSolidsHaveAnExactForm();
+  void meshesBesideSolidsAreRefused();
+};
+
+void TogetherTest::aSingleShapeStaysWhatItIs() {
+  const Shape region = square(0, 2);
+  QCOMPARE(together({{"a", region}}).kind(), ShapeKind::Region);
+  QCOMPARE(kindTogether({ShapeKind::Motion}), ShapeKind::Motion);
+}
+
+void TogetherTest::meshesAreMeasuredAsTheirSum() {
+  const Shape all = together({{"a", tetrahedron(0)}, {"b", tetrahedron(5)}, {"c", tetrahedron(9)}});
+  COMPARE_NEAR(valueOf(all, "volume"), 3.0 / 6, 1e-12);
+  QCOMPARE(all.get<Mesh>()->faceCount(), std::size_t(12));
+  COMPARE_NEAR(valueOf(all, "components"), 3, 0);
+}
+
+void TogetherTest::solidsBecomeAnAssemblyWithNames() {
+  const Shape all = together({{"Box", Brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape())},
+                              {"Ball", Brep(BRepPrimAPI_MakeSphere(gp_Pnt(20, 0, 0), 2).Shape())}});
+  COMPARE_NEAR(valueOf(all, "volume"), 6 + 32 * M_PI / 3, 1e-9);
+  QCOMPARE(all.get<Brep>()->roots().size(), std::size_t(2));
+  QCOMPARE(all.get<Brep>()->roots()[1].name, std::string("Ball"));
+}
+
+void TogetherTest::drawingsKeepEveryPath() {
+  Curves open;
+  open.paths.push_back({{Line2{{0, 0}, {3, 4}}}, false, {}, {}});
+  const Shape all = together({{"a", square(0, 2)}, {"b", open}});
+  QCOMPARE(all.kind(), ShapeKind::Curves);
+  COMPARE_NEAR(valueOf(all, "length"), 8 + 5, 1e-12);
+}
+
+void TogetherTest::drawingsBesideSolidsHaveAnExactForm() {
+  const Shape all = together({{"a", square(10, 2)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}});
+  QCOMPARE(all.kind(), ShapeKind::Brep);
+  COMPARE_NEAR(valueOf(all, "area"), 4 + 6, 1e-9);
+}
+
+void TogetherTest::meshesBesideSolidsAreRefused() {
+  QCOMPARE(kindTogether({ShapeKind::Mesh, ShapeKind::Brep}), ShapeKind::None);
+  VERIFY_ERROR(together({{"a", tetrahedron(0)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}}),
+               ErrorCode::InvalidInput);
+}
+
+QTEST_GUILESS_MAIN(TogetherTest)
+#include "together_test.moc"

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdlib.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,17 +41,66 @@ void refuseProtected(const fs::path& target) {
                 "Save under another name, or allow writing to it.");
 }
 
-/// Beside the target (rename must not cross file systems), with its extension (some writers look at it).
-fs::path temporaryBeside(const fs::path& target) {
-  fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
-  const std::string suffix = target.extension().string();
-  std::string pattern = (folder / ("." + target.stem().string() + "-XXXXXX" + suffix)).string();
-  const int fd = ::mkstemps(pattern.data(), static_cast<int>(suffix.size()));
-  if (fd < 0) cannotWrite(target, std::strerror(errno));
-  struct stat existing {};
-  ::fchmod(fd, ::stat(target.c_str(), &existing) == 0 ? existing.st_mode & 07777 : 0644);
-  ::close(fd);
-  return pattern;
+fs::path folderOf(const fs::path& target) { return target.parent_path().empty() ? fs::path(".") : target.parent_path(); }
+
+/// Names that nobody else gives, so that leftovers may be removed.
+std::string temporaryPrefix(const fs::path& target) {
+  constexpr std::size_t longest = 160;  // bytes; a name has at most 255
+  return ".blossom-writing-" + target.stem().string().substr(0, longest) + "-";
+}
+
+/// Beside the target (rename must not cross file systems), with its extension (some writers look at it). Locked as long as
+/// somebody writes it.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const fs::path& target) {
+    const std::string suffix = target.extension().string();
+    std::string pattern = (folderOf(target) / (temporaryPrefix(target) + "XXXXXX" + suffix)).string();
+    fd_ = ::mkostemps(pattern.data(), static_cast<int>(suffix.size()), O_CLOEXEC);
+    if (fd_ < 0) cannotWrite(target, std::strerror(errno));
+    path_ = pattern;
+    struct stat existing {};
+    ::fchmod(fd_, ::stat(target.c_str(), &existing) == 0 ? existing.st_mode & 07777 : 0644);
+    ::flock(fd_, LOCK_EX | LOCK_NB);
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    if (!moved_) fs::remove(path_, ignored);
+    ::close(fd_);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+  void moveTo(const fs::path& target) {
+    std::error_code ec;
+    fs::rename(path_, target, ec);
+    if (ec) cannotWrite(target, ec.message());
+    moved_ = true;
+  }
+
+ private:
+  fs::path path_;
+  int fd_ = -1;
+  bool moved_ = false;
+};
+
+/// What writers of the same target left when they were killed.
+void removeLeftovers(const fs::path& target) {
+  const std::string prefix = temporaryPrefix(target);
+  std::error_code ec;
+  for (fs::directory_iterator it(folderOf(target), ec), end; !ec && it != end; it.increment(ec)) {
+    const std::string name = it->path().filename().string();
+    const std::string suffix = target.extension().string();
+    const std::size_t length = prefix.size() + 6 + suffix.size();  // some writers make a ".XXXXXX" of their own beside it
+    if (!name.starts_with(prefix) || (name.size() != length && name.size() != length + 7)) continue;
+    if (name.compare(prefix.size() + 6, suffix.size(), suffix) != 0) continue;
+    const int fd = ::open(it->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (fd < 0) continue;
+    std::error_code ignored;
+    if (::flock(fd, LOCK_EX | LOCK_NB) == 0) fs::remove(it->path(), ignored);
+    ::close(fd);
+  }
 }
 
 }  // namespace
@@ -83,18 +133,12 @@ void writeAtomically(const fs::path& given, const std::function<void(const fs::p
   const fs::path& target = resolved.empty() ? given : resolved;
   if (fs::is_directory(target, ec)) cannotWrite(target, "it is a folder");
   refuseProtected(target);
-  const fs::path temporary = temporaryBeside(target);
-  try {
-    write(temporary);
-    syncToDisk(temporary, O_RDONLY);
-    fs::rename(temporary, target, ec);
-    if (ec) cannotWrite(target, ec.message());
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
-  }
-  syncToDisk(target.parent_path().empty() ? fs::path(".") : target.parent_path(), O_RDONLY | O_DIRECTORY);
+  TemporaryFile temporary(target);
+  write(temporary.path());
+  syncToDisk(temporary.path(), O_RDONLY);
+  temporary.moveTo(target);
+  syncToDisk(folderOf(target), O_RDONLY | O_DIRECTORY);
+  removeLeftovers(target);
 }
 
 void writeAtomically(const fs::path& target, std::string_view content) {

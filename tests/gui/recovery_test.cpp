@@ -189,7 +189,7 @@ void RecoveryTest::oneRound(Random& random, int round) {
   QVERIFY(killed > 0);
   const States states(place.log);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.path().toStdString()))
-    if (entry.path().filename().string().starts_with(".wheel-")) {
+    if (entry.path().filename().string().starts_with(".blossom-writing-wheel-")) {
       ++killedWhileSaving_;
       break;
     }

@@ -95,7 +95,8 @@ void MainWindow::buildViewMenu() {
       [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });
   commands_.action("view.grid")->setChecked(true);
   menu->addSeparator();
-  viewCommands_ = new ViewCommands(commands_, [this]() -> DocumentPage& { return page(); }, this);
+  viewCommands_ = new ViewCommands(
+      commands_, [this]() -> DocumentPage& { return page(); }, this);
   viewCommands_->addTo(*menu, *menuBar()->addMenu(tr("&Select")));
   menu->addSeparator();
   logAndJobs_ = new LogAndJobs(*this, commands_);
@@ -152,12 +153,12 @@ void MainWindow::refreshActions() {
   setWindowTitle(QStringLiteral("%1[*] – Blossom").arg(shown.title()));
   setWindowModified(shown.modified());
   documentCommands_->refresh();
-  const auto enable = [&](bool on, const std::vector<const char*>& ids) {
-    for (const char* id : ids) commands_.action(QLatin1String(id))->setEnabled(on);
-  };
-  const bool something = !shown.document().features().empty();
-  enable(something, {"file.export", "file.save-as"});
-  enable(something && (shown.modified() || shown.file().empty()), {"file.save"});
+  const bool something = !shown.document().features().empty(), unsaved = shown.modified() || shown.file().empty();
+  const QString empty = tr("The document is empty.");
+  commands_.setEnabled(QStringLiteral("file.export"), something, empty);
+  commands_.setEnabled(QStringLiteral("file.save-as"), something, empty);
+  commands_.setEnabled(QStringLiteral("file.save"), something && unsaved,
+                       something ? tr("Nothing has changed since it was saved.") : empty);
   commands_.action(QStringLiteral("view.parallel"))->setChecked(view().parallel());
   viewCommands_->refresh();
 }

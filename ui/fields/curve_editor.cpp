@@ -165,9 +165,10 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
 void CurveEditor::add(const QPointF& pixels) {
   QPointF p = toValues(pixels);
   p.setX(std::clamp(p.x(), view_.left(), view_.right()));
-  const auto place =
-      std::upper_bound(points_.begin(), points_.end(), p.x(), [](double t, const QPointF& q) { return t < q.x(); });
-  const int index = static_cast<int>(points_.insert(place, p) - points_.begin());
+  const auto later = [](double t, const QPointF& other) { return t < other.x(); };
+  const auto place = std::upper_bound(points_.begin(), points_.end(), p.x(), later);
+  const int index = static_cast<int>(place - points_.begin());
+  points_.insert(place, p);
   points_[static_cast<std::size_t>(index)] = confined(p, index);
   choose(index);
   emit dragged(points_);

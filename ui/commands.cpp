@@ -23,7 +23,10 @@ QAction* Commands::add(const CommandSpec& spec, std::function<void()> go) {
   action->setIconText(QString(spec.text).remove(u'&').remove(u'…'));
   action->setCheckable(spec.checkable);
   connect(action, &QAction::triggered, this, std::move(go));
-  connect(action, &QAction::hovered, this, [this, help = spec.help] { emit hint(help); });
+  connect(action, &QAction::hovered, this, [this, id = spec.id] {
+    const Command* command = find(id);
+    if (command) emit hint(command->whyNot.isEmpty() ? command->help : command->help + u' ' + command->whyNot);
+  });
   window_->addAction(action);  // its keys work wherever it is shown, and where it is not
   commands_.push_back({spec.id, spec.group, spec.icon, action, spec.keys, spec.help, {}});
   const QSettings settings;

@@ -61,6 +61,7 @@ const char* iconColor(const QModelIndex& index, bool selected) {
 QRect DocumentDelegate::eyeRect(const QRect& row) { return {row.right() - 34, row.top() + rowHeight / 2 - 10, 18, 18}; }
 
 QSize DocumentDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  if (!index.data(DocumentModel::FailedRole).toBool()) return {120, rowHeight};
   const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
   const QFont font = stateFont(option.font);
   const int width = (view ? view->viewport()->width() : option.rect.width()) - textLeft - textRight;

@@ -46,7 +46,7 @@ DocumentModel::DocumentModel(Session& session, QObject* parent) : QAbstractListM
   connect(&session, &Session::documentChanged, this, &DocumentModel::refresh);
   connect(&session, &Session::evaluationStarted, this, [this] {
     arrived_.clear();
-    if (!patience_.isActive()) patience_.start();
+    if (!std::exchange(running_, true)) patience_.start();  // an edit during a drag does not begin the wait anew
   });
   connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
     arrived_.insert(feature.toStdString());
@@ -54,6 +54,7 @@ DocumentModel::DocumentModel(Session& session, QObject* parent) : QAbstractListM
     if (index.isValid()) emit dataChanged(index, index);
   });
   connect(&session, &Session::evaluationFinished, this, [this] {
+    running_ = false;
     patience_.stop();
     refreshState();
   });

@@ -55,7 +55,8 @@ class DocumentModel : public QAbstractListModel {
   Session& session_;
   std::vector<std::shared_ptr<const Feature>> rows_;
   std::set<FeatureId> arrived_;  // results of the evaluation under way
-  QTimer patience_;              // what is computed at once is not said to be computing
+  bool running_ = false;
+  QTimer patience_;  // what is computed at once is not said to be computing
 };
 
 }  // namespace blossom::ui

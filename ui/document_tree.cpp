@@ -28,11 +28,11 @@ DocumentTree::DocumentTree(Session& session, QWidget* parent)
   setDefaultDropAction(Qt::MoveAction);
   setAccessibleName(tr("Document"));
   viewport()->setAttribute(Qt::WA_Hover);
-  connect(model_, &QAbstractItemModel::layoutChanged, this, &DocumentTree::applyFilter);
-  connect(model_, &QAbstractItemModel::rowsInserted, this, &DocumentTree::applyFilter);
+  connect(model_, &QAbstractItemModel::layoutChanged, this, [this] { applyFilter(); });
+  connect(model_, &QAbstractItemModel::rowsInserted, this, [this] { applyFilter(); });
   // A state may take more lines than the one before.
-  connect(model_, &QAbstractItemModel::dataChanged, this, [this] {
-    applyFilter();
+  connect(model_, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex& first, const QModelIndex& last) {
+    applyFilter(first.row(), last.row());
     scheduleDelayedItemsLayout();
   });
 }
@@ -83,11 +83,16 @@ void DocumentTree::selectAll() {
 
 void DocumentTree::setFilter(const QString& text) {
   filter_ = text.split(u' ', Qt::SkipEmptyParts);
+  filtered_ = true;  // what is hidden may have to come back
   applyFilter();
+  filtered_ = !filter_.isEmpty();
 }
 
-void DocumentTree::applyFilter() {
-  for (int row = 0; row < model_->rowCount(); ++row) {
+void DocumentTree::applyFilter() { applyFilter(0, model_->rowCount() - 1); }
+
+void DocumentTree::applyFilter(int first, int last) {
+  if (!filtered_) return;
+  for (int row = first; row <= last; ++row) {
     const QModelIndex index = model_->index(row);
     const auto text = [&](int role) { return index.data(role).toString() + u'\n'; };
     const auto mark = [&](int role, const QString& word) { return index.data(role).toBool() ? word + u'\n' : QString(); };

@@ -71,10 +71,12 @@ class DocumentTree : public QListView {
   void suppress(const std::vector<FeatureId>&, bool);
   void addCopies(const Document& clip, const std::vector<FeatureId>& wanted, const QString& one, const QString& several);
   void applyFilter();
+  void applyFilter(int first, int last);
 
   Session& session_;
   DocumentModel* model_;
   QStringList filter_;
+  bool filtered_ = false;
   std::map<FeatureId, bool> beforeIsolation_;
 };
 

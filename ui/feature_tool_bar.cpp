@@ -43,6 +43,7 @@ FeatureToolBar::FeatureToolBar(const FeatureMenus& menus, QWidget* parent) : QWi
     group.rest->setAccessibleName(source.title);
     group.rest->setPopupMode(QToolButton::InstantPopup);
     group.rest->setMenu(source.menu);
+    group.rest->installEventFilter(this);
     group.line = new QFrame(this);
     group.line->setObjectName(QStringLiteral("groupLine"));
     groups_.push_back(std::move(group));
@@ -114,6 +115,11 @@ void FeatureToolBar::arrange() {
 void FeatureToolBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   arrange();
+}
+
+bool FeatureToolBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Enter) emit hint(static_cast<QWidget*>(watched)->toolTip());
+  return QWidget::eventFilter(watched, event);
 }
 
 // Fonts and paddings come with the style sheet, after the buttons were made.

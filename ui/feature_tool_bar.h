@@ -18,7 +18,11 @@ class FeatureToolBar : public QWidget {
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
+ signals:
+  void hint(const QString&);
+
  protected:
+  bool eventFilter(QObject*, QEvent*) override;
   void resizeEvent(QResizeEvent*) override;
   bool event(QEvent*) override;
 

@@ -6,6 +6,9 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "scene/shading.h"
 
 namespace blossom::ui {
 
@@ -52,11 +55,9 @@ std::vector<FeatureId> ViewItems::set(const std::vector<ViewItem>& items) {
 
 void ViewItems::show(Shown& shown) {
   shown.actors = makeActors(shown.scene, look_);
-  for (const auto& actor : shown.actors) {
-    if (section_) actor->GetMapper()->AddClippingPlane(clip_);
-    renderer_->AddActor(actor);
-  }
+  for (const auto& actor : shown.actors) renderer_->AddActor(actor);
   applyMode(shown);
+  applySection(shown);
 }
 
 void ViewItems::hide(Shown& shown) {
@@ -71,7 +72,10 @@ void ViewItems::setLook(const Look& look) {
 
 void ViewItems::setDisplayMode(DisplayMode mode) {
   mode_ = mode;
-  for (const auto& [id, shown] : shown_) applyMode(shown);
+  for (const auto& [id, shown] : shown_) {
+    applyMode(shown);
+    applyCulling(shown);
+  }
 }
 
 void ViewItems::applyMode(const Shown& shown) const {
@@ -106,13 +110,42 @@ void ViewItems::setSection(const std::optional<CutPlane>& cut) {
     clip_->SetNormal(kept.data());
   }
   if (!switched) return;
-  for (const auto& [id, shown] : shown_) {
-    for (const auto& actor : shown.actors) {
-      actor->GetMapper()->RemoveAllClippingPlanes();
-      if (cut) actor->GetMapper()->AddClippingPlane(clip_);
-    }
-    paint(id, shown);
+  for (const auto& [id, shown] : shown_) applySection(shown);
+}
+
+void ViewItems::applySection(const Shown& shown) const {
+  for (const auto& actor : shown.actors) {
+    actor->GetMapper()->RemoveAllClippingPlanes();
+    if (section_) actor->GetMapper()->AddClippingPlane(clip_);
+    if (roleOf(actor) == ActorRole::Faces && !shown.scene.planar) shadeFaces(*actor, section_ && shown.scene.solid);
   }
+  applyCulling(shown);
+}
+
+void ViewItems::setCulling(bool culling) {
+  if (culling == culling_) return;
+  culling_ = culling;
+  for (const auto& [id, shown] : shown_) applyCulling(shown);
+}
+
+// A cut opens the view on the far sides.
+void ViewItems::applyCulling(const Shown& shown) const {
+  for (const auto& actor : shown.actors)
+    if (roleOf(actor) == ActorRole::Faces)
+      actor->GetProperty()->SetBackfaceCulling(culling_ && shown.scene.solid && !section_ &&
+                                               mode_ != DisplayMode::Wireframe);
+}
+
+void ViewItems::placeCaps(vtkCamera& camera, double aspect, double millimetresPerPixel) const {
+  if (!section_) return;
+  const double spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
+  for (const auto& [id, shown] : shown_)
+    for (const auto& actor : shown.actors) {
+      if (!shown.scene.solid || roleOf(actor) != ActorRole::Faces) continue;
+      const double* c = actor->GetProperty()->GetColor();
+      const Color fill = mixed({c[0], c[1], c[2]}, look_.backgroundBottom, 0.35);
+      placeCap(*actor, *section_, {fill, mixed(fill, {c[0], c[1], c[2]}, 0.55), spacing}, camera, aspect);
+    }
 }
 
 vtkPlane* ViewItems::clip() const { return section_ ? clip_.Get() : nullptr; }
@@ -137,20 +170,6 @@ void ViewItems::paintFaces(vtkActor& actor, const Shown& shown, bool hovered) co
   else
     color = plain ? look_.surface : mixed(look_.surface, accent, made ? 0.92 : 0.55);
   setColor(actor, hovered ? mixed(color, plain ? look_.control : Color{1, 1, 1}, 0.2) : color);
-  fillCut(actor, shown, color);
-}
-
-// Who looks into a solid through the cut sees the inner sides of its faces; in one even colour they look like the filled
-// cut.
-void ViewItems::fillCut(vtkActor& actor, const Shown& shown, const Color& color) const {
-  if (!section_ || !shown.scene.solid) return actor.SetBackfaceProperty(nullptr);
-  const Color fill = mixed(color, look_.backgroundBottom, 0.38);
-  auto inner = vtkSmartPointer<vtkProperty>::New();
-  inner->SetColor(fill.red, fill.green, fill.blue);
-  inner->SetAmbient(1);
-  inner->SetDiffuse(0);
-  inner->SetSpecular(0);
-  actor.SetBackfaceProperty(inner);
 }
 
 void ViewItems::paintEdges(vtkActor& actor, const Shown& shown, bool hovered) const {

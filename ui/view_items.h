@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "ui/tool.h"
 
+class vtkCamera;
 class vtkPlane;
 class vtkRenderer;
 
@@ -39,6 +40,10 @@ class ViewItems {
   void setLook(const Look&);  ///< with widths in device pixels
   void setDisplayMode(DisplayMode);
   [[nodiscard]] DisplayMode displayMode() const { return mode_; }
+  /// Leaves out the far sides of closed shapes, which nobody sees: half the work.
+  void setCulling(bool);
+  /// To be called before each frame. @param millimetresPerPixel in the plane of the section
+  void placeCaps(vtkCamera&, double aspect, double millimetresPerPixel) const;
   void setHovered(const FeatureId&);  ///< lights up as a whole; empty: none
   void setSection(const std::optional<CutPlane>&);
   /// What everything that follows the section is clipped by; nullptr: there is none.
@@ -65,15 +70,17 @@ class ViewItems {
   void hide(Shown&);
   void paint(const FeatureId&, const Shown&) const;
   void paintFaces(vtkActor&, const Shown&, bool hovered) const;
-  void fillCut(vtkActor&, const Shown&, const Color&) const;
   void paintEdges(vtkActor&, const Shown&, bool hovered) const;
   void applyMode(const Shown&) const;
+  void applySection(const Shown&) const;
+  void applyCulling(const Shown&) const;
 
   vtkRenderer* renderer_;
   std::map<FeatureId, Shown> shown_;
   Look look_ = Look::dark();
   DisplayMode mode_ = DisplayMode::ShadedWithEdges;
   FeatureId hovered_;
+  bool culling_ = false;
   std::optional<CutPlane> section_;
   vtkSmartPointer<vtkPlane> clip_;
 };

@@ -107,6 +107,9 @@ void ViewWidget::paintGL() {
   grid_.follow(camera_.target(), camera_.millimetresPerPixel(), std::max(width(), height()), look_);
   renderer_->ResetCameraClippingRange();
   keepGridInSight();
+  items_.setCulling(!sharp_);
+  items_.placeCaps(*renderer_->GetActiveCamera(), static_cast<double>(width()) / std::max(1, height()),
+                   camera_.millimetresPerPixel());
   window_->SetMultiSamples(sharp_ ? samplesAtRest : 0);
   window_->Render();
   auto* gl = context()->extraFunctions();

@@ -7,6 +7,7 @@
 #include <vtkRenderer.h>
 
 #include "scene/scene.h"
+#include "scene/shading.h"
 
 namespace blossom {
 
@@ -49,7 +50,7 @@ ActorPtr faceActor(const SceneData& data, const Look& look) {
   property.SetAmbient(0.10);
   property.SetDiffuse(0.86);
   property.SetSpecular(0.28);
-  property.SetSpecularPower(36);
+  shadeFaces(*actor, false);
   return actor;
 }
 
@@ -71,6 +72,7 @@ ActorPtr pointActor(const SceneData& data, const Look& look) {
   return actor;
 }
 
+// Written out once more in shading.cpp.
 // Lights hang on the camera: whatever way a shape is turned, its form is told by light from the upper left.
 void addLight(vtkRenderer& renderer, double x, double y, double z, double intensity, const Color& color) {
   auto light = vtkSmartPointer<vtkLight>::New();

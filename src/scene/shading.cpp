@@ -1,0 +1,98 @@
+#include "scene/shading.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <string>
+
+namespace blossom {
+
+namespace {
+
+// Directions and colours (times intensity) as in setUpRenderer. Specular power 32 by squaring.
+const char* const lights = R"(
+  vec3 blossomNormal = normalVCVSOutput;
+  vec3 blossomBack = reflect(normalize(vertexVC.xyz), blossomNormal);
+  const vec3 blossomKey = vec3(-0.428353, 0.471188, 0.771035), blossomHead = vec3(0.098387, -0.147580, 0.984145),
+             blossomFill = vec3(0.870063, 0.096674, 0.483368), blossomRim = vec3(0.314970, 0.494953, -0.809924);
+  vec4 blossomLit = max(vec4(0.0), vec4(dot(blossomNormal, blossomKey), dot(blossomNormal, blossomHead),
+                                        dot(blossomNormal, blossomFill), dot(blossomNormal, blossomRim)));
+  vec4 blossomShine = max(vec4(0.0), vec4(dot(blossomBack, blossomKey), dot(blossomBack, blossomHead),
+                                          dot(blossomBack, blossomFill), dot(blossomBack, blossomRim)));
+  blossomShine *= blossomShine; blossomShine *= blossomShine; blossomShine *= blossomShine;
+  blossomShine *= blossomShine; blossomShine *= blossomShine;
+  const mat4x3 blossomLights = mat4x3(0.72, 0.702, 0.6768, 0.36, 0.3564, 0.3528, 0.252, 0.266, 0.28, 0.276, 0.288, 0.30);
+  fragOutput0 = vec4(ambientColor + diffuseColor * (blossomLights * blossomLit) +
+                     specularColor * (blossomLights * blossomShine), opacity);
+)";
+
+// The far side of a closed shape is only seen through the cut: there the sight line enters the material.
+const char* const cap = R"(
+  gl_FragDepth = gl_FragCoord.z;
+  if (!gl_FrontFacing) {
+    vec3 capFrom = capDepth.z > 0.5 ? vec3(vertexVC.xy, 0.0) : vec3(0.0);
+    vec3 capAlong = vertexVC.xyz - capFrom;
+    float capAt = (capPlane.w - dot(capPlane.xyz, capFrom)) / dot(capPlane.xyz, capAlong);
+    if (capAt > 0.0 && capAt < 1.0) {
+      vec3 capPoint = capFrom + capAt * capAlong;
+      float capZ = (capDepth.x * capPoint.z + capDepth.y) / (capDepth.z > 0.5 ? 1.0 : -capPoint.z);
+      gl_FragDepth = 0.5 * capZ + 0.5;
+      float capLine = dot(capAcross.xyz, capPoint) + capAcross.w;
+      float capWidth = fwidth(capLine) * 0.6;
+      float capNear = abs(fract(capLine) - 0.5);
+      fragOutput0 = vec4(mix(capFill, capHatch, 1.0 - smoothstep(capWidth, 2.0 * capWidth, capNear)), 1.0);
+    }
+  }
+)";
+
+Vec3 turnedToEye(const vtkMatrix4x4& view, const Vec3& d) {
+  Vec3 result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = view.GetElement(i, 0) * d.x() + view.GetElement(i, 1) * d.y() + view.GetElement(i, 2) * d.z();
+  return result;
+}
+
+void setUniform(vtkUniforms& uniforms, const char* name, const Vec3& v, double w) {
+  const std::array<float, 4> values{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
+                                    static_cast<float>(w)};
+  uniforms.SetUniform4f(name, values.data());
+}
+
+void setUniform(vtkUniforms& uniforms, const char* name, const Color& color) {
+  const std::array<float, 3> values{static_cast<float>(color.red), static_cast<float>(color.green),
+                                    static_cast<float>(color.blue)};
+  uniforms.SetUniform3f(name, values.data());
+}
+
+}  // namespace
+
+void shadeFaces(vtkActor& actor, bool capped) {
+  vtkShaderProperty& shader = *actor.GetShaderProperty();
+  shader.ClearAllFragmentShaderReplacements();
+  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true, std::string(lights) + (capped ? cap : ""), false);
+  if (!capped) shader.GetFragmentCustomUniforms()->RemoveAllUniforms();
+}
+
+void placeCap(vtkActor& actor, const CutPlane& cut, const CapLook& look, vtkCamera& camera, double aspect) {
+  vtkUniforms& uniforms = *actor.GetShaderProperty()->GetFragmentCustomUniforms();
+  const vtkMatrix4x4& view = *camera.GetModelViewTransformMatrix();
+  const vtkMatrix4x4& projection = *camera.GetProjectionTransformMatrix(aspect, -1, 1);
+  Vec3 eye;
+  camera.GetPosition(eye.data());
+  setUniform(uniforms, "capPlane", turnedToEye(view, cut.normal), -cut.height(eye));
+  // Lines at 45 degrees to the axes of the plane.
+  const Vec3 a = (std::abs(cut.normal.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).cross(cut.normal).normalized();
+  const Vec3 across = (a + cut.normal.cross(a)).normalized() / look.spacing;
+  setUniform(uniforms, "capAcross", turnedToEye(view, across), across.dot(eye));
+  setUniform(uniforms, "capDepth",
+             {projection.GetElement(2, 2), projection.GetElement(2, 3), camera.GetParallelProjection() ? 1.0 : 0.0}, 0);
+  setUniform(uniforms, "capFill", look.fill);
+  setUniform(uniforms, "capHatch", look.hatch);
+}
+
+}  // namespace blossom

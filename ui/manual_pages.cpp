@@ -18,7 +18,9 @@ namespace blossom::ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Manual", text); }
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(Manual)
+};
 
 const QString indexName = QStringLiteral("index.md");
 const QString keysMark = QStringLiteral("<!-- keys -->");          // in keyboard.md: where the table goes
@@ -52,7 +54,7 @@ std::vector<ManualPage> writtenPages() {
   auto order = orderOf(texts.value(indexName));
   QStringList rest = texts.keys();
   rest.sort();
-  for (const QString& name : rest) order.emplace_back(name, tr("More"));
+  for (const QString& name : rest) order.emplace_back(name, Texts::tr("More"));
   std::vector<ManualPage> pages;
   for (const auto& [name, group] : order) {
     if (!texts.contains(name)) continue;
@@ -66,8 +68,8 @@ QString pluginTitle(const App& app, const std::string& featureId) {
   for (const LoadedPlugin& plugin : app.plugins)
     if (std::find(plugin.manifest.features.begin(), plugin.manifest.features.end(), featureId) !=
         plugin.manifest.features.end())
-      return tr("Reference: %1").arg(qt(plugin.manifest.title));
-  return tr("Reference: built in");
+      return Texts::tr("Reference: %1").arg(qt(plugin.manifest.title));
+  return Texts::tr("Reference: built in");
 }
 
 std::vector<ManualPage> referencePages(const App& app) {
@@ -154,7 +156,8 @@ QString keyTable(const Commands& commands) {
   for (const Command& command : commands.all()) {
     if (command.action->shortcuts().isEmpty()) continue;
     if (command.group != group)
-      table += QStringLiteral("\n## %1\n\n| %2 | %3 | |\n|---|---|---|\n").arg(command.group, tr("Command"), tr("Keys"));
+      table += QStringLiteral("\n## %1\n\n| %2 | %3 | |\n|---|---|---|\n")
+                   .arg(command.group, Texts::tr("Command"), Texts::tr("Keys"));
     group = command.group;
     QStringList keys;
     for (const QKeySequence& sequence : command.action->shortcuts())

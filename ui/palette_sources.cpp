@@ -17,7 +17,9 @@ namespace blossom::ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("blossom::ui::CommandPalette", text); }
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::CommandPalette)
+};
 
 QString withoutMnemonic(QString text) { return text.remove(QStringLiteral("&&")).remove(u'&'); }
 
@@ -66,9 +68,9 @@ PaletteSource fileEntries(std::function<void(const QString&)> open) {
       entry.go = [open, file] { open(file); };
       entries.push_back(std::move(entry));
     };
-    for (const QString& file : sampleFiles()) add("sample:", tr("Sample"), "samples", file);
+    for (const QString& file : sampleFiles()) add("sample:", Texts::tr("Sample"), "samples", file);
     for (const RecentFile& each : RecentFiles::instance().list())
-      if (!each.missing) add("recent:", tr("Recent"), "recent", each.file);
+      if (!each.missing) add("recent:", Texts::tr("Recent"), "recent", each.file);
     return entries;
   };
 }
@@ -82,7 +84,7 @@ PaletteSource featureEntries(std::function<DocumentPage&()> page) {
       const QString id = index.data(DocumentModel::IdRole).toString();
       PaletteEntry entry;
       entry.id = QStringLiteral("go-to:") + id;
-      entry.group = tr("Go to");
+      entry.group = Texts::tr("Go to");
       entry.icon = index.data(DocumentModel::IconRole).toString();
       entry.text = index.data().toString();
       entry.help = index.data(DocumentModel::TypeRole).toString() + QStringLiteral(" · ") +
@@ -101,7 +103,7 @@ PaletteSource manualEntries(std::function<ManualPages()> read, std::function<voi
     for (const ManualPage& page : (*pages)->all()) {
       PaletteEntry entry;
       entry.id = QStringLiteral("manual:") + page.name;
-      entry.group = tr("Manual");
+      entry.group = Texts::tr("Manual");
       entry.icon = QStringLiteral("manual");
       entry.text = page.title;
       entry.help = page.group;

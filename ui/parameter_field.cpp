@@ -46,11 +46,12 @@ QLabel* hiddenLine(const char* name) {
 
 }  // namespace
 
-QString FieldContext::nameOf(const Value& subShape) const {
+QString FieldContext::nameOf(const Value& subShape, bool brief) const {
   if (!subShape.is_object()) return {};
   const std::string input = subShape.value("input", std::string());
   const QString part =
       sentenceCase(qt(subShape.value("kind", std::string()))) + u' ' + QString::number(subShape.value("index", -1));
+  if (brief && sources.size() <= 1) return part;
   for (const Source& source : sources)
     if (source.input == input) return ParameterField::tr("%1 of %2").arg(part, source.name);
   return input.empty() ? part : ParameterField::tr("%1 of %2").arg(part, qt(input));
@@ -61,7 +62,7 @@ ParameterField::ParameterField(ParameterSpec spec, Context context, QWidget* par
       spec_(std::move(spec)),
       context_(context ? std::move(context) : std::make_shared<const FieldContext>()),
       grid_(new QGridLayout(this)),
-      caption_(new FieldLabel(sentenceCase(qt(label(spec_))))),
+      caption_(new FieldLabel(shownLabel(spec_))),
       note_(hiddenLine("note")),
       problem_(hiddenLine("fieldError")),
       reset_(new QToolButton(this)) {
@@ -87,7 +88,7 @@ ParameterField::ParameterField(ParameterSpec spec, Context context, QWidget* par
 
 void ParameterField::setEditor(QWidget* editor) {
   editor_ = editor;
-  editor->setAccessibleName(sentenceCase(qt(label(spec_))));
+  editor->setAccessibleName(shownLabel(spec_));
   editor->setAccessibleDescription(qt(spec_.help));
   editor->setToolTip(qt(spec_.help));
   caption_->setBuddy(editor);
@@ -96,7 +97,8 @@ void ParameterField::setEditor(QWidget* editor) {
 
 void ParameterField::setWideEditor(QWidget* editor, QWidget* corner) {
   editor_ = editor;
-  editor->setAccessibleName(sentenceCase(qt(label(spec_))));
+  corner_ = corner;
+  editor->setAccessibleName(shownLabel(spec_));
   editor->setAccessibleDescription(qt(spec_.help));
   caption_->setBuddy(editor);
   if (corner) grid_->addWidget(corner, 0, 1, Qt::AlignRight);
@@ -107,6 +109,8 @@ void ParameterField::hideLabel() {
   labelled_ = false;
   caption_->hide();
   reset_->hide();
+  grid_->setHorizontalSpacing(corner_ ? 2 : 0);
+  if (corner_) grid_->addWidget(corner_, 1, 2, Qt::AlignTop);  // beside the editor: there is no line above it any more
 }
 
 void ParameterField::indentLabel(int pixels) { caption_->setFixedWidth(labelWidth - pixels); }
@@ -202,8 +206,7 @@ void ParameterField::resizeEvent(QResizeEvent*) { reset_->move(caption_->maximum
 
 void ParameterField::enterEvent(QEnterEvent*) {
   refreshMarks();
-  emit hint(QStringLiteral("%1: %2 %3")
-                .arg(sentenceCase(qt(label(spec_))), qt(spec_.help), sentenceCase(qt(describe(spec_))) + u'.'));
+  emit hint(QStringLiteral("%1: %2 %3").arg(shownLabel(spec_), qt(spec_.help), sentenceCase(qt(describe(spec_))) + u'.'));
 }
 
 void ParameterField::leaveEvent(QEvent*) { reset_->hide(); }
@@ -245,5 +248,11 @@ QString displayText(const ParameterSpec& spec, const Value& value) {
   if (spec.kind == ParameterKind::File && value.is_object()) return qt(value.value("path", std::string())).section(u'/', -1);
   return qt(formatText(spec, value));
 }
+
+QString shownLabel(const ParameterSpec& spec) {
+  return sentenceCase(QCoreApplication::translate("Parameter", label(spec).c_str()));
+}
+
+QString shownChoice(const std::string& name) { return QCoreApplication::translate("Parameter", name.c_str()); }
 
 }  // namespace blossom::ui

@@ -26,8 +26,8 @@ struct FieldContext {
   bool picking = false;
   std::vector<Source> sources;  ///< the shapes whose faces, edges and vertices may be named
 
-  /// "Face 3 of Base"; counted from 1.
-  [[nodiscard]] QString nameOf(const Value& subShape) const;
+  /// "Face 3 of Base"; brief: "Face 3" where there is only one shape that it can be of.
+  [[nodiscard]] QString nameOf(const Value& subShape, bool brief = false) const;
 };
 
 /// One parameter in a form, made from its declaration: label, editor for its kind, and room for what is wrong with the
@@ -103,6 +103,7 @@ class ParameterField : public QWidget {
   QGridLayout* grid_;
   FieldLabel* caption_;
   QWidget* editor_ = nullptr;
+  QWidget* corner_ = nullptr;
   QLabel* note_;
   QLabel* problem_;
   QToolButton* reset_;
@@ -110,6 +111,10 @@ class ParameterField : public QWidget {
 
 /// The value as a form writes it, with its unit.
 QString displayText(const ParameterSpec&, const Value&);
+/// The name of a parameter as a form shows it; those of preferences are translated.
+QString shownLabel(const ParameterSpec&);
+/// Likewise the name of a choice.
+QString shownChoice(const std::string&);
 /// What a new item of a list begins with; null where only the user can tell.
 Value startValue(const ParameterSpec&);
 

@@ -9,6 +9,23 @@ namespace blossom::ui {
 
 namespace {
 
+// Names are keys of the settings and labels of the form at once; as labels they are translated.
+[[maybe_unused]] constexpr const char* shownNames[] = {QT_TRANSLATE_NOOP("Parameter", "theme"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "language"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "length unit"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "decimals"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "navigation"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "chord"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "projection"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "autosave"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "autosave minutes"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "threads"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "system"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "dark"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "light"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "perspective"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "parallel")};
+
 ParameterSpec declared(std::string name, ParameterSpec spec, const Value& fallback, const QString& help) {
   spec.name = std::move(name);
   spec.help = help.toStdString();
@@ -28,28 +45,27 @@ QString keyOf(const std::string& name) { return QStringLiteral("preferences/") +
 }  // namespace
 
 const std::vector<PreferenceGroup>& preferenceGroups() {
-  using P = Preferences;
   static const std::vector<PreferenceGroup> groups{
-      {P::tr("Look"),
+      {Preferences::tr("Look"),
        {declared("theme", choice({"system", "dark", "light"}), "system",
-                 P::tr("Colours of the window; system follows the desktop.")),
+                 Preferences::tr("Colours of the window; system follows the desktop.")),
         declared("language", choice({"system", "english", "deutsch", "한국어"}), "system",
-                 P::tr("Language of the window, from the next start on."))}},
-      {P::tr("Units"),
+                 Preferences::tr("Language of the window, from the next start on."))}},
+      {Preferences::tr("Units"),
        {declared("length-unit", choice({"mm", "cm", "m", "in"}), "mm",
-                 P::tr("In which lengths are shown; any unit may be typed.")),
-        declared("decimals", count(0, 8), 3, P::tr("Digits after the point where lengths are shown."))}},
-      {P::tr("View"),
+                 Preferences::tr("In which lengths are shown; any unit may be typed.")),
+        declared("decimals", count(0, 8), 3, Preferences::tr("Digits after the point where lengths are shown."))}},
+      {Preferences::tr("View"),
        {declared("navigation", choice({"blossom", "freecad", "rhino", "fusion"}), "blossom",
-                 P::tr("Which mouse buttons turn, shift and zoom the view.")),
+                 Preferences::tr("Which mouse buttons turn, shift and zoom the view.")),
         declared("chord", positiveLength(), 0.05,
-                 P::tr("Largest distance between a shape and the polygons that are drawn and exported.")),
+                 Preferences::tr("Largest distance between a shape and the polygons that are drawn and exported.")),
         declared("projection", choice({"perspective", "parallel"}), "perspective",
-                 P::tr("Of a document when it is opened."))}},
-      {P::tr("Work"),
-       {declared("autosave", flag(), true, P::tr("Keep a copy of unsaved changes that is offered after a crash.")),
-        declared("autosave-minutes", number(0.1, 60), 1.0, P::tr("Time between two such copies, in minutes.")),
-        declared("threads", count(0, 256), 0, P::tr("Processor cores to compute with; 0 takes all of them."))}},
+                 Preferences::tr("Of a document when it is opened."))}},
+      {Preferences::tr("Work"),
+       {declared("autosave", flag(), true, Preferences::tr("Keep a copy of unsaved changes that is offered after a crash.")),
+        declared("autosave-minutes", number(0.1, 60), 1.0, Preferences::tr("Time between two such copies, in minutes.")),
+        declared("threads", count(0, 256), 0, Preferences::tr("Processor cores to compute with; 0 takes all of them."))}},
   };
   return groups;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <QCoreApplication>
 #include <QPointer>
 
 #include "ui/parameter_field.h"
@@ -12,6 +13,7 @@ class Swatch;
 
 /// A swatch that opens the colour dialog, and the colour written as #rrggbb or by its name.
 class ColorField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::ColorField)
  public:
   ColorField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;

@@ -1,4 +1,5 @@
 #pragma once
+#include <QCoreApplication>
 #include <QPointF>
 #include <vector>
 
@@ -11,6 +12,7 @@ class NumberLine;
 
 /// A control function: drawn, and its chosen point in numbers.
 class CurveField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::CurveField)
  public:
   CurveField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;

@@ -1,4 +1,5 @@
 #pragma once
+#include <QCoreApplication>
 #include <QStringList>
 
 #include "ui/parameter_field.h"
@@ -9,6 +10,7 @@ namespace blossom::ui {
 
 /// A file: chosen, dropped or written as a path.
 class FileField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::FileField)
  public:
   FileField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;

@@ -1,4 +1,5 @@
 #pragma once
+#include <QCoreApplication>
 #include <vector>
 
 #include "ui/parameter_field.h"
@@ -13,6 +14,7 @@ class ListRow;
 
 /// Items of any kind: added, removed, copied, moved. Long lists are shown bit by bit.
 class ListField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::ListField)
  public:
   ListField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;

@@ -1,4 +1,6 @@
 #pragma once
+#include <QCoreApplication>
+
 #include "ui/parameter_field.h"
 
 namespace blossom::ui {
@@ -7,6 +9,7 @@ class NumberLine;
 
 /// Counts, numbers, lengths and angles: typed as expressions, stepped by keys and wheel, dragged by the label.
 class NumberField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::NumberField)
  public:
   NumberField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;

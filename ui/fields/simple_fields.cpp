@@ -20,7 +20,7 @@ void FlagField::display(const Value& shown) { box_->setChecked(shown.is_boolean(
 
 ChoiceField::ChoiceField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), box_(new QComboBox) {
-  for (const std::string& name : given.choices) box_->addItem(qt(name), qt(name));
+  for (const std::string& name : given.choices) box_->addItem(shownChoice(name), qt(name));
   if (given.mayBeAbsent) box_->insertItem(0, tr("none"));
   box_->setPlaceholderText(tr("must be given"));
   box_->setFocusPolicy(Qt::StrongFocus);

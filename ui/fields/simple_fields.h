@@ -1,4 +1,6 @@
 #pragma once
+#include <QCoreApplication>
+
 #include "ui/parameter_field.h"
 
 class QComboBox;
@@ -19,6 +21,7 @@ class FlagField final : public ParameterField {
 };
 
 class ChoiceField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::ChoiceField)
  public:
   ChoiceField(const ParameterSpec&, const Context&, QWidget* parent);
 
@@ -39,6 +42,7 @@ class RatioField final : public ParameterField {
 };
 
 class TextField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::TextField)
  public:
   TextField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;

@@ -1,4 +1,6 @@
 #pragma once
+#include <QCoreApplication>
+
 #include "ui/parameter_field.h"
 
 class QToolButton;
@@ -10,6 +12,7 @@ class FlowLayout;
 /// Faces, edges or vertices of the inputs as chips: one, or as many as are picked (a list of sub-shapes). Picking one that
 /// is there already lets go of it.
 class SubShapeField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::SubShapeField)
  public:
   SubShapeField(const ParameterSpec&, const Context&, QWidget* parent);
   bool takePick(const Pick&) override;

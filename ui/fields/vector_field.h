@@ -1,4 +1,5 @@
 #pragma once
+#include <QCoreApplication>
 #include <array>
 
 #include "ui/parameter_field.h"
@@ -11,6 +12,7 @@ class NumberLine;
 
 /// Points and vectors: x, y and z in three lines, or picked in the view (of a vector: the normal of a face).
 class VectorField final : public ParameterField {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::VectorField)
  public:
   VectorField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;

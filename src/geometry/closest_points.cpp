@@ -290,7 +290,7 @@ std::optional<Vec3> pointInside(const std::vector<Vec3>& points, const TopoDS_Sh
 FootPoints closestPoints(const TopoDS_Shape& a, const TopoDS_Shape& b, const Progress& progress) {
   if (a.IsNull() || b.IsNull()) throw Error(ErrorCode::InvalidInput, "Nothing has no distance to anything.");
   const std::vector<MeasurePatch> patchesA = patchesOf(a, progress), patchesB = patchesOf(b, progress);
-  const FootPoints found = Search(patchesA, patchesB).run(progress);
+  FootPoints found = Search(patchesA, patchesB).run(progress);
   if (found.distance() <= Tolerance().confusion) return found;
   if (const auto point = pointInside(representatives(a), b, progress)) return {*point, *point};
   if (const auto point = pointInside(representatives(b), a, progress)) return {*point, *point};

@@ -100,7 +100,7 @@ FootPoints surfaceDistance(const PartGeometry& a, const PartGeometry& b, const P
 }
 
 FootPoints footPoints(const PartGeometry& a, const PartGeometry& b, const Progress& progress) {
-  const FootPoints found = surfaceDistance(a, b, progress);
+  FootPoints found = surfaceDistance(a, b, progress);
   if (found.distance() <= Tolerance().confusion) return {found.first, found.first};
   if (!a.exact.IsNull() && !b.exact.IsNull()) return found;  // solids were looked at already
   if (const auto point = inside(pointsOfParts(a), b, progress)) return {*point, *point};

@@ -123,13 +123,16 @@ void MeasurePatch::makeSamples() const {
   // The grid may miss a narrow face; Newton's method may still come into it from beside.
   if (samples_.empty()) samples_ = all;
   grid_.assign(all.size(), -1);
-  for (std::size_t k = 0; k < samples_.size(); ++k)
-    grid_[static_cast<std::size_t>(samples_[k].i * countV_ + samples_[k].j)] = static_cast<int>(k);
+  for (std::size_t k = 0; k < samples_.size(); ++k) grid_[cell(samples_[k].i, samples_[k].j)] = static_cast<int>(k);
+}
+
+std::size_t MeasurePatch::cell(int i, int j) const {
+  return static_cast<std::size_t>(i) * static_cast<std::size_t>(countV_) + static_cast<std::size_t>(j);
 }
 
 int MeasurePatch::placeOf(int i, int j) const {
   const bool there = i >= 0 && i < countU_ && j >= 0 && j < countV_;
-  return there ? grid_[static_cast<std::size_t>(i * countV_ + j)] : -1;
+  return there ? grid_[cell(i, j)] : -1;
 }
 
 std::vector<std::size_t> MeasurePatch::localMinima(const std::vector<double>& values) const {

@@ -47,6 +47,7 @@ class MeasurePatch {
  private:
   [[nodiscard]] Vec3 point(const Parameters&) const;
   void makeSamples() const;
+  [[nodiscard]] std::size_t cell(int i, int j) const;
   [[nodiscard]] int placeOf(int i, int j) const;
   std::unique_ptr<BRepAdaptor_Surface> surface_;
   std::unique_ptr<BRepAdaptor_Curve> curve_;

@@ -48,7 +48,7 @@ Angle lineToPlane(const Vec3& line, const Vec3& normal, const Vec3& at) {
 }
 
 std::optional<Angle> angleBetween(const PartForm& a, const PartForm& b, const Vec3& at) {
-  if (const auto corner = atCommonEnd(a, b)) return corner;
+  if (auto corner = atCommonEnd(a, b)) return corner;
   if (a.hasAxis() && b.hasAxis()) return acute({a.direction, b.direction, at});
   if (a.hasAxis() && isPlane(b)) return lineToPlane(a.direction, b.direction, at);
   if (isPlane(a) && b.hasAxis()) return lineToPlane(b.direction, a.direction, at);

@@ -136,7 +136,7 @@ void ViewItems::applyCulling(const Shown& shown) const {
                                                mode_ != DisplayMode::Wireframe);
 }
 
-void ViewItems::placeCaps(vtkCamera& camera, double aspect, double millimetresPerPixel) const {
+void ViewItems::placeCaps(vtkCamera& camera, double millimetresPerPixel) const {
   if (!section_) return;
   const double spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
   for (const auto& [id, shown] : shown_)
@@ -144,7 +144,7 @@ void ViewItems::placeCaps(vtkCamera& camera, double aspect, double millimetresPe
       if (!shown.scene.solid || roleOf(actor) != ActorRole::Faces) continue;
       const double* c = actor->GetProperty()->GetColor();
       const Color fill = mixed({c[0], c[1], c[2]}, look_.backgroundBottom, 0.35);
-      placeCap(*actor, *section_, {fill, mixed(fill, {c[0], c[1], c[2]}, 0.55), spacing}, camera, aspect);
+      placeCap(*actor, *section_, {fill, mixed(fill, {c[0], c[1], c[2]}, 0.55), spacing}, camera);
     }
 }
 

@@ -43,7 +43,7 @@ class ViewItems {
   /// Leaves out the far sides of closed shapes, which nobody sees: half the work.
   void setCulling(bool);
   /// To be called before each frame. @param millimetresPerPixel in the plane of the section
-  void placeCaps(vtkCamera&, double aspect, double millimetresPerPixel) const;
+  void placeCaps(vtkCamera&, double millimetresPerPixel) const;
   void setHovered(const FeatureId&);  ///< lights up as a whole; empty: none
   void setSection(const std::optional<CutPlane>&);
   /// What everything that follows the section is clipped by; nullptr: there is none.

@@ -108,8 +108,7 @@ void ViewWidget::paintGL() {
   renderer_->ResetCameraClippingRange();
   keepGridInSight();
   items_.setCulling(!sharp_);
-  items_.placeCaps(*renderer_->GetActiveCamera(), static_cast<double>(width()) / std::max(1, height()),
-                   camera_.millimetresPerPixel());
+  items_.placeCaps(*renderer_->GetActiveCamera(), camera_.millimetresPerPixel());
   window_->SetMultiSamples(sharp_ ? samplesAtRest : 0);
   window_->Render();
   auto* gl = context()->extraFunctions();

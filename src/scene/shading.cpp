@@ -33,15 +33,12 @@ const char* const lights = R"(
 
 // The far side of a closed shape is only seen through the cut: there the sight line enters the material.
 const char* const cap = R"(
-  gl_FragDepth = gl_FragCoord.z;
   if (!gl_FrontFacing) {
-    vec3 capFrom = capDepth.z > 0.5 ? vec3(vertexVC.xy, 0.0) : vec3(0.0);
+    vec3 capFrom = capParallel > 0.5 ? vec3(vertexVC.xy, 0.0) : vec3(0.0);
     vec3 capAlong = vertexVC.xyz - capFrom;
     float capAt = (capPlane.w - dot(capPlane.xyz, capFrom)) / dot(capPlane.xyz, capAlong);
     if (capAt > 0.0 && capAt < 1.0) {
       vec3 capPoint = capFrom + capAt * capAlong;
-      float capZ = (capDepth.x * capPoint.z + capDepth.y) / (capDepth.z > 0.5 ? 1.0 : -capPoint.z);
-      gl_FragDepth = 0.5 * capZ + 0.5;
       float capLine = dot(capAcross.xyz, capPoint) + capAcross.w;
       float capWidth = fwidth(capLine) * 0.6;
       float capNear = abs(fract(capLine) - 0.5);
@@ -78,10 +75,9 @@ void shadeFaces(vtkActor& actor, bool capped) {
   if (!capped) shader.GetFragmentCustomUniforms()->RemoveAllUniforms();
 }
 
-void placeCap(vtkActor& actor, const CutPlane& cut, const CapLook& look, vtkCamera& camera, double aspect) {
+void placeCap(vtkActor& actor, const CutPlane& cut, const CapLook& look, vtkCamera& camera) {
   vtkUniforms& uniforms = *actor.GetShaderProperty()->GetFragmentCustomUniforms();
   const vtkMatrix4x4& view = *camera.GetModelViewTransformMatrix();
-  const vtkMatrix4x4& projection = *camera.GetProjectionTransformMatrix(aspect, -1, 1);
   Vec3 eye;
   camera.GetPosition(eye.data());
   setUniform(uniforms, "capPlane", turnedToEye(view, cut.normal), -cut.height(eye));
@@ -89,8 +85,7 @@ void placeCap(vtkActor& actor, const CutPlane& cut, const CapLook& look, vtkCame
   const Vec3 a = (std::abs(cut.normal.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).cross(cut.normal).normalized();
   const Vec3 across = (a + cut.normal.cross(a)).normalized() / look.spacing;
   setUniform(uniforms, "capAcross", turnedToEye(view, across), across.dot(eye));
-  setUniform(uniforms, "capDepth",
-             {projection.GetElement(2, 2), projection.GetElement(2, 3), camera.GetParallelProjection() ? 1.0 : 0.0}, 0);
+  uniforms.SetUniformf("capParallel", camera.GetParallelProjection() ? 1 : 0);
   setUniform(uniforms, "capFill", look.fill);
   setUniform(uniforms, "capHatch", look.hatch);
 }

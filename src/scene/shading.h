@@ -11,8 +11,8 @@ class vtkCamera;
 /// most of a frame there, and the general code for four lights costs several times as much.
 namespace blossom {
 
-/// @param capped the shape is closed and a section cuts it: what is seen of its inside is painted as the cut itself, in the
-/// plane of the cut.
+/// @param capped the shape is closed and a section cuts it: what is seen of its inside is painted as the cut itself, hatched
+/// in the plane of the cut.
 void shadeFaces(vtkActor&, bool capped);
 
 /// What the cut through closed shapes looks like.
@@ -21,7 +21,6 @@ struct CapLook {
   double spacing = 5;  ///< mm between the lines of the hatching
 };
 /// Tells a capped actor where the cut is. To be called before each frame.
-/// @param aspect width / height of the view
-void placeCap(vtkActor&, const CutPlane&, const CapLook&, vtkCamera&, double aspect);
+void placeCap(vtkActor&, const CutPlane&, const CapLook&, vtkCamera&);
 
 }  // namespace blossom

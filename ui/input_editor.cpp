@@ -59,21 +59,27 @@ InputEditor::InputEditor(Session& session, FeatureId feature, std::shared_ptr<co
   name->setFixedWidth(labelWidth);
   name->setToolTip(qt(input().help));
   chips_->setSpacing(4);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(4);
-  buttons->addWidget(add_);
-  buttons->addWidget(pick_);
-  buttons->addStretch();
   problem_->setObjectName(QStringLiteral("fieldError"));
   problem_->setWordWrap(true);
   problem_->hide();
-  grid->addWidget(name, 0, 0, Qt::AlignTop);
-  auto* column = new QVBoxLayout;
-  column->setSpacing(4);
-  column->addLayout(chips_);
-  column->addLayout(buttons);
-  grid->addLayout(column, 0, 1);
-  grid->addWidget(problem_, 1, 0, 1, 2);
+  grid->addWidget(name, 0, 0);
+  if (input().most == 1) {
+    auto* line = new QHBoxLayout;
+    line->setSpacing(2);
+    line->addLayout(chips_, 1);
+    line->addWidget(add_);
+    line->addWidget(pick_);
+    grid->addLayout(line, 0, 1);
+  } else {
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(2);
+    buttons->addStretch();
+    buttons->addWidget(add_);
+    buttons->addWidget(pick_);
+    grid->addLayout(buttons, 0, 1);
+    grid->addLayout(chips_, 1, 0, 1, 2);
+  }
+  grid->addWidget(problem_, 2, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   connect(add_, &QToolButton::clicked, this, &InputEditor::showAddMenu);
   connect(pick_, &QToolButton::toggled, this, [this](bool on) {

@@ -145,6 +145,8 @@ void ResultTable::addRow(const QString& name, const QString& number, const QStri
 }
 
 void ResultTable::addText(const QString& name, const QString& text) {
+  constexpr int asNarrowAsANumber = 14;
+  if (text.size() <= asNarrowAsANumber) return addRow(name, text, {}, text);
   Row& row = next(name);
   row.text->setText(text);
   row.copy = text;

@@ -40,7 +40,9 @@ CurveField::CurveField(const ParameterSpec& given, const Context& outside, QWidg
   auto* all = new QWidget;
   auto* grid = new QGridLayout(all);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
+  grid->setSpacing(6);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
   grid->addWidget(editor_, 0, 0, 1, 4);
   grid->addWidget(axisName(QStringLiteral("t")), 1, 0);
   grid->addWidget(t_, 1, 1);

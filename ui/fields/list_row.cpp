@@ -44,6 +44,7 @@ ListRow::ListRow(const ParameterSpec& element, std::size_t index, const Paramete
   line->setSpacing(2);
   number_->setObjectName(QStringLiteral("rowNumber"));
   number_->setFixedWidth(numberWidth);
+  number_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   number_->setCursor(Qt::SizeVerCursor);
   number_->setToolTip(tr("Drag to another place"));
   number_->installEventFilter(this);

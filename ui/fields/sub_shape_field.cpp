@@ -64,7 +64,7 @@ void SubShapeField::display(const Value&) {
   }
   const Value all = items();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    auto* chip = new Chip(context()->nameOf(all[i]));
+    auto* chip = new Chip(context()->nameOf(all[i], several()));
     flow_->addWidget(chip);
     connect(chip, &Chip::removed, this, [this, i] { remove(i); });
   }

@@ -37,6 +37,7 @@ VectorField::VectorField(const ParameterSpec& given, const Context& outside, QWi
     name->setObjectName(QStringLiteral("axisName"));
     NumberLine* line = lines_[axis] = new NumberLine;
     line->setObjectName(QLatin1String(axisNames[axis]));
+    line->setProperty("tight", true);
     line->setAccessibleName(QStringLiteral("%1 %2").arg(qt(label(given)), QLatin1String(axisNames[axis])));
     row->addWidget(name);
     row->addWidget(line, 1);

@@ -1,1848 +1,1850 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="ko_KR">
-<context>
-    <name></name>
-    <message>
-        <source>Look</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colours of the window; system follows the desktop.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Language of the window, from the next start on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Units</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>In which lengths are shown; any unit may be typed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Digits after the point where lengths are shown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which mouse buttons turn, shift and zoom the view.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest distance between a shape and the polygons that are drawn and exported.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of a document when it is opened.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Work</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep a copy of unsaved changes that is offered after a crash.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time between two such copies, in minutes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Processor cores to compute with; 0 takes all of them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
+<TS version="2.1" language="ko_KR" sourcelanguage="en_GB">
 <context>
     <name>Manual</name>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>기타</translation>
     </message>
     <message>
         <source>Reference: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>참조: %1</translation>
     </message>
     <message>
         <source>Reference: built in</source>
-        <translation type="unfinished"></translation>
+        <translation>참조: 기본 제공</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>명령</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키</translation>
     </message>
 </context>
 <context>
     <name>Measurements</name>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>거리</translation>
     </message>
     <message>
         <source>Along x</source>
-        <translation type="unfinished"></translation>
+        <translation>x 방향</translation>
     </message>
     <message>
         <source>Along y</source>
-        <translation type="unfinished"></translation>
+        <translation>y 방향</translation>
     </message>
     <message>
         <source>Along z</source>
-        <translation type="unfinished"></translation>
+        <translation>z 방향</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>각도</translation>
     </message>
     <message>
         <source>Half angle</source>
-        <translation type="unfinished"></translation>
+        <translation>반각</translation>
     </message>
     <message>
         <source>Distance of planes</source>
-        <translation type="unfinished"></translation>
+        <translation>평면 사이 거리</translation>
     </message>
     <message>
         <source>Distance of axes</source>
-        <translation type="unfinished"></translation>
+        <translation>축 사이 거리</translation>
     </message>
     <message>
         <source>Distance of centres</source>
-        <translation type="unfinished"></translation>
+        <translation>중심 사이 거리</translation>
     </message>
     <message>
         <source>Centre x</source>
-        <translation type="unfinished"></translation>
+        <translation>중심 x</translation>
     </message>
     <message>
         <source>Centre y</source>
-        <translation type="unfinished"></translation>
+        <translation>중심 y</translation>
     </message>
     <message>
         <source>Centre z</source>
-        <translation type="unfinished"></translation>
+        <translation>중심 z</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>길이</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished"></translation>
+        <translation>반지름</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>지름</translation>
     </message>
     <message>
         <source>Major radius</source>
-        <translation type="unfinished"></translation>
+        <translation>큰 반지름</translation>
     </message>
     <message>
         <source>Minor radius</source>
-        <translation type="unfinished"></translation>
+        <translation>작은 반지름</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>면적</translation>
     </message>
     <message>
         <source>Perimeter</source>
-        <translation type="unfinished"></translation>
+        <translation>둘레</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>부피</translation>
     </message>
     <message>
         <source>Size along x</source>
-        <translation type="unfinished"></translation>
+        <translation>x 방향 크기</translation>
     </message>
     <message>
         <source>Size along y</source>
-        <translation type="unfinished"></translation>
+        <translation>y 방향 크기</translation>
     </message>
     <message>
         <source>Size along z</source>
-        <translation type="unfinished"></translation>
+        <translation>z 방향 크기</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>theme</source>
+        <translation>테마</translation>
+    </message>
+    <message>
+        <source>language</source>
+        <translation>언어</translation>
+    </message>
+    <message>
+        <source>length unit</source>
+        <translation>길이 단위</translation>
+    </message>
+    <message>
+        <source>decimals</source>
+        <translation>소수 자릿수</translation>
+    </message>
+    <message>
+        <source>navigation</source>
+        <translation>탐색</translation>
+    </message>
+    <message>
+        <source>chord</source>
+        <translation>현 오차</translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation>투영</translation>
+    </message>
+    <message>
+        <source>autosave</source>
+        <translation>자동 저장</translation>
+    </message>
+    <message>
+        <source>autosave minutes</source>
+        <translation>자동 저장 간격(분)</translation>
+    </message>
+    <message>
+        <source>threads</source>
+        <translation>스레드</translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation>시스템</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>어둡게</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>밝게</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>원근</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>평행</translation>
     </message>
 </context>
 <context>
     <name>blossom::modeling</name>
     <message>
         <source>grid</source>
-        <translation type="unfinished"></translation>
+        <translation>격자</translation>
     </message>
     <message>
         <source>on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>곡선 위</translation>
     </message>
     <message>
         <source>horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>수평</translation>
     </message>
     <message>
         <source>vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>수직</translation>
     </message>
     <message>
         <source>45°</source>
-        <translation type="unfinished"></translation>
+        <translation>45°</translation>
     </message>
     <message>
         <source>aligned with the start</source>
-        <translation type="unfinished"></translation>
+        <translation>시작점에 맞춤</translation>
     </message>
     <message>
         <source>straight on</source>
-        <translation type="unfinished"></translation>
+        <translation>곧게</translation>
     </message>
     <message>
         <source>at right angles</source>
-        <translation type="unfinished"></translation>
+        <translation>직각</translation>
     </message>
     <message>
         <source>crossing of help lines</source>
-        <translation type="unfinished"></translation>
+        <translation>보조선의 교점</translation>
     </message>
     <message>
         <source>perpendicular</source>
-        <translation type="unfinished"></translation>
+        <translation>수선</translation>
     </message>
     <message>
         <source>midpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>중점</translation>
     </message>
     <message>
         <source>centre</source>
-        <translation type="unfinished"></translation>
+        <translation>중심</translation>
     </message>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>점</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>시작점</translation>
     </message>
 </context>
 <context>
     <name>blossom::modeling::DragTool</name>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이동</translation>
     </message>
     <message>
         <source>Drag a handle to change the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>손잡이를 끌어 형상을 바꿉니다</translation>
     </message>
     <message>
         <source>Let go to place %1 · Ctrl: no snapping · Esc takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>놓으면 %1이(가) 자리 잡음 · Ctrl: 스냅 없이 · Esc: 되돌리기</translation>
     </message>
     <message>
         <source>Drag to move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>끌어서 %1 이동</translation>
     </message>
 </context>
 <context>
     <name>blossom::modeling::DrawTool</name>
     <message>
         <source>The outline would meet itself at (%1, %2); move a point or take some back with Backspace.</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽이 (%1, %2)에서 자기 자신과 만납니다. 점을 옮기거나 백스페이스로 되돌리십시오.</translation>
     </message>
     <message>
         <source>This point makes no segment; choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 점으로는 선분이 만들어지지 않습니다. 다른 점을 고르십시오.</translation>
     </message>
     <message>
         <source>Draw outline</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽 그리기</translation>
     </message>
     <message>
         <source>Click the first point</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 점을 클릭하십시오</translation>
     </message>
     <message>
         <source>Click a point that the arc passes, or type its radius</source>
-        <translation type="unfinished"></translation>
+        <translation>호가 지나는 점을 클릭하거나 반지름을 입력하십시오</translation>
     </message>
     <message>
         <source>Line: click its end, or type a length and, after &lt;, an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>직선: 끝점을 클릭하거나 길이를, &lt; 뒤에 각도를 입력하십시오</translation>
     </message>
     <message>
         <source>Tangent arc: click its end; A for three points</source>
-        <translation type="unfinished"></translation>
+        <translation>접선 호: 끝점을 클릭하십시오. A: 세 점</translation>
     </message>
     <message>
         <source>Arc: click its end</source>
-        <translation type="unfinished"></translation>
+        <translation>호: 끝점을 클릭하십시오</translation>
     </message>
     <message>
         <source>Spline: click the next point</source>
-        <translation type="unfinished"></translation>
+        <translation>스플라인: 다음 점을 클릭하십시오</translation>
     </message>
     <message>
         <source>Enter places the point, Tab changes between length and angle, Esc leaves the entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter: 점 놓기, Tab: 길이와 각도 전환, Esc: 입력 끝내기</translation>
     </message>
     <message>
         <source>Click to close the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭하면 윤곽이 닫힙니다</translation>
     </message>
     <message>
         <source>L line, A arc, S spline</source>
-        <translation type="unfinished"></translation>
+        <translation>L 직선, A 호, S 스플라인</translation>
     </message>
     <message>
         <source>Backspace takes back</source>
-        <translation type="unfinished"></translation>
+        <translation>백스페이스: 되돌리기</translation>
     </message>
     <message>
         <source>Enter finishes</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter: 끝내기</translation>
     </message>
     <message>
         <source>Ctrl: no snapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl: 스냅 없이</translation>
     </message>
     <message>
         <source>Esc leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc: 나가기</translation>
     </message>
 </context>
 <context>
     <name>blossom::modeling::EditTool</name>
     <message>
         <source>the first point</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 점</translation>
     </message>
     <message>
         <source>a point of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽의 점</translation>
     </message>
     <message>
         <source>Insert a point</source>
-        <translation type="unfinished"></translation>
+        <translation>점 넣기</translation>
     </message>
     <message>
         <source>Remove a point</source>
-        <translation type="unfinished"></translation>
+        <translation>점 빼기</translation>
     </message>
     <message>
         <source>Too little would be left of the outline; delete the feature itself instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽이 너무 적게 남습니다. 피처 자체를 삭제하십시오.</translation>
     </message>
     <message>
         <source>Double-click to insert a point here</source>
-        <translation type="unfinished"></translation>
+        <translation>두 번 클릭하면 여기에 점을 넣습니다</translation>
     </message>
     <message>
         <source>Drag points · double-click a segment to insert one · Delete removes the chosen one · Enter or Esc leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>점 끌기 · 선분 두 번 클릭: 점 넣기 · Delete: 고른 점 빼기 · Enter 또는 Esc: 나가기</translation>
     </message>
 </context>
 <context>
     <name>blossom::modeling::ShapeTool</name>
     <message>
         <source>the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>형상</translation>
     </message>
     <message>
         <source>the corner</source>
-        <translation type="unfinished"></translation>
+        <translation>모서리점</translation>
     </message>
     <message>
         <source>the rounding</source>
-        <translation type="unfinished"></translation>
+        <translation>둥글기</translation>
     </message>
     <message>
         <source>the size</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>blossom::ui</name>
-    <message>
-        <source>Sample</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>크기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::AboutDialog</name>
     <message>
         <source>The text of the licence is not installed. It can be read at https://www.gnu.org/licenses/gpl-3.0.txt.</source>
-        <translation type="unfinished"></translation>
+        <translation>라이선스 본문이 설치되어 있지 않습니다. https://www.gnu.org/licenses/gpl-3.0.txt 에서 읽을 수 있습니다.</translation>
     </message>
     <message>
         <source>About Blossom</source>
-        <translation type="unfinished"></translation>
+        <translation>Blossom 정보</translation>
     </message>
     <message>
         <source>&amp;Copy versions</source>
-        <translation type="unfinished"></translation>
+        <translation>버전 복사(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Licence</source>
-        <translation type="unfinished"></translation>
+        <translation>라이선스(&amp;L)</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기</translation>
     </message>
     <message>
         <source>Blossom %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Blossom %1</translation>
     </message>
     <message>
         <source>A workbench for shapes that morph, sweep, grow and melt.
 Free software under the GNU General Public License, version 3 or later.</source>
-        <translation type="unfinished"></translation>
+        <translation>변형되고, 쓸고 지나가고, 자라고 녹는 형상을 위한 작업대입니다.
+GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨어입니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Chip</name>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>제거</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ChoiceField</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>must be given</source>
-        <translation type="unfinished"></translation>
+        <translation>꼭 지정해야 함</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ColorField</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>must be given</source>
-        <translation type="unfinished"></translation>
+        <translation>꼭 지정해야 함</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::CommandPalette</name>
     <message>
         <source>Find a command</source>
-        <translation type="unfinished"></translation>
+        <translation>명령 찾기</translation>
     </message>
     <message>
         <source>Find a command, a sample, a feature, a page of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>명령, 예제, 피처, 설명서 쪽 찾기</translation>
     </message>
     <message>
         <source>Nothing is called &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;이라는 것이 없습니다.</translation>
     </message>
     <message>
         <source>Return or click: %1 · Up and down: choose · Esc: close</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter 또는 클릭: %1 · 위아래: 고르기 · Esc: 닫기</translation>
     </message>
     <message>
         <source>%1 cannot be done now. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>지금은 %1을(를) 할 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>예제</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>최근</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>이동</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>설명서</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::CurveEditor</name>
     <message>
         <source>Click to add a point, drag to move it, right click or Delete to remove it</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: 점 추가, 끌기: 이동, 오른쪽 클릭 또는 Delete: 제거</translation>
     </message>
     <message>
         <source>click to add a point</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭하여 점 추가</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::CurveField</name>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>값</translation>
     </message>
     <message>
         <source>t of the chosen point</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 점의 t</translation>
     </message>
     <message>
         <source>value of the chosen point</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 점의 값</translation>
     </message>
     <message>
         <source> The value before is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation> 이전 값을 유지합니다.</translation>
     </message>
     <message>
         <source>Remove all points</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점 제거</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::DocumentCommands</name>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>편집</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 취소(&amp;U)</translation>
     </message>
     <message>
         <source>Take the last change back.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 변경을 되돌립니다.</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행(&amp;R)</translation>
     </message>
     <message>
         <source>Do again what was taken back.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌린 것을 다시 실행합니다.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+Z</translation>
     </message>
     <message>
         <source>Ctrl+Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Y</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>잘라내기(&amp;T)</translation>
     </message>
     <message>
         <source>Take the selected features out, to be pasted elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처를 떼어 내어 다른 곳에 붙여넣을 수 있게 합니다.</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>복사(&amp;C)</translation>
     </message>
     <message>
         <source>Keep the selected features, and what they are made from, to be pasted.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처와 그 재료를 붙여넣을 수 있게 기억합니다.</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>붙여넣기(&amp;P)</translation>
     </message>
     <message>
         <source>Add the features that were copied, in this document or another.</source>
-        <translation type="unfinished"></translation>
+        <translation>복사한 피처를 이 문서나 다른 문서에 추가합니다.</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>복제(&amp;D)</translation>
     </message>
     <message>
         <source>Add the selected features once more, made from the same inputs.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처를 같은 입력으로 한 번 더 추가합니다.</translation>
     </message>
     <message>
         <source>Ctrl+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+D</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 바꾸기(&amp;N)</translation>
     </message>
     <message>
         <source>Give the selected feature another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처의 이름을 바꿉니다.</translation>
     </message>
     <message>
         <source>F2</source>
-        <translation type="unfinished"></translation>
+        <translation>F2</translation>
     </message>
     <message>
         <source>Show or &amp;hide</source>
-        <translation type="unfinished"></translation>
+        <translation>보이기/숨기기(&amp;H)</translation>
     </message>
     <message>
         <source>Show or hide the selected features.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처를 보이거나 숨깁니다.</translation>
     </message>
     <message>
         <source>H</source>
-        <translation type="unfinished"></translation>
+        <translation>H</translation>
     </message>
     <message>
         <source>&amp;Isolate</source>
-        <translation type="unfinished"></translation>
+        <translation>분리해서 보기(&amp;I)</translation>
     </message>
     <message>
         <source>Show only the selected features; once more: what was shown before.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처만 보입니다. 다시 누르면 이전 상태로 돌아갑니다.</translation>
     </message>
     <message>
         <source>I</source>
-        <translation type="unfinished"></translation>
+        <translation>I</translation>
     </message>
     <message>
         <source>Sho&amp;w everything</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 보이기(&amp;W)</translation>
     </message>
     <message>
         <source>Show every feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 피처를 보입니다.</translation>
     </message>
     <message>
         <source>Shift+H</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+H</translation>
     </message>
     <message>
         <source>&amp;Suppress</source>
-        <translation type="unfinished"></translation>
+        <translation>계산 제외(&amp;S)</translation>
     </message>
     <message>
         <source>Leave the selected features out of the computation, or take them in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처를 계산에서 빼거나 다시 넣습니다.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+U</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+U</translation>
     </message>
     <message>
         <source>Move &amp;up</source>
-        <translation type="unfinished"></translation>
+        <translation>위로(&amp;U)</translation>
     </message>
     <message>
         <source>Put the selected features one place further up in the document.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처를 문서에서 한 칸 위로 옮깁니다.</translation>
     </message>
     <message>
         <source>Alt+Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Up</translation>
     </message>
     <message>
         <source>Move do&amp;wn</source>
-        <translation type="unfinished"></translation>
+        <translation>아래로(&amp;W)</translation>
     </message>
     <message>
         <source>Put the selected features one place further down in the document.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처를 문서에서 한 칸 아래로 옮깁니다.</translation>
     </message>
     <message>
         <source>Alt+Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Down</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
-        <translation type="unfinished"></translation>
+        <translation>삭제(&amp;L)</translation>
     </message>
     <message>
         <source>Delete the selected features.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처를 삭제합니다.</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 선택(&amp;A)</translation>
     </message>
     <message>
         <source>Select every feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 피처를 선택합니다.</translation>
     </message>
     <message>
         <source>Select n&amp;othing</source>
-        <translation type="unfinished"></translation>
+        <translation>선택 해제(&amp;O)</translation>
     </message>
     <message>
         <source>Select no feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>아무 피처도 선택하지 않습니다.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+A</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+A</translation>
     </message>
     <message>
         <source>&amp;Find in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>문서에서 찾기(&amp;F)</translation>
     </message>
     <message>
         <source>Look for features by name, type or state.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름, 종류, 상태로 피처를 찾습니다.</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>보기</translation>
     </message>
     <message>
         <source>Fit to &amp;selection</source>
-        <translation type="unfinished"></translation>
+        <translation>선택에 맞추기(&amp;S)</translation>
     </message>
     <message>
         <source>Show just the selected features, as large as fits.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처만 가능한 한 크게 보입니다.</translation>
     </message>
     <message>
         <source>Shift+F</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+F</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 취소(&amp;U): %1</translation>
     </message>
     <message>
         <source>Nothing has been changed yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 바뀐 것이 없습니다.</translation>
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행(&amp;R): %1</translation>
     </message>
     <message>
         <source>Nothing was taken back.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌린 것이 없습니다.</translation>
     </message>
     <message>
         <source>&amp;Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>숨기기(&amp;H)</translation>
     </message>
     <message>
         <source>S&amp;how</source>
-        <translation type="unfinished"></translation>
+        <translation>보이기(&amp;H)</translation>
     </message>
     <message>
         <source>Compute a&amp;gain</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 계산(&amp;G)</translation>
     </message>
     <message>
         <source>End &amp;isolation</source>
-        <translation type="unfinished"></translation>
+        <translation>분리 끝내기(&amp;I)</translation>
     </message>
     <message>
         <source>Select a feature first.</source>
-        <translation type="unfinished"></translation>
+        <translation>먼저 피처를 고르십시오.</translation>
     </message>
     <message>
         <source>Select one feature only.</source>
-        <translation type="unfinished"></translation>
+        <translation>피처를 하나만 고르십시오.</translation>
     </message>
     <message>
         <source>The document is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>문서가 비어 있습니다.</translation>
     </message>
     <message>
         <source>&amp;Make from it</source>
-        <translation type="unfinished"></translation>
+        <translation>이것으로 만들기(&amp;M)</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::DocumentModel</name>
     <message>
         <source>suppressed</source>
-        <translation type="unfinished"></translation>
+        <translation>계산에서 제외됨</translation>
     </message>
     <message>
         <source>computing…</source>
-        <translation type="unfinished"></translation>
+        <translation>계산 중…</translation>
     </message>
     <message>
         <source>not computed</source>
-        <translation type="unfinished"></translation>
+        <translation>계산하지 않음</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이름 바꾸기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::DocumentPage</name>
     <message>
         <source>Computing</source>
-        <translation type="unfinished"></translation>
+        <translation>계산 중</translation>
     </message>
     <message>
         <source>Not everything could be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽지 못한 것이 있습니다.</translation>
     </message>
     <message>
         <source>Working</source>
-        <translation type="unfinished"></translation>
+        <translation>작업 중</translation>
     </message>
     <message>
         <source>The handles of %1 cannot be shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 손잡이를 표시할 수 없습니다.</translation>
     </message>
     <message>
         <source>Open what is readable</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 있는 것 열기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::DocumentTabs</name>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>저장</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기</translation>
     </message>
     <message>
         <source>Close others</source>
-        <translation type="unfinished"></translation>
+        <translation>나머지 닫기</translation>
     </message>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더에서 보기</translation>
     </message>
     <message>
         <source>Copy path</source>
-        <translation type="unfinished"></translation>
+        <translation>경로 복사</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::DocumentTree</name>
     <message>
         <source>Document</source>
-        <translation type="unfinished"></translation>
+        <translation>문서</translation>
     </message>
     <message>
         <source>error failed</source>
-        <translation type="unfinished"></translation>
+        <translation>오류 실패</translation>
     </message>
     <message>
         <source>warning</source>
-        <translation type="unfinished"></translation>
+        <translation>경고</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>숨김</translation>
     </message>
     <message>
         <source>Click: hide %1</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: %1 숨기기</translation>
     </message>
     <message>
         <source>Click: show %1</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: %1 보이기</translation>
     </message>
     <message>
         <source>%1 · Click: select · Ctrl+click: select more · Double click: rename · Drag: reorder · Right click: more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · 클릭: 선택 · Ctrl+클릭: 추가 선택 · 두 번 클릭: 이름 바꾸기 · 끌기: 순서 바꾸기 · 오른쪽 클릭: 더 보기</translation>
     </message>
     <message>
         <source>Release: move here</source>
-        <translation type="unfinished"></translation>
+        <translation>놓기: 여기로 이동</translation>
     </message>
     <message>
         <source>Show %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 보이기</translation>
     </message>
     <message>
         <source>Hide %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 숨기기</translation>
     </message>
     <message>
         <source>Show %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 보이기</translation>
     </message>
     <message>
         <source>Hide %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 숨기기</translation>
     </message>
     <message>
         <source>Show everything</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 보이기</translation>
     </message>
     <message>
         <source>End isolation</source>
-        <translation type="unfinished"></translation>
+        <translation>분리 끝내기</translation>
     </message>
     <message>
         <source>Isolate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 분리해서 보기</translation>
     </message>
     <message>
         <source>Isolate %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 분리해서 보기</translation>
     </message>
     <message>
         <source>Suppress %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 계산 제외</translation>
     </message>
     <message>
         <source>Suppress %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 계산 제외</translation>
     </message>
     <message>
         <source>Compute %1 again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 다시 계산</translation>
     </message>
     <message>
         <source>Compute %1 features again</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 다시 계산</translation>
     </message>
     <message>
         <source>Delete %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 삭제</translation>
     </message>
     <message>
         <source>Delete %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 삭제</translation>
     </message>
     <message>
         <source> and %1</source>
-        <translation type="unfinished"></translation>
+        <translation> 및 %1</translation>
     </message>
     <message>
         <source>What is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 것</translation>
     </message>
     <message>
         <source>Delete that too, or suppress: what is suppressed stays but is not computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>그것도 삭제하거나 계산에서 제외하십시오. 제외한 것은 남지만 계산하지 않습니다.</translation>
     </message>
     <message>
         <source>Delete them too, or suppress: what is suppressed stays but is not computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>그것들도 삭제하거나 계산에서 제외하십시오. 제외한 것은 남지만 계산하지 않습니다.</translation>
     </message>
     <message>
         <source>%1 is used by %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2에서 쓰입니다.</translation>
     </message>
     <message>
         <source>Delete all %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1개 모두 삭제</translation>
     </message>
     <message>
         <source>Suppress</source>
-        <translation type="unfinished"></translation>
+        <translation>계산 제외</translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이동</translation>
     </message>
     <message>
         <source>Move %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 이동</translation>
     </message>
     <message>
         <source>Paste %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 붙여넣기</translation>
     </message>
     <message>
         <source>Paste %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 붙여넣기</translation>
     </message>
     <message>
         <source>There are no features on the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>클립보드에 피처가 없습니다.</translation>
     </message>
     <message>
         <source>Select some and copy them first.</source>
-        <translation type="unfinished"></translation>
+        <translation>먼저 골라서 복사하십시오.</translation>
     </message>
     <message>
         <source>Duplicate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 복제</translation>
     </message>
     <message>
         <source>Duplicate %1 features</source>
-        <translation type="unfinished"></translation>
+        <translation>피처 %1개 복제</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::DocumentTreePanel</name>
     <message>
         <source>Name, type or state</source>
-        <translation type="unfinished"></translation>
+        <translation>이름, 종류, 상태</translation>
     </message>
     <message>
         <source>Find in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>문서에서 찾기</translation>
     </message>
     <message>
         <source>DOCUMENT</source>
-        <translation type="unfinished"></translation>
+        <translation>문서</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ErrorBar</name>
     <message>
         <source>Dismiss (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기(Esc)</translation>
     </message>
     <message>
         <source>Dismiss</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ExportDialog</name>
     <message>
         <source>Shapes of these kinds do not go into one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 종류의 형상들은 한 파일에 담을 수 없습니다.</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>내보내기…</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>내보내기</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>대상</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>형식</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>취소</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::FeatureHeader</name>
     <message>
         <source>Name of the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>피처의 이름</translation>
     </message>
     <message>
         <source>Name of the feature; type another one</source>
-        <translation type="unfinished"></translation>
+        <translation>피처의 이름입니다. 다른 이름을 입력할 수 있습니다</translation>
     </message>
     <message>
         <source>Read about it in the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>설명서에서 읽기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::FeatureMenus</name>
     <message>
         <source>shape</source>
-        <translation type="unfinished"></translation>
+        <translation>형상</translation>
     </message>
     <message>
         <source> or </source>
-        <translation type="unfinished"></translation>
+        <translation> 또는 </translation>
     </message>
     <message>
         <source>Everything that can be read (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 있는 모든 파일 (%1)</translation>
     </message>
     <message>
         <source>Takes a %1 as &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%2&quot;(으)로 받는 것: %1.</translation>
     </message>
     <message>
         <source>Takes %1 × %2 as &quot;%3&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%3&quot;(으)로 받는 것: %1 × %2.</translation>
     </message>
     <message>
         <source>%1: choose a file with a %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2이(가) 든 파일 고르기</translation>
     </message>
     <message>
         <source>Select in the document: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>문서에서 고르십시오: %1</translation>
     </message>
     <message>
         <source>%1 needs at least %2 %3 as &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 &quot;%4&quot;(으)로 쓸 %3이(가) %2개 이상 필요합니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::FeatureToolBar</name>
     <message>
         <source>Everything of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 전체</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::FileField</name>
     <message>
         <source>Choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 고르기</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 고르기</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a file of the type %2. The value before is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;은(는) %2 형식의 파일이 아닙니다. 이전 값을 유지합니다.</translation>
     </message>
     <message>
         <source> or </source>
-        <translation type="unfinished"></translation>
+        <translation> 또는 </translation>
     </message>
     <message>
         <source>There is no file &quot;%1&quot;. The value before is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; 파일이 없습니다. 이전 값을 유지합니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::FindField</name>
     <message>
         <source>Find a command</source>
-        <translation type="unfinished"></translation>
+        <translation>명령 찾기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::HelpMenu</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>도움말</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>설명서(&amp;M)</translation>
     </message>
     <message>
         <source>Read how everything works.</source>
-        <translation type="unfinished"></translation>
+        <translation>사용법을 읽습니다.</translation>
     </message>
     <message>
         <source>About the &amp;selected feature</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처에 대하여(&amp;S)</translation>
     </message>
     <message>
         <source>The manual&apos;s page of the selected feature: inputs, parameters, examples.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 피처의 설명서 쪽: 입력, 매개변수, 예제.</translation>
     </message>
     <message>
         <source>Shift+F1</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+F1</translation>
     </message>
     <message>
         <source>Mouse and &amp;keys</source>
-        <translation type="unfinished"></translation>
+        <translation>마우스와 단축키(&amp;K)</translation>
     </message>
     <message>
         <source>How to move around, and every key.</source>
-        <translation type="unfinished"></translation>
+        <translation>움직이는 방법과 모든 단축키입니다.</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>둘러보기(&amp;T)</translation>
     </message>
     <message>
         <source>A walk through the window in four steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>창을 네 단계로 둘러봅니다.</translation>
     </message>
     <message>
         <source>&amp;About Blossom</source>
-        <translation type="unfinished"></translation>
+        <translation>Blossom 정보(&amp;A)</translation>
     </message>
     <message>
         <source>Versions and licence.</source>
-        <translation type="unfinished"></translation>
+        <translation>버전과 라이선스입니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::InputEditor</name>
     <message>
         <source>Add an input</source>
-        <translation type="unfinished"></translation>
+        <translation>입력 추가</translation>
     </message>
     <message>
         <source>Pick in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>보기에서 고르기</translation>
     </message>
     <message>
         <source>must be given</source>
-        <translation type="unfinished"></translation>
+        <translation>꼭 지정해야 함</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>Nothing else fits here</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에 맞는 것이 더 없습니다</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>위로</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>아래로</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs this feature itself; taking it would go round in a circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;은(는) 이 피처를 필요로 하므로 순환이 됩니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is %2, which does not fit here.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;은(는) %2이므로 여기에 맞지 않습니다.</translation>
     </message>
     <message>
         <source>Change %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 %1 변경</translation>
     </message>
     <message>
         <source>Click what %1 is to be; Esc ends</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(으)로 쓸 것을 클릭하십시오. Esc: 끝내기</translation>
     </message>
     <message>
         <source>There is no room for more.</source>
-        <translation type="unfinished"></translation>
+        <translation>더 넣을 자리가 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::JobsDelegate</name>
     <message>
         <source>cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>취소됨</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::JobsList</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1초</translation>
     </message>
     <message>
         <source>%1 min %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1분 %2초</translation>
     </message>
     <message>
         <source>Computing</source>
-        <translation type="unfinished"></translation>
+        <translation>계산 중</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::JobsPanel</name>
     <message>
         <source>Jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>작업</translation>
     </message>
     <message>
         <source>Click: cancel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: %1 취소</translation>
     </message>
     <message>
         <source>Cross: cancel · Right click: more</source>
-        <translation type="unfinished"></translation>
+        <translation>십자: 취소 · 오른쪽 클릭: 더 보기</translation>
     </message>
     <message>
         <source>Right click: copy the message, forget what has finished</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 클릭: 메시지 복사, 끝난 것 지우기</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>취소</translation>
     </message>
     <message>
         <source>Copy the message</source>
-        <translation type="unfinished"></translation>
+        <translation>메시지 복사</translation>
     </message>
     <message>
         <source>Forget what has finished</source>
-        <translation type="unfinished"></translation>
+        <translation>끝난 것 지우기</translation>
     </message>
     <message>
         <source>Nothing is being computed, read or written.</source>
-        <translation type="unfinished"></translation>
+        <translation>계산하거나 읽거나 쓰는 것이 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::KeyRecorder</name>
     <message>
         <source>Press keys…</source>
-        <translation type="unfinished"></translation>
+        <translation>키를 누르십시오…</translation>
     </message>
     <message>
         <source>No keys: click to set</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키 없음: 클릭하여 지정</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ListField</name>
     <message>
         <source>Add an item</source>
-        <translation type="unfinished"></translation>
+        <translation>항목 추가</translation>
     </message>
     <message>
         <source>Add an item to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 항목 추가</translation>
     </message>
     <message>
         <source>%1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1개 더</translation>
     </message>
     <message>
         <source>Remove all</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 제거</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ListRow</name>
     <message>
         <source>Drag to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 자리로 끌기</translation>
     </message>
     <message>
         <source>Move or copy this item</source>
-        <translation type="unfinished"></translation>
+        <translation>이 항목 이동 또는 복사</translation>
     </message>
     <message>
         <source>Remove this item</source>
-        <translation type="unfinished"></translation>
+        <translation>이 항목 제거</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>위로</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>아래로</translation>
     </message>
     <message>
         <source>Copy below</source>
-        <translation type="unfinished"></translation>
+        <translation>아래에 복사</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>제거</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::LogAndJobs</name>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>보기</translation>
     </message>
     <message>
         <source>&amp;Jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>작업(&amp;J)</translation>
     </message>
     <message>
         <source>Show what is being computed, read and written.</source>
-        <translation type="unfinished"></translation>
+        <translation>계산하고 읽고 쓰는 것을 보입니다.</translation>
     </message>
     <message>
         <source>Ctrl+J</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+J</translation>
     </message>
     <message>
         <source>&amp;Log</source>
-        <translation type="unfinished"></translation>
+        <translation>기록(&amp;L)</translation>
     </message>
     <message>
         <source>Show what has happened so far.</source>
-        <translation type="unfinished"></translation>
+        <translation>지금까지 있었던 일을 보입니다.</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+L</translation>
     </message>
     <message>
         <source>JOBS</source>
-        <translation type="unfinished"></translation>
+        <translation>작업</translation>
     </message>
     <message>
         <source>LOG</source>
-        <translation type="unfinished"></translation>
+        <translation>기록</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::LogList</name>
     <message>
         <source>Opened %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 열었습니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::LogPanel</name>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>기록</translation>
     </message>
     <message>
         <source>Everything</source>
-        <translation type="unfinished"></translation>
+        <translation>모두</translation>
     </message>
     <message>
         <source>Warnings and errors</source>
-        <translation type="unfinished"></translation>
+        <translation>경고와 오류</translation>
     </message>
     <message>
         <source>Errors</source>
-        <translation type="unfinished"></translation>
+        <translation>오류</translation>
     </message>
     <message>
         <source>Which messages</source>
-        <translation type="unfinished"></translation>
+        <translation>어떤 메시지</translation>
     </message>
     <message>
         <source>Filter</source>
-        <translation type="unfinished"></translation>
+        <translation>거르기</translation>
     </message>
     <message>
         <source>Copy what is selected, or everything shown</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 것 또는 보이는 것 모두 복사</translation>
     </message>
     <message>
         <source>Clear the log</source>
-        <translation type="unfinished"></translation>
+        <translation>기록 지우기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::MainWindow</name>
     <message>
         <source>Not every plugin could be loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>불러오지 못한 플러그인이 있습니다.</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>편집(&amp;E)</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>편집</translation>
     </message>
     <message>
         <source>Find a co&amp;mmand…</source>
-        <translation type="unfinished"></translation>
+        <translation>명령 찾기(&amp;M)…</translation>
     </message>
     <message>
         <source>Find a command, a sample, a feature or a page of the manual by a few letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>몇 글자로 명령, 예제, 피처, 설명서 쪽을 찾습니다.</translation>
     </message>
     <message>
         <source>Ctrl+K</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+K</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>보기(&amp;V)</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>보기</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>맞추기(&amp;F)</translation>
     </message>
     <message>
         <source>Show everything.</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 보입니다.</translation>
     </message>
     <message>
         <source>F</source>
-        <translation type="unfinished"></translation>
+        <translation>F</translation>
     </message>
     <message>
         <source>&amp;Home</source>
-        <translation type="unfinished"></translation>
+        <translation>처음 보기(&amp;H)</translation>
     </message>
     <message>
         <source>Look at everything as when it was opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>열었을 때처럼 전체를 봅니다.</translation>
     </message>
     <message>
         <source>0</source>
-        <translation type="unfinished"></translation>
+        <translation>0</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation type="unfinished"></translation>
+        <translation>확대(&amp;I)</translation>
     </message>
     <message>
         <source>Come nearer.</source>
-        <translation type="unfinished"></translation>
+        <translation>더 가까이 갑니다.</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
-        <translation type="unfinished"></translation>
+        <translation>축소(&amp;O)</translation>
     </message>
     <message>
         <source>Step back.</source>
-        <translation type="unfinished"></translation>
+        <translation>물러섭니다.</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>앞</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>위</translation>
     </message>
     <message>
         <source>Bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>아래</translation>
     </message>
     <message>
         <source>Isometric</source>
-        <translation type="unfinished"></translation>
+        <translation>등각</translation>
     </message>
     <message>
         <source>Look from: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>보는 방향: %1.</translation>
     </message>
     <message>
         <source>&amp;Parallel projection</source>
-        <translation type="unfinished"></translation>
+        <translation>평행 투영(&amp;P)</translation>
     </message>
     <message>
         <source>Without perspective: equal lengths look equal.</source>
-        <translation type="unfinished"></translation>
+        <translation>원근 없이 같은 길이가 같게 보입니다.</translation>
     </message>
     <message>
         <source>P</source>
-        <translation type="unfinished"></translation>
+        <translation>P</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>격자(&amp;G)</translation>
     </message>
     <message>
         <source>Show the ground grid.</source>
-        <translation type="unfinished"></translation>
+        <translation>바닥 격자를 보입니다.</translation>
     </message>
     <message>
         <source>G</source>
-        <translation type="unfinished"></translation>
+        <translation>G</translation>
     </message>
     <message>
         <source>&amp;Select</source>
-        <translation type="unfinished"></translation>
+        <translation>선택(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>테마(&amp;T)</translation>
     </message>
     <message>
         <source>As the &amp;desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>데스크톱 설정대로(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>어둡게(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>밝게(&amp;L)</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>도움말(&amp;H)</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>도구</translation>
     </message>
     <message>
         <source>The document is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>문서가 비어 있습니다.</translation>
     </message>
     <message>
         <source>Nothing has changed since it was saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>저장한 뒤로 바뀐 것이 없습니다.</translation>
     </message>
     <message>
         <source>Save the changes of %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 변경을 저장하겠습니까?</translation>
     </message>
     <message>
         <source>Without saving, they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하지 않으면 사라집니다.</translation>
     </message>
     <message>
         <source>The %1 selected results as one file</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 결과 %1개를 한 파일로</translation>
     </message>
     <message>
         <source>All %1 visible results as one file</source>
-        <translation type="unfinished"></translation>
+        <translation>보이는 결과 %1개를 한 파일로</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>내보내기</translation>
     </message>
     <message>
         <source>untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>제목 없음</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>파일(&amp;F)</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>파일</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>새로 만들기(&amp;N)</translation>
     </message>
     <message>
         <source>Start an empty document.</source>
-        <translation type="unfinished"></translation>
+        <translation>빈 문서를 시작합니다.</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>열기(&amp;O)…</translation>
     </message>
     <message>
         <source>Open documents, or geometry in new ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>문서를 열거나 형상 파일을 새 문서로 엽니다.</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>최근 파일 열기(&amp;R)</translation>
     </message>
     <message>
         <source>Open a s&amp;ample</source>
-        <translation type="unfinished"></translation>
+        <translation>예제 열기(&amp;A)</translation>
     </message>
     <message>
         <source>S&amp;tart page</source>
-        <translation type="unfinished"></translation>
+        <translation>시작 화면(&amp;T)</translation>
     </message>
     <message>
         <source>Show samples and recent documents.</source>
-        <translation type="unfinished"></translation>
+        <translation>예제와 최근 문서를 보입니다.</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기(&amp;I)…</translation>
     </message>
     <message>
         <source>Add geometry from files to this document.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 형상을 이 문서에 추가합니다.</translation>
     </message>
     <message>
         <source>Ctrl+I</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+I</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>내보내기(&amp;E)…</translation>
     </message>
     <message>
         <source>Write the selected results, or all that is visible, as STEP, STL, a picture, …</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 결과나 보이는 모든 것을 STEP, STL, 그림 등으로 씁니다.</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>저장(&amp;S)</translation>
     </message>
     <message>
         <source>Save this document.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 문서를 저장합니다.</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 이름으로 저장(&amp;A)…</translation>
     </message>
     <message>
         <source>Save this document under another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 문서를 다른 이름으로 저장합니다.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+S</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+S</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>끝내기(&amp;Q)</translation>
     </message>
     <message>
         <source>Close the workbench.</source>
-        <translation type="unfinished"></translation>
+        <translation>작업대를 닫습니다.</translation>
     </message>
     <message>
         <source>Ne&amp;xt document</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 문서(&amp;X)</translation>
     </message>
     <message>
         <source>Show the document in the next tab.</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 탭의 문서를 보입니다.</translation>
     </message>
     <message>
         <source>Ctrl+Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Tab</translation>
     </message>
     <message>
         <source>Ctrl+PgDown</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+PgDown</translation>
     </message>
     <message>
         <source>&amp;Previous document</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 문서(&amp;P)</translation>
     </message>
     <message>
         <source>Show the document in the tab before.</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 탭의 문서를 보입니다.</translation>
     </message>
     <message>
         <source>Ctrl+Shift+Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+Tab</translation>
     </message>
     <message>
         <source>Ctrl+PgUp</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+PgUp</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기(&amp;C)</translation>
     </message>
     <message>
         <source>Close this document.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 문서를 닫습니다.</translation>
     </message>
     <message>
         <source>Ctrl+W</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+W</translation>
     </message>
     <message>
         <source>Close ot&amp;hers</source>
-        <translation type="unfinished"></translation>
+        <translation>나머지 닫기(&amp;H)</translation>
     </message>
     <message>
         <source>Close every document but this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 문서만 남기고 모두 닫습니다.</translation>
     </message>
     <message>
         <source>%1 (not there any more)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (이제 없음)</translation>
     </message>
     <message>
         <source>Takes it off this list</source>
-        <translation type="unfinished"></translation>
+        <translation>목록에서 뺍니다</translation>
     </message>
     <message>
         <source>Clear this list</source>
-        <translation type="unfinished"></translation>
+        <translation>목록 비우기</translation>
     </message>
     <message>
         <source>Blossom documents (*.blossom)</source>
-        <translation type="unfinished"></translation>
+        <translation>Blossom 문서 (*.blossom)</translation>
     </message>
     <message>
         <source>%1 is not there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 없습니다.</translation>
     </message>
     <message>
         <source>%1 has no extension that Blossom reads.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 확장자는 Blossom이 읽지 못합니다.</translation>
     </message>
     <message>
         <source>%1 of %2 files cannot be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 %2개 가운데 %1개를 열 수 없습니다.</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>열기</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기</translation>
     </message>
     <message>
         <source>%1 was changed by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 다른 프로그램에서 바뀌었습니다.</translation>
     </message>
     <message>
         <source>Since it was opened here, somebody else has written it. Saving replaces what they wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>여기서 연 뒤에 다른 곳에서 그 파일을 썼습니다. 저장하면 그 내용을 덮어씁니다.</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>바꾸기</translation>
     </message>
     <message>
         <source>Save as…</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 이름으로 저장…</translation>
     </message>
     <message>
         <source>Save as</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 이름으로 저장</translation>
     </message>
     <message>
         <source>%1 already exists.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 이미 있습니다.</translation>
     </message>
     <message>
         <source>Saving replaces it.</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하면 덮어씁니다.</translation>
     </message>
     <message>
         <source>No safety copy of %1 can be kept: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 안전 사본을 둘 수 없습니다: %2</translation>
     </message>
     <message>
         <source>%1: find a command · Drop files to open them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 명령 찾기 · 파일을 놓으면 열립니다</translation>
     </message>
     <message>
         <source>Not saved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 저장하지 않음</translation>
     </message>
 </context>
 <context>
@@ -1851,1016 +1853,1078 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <source># No such page
 
 The manual has no page &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation># 그런 쪽이 없습니다
+
+설명서에 &quot;%1&quot; 쪽이 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ManualWindow</name>
     <message>
         <source>Blossom manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Blossom 설명서</translation>
     </message>
     <message>
         <source>%1 – Blossom manual</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – Blossom 설명서</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>설명서에서 찾기</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤로</translation>
     </message>
     <message>
         <source>Alt+Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Left</translation>
     </message>
     <message>
         <source>Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>앞으로</translation>
     </message>
     <message>
         <source>Alt+Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Right</translation>
     </message>
     <message>
         <source>First page</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 쪽</translation>
     </message>
     <message>
         <source>Alt+Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Home</translation>
     </message>
     <message>
         <source>Nothing in the manual has all of these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 낱말이 모두 든 곳이 설명서에 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::MeasurePanel</name>
     <message>
         <source>Click a face, an edge or a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>면, 모서리 또는 점을 클릭하십시오.</translation>
     </message>
     <message>
         <source>Copy the figures (Ctrl+C)</source>
-        <translation type="unfinished"></translation>
+        <translation>수치 복사(Ctrl+C)</translation>
     </message>
     <message>
         <source>Delete the measurement (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 삭제(Del)</translation>
     </message>
     <message>
         <source>Delete all measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 측정 삭제</translation>
     </message>
     <message>
         <source>Measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>측정</translation>
     </message>
     <message>
         <source>MEASUREMENTS</source>
-        <translation type="unfinished"></translation>
+        <translation>측정</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>점</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::MeasureTool</name>
     <message>
         <source>Click: measure to %1 · Enter: keep as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: %1까지 측정 · Enter: 그대로 두기</translation>
     </message>
     <message>
         <source>Click a second part · Enter: keep as it is · Del: delete</source>
-        <translation type="unfinished"></translation>
+        <translation>두 번째 부분 클릭 · Enter: 그대로 두기 · Del: 삭제</translation>
     </message>
     <message>
         <source>Click: measure %1</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: %1 측정</translation>
     </message>
     <message>
         <source>Click a face, an edge or a point to measure it · Esc: finish</source>
-        <translation type="unfinished"></translation>
+        <translation>면, 모서리, 점을 클릭하여 측정 · Esc: 끝내기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Measurements</name>
     <message>
         <source>What was measured is no longer in the document.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 것이 이제 문서에 없습니다.</translation>
     </message>
     <message>
         <source>%1 has no shape at present.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 지금 형상이 없습니다.</translation>
     </message>
     <message>
         <source>%1, face %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 면 %2</translation>
     </message>
     <message>
         <source>%1, edge %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 모서리 %2</translation>
     </message>
     <message>
         <source>%1, point %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 점 %2</translation>
     </message>
     <message>
         <source>Lost</source>
-        <translation type="unfinished"></translation>
+        <translation>잃음</translation>
     </message>
     <message>
         <source>Measuring</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 중</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 %2까지</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Navigation</name>
     <message>
         <source>left and middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽·가운데 끌기</translation>
     </message>
     <message>
         <source>middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>가운데 끌기</translation>
     </message>
     <message>
         <source>right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 끌기</translation>
     </message>
     <message>
         <source>drag</source>
-        <translation type="unfinished"></translation>
+        <translation>끌기</translation>
     </message>
     <message>
         <source>Ctrl</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl</translation>
     </message>
     <message>
         <source>Shift</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift</translation>
     </message>
     <message>
         <source>orbit</source>
-        <translation type="unfinished"></translation>
+        <translation>회전</translation>
     </message>
     <message>
         <source>pan</source>
-        <translation type="unfinished"></translation>
+        <translation>이동</translation>
     </message>
     <message>
         <source>zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>확대</translation>
     </message>
     <message>
         <source>select by a box</source>
-        <translation type="unfinished"></translation>
+        <translation>상자로 선택</translation>
     </message>
     <message>
         <source>Click: select</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: 선택</translation>
     </message>
     <message>
         <source>Wheel: zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>휠: 확대</translation>
     </message>
     <message>
         <source>Double click: fit</source>
-        <translation type="unfinished"></translation>
+        <translation>두 번 클릭: 맞추기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::NumberField</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>must be given</source>
-        <translation type="unfinished"></translation>
+        <translation>꼭 지정해야 함</translation>
     </message>
     <message>
         <source>%1
 Drag sideways to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+옆으로 끌면 바뀝니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ParameterField</name>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 %1</translation>
     </message>
     <message>
         <source>Reset to the default</source>
-        <translation type="unfinished"></translation>
+        <translation>기본값으로 되돌리기</translation>
     </message>
     <message>
         <source> The value before is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation> 이전 값을 유지합니다.</translation>
     </message>
     <message>
         <source>Copy value</source>
-        <translation type="unfinished"></translation>
+        <translation>값 복사</translation>
     </message>
     <message>
         <source>Paste value</source>
-        <translation type="unfinished"></translation>
+        <translation>값 붙여넣기</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>비우기</translation>
     </message>
     <message>
         <source>Reset to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(으)로 되돌리기</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::Preferences</name>
+    <message>
+        <source>Look</source>
+        <translation>모양</translation>
+    </message>
+    <message>
+        <source>Colours of the window; system follows the desktop.</source>
+        <translation>창의 색입니다. 시스템은 데스크톱 설정을 따릅니다.</translation>
+    </message>
+    <message>
+        <source>Language of the window, from the next start on.</source>
+        <translation>창의 언어이며 다음 시작부터 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>In which lengths are shown; any unit may be typed.</source>
+        <translation>길이를 표시하는 단위입니다. 입력할 때는 어떤 단위든 쓸 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Digits after the point where lengths are shown.</source>
+        <translation>길이를 표시할 때의 소수 자릿수입니다.</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>보기</translation>
+    </message>
+    <message>
+        <source>Which mouse buttons turn, shift and zoom the view.</source>
+        <translation>보기를 회전, 이동, 확대하는 마우스 단추입니다.</translation>
+    </message>
+    <message>
+        <source>Largest distance between a shape and the polygons that are drawn and exported.</source>
+        <translation>형상과, 화면에 그리고 내보내는 다각형 사이의 최대 거리입니다.</translation>
+    </message>
+    <message>
+        <source>Of a document when it is opened.</source>
+        <translation>문서를 열 때의 투영입니다.</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>작업</translation>
+    </message>
+    <message>
+        <source>Keep a copy of unsaved changes that is offered after a crash.</source>
+        <translation>저장하지 않은 변경의 사본을 두었다가 비정상 종료 후에 제공합니다.</translation>
+    </message>
+    <message>
+        <source>Time between two such copies, in minutes.</source>
+        <translation>사본을 만드는 간격(분)입니다.</translation>
+    </message>
+    <message>
+        <source>Processor cores to compute with; 0 takes all of them.</source>
+        <translation>계산에 쓸 프로세서 코어 수입니다. 0이면 모두 씁니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::PreferencesCommands</name>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>편집</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts…</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키(&amp;K)…</translation>
     </message>
     <message>
         <source>Choose the keys of every command.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 명령의 단축키를 정합니다.</translation>
     </message>
     <message>
         <source>Pre&amp;ferences…</source>
-        <translation type="unfinished"></translation>
+        <translation>환경 설정(&amp;F)…</translation>
     </message>
     <message>
         <source>Look, units, navigation, autosave and threads.</source>
-        <translation type="unfinished"></translation>
+        <translation>모양, 단위, 탐색, 자동 저장, 스레드입니다.</translation>
     </message>
     <message>
         <source>Ctrl+,</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+,</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>환경 설정</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키</translation>
     </message>
     <message>
         <source>&amp;Reset this page</source>
-        <translation type="unfinished"></translation>
+        <translation>이 쪽 초기화(&amp;R)</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::PropertyPanel</name>
     <message>
         <source>PROPERTIES</source>
-        <translation type="unfinished"></translation>
+        <translation>속성</translation>
     </message>
     <message>
         <source>Nothing is open yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 열린 것이 없습니다.</translation>
     </message>
     <message>
         <source>Select a feature to see what it is made from and what it came to.</source>
-        <translation type="unfinished"></translation>
+        <translation>피처를 고르면 무엇으로 만들어졌고 결과가 무엇인지 보입니다.</translation>
     </message>
     <message>
         <source>The plugin that makes &quot;%1&quot; is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;을(를) 만드는 플러그인이 설치되어 있지 않습니다.</translation>
     </message>
     <message>
         <source>INPUTS</source>
-        <translation type="unfinished"></translation>
+        <translation>입력</translation>
     </message>
     <message>
         <source>RESULT</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>Change %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 %1 변경</translation>
     </message>
     <message>
         <source>Another file is still being read or written. Wait for it or cancel it.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 파일을 아직 읽거나 쓰고 있습니다. 기다리거나 취소하십시오.</translation>
     </message>
     <message>
         <source>Reading the file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 읽는 중</translation>
     </message>
     <message>
         <source>Rename %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이름 바꾸기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::RatioSlider</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Recovery</name>
     <message>
         <source>Looking for unsaved documents</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하지 않은 문서 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::RecoveryBar</name>
     <message>
         <source>Recover all</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 복구</translation>
     </message>
     <message>
         <source>Not now: they are offered again at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>나중에: 다음에 시작할 때 다시 물어봅니다</translation>
     </message>
     <message>
         <source>%1, last step: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 마지막 단계: %2</translation>
     </message>
     <message>
         <source>Was never saved</source>
-        <translation type="unfinished"></translation>
+        <translation>저장한 적 없음</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>복구</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>버리기</translation>
     </message>
     <message>
         <source>A document was not saved when Blossom last ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Blossom이 마지막으로 끝날 때 저장하지 않은 문서가 하나 있습니다.</translation>
     </message>
     <message>
         <source>%1 documents were not saved when Blossom last ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Blossom이 마지막으로 끝날 때 저장하지 않은 문서가 %1개 있습니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ResultTable</name>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>예</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>아니요</translation>
     </message>
     <message>
         <source>Computing…</source>
-        <translation type="unfinished"></translation>
+        <translation>계산 중…</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>종류</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>시간</translation>
     </message>
     <message>
         <source>from the cache</source>
-        <translation type="unfinished"></translation>
+        <translation>캐시에서</translation>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
+        <translation>ms</translation>
     </message>
     <message>
         <source>Click to copy</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭하여 복사</translation>
     </message>
     <message>
         <source>Copied %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 복사됨</translation>
     </message>
     <message>
         <source>Copied</source>
-        <translation type="unfinished"></translation>
+        <translation>복사됨</translation>
     </message>
     <message>
         <source>Copy value</source>
-        <translation type="unfinished"></translation>
+        <translation>값 복사</translation>
     </message>
     <message>
         <source>Copy name and value</source>
-        <translation type="unfinished"></translation>
+        <translation>이름과 값 복사</translation>
     </message>
     <message>
         <source>Copy all results</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 결과 복사</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::SectionPanel</name>
     <message>
         <source>Flip</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤집기</translation>
     </message>
     <message>
         <source>Cut away the other side (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>반대쪽 잘라내기(F)</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>끄기</translation>
     </message>
     <message>
         <source>Show everything whole again (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 전체 보이기(Del)</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>단면</translation>
     </message>
     <message>
         <source>Across the x axis (X)</source>
-        <translation type="unfinished"></translation>
+        <translation>x축에 수직(X)</translation>
     </message>
     <message>
         <source>Across the y axis (Y)</source>
-        <translation type="unfinished"></translation>
+        <translation>y축에 수직(Y)</translation>
     </message>
     <message>
         <source>Across the z axis (Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>z축에 수직(Z)</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation type="unfinished"></translation>
+        <translation>면</translation>
     </message>
     <message>
         <source>Parallel to a face that you pick (P)</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 면에 평행(P)</translation>
     </message>
     <message>
         <source>Offset of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>단면의 위치</translation>
     </message>
     <message>
         <source>Where it cuts, such as 12.5 or 1/2 in</source>
-        <translation type="unfinished"></translation>
+        <translation>자르는 위치. 예: 12.5 또는 1/2 in</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::SectionTool</name>
     <message>
         <source>Click a face: the section becomes parallel to it · Esc: keep the direction</source>
-        <translation type="unfinished"></translation>
+        <translation>면 클릭: 단면이 그 면에 평행해짐 · Esc: 방향 유지</translation>
     </message>
     <message>
         <source>Ctrl: in steps of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl: 격자 단위로</translation>
     </message>
     <message>
         <source>Drag: move the section along its direction</source>
-        <translation type="unfinished"></translation>
+        <translation>끌기: 단면을 방향대로 이동</translation>
     </message>
     <message>
         <source>Drag the handle · X, Y, Z: direction · P: of a face · F: flip · Up, Down: a step · Del: off · Esc: finish</source>
-        <translation type="unfinished"></translation>
+        <translation>손잡이 끌기 · X, Y, Z: 방향 · P: 면 기준 · F: 뒤집기 · 위아래: 한 단계 · Del: 끄기 · Esc: 끝내기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Session</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>제목 없음</translation>
     </message>
     <message>
         <source>Undo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 취소: %1</translation>
     </message>
     <message>
         <source>Computing was cancelled; what was ready is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>계산을 취소했습니다. 끝난 것까지 보입니다.</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 여는 중</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 가져오기</translation>
     </message>
     <message>
         <source>Import %1 files</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 %1개 가져오기</translation>
     </message>
     <message>
         <source>Saving %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 저장 중</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1(으)로 저장했습니다.</translation>
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 내보내는 중</translation>
     </message>
     <message>
         <source>%1 in %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2초</translation>
     </message>
     <message>
         <source>Exported %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 내보냈습니다: %2.</translation>
     </message>
     <message>
         <source>Add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 추가</translation>
     </message>
     <message>
         <source>Importing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 가져오는 중</translation>
     </message>
     <message>
         <source>Recovering %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 복구 중</translation>
     </message>
     <message>
         <source>%1 is as it was after &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) &quot;%2&quot; 다음의 상태입니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ShortcutEditor</name>
     <message>
         <source>Search commands and keys</source>
-        <translation type="unfinished"></translation>
+        <translation>명령과 단축키 찾기</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>명령</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키</translation>
     </message>
     <message>
         <source>&amp;No keys</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키 없음(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;Standard keys</source>
-        <translation type="unfinished"></translation>
+        <translation>기본 단축키(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Take them from there</source>
-        <translation type="unfinished"></translation>
+        <translation>거기서 가져오기(&amp;T)</translation>
     </message>
     <message>
         <source>Click the keys and press others, or press Enter in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키를 클릭하고 다른 키를 누르거나 목록에서 Enter를 누르십시오.</translation>
     </message>
     <message>
         <source>Select a command to change its keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키를 바꿀 명령을 고르십시오.</translation>
     </message>
     <message>
         <source>%1 already belongs to &quot;%2&quot; in %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 이미 %3의 &quot;%2&quot;에 쓰입니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::StartPage</name>
     <message>
         <source>RECENT</source>
-        <translation type="unfinished"></translation>
+        <translation>최근</translation>
     </message>
     <message>
         <source>SAMPLES</source>
-        <translation type="unfinished"></translation>
+        <translation>예제</translation>
     </message>
     <message>
         <source>Start with a shape</source>
-        <translation type="unfinished"></translation>
+        <translation>형상으로 시작하기</translation>
     </message>
     <message>
         <source>Take a sample, or drop files anywhere on the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>예제를 고르거나 창 아무 데나 파일을 놓으십시오.</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>새로 만들기</translation>
     </message>
     <message>
         <source>Start an empty document.</source>
-        <translation type="unfinished"></translation>
+        <translation>빈 문서를 시작합니다.</translation>
     </message>
     <message>
         <source>Import…</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기…</translation>
     </message>
     <message>
         <source>Start a document with geometry from files.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 형상으로 문서를 시작합니다.</translation>
     </message>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>열기…</translation>
     </message>
     <message>
         <source>Unpin</source>
-        <translation type="unfinished"></translation>
+        <translation>고정 해제</translation>
     </message>
     <message>
         <source>Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>고정</translation>
     </message>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더에서 보기</translation>
     </message>
     <message>
         <source>Remove from this list</source>
-        <translation type="unfinished"></translation>
+        <translation>목록에서 빼기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::StatusLine</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>취소</translation>
     </message>
     <message>
         <source>Show all jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 작업 보이기</translation>
     </message>
     <message>
         <source> %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation> %1 %</translation>
     </message>
     <message>
         <source>%1 jobs: </source>
-        <translation type="unfinished"></translation>
+        <translation>작업 %1개: </translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::SubShapeField</name>
     <message>
         <source>Pick in the view: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>보기에서 고르기: %1</translation>
     </message>
     <message>
         <source>none; pick in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>없음. 보기에서 고르십시오</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>One must be given; pick another one instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>하나는 지정해야 합니다. 다른 것을 고르십시오.</translation>
     </message>
     <message>
         <source>Click every %1 for %2, again to let go; Esc ends</source>
-        <translation type="unfinished"></translation>
+        <translation>%2(으)로 쓸 %1을(를) 모두 클릭, 다시 클릭하면 해제, Esc: 끝내기</translation>
     </message>
     <message>
         <source>Click the %1 for %2; Esc ends</source>
-        <translation type="unfinished"></translation>
+        <translation>%2(으)로 쓸 %1을(를) 클릭, Esc: 끝내기</translation>
     </message>
     <message>
         <source>That is not a part of an input of this feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 피처의 입력에 속한 부분이 아닙니다.</translation>
     </message>
     <message>
         <source>That is no %1 but a %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 아니라 %2입니다.</translation>
     </message>
     <message>
         <source>Pick in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>보기에서 고르기</translation>
     </message>
     <message>
         <source>Remove all</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 제거</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Swatch</name>
     <message>
         <source>Choose another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 색 고르기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::SwitchBox</name>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>켬</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>끔</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::TextField</name>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Tile</name>
     <message>
         <source>Pinned</source>
-        <translation type="unfinished"></translation>
+        <translation>고정됨</translation>
     </message>
     <message>
         <source>Not there any more</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 없음</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::Tour</name>
     <message>
         <source>Begin with a sample</source>
-        <translation type="unfinished"></translation>
+        <translation>예제로 시작하기</translation>
     </message>
     <message>
         <source>The start page opens samples and your last documents with one click. Files can be dropped anywhere on the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>시작 화면에서 예제와 최근 문서를 한 번의 클릭으로 엽니다. 파일은 창 아무 데나 놓을 수 있습니다.</translation>
     </message>
     <message>
         <source>The document</source>
-        <translation type="unfinished"></translation>
+        <translation>문서</translation>
     </message>
     <message>
         <source>Every feature stands here, above what is made from it, with what it came to below its name. A failing feature says why; the rest of the document lives on.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 피처가 여기에 있으며, 그것으로 만든 것보다 위에 놓이고 이름 아래에 결과가 보입니다. 실패한 피처는 이유를 말하고 문서의 나머지는 그대로 살아 있습니다.</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>속성</translation>
     </message>
     <message>
         <source>What is selected shows its parameters and its result. Values may be expressions with units, such as 3cm + 1/2 in, and every change can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 것의 매개변수와 결과가 보입니다. 값은 3cm + 1/2 in처럼 단위가 든 식이어도 되고, 모든 변경은 되돌릴 수 있습니다.</translation>
     </message>
     <message>
         <source>Canvas and palette</source>
-        <translation type="unfinished"></translation>
+        <translation>화면과 팔레트</translation>
     </message>
     <message>
         <source>Drag to turn, turn the wheel to come nearer, click to select. The status line always tells what the mouse would do.</source>
-        <translation type="unfinished"></translation>
+        <translation>끌면 돌고, 휠을 돌리면 가까워지고, 클릭하면 선택됩니다. 상태 줄은 마우스가 무엇을 할지 늘 알려 줍니다.</translation>
     </message>
     <message>
         <source>Drag to turn, turn the wheel to come nearer, click to select. The status line always tells what the mouse would do. %1 finds every command by name.</source>
-        <translation type="unfinished"></translation>
+        <translation>끌면 돌고, 휠을 돌리면 가까워지고, 클릭하면 선택됩니다. 상태 줄은 마우스가 무엇을 할지 늘 알려 줍니다. %1을(를) 누르면 모든 명령을 이름으로 찾습니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::TourBubble</name>
     <message>
         <source>&amp;Skip</source>
-        <translation type="unfinished"></translation>
+        <translation>건너뛰기(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤로(&amp;B)</translation>
     </message>
     <message>
         <source>Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>둘러보기</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>&amp;Done</source>
-        <translation type="unfinished"></translation>
+        <translation>끝(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation type="unfinished"></translation>
+        <translation>다음(&amp;N)</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::UnsavedDialog</name>
     <message>
         <source>Save all</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 저장</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하지 않은 변경</translation>
     </message>
     <message>
         <source>%1 documents have changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하지 않은 변경이 있는 문서가 %1개입니다.</translation>
     </message>
     <message>
         <source>Those that are ticked are saved; the changes of the others are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>표시한 것은 저장하고, 나머지의 변경은 사라집니다.</translation>
     </message>
     <message>
         <source>Discard all</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 버리기</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>취소</translation>
     </message>
     <message>
         <source>Save %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2개 가운데 %1개 저장</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::VectorField</name>
     <message>
         <source>Pick a point in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>보기에서 점 고르기</translation>
     </message>
     <message>
         <source>Pick a face in the view; its normal is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>보기에서 면 고르기: 법선을 씁니다</translation>
     </message>
     <message>
         <source> The value before is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation> 이전 값을 유지합니다.</translation>
     </message>
     <message>
         <source>Click where %1 is to be; Esc ends</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 둘 곳을 클릭하십시오. Esc: 끝내기</translation>
     </message>
     <message>
         <source>Click a face whose normal is to be %1; Esc ends</source>
-        <translation type="unfinished"></translation>
+        <translation>법선을 %1(으)로 쓸 면을 클릭하십시오. Esc: 끝내기</translation>
     </message>
     <message>
         <source>Pick in the view</source>
-        <translation type="unfinished"></translation>
+        <translation>보기에서 고르기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ViewCommands</name>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>선택</translation>
     </message>
     <message>
         <source>F&amp;eatures</source>
-        <translation type="unfinished"></translation>
+        <translation>피처(&amp;E)</translation>
     </message>
     <message>
         <source>A click in the view selects whole features.</source>
-        <translation type="unfinished"></translation>
+        <translation>보기를 클릭하면 피처 전체가 선택됩니다.</translation>
     </message>
     <message>
         <source>&amp;Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>면(&amp;F)</translation>
     </message>
     <message>
         <source>A click in the view selects faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>보기를 클릭하면 면이 선택됩니다.</translation>
     </message>
     <message>
         <source>E&amp;dges</source>
-        <translation type="unfinished"></translation>
+        <translation>모서리(&amp;D)</translation>
     </message>
     <message>
         <source>A click in the view selects edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>보기를 클릭하면 모서리가 선택됩니다.</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>점(&amp;P)</translation>
     </message>
     <message>
         <source>A click in the view selects points.</source>
-        <translation type="unfinished"></translation>
+        <translation>보기를 클릭하면 점이 선택됩니다.</translation>
     </message>
     <message>
         <source>&amp;Any part</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 부분(&amp;A)</translation>
     </message>
     <message>
         <source>A click in the view selects the nearest face, edge or point.</source>
-        <translation type="unfinished"></translation>
+        <translation>보기를 클릭하면 가장 가까운 면, 모서리, 점이 선택됩니다.</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>보기</translation>
     </message>
     <message>
         <source>Shaded with &amp;edges</source>
-        <translation type="unfinished"></translation>
+        <translation>음영과 모서리(&amp;E)</translation>
     </message>
     <message>
         <source>Draw faces and their edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>면과 모서리를 그립니다.</translation>
     </message>
     <message>
         <source>&amp;Shaded</source>
-        <translation type="unfinished"></translation>
+        <translation>음영(&amp;S)</translation>
     </message>
     <message>
         <source>Draw faces alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>면만 그립니다.</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>와이어프레임(&amp;W)</translation>
     </message>
     <message>
         <source>Draw edges alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>모서리만 그립니다.</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>측정(&amp;M)</translation>
     </message>
     <message>
         <source>Measure lengths, distances, angles, radii and areas by clicking.</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭하여 길이, 거리, 각도, 반지름, 면적을 잽니다.</translation>
     </message>
     <message>
         <source>&amp;Section</source>
-        <translation type="unfinished"></translation>
+        <translation>단면(&amp;S)</translation>
     </message>
     <message>
         <source>Cut the model open with a plane that can be dragged.</source>
-        <translation type="unfinished"></translation>
+        <translation>끌 수 있는 평면으로 모델을 잘라 봅니다.</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ViewCube</name>
     <message>
         <source>Click: look from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>클릭: %1에서 보기</translation>
     </message>
 </context>
 <context>
     <name>blossom::ui::ViewWidget</name>
     <message>
         <source>The graphics driver has no OpenGL 3.2, which the view needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>그래픽 드라이버에 보기에 필요한 OpenGL 3.2가 없습니다.</translation>
     </message>
     <message>
         <source>Orbiting</source>
-        <translation type="unfinished"></translation>
+        <translation>회전</translation>
     </message>
     <message>
         <source>Panning</source>
-        <translation type="unfinished"></translation>
+        <translation>이동</translation>
     </message>
     <message>
         <source>Zooming</source>
-        <translation type="unfinished"></translation>
+        <translation>확대</translation>
     </message>
     <message>
         <source>Selects what the box touches</source>
-        <translation type="unfinished"></translation>
+        <translation>상자에 닿는 것을 선택합니다</translation>
     </message>
     <message>
         <source>Selects what lies wholly in the box</source>
-        <translation type="unfinished"></translation>
+        <translation>상자에 완전히 든 것을 선택합니다</translation>
     </message>
     <message>
         <source>grid %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>격자 %1 mm</translation>
     </message>
     <message>
         <source>x %1   y %2 mm   ·   %3</source>
-        <translation type="unfinished"></translation>
+        <translation>x %1   y %2 mm   ·   %3</translation>
     </message>
 </context>
 </TS>

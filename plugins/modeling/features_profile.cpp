@@ -42,26 +42,29 @@ ParameterSpec taperAngle() {
 
 FeatureType extrudeFeature() {
   using P = ExtrudeParameters;
-  return feature<P>("modeling.extrude", "Extrude", "A solid over an outline, straight or tapered.")
-      .icon("extrude")
-      .input(profileInput())
-      .parameter("height", &P::height, length(), "How far it goes; below 0: the other way.")
-      .parameter("back", &P::back, lengthFromZero(), "How far it goes the other way as well.")
-      .parameter("taper", &P::taper, taperAngle(), "By how much the sides lean inwards; below 0: outwards.")
-      .parameter("direction", &P::direction, vector(), "Where it goes; 0,0,0: square to the outline.")
-      .parameter("solid", &P::solid, flag(), solidHelp)
-      .parameter("face", &P::face, optional(subShape("face")), faceHelp)
-      .example("blossom extrude outline.svg --height 12 -o part.step")
-      .example("blossom extrude outline.dxf --height 30 --taper 3 -o cast.step")
-      .example("blossom extrude block.step --face profile:face:0 --height 5 -o pad.step")
-      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-        Evaluated out;
-        const Shape& given = inputs.of(0)[0];
-        const Shape drawn = p.taper != 0 && p.solid ? withArcs(given, out.warnings) : given;
-        const ExtrudeOptions options{.height = p.height, .back = p.back, .taper = p.taper, .direction = p.direction};
-        out.shape = Brep(extrude(profileShape(drawn, p.face, p.solid), options, progress).shape, "Extrusion");
-        return out;
-      });
+  return inWorker(
+      feature<P>("modeling.extrude", "Extrude", "A solid over an outline, straight or tapered.")
+          .icon("extrude")
+          .input(profileInput())
+          .parameter("height", &P::height, length(), "How far it goes; below 0: the other way.")
+          .parameter("back", &P::back, lengthFromZero(), "How far it goes the other way as well.")
+          .parameter("taper", &P::taper, taperAngle(), "By how much the sides lean inwards; below 0: outwards.")
+          .parameter("direction", &P::direction, vector(), "Where it goes; 0,0,0: square to the outline.")
+          .parameter("solid", &P::solid, flag(), solidHelp)
+          .parameter("face", &P::face, optional(subShape("face")), faceHelp)
+          .example("blossom extrude outline.svg --height 12 -o part.step")
+          .example("blossom extrude outline.dxf --height 30 --taper 3 -o cast.step")
+          .example("blossom extrude block.step --face profile:face:0 --height 5 -o pad.step")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            Evaluated out;
+            const Shape& given = inputs.of(0)[0];
+            const Shape drawn = p.taper != 0 && p.solid ? withoutSplines(given, out.warnings) : given;
+            const ExtrudeOptions options{.height = p.height, .back = p.back, .taper = p.taper, .direction = p.direction};
+            out.shape = Brep(extrude(profileShape(drawn, p.face, p.solid), options, progress).shape, "Extrusion");
+            return out;
+          }),
+      // Leaning sides are what may take long; a region without them is swept at once.
+      "for the extrusion", [](const Value& parameters, const Inputs&) { return parameters.value("taper", 0.0) != 0; });
 }
 
 struct RevolveParameters {

@@ -9,7 +9,6 @@
 #include "geometry/occt.h"
 #include "geometry/planar.h"
 #include "geometry/sub_shape.h"
-#include "kernel/arc_fit.h"
 #include "kernel/arrange.h"
 #include "kernel/outline_crossing.h"
 #include "kernel/shape_parts.h"
@@ -56,6 +55,27 @@ TopoDS_Shape ofCurves(const Curves& given, bool fill) {
   return toWires(curves);
 }
 
+constexpr double chordDistance = 0.005;
+
+bool hasSplines(const Region& region) {
+  const auto isSpline = [](const Segment& segment) { return std::holds_alternative<Spline2>(segment); };
+  return std::any_of(region.loops.begin(), region.loops.end(),
+                     [&](const Path& loop) { return std::any_of(loop.segments.begin(), loop.segments.end(), isSpline); });
+}
+
+std::vector<Segment> chordsFor(const std::vector<Segment>& segments) {
+  std::vector<Segment> chords;
+  for (const Segment& segment : segments) {
+    if (!std::holds_alternative<Spline2>(segment)) {
+      chords.push_back(segment);
+      continue;
+    }
+    const std::vector<Vec2> points = flatten(segment, chordDistance);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) chords.emplace_back(Line2{points[i], points[i + 1]});
+  }
+  return chords;
+}
+
 TopoDS_Shape ofBrep(const Brep& brep, const SubShapeValue& face, bool fill) {
   if (face.index < 0 && !partsOf(brep.shape(), TopAbs_SOLID).empty())
     throw Error(ErrorCode::InvalidInput, "The input is a solid; which of its faces is meant?",
@@ -76,20 +96,20 @@ TopoDS_Shape profileShape(const Shape& shape, const SubShapeValue& face, bool fi
   return asBrep(shape).shape();
 }
 
-Shape withArcs(const Shape& shape, std::vector<std::string>& warnings) {
+Shape withoutSplines(const Shape& shape, std::vector<std::string>& warnings) {
   if (const auto* curves = shape.get<Curves>()) {
     const Curves whole = joined(*curves);
     const bool closed = std::all_of(whole.paths.begin(), whole.paths.end(), [](const Path& path) { return path.closed; });
-    return closed && !whole.paths.empty() ? withArcs(toRegion(whole), warnings) : shape;
+    return closed && !whole.paths.empty() ? withoutSplines(toRegion(whole), warnings) : shape;
   }
   const auto* region = shape.get<Region>();
-  if (!region) return shape;
-  ArcFitResult fitted = fitArcs(*region);
-  if (fitted.splines == 0) return shape;
+  if (!region || !hasSplines(*region)) return shape;
+  Region chords = *region;
+  for (Path& loop : chords.loops) loop.segments = chordsFor(loop.segments);
   warnings.push_back(
-      fmt::format("The free-form curves of the outline were made into arcs, at most {:.1g} mm away from them.",
-                  std::max(fitted.deviation, 1e-6)));
-  return std::move(fitted.region);
+      fmt::format("The free-form curves of the outline were made into straight pieces, at most {} mm away from them.",
+                  formatNumber(chordDistance)));
+  return chords;
 }
 
 std::vector<int> numbersOf(const std::vector<SubShapeValue>& picked) {

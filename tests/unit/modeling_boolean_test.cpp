@@ -17,7 +17,8 @@ double volumeOr0(const char* operation, const std::vector<Shape>& shapes) {
     const Evaluated solid = combined(operation, shapes);
     return isSound(solid) ? volume(solid) : std::nan("");
   } catch (const Error& error) {
-    return error.code() == ErrorCode::Degenerate && error.message().find("empty") != std::string::npos ? 0 : std::nan("");
+    const bool nothing = error.message().find("empty") != std::string::npos || error.message().find("Nothing") == 0;
+    return error.code() == ErrorCode::Degenerate && nothing ? 0 : std::nan("");
   }
 }
 

@@ -83,7 +83,7 @@ class ModelingExtrudeTest : public QObject {
     COMPARE_NEAR(volume(solid), tapered(400, 80, 4, 10, 8) + tapered(400, 80, 4, 5, 8), 1e-7);
   }
 
-  void freeFormSidesLeanAsArcs() {
+  void freeFormSidesLeanAsChords() {
     // By Steiner's formula for the ellipse moved inwards; its perimeter by Gauss and Kummer's series.
     const double a = 12, b = 8, h = std::pow((a - b) / (a + b), 2);
     const double perimeter = pi * (a + b) * (1 + h / 4 + h * h / 64 + h * h * h / 256);
@@ -94,7 +94,7 @@ class ModelingExtrudeTest : public QObject {
     QVERIFY(isSound(solid));
     COMPARE_NEAR(volume(solid), tapered(pi * a * b, perimeter, pi, 5, 6), 5e-3 * perimeter * 5);
     QCOMPARE(solid.warnings.size(), std::size_t{1});
-    QVERIFY(solid.warnings.front().find("made into arcs") != std::string::npos);
+    QVERIFY(solid.warnings.front().find("made into straight pieces") != std::string::npos);
   }
 
   void aTaperWhoseSidesMeetIsRefused() {

@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "support/modeling.h"
+#include "worker/worker.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -91,6 +92,16 @@ class ModelingWorkerTest : public QObject {
     const CancelToken token;
     token.cancel();
     VERIFY_ERROR(made("fillet", {}, {made("box").shape}, Progress(token)), ErrorCode::Cancelled);
+  }
+
+  void aModuleThatCannotBeLoadedIsNamed() {
+    (void)theApp();
+    const TemporaryFolder folder;
+    for (const fs::path& module : {fs::path("/nowhere/libmissing.so"), buildFolder() / "lib/libblossom_core.so"}) {
+      const WorkerOptions options{.module = module};
+      VERIFY_ERROR(runInWorker("modeling.fillet", Value::object(), folder.path(), Progress::none(), options),
+                   ErrorCode::PluginBroken);
+    }
   }
 
   void severalAtATime() {

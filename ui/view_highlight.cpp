@@ -25,8 +25,8 @@ bool PartHighlight::set(const std::vector<Pick>& picks, const ViewItems& items) 
       // A step towards the eye: it lies where the part itself lies.
       actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
       actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -1);
-      actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -6);
-      actor->GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-12);
+      actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -10);
+      actor->GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-16);
       actor->GetMapper()->ScalarVisibilityOff();
       if (clip_) actor->GetMapper()->AddClippingPlane(clip_);
       actor->PickableOff();

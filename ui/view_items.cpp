@@ -117,6 +117,9 @@ void ViewItems::applySection(const Shown& shown) const {
   for (const auto& actor : shown.actors) {
     actor->GetMapper()->RemoveAllClippingPlanes();
     if (section_) actor->GetMapper()->AddClippingPlane(clip_);
+    // The cut is drawn in front of the edges behind it, by so little that it stays behind all else.
+    if (roleOf(actor) == ActorRole::Edges && shown.scene.solid)
+      actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(section_ ? -1 : -3, section_ ? -1 : -6);
     if (roleOf(actor) == ActorRole::Faces && !shown.scene.planar) shadeFaces(*actor, section_ && shown.scene.solid);
   }
   applyCulling(shown);

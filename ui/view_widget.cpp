@@ -67,11 +67,15 @@ void ViewWidget::buildRenderer() {
 }
 
 void ViewWidget::cameraMoved() {
+  cube_->setTurn(camera_.turn());
+  redraw();
+}
+
+void ViewWidget::redraw() {
   if (sharpFrameMs_ > fluentMs) {
     sharp_ = false;
     settle_.start();
   }
-  cube_->setTurn(camera_.turn());
   update();
 }
 

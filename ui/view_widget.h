@@ -116,6 +116,7 @@ class ViewWidget : public QOpenGLWidget {
   [[nodiscard]] std::vector<Vec3> everything() const;
   void placeCube();
   void cameraMoved();
+  void redraw();  // soon and fast; smoothed when things have come to rest
   // What the mouse does.
   [[nodiscard]] QString restingHint() const;
   [[nodiscard]] PickOptions pickOptions() const;

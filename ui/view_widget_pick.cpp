@@ -43,7 +43,7 @@ void ViewWidget::setSelectedParts(const std::vector<Pick>& parts) {
   if (!selected_.set(parts, items_)) return;
   keepGridLast();
   emit partsSelected();
-  update();
+  redraw();
 }
 
 void ViewWidget::setTool(Tool* tool, bool handles) {
@@ -60,7 +60,7 @@ void ViewWidget::showToolProps() {
   for (const auto& prop : toolProps_) renderer_->RemoveViewProp(prop);
   toolProps_ = tool_ ? tool_->props() : std::vector<vtkSmartPointer<vtkProp>>();
   for (const auto& prop : toolProps_) renderer_->AddViewProp(prop);
-  update();
+  redraw();
 }
 
 ToolEvent ViewWidget::toolEvent(QPointF at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const {
@@ -120,7 +120,7 @@ void ViewWidget::setHovered(const Pick& pick) {
   hoverLight_.set(pick.part.index < 0 ? std::vector<Pick>() : std::vector<Pick>{pick}, items_);
   keepGridLast();
   emit hovered(hovered_);
-  update();
+  redraw();
 }
 
 void ViewWidget::click(QPointF at, Qt::KeyboardModifiers modifiers) {

@@ -69,7 +69,7 @@ void ViewWidget::setSection(const std::optional<CutPlane>& section) {
   items_.setSection(section);
   hoverLight_.setSection(items_.clip());
   selected_.setSection(items_.clip());
-  update();
+  redraw();
 }
 
 std::vector<Vec3> ViewWidget::everything() const { return visiblePoints(renderer_); }

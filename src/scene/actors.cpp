@@ -26,21 +26,21 @@ ActorPtr makeActor(vtkPolyData* data, const Color& color) {
   return actor;
 }
 
-// Faces step back a little in depth so that the edges that lie on them are drawn whole.
-void pushBack(vtkActor& actor) {
-  actor.GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
-  actor.GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
-}
+// Edges step forward in depth so that they are drawn whole where they lie on faces. Not the faces back: a shader that writes
+// depths makes the card shade also what is hidden.
 void pullForward(vtkActor& actor) {
   actor.GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
-  actor.GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -2);
-  actor.GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-4);
+  actor.GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-3, -6);
+  actor.GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-10);
 }
 
 ActorPtr faceActor(const SceneData& data, const Look& look) {
   const Color color = data.planar ? mixed(look.backgroundBottom, look.curve, 0.22) : look.surface;
   ActorPtr actor = makeActor(data.faces, color);
-  pushBack(*actor);
+  if (data.planar) {
+    actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+    actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
+  }
   vtkProperty& property = *actor->GetProperty();
   if (data.planar) {
     property.SetLighting(false);  // a filled drawing keeps its colour from every side

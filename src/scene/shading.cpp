@@ -33,12 +33,14 @@ const char* const lights = R"(
 
 // The far side of a closed shape is only seen through the cut: there the sight line enters the material.
 const char* const cap = R"(
+  gl_FragDepth = gl_FragCoord.z;
   if (!gl_FrontFacing) {
     vec3 capFrom = capParallel > 0.5 ? vec3(vertexVC.xy, 0.0) : vec3(0.0);
     vec3 capAlong = vertexVC.xyz - capFrom;
     float capAt = (capPlane.w - dot(capPlane.xyz, capFrom)) / dot(capPlane.xyz, capAlong);
     if (capAt > 0.0 && capAt < 1.0) {
       vec3 capPoint = capFrom + capAt * capAlong;
+      gl_FragDepth -= 2.0 * fwidth(gl_FragCoord.z) + 3.0e-5;  // in front of the edges that lie on it
       float capLine = dot(capAcross.xyz, capPoint) + capAcross.w;
       float capWidth = fwidth(capLine) * 0.6;
       float capNear = abs(fract(capLine) - 0.5);

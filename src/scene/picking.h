@@ -35,7 +35,7 @@ struct PickOptions {
   double tolerance = 0;       ///< mm at distance 0 within which edges and vertices are met
   double tolerancePerMm = 0;  ///< growth of the tolerance along the ray (perspective)
   bool faces = true, edges = true, vertices = true;
-  bool facesHide = true;        ///< false: edges and vertices are met through faces, as a wireframe shows them
+  bool facesHide = true;             ///< false: edges and vertices are met through faces, as a wireframe shows them
   std::optional<CutPlane> cut = {};  ///< parts cut away are not met; the cut through a solid is met as Whole
 };
 

@@ -57,7 +57,7 @@ class ParameterField : public QWidget {
   virtual void pickEnded() {}
   void resetToDefault();
   /// For fields in rows of a list: no label, no way back to the default.
-  void hideLabel();
+  virtual void hideLabel();
   /// Fields in groups keep their editors in line with those outside.
   void indentLabel(int pixels);
 

@@ -54,7 +54,7 @@ ResultTable::ResultTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   grid_->setVerticalSpacing(5);
-  grid_->setHorizontalSpacing(5);
+  grid_->setHorizontalSpacing(8);
   grid_->setColumnStretch(1, 1);
   words_->setSpacing(4);
   column->addLayout(grid_);

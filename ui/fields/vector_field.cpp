@@ -73,6 +73,13 @@ void VectorField::display(const Value& value) {
   }
 }
 
+// In the row of a list there is room for the numbers alone.
+void VectorField::hideLabel() {
+  ParameterField::hideLabel();
+  for (QLabel* name : findChildren<QLabel*>(QStringLiteral("axisName"))) name->hide();
+  for (std::size_t axis = 0; axis < 3; ++axis) lines_[axis]->setToolTip(QLatin1String(axisNames[axis]));
+}
+
 void VectorField::finish(std::size_t axis) {
   if (!lines_[axis]->isModified()) return;
   const bool allEmpty =

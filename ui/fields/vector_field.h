@@ -18,6 +18,7 @@ class VectorField final : public ParameterField {
   [[nodiscard]] bool editing() const override;
   bool takePick(const Pick&) override;
   void pickEnded() override;
+  void hideLabel() override;
 
  private:
   void display(const Value&) override;

@@ -116,7 +116,7 @@ ResultTable::Row& ResultTable::next(const QString& name) {
             cell("resultValue", Qt::AlignRight),
             {}};
     row.text->setWordWrap(true);
-    row.name->setWordWrap(false);
+    row.unit->setContentsMargins(6, 0, 0, 0);  // the grid leaves no space beside the cells that span both columns
     grid_->addWidget(row.name, line, 0);
     grid_->addWidget(row.number, line, 1);
     grid_->addWidget(row.unit, line, 2);

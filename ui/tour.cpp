@@ -82,8 +82,7 @@ void Tour::show() {
 QRect Tour::targetRect() const {
   const QWidget* target = all_[step_].target ? all_[step_].target() : nullptr;
   if (!target || !target->isVisible()) return {};
-  const QRect part = all_[step_].part.isEmpty() ? target->rect() : all_[step_].part;
-  return QRect(target->mapTo(window_, part.topLeft()), part.size()) & window_->rect();
+  return QRect(target->mapTo(window_, QPoint()), target->size()) & window_->rect();
 }
 
 void Tour::place() {

@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <QPointer>
+#include <QString>
 #include <functional>
 #include <vector>
 
@@ -15,7 +16,6 @@ class TourFrame;
 struct TourStep {
   QString title, text;
   std::function<QWidget*()> target;  ///< asked when its turn comes; nullptr when it is not there: the middle of the window
-  QRect part = {};                   ///< of the target, when only that is meant; empty: all of it
 };
 
 /// A walk through the window: a bubble beside one thing after the other. Enter or Right goes on, Left goes back, Esc ends.

@@ -15,6 +15,7 @@ function(blossom_plugin id)
   if(BLOSSOM_BUILD_UI AND manipulator_sources)
     add_library(blossom_${id}_manipulators MODULE ${manipulator_sources})
     target_link_libraries(blossom_${id}_manipulators PRIVATE blossom_${id}_kernel Blossom::ui Blossom::flags)
+    set_target_properties(blossom_${id}_manipulators PROPERTIES AUTOMOC ON)  # tools have signals
     list(APPEND modules blossom_${id}_manipulators)
   endif()
 

@@ -1,0 +1,233 @@
+#include "manipulators/draw_tool.h"
+
+#include <vtkProp.h>
+
+#include <QKeyEvent>
+#include <cmath>
+#include <numbers>
+
+#include "features_outline_value.h"
+#include "geometry/planar.h"
+#include "kernel/outline_crossing.h"
+#include "manipulators/tool_paint.h"
+
+namespace blossom::modeling {
+namespace {
+
+constexpr double reachPixels = 9;
+
+QString measure(double value) { return QString::number(value, 'g', 6); }
+
+/// "25 mm  30°" for a line, "R 12.5 mm" for an arc, its length for a spline.
+QString dimension(const Segment& segment) {
+  if (const auto* arc = std::get_if<Arc2>(&segment)) return QStringLiteral("R %1 mm").arg(measure(arc->radius));
+  if (!std::holds_alternative<Line2>(segment)) return QStringLiteral("%1 mm").arg(measure(length(segment)));
+  const Vec2 along = endPoint(segment) - startPoint(segment);
+  const double angle = std::atan2(along.y(), along.x()) * 180 / std::numbers::pi;
+  // Half a millionth of a degree of rounding is no news.
+  return QStringLiteral("%1 mm   %2°").arg(measure(along.norm()), QString::number(std::round(angle * 1e4) / 1e4));
+}
+
+}  // namespace
+
+DrawTool::DrawTool(ui::ToolHost& toolHost) : Tool(toolHost), scene_(snapScene(toolHost, {})) {}
+
+void DrawTool::documentChanged() { scene_ = snapScene(host(), {}); }
+
+void DrawTool::hover(const ui::ToolEvent& event) {
+  millimetresPerPixel_ = event.millimetresPerPixel;
+  const auto at = inGround(event.ray);
+  if (!at) return;
+  // Ctrl lets the mouse go where it is.
+  const bool free = event.modifiers.testFlag(Qt::ControlModifier);
+  const double reach = free ? 0 : reachPixels * millimetresPerPixel_;
+  draft_.hover(free ? Snap{*at, SnapKind::None, {}}
+                    : snapped(draft_.sceneWith(scene_), draft_.query(*at, reach, host().gridSpacing())));
+}
+
+bool DrawTool::move(const ui::ToolEvent& event) {
+  refusal_.clear();
+  hover(event);
+  emit changed();
+  return event.button == Qt::NoButton || event.button == Qt::LeftButton;
+}
+
+bool DrawTool::press(const ui::ToolEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  hover(event);
+  place();
+  return true;
+}
+
+bool DrawTool::release(const ui::ToolEvent& event) { return event.button == Qt::LeftButton; }
+
+bool DrawTool::doubleClick(const ui::ToolEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  if (draft_.complete() && !draft_.wantsMiddle()) finish();
+  return true;
+}
+
+void DrawTool::refuse(const QString& why) {
+  refusal_ = why;
+  emit changed();
+}
+
+void DrawTool::place() {
+  if (const auto next = draft_.preview(); next && next->closed)
+    if (const auto place = selfCrossing(toPath(*next)))
+      return refuse(tr("The outline would meet itself at (%1, %2); move a point or take some back with Backspace.")
+                        .arg(measure(place->x()), measure(place->y())));
+  if (!draft_.place()) {
+    const QString problem = QString::fromStdString(draft_.entry().problem());
+    return refuse(problem.isEmpty() ? tr("This point makes no segment; choose another.") : problem);
+  }
+  refusal_.clear();
+  if (draft_.closed()) return finish();
+  emit changed();
+}
+
+void DrawTool::finish() {
+  if (!draft_.complete()) {
+    emit finished();
+    return;
+  }
+  Feature feature;
+  feature.type = "modeling.outline";
+  const auto type = host().registry().at(feature.type);
+  feature.id = host().document().freshId(type->command);
+  feature.name = type->title;
+  feature.parameters = completed(type->parameters, parametersOf(draft_.outline()));
+  const FeatureId id = feature.id;
+  host().commit(host().document().with(std::move(feature)), tr("Draw outline"));
+  host().select(id);
+  emit finished();
+}
+
+bool DrawTool::key(const QKeyEvent& event) {
+  refusal_.clear();
+  const bool taken = entryKey(event) || commandKey(event);
+  if (taken) emit changed();
+  return taken;
+}
+
+/// Keys of a typed measure; they come first while one is open.
+bool DrawTool::entryKey(const QKeyEvent& event) {
+  TypedEntry& entry = draft_.entry();
+  if (entry.open() && event.key() == Qt::Key_Escape) {
+    entry.clear();
+    return true;
+  }
+  if (entry.open() && event.key() == Qt::Key_Backspace) return entry.back();
+  if (event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab) {
+    if (draft_.from() && !draft_.wantsMiddle()) entry.switchField();
+    return true;
+  }
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  const QByteArray text = event.text().toLatin1();
+  return text.size() == 1 && entry.type(text.at(0));
+}
+
+bool DrawTool::commandKey(const QKeyEvent& event) {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  switch (event.key()) {
+    case Qt::Key_L:
+      draft_.choose(DrawnKind::Line);
+      return true;
+    case Qt::Key_A:
+      draft_.choose(DrawnKind::Arc);
+      return true;
+    case Qt::Key_S:
+      draft_.choose(DrawnKind::Spline);
+      return true;
+    case Qt::Key_C:
+      draft_.hover({draft_.outline().start, SnapKind::Start, {}});
+      if (draft_.canClose() && !draft_.wantsMiddle()) place();
+      return true;
+    case Qt::Key_Backspace:
+    case Qt::Key_Delete:
+      draft_.back();
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (draft_.entry().open()) {
+        place();
+      } else {
+        finish();
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
+QString DrawTool::wanted() const {
+  if (!draft_.started()) return tr("Click the first point");
+  if (draft_.wantsMiddle()) return tr("Click a point that the arc passes, or type its radius");
+  switch (draft_.mode()) {
+    case DrawnKind::Line:
+      return tr("Line: click its end, or type a length and, after <, an angle");
+    case DrawnKind::Arc:
+      return draft_.tangent() ? tr("Tangent arc: click its end; A for three points") : tr("Arc: click its end");
+    case DrawnKind::Spline:
+      break;
+  }
+  return tr("Spline: click the next point");
+}
+
+QString DrawTool::hint() const {
+  if (!refusal_.isEmpty()) return refusal_;
+  if (draft_.entry().open()) {
+    const QString problem = QString::fromStdString(draft_.entry().problem());
+    return tr("Enter places the point, Tab changes between length and angle, Esc leaves the entry") +
+           (problem.isEmpty() ? QString() : QStringLiteral(" · ") + problem);
+  }
+  QStringList parts{wanted()};
+  const auto& snap = draft_.hovered();
+  if (snap && snap->kind == SnapKind::Start) parts = {tr("Click to close the outline")};
+  if (snap && snap->kind != SnapKind::None && snap->kind != SnapKind::Start) parts << snapName(snap->kind);
+  if (draft_.started()) parts << tr("L line, A arc, S spline");
+  if (draft_.started()) parts << tr("Backspace takes back");
+  if (draft_.complete()) parts << tr("Enter finishes");
+  parts << tr("Ctrl: no snapping") << tr("Esc leaves");
+  return parts.join(QStringLiteral(" · "));
+}
+
+void DrawTool::paintDrawn(ToolPaint& paint) const {
+  if (!draft_.started()) return;
+  if (draft_.complete()) paint.path(toPath(draft_.outline()), paint.look().made);
+  paint.square(draft_.outline().start, paint.look().made, !draft_.canClose());
+  for (const DrawnSegment& segment : draft_.outline().segments) {
+    for (const Vec2& p : segment.through) paint.ring(p, paint.look().made, 3);
+    paint.square(segment.to, paint.look().made, true, 3);
+  }
+}
+
+void DrawTool::paintRubber(ToolPaint& paint) const {
+  const auto target = draft_.target();
+  if (!target) return;
+  QStringList words;
+  if (const auto rubber = draft_.rubber()) {
+    paint.segment(*rubber, paint.look().control, 1.5);
+    words << dimension(*rubber);
+  }
+  const bool typed = draft_.entry().open();
+  if (const auto& snap = draft_.hovered(); snap && !typed) {
+    for (const Guide& guide : snap->guides) paint.guide(guide, snap->point);
+    paint.snapMarker(snap->point, snap->kind);
+    if (snap->kind != SnapKind::None && snap->kind != SnapKind::Grid) words << snapName(snap->kind);
+  }
+  if (!words.isEmpty()) paint.label(*target, words.join(QStringLiteral("   ")), paint.look().control);
+}
+
+std::vector<vtkSmartPointer<vtkProp>> DrawTool::props() const {
+  ToolPaint paint(host().look(), millimetresPerPixel_, host().pixelRatio());
+  paintDrawn(paint);
+  paintRubber(paint);
+  const auto at = draft_.hovered();
+  if (at && draft_.entry().open())
+    paint.label(at->point, QString::fromStdString(draft_.entry().text()) + QStringLiteral(" ▏"), paint.look().made,
+                {14, -26});
+  return paint.take();
+}
+
+}  // namespace blossom::modeling

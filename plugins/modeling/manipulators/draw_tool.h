@@ -1,0 +1,43 @@
+#pragma once
+#include "kernel/outline_draft.h"
+#include "manipulators/tool_scene.h"
+#include "ui/tool.h"
+
+namespace blossom::modeling {
+
+class ToolPaint;
+
+/// Draws a new outline by clicking: see OutlineDraft for what the clicks mean.
+class DrawTool : public ui::Tool {
+  Q_OBJECT
+ public:
+  explicit DrawTool(ui::ToolHost&);
+
+  [[nodiscard]] QString hint() const override;
+  bool press(const ui::ToolEvent&) override;
+  bool move(const ui::ToolEvent&) override;
+  bool release(const ui::ToolEvent&) override;
+  bool doubleClick(const ui::ToolEvent&) override;
+  bool key(const QKeyEvent&) override;
+  [[nodiscard]] ui::PickMode picks() const override { return ui::PickMode::None; }
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
+  void documentChanged() override;
+
+ private:
+  void hover(const ui::ToolEvent&);
+  void place();
+  void finish();
+  void refuse(const QString& why);
+  bool entryKey(const QKeyEvent&);
+  bool commandKey(const QKeyEvent&);
+  [[nodiscard]] QString wanted() const;
+  void paintRubber(ToolPaint&) const;
+  void paintDrawn(ToolPaint&) const;
+
+  OutlineDraft draft_;
+  SnapScene scene_;
+  double millimetresPerPixel_ = 1;
+  QString refusal_;  ///< why the last click did nothing; until the next move
+};
+
+}  // namespace blossom::modeling

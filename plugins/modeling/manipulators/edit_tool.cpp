@@ -1,0 +1,107 @@
+#include "manipulators/edit_tool.h"
+
+#include <vtkProp.h>
+
+#include <QKeyEvent>
+
+#include "core/error.h"
+#include "features_outline_value.h"
+#include "manipulators/tool_paint.h"
+
+namespace blossom::modeling {
+namespace {
+
+constexpr double gripPixels = 7;
+
+}  // namespace
+
+EditTool::EditTool(ui::ToolHost& toolHost, FeatureId feature) : DragTool(toolHost, std::move(feature)) {}
+
+Value EditTool::withOutline(const Value& parameters, const DrawnOutline& outline) const {
+  Value next = parameters;
+  next.update(parametersOf(outline));
+  return completed(host().registry().at(host().document().at(feature()).type)->parameters, next);
+}
+
+std::vector<DragTool::Point> EditTool::points(const Value& parameters) const {
+  const DrawnOutline outline = drawnOutlineOf(parameters);
+  std::vector<Point> points;
+  for (const OutlineHandle& handle : handlesOf(outline)) {
+    const bool first = handle.segment < 0;
+    points.push_back({handle.at, first ? tr("the first point") : tr("a point of the outline"), pointBefore(outline, handle),
+                      handle.through >= 0});
+  }
+  return points;
+}
+
+std::optional<Value> EditTool::dragged(const Value& parameters, std::size_t index, const Vec2& to) const {
+  const DrawnOutline outline = drawnOutlineOf(parameters);
+  const DrawnOutline next = moved(outline, handlesOf(outline).at(index), to);
+  try {
+    (void)toPath(next);
+  } catch (const Error&) {
+    return std::nullopt;  // two points on each other: stays where it was last
+  }
+  return withOutline(parameters, next);
+}
+
+std::optional<OutlinePlace> EditTool::placeUnder(const ui::ToolEvent& event) const {
+  const auto at = inGround(event.ray);
+  if (!at || under(event)) return std::nullopt;
+  const auto place = nearestPlace(drawnOutlineOf(parameters()), *at);
+  if (!place || place->distance > gripPixels * event.millimetresPerPixel) return std::nullopt;
+  return place;
+}
+
+bool EditTool::move(const ui::ToolEvent& event) {
+  const bool had = place_.has_value();
+  refused_ = false;
+  place_ = dragging() ? std::nullopt : placeUnder(event);
+  const bool taken = DragTool::move(event);
+  if (had || place_) emit changed();
+  return taken || (place_ && event.button == Qt::NoButton);
+}
+
+bool EditTool::doubleClick(const ui::ToolEvent& event) {
+  noteScale(event);
+  const auto place = placeUnder(event);
+  if (event.button != Qt::LeftButton || !place) return false;
+  place_.reset();
+  commit(withOutline(parameters(), withPointAt(drawnOutlineOf(parameters()), *place)), tr("Insert a point"));
+  return true;
+}
+
+bool EditTool::key(const QKeyEvent& event) {
+  if (DragTool::key(event)) return true;
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+    revert();
+    emit finished();
+    return true;
+  }
+  const bool removes = event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
+  const auto index = chosen() ? chosen() : hovered();
+  if (!removes || dragging() || !index) return false;
+  const DrawnOutline outline = drawnOutlineOf(parameters());
+  const auto next = without(outline, handlesOf(outline).at(*index));
+  refused_ = !next;
+  if (next) commit(withOutline(parameters(), *next), tr("Remove a point"));
+  emit changed();
+  return true;
+}
+
+QString EditTool::idleHint() const {
+  if (refused_) return tr("Too little would be left of the outline; delete the feature itself instead.");
+  if (place_) return tr("Double-click to insert a point here");
+  return tr("Drag points · double-click a segment to insert one · Delete removes the chosen one · Enter or Esc leaves");
+}
+
+void EditTool::paint(ToolPaint& paint, const Value& parameters) const {
+  try {
+    paint.path(toPath(drawnOutlineOf(parameters)), paint.look().control, 1.5);
+  } catch (const Error&) {
+    return;  // the feature itself says what is wrong; its points can still be dragged
+  }
+  if (place_) paint.square(place_->at, paint.look().made, false, 3);
+}
+
+}  // namespace blossom::modeling

@@ -1,0 +1,32 @@
+#pragma once
+#include "kernel/outline_edit.h"
+#include "manipulators/drag_tool.h"
+
+namespace blossom::modeling {
+
+/// Edits a drawn outline: its points are dragged, added on a segment by a double click, removed with Delete. Each is a step
+/// of undo of its own.
+class EditTool final : public DragTool {
+  Q_OBJECT
+ public:
+  EditTool(ui::ToolHost&, FeatureId);
+
+  bool move(const ui::ToolEvent&) override;
+  bool doubleClick(const ui::ToolEvent&) override;
+  bool key(const QKeyEvent&) override;
+
+ protected:
+  [[nodiscard]] std::vector<Point> points(const Value& parameters) const override;
+  [[nodiscard]] std::optional<Value> dragged(const Value& parameters, std::size_t index, const Vec2& to) const override;
+  void paint(ToolPaint&, const Value& parameters) const override;
+  [[nodiscard]] QString idleHint() const override;
+
+ private:
+  [[nodiscard]] std::optional<OutlinePlace> placeUnder(const ui::ToolEvent&) const;
+  [[nodiscard]] Value withOutline(const Value& parameters, const DrawnOutline&) const;
+
+  std::optional<OutlinePlace> place_;  ///< on a segment, under the mouse
+  bool refused_ = false;               ///< the last Delete would have left nothing
+};
+
+}  // namespace blossom::modeling

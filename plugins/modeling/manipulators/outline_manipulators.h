@@ -1,0 +1,9 @@
+#pragma once
+#include "ui/manipulator.h"
+
+namespace blossom::modeling {
+
+/// The drawing tool, and the handles of all outlines.
+void registerOutlineTools(ui::ManipulatorRegistry&);
+
+}  // namespace blossom::modeling

@@ -1,0 +1,46 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <QString>
+#include <vector>
+
+#include "geometry/region.h"
+#include "kernel/outline_snap.h"
+#include "scene/scene.h"
+
+class vtkProp;
+
+namespace blossom::modeling {
+
+/// What a tool draws over the scene in the plane z = 0, on top of everything: lines, handles, snap markers and labels. Sizes
+/// in pixels are kept by the scale given.
+class ToolPaint {
+ public:
+  ToolPaint(const Look& look, double millimetresPerPixel, double pixelRatio)
+      : look_(look), pixel_(millimetresPerPixel), ratio_(pixelRatio) {}
+
+  void path(const Path&, const Color&, double width = 2);
+  void segment(const Segment&, const Color&, double width = 2);
+  void dashed(const Vec2& from, const Vec2& to, const Color&);
+  /// A help line through a point, from its origin past `to`.
+  void guide(const Guide&, const Vec2& to);
+  void square(const Vec2& at, const Color&, bool filled, double halfPixels = 4);
+  void ring(const Vec2& at, const Color&, double radiusPixels = 5);
+  /// The sign of what the mouse was caught by.
+  void snapMarker(const Vec2& at, SnapKind);
+  /// Text beside a point, on a ground that keeps it readable.
+  void label(const Vec2& at, const QString& text, const Color&, const Vec2& offsetPixels = {14, 12});
+
+  [[nodiscard]] const Look& look() const { return look_; }
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> take() { return std::move(props_); }
+
+ private:
+  void lines(const std::vector<std::vector<Vec2>>&, const Color&, double width, double opacity = 1);
+  void filled(const std::vector<Vec2>& polygon, const Color&);
+
+  Look look_;
+  double pixel_, ratio_;
+  std::vector<vtkSmartPointer<vtkProp>> props_;
+};
+
+}  // namespace blossom::modeling

@@ -1,0 +1,19 @@
+#pragma once
+#include <QString>
+#include <optional>
+
+#include "kernel/outline_snap.h"
+#include "ui/tool.h"
+
+namespace blossom::modeling {
+
+/// Where the line of sight meets the plane z = 0; nothing when it runs along it or the plane lies behind the eye.
+std::optional<Vec2> inGround(const Ray&);
+
+/// Points and curves of all visible features that lie in the plane z = 0, but for one.
+SnapScene snapScene(const ui::ToolHost&, const FeatureId& except);
+
+/// "end point", "midpoint", .. for the status line and beside the marker; empty for None.
+QString snapName(SnapKind);
+
+}  // namespace blossom::modeling

@@ -36,6 +36,8 @@ void refuseProtected(const fs::path& target) {
   const fs::perms mode = fs::status(target, ec).permissions();
   constexpr fs::perms anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   if (ec || !fs::exists(target, ec)) return;
+  if (!fs::is_regular_file(target, ec))
+    cannotWrite(target, fs::is_directory(target, ec) ? "it is a folder" : "it is a device");
   if ((mode & anyWrite) == fs::perms::none || ::access(target.c_str(), W_OK) != 0)
     throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} is write-protected.", target.string()),
                 "Save under another name, or allow writing to it.");
@@ -131,7 +133,6 @@ void writeAtomically(const fs::path& given, const std::function<void(const fs::p
   // A link stays a link: what it points to is replaced.
   const fs::path resolved = fs::is_symlink(given, ec) ? fs::weakly_canonical(given, ec) : given;
   const fs::path& target = resolved.empty() ? given : resolved;
-  if (fs::is_directory(target, ec)) cannotWrite(target, "it is a folder");
   refuseProtected(target);
   TemporaryFile temporary(target);
   write(temporary.path());

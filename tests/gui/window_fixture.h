@@ -15,6 +15,7 @@
 #include "ui/main_window.h"
 #include "ui/parameter_field.h"
 #include "ui/property_panel.h"
+#include "ui/stall_watch.h"
 #include "ui/theme.h"
 #include "ui/view_widget.h"
 
@@ -139,10 +140,13 @@ class WindowFixture : public QObject {
 }  // namespace blossom::ui
 
 /// main() of a test program with a window.
-#define BLOSSOM_WINDOW_TEST_MAIN(Class)     \
-  int main(int argc, char** argv) {         \
-    blossom::ui::prepareApplication();      \
-    QApplication application(argc, argv);   \
-    Class test;                             \
-    return QTest::qExec(&test, argc, argv); \
+#define BLOSSOM_WINDOW_TEST_MAIN(Class)               \
+  int main(int argc, char** argv) {                   \
+    blossom::ui::prepareApplication();                \
+    QApplication application(argc, argv);             \
+    Class test;                                       \
+    const blossom::ui::StallWatch watch;              \
+    const int code = QTest::qExec(&test, argc, argv); \
+    watch.print();                                    \
+    return code;                                      \
   }

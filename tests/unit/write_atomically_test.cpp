@@ -39,6 +39,11 @@ void WriteAtomicallyTest::whatFailsLeavesTheOldFileAlone() {
   QCOMPARE(filesIn(place.path()), std::size_t(1));
   VERIFY_ERROR(writeAtomically(place.path() / "no" / "folder.txt", "x"), ErrorCode::FileUnwritable);
   VERIFY_ERROR(writeAtomically(place.path(), "x"), ErrorCode::FileUnwritable);
+  // A pipe stands for the devices that must not be replaced by a file.
+  const fs::path pipe = place.path() / "pipe";
+  QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+  VERIFY_ERROR(writeAtomically(pipe, "x"), ErrorCode::FileUnwritable);
+  QVERIFY(fs::is_fifo(pipe));
 }
 
 void WriteAtomicallyTest::modeAndLinksAreKept() {

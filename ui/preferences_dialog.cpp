@@ -20,6 +20,7 @@ PreferencesDialog::PreferencesDialog(Commands& commands, QWidget* parent)
   resize(820, 580);
   groups_->setObjectName(QStringLiteral("preferenceGroups"));
   groups_->setFixedWidth(190);
+  groups_->setFrameShape(QFrame::NoFrame);
   for (const PreferenceGroup& group : preferenceGroups()) {
     forms_.push_back(new PreferencesForm(group));
     addPage(group.title, forms_.back());

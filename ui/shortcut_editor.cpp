@@ -104,6 +104,12 @@ void ShortcutEditor::fill() {
       group = new QTreeWidgetItem(list_, {command.group.toUpper()});
       group->setFlags(Qt::ItemIsEnabled);
       group->setFirstColumnSpanned(true);
+      QFont small = list_->font();
+      small.setPixelSize(10);
+      small.setWeight(QFont::DemiBold);
+      group->setFont(0, small);
+      group->setSizeHint(0, {0, 34});
+      group->setTextAlignment(0, Qt::AlignBottom | Qt::AlignLeft);
       group->setExpanded(true);
     }
     auto* item = new QTreeWidgetItem(group, {nameOf(command)});

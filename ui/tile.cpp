@@ -52,7 +52,7 @@ Tile::Tile(const QString& file, const QString& title, const QString& about, QWid
   column->addLayout(heading);
   column->addWidget(about_);
   for (QLabel* part : findChildren<QLabel*>()) part->setAttribute(Qt::WA_TransparentForMouseEvents);
-  setFixedHeight(pictureSize.height() + 62);
+  setFixedHeight(height);
   setMinimumWidth(smallestWidth);
 }
 

@@ -11,6 +11,7 @@ class Tile : public QPushButton {
  public:
   static constexpr QSize pictureSize{150, 84};
   static constexpr int smallestWidth = 172;
+  static constexpr int height = 146;  ///< said here, for a style sheet has its own idea of the least height of a button
 
   Tile(const QString& file, const QString& title, const QString& about, QWidget* parent = nullptr);
   [[nodiscard]] const QString& file() const { return file_; }

@@ -37,8 +37,8 @@ void TileGrid::arrange() {
     tiles_[i]->show();
   }
   const int rows = (static_cast<int>(tiles_.size()) + columns - 1) / columns;
-  const int height = tiles_.empty() ? 0 : tiles_.front()->minimumHeight();
-  setFixedHeight(std::max(0, rows * (height + gap) - gap));
+  for (int row = 0; row < grid_->rowCount(); ++row) grid_->setRowMinimumHeight(row, row < rows ? Tile::height : 0);
+  setFixedHeight(std::max(0, rows * (Tile::height + gap) - gap));
 }
 
 void TileGrid::resizeEvent(QResizeEvent* event) {

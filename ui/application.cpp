@@ -3,7 +3,9 @@
 #include <QApplication>
 #include <QLocale>
 #include <QProxyStyle>
+#include <QStyleOption>
 #include <QSurfaceFormat>
+#include <algorithm>
 #include <clocale>
 
 #include "core/version.h"
@@ -21,6 +23,14 @@ class QuietStyle final : public QProxyStyle {
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
     if (hint == SH_UnderlineShortcut) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+  // Buttons of a tool bar stand in even steps. A least width in the style sheet would let a crowded bar cut their labels.
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                         const QWidget* widget) const override {
+    QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    const auto* button = type == CT_ToolButton ? qstyleoption_cast<const QStyleOptionToolButton*>(option) : nullptr;
+    if (button && button->toolButtonStyle == Qt::ToolButtonTextUnderIcon) size.setWidth(std::max(size.width(), 46));
+    return size;
   }
 };
 

@@ -1,5 +1,6 @@
 #include "ui/commands.h"
 
+#include <QRegularExpression>
 #include <QSettings>
 #include <QWidget>
 #include <algorithm>
@@ -12,6 +13,12 @@ namespace {
 
 QString keyOf(const QString& id) { return QStringLiteral("shortcuts/") + id; }
 
+// Scripts without Latin letters put the mnemonic behind the word: "파일(&F)".
+QString plainText(QString text) {
+  static const QRegularExpression behind(QStringLiteral("\\(&\\w\\)"));
+  return text.remove(behind).remove(u'&').remove(u'…');
+}
+
 }  // namespace
 
 Commands::Commands(QWidget* window) : QObject(window), window_(window) {}
@@ -20,7 +27,7 @@ QAction* Commands::add(const CommandSpec& spec, std::function<void()> go) {
   auto* action = new QAction(spec.text, this);
   action->setObjectName(spec.id);
   if (!spec.icon.isEmpty()) action->setIcon(icon(spec.icon));
-  action->setIconText(QString(spec.text).remove(u'&').remove(u'…'));
+  action->setIconText(plainText(spec.text));
   action->setCheckable(spec.checkable);
   connect(action, &QAction::triggered, this, std::move(go));
   connect(action, &QAction::hovered, this, [this, id = spec.id] {

@@ -1,6 +1,7 @@
 #include "ui/palette_sources.h"
 
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <memory>
 
 #include "ui/commands.h"
@@ -21,7 +22,10 @@ struct Texts {
   Q_DECLARE_TR_FUNCTIONS(blossom::ui::CommandPalette)
 };
 
-QString withoutMnemonic(QString text) { return text.remove(QStringLiteral("&&")).remove(u'&'); }
+QString withoutMnemonic(QString text) {
+  static const QRegularExpression behind(QStringLiteral("\\(&\\w\\)"));  // "파일(&F)"
+  return text.remove(behind).remove(QStringLiteral("&&")).remove(u'&');
+}
 
 QString readableName(const QString& file) {
   return sentenceCase(QFileInfo(file).completeBaseName().replace(u'-', u' ').replace(u'_', u' '));

@@ -1,6 +1,7 @@
 #include "ui/input_editor.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+class QPainter;
+
 namespace blossom::ui {
 
 /// Draws a control function and lets its points be dragged. A click on the empty plane adds a point, Delete or a right click
@@ -38,7 +40,7 @@ class CurveEditor final : public QWidget {
 
  private:
   void fitView();
-  void paintGrid(class QPainter&) const;
+  void paintGrid(QPainter&) const;
   void removeChosen();
   [[nodiscard]] QPointF toValues(const QPointF& pixels) const;
   [[nodiscard]] int pointAt(const QPointF& pixels) const;

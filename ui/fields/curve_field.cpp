@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/units.h"

@@ -1,6 +1,8 @@
 #pragma once
 #include "ui/parameter_field.h"
 
+class QHBoxLayout;
+class QLabel;
 class QToolButton;
 class QVBoxLayout;
 
@@ -38,7 +40,7 @@ class ListRow final : public QWidget {
  private:
   void makeField();
   void showMenu();
-  void addRecordTitle(class QHBoxLayout*);
+  void addRecordTitle(QHBoxLayout*);
 
   ParameterSpec element_;
   ParameterField::Context context_;
@@ -48,7 +50,7 @@ class ListRow final : public QWidget {
   bool dragging_ = false;
   int from_ = 0;
   QVBoxLayout* column_;
-  class QLabel* number_;
+  QLabel* number_;
   QToolButton* title_ = nullptr;
   ParameterField* field_ = nullptr;
 };

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/units.h"

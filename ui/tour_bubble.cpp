@@ -101,7 +101,8 @@ void TourBubble::pointAt(const QRect& target) {
   const QRect room = parentWidget()->rect();
   tip_ = Tip::None;
   QPoint at = room.center() - QPoint(width() / 2, height() / 2);
-  if (!target.isEmpty()) at = placeFor(Tip::None, target);
+  // Inside what is too large to stand beside: at its foot, where it hides least.
+  if (!target.isEmpty()) at = {placeFor(Tip::None, target).x(), target.bottom() - height() - 2 * tipSize};
   for (const Tip tip : {Tip::Left, Tip::Right, Tip::Top, Tip::Bottom}) {
     if (target.isEmpty()) break;
     QPoint wanted = placeFor(tip, target);

@@ -88,10 +88,11 @@ void JobsList::watchEvaluations(DocumentPage& page) {
     starting.patience.setSingleShot(true);
     starting.patience.setInterval(patienceMs);
     connect(&starting.patience, &QTimer::timeout, this, [this, watched] {
-      const QElapsedTimer clock = starting_.at(watched)->clock;
+      const Starting& begun = *starting_.at(watched);
       QMetaObject::invokeMethod(
           this, [this, watched] { starting_.erase(watched); }, Qt::QueuedConnection);
-      begin(*watched, Kind::Evaluation, tr("Computing"), clock);
+      begin(*watched, Kind::Evaluation, tr("Computing"), begun.clock);
+      progress(*watched, Kind::Evaluation, begun.fraction, begun.stage);
     });
     starting.patience.start();
   });

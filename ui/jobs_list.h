@@ -50,6 +50,8 @@ class JobsList : public QAbstractListModel {
   struct Starting {
     QElapsedTimer clock;
     QTimer patience;
+    double fraction = 0;
+    QString stage;
   };
 
   void watchFiles(DocumentPage&);

@@ -2,11 +2,16 @@
 
 #include <QDockWidget>
 #include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
+#include <QPointer>
 #include <QSettings>
+#include <QToolButton>
 
 #include "ui/commands.h"
+#include "ui/icons.h"
 #include "ui/jobs_list.h"
 #include "ui/jobs_panel.h"
 #include "ui/log_list.h"
@@ -18,6 +23,25 @@ namespace {
 
 const QString stateKey = QStringLiteral("window/docks");
 constexpr int startHeight = 160;
+
+// The style's own close button is too small to be hit.
+QWidget* titleBar(const QString& title, QDockWidget& dock) {
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(16, 5, 12, 3);
+  auto* name = new QLabel(title);
+  name->setObjectName(QStringLiteral("sectionTitle"));
+  auto* close = new QToolButton;
+  close->setObjectName(QStringLiteral("quiet"));
+  close->setIcon(icon(QStringLiteral("close")));
+  close->setIconSize({14, 14});
+  close->setToolTip(LogAndJobs::tr("Close"));
+  close->setAccessibleName(LogAndJobs::tr("Close"));
+  QObject::connect(close, &QToolButton::clicked, &dock, &QWidget::hide);
+  row->addWidget(name, 1);
+  row->addWidget(close);
+  return bar;
+}
 
 }  // namespace
 
@@ -44,12 +68,15 @@ QDockWidget* LogAndJobs::dock(const char* name, const QString& title, QWidget* c
   made->setObjectName(QLatin1String(name));
   made->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
   made->setAllowedAreas(Qt::BottomDockWidgetArea | Qt::RightDockWidgetArea);
+  made->setTitleBarWidget(titleBar(title, *made));
   made->setWidget(content);
   content->setMinimumHeight(90);
   window_.addDockWidget(Qt::BottomDockWidgetArea, made);
   window_.resizeDocks({made}, {startHeight}, Qt::Vertical);
-  connect(made, &QDockWidget::visibilityChanged, this,
-          [this, made, command] { commands_.action(command)->setChecked(!made->isHidden()); });
+  // When the window is taken down, its docks outlive its commands.
+  connect(made, &QDockWidget::visibilityChanged, this, [made, action = QPointer<QAction>(commands_.action(command))] {
+    if (action) action->setChecked(!made->isHidden());
+  });
   return made;
 }
 
@@ -65,9 +92,10 @@ void LogAndJobs::watch(DocumentPage& page) {
 
 void LogAndJobs::restore() { window_.restoreState(QSettings().value(stateKey).toByteArray()); }
 
-// Whether or not the window stays open.
+// Whether or not the window stays open. While it is taken down it is no main window any more.
 bool LogAndJobs::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Close) QSettings().setValue(stateKey, window_.saveState());
+  if (event->type() == QEvent::Close && qobject_cast<QMainWindow*>(watched))
+    QSettings().setValue(stateKey, window_.saveState());
   return QObject::eventFilter(watched, event);
 }
 

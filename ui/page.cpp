@@ -57,9 +57,9 @@ void DocumentPage::buildWidgets() {
   side->setObjectName(QStringLiteral("sidePanel"));
   side->addWidget(treePanel_);
   side->addWidget(properties_);
-  side->setSizes({250, 450});
-  side->setStretchFactor(0, 2);
-  side->setStretchFactor(1, 3);
+  side->setSizes({320, 380});
+  side->setStretchFactor(0, 1);
+  side->setStretchFactor(1, 1);
   side->setHandleWidth(1);
   side->setChildrenCollapsible(false);
   side->setMinimumWidth(230);

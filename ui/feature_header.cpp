@@ -48,6 +48,7 @@ void FeatureHeader::setName(const QString& name) {
   given_ = name;
   name_->setText(name);
   name_->setCursorPosition(0);
+  type_->setVisible(!type_->text().isEmpty() && type_->text() != name);  // "Sweep" need not be said twice
 }
 
 void FeatureHeader::setType(const QString& title, const QString& summary, const QString& page) {

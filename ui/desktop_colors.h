@@ -19,10 +19,8 @@ class DesktopColors : public QObject {
  signals:
   void changed();
 
- private slots:
-  void settingChanged(const QString& group, const QString& key, const QDBusVariant& value);
-
  private:
+  Q_SLOT void settingChanged(const QString& group, const QString& key, const QDBusVariant& value);
   void take(const QVariant& scheme);
   bool dark_;
 };

@@ -46,7 +46,7 @@ QString languageCode(const QString& preference, const QStringList& wanted) {
   for (const Language& language : languages)
     if (preference == QString::fromUtf8(language.preference)) return QString::fromUtf8(language.code);
   for (const QString& each : wanted) {
-    const QString code = each.section(u'-', 0, 0).section(u'_', 0, 0).toLower();
+    QString code = each.section(u'-', 0, 0).section(u'_', 0, 0).toLower();
     if (code == QLatin1String("en") || code == QLatin1String("c")) return {};
     for (const Language& language : languages)
       if (code == QString::fromUtf8(language.code)) return code;

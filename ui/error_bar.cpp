@@ -76,6 +76,7 @@ void ErrorBar::offer(const QString& label, std::function<void()> action) {
     go();
   });
   offers_->addWidget(button);
+  button->show();
 }
 
 QString ErrorBar::message() const { return message_->text(); }

@@ -90,14 +90,17 @@ void JobsList::watchEvaluations(DocumentPage& page) {
     connect(&starting.patience, &QTimer::timeout, this, [this, watched] {
       const Starting& begun = *starting_.at(watched);
       QMetaObject::invokeMethod(
-          this, [this, watched] { starting_.erase(watched); }, Qt::QueuedConnection);
+          this, [this, watched] { forgetStarted(watched); }, Qt::QueuedConnection);
       begin(*watched, Kind::Evaluation, tr("Computing"), begun.clock);
       progress(*watched, Kind::Evaluation, begun.fraction, begun.stage);
     });
     starting.patience.start();
   });
-  connect(&session, &Session::evaluationProgressed, this,
-          [this, watched](double fraction, const QString& stage) { progress(*watched, Kind::Evaluation, fraction, stage); });
+  connect(&session, &Session::evaluationProgressed, this, [this, watched](double fraction, const QString& stage) {
+    if (const auto found = starting_.find(watched); found != starting_.end())
+      found->second->fraction = fraction, found->second->stage = stage;
+    progress(*watched, Kind::Evaluation, fraction, stage);
+  });
   connect(&session, &Session::evaluationCancelled, this,
           [this, watched] { end(*watched, Kind::Evaluation, State::Cancelled); });
   connect(&session, &Session::evaluationFinished, this, [this, watched] { endEvaluation(*watched); });

@@ -1,0 +1,265 @@
+#include <QAbstractItemModel>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+
+#include "tree_fixture.h"
+#include "ui/command_palette.h"
+#include "ui/feature_tool_bar.h"
+#include "ui/jobs_list.h"
+#include "ui/jobs_panel.h"
+#include "ui/log_and_jobs.h"
+#include "ui/log_list.h"
+#include "ui/log_panel.h"
+#include "ui/palette_match.h"
+#include "ui/status_line.h"
+#include "ui/text.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+class PaletteTest : public TreeFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() {
+    letGo_ = false;
+    openTestWindow();
+  }
+  void cleanup() {
+    letGo_ = true;
+    window_.reset();
+  }
+  void lettersMatchInOrder();
+  void everyCommandIsFound();
+  void aCommandIsRunByKeys();
+  void aFeatureIsAdded();
+  void aSampleIsOpened();
+  void featuresAndPagesAreFound();
+  void whatWasUsedStandsFirst();
+  void whatCannotBeDoneSaysWhy();
+  void itClosesWithoutDoingAnything();
+  void theToolBarFitsAnyWidth();
+  void aLongJobIsListedAndCancelled();
+  void finishedWorkIsKeptWithItsMessage();
+  void theLogTellsWhatHappened();
+
+ private:
+  [[nodiscard]] CommandPalette& palette() { return window_->palette(); }
+  void openPalette(const QString& pattern) {
+    QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
+    QVERIFY(palette().isVisible());
+    QTRY_VERIFY(palette().field()->hasFocus());
+    QTest::keyClicks(palette().field(), pattern);
+  }
+  [[nodiscard]] QStringList found() {
+    QStringList ids;
+    for (int row = 0; row < palette().model().rowCount(); ++row) ids << palette().model().at(row).id;
+    return ids;
+  }
+};
+
+void PaletteTest::lettersMatchInOrder() {
+  const auto score = [](const char* pattern, const char* text) {
+    const auto match = paletteMatch(QLatin1String(pattern), QLatin1String(text));
+    return match ? match->score : -1;
+  };
+  QCOMPARE(score("zz", "Zoom in"), -1);
+  QCOMPARE(score("niz", "Zoom in"), -1);
+  QVERIFY(score("zi", "Zoom in") > 0);
+  QVERIFY(score("", "Anything") == 0);
+  QVERIFY2(score("exp", "Export") > score("exp", "Textile pattern"), "letters that follow each other count more");
+  QVERIFY2(score("si", "Select invisible") > score("si", "Passing"), "beginnings of words count more");
+  QVERIFY2(score("fit", "Fit") > score("fit", "Fitting"), "whole words count more");
+  const auto match = paletteMatch(QStringLiteral("in zo"), QStringLiteral("Zoom in"));
+  QVERIFY(match);
+  QCOMPARE(match->letters, (QList<int>{0, 1, 5, 6}));
+}
+
+void PaletteTest::everyCommandIsFound() {
+  QVERIFY(window_->commands().all().size() > 30);
+  openPalette({});
+  QCOMPARE(palette().model().rowCount() >= static_cast<int>(window_->commands().all().size()), true);
+  for (const Command& command : window_->commands().all()) {
+    palette().field()->setText(QString(command.action->text()).remove(u'&'));
+    QVERIFY2(found().mid(0, 3).contains(command.id), qPrintable(command.id + ": " + found().mid(0, 3).join(u' ')));
+  }
+  for (const auto& type : window_->session().app().registry->types()) {
+    const Command* command = window_->commands().find(QStringLiteral("feature.") + qt(type->id));
+    if (command) QVERIFY(!command->help.isEmpty());
+  }
+}
+
+void PaletteTest::aCommandIsRunByKeys() {
+  const bool before = window_->view().parallel();
+  openPalette(QStringLiteral("parall"));
+  QCOMPARE(found().value(0), QStringLiteral("view.parallel"));
+  QTest::keyClick(palette().field(), Qt::Key_Return);
+  QVERIFY(palette().isHidden());
+  QCOMPARE(window_->view().parallel(), !before);
+}
+
+void PaletteTest::aFeatureIsAdded() {
+  openPropeller();
+  window_->tree().select(document().at(sweep()).inputs.front());
+  openPalette(QStringLiteral("sweep"));
+  const qsizetype row = found().indexOf(QStringLiteral("feature.sweep.sweep"));
+  QVERIFY(row >= 0 && row < 4);
+  for (qsizetype i = 0; i < row; ++i) QTest::keyClick(palette().field(), Qt::Key_Down);
+  QTest::keyClick(palette().field(), Qt::Key_Return);
+  QCOMPARE(document().features().size(), std::size_t(3));
+  QCOMPARE(undoText(), QStringLiteral("Add Sweep"));
+  undo();
+  QCOMPARE(document().features().size(), std::size_t(2));
+}
+
+void PaletteTest::aSampleIsOpened() {
+  openPalette(QStringLiteral("propeller"));
+  QVERIFY(found().value(0).startsWith(QStringLiteral("sample:")));
+  auto* list = palette().findChild<QListView*>();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+  QVERIFY(palette().isHidden());
+  QTRY_VERIFY_WITH_TIMEOUT(!sweep().empty() && !window_->session().evaluating(), 60000);
+}
+
+void PaletteTest::featuresAndPagesAreFound() {
+  showChain();
+  window_->session().commit(document().with(feature("lid", "test.block", {}, "Lid of the box")), {});
+  waitUntilComputed();
+  openPalette(QStringLiteral("lidbox"));
+  QCOMPARE(found().value(0), QStringLiteral("go-to:lid"));
+  QTest::keyClick(palette().field(), Qt::Key_Return);
+  QCOMPARE(window_->tree().selected(), std::vector<FeatureId>{"lid"});
+  openPalette(QStringLiteral("manual"));
+  const QStringList pages = found().filter(QStringLiteral("manual:"));
+  QVERIFY(!pages.isEmpty());
+}
+
+void PaletteTest::whatWasUsedStandsFirst() {
+  openPalette(QStringLiteral("grid"));
+  QTest::keyClick(palette().field(), Qt::Key_Return);
+  openPalette({});
+  QCOMPARE(found().value(0), QStringLiteral("view.grid"));
+}
+
+void PaletteTest::whatCannotBeDoneSaysWhy() {
+  openPalette(QStringLiteral("delete"));
+  const int row = static_cast<int>(found().indexOf(QStringLiteral("edit.delete")));
+  QVERIFY(row >= 0);
+  const QModelIndex index = palette().model().index(row);
+  QVERIFY(!index.data(PaletteModel::EnabledRole).toBool());
+  QCOMPARE(index.data(PaletteModel::HelpRole).toString(), QStringLiteral("Select a feature first."));
+}
+
+void PaletteTest::itClosesWithoutDoingAnything() {
+  const std::size_t features = document().features().size();
+  openPalette(QStringLiteral("box"));
+  QTest::keyClick(palette().field(), Qt::Key_Escape);
+  QVERIFY(palette().isHidden());
+  openPalette({});
+  QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, QPoint(10, window_->view().height() - 10));
+  QVERIFY(palette().isHidden());
+  QCOMPARE(document().features().size(), features);
+}
+
+// Buttons lie beside each other within the bar; what has no button is in the menu of its group.
+void PaletteTest::theToolBarFitsAnyWidth() {
+  auto* bar = window_->findChild<FeatureToolBar*>();
+  QVERIFY(bar);
+  for (const int width : {1280, 1600, 1920, 2600}) {
+    window_->resize(width, 720);
+    QTRY_COMPARE(window_->width(), width);
+    QCoreApplication::processEvents();
+    QRect covered;
+    int shown = 0;
+    for (const QToolButton* button : bar->findChildren<QToolButton*>()) {
+      if (button->isHidden()) continue;
+      ++shown;
+      QVERIFY2(bar->rect().contains(button->geometry()), qPrintable(QString::number(width) + ": " + button->text()));
+      for (const QToolButton* other : bar->findChildren<QToolButton*>())
+        QVERIFY(other == button || other->isHidden() || !other->geometry().intersects(button->geometry()));
+    }
+    QVERIFY(shown >= 2);
+    const auto* field = window_->findChild<QPushButton*>(QStringLiteral("findCommand"));
+    QVERIFY(field && field->isVisible() && field->mapTo(window_.get(), field->rect().topRight()).x() <= width);
+  }
+}
+
+void PaletteTest::aLongJobIsListedAndCancelled() {
+  JobsList& jobs = window_->logAndJobs().jobs();
+  window_->session().commit(Document::of({feature("w", "test.waiting")}), QStringLiteral("Add Waiting"));
+  QTRY_COMPARE(jobs.running(), 1);
+  window_->commands().action(QStringLiteral("view.jobs"))->trigger();
+  QVERIFY(window_->logAndJobs().jobsDock().isVisible());
+  QVERIFY(window_->commands().action(QStringLiteral("view.jobs"))->isChecked());
+  const QModelIndex row = jobs.index(0);
+  QTRY_VERIFY(row.data(JobsList::StageRole).toString().contains(QStringLiteral("waiting")));
+  QVERIFY(row.data(JobsList::FractionRole).toDouble() > 0);
+  auto* panel = window_->findChild<JobsPanel*>();
+  panel->setCurrentIndex(row);
+  QTest::keyClick(panel, Qt::Key_Delete);
+  QTRY_COMPARE(jobs.running(), 0);
+  QCOMPARE(static_cast<JobsList::State>(jobs.index(0).data(JobsList::StateRole).toInt()), JobsList::State::Cancelled);
+  QVERIFY(!window_->session().evaluating());
+  // Another document may work at the same time; each has a row of its own.
+  window_->session().commit(Document::of({feature("w2", "test.waiting")}), {});
+  QTRY_COMPARE(jobs.running(), 1);
+  window_->addPage();
+  window_->session().commit(Document::of({feature("w3", "test.waiting")}), {});
+  QTRY_COMPARE(jobs.running(), 2);
+  jobs.cancel(0);
+  QTRY_COMPARE(jobs.running(), 1);
+  QVERIFY(window_->page(0).session().evaluating());
+  letGo_ = true;
+  QTRY_COMPARE(jobs.running(), 0);
+  QCOMPARE(static_cast<JobsList::State>(jobs.index(1).data(JobsList::StateRole).toInt()), JobsList::State::Done);
+  window_->commands().action(QStringLiteral("view.jobs"))->trigger();
+  QVERIFY(!window_->logAndJobs().jobsDock().isVisible());
+}
+
+void PaletteTest::finishedWorkIsKeptWithItsMessage() {
+  JobsList& jobs = window_->logAndJobs().jobs();
+  window_->openFile(QStringLiteral("/nowhere/missing.step"));
+  QTRY_VERIFY(jobs.rowCount() == 1 && jobs.running() == 0);
+  const QModelIndex row = jobs.index(0);
+  QCOMPARE(static_cast<JobsList::State>(row.data(JobsList::StateRole).toInt()), JobsList::State::Failed);
+  QVERIFY2(row.data(JobsList::MessageRole).toString().contains(QStringLiteral("missing.step")),
+           qPrintable(row.data(JobsList::MessageRole).toString()));
+  QVERIFY(row.data(JobsList::TimeRole).toString().endsWith(u's'));
+  jobs.clearFinished();
+  QCOMPARE(jobs.rowCount(), 0);
+}
+
+void PaletteTest::theLogTellsWhatHappened() {
+  LogList& log = window_->logAndJobs().log();
+  const auto messages = [&](LogList::Level least) {
+    QStringList all;
+    for (int row = 0; row < log.rowCount(); ++row)
+      if (log.index(row, 0).data(LogList::LevelRole).toInt() >= static_cast<int>(least))
+        all << log.index(row, LogList::MessageColumn).data().toString();
+    return all;
+  };
+  openPropeller();
+  QVERIFY(messages(LogList::Level::Note).first().startsWith(QStringLiteral("Opened ")));
+  const qsizetype before = messages(LogList::Level::Error).size();
+  window_->session().commit(document().with(feature("f", "test.failing", {}, "Pocket")), {});
+  waitUntilComputed();
+  const QStringList errors = messages(LogList::Level::Error);
+  QCOMPARE(errors.size(), before + 1);
+  QCOMPARE(errors.last(), QStringLiteral("Pocket: The tool of 12 mm is too large. A tool of 4.8 mm would fit."));
+  window_->tree().toggleVisible("f");  // said once
+  waitUntilComputed();
+  QCOMPARE(messages(LogList::Level::Error).size(), before + 1);
+  auto* panel = window_->findChild<LogPanel*>();
+  panel->filter().setLevel(static_cast<int>(LogList::Level::Error));
+  QCOMPARE(panel->filter().rowCount(), static_cast<int>(before + 1));
+  QVERIFY(panel->text().contains(QStringLiteral("Pocket")));
+  log.clear();
+  QCOMPARE(log.rowCount(), 0);
+}
+
+BLOSSOM_WINDOW_TEST_MAIN(PaletteTest)
+#include "palette_test.moc"

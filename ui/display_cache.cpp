@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "document/error_of.h"
 #include "scene/picking.h"
 
 namespace blossom::ui {
@@ -49,15 +50,13 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
       return view;
     }
   }
-  try {
+  const std::optional<Error> error = errorOf("Showing the result", [&] {
     view->scene = toSceneData(tessellate(shape, {.chord = 0, .angle = 0.2}, progress.part(0, 0.7)));
     view->measures = measure(shape, progress.part(0.7, 0.95));
     view->scene.solid = isSolid(view->measures);
     view->scene.picks = std::make_shared<const PickIndex>(view->scene);
-  } catch (const Error& error) {
-    if (error.code() == ErrorCode::Cancelled) throw;
-    return failed(*result, error);
-  }
+  });
+  if (error) return failed(*result, *error);
   const std::scoped_lock lock(guard_);
   entries_.push_front({shape, view->scene, view->measures});
   if (entries_.size() > mostEntries) entries_.pop_back();

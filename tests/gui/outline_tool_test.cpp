@@ -422,5 +422,5 @@ void OutlineToolTest::handlesTakeOnlyWhatHappensOnThem() {
   QCOMPARE(bench.steps(), std::size_t{1});
 }
 
-QTEST_GUILESS_MAIN(OutlineToolTest)
+QTEST_MAIN(OutlineToolTest)
 #include "outline_tool_test.moc"

@@ -13,7 +13,11 @@ constexpr double gripPixels = 8, reachPixels = 9;
 
 }  // namespace
 
-DragTool::DragTool(ui::ToolHost& toolHost, FeatureId feature) : Tool(toolHost), feature_(std::move(feature)) { load(); }
+DragTool::DragTool(ui::ToolHost& toolHost, FeatureId feature) : Tool(toolHost), feature_(std::move(feature)) {
+  // Until the mouse tells better: grid lines are some twenty pixels apart.
+  millimetresPerPixel_ = toolHost.gridSpacing() / 20;
+  load();
+}
 
 void DragTool::load() {
   base_ = host().document();

@@ -204,29 +204,29 @@ void DrawTool::paintDrawn(ToolPaint& paint) const {
 
 void DrawTool::paintRubber(ToolPaint& paint) const {
   const auto target = draft_.target();
-  if (!target) return;
-  QStringList words;
-  if (const auto rubber = draft_.rubber()) {
-    paint.segment(*rubber, paint.look().control, 1.5);
-    words << dimension(*rubber);
-  }
   const bool typed = draft_.entry().open();
-  if (const auto& snap = draft_.hovered(); snap && !typed) {
-    for (const Guide& guide : snap->guides) paint.guide(guide, snap->point);
-    paint.snapMarker(snap->point, snap->kind);
-    if (snap->kind != SnapKind::None && snap->kind != SnapKind::Grid) words << snapName(snap->kind);
+  const auto rubber = target ? draft_.rubber() : std::nullopt;
+  if (rubber) paint.segment(*rubber, paint.look().control, 1.5);
+  const auto& snap = draft_.hovered();
+  if (typed) {
+    if (rubber) paint.label((startPoint(*rubber) + endPoint(*rubber)) / 2, dimension(*rubber), paint.look().control);
+    if (snap)
+      paint.label(snap->point, QString::fromStdString(draft_.entry().text()) + QStringLiteral(" |"), paint.look().made);
+    return;
   }
-  if (!words.isEmpty()) paint.label(*target, words.join(QStringLiteral("   ")), paint.look().control);
+  if (!snap) return;
+  QStringList words;
+  if (rubber) words << dimension(*rubber);
+  for (const Guide& guide : snap->guides) paint.guide(guide, snap->point);
+  paint.snapMarker(snap->point, snap->kind);
+  if (snap->kind != SnapKind::None && snap->kind != SnapKind::Grid) words << snapName(snap->kind);
+  if (!words.isEmpty()) paint.label(snap->point, words.join(QStringLiteral("   ")), paint.look().control);
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DrawTool::props() const {
   ToolPaint paint(host().look(), millimetresPerPixel_, host().pixelRatio());
   paintDrawn(paint);
   paintRubber(paint);
-  const auto at = draft_.hovered();
-  if (at && draft_.entry().open())
-    paint.label(at->point, QString::fromStdString(draft_.entry().text()) + QStringLiteral(" ▏"), paint.look().made,
-                {14, -26});
   return paint.take();
 }
 

@@ -1,23 +1,24 @@
 #include "manipulators/tool_paint.h"
 
 #include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
+#include <vtkActor2D.h>
 #include <vtkCellArray.h>
+#include <vtkCoordinate.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkProperty.h>
-#include <vtkTextProperty.h>
+#include <vtkProperty2D.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "geometry/planar.h"
+#include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
 namespace {
-
-constexpr double fontSize = 13;  // logical pixels
 
 vtkSmartPointer<vtkActor> actorOf(const vtkSmartPointer<vtkPolyData>& data, const Color& color) {
   const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
@@ -26,7 +27,6 @@ vtkSmartPointer<vtkActor> actorOf(const vtkSmartPointer<vtkPolyData>& data, cons
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   constexpr double toTheFront = -66000;
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, toTheFront);
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, toTheFront);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color.red, color.green, color.blue);
@@ -35,13 +35,13 @@ vtkSmartPointer<vtkActor> actorOf(const vtkSmartPointer<vtkPolyData>& data, cons
   return actor;
 }
 
-std::vector<Vec2> circleAround(const Vec2& center, double radius) {
+std::vector<Vec2> circleOf(double radius) {
   constexpr int sides = 24;
   std::vector<Vec2> points;
   points.reserve(sides + 1);
   for (int k = 0; k <= sides; ++k) {
     const double angle = 2 * std::numbers::pi * k / sides;
-    points.push_back(center + radius * Vec2(std::cos(angle), std::sin(angle)));
+    points.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
   }
   return points;
 }
@@ -64,15 +64,30 @@ void ToolPaint::lines(const std::vector<std::vector<Vec2>>& polylines, const Col
   props_.emplace_back(actor);
 }
 
-void ToolPaint::filled(const std::vector<Vec2>& polygon, const Color& color) {
+void ToolPaint::stamp(const Vec2& at, const Strokes& strokes, const Color& color, bool isFilled) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->InsertNextCell(static_cast<int>(polygon.size()));
-  for (const Vec2& p : polygon) cells->InsertCellPoint(points->InsertNextPoint(p.x(), p.y(), 0));
+  for (const auto& stroke : strokes) {
+    cells->InsertNextCell(static_cast<int>(stroke.size()));
+    for (const Vec2& p : stroke) cells->InsertCellPoint(points->InsertNextPoint(ratio_ * p.x(), ratio_ * p.y(), 0));
+  }
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  data->SetPolys(cells);
-  props_.emplace_back(actorOf(data, color));
+  if (isFilled) {
+    data->SetPolys(cells);
+  } else {
+    data->SetLines(cells);
+  }
+  const auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
+  mapper->SetInputData(data);
+  const auto actor = vtkSmartPointer<vtkActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  actor->GetPositionCoordinate()->SetValue(at.x(), at.y(), 0);
+  actor->GetProperty()->SetColor(color.red, color.green, color.blue);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * ratio_));
+  actor->PickableOff();
+  props_.emplace_back(actor);
 }
 
 void ToolPaint::segment(const Segment& segment, const Color& color, double width) {
@@ -104,26 +119,27 @@ void ToolPaint::guide(const Guide& guide, const Vec2& to) {
   dashed(guide.origin, guide.origin + (along + beyond) * guide.direction, look_.control);
 }
 
-void ToolPaint::square(const Vec2& at, const Color& color, bool isFilled, double halfPixels) {
-  const double h = halfPixels * pixel_;
-  const std::vector<Vec2> corners{at + Vec2(-h, -h), at + Vec2(h, -h), at + Vec2(h, h), at + Vec2(-h, h), at + Vec2(-h, -h)};
-  filled({corners.begin(), corners.end() - 1}, isFilled ? color : look_.backgroundBottom);
-  lines({corners}, color, 1.5);
+void ToolPaint::square(const Vec2& at, const Color& color, bool isFilled, double half) {
+  const std::vector<Vec2> corners{{-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}};
+  stamp(at, {{corners.begin(), corners.end() - 1}}, isFilled ? color : look_.backgroundBottom, true);
+  stamp(at, {corners}, color);
 }
 
-void ToolPaint::ring(const Vec2& at, const Color& color, double radiusPixels) {
-  lines({circleAround(at, radiusPixels * pixel_)}, color, 1.5);
+void ToolPaint::ring(const Vec2& at, const Color& color, double radius) {
+  const std::vector<Vec2> circle = circleOf(radius);
+  stamp(at, {{circle.begin(), circle.end() - 1}}, look_.backgroundBottom, true);
+  stamp(at, {circle}, color);
 }
 
 void ToolPaint::snapMarker(const Vec2& at, SnapKind kind) {
-  const double r = 6 * pixel_;
-  const auto p = [&](double x, double y) { return Vec2(at + r * Vec2(x, y)); };
-  const auto draw = [&](const std::vector<std::vector<Vec2>>& strokes) { lines(strokes, look_.control, 1.5); };
+  constexpr double r = 6;
+  const auto p = [&](double x, double y) { return Vec2(r * x, r * y); };
+  const auto draw = [&](const Strokes& strokes) { stamp(at, strokes, look_.control); };
   switch (kind) {
     case SnapKind::None:
       return;
     case SnapKind::Start:
-      draw({circleAround(at, 1.3 * r), circleAround(at, 0.5 * r)});
+      draw({circleOf(1.3 * r), circleOf(0.5 * r)});
       return;
     case SnapKind::Point:
       draw({{p(-1, -1), p(1, -1), p(1, 1), p(-1, 1), p(-1, -1)}});
@@ -132,7 +148,7 @@ void ToolPaint::snapMarker(const Vec2& at, SnapKind kind) {
       draw({{p(-1, -0.8), p(1, -0.8), p(0, 1), p(-1, -0.8)}});
       return;
     case SnapKind::Centre:
-      draw({circleAround(at, r), {p(-0.3, 0), p(0.3, 0)}, {p(0, -0.3), p(0, 0.3)}});
+      draw({circleOf(r), {p(-0.3, 0), p(0.3, 0)}, {p(0, -0.3), p(0, 0.3)}});
       return;
     case SnapKind::Perpendicular:
       draw({{p(-1, 1), p(-1, -1), p(1, -1)}, {p(-1, 0), p(0, 0), p(0, -1)}});
@@ -152,26 +168,16 @@ void ToolPaint::snapMarker(const Vec2& at, SnapKind kind) {
     case SnapKind::Aligned:
     case SnapKind::Tangent:
     case SnapKind::Square:
-      draw({circleAround(at, 0.6 * r)});
+      draw({circleOf(0.6 * r)});
       return;
   }
 }
 
-void ToolPaint::label(const Vec2& at, const QString& text, const Color& color, const Vec2& offsetPixels) {
-  const auto actor = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-  actor->SetInput(text.toUtf8().constData());
-  actor->SetPosition(at.x(), at.y(), 0);
-  actor->SetDisplayOffset(static_cast<int>(offsetPixels.x() * ratio_), static_cast<int>(offsetPixels.y() * ratio_));
-  vtkTextProperty* style = actor->GetTextProperty();
-  style->SetFontSize(static_cast<int>(fontSize * ratio_));
-  style->SetColor(color.red, color.green, color.blue);
-  const Color& ground = look_.backgroundBottom;
-  style->SetBackgroundColor(ground.red, ground.green, ground.blue);
-  style->SetBackgroundOpacity(0.75);
-  actor->ForceOpaqueOff();
-  actor->ForceTranslucentOn();
-  actor->PickableOff();
-  props_.emplace_back(actor);
+void ToolPaint::label(const Vec2& at, const QString& text, const Color& color) {
+  const auto ofQt = [](const Color& c, double opacity) { return QColor::fromRgbF(c.red, c.green, c.blue, opacity); };
+  const ui::LabelLook look{ofQt(color, 1), ofQt(look_.backgroundBottom, 0.85),
+                           ofQt(mixed(look_.grid, look_.backgroundBottom, 0.4), 1), ratio_};
+  props_.push_back(ui::labelProp(text, {at.x(), at.y(), 0}, look));
 }
 
 }  // namespace blossom::modeling

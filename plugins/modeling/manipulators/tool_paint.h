@@ -12,8 +12,8 @@ class vtkProp;
 
 namespace blossom::modeling {
 
-/// What a tool draws over the scene in the plane z = 0, on top of everything: lines, handles, snap markers and labels. Sizes
-/// in pixels are kept by the scale given.
+/// What a tool draws over the scene in the plane z = 0, on top of everything: lines, and handles, snap markers and labels
+/// that keep their size on the screen and face the viewer.
 class ToolPaint {
  public:
   ToolPaint(const Look& look, double millimetresPerPixel, double pixelRatio)
@@ -24,19 +24,21 @@ class ToolPaint {
   void dashed(const Vec2& from, const Vec2& to, const Color&);
   /// A help line through a point, from its origin past `to`.
   void guide(const Guide&, const Vec2& to);
-  void square(const Vec2& at, const Color&, bool filled, double halfPixels = 4);
-  void ring(const Vec2& at, const Color&, double radiusPixels = 5);
+  void square(const Vec2& at, const Color&, bool filled, double half = 4);
+  void ring(const Vec2& at, const Color&, double radius = 5);
   /// The sign of what the mouse was caught by.
   void snapMarker(const Vec2& at, SnapKind);
-  /// Text beside a point, on a ground that keeps it readable.
-  void label(const Vec2& at, const QString& text, const Color&, const Vec2& offsetPixels = {14, 12});
+  /// Text on a card above a point.
+  void label(const Vec2& at, const QString& text, const Color&);
 
   [[nodiscard]] const Look& look() const { return look_; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> take() { return std::move(props_); }
 
  private:
   void lines(const std::vector<std::vector<Vec2>>&, const Color&, double width, double opacity = 1);
-  void filled(const std::vector<Vec2>& polygon, const Color&);
+  using Strokes = std::vector<std::vector<Vec2>>;
+  /// Strokes (or one filled polygon) in logical pixels around a point.
+  void stamp(const Vec2& at, const Strokes&, const Color&, bool filled = false);
 
   Look look_;
   double pixel_, ratio_;

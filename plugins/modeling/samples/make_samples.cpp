@@ -99,6 +99,24 @@ Document duct(const App& app) {
   return m.document();
 }
 
+Value segment(const char* kind, const Vec2& to, bool tangent = false) {
+  return {{"kind", kind}, {"to", {to.x(), to.y(), 0}}, {"tangent", tangent}};
+}
+
+Document keyTag(const App& app) {
+  Model m(app);
+  const Value around = {segment("line", {70, 0}), segment("arc", {70, 30}, true), segment("line", {0, 30}),
+                        segment("arc", {0, 0}, true)};
+  const auto outline = m.add("outline", "Outline", {{"segments", around}});
+  const auto hole = m.add("circle", "Eye", {{"radius", 4}, {"centre", {77, 15, 0}}});
+  const auto flat = m.add("boolean", "Blank", {{"operation", "difference"}}, {outline, hole});
+  const auto plate = m.add("extrude", "Plate", {{"height", 3}}, {flat});
+  const auto text = m.add("text", "Name", {{"text", "Blossom"}, {"style", "bold"}, {"height", 11}, {"at", {-7, 9.5, 0}}});
+  const auto letters = m.add("extrude", "Letters", {{"height", 4.5}}, {text});
+  m.add("boolean", "Key tag", {{"operation", "union"}}, {plate, letters});
+  return m.document();
+}
+
 }  // namespace
 
 /// make_modeling_samples FOLDER: writes the sample documents of ordinary CAD.
@@ -113,6 +131,7 @@ int main(int argc, char** argv) {
     saveDocument(bracket(app), folder / "bracket.blossom");
     saveDocument(flange(app), folder / "flange.blossom");
     saveDocument(duct(app), folder / "duct.blossom");
+    saveDocument(keyTag(app), folder / "key-tag.blossom");
   } catch (const Error& error) {
     fmt::print(stderr, "{} {}\n", error.message(), error.hint());
     return 1;

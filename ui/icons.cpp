@@ -40,6 +40,7 @@ class ThemedEngine final : public QIconEngine {
     QSvgRenderer(source).render(painter, rect);
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    if (size.isEmpty()) return {};  // of a button that is squeezed to nothing
     QPixmap pixmap(size);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);

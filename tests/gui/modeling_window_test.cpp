@@ -49,9 +49,9 @@ void ModelingWindowTest::anOutlineIsDrawnExtrudedAndRounded() {
   waitUntilComputed();
   const FeatureId solid = last();
   QVERIFY(solid != outline);
-  edit("height", "1/2 in + 7.3 mm");
+  edit("height", "1/2 in + 12.3 mm");
   waitUntilComputed();
-  COMPARE_NEAR(measureOf(solid, "volume"), 1000 * 20.0, 1e-6);
+  COMPARE_NEAR(measureOf(solid, "volume"), 1000 * 25.0, 1e-6);
 
   window_->tree().select(solid);
   run("feature.modeling.fillet");
@@ -61,7 +61,7 @@ void ModelingWindowTest::anOutlineIsDrawnExtrudedAndRounded() {
   const auto view = window_->session().view(rounded);
   QVERIFY2(!view->result->error, view->result->error ? view->result->error->what() : "");
   // A box rounded by r at every edge: Steiner's formula of the box less r on each side.
-  const double r = 3, a = 40 - 2 * r, b = 25 - 2 * r, c = 20 - 2 * r, pi = std::numbers::pi;
+  const double r = 3, a = 40 - 2 * r, b = 25 - 2 * r, c = 25 - 2 * r, pi = std::numbers::pi;
   const double volume = a * b * c + 2 * r * (a * b + b * c + c * a) + pi * r * r * (a + b + c) + 4 * pi * r * r * r / 3;
   COMPARE_NEAR(measureOf(rounded, "volume"), volume, 1e-5 * volume);
 

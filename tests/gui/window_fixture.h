@@ -30,6 +30,8 @@ class WindowFixture : public QObject {
     setUpApplication();
     for (const char* name : {"XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
       qputenv(name, folder_.path().toLocal8Bit());
+    if (qEnvironmentVariableIsEmpty("BLOSSOM_WORKER"))
+      qputenv("BLOSSOM_WORKER", (test::buildFolder() / "bin/blossom-worker").c_str());
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
     ThemeManager::instance().apply(ThemeChoice::Dark);

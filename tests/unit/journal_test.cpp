@@ -137,6 +137,7 @@ void JournalTest::whatIsRecordedIsRecovered() {
     QCOMPARE(summary.features, document.features().size());
     QVERIFY(std::abs(summary.milliseconds - QDateTime::currentMSecsSinceEpoch()) < 60000);
   }
+  journal.settle();
   // Files are there once, however often they are named.
   std::set<std::string> assets;
   for (const auto& feature : document.features())

@@ -1,5 +1,3 @@
-#include <numbers>
-
 #include "geometry/planar.h"
 #include "modeling/kernel/outline_draft.h"
 #include "support/support.h"
@@ -339,3 +337,5 @@ void ModelingDraftTest::randomClicksAndBackspacesEndWhereTheyBegan() {
 
 QTEST_GUILESS_MAIN(ModelingDraftTest)
 #include "modeling_draft_test.moc"
+
+#include <numbers>  // not first: moc stumbles over it

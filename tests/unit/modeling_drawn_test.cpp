@@ -1,5 +1,3 @@
-#include <numbers>
-
 #include "geometry/planar.h"
 #include "geometry/planar_bezier.h"
 #include "modeling/kernel/outline_crossing.h"
@@ -244,3 +242,5 @@ void ModelingDrawnTest::everyPointCanBeMovedAndRemoved() {
 
 QTEST_GUILESS_MAIN(ModelingDrawnTest)
 #include "modeling_drawn_test.moc"
+
+#include <numbers>  // not first: moc stumbles over it

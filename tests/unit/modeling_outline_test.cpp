@@ -1,5 +1,3 @@
-#include <numbers>
-
 #include "app/app.h"
 #include "geometry/measure.h"
 #include "geometry/planar.h"
@@ -205,3 +203,5 @@ void ModelingOutlineTest::wrongLiteralsSayWhatIsWanted() {
 
 QTEST_GUILESS_MAIN(ModelingOutlineTest)
 #include "modeling_outline_test.moc"
+
+#include <numbers>  // not first: moc stumbles over it

@@ -1,5 +1,6 @@
 #include "ui/jobs_list.h"
 
+#include <QWidget>
 #include <algorithm>
 
 #include "ui/page.h"

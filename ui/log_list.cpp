@@ -1,6 +1,7 @@
 #include "ui/log_list.h"
 
 #include <QColor>
+#include <QWidget>
 
 #include "ui/document_tree.h"
 #include "ui/page.h"

@@ -1,7 +1,11 @@
 #include "ui/palette_sources.h"
 
+#include <QAction>
+#include <QCoreApplication>
 #include <QFileInfo>
+#include <QPointer>
 #include <QRegularExpression>
+#include <QWidget>
 #include <memory>
 
 #include "ui/commands.h"

@@ -115,7 +115,7 @@ class Finder {
     for (const auto* partA : {&a1, &a2})
       for (const auto* partB : {&b1, &b2}) {
         if (partA->empty() || partB->empty()) continue;
-        if (const auto place = meet(*partA, *partB)) return place;
+        if (auto place = meet(*partA, *partB)) return place;
       }
     return std::nullopt;
   }
@@ -184,7 +184,7 @@ std::optional<Vec2> sweep(const std::vector<Piece>& pieces, const Progress& prog
     std::erase_if(open, [&](std::size_t other) { return pieces[other].box.most.x() < left(k) - touching; });
     for (const std::size_t other : open) {
       if (!pieces[k].box.near(pieces[other].box)) continue;
-      if (const auto place = meet(std::min(k, other), std::max(k, other))) return place;
+      if (auto place = meet(std::min(k, other), std::max(k, other))) return place;
     }
     open.push_back(k);
   }

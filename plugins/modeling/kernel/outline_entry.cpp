@@ -26,14 +26,14 @@ bool TypedEntry::type(char c) {
   const bool known =
       std::isalnum(static_cast<unsigned char>(c)) || std::string_view(".+-*/()'\" ").find(c) != std::string_view::npos;
   if (!known) return false;
-  fields_[active_].push_back(c);
+  field().push_back(c);
   return true;
 }
 
 bool TypedEntry::back() {
   if (!open() && active_ == 0) return false;
-  if (!fields_[active_].empty()) {
-    fields_[active_].pop_back();
+  if (!field().empty()) {
+    field().pop_back();
   } else if (active_ == 1) {
     active_ = 0;
     place_ = relative_;

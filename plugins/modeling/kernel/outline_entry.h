@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 
@@ -32,7 +33,9 @@ class TypedEntry {
   [[nodiscard]] std::string problem() const;
 
  private:
-  std::string fields_[2];
+  [[nodiscard]] std::string& field() { return fields_.at(static_cast<std::size_t>(active_)); }
+
+  std::array<std::string, 2> fields_;
   int active_ = 0;
   bool place_ = false, relative_ = false;
 };

@@ -48,7 +48,7 @@ std::optional<Value> EditTool::dragged(const Value& parameters, std::size_t inde
 std::optional<OutlinePlace> EditTool::placeUnder(const ui::ToolEvent& event) const {
   const auto at = inGround(event.ray);
   if (!at || under(event)) return std::nullopt;
-  const auto place = nearestPlace(drawnOutlineOf(parameters()), *at);
+  auto place = nearestPlace(drawnOutlineOf(parameters()), *at);
   if (!place || place->distance > gripPixels * event.millimetresPerPixel) return std::nullopt;
   return place;
 }

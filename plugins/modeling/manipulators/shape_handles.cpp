@@ -104,6 +104,7 @@ bool dragCorner(Value& p, std::size_t corner, const Vec2& offset) {
 Behaviour rectangleBehaviour() {
   return {[](const Value& p) {
             std::vector<ShapeHandle> handles;
+            handles.reserve(signs.size() + 1);
             for (const auto& sign : signs)
               handles.push_back(
                   {centre(p) + turned(Vec2(sign[0], sign[1]).cwiseProduct(halves(p)), turn(p)), HandleRole::Corner});

@@ -4,7 +4,7 @@ for theme in dark light; do
   for form in 1280x720@1 1920x1080@1 1280x800@2; do
     size=${form%@*} scale=${form#*@}
     QT_SCALE_FACTOR=$scale xvfb-run -a -s "-screen 0 2600x1700x24 +extension GLX" timeout 300 \
-      "$build/tests/bin/workbench_pictures" "$out" "$theme" "$size" "$scale" >"$out/pictures.log" 2>&1
+      "$bin/workbench_pictures" "$out" "$theme" "$size" "$scale" >"$out/pictures.log" 2>&1
     equal "start, propeller, error, palette, section, measure, preferences, manual: $theme $size scale $scale" "$?" 0
   done
 done

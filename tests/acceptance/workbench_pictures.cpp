@@ -8,9 +8,9 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <cstdio>
+#include <vector>
 
 #include "app/app.h"
-#include "geometry/bounds.h"
 #include "ui/application.h"
 #include "ui/command_palette.h"
 #include "ui/document_tree.h"
@@ -54,12 +54,12 @@ class Pictures {
   void run(const char* command) { window_->commands().action(QLatin1String(command))->trigger(); }
 
   /// Until nothing is computed any more and the view has been drawn sharp.
-  void settle() {
+  void settle(int quietMs = 700) {
     QElapsedTimer timer;
     timer.start();
     QElapsedTimer quiet;
     quiet.start();
-    while (timer.elapsed() < 60000 && quiet.elapsed() < 700) {
+    while (timer.elapsed() < 60000 && quiet.elapsed() < quietMs) {
       QApplication::processEvents(QEventLoop::AllEvents, 20);
       const Session& session = window_->session();
       if (session.evaluating() || session.job().running()) quiet.restart();
@@ -74,9 +74,21 @@ class Pictures {
     window_->openFile(QString::fromStdString((resourceFolder() / "samples" / name).string()));
     settle();
   }
-  Bounds extent() { return window_->view().extent(); }
-  void click(const Vec3& p) {
-    const QPointF at = window_->view().camera().project(p);
+  /// Where the first face from above is seen, and one below it.
+  std::vector<QPointF> twoFaces() {
+    std::vector<QPointF> places;
+    int first = -1;
+    const ViewWidget& view = window_->view();
+    for (int y = 20; y < view.height() && places.size() < 2; y += 12) {
+      const QPointF at(view.width() * 0.47, y);
+      const Pick pick = view.pickAt(at, PickMode::Face);
+      if (pick.feature.empty() || pick.part.index == first) continue;
+      first = pick.part.index;
+      places.push_back(at + QPointF(0, 12));
+    }
+    return places;
+  }
+  void clickAt(const QPointF& at) {
     for (const QEvent::Type type : {QEvent::MouseMove, QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
       const bool moves = type == QEvent::MouseMove, down = type == QEvent::MouseButtonPress;
       QMouseEvent event(type, at, window_->view().mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
@@ -87,6 +99,7 @@ class Pictures {
 
   void startPage() {
     open();
+    settle(12000);  // the pictures of the samples are made by another program
     save(*window_, "start");
   }
   void propeller() {
@@ -124,9 +137,7 @@ class Pictures {
   void measure() {
     openSample("bracket.blossom");
     run("view.measure");
-    const Bounds box = extent();
-    click(box.low);
-    click({box.high.x(), box.low.y(), box.low.z()});
+    for (const QPointF& at : twoFaces()) clickAt(at);
     save(*window_, "measure");
   }
   void preferences() {

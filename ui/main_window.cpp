@@ -6,10 +6,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "ui/document_tabs.h"
 #include "ui/error_bar.h"
 #include "ui/feature_menus.h"
 #include "ui/manipulator_loader.h"
+#include "ui/preferences.h"
 #include "ui/recovery_bar.h"
 #include "ui/start_page.h"
 #include "ui/status_line.h"
@@ -49,6 +51,9 @@ MainWindow::MainWindow(App app, QWidget* parent)
   buildLayout();
   buildStatus();
   buildPalette();
+  const auto limitThreads = [] { setThreadLimit(Preferences::instance().get<int>("threads")); };
+  limitThreads();
+  connect(&Preferences::instance(), &Preferences::changed, this, limitThreads);
   startFor_ = &addPage();
   refreshStart();
   status_->setHint(ViewWidget::idleHint());

@@ -223,6 +223,7 @@ void DocumentPage::fitWhenFirstShown() {
   if (!fitPending_ || document().features().empty()) return;
   fitPending_ = false;
   view_->lookFrom(QStringLiteral("auto"), false);
+  if (Preferences::instance().get<std::string>("projection") == "parallel") view_->setParallel(true);
   emit stateChanged();
 }
 

@@ -24,12 +24,8 @@ TopoDS_Shape partOf(const Brep& brep, TopAbs_ShapeEnum type, int index, const ch
 
 }  // namespace
 
-TopoDS_Face faceOf(const Brep& brep, int index) {
-  return TopoDS::Face(partOf(brep, TopAbs_FACE, index, "face", "faces"));
-}
-TopoDS_Edge edgeOf(const Brep& brep, int index) {
-  return TopoDS::Edge(partOf(brep, TopAbs_EDGE, index, "edge", "edges"));
-}
+TopoDS_Face faceOf(const Brep& brep, int index) { return TopoDS::Face(partOf(brep, TopAbs_FACE, index, "face", "faces")); }
+TopoDS_Edge edgeOf(const Brep& brep, int index) { return TopoDS::Edge(partOf(brep, TopAbs_EDGE, index, "edge", "edges")); }
 TopoDS_Vertex vertexOf(const Brep& brep, int index) {
   return TopoDS::Vertex(partOf(brep, TopAbs_VERTEX, index, "vertex", "vertices"));
 }

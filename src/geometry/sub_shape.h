@@ -7,8 +7,9 @@
 #include "geometry/shape.h"
 
 /// How parts of a shape are numbered, for picking and for parameters of kind SubShape. Of a B-rep: the place in
-/// TopExp::MapShapes of its `shape()` for that type, from 0. Of a region or curves: edges are the segments, loop by loop (path by
-/// path); vertex k is the start of segment k; the only face is 0. Of a mesh: face k is polygon k, vertex k is vertex k.
+/// TopExp::MapShapes of its `shape()` for that type, from 0. Of a region or curves: edges are the segments, loop by loop
+/// (path by path); vertex k is the start of segment k; the only face is 0. Of a mesh: face k is polygon k, vertex k is
+/// vertex k.
 namespace blossom {
 
 enum class SubShapeKind { Whole, Face, Edge, Vertex };

@@ -37,8 +37,7 @@ class CoreTest : public QObject {
     for (const auto& [text, wanted] : cases) COMPARE_NEAR(parseLength(text), wanted, 1e-12 * std::abs(wanted));
   }
   void otherTextIsNoLength() {
-    for (const char* text :
-         {"", " ", "abc", "3 apples", "1/0", "1 2", "1,5", "nan", "inf", "1e999", "--1", "in", "0x10"})
+    for (const char* text : {"", " ", "abc", "3 apples", "1/0", "1 2", "1,5", "nan", "inf", "1e999", "--1", "in", "0x10"})
       VERIFY_ERROR(parseLength(text), ErrorCode::InvalidParameter);
     try {
       parseLength("3 apples");

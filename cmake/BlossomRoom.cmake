@@ -17,7 +17,9 @@ add_library(Blossom::flags ALIAS blossom_flags)
 target_compile_options(blossom_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
   # GCC 12 reports these three inside Eigen and the standard library at -O2
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread>
+  # Members of an anonymous namespace's type are as private in a unity file as in their own.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 if(BLOSSOM_SANITIZE)
   target_compile_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE})

@@ -29,6 +29,8 @@ struct Pick {
 /// Which parts are found under the mouse: whole features, parts of one kind, or whatever is nearest.
 enum class PickMode { None, Feature, Face, Edge, Vertex, Any };
 
+inline constexpr double clickReach = 4;  ///< pixels that a click may wander; beyond, it is a drag
+
 /// The mouse as a tool sees it.
 struct ToolEvent {
   QPointF at;  ///< logical pixels from the upper left of the view

@@ -1,3 +1,4 @@
+#include "core/angle.h"
 #include "core/error.h"
 #include "feature_groups.h"
 #include "kernel/arrange.h"
@@ -21,7 +22,7 @@ InputSpec anyInput() {
 Vec3 directionOf(const Vec3& v, const char* what) { return toVector(toDirection(v, what).XYZ()); }
 
 Map turned(const Vec3& centre, const Vec3& axis, double degrees) {
-  return Eigen::Translation3d(centre) * Eigen::AngleAxisd(radians(degrees), directionOf(axis, "axis")) *
+  return Eigen::Translation3d(centre) * Eigen::AngleAxisd(toRadians(degrees), directionOf(axis, "axis")) *
          Eigen::Translation3d(-centre);
 }
 
@@ -33,7 +34,7 @@ struct TransformParameters {
 Map mapOf(const TransformParameters& p) {
   Map map = Map::Identity();
   map.translate(p.move + p.centre);
-  if (p.angle != 0) map.rotate(Eigen::AngleAxisd(radians(p.angle), directionOf(p.axis, "axis")));
+  if (p.angle != 0) map.rotate(Eigen::AngleAxisd(toRadians(p.angle), directionOf(p.axis, "axis")));
   map.scale(p.scale * p.stretch);
   map.translate(-p.centre);
   return map;

@@ -1,13 +1,11 @@
-#include <numbers>
 
-#include "feature_groups.h"
 #include "features_outline.h"
+#include "core/angle.h"
+#include "feature_groups.h"
 #include "kernel/outline_shapes.h"
 
 namespace blossom::modeling {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 Evaluated made(Region region) { return {std::move(region), Value::object(), {}}; }
 
@@ -43,7 +41,7 @@ FeatureType ellipseFeature() {
       .parameter("rotation", &P::rotation, angle(), "Angle from the x axis to the first half-axis.")
       .example("blossom ellipse --a 30 --b 12 --rotation 30 -o ellipse.svg")
       .evaluate([](const P& p, const Inputs&, const Progress&) {
-        return made(ellipse(p.a, p.b, inPlane(p.center), p.rotation * radians));
+        return made(ellipse(p.a, p.b, inPlane(p.center), toRadians(p.rotation)));
       });
 }
 
@@ -70,7 +68,7 @@ FeatureType polygonFeature() {
       .example("blossom polygon --sides 6 --radius 8 --size circumscribed -o nut.dxf")
       .evaluate([](const P& p, const Inputs&, const Progress&) {
         const double radius = p.size == PolygonSize::Inscribed ? p.radius : circumradius(p.sides, p.radius);
-        return made(regularPolygon(p.sides, radius, inPlane(p.center), p.rotation * radians));
+        return made(regularPolygon(p.sides, radius, inPlane(p.center), toRadians(p.rotation)));
       });
 }
 
@@ -92,7 +90,7 @@ FeatureType starFeature() {
       .parameter("rotation", &P::rotation, angle(), "Angle from the x axis to the first point.")
       .example("blossom star --points 5 --outer 20 --inner 8 -o star.svg")
       .evaluate([](const P& p, const Inputs&, const Progress&) {
-        return made(star(p.points, p.outer, p.inner, inPlane(p.center), p.rotation * radians));
+        return made(star(p.points, p.outer, p.inner, inPlane(p.center), toRadians(p.rotation)));
       });
 }
 
@@ -115,7 +113,7 @@ FeatureType rectangleFeature() {
       .parameter("rotation", &P::rotation, angle(), "By how much it is turned about its centre.")
       .example("blossom rectangle --width 60 --height 40 --corner 5 -o plate.dxf")
       .evaluate([](const P& p, const Inputs&, const Progress&) {
-        return made(rectangle(p.width, p.height, p.corner, inPlane(p.center), p.rotation * radians));
+        return made(rectangle(p.width, p.height, p.corner, inPlane(p.center), toRadians(p.rotation)));
       });
 }
 
@@ -135,7 +133,7 @@ FeatureType slotFeature() {
       .parameter("rotation", &P::rotation, angle(), "Angle from the x axis to the length.")
       .example("blossom slot --length 40 --width 8 -o slot.dxf")
       .evaluate([](const P& p, const Inputs&, const Progress&) {
-        return made(slot(p.length, p.width, inPlane(p.center), p.rotation * radians));
+        return made(slot(p.length, p.width, inPlane(p.center), toRadians(p.rotation)));
       });
 }
 

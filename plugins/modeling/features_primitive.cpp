@@ -38,12 +38,6 @@ ParameterSpec partOfATurn() {
   return spec;
 }
 
-ParameterSpec lengthFromZero() {
-  ParameterSpec spec = length();
-  spec.least = 0;
-  return spec;
-}
-
 template <class P>
 FeatureType primitive(FeatureBuilder<P>& builder, TopoDS_Shape (*make)(const P&), const char* title) {
   return builder.parameter("position", static_cast<Vec3 P::*>(&P::position), point(), "Where it stands.")

@@ -27,12 +27,6 @@ struct ExtrudeParameters {
   SubShapeValue face;
 };
 
-ParameterSpec lengthFromZero() {
-  ParameterSpec spec = length();
-  spec.least = 0;
-  return spec;
-}
-
 ParameterSpec taperAngle() {
   ParameterSpec spec = angle();
   spec.least = -80;

@@ -10,12 +10,12 @@
 #include "parameter/parameter.h"
 
 namespace blossom {
+std::string shownName(const Feature& feature) { return feature.name.empty() ? feature.id : feature.name; }
+
 namespace {
 
 using Pointer = std::shared_ptr<const Feature>;
 using List = std::vector<Pointer>;
-
-std::string shownName(const Feature& feature) { return feature.name.empty() ? feature.id : feature.name; }
 
 auto position(const List& features, const FeatureId& id) {
   return std::find_if(features.begin(), features.end(), [&](const Pointer& f) { return f->id == id; });

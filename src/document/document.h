@@ -24,6 +24,9 @@ struct Feature {
   friend bool operator==(const Feature&, const Feature&) = default;
 };
 
+/// How sentences call it.
+std::string shownName(const Feature&);
+
 /// A list of features; an edit makes a new document that shares all unchanged parts. O(features) pointers per edit.
 class Document {
  public:

@@ -31,8 +31,6 @@ Error unknownType(const std::string& type) {
                fmt::format("It belongs to the plugin \"{}\", which is missing or could not be loaded.", plugin));
 }
 
-std::string shownName(const Feature& feature) { return feature.name.empty() ? feature.id : feature.name; }
-
 /// Writes the milliseconds of its life, also when an exception ends it.
 class Stopwatch {
  public:

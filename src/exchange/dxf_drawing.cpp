@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
+#include "core/angle.h"
 #include "core/tolerance.h"
 #include "geometry/bspline.h"
 #include "geometry/interpolate.h"
@@ -20,13 +20,10 @@ using namespace parse;
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
 /// Counter-clockwise sweep from one angle to another, in (0, 2 pi].
 double sweepBetween(double start, double end) {
-  const double sweep = std::fmod(end - start, turn);
-  return sweep <= 1e-12 ? sweep + turn : sweep;
+  const double sweep = std::fmod(end - start, fullTurn);
+  return sweep <= 1e-12 ? sweep + fullTurn : sweep;
 }
 
 std::string blockKey(std::string name) {
@@ -94,10 +91,10 @@ class Collector final : public DL_CreationAdapter {
       add({{line}}, false);
   }
   void addArc(const DL_ArcData& d) override {
-    const double start = radians(d.angle1);
-    addRound(Arc2{{d.cx, d.cy}, d.radius, start, sweepBetween(start, radians(d.angle2))}, false);
+    const double start = toRadians(d.angle1);
+    addRound(Arc2{{d.cx, d.cy}, d.radius, start, sweepBetween(start, toRadians(d.angle2))}, false);
   }
-  void addCircle(const DL_CircleData& d) override { addRound(Arc2{{d.cx, d.cy}, d.radius, 0, turn}, true); }
+  void addCircle(const DL_CircleData& d) override { addRound(Arc2{{d.cx, d.cy}, d.radius, 0, fullTurn}, true); }
   void addEllipse(const DL_EllipseData&) override;
 
   void addPolyline(const DL_PolylineData& d) override {
@@ -239,8 +236,8 @@ void Collector::addEllipse(const DL_EllipseData& d) {
   const Vec3 minor = normal().cross(major) * d.ratio;
   const Vec2 across = minor.head<2>(), along = major.head<2>();
   const double span = d.angle2 - d.angle1;
-  const double sweep = std::abs(span - turn) < 1e-9 ? turn : sweepBetween(d.angle1, d.angle2);
-  const bool full = std::abs(sweep - turn) < 1e-9;
+  const double sweep = std::abs(span - fullTurn) < 1e-9 ? fullTurn : sweepBetween(d.angle1, d.angle2);
+  const bool full = std::abs(sweep - fullTurn) < 1e-9;
   const double area = along.x() * across.y() - along.y() * across.x();
   if (!(std::abs(area) > 1e-18)) {
     ++drawing_.degenerate;
@@ -373,8 +370,9 @@ void Collector::finishHatch() {
 void Collector::addInsert(const DL_InsertData& d) {
   finishPolyline();
   DxfItem placed = item();
-  placed.insert = DxfInsert{blockKey(d.name),   plane(),          {d.ipx, d.ipy},      {d.sx, d.sy},
-                            {d.colSp, d.rowSp}, radians(d.angle), std::max(d.cols, 1), std::max(d.rows, 1)};
+  placed.insert = DxfInsert{
+      blockKey(d.name),   plane(), {d.ipx, d.ipy}, {d.sx, d.sy}, {d.colSp, d.rowSp}, toRadians(d.angle), std::max(d.cols, 1),
+      std::max(d.rows, 1)};
   target_->items.push_back(std::move(placed));
 }
 

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "exchange/dxf_drawing.h"
@@ -17,8 +18,6 @@
 
 namespace blossom {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 /// Numbers that read back as the same double; dxflib's own writer keeps sixteen places after the point.
 class ExactWriter final : public DL_WriterA {
@@ -137,15 +136,15 @@ class DxfWriter {
 
   /// ARC always runs counter-clockwise, which is no loss for a path of one arc.
   void round(const Arc2& arc, const Path& p) {
-    const bool full = std::abs(arc.sweep) >= turn - 1e-12;
+    const bool full = std::abs(arc.sweep) >= fullTurn - 1e-12;
     begin(full ? "CIRCLE" : "ARC", "AcDbCircle", p);
     writer_->coord(10, arc.center.x(), arc.center.y(), 0);
     writer_->dxfReal(40, arc.radius);
     if (full) return;
     const double start = arc.sweep > 0 ? arc.start : arc.start + arc.sweep;
     writer_->dxfString(100, "AcDbArc");
-    writer_->dxfReal(50, start * 180 / std::numbers::pi);
-    writer_->dxfReal(51, (start + std::abs(arc.sweep)) * 180 / std::numbers::pi);
+    writer_->dxfReal(50, toDegrees(start));
+    writer_->dxfReal(51, toDegrees(start + std::abs(arc.sweep)));
   }
 
   void polyline(const Path& p) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "exchange/format.h"
+#include "exchange/text.h"
 
 // Only signatures that a file of another format cannot carry by accident: a wrong guess here would refuse a good file.
 namespace blossom {
@@ -15,12 +16,6 @@ namespace {
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool contains(std::string_view text, std::string_view what) { return text.find(what) != std::string_view::npos; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// Takes the first line off the text; without its end.
 std::string_view takeLine(std::string_view& text) {
@@ -31,7 +26,7 @@ std::string_view takeLine(std::string_view& text) {
 }
 
 std::string_view takeWord(std::string_view& text) {
-  text = trimmed(text);
+  text = parse::trimmed(text);
   const auto end = std::find_if(text.begin(), text.end(), isSpace);
   const auto length = static_cast<std::size_t>(end - text.begin());
   const std::string_view word = text.substr(0, length);
@@ -41,7 +36,7 @@ std::string_view takeWord(std::string_view& text) {
 
 std::string_view withoutComments(std::string_view text, char mark) {
   for (;;) {
-    text = trimmed(text);
+    text = parse::trimmed(text);
     if (text.empty() || text.front() != mark) return text;
     takeLine(text);
   }
@@ -62,11 +57,11 @@ bool isOff(std::string_view head) {
 
 bool isDxf(std::string_view head) {
   if (head.substr(0, 18) == "AutoCAD Binary DXF") return true;
-  while (trimmed(std::string_view(head).substr(0, head.find('\n'))) == "999") {
+  while (parse::trimmed(std::string_view(head).substr(0, head.find('\n'))) == "999") {
     takeLine(head);
     takeLine(head);
   }
-  return trimmed(takeLine(head)) == "0" && trimmed(takeLine(head)) == "SECTION";
+  return parse::trimmed(takeLine(head)) == "0" && parse::trimmed(takeLine(head)) == "SECTION";
 }
 
 bool isNumber(std::string_view word) {
@@ -76,7 +71,7 @@ bool isNumber(std::string_view word) {
 bool isObj(std::string_view head) {
   head = withoutComments(head, '#');
   for (int lines = 0; lines < 20 && !head.empty(); ++lines) {
-    std::string_view line = trimmed(takeLine(head));
+    std::string_view line = parse::trimmed(takeLine(head));
     const std::string_view key = takeWord(line);
     if (key.empty() || key.front() == '#' || key == "o" || key == "g" || key == "s") continue;
     if (key == "mtllib") return true;
@@ -86,7 +81,7 @@ bool isObj(std::string_view head) {
 }
 
 bool isTextStl(std::string_view head) {
-  return trimmed(head).substr(0, 5) == "solid" && (contains(head, "facet normal") || contains(head, "endsolid"));
+  return parse::trimmed(head).substr(0, 5) == "solid" && (contains(head, "facet normal") || contains(head, "endsolid"));
 }
 
 std::string_view foreignFormat(std::string_view head) {
@@ -116,7 +111,7 @@ bool looksLikeBinaryStl(std::string_view head, std::uintmax_t fileSize) {
 std::string sniffFormat(std::string_view head) {
   if (const std::string_view foreign = foreignFormat(head); !foreign.empty()) return std::string(foreign);
   if (head.substr(0, 3) == "\xef\xbb\xbf") head.remove_prefix(3);
-  const std::string_view text = trimmed(head);
+  const std::string_view text = parse::trimmed(head);
   if (contains(text.substr(0, 2000), "ISO-10303-21;")) return "STEP";
   if (contains(text.substr(0, 400), "DBRep_DrawableShape") || contains(text.substr(0, 400), "CASCADE Topology V"))
     return "BREP";

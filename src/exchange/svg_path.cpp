@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "exchange/text.h"
 #include "geometry/planar.h"
@@ -15,7 +15,6 @@
 namespace blossom::svg {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double largestCoordinate = 1e12;
 
 Vec2 checkedPoint(const Geom::Point& p) {
@@ -129,16 +128,16 @@ std::vector<Segment> arcSegment(const Vec2& from, const Vec2& to, double rx, dou
   const Vec2 c = offset * Vec2(p.y(), -p.x());
   const Vec2 center = 0.5 * (from + to) + c.x() * rx * along + c.y() * ry * across;
   const double start = std::atan2(p.y() - c.y(), p.x() - c.x()), end = std::atan2(-p.y() - c.y(), -p.x() - c.x());
-  double angle = std::fmod(end - start, turn);
-  if (sweep && angle <= 0) angle += turn;
-  if (!sweep && angle >= 0) angle -= turn;
+  double angle = std::fmod(end - start, fullTurn);
+  if (sweep && angle <= 0) angle += fullTurn;
+  if (!sweep && angle >= 0) angle -= fullTurn;
   if (rx == ry) return {Arc2{center, rx, start + rotation, angle}};
   return {ellipticArc(center, rx * along, ry / rx, start, angle)};
 }
 
 Segment ellipseSegment(const Vec2& center, double rx, double ry) {
-  if (rx == ry) return Arc2{center, rx, 0, turn};
-  return ellipticArc(center, {rx, 0}, ry / rx, 0, turn);
+  if (rx == ry) return Arc2{center, rx, 0, fullTurn};
+  return ellipticArc(center, {rx, 0}, ry / rx, 0, fullTurn);
 }
 
 }  // namespace blossom::svg

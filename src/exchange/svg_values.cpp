@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "exchange/text.h"
 
@@ -41,16 +41,16 @@ Eigen::Affine2d matrix(double a, double b, double c, double d, double e, double 
 }
 
 Eigen::Affine2d transformStep(std::string_view name, const std::vector<double>& v) {
-  const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
   const auto at = [&](std::size_t i, double fallback) { return i < v.size() ? v[i] : fallback; };
   if (name == "matrix" && v.size() == 6) return matrix(v[0], v[1], v[2], v[3], v[4], v[5]);
   if (name == "translate" && (v.size() == 1 || v.size() == 2)) return matrix(1, 0, 0, 1, v[0], at(1, 0));
   if (name == "scale" && (v.size() == 1 || v.size() == 2)) return matrix(v[0], 0, 0, at(1, v[0]), 0, 0);
-  if (name == "skewX" && v.size() == 1) return matrix(1, 0, std::tan(radians(v[0])), 1, 0, 0);
-  if (name == "skewY" && v.size() == 1) return matrix(1, std::tan(radians(v[0])), 0, 1, 0, 0);
+  if (name == "skewX" && v.size() == 1) return matrix(1, 0, std::tan(toRadians(v[0])), 1, 0, 0);
+  if (name == "skewY" && v.size() == 1) return matrix(1, std::tan(toRadians(v[0])), 0, 1, 0, 0);
   if (name == "rotate" && (v.size() == 1 || v.size() == 3)) {
     const Eigen::Vector2d center(at(1, 0), at(2, 0));
-    return Eigen::Affine2d(Eigen::Translation2d(center) * Eigen::Rotation2Dd(radians(v[0])) * Eigen::Translation2d(-center));
+    return Eigen::Affine2d(Eigen::Translation2d(center) * Eigen::Rotation2Dd(toRadians(v[0])) *
+                           Eigen::Translation2d(-center));
   }
   throw Error(ErrorCode::FormatDamaged,
               fmt::format("The transform {} with {} numbers is not known.", shown(name), v.size()));

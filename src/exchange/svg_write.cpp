@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/units.h"
 #include "exchange/format.h"
 #include "exchange/mesh_options.h"
@@ -15,8 +15,6 @@
 
 namespace blossom::svg {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -103,7 +101,7 @@ class PathWriter {
 
   void addArc(const Arc2& arc) {
     // Ends that coincide would draw nothing, and near half a turn the flags become unsure: pieces of a third are safe.
-    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (turn / 3) - 1e-12)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (fullTurn / 3) - 1e-12)));
     for (int i = 1; i <= pieces; ++i) {
       const double angle = arc.start + arc.sweep * i / pieces;
       const Vec2 end =
@@ -163,7 +161,7 @@ class PathWriter {
     const Eigen::JacobiSVD<Eigen::Matrix2d> svd(axes, Eigen::ComputeFullU);
     const Vec2& radii = svd.singularValues();
     if (!(radii.y() > 1e-9 * radii.x())) return false;
-    const double rotation = -std::atan2(svd.matrixU()(1, 0), svd.matrixU()(0, 0)) * 180 / std::numbers::pi;
+    const double rotation = -toDegrees(std::atan2(svd.matrixU()(1, 0), svd.matrixU()(0, 0)));
     out_ += fmt::format("A{},{} {} 0 {} {}", formatNumber(radii.x()), formatNumber(radii.y()), formatNumber(rotation),
                         axes.determinant() > 0 ? 0 : 1, pair(end));
     return true;

@@ -19,6 +19,9 @@ struct Bounds {
     add(other.low);
     add(other.high);
   }
+  [[nodiscard]] bool contains(const Vec3& p) const {
+    return !empty && (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+  }
   [[nodiscard]] double diagonal() const { return (high - low).norm(); }
   [[nodiscard]] Vec3 center() const { return (low + high) / 2; }
 };

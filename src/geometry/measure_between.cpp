@@ -7,9 +7,9 @@
 #include <Standard_Failure.hxx>
 #include <TopoDS_Compound.hxx>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "core/tolerance.h"
 #include "geometry/bounds.h"
@@ -30,7 +30,7 @@ double windingNumber(const std::vector<Triangle3>& triangles, const Vec3& p) {
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
-  return sum / (2 * std::numbers::pi);
+  return sum / fullTurn;
 }
 
 std::optional<Vec3> inside(const std::vector<Vec3>& points, const PartGeometry& part, const Progress& progress) {

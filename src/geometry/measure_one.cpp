@@ -10,8 +10,8 @@
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "geometry/bounds.h"
 #include "geometry/measure_patch.h"
@@ -23,9 +23,6 @@ namespace blossom {
 namespace {
 
 using Kind = PartForm::Kind;
-
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double degree = std::numbers::pi / 180;
 
 void add(Measurement& m, const char* name, double value, MeasureUnit unit = MeasureUnit::Length) {
   m.values.push_back({name, value, unit});
@@ -88,10 +85,10 @@ Measurement ofEdge(const TopoDS_Edge& edge, const PartForm& form, const Progress
   m.label = line[line.size() / 2];
   const double length = figure(edge, "length", progress);
   if (form.kind == Kind::Circle) {
-    const bool whole = form.angle > turn - 1e-9;
+    const bool whole = form.angle > fullTurn - 1e-9;
     addRound(m, form, whole, line[line.size() / 2]);
     add(m, "length", length);
-    if (!whole) add(m, "angle", form.angle / degree, MeasureUnit::Angle);
+    if (!whole) add(m, "angle", toDegrees(form.angle), MeasureUnit::Angle);
     addCentre(m, form.origin);
     return finished(std::move(m));
   }
@@ -128,12 +125,12 @@ Measurement ofFace(const TopoDS_Face& face, const PartForm& form, const Progress
               return (a.point - middle).squaredNorm() < (b.point - middle).squaredNorm();
             })->point;
   if (form.kind == Kind::Cylinder || form.kind == Kind::Sphere)
-    addRound(m, form, patch.high()[0] - patch.low()[0] > turn - 1e-9, m.label);
+    addRound(m, form, patch.high()[0] - patch.low()[0] > fullTurn - 1e-9, m.label);
   if (form.kind == Kind::Torus) {
     add(m, "major_radius", form.radius);
     add(m, "minor_radius", form.minor);
   }
-  if (form.kind == Kind::Cone) add(m, "half_angle", form.angle / degree, MeasureUnit::Angle);
+  if (form.kind == Kind::Cone) add(m, "half_angle", toDegrees(form.angle), MeasureUnit::Angle);
   add(m, "area", figure(face, "area", progress), MeasureUnit::Area);
   if (const double length = perimeter(face, progress); length > 0) add(m, "perimeter", length);
   if (form.kind == Kind::Sphere || form.kind == Kind::Torus) addCentre(m, form.origin);

@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
+
+#include "core/angle.h"
 
 namespace blossom {
 
@@ -12,7 +13,6 @@ namespace {
 
 using Kind = PartForm::Kind;
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double parallel = 1e-7;  // radians; files give directions with some eight digits
 
 /// Two directions and the angle from one to the other, which an arc around `at` shows.
@@ -111,7 +111,7 @@ void addRelation(Measurement& m, const PartGeometry& first, const PartGeometry& 
     if (value) m.values.push_back({name, *value, MeasureUnit::Length});
   };
   const std::optional<Angle> angle = angleBetween(a, b, feet.first);
-  if (angle) m.values.push_back({"angle", angle->radians() / degree, MeasureUnit::Angle});
+  if (angle) m.values.push_back({"angle", toDegrees(angle->radians()), MeasureUnit::Angle});
   add("plane_distance", planeDistance(a, b));
   add("axis_distance", axisDistance(a, b));
   add("center_distance", centreDistance(a, b));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "core/error.h"
 #include "geometry/bspline.h"
@@ -23,7 +22,6 @@ template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 Vec2 onCircle(const Arc2& arc, double angle) { return arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle)); }
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Vec2 splinePoint(const Spline2& spline, double t) { return point(toCurve(spline), t).head<2>(); }
 

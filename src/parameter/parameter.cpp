@@ -110,6 +110,12 @@ ParameterSpec ratio() {
 
 ParameterSpec length() { return ofKind(ParameterKind::Length); }
 
+ParameterSpec lengthFromZero() {
+  ParameterSpec spec = ofKind(ParameterKind::Length);
+  spec.least = 0;
+  return spec;
+}
+
 ParameterSpec positiveLength() {
   ParameterSpec spec = ofKind(ParameterKind::Length);
   spec.least = 0;

@@ -74,6 +74,7 @@ ParameterSpec number(std::optional<double> least = {}, std::optional<double> gre
 ParameterSpec ratio();           ///< 0..1
 ParameterSpec length();          ///< any length in mm
 ParameterSpec positiveLength();  ///< mm, above 0
+ParameterSpec lengthFromZero();  ///< mm, 0 or more
 ParameterSpec angle();           ///< degrees
 ParameterSpec choice(std::vector<std::string> names);
 ParameterSpec text();

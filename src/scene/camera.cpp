@@ -12,16 +12,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "scene/scene.h"
 
 namespace blossom {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 const std::map<std::string, Turn>& namedTurns() {
   static const std::map<std::string, Turn> turns{{"iso", {35, 28}}, {"top", {0, 90}},   {"bottom", {0, -90}},
@@ -50,16 +48,16 @@ struct Extent {
 }  // namespace
 
 Vec3 Turn::toCamera() const {
-  const double y = yaw * degree, p = pitch * degree;
+  const double y = toRadians(yaw), p = toRadians(pitch);
   return {std::sin(y) * std::cos(p), -std::cos(y) * std::cos(p), std::sin(p)};
 }
 
 Vec3 Turn::up() const {
-  const double y = yaw * degree, p = pitch * degree;
+  const double y = toRadians(yaw), p = toRadians(pitch);
   return {-std::sin(y) * std::sin(p), std::cos(y) * std::sin(p), std::cos(p)};
 }
 
-Vec3 Turn::right() const { return {std::cos(yaw * degree), std::sin(yaw * degree), 0}; }
+Vec3 Turn::right() const { return {std::cos(toRadians(yaw)), std::sin(toRadians(yaw)), 0}; }
 
 Turn turnOf(const std::string& view) {
   const auto it = namedTurns().find(view);
@@ -75,7 +73,7 @@ const std::vector<std::string>& viewNames() {
 
 Framing frameAll(const std::vector<Vec3>& points, const Turn& turn, double aspect, double viewAngle, double margin) {
   Framing framing;
-  if (points.empty()) return {Vec3::Zero(), 100 / std::tan(viewAngle * degree / 2), 100};
+  if (points.empty()) return {Vec3::Zero(), 100 / std::tan(toRadians(viewAngle) / 2), 100};
   const Vec3 right = turn.right(), up = turn.up(), back = turn.toCamera();
   Extent x, y, z;
   for (const Vec3& p : points) {
@@ -87,7 +85,7 @@ Framing frameAll(const std::vector<Vec3>& points, const Turn& turn, double aspec
   const double usable = 1 - 2 * margin;
   const double size = std::max({x.half(), y.half(), z.half(), 1e-9});
   framing.parallelScale = std::max({y.half(), x.half() / aspect, size * 1e-3}) / usable;
-  const double tangent = std::tan(viewAngle * degree / 2) * usable;
+  const double tangent = std::tan(toRadians(viewAngle) / 2) * usable;
   for (const Vec3& p : points) {
     const Vec3 q = p - framing.target;
     const double reach = std::max(std::abs(q.dot(up)), std::abs(q.dot(right)) / aspect) / tangent;

@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "app/app.h"
-#include "ui/application.h"
-#include "ui/command_palette.h"
-#include "ui/document_tree.h"
-#include "ui/help_menu.h"
-#include "ui/main_window.h"
-#include "ui/manual_window.h"
-#include "ui/preferences_dialog.h"
-#include "ui/theme.h"
+#include "ui/help/help_menu.h"
+#include "ui/help/manual_window.h"
+#include "ui/look/theme.h"
+#include "ui/palette/command_palette.h"
+#include "ui/settings/preferences_dialog.h"
 #include "ui/tools/measurements.h"
-#include "ui/view_widget.h"
+#include "ui/tree/document_tree.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/application.h"
+#include "ui/window/main_window.h"
 
 using namespace blossom;
 using namespace blossom::ui;

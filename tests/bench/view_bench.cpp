@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "scene/picking.h"
-#include "ui/application.h"
-#include "ui/theme.h"
-#include "ui/view_widget.h"
+#include "ui/look/theme.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/application.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -1,4 +1,4 @@
-#include "ui/display_cache.h"
+#include "ui/view/display_cache.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -1,4 +1,4 @@
-#include "ui/document_tree.h"
+#include "ui/tree/document_tree.h"
 
 #include <QClipboard>
 #include <QLineEdit>
@@ -7,12 +7,12 @@
 #include <QPushButton>
 
 #include "tree_fixture.h"
-#include "ui/document_clipboard.h"
-#include "ui/document_delegate.h"
-#include "ui/document_edits.h"
-#include "ui/document_model.h"
-#include "ui/document_tree_panel.h"
-#include "ui/status_line.h"
+#include "ui/tree/document_clipboard.h"
+#include "ui/tree/document_delegate.h"
+#include "ui/tree/document_edits.h"
+#include "ui/tree/document_model.h"
+#include "ui/tree/document_tree_panel.h"
+#include "ui/window/status_line.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -1,11 +1,11 @@
 #include <QMenu>
 #include <QMenuBar>
 
-#include "ui/document_tree.h"
-#include "ui/manual_pages.h"
-#include "ui/parameter_field.h"
-#include "ui/property_panel.h"
-#include "ui/text.h"
+#include "ui/help/manual_pages.h"
+#include "ui/look/text.h"
+#include "ui/panel/parameter_field.h"
+#include "ui/panel/property_panel.h"
+#include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
 using namespace blossom;

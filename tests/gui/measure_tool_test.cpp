@@ -8,10 +8,10 @@
 
 #include "support/support.h"
 #include "tool_host.h"
-#include "ui/application.h"
-#include "ui/theme.h"
+#include "ui/look/theme.h"
 #include "ui/tools/measure_panel.h"
-#include "ui/view_widget.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/application.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -1,10 +1,10 @@
 #include <QLineEdit>
 #include <numbers>
 
-#include "ui/document_tree.h"
-#include "ui/parameter_field.h"
-#include "ui/property_panel.h"
-#include "ui/view_widget.h"
+#include "ui/panel/parameter_field.h"
+#include "ui/panel/property_panel.h"
+#include "ui/tree/document_tree.h"
+#include "ui/view/view_widget.h"
 #include "window_fixture.h"
 
 using namespace blossom;

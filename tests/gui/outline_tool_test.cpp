@@ -7,8 +7,8 @@
 #include "app/app.h"
 #include "geometry/planar.h"
 #include "support/support.h"
-#include "ui/manipulator_loader.h"
 #include "ui/tool.h"
+#include "ui/window/manipulator_loader.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -7,16 +7,16 @@
 #include <QToolButton>
 
 #include "tree_fixture.h"
-#include "ui/command_palette.h"
-#include "ui/feature_tool_bar.h"
-#include "ui/jobs_list.h"
-#include "ui/jobs_panel.h"
-#include "ui/log_and_jobs.h"
-#include "ui/log_list.h"
-#include "ui/log_panel.h"
-#include "ui/palette_match.h"
-#include "ui/status_line.h"
-#include "ui/text.h"
+#include "ui/jobs/jobs_list.h"
+#include "ui/jobs/jobs_panel.h"
+#include "ui/jobs/log_and_jobs.h"
+#include "ui/jobs/log_list.h"
+#include "ui/jobs/log_panel.h"
+#include "ui/look/text.h"
+#include "ui/palette/command_palette.h"
+#include "ui/palette/palette_match.h"
+#include "ui/window/feature_tool_bar.h"
+#include "ui/window/status_line.h"
 
 using namespace blossom;
 using namespace blossom::ui;

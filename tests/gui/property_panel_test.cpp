@@ -1,4 +1,4 @@
-#include "ui/property_panel.h"
+#include "ui/panel/property_panel.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -16,21 +16,21 @@
 
 #include "app/app.h"
 #include "support/support.h"
-#include "ui/application.h"
 #include "ui/fields/chip.h"
 #include "ui/fields/curve_editor.h"
 #include "ui/fields/field_label.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
 #include "ui/fields/swatch.h"
-#include "ui/input_editor.h"
-#include "ui/parameter_field.h"
-#include "ui/ratio_slider.h"
-#include "ui/result_table.h"
-#include "ui/session.h"
-#include "ui/text.h"
-#include "ui/theme.h"
+#include "ui/look/text.h"
+#include "ui/look/theme.h"
+#include "ui/panel/input_editor.h"
+#include "ui/panel/parameter_field.h"
+#include "ui/panel/ratio_slider.h"
+#include "ui/panel/result_table.h"
 #include "ui/tool.h"
+#include "ui/window/application.h"
+#include "ui/window/session.h"
 
 using namespace blossom;
 using namespace blossom::ui;

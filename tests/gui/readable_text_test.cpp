@@ -1,5 +1,5 @@
 #include "support/support.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -9,9 +9,9 @@
 
 #include "support/support.h"
 #include "tool_host.h"
-#include "ui/application.h"
-#include "ui/theme.h"
+#include "ui/look/theme.h"
 #include "ui/tools/section_panel.h"
+#include "ui/window/application.h"
 
 using namespace blossom;
 using namespace blossom::ui;

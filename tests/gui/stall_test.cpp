@@ -3,9 +3,9 @@
 
 #include "exchange/format.h"
 #include "geometry/mesh.h"
-#include "ui/document_tree.h"
-#include "ui/stall_watch.h"
-#include "ui/start_page.h"
+#include "ui/files/start_page.h"
+#include "ui/tree/document_tree.h"
+#include "ui/window/stall_watch.h"
 #include "window_fixture.h"
 
 using namespace blossom;

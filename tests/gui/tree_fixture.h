@@ -1,7 +1,7 @@
 #pragma once
 #include <atomic>
 
-#include "ui/document_tree.h"
+#include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
 namespace blossom::ui {

@@ -8,9 +8,9 @@
 #include "geometry/brep.h"
 #include "geometry/sub_shape.h"
 #include "support/support.h"
-#include "ui/application.h"
-#include "ui/theme.h"
-#include "ui/view_widget.h"
+#include "ui/look/theme.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/application.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -3,8 +3,8 @@
 #include <QPushButton>
 
 #include "document/storage.h"
-#include "ui/document_tree.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
+#include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
 using namespace blossom;

@@ -10,14 +10,14 @@
 
 #include "app/app.h"
 #include "support/support.h"
-#include "ui/application.h"
-#include "ui/error_bar.h"
-#include "ui/main_window.h"
-#include "ui/parameter_field.h"
-#include "ui/property_panel.h"
-#include "ui/stall_watch.h"
-#include "ui/theme.h"
-#include "ui/view_widget.h"
+#include "ui/look/theme.h"
+#include "ui/panel/error_bar.h"
+#include "ui/panel/parameter_field.h"
+#include "ui/panel/property_panel.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/application.h"
+#include "ui/window/main_window.h"
+#include "ui/window/stall_watch.h"
 
 namespace blossom::ui {
 
@@ -121,7 +121,11 @@ class WindowFixture : public QObject {
     });
   }
 
-  [[nodiscard]] QImage canvas() { return window_->view().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
+  /// The view, once its edges are smooth.
+  [[nodiscard]] QImage canvas() {
+    if (!QTest::qWaitFor([this] { return window_->view().sharp(); })) qWarning("the view does not come to rest");
+    return window_->view().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+  }
 
   /// Share of the pixels that have about the hue of a colour.
   static double colored(const QImage& image, const QColor& color) {

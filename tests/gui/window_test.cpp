@@ -6,11 +6,11 @@
 #include <vtkActor.h>
 #include <vtkProp.h>
 
-#include "ui/document_tree.h"
-#include "ui/parameter_field.h"
-#include "ui/property_panel.h"
-#include "ui/ratio_slider.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
+#include "ui/panel/parameter_field.h"
+#include "ui/panel/property_panel.h"
+#include "ui/panel/ratio_slider.h"
+#include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
 using namespace blossom;

@@ -3,11 +3,11 @@
 #include <atomic>
 
 #include "document/storage.h"
-#include "ui/command_palette.h"
-#include "ui/document_tree.h"
-#include "ui/stall_watch.h"
-#include "ui/text.h"
-#include "ui/view_widget.h"
+#include "ui/look/text.h"
+#include "ui/palette/command_palette.h"
+#include "ui/tree/document_tree.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/stall_watch.h"
 #include "window_fixture.h"
 
 using namespace blossom;

@@ -17,7 +17,6 @@ DrawnSegment tangent(double x, double y) { return {DrawnKind::Arc, {x, y}, {}, t
 DrawnSegment spline(std::vector<Vec2> through, const Vec2& to, bool smooth = false) {
   return {DrawnKind::Spline, to, std::move(through), smooth};
 }
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Do any two pieces of a polyline that do not follow each other cross? By the sides on which their ends lie.
 bool crossesByBruteForce(const std::vector<Vec2>& p) {

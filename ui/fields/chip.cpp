@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "ui/icons.h"
-#include "ui/theme.h"
+#include "ui/look/icons.h"
+#include "ui/look/theme.h"
 
 namespace blossom::ui {
 

@@ -5,7 +5,7 @@
 #include <QLineEdit>
 
 #include "ui/fields/swatch.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 

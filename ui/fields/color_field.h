@@ -2,7 +2,7 @@
 #include <QCoreApplication>
 #include <QPointer>
 
-#include "ui/parameter_field.h"
+#include "ui/panel/parameter_field.h"
 
 class QColorDialog;
 class QLineEdit;

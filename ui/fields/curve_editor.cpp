@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/text.h"
-#include "ui/theme.h"
+#include "ui/look/text.h"
+#include "ui/look/theme.h"
 
 namespace blossom::ui {
 

@@ -10,7 +10,7 @@
 #include "ui/fields/curve_editor.h"
 #include "ui/fields/number_line.h"
 #include "ui/fields/stepping.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 

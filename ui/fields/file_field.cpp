@@ -7,8 +7,8 @@
 #include <QMimeData>
 #include <QToolButton>
 
-#include "ui/icons.h"
-#include "ui/text.h"
+#include "ui/look/icons.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 

@@ -2,7 +2,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "ui/parameter_field.h"
+#include "ui/panel/parameter_field.h"
 
 class QLineEdit;
 

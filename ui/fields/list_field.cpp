@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "ui/fields/list_row.h"
-#include "ui/icons.h"
-#include "ui/text.h"
+#include "ui/look/icons.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 

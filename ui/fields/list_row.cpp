@@ -9,8 +9,8 @@
 #include <cstdlib>
 
 #include "ui/fields/record_field.h"
-#include "ui/icons.h"
-#include "ui/text.h"
+#include "ui/look/icons.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 

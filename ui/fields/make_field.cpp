@@ -9,7 +9,7 @@
 #include "ui/fields/simple_fields.h"
 #include "ui/fields/sub_shape_field.h"
 #include "ui/fields/vector_field.h"
-#include "ui/parameter_field.h"
+#include "ui/panel/parameter_field.h"
 
 namespace blossom::ui {
 

@@ -29,7 +29,7 @@ int stepsOf(int key) {
 
 NumberLine::NumberLine(QWidget* parent) : QLineEdit(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  setMinimumWidth(28);
+  setMinimumWidth(26);
 }
 
 void NumberLine::keyPressEvent(QKeyEvent* event) {

@@ -1,6 +1,6 @@
 #include "ui/fields/pick_button.h"
 
-#include "ui/icons.h"
+#include "ui/look/icons.h"
 
 namespace blossom::ui {
 

@@ -5,7 +5,7 @@
 
 #include "ui/fields/field_label.h"
 #include "ui/fields/switch_box.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 

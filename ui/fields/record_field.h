@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ui/parameter_field.h"
+#include "ui/panel/parameter_field.h"
 
 class QCheckBox;
 

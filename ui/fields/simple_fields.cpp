@@ -5,8 +5,8 @@
 #include <QLineEdit>
 
 #include "ui/fields/switch_box.h"
-#include "ui/ratio_slider.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
+#include "ui/panel/ratio_slider.h"
 
 namespace blossom::ui {
 

@@ -9,7 +9,7 @@
 #include "ui/fields/chip.h"
 #include "ui/fields/flow_layout.h"
 #include "ui/fields/pick_button.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
 #include "ui/tool.h"
 
 namespace blossom::ui {

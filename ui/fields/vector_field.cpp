@@ -12,7 +12,7 @@
 #include "ui/fields/number_line.h"
 #include "ui/fields/pick_button.h"
 #include "ui/fields/stepping.h"
-#include "ui/text.h"
+#include "ui/look/text.h"
 #include "ui/tool.h"
 
 namespace blossom::ui {

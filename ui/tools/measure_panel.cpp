@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/icons.h"
-#include "ui/text.h"
+#include "ui/look/icons.h"
+#include "ui/look/text.h"
 #include "ui/tools/measurements.h"
 
 namespace blossom::ui {
@@ -22,7 +22,7 @@ namespace {
 constexpr int panelWidth = 236;
 constexpr int mostRows = 6;
 
-QToolButton* button(const QString& iconName, const QString& what) {
+QToolButton* iconButton(const QString& iconName, const QString& what) {
   auto* made = new QToolButton;
   made->setIcon(icon(iconName));
   made->setIconSize({16, 16});
@@ -49,9 +49,9 @@ MeasurePanel::MeasurePanel(Measurements& measurements, QWidget* view)
       empty_(new QLabel(tr("Click a face, an edge or a point."))),
       names_(label("resultName")),
       values_(label("resultValue")),
-      copy_(button(QStringLiteral("copy"), tr("Copy the figures (Ctrl+C)"))),
-      delete_(button(QStringLiteral("delete"), tr("Delete the measurement (Del)"))),
-      clear_(button(QStringLiteral("close"), tr("Delete all measurements"))) {
+      copy_(iconButton(QStringLiteral("copy"), tr("Copy the figures (Ctrl+C)"))),
+      delete_(iconButton(QStringLiteral("delete"), tr("Delete the measurement (Del)"))),
+      clear_(iconButton(QStringLiteral("close"), tr("Delete all measurements"))) {
   setAccessibleName(tr("Measurements"));
   build();
   connect(copy_, &QToolButton::clicked, this, &MeasurePanel::copy);

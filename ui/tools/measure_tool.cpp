@@ -8,8 +8,6 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr double clickReach = 4;  // pixels a click may wander
-
 std::optional<PartReference> referenceTo(const Pick& pick) {
   if (pick.feature.empty()) return std::nullopt;
   return PartReference{pick.feature, pick.part.kind, pick.part.index};

@@ -4,8 +4,8 @@
 #include <QHash>
 #include <algorithm>
 
-#include "ui/text.h"
-#include "ui/theme.h"
+#include "ui/look/text.h"
+#include "ui/look/theme.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::ui {
@@ -62,14 +62,11 @@ QString figureName(const std::string& name) {
 }
 
 Measurements::Measurements(ToolHost& host, QObject* parent) : QObject(parent), host_(host) {
-  pool_.setMaxThreadCount(1);
   connect(&ThemeManager::instance(), &ThemeManager::changed, this, &Measurements::changed);
 }
 
 Measurements::~Measurements() {
   for (const auto& [id, run] : runs_) run.token.cancel();
-  pool_.clear();
-  pool_.waitForDone();
 }
 
 const Measurements::Entry* Measurements::find(int id) const {
@@ -163,11 +160,9 @@ void Measurements::measure(Entry& of) {
   if (results.empty()) return;
   std::vector<MeasuredPart> parts{{results[0]->evaluated.shape, of.first.kind, of.first.index}};
   if (of.second) parts.push_back({results[1]->evaluated.shape, of.second->kind, of.second->index});
-  pool_.start([this, id = of.id, token = run.token, parts] {
+  thread_.start([this, id = of.id, token = run.token, parts] {
     if (token.cancelled()) return;
-    Outcome outcome = measured(parts, Progress(token));
-    QMetaObject::invokeMethod(
-        this, [=, this] { finish(id, token, outcome.figures, outcome.error); }, Qt::QueuedConnection);
+    here_.post([=, this, outcome = measured(parts, Progress(token))] { finish(id, token, outcome.figures, outcome.error); });
   });
 }
 

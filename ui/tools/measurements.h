@@ -4,7 +4,6 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QThreadPool>
 #include <map>
 #include <optional>
 #include <vector>
@@ -12,6 +11,8 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "geometry/measure_between.h"
+#include "ui/jobs/background.h"
+#include "ui/jobs/mailbox.h"
 #include "ui/tool.h"
 
 namespace blossom::ui {
@@ -79,9 +80,10 @@ class Measurements : public QObject {
   ToolHost& host_;
   std::vector<Entry> entries_;
   std::map<int, Run> runs_;
-  QThreadPool pool_;
   int lastId_ = 0;
   int selected_ = 0;
+  Mailbox here_;
+  Background thread_;  // ends first
 };
 
 /// "Diameter" for "diameter", in the user's language.

@@ -4,11 +4,7 @@
 
 namespace blossom::ui {
 
-namespace {
-
-constexpr double clickReach = 4;  // pixels that a click may wander; beyond, the camera is moved
-
-}  // namespace
+namespace {}  // namespace
 
 PickTool::PickTool(ToolHost& host, PickRequest request) : Tool(host), request_(std::move(request)) {}
 

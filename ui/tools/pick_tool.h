@@ -1,5 +1,5 @@
 #pragma once
-#include "ui/pick_request.h"
+#include "ui/panel/pick_request.h"
 #include "ui/tool.h"
 
 namespace blossom::ui {

@@ -14,8 +14,8 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "ui/icons.h"
-#include "ui/text.h"
+#include "ui/look/icons.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int sliderSteps = 1000;
 
-QToolButton* button(const QString& text, const QString& help) {
+QToolButton* textButton(const QString& text, const QString& help) {
   auto* made = new QToolButton;
   made->setText(text);
   made->setToolTip(help);
@@ -45,8 +45,8 @@ SectionPanel::SectionPanel(QWidget* view)
       axes_(new QButtonGroup(this)),
       offset_(new QLineEdit),
       slider_(new QSlider(Qt::Horizontal)),
-      flip_(button(tr("Flip"), tr("Cut away the other side (F)"))),
-      off_(button(tr("Off"), tr("Show everything whole again (Del)"))),
+      flip_(textButton(tr("Flip"), tr("Cut away the other side (F)"))),
+      off_(textButton(tr("Off"), tr("Show everything whole again (Del)"))),
       problem_(new QLabel) {
   setAccessibleName(tr("Section"));
   build();
@@ -67,7 +67,7 @@ void SectionPanel::build() {
                                                  {tr("Face"), tr("Parallel to a face that you pick (P)")}};
   int id = 0;
   for (const auto& [text, help] : choices) {
-    QToolButton* choice = button(text, help);
+    QToolButton* choice = textButton(text, help);
     choice->setCheckable(true);
     axes_->addButton(choice, id++);
     row->addWidget(choice);

@@ -26,14 +26,14 @@ namespace blossom::ui {
 namespace {
 
 // A depth offset beyond all that occurs brings lines and points before everything.
-constexpr double before = -66000;
+constexpr double inFront = -66000;
 
 vtkSmartPointer<vtkActor> actorOf(vtkPolyData* data, const Color& color) {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData(data);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, before);
-  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(before);
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, inFront);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(inFront);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color.red, color.green, color.blue);

@@ -72,7 +72,7 @@ TopoDS_Shape leaning(const TopoDS_Shape& prism, const gp_Pln& base, double heigh
   for (const TopoDS_Shape& each : partsOf(prism, TopAbs_FACE)) {
     const TopoDS_Face face = TopoDS::Face(each);
     if (!isSide(face, base, height)) continue;
-    draft.Add(face, up, radians(taper), base);
+    draft.Add(face, up, toRadians(taper), base);
     if (!draft.AddDone()) throwFreeForm();
   }
   draft.Build();

@@ -14,8 +14,6 @@ namespace {
 constexpr double touching = 1e-6;  // mm
 constexpr double straight = 1e-7;  // mm between a piece and its chord
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 struct Box {
   Vec2 least = Vec2::Constant(1e300), most = Vec2::Constant(-1e300);
   void add(const Vec2& p) {

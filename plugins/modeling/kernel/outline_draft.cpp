@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "geometry/planar.h"
 
@@ -98,7 +98,7 @@ std::optional<Vec2> OutlineDraft::target() const {
   Vec2 along = offset.norm() > 0 ? Vec2(offset.normalized()) : Vec2(1, 0);
   double length = typed.length.value_or(offset.norm());
   if (typed.angle) {
-    const double angle = *typed.angle * std::numbers::pi / 180;
+    const double angle = toRadians(*typed.angle);
     along = {std::cos(angle), std::sin(angle)};
     if (!typed.length) length = std::abs(offset.dot(along));
   }

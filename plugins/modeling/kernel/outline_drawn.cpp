@@ -19,7 +19,6 @@ using std::numbers::pi;
 constexpr double noLength = 1e-7;     // mm: OCCT's confusion
 constexpr double noCurvature = 1e-9;  // sine of the angle below which three points count as one line
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left(const Vec2& v) { return {-v.y(), v.x()}; }
 double angleOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "geometry/planar.h"
 #include "geometry/planar_bezier.h"
@@ -96,9 +96,8 @@ OutlinePlace nearestOn(const Segment& segment, const Vec2& p) {
   } else {
     const auto& arc = std::get<Arc2>(segment);
     const Vec2 offset = p - arc.center;
-    double turn =
-        std::fmod((std::atan2(offset.y(), offset.x()) - arc.start) * (arc.sweep > 0 ? 1 : -1), 2 * std::numbers::pi);
-    if (turn < 0) turn += 2 * std::numbers::pi;
+    double turn = std::fmod((std::atan2(offset.y(), offset.x()) - arc.start) * (arc.sweep > 0 ? 1 : -1), fullTurn);
+    if (turn < 0) turn += fullTurn;
     place = arc.center + arc.radius * offset.normalized();
     const Vec2 a = startPoint(segment), b = endPoint(segment);
     if (turn > std::abs(arc.sweep)) place = (a - p).norm() < (b - p).norm() ? a : b;
@@ -116,8 +115,8 @@ Vec2 middle(const Segment& segment) {
 /// The parts of an arc before and after a point of it.
 std::pair<Segment, Segment> splitArc(const Arc2& arc, const Vec2& at) {
   const Vec2 offset = at - arc.center;
-  double turn = std::fmod((std::atan2(offset.y(), offset.x()) - arc.start) * (arc.sweep > 0 ? 1 : -1), 2 * std::numbers::pi);
-  if (turn < 0) turn += 2 * std::numbers::pi;
+  double turn = std::fmod((std::atan2(offset.y(), offset.x()) - arc.start) * (arc.sweep > 0 ? 1 : -1), fullTurn);
+  if (turn < 0) turn += fullTurn;
   const double first = std::copysign(std::min(turn, std::abs(arc.sweep)), arc.sweep);
   return {Arc2{arc.center, arc.radius, arc.start, first},
           Arc2{arc.center, arc.radius, arc.start + first, arc.sweep - first}};

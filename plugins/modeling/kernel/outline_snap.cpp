@@ -11,7 +11,6 @@ namespace {
 
 using std::numbers::pi;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 foot(const Guide& guide, const Vec2& p) {
   return guide.origin + (p - guide.origin).dot(guide.direction) * guide.direction;
 }

@@ -30,7 +30,7 @@ double needAngle(double degrees) {
   if (!(degrees > 1e-6 && degrees <= 360))
     throw Error(ErrorCode::InvalidParameter,
                 fmt::format("The angle must be above 0 and at most 360 degrees; it is {}.", formatNumber(degrees)));
-  return radians(degrees);
+  return toRadians(degrees);
 }
 
 template <class Make>

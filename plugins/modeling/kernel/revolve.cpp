@@ -59,7 +59,9 @@ RevolveResult revolve(const TopoDS_Shape& shape, const RevolveOptions& o, const 
         fmt::format("The angle must lie between -360 and 360 degrees and not be 0; it is {}.", formatNumber(o.angle)));
   const gp_Ax1 axis(toPoint(o.point), toDirection(o.direction, "axis"));
   const Profile profile = profileOf(shape);
-  const auto turned = [&](const TopoDS_Shape& each) { return BRepPrimAPI_MakeRevol(each, axis, radians(o.angle)).Shape(); };
+  const auto turned = [&](const TopoDS_Shape& each) {
+    return BRepPrimAPI_MakeRevol(each, axis, toRadians(o.angle)).Shape();
+  };
   return guarded("The outline cannot be turned about this axis.", "It may cross itself or the axis.", [&] {
     std::vector<TopoDS_Shape> made;
     made.reserve(profile.faces.size() + profile.wires.size());

@@ -8,6 +8,7 @@
 #include <gp_Vec.hxx>
 #include <optional>
 
+#include "core/angle.h"
 #include "kernel/shape_parts.h"
 
 namespace blossom::modeling {
@@ -29,7 +30,7 @@ std::optional<gp_Dir> normalAt(const TopoDS_Edge& edge, const TopoDS_Face& face,
 }
 
 bool meetsSmoothly(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b) {
-  constexpr double smooth = 0.5 * M_PI / 180;
+  constexpr double smooth = toRadians(0.5);
   for (const double share : {0.21, 0.5, 0.83}) {
     const auto one = normalAt(edge, a, share), other = normalAt(edge, b, share);
     if (one && other && one->Angle(*other) > smooth) return false;

@@ -7,12 +7,6 @@
 #include "manipulators/tool_paint.h"
 
 namespace blossom::modeling {
-namespace {
-
-constexpr double gripPixels = 8, reachPixels = 9;
-
-}  // namespace
-
 DragTool::DragTool(ui::ToolHost& toolHost, FeatureId feature) : Tool(toolHost), feature_(std::move(feature)) {
   // Until the mouse tells better: grid lines are some twenty pixels apart.
   millimetresPerPixel_ = toolHost.gridSpacing() / 20;

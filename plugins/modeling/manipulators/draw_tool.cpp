@@ -4,8 +4,8 @@
 
 #include <QKeyEvent>
 #include <cmath>
-#include <numbers>
 
+#include "core/angle.h"
 #include "features_outline_value.h"
 #include "geometry/planar.h"
 #include "kernel/outline_crossing.h"
@@ -14,8 +14,6 @@
 namespace blossom::modeling {
 namespace {
 
-constexpr double reachPixels = 9;
-
 QString measure(double value) { return QString::number(value, 'g', 6); }
 
 /// "25 mm  30°" for a line, "R 12.5 mm" for an arc, its length for a spline.
@@ -23,7 +21,7 @@ QString dimension(const Segment& segment) {
   if (const auto* arc = std::get_if<Arc2>(&segment)) return QStringLiteral("R %1 mm").arg(measure(arc->radius));
   if (!std::holds_alternative<Line2>(segment)) return QStringLiteral("%1 mm").arg(measure(length(segment)));
   const Vec2 along = endPoint(segment) - startPoint(segment);
-  const double angle = std::atan2(along.y(), along.x()) * 180 / std::numbers::pi;
+  const double angle = toDegrees(std::atan2(along.y(), along.x()));
   // Half a millionth of a degree of rounding is no news.
   return QStringLiteral("%1 mm   %2°").arg(measure(along.norm()), QString::number(std::round(angle * 1e4) / 1e4));
 }

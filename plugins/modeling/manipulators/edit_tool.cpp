@@ -7,14 +7,9 @@
 #include "core/error.h"
 #include "features_outline_value.h"
 #include "manipulators/tool_paint.h"
+#include "manipulators/tool_scene.h"
 
 namespace blossom::modeling {
-namespace {
-
-constexpr double gripPixels = 7;
-
-}  // namespace
-
 EditTool::EditTool(ui::ToolHost& toolHost, FeatureId feature) : DragTool(toolHost, std::move(feature)) {}
 
 Value EditTool::withOutline(const Value& parameters, const DrawnOutline& outline) const {

@@ -7,6 +7,9 @@
 
 namespace blossom::modeling {
 
+inline constexpr double gripPixels = 8;   ///< how near the mouse takes hold of a point or a curve
+inline constexpr double reachPixels = 9;  ///< how near it snaps
+
 /// Where the line of sight meets the plane z = 0; nothing when it runs along it or the plane lies behind the eye.
 std::optional<Vec2> inGround(const Ray&);
 

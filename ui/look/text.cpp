@@ -1,0 +1,154 @@
+#include "ui/look/text.h"
+
+#include <QStringList>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr QChar thinSpace(0x2009);
+
+QString grouped(QString digits) {
+  const qsizetype start = digits.startsWith(u'-') || digits.startsWith(QChar(0x2212)) ? 1 : 0;
+  qsizetype end = digits.indexOf(u'.');
+  if (end < 0) end = digits.size();
+  for (qsizetype i = end - 3; i > start; i -= 3) digits.insert(i, thinSpace);
+  return digits;
+}
+
+QString unitText(MeasureUnit unit) {
+  switch (unit) {
+    case MeasureUnit::None:
+      return {};
+    case MeasureUnit::Length:
+      return QStringLiteral(" mm");
+    case MeasureUnit::Area:
+      return QStringLiteral(" mm²");
+    case MeasureUnit::Volume:
+      return QStringLiteral(" mm³");
+    case MeasureUnit::Angle:
+      return QStringLiteral("°");
+    case MeasureUnit::Time:
+      return QStringLiteral(" s");
+  }
+  return {};
+}
+
+// Names of figures may end in their unit.
+const std::vector<std::pair<QString, QString>>& unitSuffixes() {
+  static const std::vector<std::pair<QString, QString>> suffixes{{QStringLiteral("_mm2"), QStringLiteral(" mm²")},
+                                                                 {QStringLiteral("_mm"), QStringLiteral(" mm")},
+                                                                 {QStringLiteral("_ms"), QStringLiteral(" ms")},
+                                                                 {QStringLiteral("_s"), QStringLiteral(" s")}};
+  return suffixes;
+}
+
+const Measure* find(const Measures& measures, std::string_view name) {
+  for (const Measure& measure : measures.values)
+    if (measure.name == name) return &measure;
+  return nullptr;
+}
+
+}  // namespace
+
+QString readable(double value, int digits) {
+  if (!std::isfinite(value)) return std::isnan(value) ? QStringLiteral("not a number") : QStringLiteral("∞");
+  if (value == 0) return QStringLiteral("0");
+  const double size = std::abs(value);
+  if (size < 1e-4 || size >= 1e12) return QString::number(value, 'e', 2).replace(u'-', QChar(0x2212));
+  const int before = std::max(1, static_cast<int>(std::floor(std::log10(size))) + 1);
+  QString text = QString::number(value, 'f', size < 1 ? digits : std::max(0, digits - before));
+  if (text.contains(u'.')) {
+    while (text.endsWith(u'0')) text.chop(1);
+    if (text.endsWith(u'.')) text.chop(1);
+  }
+  return grouped(text.replace(u'-', QChar(0x2212)));
+}
+
+QString readable(std::int64_t value) { return grouped(QString::number(value).replace(u'-', QChar(0x2212))); }
+
+QString readable(const Measure& measure) {
+  struct Writer {
+    MeasureUnit unit;
+    QString operator()(bool value) const { return value ? QStringLiteral("yes") : QStringLiteral("no"); }
+    QString operator()(std::int64_t value) const { return readable(value) + unitText(unit); }
+    QString operator()(double value) const { return readable(value, 6) + unitText(unit); }
+    QString operator()(const std::string& value) const { return qt(value); }
+  };
+  return std::visit(Writer{measure.unit}, measure.value);
+}
+
+QString sentenceCase(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+QString measureLabel(const std::string& name) {
+  static const std::map<std::string, QString> labels{{"min_weight", QStringLiteral("Smallest weight")},
+                                                     {"deviation", QStringLiteral("Largest deviation")},
+                                                     {"closed_u", QStringLiteral("Closing in u")},
+                                                     {"entities", QStringLiteral("In the file")},
+                                                     {"caps", QStringLiteral("Ends")},
+                                                     {"refinements", QStringLiteral("Knots inserted")},
+                                                     {"skipped", QStringLiteral("Left out")}};
+  const auto it = labels.find(name);
+  if (it != labels.end()) return it->second;
+  QString words = qt(name);
+  for (const QString& axis : {QStringLiteral("u"), QStringLiteral("v")})
+    if (words.endsWith(u'_' + axis)) words = words.chopped(2) + QStringLiteral(" in ") + axis;
+  for (const auto& [suffix, unit] : unitSuffixes())
+    if (words.endsWith(suffix)) words.chop(suffix.size());
+  return sentenceCase(words.replace(u'_', u' '));
+}
+
+QString statUnit(const std::string& name) {
+  if (name == "deviation") return QStringLiteral(" mm");
+  for (const auto& [suffix, unit] : unitSuffixes())
+    if (qt(name).endsWith(suffix)) return unit;
+  return {};
+}
+
+bool worthReading(const std::string& name, const Value& value) {
+  static const std::set<std::string> technical{"min_normal"};
+  const bool nothing = (value.is_structured() && value.empty()) || value.is_null() ||
+                       (name == "refinements" && value.is_number() && value.get<double>() == 0);
+  return !nothing && !technical.contains(name);
+}
+
+QString counted(const QString& count, const QString& noun) {
+  if (count == QLatin1String("1") || noun != noun.toLower())
+    return count + u' ' + noun;  // LINE and ARC are names, not words
+  if (noun == QLatin1String("vertex")) return count + QStringLiteral(" vertices");
+  if (noun.endsWith(u'y')) return count + u' ' + noun.chopped(1) + QStringLiteral("ies");
+  const bool hissing = noun.endsWith(QLatin1String("sh")) || noun.endsWith(u'x');
+  return count + u' ' + noun + (noun.endsWith(u's') ? QString() : hissing ? QStringLiteral("es") : QStringLiteral("s"));
+}
+
+QString stateLine(const Measures& measures) {
+  QStringList parts;
+  QString head = qt(measures.kind);
+  const Measure* degreeU = find(measures, "degree_u");
+  const Measure* degreeV = find(measures, "degree_v");
+  if (degreeU && degreeV) head += QStringLiteral(" %1 × %2").arg(readable(*degreeU), readable(*degreeV));
+  parts << head;
+  for (const char* name : {"volume", "area", "length"}) {
+    const Measure* measure = find(measures, name);
+    if (!measure || !std::holds_alternative<double>(measure->value)) continue;
+    parts << readable(std::get<double>(measure->value), 4) + unitText(measure->unit);
+    break;
+  }
+  if (parts.size() == 1)
+    for (const char* name : {"faces", "curves", "frames", "loops", "spans"})
+      if (const Measure* measure = find(measures, name)) {
+        parts << QStringLiteral("%1 %2").arg(readable(*measure), QLatin1String(name));
+        break;
+      }
+  return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace blossom::ui

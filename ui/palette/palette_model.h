@@ -1,0 +1,48 @@
+#pragma once
+#include <QAbstractListModel>
+#include <functional>
+#include <vector>
+
+#include "ui/palette/palette_match.h"
+
+namespace blossom::ui {
+
+/// One thing that the palette offers.
+struct PaletteEntry {
+  QString id;     ///< stable, so that it is known when it is used again: "file.open", "sample:/path"
+  QString group;  ///< shown before the text
+  QString icon, text, keys;
+  QString help;  ///< one line
+  bool enabled = true;
+  QString whyNot;  ///< shown instead of the help when it is disabled
+  std::function<void()> go;
+};
+
+using PaletteSource = std::function<std::vector<PaletteEntry>()>;
+
+/// The entries that a pattern meets, best first; what was used lately stands before what was not.
+class PaletteModel : public QAbstractListModel {
+  Q_OBJECT
+ public:
+  enum Role { GroupRole = Qt::UserRole, IconRole, KeysRole, HelpRole, EnabledRole, LettersRole };
+  using QAbstractListModel::QAbstractListModel;
+
+  void setEntries(std::vector<PaletteEntry>, const QStringList& lately);
+  void setPattern(const QString&);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex&, int role) const override;
+  [[nodiscard]] const PaletteEntry& at(int row) const { return entries_[rows_[static_cast<std::size_t>(row)].entry]; }
+
+ private:
+  struct Row {
+    std::size_t entry;
+    int score;
+    QList<int> letters;  // of the text that were met
+  };
+  [[nodiscard]] std::optional<Row> rowFor(std::size_t entry, const QString& pattern) const;
+  std::vector<PaletteEntry> entries_;
+  std::vector<int> latelyScore_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace blossom::ui

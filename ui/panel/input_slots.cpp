@@ -1,0 +1,73 @@
+#include "ui/panel/input_slots.h"
+
+#include <algorithm>
+
+#include "ui/window/session.h"
+
+namespace blossom::ui {
+
+InputSlots::InputSlots(const Session& session, const Feature& feature, const FeatureType& type)
+    : session_(session), feature_(feature), type_(type), taken_(type.inputs.size()) {
+  std::size_t leastLater = 0, next = 0;
+  for (const InputSpec& spec : type.inputs) leastLater += spec.least;
+  for (std::size_t k = 0; k < type.inputs.size(); ++k) {
+    const InputSpec& spec = type.inputs[k];
+    leastLater -= std::min(leastLater, spec.least);
+    const bool last = k + 1 == type.inputs.size();
+    while (next + leastLater < feature.inputs.size() && taken_[k].size() < spec.most) {
+      // as when it is evaluated: what an optional input does not accept is left to those after it
+      if (!last && taken_[k].size() >= spec.least && !accepts(k, feature.inputs[next])) break;
+      taken_[k].push_back(feature.inputs[next++]);
+    }
+  }
+  // Too many is an error of the evaluation; here they are shown, so that they can be removed.
+  if (!taken_.empty())
+    taken_.back().insert(taken_.back().end(), feature.inputs.begin() + static_cast<std::ptrdiff_t>(next),
+                         feature.inputs.end());
+}
+
+bool InputSlots::accepts(std::size_t spec, const FeatureId& id) const {
+  const auto view = session_.view(id);
+  const auto& kinds = type_.inputs.at(spec).kinds;
+  if (!view || view->result->evaluated.shape.empty() || kinds.empty()) return true;
+  const ShapeKind kind = view->result->evaluated.shape.kind();
+  const auto takes = [&](ShapeKind wanted) { return std::find(kinds.begin(), kinds.end(), wanted) != kinds.end(); };
+  return takes(kind) || (kind == ShapeKind::Curves && takes(ShapeKind::Region));
+}
+
+bool InputSlots::dependsOnThis(const FeatureId& id) const {
+  if (id == feature_.id) return true;
+  std::vector<FeatureId> open{id}, seen;
+  while (!open.empty()) {
+    const FeatureId at = open.back();
+    open.pop_back();
+    if (std::find(seen.begin(), seen.end(), at) != seen.end() || !session_.document().contains(at)) continue;
+    seen.push_back(at);
+    for (const FeatureId& input : session_.document().at(at).inputs) {
+      if (input == feature_.id) return true;
+      open.push_back(input);
+    }
+  }
+  return false;
+}
+
+std::vector<FeatureId> InputSlots::candidates(std::size_t spec) const {
+  std::vector<FeatureId> found;
+  for (const auto& other : session_.document().features()) {
+    const auto& taken = taken_.at(spec);
+    if (std::find(taken.begin(), taken.end(), other->id) != taken.end()) continue;
+    if (accepts(spec, other->id) && !dependsOnThis(other->id)) found.push_back(other->id);
+  }
+  return found;
+}
+
+std::vector<FeatureId> InputSlots::with(std::size_t spec, const std::vector<FeatureId>& inputs) const {
+  std::vector<FeatureId> all;
+  for (std::size_t k = 0; k < taken_.size(); ++k) {
+    const auto& part = k == spec ? inputs : taken_[k];
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,92 @@
+#pragma once
+#include <QPointer>
+#include <QScrollArea>
+#include <optional>
+#include <vector>
+
+#include "document/document.h"
+#include "feature/feature_type.h"
+#include "ui/panel/pick_request.h"
+
+class QVBoxLayout;
+
+namespace blossom::ui {
+
+class FeatureHeader;
+class InputEditor;
+class ParameterField;
+class ResultTable;
+class Session;
+struct FieldContext;
+struct Pick;
+
+/// What the selected feature is made from and what it came to: a form made from the declared inputs and parameters, and the
+/// measures. While something is dragged at most one evaluation is under way and the newest value waits for it.
+class PropertyPanel : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit PropertyPanel(Session&, QWidget* parent = nullptr);
+  /// Empty: nothing is selected.
+  void show(const FeatureId&);
+  [[nodiscard]] const FeatureId& shown() const { return shown_; }
+  [[nodiscard]] ParameterField* field(const QString& parameter) const;
+  [[nodiscard]] InputEditor* input(const QString& name) const;
+
+  /// What is wanted from the view now.
+  [[nodiscard]] const std::optional<PickRequest>& wanted() const { return wanted_; }
+  /// Something was picked in the view. Does nothing while nothing is wanted.
+  void offerPick(const Pick&);
+  /// The view does not pick any more (Esc, another tool).
+  void endPick();
+
+ signals:
+  void hint(const QString&);
+  /// The view should pick until pickEnded; each pick goes to offerPick.
+  void pickWanted(const blossom::ui::PickRequest&);
+  void pickEnded();
+  void manualWanted(const QString& page);
+
+ private:
+  void leave();
+  void rebuild();
+  void addFeature(const Feature&);
+  void addInputs();
+  void addParameters();
+  void addResult();
+  void addTitle(const QString&);
+  void connectField(ParameterField*);
+  void refreshContext();
+  void refreshFields();
+  void refreshResult();
+  void showFault();
+  void preview(ParameterField*, const Value&);
+  void sendPreview();
+  void commit(ParameterField*, const Value&);
+  void takeFiles(ParameterField*, const Document&);
+  void revert();
+  void rename(const QString&);
+  void wantPick(ParameterField*, InputEditor*, PickRequest);
+  [[nodiscard]] Feature changed(const std::string& parameter, const Value&) const;
+
+  Session& session_;
+  FeatureId shown_;
+  std::string shownType_;
+  std::shared_ptr<const FeatureType> type_;
+  std::shared_ptr<FieldContext> context_;
+  std::vector<ParameterField*> fields_;
+  std::vector<InputEditor*> inputs_;
+  FeatureHeader* header_ = nullptr;
+  ResultTable* result_ = nullptr;
+  QVBoxLayout* column_ = nullptr;
+
+  ParameterField* previewed_ = nullptr;  // the field that is dragged
+  std::optional<Value> waiting_;         // its newest value, not yet sent off
+  ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
+  QString fault_;
+
+  std::optional<PickRequest> wanted_;
+  QPointer<ParameterField> pickingField_;
+  QPointer<InputEditor> pickingInput_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,137 @@
+// The part of PropertyPanel that changes the document: previews, edits, files, and what is picked in the view.
+#include <algorithm>
+
+#include "ui/look/text.h"
+#include "ui/panel/feature_header.h"
+#include "ui/panel/input_editor.h"
+#include "ui/panel/parameter_field.h"
+#include "ui/panel/property_panel.h"
+#include "ui/tool.h"
+#include "ui/window/session.h"
+
+namespace blossom::ui {
+
+namespace {
+
+bool namesFiles(const ParameterSpec& spec, const Value& value) {
+  if (value.is_null()) return false;
+  if (spec.kind == ParameterKind::File) return value.value("asset", std::string()).empty();
+  if (spec.kind == ParameterKind::List)
+    return std::any_of(value.begin(), value.end(), [&](const Value& item) { return namesFiles(spec.fields.at(0), item); });
+  if (spec.kind != ParameterKind::Record) return false;
+  return std::any_of(spec.fields.begin(), spec.fields.end(), [&](const ParameterSpec& field) {
+    return value.contains(field.name) && namesFiles(field, value.at(field.name));
+  });
+}
+
+/// One parameter as `other` has it, with the contents that it names.
+Document withParameterOf(Document document, const Document& other, const FeatureId& id, const std::string& parameter) {
+  Feature feature = document.at(id);
+  feature.parameters[parameter] = other.at(id).parameters.at(parameter);
+  for (const auto& [hash, content] : other.assets())
+    if (!document.assets().contains(hash)) document = document.withAsset(hash, content);
+  return document.with(feature);
+}
+
+}  // namespace
+
+Feature PropertyPanel::changed(const std::string& parameter, const Value& value) const {
+  Feature feature = session_.document().at(shown_);
+  if (value.is_null())
+    feature.parameters.erase(parameter);
+  else
+    feature.parameters[parameter] = value;
+  return feature;
+}
+
+void PropertyPanel::preview(ParameterField* field, const Value& value) {
+  previewed_ = field;
+  waiting_ = value;
+  if (!session_.evaluating()) sendPreview();
+}
+
+// Only the newest value goes off, and only when the evaluation before has come to its end: dragging never queues up, and
+// slow features still show something while they are dragged.
+void PropertyPanel::sendPreview() {
+  if (!waiting_ || !previewed_) return;
+  const Value value = std::move(*waiting_);
+  waiting_.reset();
+  session_.preview(session_.document().with(changed(previewed_->spec().name, value)));
+}
+
+void PropertyPanel::commit(ParameterField* field, const Value& value) {
+  waiting_.reset();
+  previewed_ = nullptr;
+  const Document document = session_.document().with(changed(field->spec().name, value));
+  if (namesFiles(field->spec(), value)) return takeFiles(field, document);
+  session_.commit(document, tr("Change %1 of %2").arg(qt(label(field->spec())), qt(shownName(document.at(shown_)))));
+}
+
+// The content of a file is kept in the document; it is read elsewhere than in the window's thread, while the user may go on.
+void PropertyPanel::takeFiles(ParameterField* field, const Document& document) {
+  if (session_.job().running()) {
+    field->setFault(tr("Another file is still being read or written. Wait for it or cancel it."));
+    return;
+  }
+  const auto embedded = std::make_shared<Document>(document);
+  const QPointer<ParameterField> asking = field;
+  session_.job().start(
+      tr("Reading the file"),
+      [embedded, app = session_.app()](const Progress&) { *embedded = withFilesEmbedded(app, *embedded); },
+      [this, embedded, asking, feature = shown_, spec = field->spec()](const std::optional<Error>& error) {
+        if (!session_.document().contains(feature)) return;
+        if (error) {
+          if (feature == shown_) refreshFields();  // back to the file before
+          if (asking) asking->setFault(qt(error->message()));
+          return;
+        }
+        session_.commit(withParameterOf(session_.document(), *embedded, feature, spec.name),
+                        tr("Change %1 of %2").arg(qt(label(spec)), qt(shownName(embedded->at(feature)))));
+      });
+}
+
+void PropertyPanel::revert() {
+  waiting_.reset();
+  previewed_ = nullptr;
+  session_.endPreview();
+}
+
+void PropertyPanel::rename(const QString& name) {
+  Feature feature = session_.document().at(shown_);
+  feature.name = name.toStdString();
+  session_.commit(session_.document().with(feature), tr("Rename %1").arg(name));
+}
+
+void PropertyPanel::wantPick(ParameterField* field, InputEditor* input, PickRequest request) {
+  if (wanted_) endPick();
+  if (request.want == PickRequest::Want::Feature) {
+    const InputSlots taken(session_, session_.document().at(shown_), *type_);
+    for (std::size_t k = 0; k < inputs_.size(); ++k)
+      if (inputs_[k] == input) request.features = taken.candidates(k);
+  }
+  pickingField_ = field;
+  pickingInput_ = input;
+  wanted_ = request;
+  emit hint(request.hint);
+  emit pickWanted(request);
+}
+
+void PropertyPanel::offerPick(const Pick& pick) {
+  if (!wanted_) return;
+  const bool taken = pickingField_ ? pickingField_->takePick(pick) : pickingInput_ && pickingInput_->takePick(pick);
+  if (taken && wanted_ && !wanted_->several) endPick();
+}
+
+void PropertyPanel::endPick() {
+  if (!wanted_) return;
+  wanted_.reset();
+  const QPointer<ParameterField> field = pickingField_;
+  const QPointer<InputEditor> input = pickingInput_;
+  pickingField_.clear();
+  pickingInput_.clear();
+  if (field) field->pickEnded();
+  if (input) input->pickEnded();
+  emit pickEnded();
+}
+
+}  // namespace blossom::ui

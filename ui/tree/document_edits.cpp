@@ -1,0 +1,170 @@
+#include "ui/tree/document_edits.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace blossom::ui {
+
+namespace {
+
+using Set = std::set<FeatureId>;
+
+Set setOf(const std::vector<FeatureId>& ids) { return {ids.begin(), ids.end()}; }
+
+std::size_t placeOf(const Document& document, const FeatureId& id) {
+  const auto features = document.features();
+  const auto found = std::find_if(features.begin(), features.end(), [&](const auto& each) { return each->id == id; });
+  return static_cast<std::size_t>(found - features.begin());
+}
+
+template <class Change>
+Document changed(Document document, const Set& ids, const Change& change) {
+  for (const FeatureId& id : ids) {
+    Feature feature = document.at(id);
+    change(feature);
+    if (feature != document.at(id)) document = document.with(std::move(feature));
+  }
+  return document;
+}
+
+// Inputs stand before their users, so one walk from the end finds them all.
+Set withInputs(const Document& document, const std::vector<FeatureId>& wanted) {
+  Set needed = setOf(wanted);
+  const auto features = document.features();
+  for (auto it = features.rbegin(); it != features.rend(); ++it)
+    if (needed.contains((*it)->id)) needed.insert((*it)->inputs.begin(), (*it)->inputs.end());
+  return needed;
+}
+
+std::string withoutNumber(const std::string& text, char before) {
+  const std::size_t cut = text.find_last_not_of("0123456789");
+  const bool numbered = cut != std::string::npos && cut + 1 < text.size() && cut > 0 && text[cut] == before;
+  return numbered ? text.substr(0, cut) : text;
+}
+
+bool isSame(const Document& into, const Feature& feature) {
+  if (!into.contains(feature.id)) return false;
+  const Feature& other = into.at(feature.id);
+  return other.type == feature.type && other.parameters == feature.parameters && other.inputs == feature.inputs;
+}
+
+}  // namespace
+
+std::vector<FeatureId> dependants(const Document& document, const std::vector<FeatureId>& ids) {
+  const Set own = setOf(ids);
+  Set made = own;
+  std::vector<FeatureId> result;
+  for (const auto& feature : document.features()) {
+    const auto& inputs = feature->inputs;
+    if (std::none_of(inputs.begin(), inputs.end(), [&](const FeatureId& input) { return made.contains(input); })) continue;
+    made.insert(feature->id);
+    if (!own.contains(feature->id)) result.push_back(feature->id);
+  }
+  return result;
+}
+
+Document withVisible(Document document, const std::vector<FeatureId>& ids, bool visible) {
+  return changed(std::move(document), setOf(ids), [&](Feature& feature) { feature.visible = visible; });
+}
+
+Document withSuppressed(Document document, const std::vector<FeatureId>& ids, bool suppressed) {
+  return changed(std::move(document), setOf(ids), [&](Feature& feature) { feature.suppressed = suppressed; });
+}
+
+Document withoutAll(Document document, const std::vector<FeatureId>& ids) {
+  std::vector<FeatureId> order;
+  order.reserve(ids.size());
+  const Set gone = setOf(ids);
+  for (const auto& feature : document.features())
+    if (gone.contains(feature->id)) order.push_back(feature->id);
+  for (auto it = order.rbegin(); it != order.rend(); ++it) document = document.without(*it);
+  return document;
+}
+
+Document isolated(Document document, const std::vector<FeatureId>& ids) {
+  const Set shown = setOf(ids);
+  Set all;
+  for (const auto& feature : document.features()) all.insert(feature->id);
+  return changed(std::move(document), all, [&](Feature& feature) { feature.visible = shown.contains(feature.id); });
+}
+
+bool isIsolated(const Document& document, const std::vector<FeatureId>& ids) {
+  const Set shown = setOf(ids);
+  const auto features = document.features();
+  return !shown.empty() && std::all_of(features.begin(), features.end(),
+                                       [&](const auto& each) { return each->visible == shown.contains(each->id); });
+}
+
+// Going down, the last one goes first, so that the ones before it do not have to pass it.
+Document withMoved(const Document& document, const std::vector<FeatureId>& ids, std::size_t row) {
+  const Set moving = setOf(ids);
+  std::vector<FeatureId> before, after;  // the row, those nearest to it first
+  const auto features = document.features();
+  for (std::size_t i = 0; i < features.size(); ++i)
+    if (moving.contains(features[i]->id)) (i < row ? before : after).push_back(features[i]->id);
+  std::reverse(before.begin(), before.end());
+  Document result = document;
+  std::size_t place = row;
+  for (const FeatureId& id : before) result = result.moved(id, --place);
+  place = row;
+  for (const FeatureId& id : after) result = result.moved(id, place++);
+  return result;
+}
+
+std::optional<Document> withStepped(const Document& document, const std::vector<FeatureId>& ids, int by) {
+  if (ids.empty()) return std::nullopt;
+  std::size_t first = document.features().size(), last = 0;
+  for (const FeatureId& id : ids)
+    first = std::min(first, placeOf(document, id)), last = std::max(last, placeOf(document, id));
+  if (by < 0) return first == 0 ? std::nullopt : std::optional(withMoved(document, ids, first - 1));
+  return last + 1 >= document.features().size() ? std::nullopt : std::optional(withMoved(document, ids, last + 2));
+}
+
+std::string freeName(const Document& document, const std::string& name) {
+  const auto taken = [&](const std::string& wanted) {
+    const auto features = document.features();
+    return std::any_of(features.begin(), features.end(), [&](const auto& each) { return each->name == wanted; });
+  };
+  if (!taken(name)) return name;
+  const std::string stem = withoutNumber(name, ' ');
+  for (int n = 2;; ++n)
+    if (std::string free = stem + ' ' + std::to_string(n); !taken(free)) return free;
+}
+
+Document withCopies(const Document& into, const Document& clip, const std::vector<FeatureId>& wanted,
+                    std::vector<FeatureId>& added) {
+  const Set needed = withInputs(clip, wanted), copied = setOf(wanted);
+  Document result = into;
+  for (const auto& [hash, content] : clip.assets())
+    if (!result.assets().contains(hash)) result = result.withAsset(hash, content);
+  std::map<FeatureId, FeatureId> renamed;
+  for (const auto& each : clip.features()) {
+    if (!needed.contains(each->id)) continue;
+    Feature copy = *each;
+    for (FeatureId& input : copy.inputs) input = renamed.at(input);
+    if (!copied.contains(each->id) && isSame(into, copy)) {
+      renamed[each->id] = each->id;
+      continue;
+    }
+    if (result.contains(copy.id)) copy.id = result.freshId(withoutNumber(copy.id, '-'));
+    copy.name = freeName(result, copy.name);
+    renamed[each->id] = copy.id;
+    if (copied.contains(each->id)) added.push_back(copy.id);
+    result = result.with(std::move(copy));
+  }
+  return result;
+}
+
+Document excerpt(const Document& document, const std::vector<FeatureId>& wanted) {
+  const Set needed = withInputs(document, wanted);
+  std::vector<Feature> features;
+  for (const auto& each : document.features())
+    if (needed.contains(each->id)) features.push_back(*each);
+  Document result = Document::of(std::move(features));
+  for (const auto& [hash, content] : document.assets()) result = result.withAsset(hash, content);
+  return result;
+}
+
+}  // namespace blossom::ui

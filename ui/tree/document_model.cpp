@@ -1,0 +1,230 @@
+#include "ui/tree/document_model.h"
+
+#include <QMimeData>
+#include <algorithm>
+
+#include "ui/look/icons.h"
+#include "ui/look/text.h"
+#include "ui/window/session.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr int patienceMs = 150;
+
+QString iconOfKind(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::Region:
+      return QStringLiteral("region");
+    case ShapeKind::Curves:
+      return QStringLiteral("curves");
+    case ShapeKind::Curve:
+      return QStringLiteral("curve");
+    case ShapeKind::Surface:
+      return QStringLiteral("surface");
+    case ShapeKind::Brep:
+      return QStringLiteral("solid");
+    case ShapeKind::Mesh:
+      return QStringLiteral("mesh");
+    case ShapeKind::Motion:
+      return QStringLiteral("motion");
+    case ShapeKind::Sequence:
+      return QStringLiteral("sequence");
+    case ShapeKind::None:
+      break;
+  }
+  return QStringLiteral("feature");
+}
+
+}  // namespace
+
+DocumentModel::DocumentModel(Session& session, QObject* parent) : QAbstractListModel(parent), session_(session) {
+  patience_.setSingleShot(true);
+  patience_.setInterval(patienceMs);
+  connect(&patience_, &QTimer::timeout, this, &DocumentModel::refreshState);
+  connect(&session, &Session::documentChanged, this, &DocumentModel::refresh);
+  connect(&session, &Session::evaluationStarted, this, [this] {
+    arrived_.clear();
+    if (!std::exchange(running_, true)) patience_.start();  // an edit during a drag does not begin the wait anew
+  });
+  connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
+    arrived_.insert(feature.toStdString());
+    const QModelIndex index = indexOf(feature.toStdString());
+    if (index.isValid()) emit dataChanged(index, index);
+  });
+  connect(&session, &Session::evaluationFinished, this, [this] {
+    running_ = false;
+    patience_.stop();
+    refreshState();
+  });
+  refresh();
+}
+
+void DocumentModel::refreshState() {
+  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
+}
+
+// Rows that stay keep their selection: what is gone is removed, what stays is put in order, what is new is inserted.
+void DocumentModel::refresh() {
+  removeGone();
+  reorder();
+  const auto features = session_.document().features();
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (i < rows_.size() && rows_[i]->id == features[i]->id) {
+      rows_[i] = features[i];
+      continue;
+    }
+    beginInsertRows({}, static_cast<int>(i), static_cast<int>(i));
+    rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(i), features[i]);
+    endInsertRows();
+  }
+  refreshState();
+}
+
+void DocumentModel::removeGone() {
+  std::set<FeatureId> there;
+  for (const auto& feature : session_.document().features()) there.insert(feature->id);
+  for (std::size_t i = rows_.size(); i-- > 0;) {
+    if (there.contains(rows_[i]->id)) continue;
+    beginRemoveRows({}, static_cast<int>(i), static_cast<int>(i));
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(i));
+    endRemoveRows();
+  }
+}
+
+void DocumentModel::reorder() {
+  std::map<FeatureId, std::size_t> place;
+  for (const auto& feature : session_.document().features()) place.emplace(feature->id, place.size());
+  const auto byPlace = [&](const auto& a, const auto& b) { return place.at(a->id) < place.at(b->id); };
+  if (std::is_sorted(rows_.begin(), rows_.end(), byPlace)) return;
+  emit layoutAboutToBeChanged();
+  const QModelIndexList before = persistentIndexList();
+  std::vector<FeatureId> ids;
+  ids.reserve(static_cast<std::size_t>(before.size()));
+  for (const QModelIndex& each : before) ids.push_back(idAt(each));
+  std::sort(rows_.begin(), rows_.end(), byPlace);
+  QModelIndexList after;
+  for (const FeatureId& id : ids) after << indexOf(id);
+  changePersistentIndexList(before, after);
+  emit layoutChanged();
+}
+
+int DocumentModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+const Feature& DocumentModel::at(const QModelIndex& index) const { return *rows_[static_cast<std::size_t>(index.row())]; }
+
+FeatureId DocumentModel::idAt(const QModelIndex& index) const {
+  return index.isValid() && index.row() < rowCount() ? at(index).id : FeatureId();
+}
+
+QModelIndex DocumentModel::indexOf(const FeatureId& id) const {
+  const auto it = std::find_if(rows_.begin(), rows_.end(), [&](const auto& feature) { return feature->id == id; });
+  return it == rows_.end() ? QModelIndex() : index(static_cast<int>(it - rows_.begin()));
+}
+
+bool DocumentModel::computing(const Feature& feature) const {
+  return session_.evaluating() && !patience_.isActive() && !feature.suppressed && !arrived_.contains(feature.id);
+}
+
+QString DocumentModel::stateOf(const Feature& feature) const {
+  if (feature.suppressed) return tr("suppressed");
+  if (computing(feature)) return tr("computing…");
+  const auto view = session_.view(feature.id);
+  if (!view) return session_.evaluating() ? tr("computing…") : tr("not computed");
+  if (view->result->error) return qt(view->result->error->message());
+  return stateLine(view->measures);
+}
+
+QString DocumentModel::remedyOf(const Feature& feature) const {
+  const auto view = session_.view(feature.id);
+  if (feature.suppressed || computing(feature) || !view || !view->result->error) return {};
+  return qt(view->result->error->hint());
+}
+
+QString DocumentModel::tipOf(const Feature& feature) const {
+  QStringList lines{qt(feature.name) + QStringLiteral(" – ") + typeOf(feature), stateOf(feature)};
+  if (const QString remedy = remedyOf(feature); !remedy.isEmpty()) lines << remedy;
+  const auto view = session_.view(feature.id);
+  if (view && !view->result->error && !feature.suppressed)
+    for (const std::string& warning : view->result->evaluated.warnings) lines << qt(warning);
+  return lines.join(u'\n');
+}
+
+QString DocumentModel::typeOf(const Feature& feature) const {
+  const auto type = session_.app().registry->find(feature.type);
+  return type ? qt(type->title) : qt(feature.type);
+}
+
+QString DocumentModel::iconOf(const Feature& feature) const {
+  const auto type = session_.app().registry->find(feature.type);
+  if (type && hasIcon(qt(type->icon)) && type->id.rfind("exchange.", 0) != 0) return qt(type->icon);
+  const auto view = session_.view(feature.id);
+  return view ? iconOfKind(view->result->evaluated.shape.kind()) : QStringLiteral("pending");
+}
+
+QVariant DocumentModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const Feature& feature = at(index);
+  const auto view = session_.view(feature.id);
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return qt(feature.name);
+    case Qt::ToolTipRole:
+    case Qt::AccessibleDescriptionRole:
+      return tipOf(feature);
+    case IdRole:
+      return qt(feature.id);
+    case StateRole:
+      return stateOf(feature);
+    case RemedyRole:
+      return remedyOf(feature);
+    case TypeRole:
+      return typeOf(feature);
+    case FailedRole:
+      return !feature.suppressed && !computing(feature) && view && view->result->error.has_value();
+    case WarnedRole:
+      return view && !view->result->evaluated.warnings.empty();
+    case PendingRole:
+      return !view || computing(feature);
+    case IconRole:
+      return iconOf(feature);
+    case VisibleRole:
+      return feature.visible;
+    case SuppressedRole:
+      return feature.suppressed;
+    default:
+      return {};
+  }
+}
+
+bool DocumentModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const std::string name = value.toString().trimmed().toStdString();
+  if (role != Qt::EditRole || !index.isValid() || name.empty()) return false;
+  Feature feature = at(index);
+  if (feature.name == name) return false;
+  const QString what = tr("Rename %1").arg(qt(feature.name));
+  feature.name = name;
+  session_.commit(session_.document().with(feature), what);
+  return true;
+}
+
+Qt::ItemFlags DocumentModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::ItemIsDropEnabled;  // between the rows, never on one
+  return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled;
+}
+
+QStringList DocumentModel::mimeTypes() const { return {QStringLiteral("application/x-blossom-rows")}; }
+
+QMimeData* DocumentModel::mimeData(const QModelIndexList& indexes) const {
+  QStringList ids;
+  for (const QModelIndex& index : indexes) ids << qt(idAt(index));
+  auto* data = new QMimeData;
+  data->setData(mimeTypes().front(), ids.join(u'\n').toUtf8());
+  return data;
+}
+
+}  // namespace blossom::ui

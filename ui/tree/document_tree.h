@@ -1,0 +1,83 @@
+#pragma once
+#include <QListView>
+#include <map>
+#include <vector>
+
+#include "core/error.h"
+#include "document/document.h"
+#include "ui/panel/error_bar.h"
+
+namespace blossom::ui {
+
+class DocumentModel;
+class Session;
+
+/// The document as a list: icon, name, one line of state, and an eye that hides. Selecting here selects in the view. Every
+/// change is one step of undo; what cannot be done is refused with a sentence.
+class DocumentTree : public QListView {
+  Q_OBJECT
+ public:
+  explicit DocumentTree(Session&, QWidget* parent = nullptr);
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] std::vector<FeatureId> selected() const;  ///< in document order; the current one is `current()`
+  [[nodiscard]] FeatureId current() const;
+  void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
+  void selectThese(const std::vector<FeatureId>&);
+  void selectLast();
+  void selectFirstShown();
+  void selectAll() override;  ///< what the filter shows
+  /// Only rows are shown in whose name, type or state all words of the text occur.
+  void setFilter(const QString& text);
+
+  void renameCurrent();
+  void toggleSelected();
+  void toggleVisible(const FeatureId&);
+  void showAll();
+  /// Only what is selected is visible; once more: what was visible before.
+  void isolateSelected();
+  void toggleSuppressed();  ///< all selected ones become what the first becomes
+  void removeSelected();
+  void stepSelected(int by);                 ///< one place up (-1) or down (+1)
+  void moveSelectedBefore(std::size_t row);  ///< row == size: to the end
+  void copySelected() const;
+  void cutSelected();
+  void paste();
+  void duplicateSelected();
+
+ signals:
+  void selectionChangedTo();
+  void hint(const QString&);
+  void refused(const blossom::Error&, const std::vector<blossom::ui::Offer>&);
+  void contextMenuWanted(const QPoint& global);
+
+ protected:
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void leaveEvent(QEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void dragMoveEvent(QDragMoveEvent*) override;
+  void dropEvent(QDropEvent*) override;
+  void selectionChanged(const QItemSelection&, const QItemSelection&) override;
+
+ private:
+  template <class Make>
+  bool attempt(const QString& what, const Make&);
+  [[nodiscard]] QString nameOf(const FeatureId&) const;
+  [[nodiscard]] QString titled(const std::vector<FeatureId>&, const QString& one, const QString& several) const;
+  [[nodiscard]] std::size_t rowAt(QPoint) const;
+  void refuseRemoval(const std::vector<FeatureId>& ids, const std::vector<FeatureId>& users);
+  void remove(const std::vector<FeatureId>&);
+  void suppress(const std::vector<FeatureId>&, bool);
+  void addCopies(const Document& clip, const std::vector<FeatureId>& wanted, const QString& one, const QString& several);
+  void applyFilter();
+  void applyFilter(int first, int last);
+
+  Session& session_;
+  DocumentModel* model_;
+  QStringList filter_;
+  bool filtered_ = false;
+  std::map<FeatureId, bool> beforeIsolation_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,66 @@
+#include "ui/view/display_cache.h"
+
+#include <algorithm>
+
+#include "document/error_of.h"
+#include "scene/picking.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr std::size_t mostEntries = 96;
+
+bool isSolid(const Measures& measures) {
+  if (measures.kind == "solid") return true;
+  return std::any_of(measures.values.begin(), measures.values.end(), [](const Measure& measure) {
+    const bool* closed = std::get_if<bool>(&measure.value);
+    return measure.name == "closed" && closed && *closed;
+  });
+}
+
+const void* addressOf(const Shape& shape) {
+  return shape.visit([](const auto& value) { return static_cast<const void*>(&value); });
+}
+
+std::shared_ptr<const FeatureView> failed(const FeatureResult& result, const Error& error) {
+  auto copy = std::make_shared<FeatureResult>(result);
+  copy->error = error;
+  auto view = std::make_shared<FeatureView>();
+  view->result = copy;
+  return view;
+}
+
+}  // namespace
+
+std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result,
+                                                      const Progress& progress) {
+  auto view = std::make_shared<FeatureView>();
+  view->result = result;
+  const Shape& shape = result->evaluated.shape;
+  if (result->error || shape.empty()) return view;
+  {
+    const std::scoped_lock lock(guard_);
+    const auto it = std::find_if(entries_.begin(), entries_.end(),
+                                 [&](const Entry& e) { return addressOf(e.shape) == addressOf(shape); });
+    if (it != entries_.end()) {
+      entries_.splice(entries_.begin(), entries_, it);
+      view->scene = it->scene;
+      view->measures = it->measures;
+      return view;
+    }
+  }
+  const std::optional<Error> error = errorOf("Showing the result", [&] {
+    view->scene = toSceneData(tessellate(shape, {.chord = 0, .angle = 0.2}, progress.part(0, 0.7)));
+    view->measures = measure(shape, progress.part(0.7, 0.95));
+    view->scene.solid = isSolid(view->measures);
+    view->scene.picks = std::make_shared<const PickIndex>(view->scene);
+  });
+  if (error) return failed(*result, *error);
+  const std::scoped_lock lock(guard_);
+  entries_.push_front({shape, view->scene, view->measures});
+  if (entries_.size() > mostEntries) entries_.pop_back();
+  return view;
+}
+
+}  // namespace blossom::ui

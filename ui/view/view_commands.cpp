@@ -1,0 +1,106 @@
+#include "ui/view/view_commands.h"
+
+#include <QMenu>
+#include <algorithm>
+#include <array>
+
+#include "ui/view/view_widget.h"
+#include "ui/window/commands.h"
+#include "ui/window/page.h"
+
+namespace blossom::ui {
+
+namespace {
+
+struct PickModeCommand {
+  const char* id;
+  PickMode mode;
+};
+constexpr std::array<PickModeCommand, 5> pickModes{{{"select.features", PickMode::Feature},
+                                                    {"select.faces", PickMode::Face},
+                                                    {"select.edges", PickMode::Edge},
+                                                    {"select.points", PickMode::Vertex},
+                                                    {"select.any", PickMode::Any}}};
+
+struct DisplayModeCommand {
+  const char* id;
+  DisplayMode mode;
+};
+constexpr std::array<DisplayModeCommand, 3> displayModes{{{"view.shaded-edges", DisplayMode::ShadedWithEdges},
+                                                          {"view.shaded", DisplayMode::Shaded},
+                                                          {"view.wireframe", DisplayMode::Wireframe}}};
+
+}  // namespace
+
+ViewCommands::ViewCommands(Commands& commands, std::function<DocumentPage&()> page, QObject* parent)
+    : QObject(parent), commands_(commands), page_(std::move(page)) {
+  addPickModes();
+  addDisplayModes();
+  addTools();
+}
+
+void ViewCommands::addPickModes() {
+  const QString group = tr("Select");
+  const auto add = [&](const char* id, const char* icon, const QString& text, const QString& help, const char* key) {
+    const auto found = std::find_if(pickModes.begin(), pickModes.end(), [&](const auto& each) { return each.id == id; });
+    commands_.add({QLatin1String(id), group, QLatin1String(icon), text, help, {QKeySequence(QLatin1String(key))}, true},
+                  [this, mode = found->mode] {
+                    page_().view().setPickMode(mode);
+                    refresh();
+                  });
+  };
+  add(pickModes[0].id, "pick-feature", tr("F&eatures"), tr("A click in the view selects whole features."), "Shift+1");
+  add(pickModes[1].id, "pick-face", tr("&Faces"), tr("A click in the view selects faces."), "Shift+2");
+  add(pickModes[2].id, "pick-edge", tr("E&dges"), tr("A click in the view selects edges."), "Shift+3");
+  add(pickModes[3].id, "pick-vertex", tr("&Points"), tr("A click in the view selects points."), "Shift+4");
+  add(pickModes[4].id, "pick-point", tr("&Any part"), tr("A click in the view selects the nearest face, edge or point."),
+      "Shift+5");
+}
+
+void ViewCommands::addDisplayModes() {
+  const QString group = tr("View");
+  const auto add = [&](const DisplayModeCommand& each, const char* icon, const QString& text, const QString& help) {
+    commands_.add({QLatin1String(each.id), group, QLatin1String(icon), text, help, {}, true}, [this, mode = each.mode] {
+      page_().view().setDisplayMode(mode);
+      refresh();
+    });
+  };
+  add(displayModes[0], "edges", tr("Shaded with &edges"), tr("Draw faces and their edges."));
+  add(displayModes[1], "shaded", tr("&Shaded"), tr("Draw faces alone."));
+  add(displayModes[2], "wireframe", tr("&Wireframe"), tr("Draw edges alone."));
+}
+
+void ViewCommands::addTools() {
+  const QString group = tr("View");
+  commands_.add({"view.measure",
+                 group,
+                 "measure",
+                 tr("&Measure"),
+                 tr("Measure lengths, distances, angles, radii and areas by clicking."),
+                 {QKeySequence(QStringLiteral("M"))}},
+                [this] { page_().startMeasuring(); });
+  commands_.add({"view.section",
+                 group,
+                 "section",
+                 tr("&Section"),
+                 tr("Cut the model open with a plane that can be dragged."),
+                 {QKeySequence(QStringLiteral("X"))}},
+                [this] { page_().startSection(); });
+}
+
+void ViewCommands::addTo(QMenu& view, QMenu& select) {
+  for (const DisplayModeCommand& each : displayModes) view.addAction(commands_.action(QLatin1String(each.id)));
+  view.addSeparator();
+  for (const char* id : {"view.measure", "view.section"}) view.addAction(commands_.action(QLatin1String(id)));
+  for (const PickModeCommand& each : pickModes) select.addAction(commands_.action(QLatin1String(each.id)));
+}
+
+void ViewCommands::refresh() {
+  const ViewWidget& view = page_().view();
+  for (const PickModeCommand& each : pickModes)
+    commands_.action(QLatin1String(each.id))->setChecked(view.pickMode() == each.mode);
+  for (const DisplayModeCommand& each : displayModes)
+    commands_.action(QLatin1String(each.id))->setChecked(view.displayMode() == each.mode);
+}
+
+}  // namespace blossom::ui

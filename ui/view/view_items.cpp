@@ -1,0 +1,220 @@
+#include "ui/view/view_items.h"
+
+#include <vtkMapper.h>
+#include <vtkPlane.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/shading.h"
+
+namespace blossom::ui {
+
+namespace {
+
+void setColor(vtkActor& actor, const Color& color) { actor.GetProperty()->SetColor(color.red, color.green, color.blue); }
+
+bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
+
+/// Edges without numbers do not tell the form of a shape: a wireframe of it shows its triangles.
+bool needsTriangles(const SceneData& scene) { return !scene.edges || partOf(scene, SubShapeKind::Edge, 0).empty(); }
+
+}  // namespace
+
+ViewItems::ViewItems(vtkRenderer* renderer) : renderer_(renderer), clip_(vtkSmartPointer<vtkPlane>::New()) {}
+ViewItems::~ViewItems() = default;
+
+std::vector<FeatureId> ViewItems::set(const std::vector<ViewItem>& items) {
+  std::vector<FeatureId> changed;
+  for (auto it = shown_.begin(); it != shown_.end();) {
+    const bool gone = std::none_of(items.begin(), items.end(), [&](const ViewItem& item) { return item.id == it->first; });
+    if (gone) {
+      hide(it->second);
+      changed.push_back(it->first);
+    }
+    it = gone ? shown_.erase(it) : std::next(it);
+  }
+  for (const ViewItem& item : items) {
+    Shown& shown = shown_[item.id];
+    shown.role = item.role;
+    const bool same = shown.scene.faces == item.scene.faces && shown.scene.edges == item.scene.edges &&
+                      shown.scene.points == item.scene.points;
+    if (!same || shown.actors.empty()) {
+      hide(shown);
+      shown.scene = item.scene;
+      if (!shown.scene.picks) shown.scene.picks = std::make_shared<const PickIndex>(shown.scene);
+      show(shown);
+      changed.push_back(item.id);
+    }
+    paint(item.id, shown);
+  }
+  return changed;
+}
+
+void ViewItems::show(Shown& shown) {
+  shown.actors = makeActors(shown.scene, look_);
+  for (const auto& actor : shown.actors) renderer_->AddActor(actor);
+  applyMode(shown);
+  applySection(shown);
+}
+
+void ViewItems::hide(Shown& shown) {
+  for (const auto& actor : shown.actors) renderer_->RemoveActor(actor);
+  shown.actors.clear();
+}
+
+void ViewItems::setLook(const Look& look) {
+  look_ = look;
+  for (auto& [id, shown] : shown_) paint(id, shown);
+}
+
+void ViewItems::setDisplayMode(DisplayMode mode) {
+  mode_ = mode;
+  for (const auto& [id, shown] : shown_) {
+    applyMode(shown);
+    applyCulling(shown);
+  }
+}
+
+void ViewItems::applyMode(const Shown& shown) const {
+  const bool wires = mode_ == DisplayMode::Wireframe && !shown.scene.planar;
+  const bool triangles = wires && needsTriangles(shown.scene);
+  for (const auto& actor : shown.actors) {
+    const ActorRole part = roleOf(actor);
+    if (part == ActorRole::Faces) {
+      actor->SetVisibility(!wires || triangles);
+      if (wires)
+        actor->GetProperty()->SetRepresentationToWireframe();
+      else
+        actor->GetProperty()->SetRepresentationToSurface();
+    }
+    if (part == ActorRole::Edges) actor->SetVisibility(mode_ != DisplayMode::Shaded || isDrawing(shown.scene));
+  }
+}
+
+void ViewItems::setHovered(const FeatureId& id) {
+  if (id == hovered_) return;
+  const FeatureId before = std::exchange(hovered_, id);
+  for (const FeatureId& touched : {before, id})
+    if (const auto it = shown_.find(touched); it != shown_.end()) paint(it->first, it->second);
+}
+
+void ViewItems::setSection(const std::optional<CutPlane>& cut) {
+  const bool switched = cut.has_value() != section_.has_value();
+  section_ = cut;
+  if (cut) {
+    const Vec3 origin = cut->normal * cut->offset, kept = -cut->normal;
+    clip_->SetOrigin(origin.data());
+    clip_->SetNormal(kept.data());
+  }
+  if (!switched) return;
+  for (const auto& [id, shown] : shown_) applySection(shown);
+}
+
+void ViewItems::applySection(const Shown& shown) const {
+  for (const auto& actor : shown.actors) {
+    actor->GetMapper()->RemoveAllClippingPlanes();
+    if (section_) actor->GetMapper()->AddClippingPlane(clip_);
+    // The cut is drawn in front of the edges behind it, by so little that it stays behind all else.
+    if (roleOf(actor) == ActorRole::Edges && shown.scene.solid)
+      actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(section_ ? -1 : -3, section_ ? -1 : -6);
+    if (roleOf(actor) == ActorRole::Faces && !shown.scene.planar) shadeFaces(*actor, section_ && shown.scene.solid);
+  }
+  applyCulling(shown);
+}
+
+void ViewItems::setCulling(bool culling) {
+  if (culling == culling_) return;
+  culling_ = culling;
+  for (const auto& [id, shown] : shown_) applyCulling(shown);
+}
+
+// A cut opens the view on the far sides.
+void ViewItems::applyCulling(const Shown& shown) const {
+  for (const auto& actor : shown.actors)
+    if (roleOf(actor) == ActorRole::Faces)
+      actor->GetProperty()->SetBackfaceCulling(culling_ && shown.scene.solid && !section_ &&
+                                               mode_ != DisplayMode::Wireframe);
+}
+
+void ViewItems::placeCaps(vtkCamera& camera, double millimetresPerPixel) const {
+  if (!section_) return;
+  const double spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
+  for (const auto& [id, shown] : shown_)
+    for (const auto& actor : shown.actors) {
+      if (!shown.scene.solid || roleOf(actor) != ActorRole::Faces) continue;
+      const double* c = actor->GetProperty()->GetColor();
+      const Color fill = mixed({c[0], c[1], c[2]}, look_.backgroundBottom, 0.35);
+      placeCap(*actor, *section_, {fill, mixed(fill, {c[0], c[1], c[2]}, 0.55), spacing}, camera);
+    }
+}
+
+vtkPlane* ViewItems::clip() const { return section_ ? clip_.Get() : nullptr; }
+
+// Only colours change: the geometry stays on the card.
+void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
+  const bool hovered = id == hovered_;
+  for (const auto& actor : shown.actors) {
+    const ActorRole part = roleOf(actor);
+    if (part == ActorRole::Faces) paintFaces(*actor, shown, hovered);
+    if (part == ActorRole::Edges) paintEdges(*actor, shown, hovered);
+    if (part == ActorRole::Points) actor->GetProperty()->SetPointSize(static_cast<float>(look_.pointSize));
+  }
+}
+
+void ViewItems::paintFaces(vtkActor& actor, const Shown& shown, bool hovered) const {
+  const bool plain = shown.role == ItemRole::Plain, made = shown.role == ItemRole::Made;
+  const Color accent = made ? look_.made : look_.control;
+  Color color;
+  if (shown.scene.planar)
+    color = mixed(mixed(look_.backgroundTop, look_.backgroundBottom, 0.5), plain ? look_.curve : accent, made ? 0.88 : 0.2);
+  else
+    color = plain ? look_.surface : mixed(look_.surface, accent, made ? 0.92 : 0.55);
+  setColor(actor, hovered ? mixed(color, plain ? look_.control : Color{1, 1, 1}, 0.2) : color);
+}
+
+void ViewItems::paintEdges(vtkActor& actor, const Shown& shown, bool hovered) const {
+  const bool drawing = isDrawing(shown.scene), plain = shown.role == ItemRole::Plain;
+  const Color accent = shown.role == ItemRole::Made ? look_.made : look_.control;
+  Color color;
+  if (drawing)
+    color = plain ? look_.curve : accent;
+  else
+    color = plain ? look_.edge : mixed(accent, look_.edge, 0.62);
+  setColor(actor, hovered ? mixed(color, plain ? look_.control : accent, 0.75) : color);
+  const double width = look_.edgeWidth * (drawing ? 1.5 : 1.1) * (hovered ? 1.35 : 1);
+  actor.GetProperty()->SetLineWidth(static_cast<float>(width));
+}
+
+bool ViewItems::planar() const {
+  return !shown_.empty() &&
+         std::all_of(shown_.begin(), shown_.end(), [](const auto& entry) { return entry.second.scene.planar; });
+}
+
+const SceneData* ViewItems::scene(const FeatureId& id) const {
+  const auto it = shown_.find(id);
+  return it == shown_.end() ? nullptr : &it->second.scene;
+}
+
+Bounds ViewItems::extent() const {
+  Bounds all;
+  for (const auto& [id, shown] : shown_)
+    for (vtkPolyData* data : {shown.scene.faces.Get(), shown.scene.edges.Get(), shown.scene.points.Get()}) {
+      if (!data) continue;
+      const double* b = data->GetBounds();
+      all.add(Vec3(b[0], b[2], b[4]));
+      all.add(Vec3(b[1], b[3], b[5]));
+    }
+  return all;
+}
+
+std::size_t ViewItems::triangles() const {
+  std::size_t count = 0;
+  for (const auto& [id, shown] : shown_)
+    if (shown.scene.faces) count += static_cast<std::size_t>(shown.scene.faces->GetNumberOfPolys());
+  return count;
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,170 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <QOpenGLWidget>
+#include <QPointer>
+#include <QTimer>
+#include <optional>
+#include <vector>
+
+#include "ui/tool.h"
+#include "ui/view/camera_control.h"
+#include "ui/view/ground_grid.h"
+#include "ui/view/smoothing.h"
+#include "ui/view/view_highlight.h"
+#include "ui/view/view_items.h"
+#include "ui/view/view_navigation.h"
+
+class vtkGenericOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+
+namespace blossom::ui {
+
+class SelectionBand;
+class ViewCube;
+
+/// The canvas: VTK draws into the frame buffer of this widget. Geometry is sent to the graphics card once; orbiting only
+/// moves the camera, and nothing is drawn while nothing changes.
+class ViewWidget : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  explicit ViewWidget(QWidget* parent = nullptr);
+  ~ViewWidget() override;
+
+  void setItems(const std::vector<ViewItem>&);
+  void setOverlay(std::vector<vtkSmartPointer<vtkProp>>);
+  /// Gets mouse and keys first until another is set; nullptr: none. Not owned. `handles` are there beside what the view does
+  /// itself: what they leave alone lights up and is selected as if they were not there.
+  void setTool(Tool* tool, bool handles = false);
+  [[nodiscard]] Tool* tool() const { return tool_; }
+  void setLook(const Look&);
+  void setGridVisible(bool);
+  void setParallel(bool);
+  [[nodiscard]] bool parallel() const { return camera_.parallel(); }
+  void setDisplayMode(DisplayMode);
+  [[nodiscard]] DisplayMode displayMode() const { return items_.displayMode(); }
+  void setNavigation(NavigationStyle);
+  [[nodiscard]] NavigationStyle navigation() const { return navigation_; }
+  /// Cuts all shapes; closed ones look filled where they are cut. What is cut away is not picked.
+  void setSection(const std::optional<CutPlane>&);
+  [[nodiscard]] const std::optional<CutPlane>& section() const { return section_; }
+
+  /// What lights up under the mouse and is selected by a click. Forgets the parts selected before.
+  void setPickMode(PickMode);
+  [[nodiscard]] PickMode pickMode() const { return pickMode_; }
+  /// Faces, edges and points that are selected; in Feature mode there are none, features are selected by who listens.
+  void setSelectedParts(const std::vector<Pick>&);
+  [[nodiscard]] const std::vector<Pick>& selectedParts() const { return selected_.picks(); }
+  /// What is under a point of the view, logical pixels.
+  [[nodiscard]] Pick pickAt(QPointF, PickMode) const;
+  /// What lies in a rectangle: wholly, or in part when `crossing`.
+  [[nodiscard]] std::vector<Pick> picksIn(const QRectF&, PickMode, bool crossing) const;
+  [[nodiscard]] const Pick& hoveredPick() const { return hovered_; }
+
+  void fit(bool animated = true);
+  void fitTo(const std::vector<Vec3>& points, bool animated = true) { camera_.frame(points, camera_.turn(), animated); }
+  void lookFrom(const QString& view, bool animated = true);  ///< a name of viewNames(); frames everything
+  void zoomBy(double factor);
+  [[nodiscard]] const CameraControl& camera() const { return camera_; }
+  [[nodiscard]] CameraControl& camera() { return camera_; }
+  [[nodiscard]] Bounds extent() const;                                  ///< of all that is shown
+  [[nodiscard]] double gridSpacing() const { return grid_.spacing(); }  ///< mm
+  [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
+  [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
+  /// All edges are smoothed; at first, and while the camera moves, that is left out where it would stutter.
+  [[nodiscard]] bool sharp() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
+  [[nodiscard]] QString problem() const { return problem_; }  ///< why nothing can be drawn; empty when all is well
+
+  /// What the mouse would do when it rests on the view.
+  static QString idleHint(NavigationStyle style = NavigationStyle::Blossom) { return navigationHint(style); }
+
+ signals:
+  void picked(const QString& feature, bool extend);  ///< a click, or a box for each feature in it; empty: the canvas itself
+  void partPicked(const blossom::ui::Pick&, Qt::KeyboardModifiers);  ///< any click, in every mode; no feature: the canvas
+  void hovered(const blossom::ui::Pick&);                            ///< changed
+  void partsSelected();                                              ///< selectedParts() changed
+  void selectionBoxed(const std::vector<blossom::ui::Pick>&, Qt::KeyboardModifiers);
+  void contextMenuWanted(const QPoint& globalPosition, const blossom::ui::Pick&);
+  void toolDismissed();  ///< Esc, which the tool did not want
+  void hint(const QString& text);
+  void whereabouts(const QString& text);  ///< cursor on the ground and grid
+  void filesDropped(const QStringList& files);
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  bool event(QEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void leaveEvent(QEvent*) override;
+
+ private:
+  enum class KeyOffer { None, Refused, Taken };
+
+  void buildRenderer();
+  void releaseGl();
+  void applyLook();
+  void keepGridLast();
+  void keepGridInSight();
+  [[nodiscard]] Look scaledLook() const;
+  [[nodiscard]] std::vector<Vec3> everything() const;
+  void placeCube();
+  void cameraMoved();
+  void redraw();  // soon and fast; smoothed when things have come to rest
+  void chooseSmoothing();
+  // What the mouse does.
+  [[nodiscard]] QString restingHint() const;
+  [[nodiscard]] PickOptions pickOptions() const;
+  [[nodiscard]] ToolEvent toolEvent(QPointF at, Qt::MouseButton, Qt::KeyboardModifiers) const;
+  void showToolProps();
+  bool offerKey(const QKeyEvent&);
+  void hoverAt(QPointF at, Qt::KeyboardModifiers);
+  void setHovered(const Pick&);
+  void startDrag(QPointF at, Qt::MouseButtons, Qt::KeyboardModifiers);
+  void drag(QPointF at);
+  void click(QPointF at, Qt::KeyboardModifiers);
+  void selectParts(const std::vector<Pick>&, Qt::KeyboardModifiers);
+  void finishBox(QPointF at, Qt::KeyboardModifiers);
+  void tellWhereabouts(QPointF);
+
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  ViewItems items_;
+  PartHighlight hoverLight_, selected_;
+  std::vector<vtkSmartPointer<vtkProp>> overlay_, toolProps_;
+  GroundGrid grid_;
+  Look look_ = Look::dark();
+  CameraControl camera_;
+  ViewCube* cube_;
+  SelectionBand* band_;
+
+  QPointer<Tool> tool_;
+  bool handles_ = false, toolHasMouse_ = false;
+  KeyOffer keyOffer_ = KeyOffer::None;
+  NavigationStyle navigation_ = NavigationStyle::Blossom;
+  PickMode pickMode_ = PickMode::Feature;
+  Pick hovered_;
+  std::optional<CutPlane> section_;
+  DragAction drag_ = DragAction::None;
+  bool pressed_ = false, moved_ = false;
+  QPointF pressedAt_, lastAt_;
+  std::optional<Vec3> pivot_;  // what the camera turns about
+
+  double scale_ = 1;  // device pixels per pixel
+  double lastFrameMs_ = 0;
+  Smoothing smoothing_;
+  bool multisampled_ = false, tooSlow_ = false;  // for it
+  QTimer settle_;
+  int framesDrawn_ = 0;
+  QString problem_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,93 @@
+// What the view shows, and from where.
+#include <vtkActor.h>
+#include <vtkPlane.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+
+#include "ui/view/view_widget.h"
+
+namespace blossom::ui {
+
+void ViewWidget::setItems(const std::vector<ViewItem>& items) {
+  const std::vector<FeatureId> changed = items_.set(items);
+  const auto isChanged = [&](const Pick& pick) {
+    return std::find(changed.begin(), changed.end(), pick.feature) != changed.end();
+  };
+  if (!hovered_.feature.empty() && isChanged(hovered_)) setHovered({});
+  // The parts of a new shape are counted anew: what was selected may be another part now.
+  std::vector<Pick> kept;
+  std::copy_if(selected_.picks().begin(), selected_.picks().end(), std::back_inserter(kept),
+               [&](const Pick& pick) { return !isChanged(pick); });
+  if (kept.size() != selected_.picks().size()) setSelectedParts(kept);
+  keepGridLast();
+  redraw();
+}
+
+// It is blended over what is drawn before it.
+void ViewWidget::keepGridLast() {
+  renderer_->RemoveActor(grid_.actor());
+  renderer_->AddActor(grid_.actor());
+}
+
+void ViewWidget::setOverlay(std::vector<vtkSmartPointer<vtkProp>> overlay) {
+  for (const auto& prop : overlay_) renderer_->RemoveViewProp(prop);
+  overlay_ = std::move(overlay);
+  for (const auto& prop : overlay_) renderer_->AddViewProp(prop);
+  redraw();
+}
+
+void ViewWidget::setLook(const Look& look) {
+  look_ = look;
+  setUpRenderer(renderer_, look_);
+  applyLook();
+}
+
+void ViewWidget::applyLook() {
+  const Look look = scaledLook();
+  items_.setLook(look);
+  hoverLight_.setLook(look, mixed(look.control, look.surface, 0.35), 0.55);
+  selected_.setLook(look, look.control, 0.9);
+  redraw();
+}
+
+void ViewWidget::setGridVisible(bool visible) {
+  grid_.actor()->SetVisibility(visible);
+  redraw();
+}
+
+void ViewWidget::setParallel(bool parallel) { camera_.setParallel(parallel); }
+
+void ViewWidget::setDisplayMode(DisplayMode mode) {
+  items_.setDisplayMode(mode);
+  redraw();
+}
+
+void ViewWidget::setSection(const std::optional<CutPlane>& section) {
+  section_ = section;
+  items_.setSection(section);
+  hoverLight_.setSection(items_.clip());
+  selected_.setSection(items_.clip());
+  redraw();
+}
+
+std::vector<Vec3> ViewWidget::everything() const { return visiblePoints(renderer_); }
+
+Bounds ViewWidget::extent() const { return items_.extent(); }
+
+void ViewWidget::fit(bool animated) { camera_.frame(everything(), camera_.turn(), animated); }
+
+void ViewWidget::lookFrom(const QString& view, bool animated) {
+  const std::vector<Vec3> points = everything();
+  if (view != QLatin1String("auto")) {
+    camera_.frame(points, turnOf(view.toStdString()), animated);
+    return;
+  }
+  const bool flat = items_.planar();
+  camera_.setParallel(flat);
+  camera_.frame(points, turnOf(flat ? "top" : "iso"), animated);
+}
+
+void ViewWidget::zoomBy(double factor) { camera_.zoom(QPointF(width(), height()) / 2, factor); }
+
+}  // namespace blossom::ui

@@ -1,0 +1,134 @@
+#include "ui/window/feature_tool_bar.h"
+
+#include <QEvent>
+#include <QFrame>
+#include <QMenu>
+#include <QToolButton>
+#include <algorithm>
+#include <numeric>
+
+#include "ui/look/icons.h"
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr int lineSpace = 19, gap = 1;
+
+QToolButton* toolButton(QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  button->setIconSize({20, 20});
+  button->setAutoRaise(true);
+  return button;
+}
+
+int widthOf(const QWidget* button) { return button->sizeHint().width() + gap; }
+
+}  // namespace
+
+FeatureToolBar::FeatureToolBar(const FeatureMenus& menus, QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  for (const FeatureGroup& source : menus.groups()) {
+    Group group;
+    for (QAction* action : source.actions) {
+      group.buttons.push_back(toolButton(this));
+      group.buttons.back()->setDefaultAction(action);
+    }
+    group.rest = toolButton(this);
+    group.rest->setObjectName(QStringLiteral("featureGroup"));
+    group.rest->setIcon(icon(source.icon));
+    group.rest->setText(source.title + QStringLiteral(" ▾"));
+    group.rest->setToolTip(tr("Everything of %1").arg(source.title));
+    group.rest->setAccessibleName(source.title);
+    group.rest->setPopupMode(QToolButton::InstantPopup);
+    group.rest->setMenu(source.menu);
+    group.rest->installEventFilter(this);
+    group.line = new QFrame(this);
+    group.line->setObjectName(QStringLiteral("groupLine"));
+    groups_.push_back(std::move(group));
+  }
+}
+
+// With `shown` of its buttons, and the menu when that is not all.
+int FeatureToolBar::widthOf(const Group& group, std::size_t shown) const {
+  int width = shown < group.buttons.size() ? ui::widthOf(group.rest) : 0;
+  for (std::size_t i = 0; i < shown; ++i) width += ui::widthOf(group.buttons[i]);
+  return width;
+}
+
+QSize FeatureToolBar::sizeHint() const {
+  int width = 0, height = 0;
+  for (const Group& group : groups_) {
+    width += lineSpace + widthOf(group, group.buttons.size());
+    for (const QToolButton* button : group.buttons) height = std::max(height, button->sizeHint().height());
+  }
+  return {width, height};
+}
+
+// No narrower than one button a group.
+QSize FeatureToolBar::minimumSizeHint() const {
+  int width = 0;
+  for (const Group& group : groups_) width += lineSpace + std::min(widthOf(group, 0), widthOf(group, group.buttons.size()));
+  return {width, sizeHint().height()};
+}
+
+// One button more for each group in turn, as long as there is room.
+void FeatureToolBar::share(int width) {
+  for (Group& group : groups_) group.shown = group.buttons.size() == 1 ? 1 : 0;
+  const auto total = [this] {
+    return std::accumulate(groups_.begin(), groups_.end(), 0,
+                           [this](int sum, const Group& group) { return sum + lineSpace + widthOf(group, group.shown); });
+  };
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (Group& group : groups_) {
+      const std::size_t before = group.shown;
+      // The last one takes the place of the menu; where both are equally wide it comes for free.
+      for (std::size_t more = 1; more <= 2 && group.shown == before && before + more <= group.buttons.size(); ++more) {
+        group.shown = before + more;
+        if (total() > width) group.shown = before;
+      }
+      grown = grown || group.shown != before;
+    }
+  }
+}
+
+void FeatureToolBar::arrange() {
+  share(width());
+  int x = 0;
+  for (Group& group : groups_) {
+    group.line->setGeometry(x + lineSpace / 2, 8, 1, height() - 16);
+    x += lineSpace;
+    const auto place = [&](QToolButton* button, bool visible) {
+      button->setVisible(visible);
+      if (!visible) return;
+      const QSize size = button->sizeHint();
+      button->setGeometry(x, (height() - size.height()) / 2, size.width(), size.height());
+      x += size.width() + gap;
+    };
+    for (std::size_t i = 0; i < group.buttons.size(); ++i) place(group.buttons[i], i < group.shown);
+    place(group.rest, group.shown < group.buttons.size());
+  }
+}
+
+void FeatureToolBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+bool FeatureToolBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Enter) emit hint(static_cast<QWidget*>(watched)->toolTip());
+  return QWidget::eventFilter(watched, event);
+}
+
+// Fonts and paddings come with the style sheet, after the buttons were made.
+bool FeatureToolBar::event(QEvent* event) {
+  const bool restyled =
+      event->type() == QEvent::LayoutRequest || event->type() == QEvent::StyleChange || event->type() == QEvent::Polish;
+  const bool handled = QWidget::event(event);
+  if (restyled) arrange();
+  return handled;
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,168 @@
+// Menus, tool bar and shortcuts of the main window.
+#include <QActionGroup>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QSettings>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/files/start_page.h"
+#include "ui/help/help_menu.h"
+#include "ui/help/tour_steps.h"
+#include "ui/jobs/log_and_jobs.h"
+#include "ui/look/icons.h"
+#include "ui/look/text.h"
+#include "ui/look/theme.h"
+#include "ui/palette/command_palette.h"
+#include "ui/panel/error_bar.h"
+#include "ui/settings/preferences.h"
+#include "ui/settings/preferences_commands.h"
+#include "ui/tree/document_commands.h"
+#include "ui/tree/document_tree.h"
+#include "ui/tree/find_field.h"
+#include "ui/view/view_commands.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/feature_menus.h"
+#include "ui/window/feature_tool_bar.h"
+#include "ui/window/main_window.h"
+#include "ui/window/status_line.h"
+
+namespace blossom::ui {
+
+QAction* MainWindow::add(QMenu* menu, const CommandSpec& spec, std::function<void()> go) {
+  QAction* made = commands_.add(spec, std::move(go));
+  menu->addAction(made);
+  return made;
+}
+
+void MainWindow::buildActions() {
+  buildFileMenu();
+  buildEditMenu();
+  buildViewMenu();
+  featureMenus_->addTo(menuBar());
+  buildHelpMenu();
+  buildToolBar();
+}
+
+void MainWindow::buildEditMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  documentCommands_ = new DocumentCommands(commands_, *featureMenus_, this);
+  documentCommands_->addTo(menu);
+  add(menu,
+      {"edit.find-command",
+       tr("Edit"),
+       "search",
+       tr("Find a co&mmand…"),
+       tr("Find a command, a sample, a feature or a page of the manual by a few letters."),
+       {tr("Ctrl+K")}},
+      [this] { palette_->open(); });
+  menu->addSeparator();
+  new PreferencesCommands(commands_, *menu, this);
+}
+
+void MainWindow::buildViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  const QString group = tr("View");
+  add(menu, {"view.fit", group, "fit", tr("&Fit"), tr("Show everything."), {tr("F")}}, [this] { view().fit(); });
+  menu->addAction(commands_.action(QStringLiteral("view.fit-selection")));
+  add(menu, {"view.home", group, "home", tr("&Home"), tr("Look at everything as when it was opened."), {tr("0")}},
+      [this] { view().lookFrom(QStringLiteral("auto")); });
+  add(menu, {"view.zoom-in", group, {}, tr("Zoom &in"), tr("Come nearer."), {QKeySequence::ZoomIn}},
+      [this] { view().zoomBy(0.8); });
+  add(menu, {"view.zoom-out", group, {}, tr("Zoom &out"), tr("Step back."), {QKeySequence::ZoomOut}},
+      [this] { view().zoomBy(1.25); });
+  menu->addSeparator();
+  const std::pair<const char*, QString> sides[] = {{"front", tr("Front")},  {"back", tr("Back")}, {"left", tr("Left")},
+                                                   {"right", tr("Right")},  {"top", tr("Top")},   {"bottom", tr("Bottom")},
+                                                   {"iso", tr("Isometric")}};
+  int key = 1;
+  for (const auto& [side, title] : sides) {
+    const QString name = QLatin1String(side);
+    add(menu, {"view." + name, group, {}, title, tr("Look from: %1.").arg(title), {QKeySequence(QString::number(key++))}},
+        [this, name] { view().lookFrom(name); });
+  }
+  menu->addSeparator();
+  add(menu,
+      {"view.parallel",
+       group,
+       {},
+       tr("&Parallel projection"),
+       tr("Without perspective: equal lengths look equal."),
+       {tr("P")},
+       true},
+      [this] { view().setParallel(commands_.action("view.parallel")->isChecked()); });
+  add(menu, {"view.grid", group, "grid", tr("&Grid"), tr("Show the ground grid."), {tr("G")}, true},
+      [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });
+  commands_.action("view.grid")->setChecked(true);
+  menu->addSeparator();
+  viewCommands_ = new ViewCommands(
+      commands_, [this]() -> DocumentPage& { return page(); }, this);
+  viewCommands_->addTo(*menu, *menuBar()->addMenu(tr("&Select")));
+  menu->addSeparator();
+  logAndJobs_ = new LogAndJobs(*this, commands_);
+  logAndJobs_->addTo(*menu);
+  menu->addSeparator();
+  QMenu* themes = menu->addMenu(icon(QStringLiteral("sun")), tr("&Theme"));
+  auto* choices = new QActionGroup(this);
+  for (const auto& [text, choice] : {std::pair{tr("As the &desktop"), ThemeChoice::System},
+                                     {tr("&Dark"), ThemeChoice::Dark},
+                                     {tr("&Light"), ThemeChoice::Light}}) {
+    QAction* entry = themes->addAction(text, this, [wanted = choice] {
+      Preferences::instance().set("theme", wanted == ThemeChoice::Dark    ? "dark"
+                                           : wanted == ThemeChoice::Light ? "light"
+                                                                          : "system");
+    });
+    entry->setCheckable(true);
+    entry->setChecked(ThemeManager::instance().choice() == choice);
+    choices->addAction(entry);
+  }
+}
+
+void MainWindow::buildHelpMenu() {
+  auto* help = new HelpMenu(app_, commands_, this);
+  help->addTo(
+      *menuBar()->addMenu(tr("&Help")),
+      [this]() -> std::string {
+        const FeatureId current = tree().current();
+        return current.empty() ? current : page().document().at(current).type;
+      },
+      [this] { return windowTour(*this); });
+}
+
+void MainWindow::buildToolBar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  bar->setIconSize({20, 20});
+  const auto show = [&](const std::vector<const char*>& ids) {
+    for (const char* id : ids) bar->addAction(commands_.action(QLatin1String(id)));
+    bar->addSeparator();
+  };
+  show({"file.open", "file.import", "file.save", "file.export"});
+  show({"edit.undo", "edit.redo"});
+  for (const char* id : {"view.fit", "view.home", "view.grid"}) bar->addAction(commands_.action(QLatin1String(id)));
+  auto* features = new FeatureToolBar(*featureMenus_);
+  connect(features, &FeatureToolBar::hint, status_, &StatusLine::setHint);
+  bar->addWidget(features);
+  bar->addWidget(new FindField(commands_.action(QStringLiteral("edit.find-command"))));
+  setContextMenuPolicy(Qt::PreventContextMenu);
+}
+
+void MainWindow::refreshActions() {
+  const Session& shown = session();
+  setWindowTitle(QStringLiteral("%1[*] – Blossom").arg(shown.title()));
+  setWindowModified(shown.modified());
+  documentCommands_->refresh();
+  const bool something = !shown.document().features().empty(), unsaved = shown.modified() || shown.file().empty();
+  const QString empty = tr("The document is empty.");
+  commands_.setEnabled(QStringLiteral("file.export"), something, empty);
+  commands_.setEnabled(QStringLiteral("file.save-as"), something, empty);
+  commands_.setEnabled(QStringLiteral("file.save"), something && unsaved,
+                       something ? tr("Nothing has changed since it was saved.") : empty);
+  commands_.action(QStringLiteral("view.parallel"))->setChecked(view().parallel());
+  viewCommands_->refresh();
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,88 @@
+// Exporting results of the main window's document.
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "geometry/together.h"
+#include "ui/files/export_dialog.h"
+#include "ui/files/file_places.h"
+#include "ui/look/text.h"
+#include "ui/tree/document_tree.h"
+#include "ui/window/main_window.h"
+
+namespace blossom::ui {
+
+namespace {
+
+/// Of the features that have a result.
+ExportScope scopeOf(const Session& session, const std::vector<FeatureId>& ids) {
+  ExportScope scope;
+  std::vector<ShapeKind> kinds;
+  for (const FeatureId& id : ids) {
+    const auto view = session.view(id);
+    if (!view || view->result->evaluated.shape.empty()) continue;
+    scope.features.push_back(id);
+    kinds.push_back(view->result->evaluated.shape.kind());
+  }
+  scope.kind = kinds.empty() ? ShapeKind::None : kindTogether(kinds);
+  return scope;
+}
+
+std::vector<FeatureId> visibleOnes(const Document& document) {
+  std::vector<FeatureId> ids;
+  for (const auto& feature : document.features())
+    if (feature->visible && !feature->suppressed) ids.push_back(feature->id);
+  return ids;
+}
+
+}  // namespace
+
+// What is selected, or the last result; then all that is visible.
+std::vector<ExportScope> MainWindow::exportScopes() {
+  const Document& document = session().document();
+  std::vector<FeatureId> selected = tree().selected();
+  if (selected.empty() && !document.features().empty()) selected = {document.features().back()->id};
+  std::vector<ExportScope> scopes{scopeOf(session(), selected)};
+  ExportScope& first = scopes.front();
+  if (first.features.size() == 1)
+    first.title = qt(document.at(first.features.front()).name);
+  else
+    first.title = tr("The %1 selected results as one file").arg(first.features.size());
+  if (first.features.empty()) scopes.clear();
+  ExportScope visible = scopeOf(session(), visibleOnes(document));
+  visible.title = tr("All %1 visible results as one file").arg(visible.features.size());
+  if (visible.features.size() > 1 && (scopes.empty() || visible.features != scopes.front().features))
+    scopes.push_back(std::move(visible));
+  return scopes;
+}
+
+void MainWindow::chooseAndExport() {
+  std::vector<ExportScope> scopes = exportScopes();
+  const auto writable = [&](const ExportScope& each) { return !formatsFor(*app_.formats, each.kind).empty(); };
+  if (scopes.empty())
+    return page().showError(Error(ErrorCode::InvalidInput, "There is no result to export yet.",
+                                  "Select a feature that has been computed without an error."));
+  if (std::none_of(scopes.begin(), scopes.end(), writable))
+    return page().showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."));
+  auto* dialog = new ExportDialog(*app_.formats, std::move(scopes), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    dialog->remember();
+    const Document& document = session().document();
+    const auto& ids = dialog->scope().features;
+    const QString extension = qt(dialog->format().extensions.front());
+    const QString name = ids.size() == 1 && document.contains(ids.front())
+                             ? qt(document.at(ids.front()).name).toLower().replace(u' ', u'-').remove(u'/')
+                             : session().suggestedName();
+    QString file = QFileDialog::getSaveFileName(
+        this, tr("Export"), lastFolder() + u'/' + (name.isEmpty() ? tr("untitled") : name) + u'.' + extension,
+        QStringLiteral("%1 (*.%2)").arg(qt(dialog->format().title).replace(u'(', u'[').replace(u')', u']'), extension));
+    if (file.isEmpty()) return;
+    const bool right = app_.formats->find(QFileInfo(file).suffix().toStdString()) == &dialog->format();
+    if (!right && !completed(file, u'.' + extension)) return;
+    rememberFolder(file);
+    session().exportFeatures(ids, file.toStdString(), dialog->options());
+  });
+  dialog->open();
+}
+
+}  // namespace blossom::ui

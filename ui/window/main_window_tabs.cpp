@@ -1,0 +1,67 @@
+// The tabs of the main window, and the start page over an empty one.
+#include <QStackedWidget>
+
+#include "ui/files/document_tabs.h"
+#include "ui/files/start_page.h"
+#include "ui/look/text.h"
+#include "ui/view/view_widget.h"
+#include "ui/window/main_window.h"
+
+namespace blossom::ui {
+
+void MainWindow::connectTabs() {
+  connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
+    if (index >= 0 && static_cast<std::size_t>(index) < pages_.size()) showPage(static_cast<std::size_t>(index));
+  });
+  connect(tabs_, &QTabBar::tabCloseRequested, this, [this](int index) { closePage(static_cast<std::size_t>(index)); });
+  connect(tabs_, &DocumentTabs::closeOthersWanted, this,
+          [this](int index) { closeOthers(static_cast<std::size_t>(index)); });
+  connect(tabs_, &DocumentTabs::saveWanted, this, [this](int index) {
+    if (static_cast<std::size_t>(index) < pages_.size()) save(*pages_[static_cast<std::size_t>(index)]);
+  });
+  connect(start_, &StartPage::newWanted, this, &MainWindow::newDocument);
+  connect(start_, &StartPage::openWanted, this, &MainWindow::chooseAndOpen);
+  connect(start_, &StartPage::importWanted, this, &MainWindow::chooseAndImport);
+  connect(start_, &StartPage::fileChosen, this, [this](const QString& file) { openFile(file); });
+}
+
+// A single document needs no tabs.
+void MainWindow::refreshTabs() {
+  const QSignalBlocker quiet(tabs_);
+  while (tabs_->count() > static_cast<int>(pages_.size())) tabs_->removeTab(tabs_->count() - 1);
+  while (tabs_->count() < static_cast<int>(pages_.size())) tabs_->addTab({});
+  for (std::size_t i = 0; i < pages_.size(); ++i) {
+    const Session& shown = pages_[i]->session();
+    const int tab = static_cast<int>(i);
+    const QString file = qt(shown.file().string());
+    tabs_->setTabText(tab, shown.modified() ? shown.title() + QStringLiteral(" •") : shown.title());
+    tabs_->setTabToolTip(tab, file.isEmpty() ? tr("Not saved yet") : file);
+    tabs_->setTabData(tab, file);
+  }
+  tabs_->setCurrentIndex(static_cast<int>(current_));
+  tabs_->setVisible(pages_.size() > 1 || !page().untouched());
+}
+
+void MainWindow::refreshStart() {
+  const bool wanted = startFor_ == &page() && page().untouched();
+  if (wanted) {
+    start_->cover(&view());
+    start_->raise();
+  }
+  start_->setVisible(wanted);
+}
+
+void MainWindow::showStartPage() {
+  if (!page().untouched()) addPage();
+  startFor_ = &page();
+  refreshStart();
+}
+
+void MainWindow::newDocument() {
+  if (startFor_ != &page() || !page().untouched()) addPage();
+  startFor_ = nullptr;
+  refreshStart();
+  view().setFocus();
+}
+
+}  // namespace blossom::ui

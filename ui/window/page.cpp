@@ -1,0 +1,249 @@
+#include "ui/window/page.h"
+
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/look/text.h"
+#include "ui/look/theme.h"
+#include "ui/panel/error_bar.h"
+#include "ui/panel/property_panel.h"
+#include "ui/settings/preferences.h"
+#include "ui/tree/document_tree.h"
+#include "ui/tree/document_tree_panel.h"
+#include "ui/view/view_widget.h"
+
+namespace blossom::ui {
+
+namespace {
+
+const QString evaluationKey = QStringLiteral("a");
+const QString jobKey = QStringLiteral("b");
+
+bool holds(const std::vector<FeatureId>& ids, const FeatureId& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+}  // namespace
+
+DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QObject* parent)
+    : QObject(parent),
+      manipulators_(manipulators),
+      session_(std::move(app)),
+      look_(theme().look()),
+      tree_(new DocumentTree(session_)),
+      treePanel_(new DocumentTreePanel(tree_)),
+      properties_(new PropertyPanel(session_)),
+      view_(new ViewWidget),
+      errors_(new ErrorBar) {
+  buildWidgets();
+  connectSession();
+  connectWidgets();
+  view_->setLook(look_);
+}
+
+// The widgets look at the session: they go first.
+DocumentPage::~DocumentPage() {
+  view_->setTool(nullptr);
+  tool_.reset();
+  handles_.reset();
+  delete side_;
+  delete canvas_;
+}
+
+void DocumentPage::buildWidgets() {
+  auto* side = new QSplitter(Qt::Vertical);
+  side->setObjectName(QStringLiteral("sidePanel"));
+  side->addWidget(treePanel_);
+  side->addWidget(properties_);
+  side->setSizes({320, 380});
+  side->setStretchFactor(0, 1);
+  side->setStretchFactor(1, 1);
+  side->setHandleWidth(1);
+  side->setChildrenCollapsible(false);
+  side->setMinimumWidth(230);
+  side_ = side;
+
+  canvas_ = new QWidget;
+  auto* column = new QVBoxLayout(canvas_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(errors_);
+  column->addWidget(view_, 1);
+}
+
+bool DocumentPage::untouched() const {
+  return session_.document().features().empty() && session_.file().empty() && !session_.modified() &&
+         !session_.job().running() && !tool_;
+}
+
+void DocumentPage::connectSession() {
+  connect(&session_, &Session::documentChanged, this, [this] {
+    refreshView();
+    measurements_.documentChanged();
+    if (Tool* const active = tool()) active->documentChanged();
+    refreshHandles();
+    emit stateChanged();
+  });
+  connect(&session_, &Session::opened, this, [this] {
+    endTool();
+    fitPending_ = true;
+    errors_->hide();
+    view_->setItems({});
+    measurements_.clear();
+    view_->setSection(std::nullopt);
+    view_->setOverlay({});
+    emit opened();
+  });
+  connect(&session_, &Session::fileChanged, this, &DocumentPage::stateChanged);
+  connect(&session_, &Session::viewChanged, this, [this](const QString& id) {
+    refreshView();
+    measurements_.documentChanged();
+    if (id.toStdString() == tree_->current()) refreshOverlay();
+    if (Tool* const active = tool()) active->documentChanged();
+    refreshHandles();
+  });
+  connect(&session_, &Session::evaluationStarted, this, [this] { emit workChanged(evaluationKey, tr("Computing"), 0); });
+  connect(&session_, &Session::evaluationProgressed, this, [this](double fraction, const QString& stage) {
+    emit workChanged(evaluationKey, stage.isEmpty() ? tr("Computing") : stage, fraction);
+  });
+  connect(&session_, &Session::evaluationFinished, this, [this] {
+    emit workEnded(evaluationKey);
+    if (fitPending_ && tree_->selected().empty()) tree_->selectLast();
+    refreshView();
+    refreshOverlay();
+    fitWhenFirstShown();
+  });
+  connect(&session_, &Session::featureAdded, this, [this](const QString& id) { tree_->select(id.toStdString()); });
+  connect(&session_, &Session::failed, this, &DocumentPage::showError);
+  connect(&session_, &Session::warned, this, [this](const QStringList& sentences) {
+    errors_->showNote(tr("Not everything could be read."), sentences.join(u'\n'));
+  });
+  connect(&session_, &Session::noted, this, &DocumentPage::announced);
+  const Job& job = session_.job();
+  connect(&job, &Job::started, this, [this](const QString& title) { emit workChanged(jobKey, title, 0); });
+  connect(&job, &Job::progressed, this, [this](double fraction, const QString& stage) {
+    emit workChanged(jobKey, stage.isEmpty() ? tr("Working") : stage, fraction);
+  });
+  connect(&job, &Job::finished, this, [this] {
+    emit workEnded(jobKey);
+    QMetaObject::invokeMethod(this, &DocumentPage::stateChanged, Qt::QueuedConnection);  // when what was read is shown
+  });
+}
+
+void DocumentPage::connectWidgets() {
+  connect(&measurements_, &Measurements::changed, this, &DocumentPage::refreshOverlay);
+  connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
+    properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current());
+    refreshView();
+    refreshOverlay();
+    refreshHandles();
+    emit selectionChanged();
+  });
+  connect(view_, &ViewWidget::picked, this,
+          [this](const QString& id, bool extend) { tree_->select(id.toStdString(), extend); });
+  connect(view_, &ViewWidget::contextMenuWanted, this, [this](const QPoint& global, const Pick& pick) {
+    if (!holds(tree_->selected(), pick.feature)) tree_->select(pick.feature);
+    emit contextMenuWanted(global);
+  });
+  connect(view_, &ViewWidget::hint, this, &DocumentPage::hint);
+  connect(view_, &ViewWidget::whereabouts, this, &DocumentPage::whereabouts);
+  connect(tree_, &DocumentTree::hint, this, &DocumentPage::hint);
+  connect(tree_, &DocumentTree::contextMenuWanted, this, &DocumentPage::contextMenuWanted);
+  connect(tree_, &DocumentTree::refused, this, [this](const Error& error, const std::vector<Offer>& offers) {
+    showError(error);
+    for (const Offer& offer : offers) errors_->offer(offer.label, offer.go);
+  });
+  connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
+  connect(properties_, &PropertyPanel::manualWanted, this, &DocumentPage::manualWanted);
+  connectPicking();
+  const auto follow = [this] {
+    view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
+  };
+  follow();
+  connect(&Preferences::instance(), &Preferences::changed, this, follow);
+  connect(&ThemeManager::instance(), &ThemeManager::changed, this, [this] {
+    look_ = theme().look();
+    view_->setLook(look_);
+    refreshOverlay();
+    tree_->viewport()->update();
+  });
+}
+
+void DocumentPage::refreshView() {
+  const std::vector<FeatureId> selected = tree_->selected();
+  std::vector<FeatureId> controls;
+  for (const FeatureId& id : selected)
+    if (document().contains(id)) {
+      const auto& inputs = document().at(id).inputs;
+      controls.insert(controls.end(), inputs.begin(), inputs.end());
+    }
+  std::vector<ViewItem> items;
+  for (const auto& feature : document().features()) {
+    const auto view = session_.view(feature->id);
+    if (!feature->visible || feature->suppressed || !view || view->scene.empty()) continue;
+    const ItemRole role = holds(selected, feature->id)   ? ItemRole::Made
+                          : holds(controls, feature->id) ? ItemRole::Control
+                                                         : ItemRole::Plain;
+    items.push_back({feature->id, view->scene, role});
+  }
+  view_->setItems(items);
+}
+
+void DocumentPage::refreshOverlay() {
+  std::vector<vtkSmartPointer<vtkProp>> props = overlayOfSelected();
+  const auto measured = measurements_.props();
+  props.insert(props.end(), measured.begin(), measured.end());
+  view_->setOverlay(std::move(props));
+}
+
+std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayOfSelected() {
+  const FeatureId id = tree_->selected().size() == 1 ? tree_->selected().front() : FeatureId();
+  const auto view = session_.view(id);
+  if (id.empty() || !document().contains(id) || !view || view->result->error) return {};
+  const Feature& feature = document().at(id);
+  const Overlay* overlay = feature.visible ? manipulators_.overlay(feature.type) : nullptr;
+  std::vector<Shape> inputs;
+  for (const FeatureId& input : feature.inputs) {
+    const auto shown = session_.view(input);
+    if (!shown) return {};
+    inputs.push_back(shown->result->evaluated.shape);
+  }
+  if (!overlay) return {};
+  try {
+    return (*overlay)({feature, inputs, view->result->evaluated.shape, look_});
+  } catch (const std::exception& problem) {
+    errors_->showError(tr("The handles of %1 cannot be shown.").arg(qt(feature.name)), qt(problem.what()));
+    return {};
+  }
+}
+
+void DocumentPage::fitWhenFirstShown() {
+  if (!fitPending_ || document().features().empty()) return;
+  fitPending_ = false;
+  view_->lookFrom(QStringLiteral("auto"), false);
+  if (Preferences::instance().get<std::string>("projection") == "parallel") view_->setParallel(true);
+  emit stateChanged();
+}
+
+void DocumentPage::showError(const Error& error, const QString& file) {
+  errors_->showError(qt(error.message()), qt(error.hint()));
+  const bool damagedDocument = error.code() == ErrorCode::FormatDamaged && !file.isEmpty() && isDocument(file.toStdString());
+  if (damagedDocument) errors_->offer(tr("Open what is readable"), [this, file] { emit salvageWanted(file); });
+}
+
+std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) const {
+  const auto view = session_.view(id);
+  return view ? view->result : nullptr;
+}
+
+double DocumentPage::gridSpacing() const { return view_->gridSpacing(); }
+double DocumentPage::pixelRatio() const { return view_->devicePixelRatioF(); }
+Bounds DocumentPage::extent() const { return view_->extent(); }
+std::optional<CutPlane> DocumentPage::section() const { return view_->section(); }
+void DocumentPage::setSection(const std::optional<CutPlane>& plane) { view_->setSection(plane); }
+std::vector<FeatureId> DocumentPage::selection() const { return tree_->selected(); }
+void DocumentPage::select(const FeatureId& id) { tree_->select(id); }
+
+}  // namespace blossom::ui

@@ -1,0 +1,115 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+#include <memory>
+
+#include "ui/manipulator.h"
+#include "ui/tool.h"
+#include "ui/tools/measurements.h"
+#include "ui/window/session.h"
+
+class QWidget;
+
+namespace blossom::ui {
+
+class DocumentTree;
+class DocumentTreePanel;
+class ErrorBar;
+class PropertyPanel;
+class ViewWidget;
+
+/// One open document in the window: its session, its side (tree and properties) and its canvas (what went wrong, and the
+/// view). Also what a tool sees of the workbench.
+class DocumentPage : public QObject, public ToolHost {
+  Q_OBJECT
+ public:
+  DocumentPage(App app, const ManipulatorRegistry& manipulators, QObject* parent = nullptr);
+  ~DocumentPage() override;
+
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] const Session& session() const { return session_; }
+  [[nodiscard]] ViewWidget& view() { return *view_; }
+  [[nodiscard]] DocumentTree& tree() { return *tree_; }
+  [[nodiscard]] DocumentTreePanel& treePanel() { return *treePanel_; }
+  [[nodiscard]] PropertyPanel& properties() { return *properties_; }
+  [[nodiscard]] ErrorBar& errors() { return *errors_; }
+  [[nodiscard]] QWidget* side() { return side_; }      ///< owned by the page until a window takes it in
+  [[nodiscard]] QWidget* canvas() { return canvas_; }  ///< likewise
+  /// Nothing in it, never saved, nothing under way: may be used for what is opened next.
+  [[nodiscard]] bool untouched() const;
+
+  /// The tool gets mouse and keys until it has finished; the one before is reverted.
+  void start(std::unique_ptr<Tool>);
+  /// Draws a new feature of a type, or edits one; false when the type has no tool of its own.
+  bool startDrawing(const std::string& featureType, const FeatureId& edited = {});
+  [[nodiscard]] Tool* tool() const { return tool_ ? tool_.get() : handles_.get(); }
+  [[nodiscard]] bool toolStarted() const { return tool_ != nullptr; }  ///< by the user; handles do not count
+  void endTool();
+  void startMeasuring();
+  void startSection();
+  /// They stay in the view until they are deleted.
+  [[nodiscard]] Measurements& measurements() { return measurements_; }
+
+  void showError(const Error&, const QString& file = {});
+
+  // ToolHost
+  [[nodiscard]] const Document& document() const override { return session_.document(); }
+  [[nodiscard]] std::shared_ptr<const FeatureResult> result(const FeatureId&) const override;
+  [[nodiscard]] const Registry& registry() const override { return *session_.app().registry; }
+  [[nodiscard]] const Look& look() const override { return look_; }
+  [[nodiscard]] double gridSpacing() const override;
+  [[nodiscard]] std::vector<FeatureId> selection() const override;
+  void select(const FeatureId&) override;
+  [[nodiscard]] std::optional<CutPlane> section() const override;
+  void setSection(const std::optional<CutPlane>&) override;
+  [[nodiscard]] Bounds extent() const override;
+  [[nodiscard]] double pixelRatio() const override;
+  void preview(Document document) override { session_.preview(std::move(document)); }
+  void endPreview() override { session_.endPreview(); }
+  void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }
+
+ signals:
+  void hint(const QString&);
+  void whereabouts(const QString&);
+  void announced(const QString&);
+  void selectionChanged();
+  void stateChanged();  ///< document, file name, modified mark, work under way: whatever menus and tabs show
+  void opened();        ///< a document of another file is shown
+  void workChanged(const QString& key, const QString& what, double fraction);
+  void workEnded(const QString& key);
+  void salvageWanted(const QString& file);
+  void manualWanted(const QString& page);
+  void toolChanged();
+  void contextMenuWanted(const QPoint& global);  ///< about what is selected
+
+ private:
+  void buildWidgets();
+  void connectSession();
+  void connectWidgets();
+  void refreshView();
+  void refreshOverlay();
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();
+  void fitWhenFirstShown();
+  // page_tools.cpp
+  void refreshHandles();
+  void giveViewItsTool();
+  void follow(Tool&);
+  void connectPicking();
+
+  const ManipulatorRegistry& manipulators_;
+  Session session_;
+  Look look_;
+  Measurements measurements_{*this};
+  DocumentTree* tree_;
+  DocumentTreePanel* treePanel_;
+  PropertyPanel* properties_;
+  ViewWidget* view_;
+  ErrorBar* errors_;
+  QPointer<QWidget> side_, canvas_;
+  std::unique_ptr<Tool> tool_;     // started by the user
+  std::unique_ptr<Tool> handles_;  // of the selected feature, while no tool is active
+  FeatureId handled_;
+  bool fitPending_ = true;
+};
+
+}  // namespace blossom::ui

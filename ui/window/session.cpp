@@ -1,0 +1,144 @@
+#include "ui/window/session.h"
+
+#include <QFileInfo>
+
+#include "ui/look/text.h"
+
+namespace blossom::ui {
+
+Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app)), evaluator_(app_.registry) {
+  connect(&autosave_, &QTimer::timeout, this, [this] {
+    if (journal_) journal_->snapshot();
+  });
+}
+
+Session::~Session() {
+  nothingToKeep();  // whoever closes a document has saved it or does not want it
+  displayToken_.cancel();
+  evaluator_.cancelBackground();
+  evaluator_.waitForBackground();
+}
+
+std::shared_ptr<const FeatureView> Session::view(const FeatureId& id) const {
+  const auto it = views_.find(id);
+  return it == views_.end() ? nullptr : it->second;
+}
+
+QString Session::suggestedName() const { return file_.empty() ? name_ : qt(file_.stem().string()); }
+
+QString Session::title() const {
+  return file_.empty() ? (name_.isEmpty() ? tr("Untitled") : name_) : qt(file_.filename().string());
+}
+
+void Session::commit(Document document, const QString& what) {
+  history_.commit(std::move(document), what.toStdString());
+  keep(what);
+  changed();
+}
+
+void Session::preview(Document document) {
+  history_.preview(std::move(document));
+  changed();
+}
+
+void Session::endPreview() {
+  history_.revert();
+  changed();
+}
+
+void Session::undo() {
+  const QString what = tr("Undo: %1").arg(qt(history_.undoText()));
+  if (!history_.undo()) return;
+  keep(what);
+  changed();
+}
+
+void Session::redo() {
+  if (!history_.redo()) return;
+  keep(qt(history_.undoText()));
+  changed();
+}
+
+void Session::changed() {
+  ++edits_;
+  dropOldViews();
+  emit documentChanged();
+  emit fileChanged();
+  evaluate();
+}
+
+void Session::dropOldViews() {
+  std::erase_if(views_, [&](const auto& entry) { return !document().contains(entry.first); });
+}
+
+// Results, drawings and measures are made on the evaluator's thread and arrive here one by one.
+void Session::evaluate() {
+  displayToken_.cancel();
+  displayToken_ = CancelToken();
+  const std::uint64_t generation = ++generation_;
+  evaluating_ = true;
+  watched_.emplace();
+  emit evaluationStarted();
+  const auto here = [this, generation](auto function) {
+    here_.post([this, generation, function] {
+      if (generation == generation_) function();
+    });
+  };
+  evaluator_.evaluateInBackground(
+      document(),
+      [this, here](double fraction, const std::string& stage) {
+        here([this, fraction, text = qt(stage)] { emit evaluationProgressed(fraction, text); });
+      },
+      [this, here, cache = cache_, token = displayToken_](const FeatureId& id,
+                                                          const std::shared_ptr<const FeatureResult>& result) {
+        if (token.cancelled()) return;
+        std::shared_ptr<const FeatureView> view;
+        try {
+          view = cache->view(result, Progress(token));
+        } catch (const Error&) {
+          return;  // cancelled: a newer evaluation is under way
+        }
+        here([this, id, view] {
+          if (!document().contains(id)) return;
+          views_[id] = view;
+          emit viewChanged(qt(id));
+        });
+      },
+      [this, here](const Results&) {
+        here([this] {
+          evaluating_ = false;
+          emit evaluationFinished();
+          if (!evaluating_) watched_.reset();
+        });
+      });
+}
+
+void Session::cancel() {
+  job_.cancel();
+  cancelEvaluation();
+}
+
+void Session::cancelEvaluation() {
+  if (!evaluating_) return;
+  displayToken_.cancel();
+  evaluator_.cancelBackground();
+  ++generation_;
+  evaluating_ = false;
+  watched_.reset();
+  emit evaluationCancelled();
+  emit evaluationFinished();
+  emit noted(tr("Computing was cancelled; what was ready is shown."));
+}
+
+void Session::replace(Document document, const std::filesystem::path& file, const QString& name) {
+  name_ = name;
+  history_ = History(std::move(document));
+  history_.markSaved();
+  nothingToKeep();
+  views_.clear();
+  file_ = file;
+  emit opened();
+  changed();
+}
+
+}  // namespace blossom::ui

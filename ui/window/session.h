@@ -1,0 +1,120 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/app.h"
+#include "core/error.h"
+#include "document/history.h"
+#include "document/journal.h"
+#include "document/recovery_area.h"
+#include "ui/files/file_stamp.h"
+#include "ui/jobs/job.h"
+#include "ui/jobs/mailbox.h"
+#include "ui/view/display_cache.h"
+
+namespace blossom::ui {
+
+/// One open document: its history, its results as they arrive, and its file. No widgets; everything slow runs on other
+/// threads.
+/// Sentences of a reader.
+QStringList toList(const std::vector<std::string>& sentences);
+
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  explicit Session(App app, QObject* parent = nullptr);
+  ~Session() override;
+
+  [[nodiscard]] const App& app() const { return app_; }
+  [[nodiscard]] const Document& document() const { return history_.current(); }
+  [[nodiscard]] const History& history() const { return history_; }
+  [[nodiscard]] Job& job() { return job_; }
+  [[nodiscard]] const Job& job() const { return job_; }
+  /// Newest view of a feature; the one before while a new one is computed; nullptr when there never was one.
+  [[nodiscard]] std::shared_ptr<const FeatureView> view(const FeatureId&) const;
+  [[nodiscard]] bool evaluating() const { return evaluating_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  [[nodiscard]] bool modified() const { return history_.modified(); }
+  [[nodiscard]] QString title() const;          ///< name of the file, or what the document would be called
+  [[nodiscard]] QString suggestedName() const;  ///< without extension
+
+  void commit(Document, const QString& what);
+  void preview(Document);
+  void endPreview();
+  void undo();
+  void redo();
+
+  void clear();  ///< a new, empty document
+  void open(const std::filesystem::path&, bool salvage = false);
+  /// What a crash left; it opens unsaved. The lost copy goes when this one has a safety copy of its own, or was saved.
+  void recover(const LostDocument&);
+  void import(const std::vector<std::filesystem::path>&);
+  void save(const std::filesystem::path&, std::function<void()> then = {});
+  /// Somebody else wrote or removed the file since it was opened or saved here.
+  [[nodiscard]] bool changedOnDisk() const;
+  /// The features as one file; the format must be able to hold what they are together.
+  void exportFeatures(const std::vector<FeatureId>&, const std::filesystem::path&, const Value& options);
+  void exportFeature(const FeatureId& id, const std::filesystem::path& file, const Value& options) {
+    exportFeatures({id}, file, options);
+  }
+  /// A feature of `type` that takes `inputs`; with a file, that file is imported first and is its input.
+  void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs);
+  void addFeatureFromFile(const FeatureType&, const std::filesystem::path&);
+  void cancel();  ///< job and evaluation
+  void cancelEvaluation();
+
+ signals:
+  void documentChanged();  ///< another document is shown, by an edit or a file
+  void opened();           ///< a document of another file is shown
+  void fileChanged();      ///< file name or modified mark
+  void viewChanged(const QString& feature);
+  void evaluationStarted();
+  void evaluationProgressed(double fraction, const QString& stage);
+  void evaluationFinished();
+  void evaluationCancelled();  ///< followed by evaluationFinished
+  void featureAdded(const QString& feature);
+  void failed(const blossom::Error&, const QString& file);
+  void unsafe(const blossom::Error&);  ///< unsaved steps cannot be kept against a crash
+  void saveFailed();                   ///< after `failed`: the document still has its changes
+  void warned(const QStringList& sentences);
+  void noted(const QString& sentence);  ///< something went right
+
+ private:
+  void evaluate();
+  void changed();
+  void replace(Document, const std::filesystem::path& file, const QString& name);
+  bool begin(const QString& title, Job::Work, std::function<void()> then, const std::filesystem::path& file,
+             std::function<void()> otherwise = {});
+  void dropOldViews();
+  // session_safety.cpp
+  void keep(const QString& what);
+  void nothingToKeep();
+  void forgetLost();
+
+  App app_;
+  History history_;
+  std::filesystem::path file_;
+  QString name_;  // of the document while it has no file of its own
+  std::shared_ptr<DisplayCache> cache_ = std::make_shared<DisplayCache>();
+  std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
+  std::uint64_t generation_ = 0;  // of evaluations; late results of older ones are dropped
+  std::uint64_t edits_ = 0;       // tells whether the document changed while it was being saved
+  bool evaluating_ = false;
+  std::optional<StallWatch::Work> watched_;
+  FileStamp stamp_;  // of the file when it was opened or saved here
+  Mailbox here_;     // outlives all that post to it
+  std::shared_ptr<Journal> journal_;
+  std::filesystem::path lostCopy_;  // that this document came from
+  QTimer autosave_;
+  CancelToken displayToken_;
+  Evaluator evaluator_;
+  Job job_;
+};
+
+}  // namespace blossom::ui

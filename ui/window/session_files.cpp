@@ -1,0 +1,190 @@
+// The part of Session that reads and writes files; all of it runs as a Job.
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QLocale>
+#include <algorithm>
+
+#include "document/storage.h"
+#include "geometry/together.h"
+#include "ui/look/text.h"
+#include "ui/window/session.h"
+
+namespace blossom::ui {
+
+namespace {
+
+void removeNothing() {}
+
+QString fileName(const std::filesystem::path& file) { return qt(file.filename().string()); }
+
+Feature newFeature(const Document& document, const FeatureType& type, std::vector<FeatureId> inputs) {
+  Feature feature;
+  feature.id = document.freshId(type.command);
+  feature.type = type.id;
+  feature.name = type.title;
+  const auto sameName = [&](const auto& other) { return other->name == feature.name; };
+  for (int n = 2; std::any_of(document.features().begin(), document.features().end(), sameName); ++n)
+    feature.name = type.title + " " + std::to_string(n);
+  feature.inputs = std::move(inputs);
+  return feature;
+}
+
+}  // namespace
+
+bool Session::begin(const QString& title, Job::Work work, std::function<void()> then, const std::filesystem::path& file,
+                    std::function<void()> otherwise) {
+  if (job_.running()) {
+    emit failed(Error(ErrorCode::InUse, "Another file is still being read or written.",
+                      "Wait for it or cancel it in the status line."),
+                {});
+    return false;
+  }
+  // Whatever comes, what was done so far is safe before it begins.
+  if (journal_) {
+    journal_->snapshot();
+    work = [journal = journal_, work = std::move(work)](const Progress& progress) {
+      journal->settle();
+      work(progress);
+    };
+  }
+  job_.start(title, std::move(work),
+             [this, then = std::move(then), file, otherwise = std::move(otherwise)](const std::optional<Error>& error) {
+               if (!error) return then();
+               if (error->code() == ErrorCode::Cancelled) return;
+               emit failed(*error, qt(file.string()));
+               if (otherwise) otherwise();
+             });
+  return true;
+}
+
+void Session::clear() { replace(Document(), {}, {}); }
+
+void Session::open(const std::filesystem::path& file, bool salvage) {
+  auto result = std::make_shared<OpenedDocument>();
+  auto stamp = std::make_shared<FileStamp>();
+  begin(
+      tr("Opening %1").arg(fileName(file)),
+      [this, file, salvage, result, stamp](const Progress&) {
+        *stamp = FileStamp::of(file);  // before it is read: what comes later counts as a change
+        *result = openAny(app_, file, salvage);
+      },
+      [this, file, salvage, result, stamp] {
+        // What was salvaged must not overwrite the damaged file by mistake; other formats have no document of their own yet.
+        const bool own = isDocument(file) && !salvage;
+        replace(std::move(result->document), own ? file : std::filesystem::path(), qt(file.stem().string()));
+        stamp_ = *stamp;
+        if (!result->warnings.empty()) emit warned(toList(result->warnings));
+      },
+      file);
+}
+
+// Those that cannot be read are told together; the others are there.
+void Session::import(const std::vector<std::filesystem::path>& files) {
+  struct Result {
+    Document document;
+    FeatureId last;
+    QStringList problems;
+  };
+  auto result = std::make_shared<Result>();
+  const QString what =
+      files.size() == 1 ? tr("Import %1").arg(fileName(files.front())) : tr("Import %1 files").arg(files.size());
+  begin(
+      what,
+      [this, files, result, before = document()](const Progress& progress) {
+        result->document = before;
+        for (std::size_t i = 0; i < files.size(); ++i) {
+          progress.report(static_cast<double>(i) / static_cast<double>(files.size()));
+          try {
+            result->document = withImported(app_, result->document, files[i], &result->last);
+          } catch (const Error& error) {
+            if (files.size() == 1) throw;
+            result->problems << qt(error.message());
+          }
+        }
+      },
+      [this, result, what] {
+        if (!result->last.empty()) {
+          commit(std::move(result->document), what);
+          emit featureAdded(qt(result->last));
+        }
+        if (!result->problems.isEmpty()) emit warned(result->problems);
+      },
+      files.front());
+}
+
+void Session::save(const std::filesystem::path& file, std::function<void()> then) {
+  const std::uint64_t edits = edits_;
+  auto stamp = std::make_shared<FileStamp>();
+  begin(
+      tr("Saving %1").arg(fileName(file)),
+      [file, stamp, saved = history_.committed()](const Progress& progress) {
+        saveDocument(saved, file, progress);
+        *stamp = FileStamp::of(file);
+      },
+      [this, file, edits, stamp, then = then ? std::move(then) : removeNothing] {
+        file_ = file;
+        stamp_ = *stamp;
+        if (edits == edits_) {
+          history_.markSaved();
+          nothingToKeep();
+        } else {
+          keep(qt(history_.undoText()));  // under the new name
+        }
+        emit fileChanged();
+        emit noted(tr("Saved as %1.").arg(fileName(file)));
+        if (edits == edits_) then();  // what was edited meanwhile is not saved: nothing may be closed
+      },
+      file, [this] { emit saveFailed(); });
+}
+
+void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::filesystem::path& file, const Value& options) {
+  std::vector<NamedShape> shapes;
+  for (const FeatureId& id : ids)
+    if (const auto shown = view(id); shown && !shown->result->evaluated.shape.empty())
+      shapes.push_back({document().at(id).name, shown->result->evaluated.shape});
+  if (shapes.empty() || shapes.size() != ids.size()) {
+    emit failed(Error(ErrorCode::InvalidInput, "There is no result to export yet.",
+                      "Select a feature that has been computed without an error."),
+                {});
+    return;
+  }
+  auto figures = std::make_shared<QString>();
+  begin(
+      tr("Exporting %1").arg(fileName(file)),
+      [this, file, options, shapes, figures](const Progress& progress) {
+        QElapsedTimer clock;
+        clock.start();
+        writeShape(*app_.formats, together(shapes), file, options, progress);
+        *figures = tr("%1 in %2 s")
+                       .arg(QLocale::c().formattedDataSize(QFileInfo(qt(file.string())).size(), 1))
+                       .arg(static_cast<double>(clock.elapsed()) / 1000, 0, 'f', 1);
+      },
+      [this, file, figures] { emit noted(tr("Exported %1: %2.").arg(fileName(file), *figures)); }, file);
+}
+
+void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs) {
+  const Feature feature = newFeature(document(), type, inputs);
+  commit(document().with(feature), tr("Add %1").arg(qt(type.title)));
+  emit featureAdded(qt(feature.id));
+}
+
+void Session::addFeatureFromFile(const FeatureType& type, const std::filesystem::path& file) {
+  struct Result {
+    Document document;
+    FeatureId imported;
+  };
+  auto result = std::make_shared<Result>();
+  begin(
+      tr("Importing %1").arg(fileName(file)),
+      [this, file, result, before = document()](const Progress&) {
+        result->document = withImported(app_, before, file, &result->imported);
+      },
+      [this, result, type] {
+        const Feature feature = newFeature(result->document, type, {result->imported});
+        commit(result->document.with(feature), tr("Add %1").arg(qt(type.title)));
+        emit featureAdded(qt(feature.id));
+      },
+      file);
+}
+
+}  // namespace blossom::ui

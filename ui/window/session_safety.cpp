@@ -1,0 +1,63 @@
+// The part of Session that loses nothing: safety copies of unsaved steps, what a crash left, and files that others write.
+#include "ui/files/recovery.h"
+#include "ui/look/text.h"
+#include "ui/settings/preferences.h"
+#include "ui/window/session.h"
+
+namespace blossom::ui {
+
+QStringList toList(const std::vector<std::string>& sentences) {
+  QStringList list;
+  for (const std::string& sentence : sentences) list << qt(sentence);
+  return list;
+}
+
+// Called after every step; without one that is unsaved there is nothing to keep.
+void Session::keep(const QString& what) {
+  if (!history_.modified()) return nothingToKeep();
+  if (!journal_) {
+    journal_ =
+        Recovery::instance().newJournal([this](const Error& error) { here_.post([this, error] { emit unsafe(error); }); });
+    if (!journal_) return;
+  }
+  autosave_.start(static_cast<int>(Preferences::instance().get<double>("autosave-minutes") * 60000));
+  journal_->record(history_.committed(), what.toStdString(), {file_, title().toStdString()});
+}
+
+void Session::nothingToKeep() {
+  autosave_.stop();
+  if (journal_) journal_->clear();
+  forgetLost();
+}
+
+void Session::forgetLost() {
+  if (lostCopy_.empty()) return;
+  Recovery::instance().discard(lostCopy_);
+  lostCopy_.clear();
+}
+
+void Session::recover(const LostDocument& lost) {
+  auto result = std::make_shared<OpenedDocument>();
+  begin(
+      tr("Recovering %1").arg(qt(lost.summary.origin.name)),
+      [result, folder = lost.folder](const Progress&) { *result = recoverDocument(folder); },
+      [this, result, lost] {
+        const JournalOrigin& origin = lost.summary.origin;
+        replace(std::move(result->document), origin.file, qt(origin.name));
+        stamp_ = FileStamp::of(origin.file);
+        history_.markUnsaved();
+        lostCopy_ = lost.folder;
+        keep(qt(lost.summary.lastStep));
+        if (journal_) journal_->whenKept([this] { here_.post([this] { forgetLost(); }); });
+        emit fileChanged();
+        if (result->warnings.empty())
+          emit noted(tr("%1 is as it was after \"%2\".").arg(title(), qt(lost.summary.lastStep)));
+        else
+          emit warned(toList(result->warnings));
+      },
+      {});
+}
+
+bool Session::changedOnDisk() const { return !file_.empty() && FileStamp::of(file_) != stamp_; }
+
+}  // namespace blossom::ui

@@ -1,0 +1,54 @@
+#pragma once
+#include <atomic>
+#include <thread>
+
+#include "ui/jobs/mailbox.h"
+
+namespace blossom::ui {
+
+/// Measures how long the window's thread did not answer: a thread hands it a token every few milliseconds and sees when it
+/// is taken. Stalls while work is under way (a job, an evaluation) are counted apart: those are what a user must not feel.
+class StallWatch {
+ public:
+  StallWatch();
+  ~StallWatch();
+  StallWatch(const StallWatch&) = delete;
+  StallWatch& operator=(const StallWatch&) = delete;
+
+  struct Longest {
+    double wall = 0;  ///< ms until the thread answered
+    double busy = 0;  ///< ms of computing by the thread itself meanwhile: without what other processes took
+  };
+  [[nodiscard]] Longest overall() const { return {overall_.wall, overall_.busy}; }
+  [[nodiscard]] Longest duringWork() const { return {work_.wall, work_.busy}; }
+  void reset();
+  /// Prints "figure longest_stall_ms X" and its like to the standard error.
+  void print() const;
+  /// Is BLOSSOM_STALL_WATCH set?
+  static bool wanted();
+
+  /// Lives as long as something works in the background.
+  class Work {
+   public:
+    Work() { ++works_; }
+    ~Work() { --works_; }
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+  };
+
+ private:
+  struct Kept {
+    std::atomic<double> wall = 0, busy = 0;
+    void keep(double wallMs, double busyMs);
+  };
+  void watch();
+  void answer();
+
+  static inline std::atomic<int> works_ = 0;
+  Mailbox receiver_;  // in the window's thread
+  Kept overall_, work_;
+  std::atomic<bool> ending_ = false, answered_ = true;
+  std::thread thread_;
+};
+
+}  // namespace blossom::ui

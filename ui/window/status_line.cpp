@@ -1,0 +1,104 @@
+#include "ui/window/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+#include <cmath>
+
+#include "ui/look/icons.h"
+
+namespace blossom::ui {
+
+StatusLine::StatusLine(QWidget* parent)
+    : QFrame(parent),
+      hint_(new QLabel),
+      whereabouts_(new QLabel),
+      workText_(new QToolButton),
+      bar_(new QProgressBar),
+      cancel_(new QToolButton) {
+  setObjectName(QStringLiteral("statusLine"));
+  setFixedHeight(24);
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setFixedWidth(120);
+  cancel_->setIcon(icon(QStringLiteral("close")));
+  cancel_->setIconSize({12, 12});
+  cancel_->setToolTip(tr("Cancel"));
+  cancel_->setAccessibleName(tr("Cancel"));
+  whereabouts_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  workText_->setObjectName(QStringLiteral("work"));
+  workText_->setToolTip(tr("Show all jobs"));
+  connect(workText_, &QToolButton::clicked, this, &StatusLine::jobsWanted);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 0, 14, 0);
+  row->setSpacing(10);
+  row->addWidget(hint_, 1);
+  row->addWidget(workText_);
+  row->addWidget(bar_);
+  row->addWidget(cancel_);
+  row->addWidget(whereabouts_);
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  announcing_.setSingleShot(true);
+  announcing_.setInterval(6000);
+  connect(&announcing_, &QTimer::timeout, this, [this] { hint_->setText(idle_); });
+  // What is done at once needs no bar that flickers.
+  patience_.setSingleShot(true);
+  patience_.setInterval(150);
+  connect(&patience_, &QTimer::timeout, this, &StatusLine::refresh);
+  connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelled);
+  refresh();
+}
+
+void StatusLine::setHint(const QString& text) {
+  idle_ = text.isEmpty() ? standing_ : text;
+  if (!announcing_.isActive()) hint_->setText(idle_);
+}
+
+void StatusLine::setStandingHint(const QString& text) {
+  if (idle_.isEmpty() || idle_ == standing_) setHint(text);
+  standing_ = text;
+}
+
+QString StatusLine::hint() const { return hint_->text(); }
+
+void StatusLine::setJobs(int running) {
+  jobs_ = running;
+  if (!patience_.isActive()) refresh();
+}
+
+void StatusLine::setWhereabouts(const QString& text) { whereabouts_->setText(text); }
+
+void StatusLine::announce(const QString& text) {
+  hint_->setText(text);
+  announcing_.start();
+}
+
+void StatusLine::setWork(const QString& key, const QString& what, double fraction) {
+  const bool first = work_.isEmpty();
+  work_[key] = {what, fraction};
+  if (first)
+    patience_.start();
+  else if (!patience_.isActive())
+    refresh();
+}
+
+void StatusLine::endWork(const QString& key) {
+  work_.remove(key);
+  if (work_.isEmpty()) patience_.stop();
+  if (!patience_.isActive()) refresh();
+}
+
+void StatusLine::refresh() {
+  const bool busy = !work_.isEmpty();
+  workText_->setVisible(busy);
+  bar_->setVisible(busy);
+  cancel_->setVisible(busy);
+  if (!busy) return;
+  const Work& shown = work_.last();
+  const QString percent = shown.fraction > 0 ? tr(" %1 %").arg(std::lround(shown.fraction * 100)) : QString();
+  workText_->setText((jobs_ > 1 ? tr("%1 jobs: ").arg(jobs_) : QString()) + shown.what + percent);
+  bar_->setValue(static_cast<int>(std::lround(shown.fraction * 1000)));
+}
+
+}  // namespace blossom::ui

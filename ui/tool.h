@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/units.h"
 #include "document/document.h"
 #include "document/evaluator.h"
 #include "geometry/bounds.h"
@@ -52,6 +53,8 @@ class ToolHost {
   [[nodiscard]] virtual const Look& look() const = 0;
   /// Spacing of the ground grid as it is drawn now, in mm.
   [[nodiscard]] virtual double gridSpacing() const = 0;
+  /// In which the user reads and types lengths.
+  [[nodiscard]] virtual LengthUnit lengthUnit() const { return {}; }
   [[nodiscard]] virtual std::vector<FeatureId> selection() const = 0;
   virtual void select(const FeatureId&) = 0;
   /// The plane that cuts what is shown; nothing: all is whole.

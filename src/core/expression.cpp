@@ -35,7 +35,7 @@ std::string_view wholeCharacter(std::string_view text, std::size_t byte) {
 
 class Parser {
  public:
-  Parser(std::string_view text, Quantity wanted) : text_(text), wanted_(wanted) {}
+  Parser(std::string_view text, Quantity wanted, const LengthUnit& unit) : text_(text), wanted_(wanted), unit_(unit) {}
 
   double result() {
     blanks();
@@ -50,6 +50,7 @@ class Parser {
   // What is written "10" may stand for 10 mm: only dimensions that cannot be meant are refused.
   double asWanted(const Dimensioned& value) const {
     const bool length = value.is(1, 0), angle = value.is(0, 1);
+    if (wanted_ == Quantity::Length && value.plain()) return value.value * unit_.millimetres;
     if (value.plain() || (wanted_ == Quantity::Length && length) || (wanted_ == Quantity::Angle && angle))
       return value.value;
     fail(0, fmt::format("it comes to {}", length           ? "a length"
@@ -75,10 +76,13 @@ class Parser {
   Dimensioned added(const Dimensioned& a, const Dimensioned& b, std::size_t place) const {
     const auto unitOne = [](const Dimensioned& d) { return d.is(1, 0) || d.is(0, 1); };
     if (a.sameUnit(b)) return a.with(a.value + b.value);
-    if (a.plain() && unitOne(b)) return b.with(a.value + b.value);
-    if (b.plain() && unitOne(a)) return a.with(a.value + b.value);
+    if (a.plain() && unitOne(b)) return b.with(a.value * plainIn(b) + b.value);
+    if (b.plain() && unitOne(a)) return a.with(a.value + b.value * plainIn(a));
     fail(place, "these cannot be added");
   }
+
+  /// What a plain number beside a length or an angle counts.
+  double plainIn(const Dimensioned& other) const { return other.is(1, 0) ? unit_.millimetres : 1; }
 
   Dimensioned product() {
     Dimensioned left = quantity();
@@ -282,9 +286,10 @@ class Parser {
 
   [[noreturn]] void fail(std::size_t place, const std::string& what) const {
     const char* wanted = wanted_ == Quantity::Length ? "a length" : wanted_ == Quantity::Angle ? "an angle" : "a number";
-    const char* examples = wanted_ == Quantity::Length  ? "12, 3cm, 1/2 in + 4 or sqrt(2)*10 mm; without a unit it is mm"
-                           : wanted_ == Quantity::Angle ? "30, 360/7, pi/4 rad or 0.25turn; without a unit it is degrees"
-                                                        : "0.5, 3/4, 1e-3 or sqrt(2)/2";
+    const std::string examples =
+        wanted_ == Quantity::Length  ? "12, 3cm, 1/2 in + 4 or sqrt(2)*10 mm; without a unit it is " + unit_.name
+        : wanted_ == Quantity::Angle ? "30, 360/7, pi/4 rad or 0.25turn; without a unit it is degrees"
+                                     : "0.5, 3/4, 1e-3 or sqrt(2)/2";
     constexpr std::size_t longest = 60;
     std::string_view shown = text_;
     if (shown.size() > longest)
@@ -311,6 +316,7 @@ class Parser {
 
   std::string_view text_;
   Quantity wanted_;
+  const LengthUnit& unit_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
@@ -322,6 +328,8 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-double evaluateExpression(std::string_view text, Quantity wanted) { return Parser(trimmed(text), wanted).result(); }
+double evaluateExpression(std::string_view text, Quantity wanted, const LengthUnit& plain) {
+  return Parser(trimmed(text), wanted, plain).result();
+}
 
 }  // namespace blossom

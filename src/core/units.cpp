@@ -38,10 +38,17 @@ double millimetresPer(std::string_view unit) {
   return 0;
 }
 
-double parseLength(std::string_view text) { return evaluateExpression(text, Quantity::Length); }
+double parseLength(std::string_view text, const LengthUnit& unit) {
+  return evaluateExpression(text, Quantity::Length, unit);
+}
 double parseAngle(std::string_view text) { return evaluateExpression(text, Quantity::Angle); }
 double parseNumber(std::string_view text) { return evaluateExpression(text, Quantity::Number); }
 
 std::string formatNumber(double value) { return fmt::format("{}", value); }
+
+std::string formatLength(double millimetres, const LengthUnit& unit) {
+  const double value = millimetres / unit.millimetres;
+  return fmt::format("{} {}", unit.millimetres == 1 ? formatNumber(value) : fmt::format("{:.12g}", value), unit.name);
+}
 
 }  // namespace blossom

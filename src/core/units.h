@@ -11,10 +11,21 @@ constexpr double operator""_deg(long double v) { return static_cast<double>(v); 
 
 constexpr double millimetresPerInch = 25.4;
 
+/// In what lengths are written: a number without a unit counts as so many.
+struct LengthUnit {
+  std::string name = "mm";
+  double millimetres = 1;
+  friend bool operator==(const LengthUnit&, const LengthUnit&) = default;
+};
+
 /// Length in mm from text such as "12", "3cm", "1 1/2 in", "0.5\"", "5' 6\"" or an expression "1/2 in + 3*(2 cm)" (see
-/// core/expression.h). No unit means mm; the decimal sign is a point. Units: nm um mm cm dm m in " ft ' yd mil thou.
+/// core/expression.h). No unit means the one given; the decimal sign is a point. Units: nm um mm cm dm m in " ft ' yd mil
+/// thou.
 /// @throws Error InvalidParameter saying what is not understood and where.
-double parseLength(std::string_view text);
+double parseLength(std::string_view text, const LengthUnit& unit = {});
+
+/// "12.5 mm", "0.5 in": reads back as the same double in mm, in other units to twelve digits.
+std::string formatLength(double millimetres, const LengthUnit& unit = {});
 
 /// Angle in degrees from "30", "30deg", "30°", "0.5rad", "100gon", "0.25turn" or an expression "pi/4 rad". No unit means
 /// degrees. @throws Error InvalidParameter.

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/units.h"
 #include "parameter/value.h"
 
 namespace blossom {
@@ -55,9 +56,9 @@ Value checked(const ParameterSpec&, const Value&);
 /// "base:face:3". Lists take commas (semicolons when their items hold commas themselves) or JSON, records JSON. Nothing
 /// typed for a file or a sub-shape is null.
 /// @throws Error InvalidParameter.
-Value parseText(const ParameterSpec&, std::string_view text);
+Value parseText(const ParameterSpec&, std::string_view text, const LengthUnit& = {});
 /// Inverse of parseText, as a form shows it. A file shows its path alone.
-std::string formatText(const ParameterSpec&, const Value&);
+std::string formatText(const ParameterSpec&, const Value&, const LengthUnit& = {});
 
 /// All parameters of `specs` in their canonical form and order: given ones checked, absent (or null) ones at their default.
 /// @throws Error InvalidParameter, also for a name that is not declared (with the nearest declared one as a hint) and for

@@ -162,7 +162,7 @@ std::string formatList(const ParameterSpec& spec, const Value& list) {
 
 }  // namespace
 
-Value parseText(const ParameterSpec& spec, std::string_view given) {
+Value parseText(const ParameterSpec& spec, std::string_view given, const LengthUnit& unit) {
   using enum ParameterKind;
   if (spec.kind == Text) return checked(spec, Value(given));
   const std::string_view text = trimmed(given);
@@ -174,7 +174,7 @@ Value parseText(const ParameterSpec& spec, std::string_view given) {
     case Ratio:
       return measure(spec, text, parseNumber);
     case Length:
-      return measure(spec, text, parseLength);
+      return measure(spec, text, [&](std::string_view length) { return parseLength(length, unit); });
     case Angle:
       return measure(spec, text, parseAngle);
     case Point:
@@ -199,7 +199,7 @@ Value parseText(const ParameterSpec& spec, std::string_view given) {
   return checked(spec, Value(text));
 }
 
-std::string formatText(const ParameterSpec& spec, const Value& value) {
+std::string formatText(const ParameterSpec& spec, const Value& value, const LengthUnit& unit) {
   using enum ParameterKind;
   if (value.is_null()) return {};
   switch (spec.kind) {
@@ -207,9 +207,10 @@ std::string formatText(const ParameterSpec& spec, const Value& value) {
       return value.get<bool>() ? "yes" : "no";
     case Count:
       return std::to_string(value.get<std::int64_t>());
+    case Length:
+      return formatLength(value.get<double>(), unit);
     case Number:
     case Ratio:
-    case Length:
     case Angle:
       return formatNumber(value.get<double>()) + std::string(unitSuffix(spec));
     case Choice:

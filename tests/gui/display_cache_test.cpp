@@ -16,7 +16,7 @@ void DisplayCacheTest::whatCannotBeDrawnKeepsItsReason() {
   auto result = std::make_shared<FeatureResult>();
   result->evaluated.shape = Motion();
   DisplayCache cache;
-  const auto view = cache.view(result, Progress::none());
+  const auto view = cache.view(result, 0, Progress::none());
   QVERIFY(view && view->result);
   QVERIFY(view->result->error || view->scene.empty());
 }
@@ -28,7 +28,7 @@ void DisplayCacheTest::theSameShapeIsDrawnOnce() {
       {{Line2{{0, 0}, {4, 0}}, Line2{{4, 0}, {4, 4}}, Line2{{4, 4}, {0, 4}}, Line2{{0, 4}, {0, 0}}}, true, {}, {}});
   result->evaluated.shape = square;
   DisplayCache cache;
-  const auto first = cache.view(result, Progress::none()), second = cache.view(result, Progress::none());
+  const auto first = cache.view(result, 0, Progress::none()), second = cache.view(result, 0, Progress::none());
   QVERIFY(first->scene.faces && first->scene.faces == second->scene.faces);
 }
 

@@ -58,7 +58,7 @@ double NumberField::shownNumber() const {
 void NumberField::step(double steps, Qt::KeyboardModifiers modifiers) {
   if (line_->isModified()) {
     try {
-      shown_ = parseText(spec(), line_->text().toStdString());
+      shown_ = parseTyped(spec(), line_->text());
     } catch (const Error&) {
       return offerText(line_->text());  // says why
     }
@@ -91,7 +91,7 @@ void NumberField::finish() {
 void NumberField::tellResult(const QString& typed) {
   QString told;
   try {
-    const Value result = parseText(spec(), typed.trimmed().toStdString());
+    const Value result = parseTyped(spec(), typed);
     const QString text = displayText(spec(), result);
     bool plain = false;
     typed.toDouble(&plain);

@@ -3,9 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/look/units.h"
+
 namespace blossom::ui {
 
-double stepOf(const ParameterSpec& spec, double value, Qt::KeyboardModifiers modifiers) {
+namespace {
+
+/// Steps are round in the unit that is shown.
+double unitOf(const ParameterSpec& spec) { return spec.kind == ParameterKind::Length ? lengthUnit().millimetres : 1; }
+
+double plainStep(const ParameterSpec& spec, double value, Qt::KeyboardModifiers modifiers) {
   const double factor = modifiers.testFlag(Qt::ShiftModifier) ? 0.1 : modifiers.testFlag(Qt::ControlModifier) ? 10 : 1;
   if (spec.kind == ParameterKind::Count) return std::max(1.0, factor);
   if (spec.kind == ParameterKind::Angle) return factor;
@@ -16,7 +23,7 @@ double stepOf(const ParameterSpec& spec, double value, Qt::KeyboardModifiers mod
   return factor * std::pow(10, std::floor(std::log10(size)) - 1);
 }
 
-double moved(const ParameterSpec& spec, double value, double steps, double step) {
+double plainMoved(const ParameterSpec& spec, double value, double steps, double step) {
   // Division by a whole number of steps per unit keeps 0.1 + 0.2 at 0.3.
   const double perUnit = 1 / step;
   const double target = value + steps * step;
@@ -28,6 +35,22 @@ double moved(const ParameterSpec& spec, double value, double steps, double step)
   if (spec.least && spec.aboveLeast && result <= *spec.least)
     result = *spec.least + std::min(step, value - *spec.least) / 10;
   return result;
+}
+
+}  // namespace
+
+double stepOf(const ParameterSpec& spec, double value, Qt::KeyboardModifiers modifiers) {
+  const double unit = unitOf(spec);
+  return plainStep(spec, value / unit, modifiers) * unit;
+}
+
+double moved(const ParameterSpec& spec, double value, double steps, double step) {
+  const double unit = unitOf(spec);
+  if (unit == 1) return plainMoved(spec, value, steps, step);
+  ParameterSpec scaled = spec;
+  if (scaled.least) *scaled.least /= unit;
+  if (scaled.greatest) *scaled.greatest /= unit;
+  return plainMoved(scaled, value / unit, steps, step / unit) * unit;
 }
 
 }  // namespace blossom::ui

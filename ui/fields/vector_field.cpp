@@ -65,11 +65,14 @@ bool VectorField::typing() const {
 
 bool VectorField::editing() const { return ParameterField::editing() || typing(); }
 
+// Without the unit, for which there is no room.
+QString VectorField::plainText(double value) const { return displayText(component_, value).section(u' ', 0, 0); }
+
 void VectorField::display(const Value& value) {
   shown_ = value;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const bool there = value.is_array() && value.size() > axis;
-    lines_[axis]->setText(there ? qt(formatNumber(value[axis].get<double>())) : QString());
+    lines_[axis]->setText(there ? plainText(value[axis].get<double>()) : QString());
     lines_[axis]->setCursorPosition(0);
   }
 }
@@ -90,7 +93,7 @@ void VectorField::finish(std::size_t axis) {
     ParameterSpec named = component_;
     named.name = axisNames[axis];
     Value wanted = value().is_array() ? value() : Value::array({0.0, 0.0, 0.0});
-    wanted[axis] = parseText(named, lines_[axis]->text().trimmed().toStdString());
+    wanted[axis] = parseTyped(named, lines_[axis]->text());
     offer(wanted);
   } catch (const Error& error) {
     showProblem(sentenceCase(qt(error.message())) + tr(" The value before is kept."));
@@ -101,7 +104,7 @@ void VectorField::step(std::size_t axis, double steps, Qt::KeyboardModifiers mod
   if (!shown_.is_array()) shown_ = Value::array({0.0, 0.0, 0.0});
   const double now = shown_[axis].get<double>();
   shown_[axis] = moved(component_, now, std::trunc(steps), stepOf(component_, now, modifiers));
-  lines_[axis]->setText(qt(formatNumber(shown_[axis].get<double>())));
+  lines_[axis]->setText(plainText(shown_[axis].get<double>()));
   offer(shown_, true);
 }
 

@@ -29,6 +29,8 @@ class VectorField final : public ParameterField {
   [[nodiscard]] bool typing() const;
 
   ParameterSpec component_;
+  [[nodiscard]] QString plainText(double value) const;
+
   std::array<NumberLine*, 3> lines_{};
   QToolButton* pick_ = nullptr;
   Value shown_;

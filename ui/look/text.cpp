@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "ui/look/units.h"
+
 namespace blossom::ui {
 
 namespace {
@@ -26,11 +28,11 @@ QString unitText(MeasureUnit unit) {
     case MeasureUnit::None:
       return {};
     case MeasureUnit::Length:
-      return QStringLiteral(" mm");
+      return u' ' + qt(lengthUnit().name);
     case MeasureUnit::Area:
-      return QStringLiteral(" mm²");
+      return u' ' + qt(lengthUnit().name) + u'²';
     case MeasureUnit::Volume:
-      return QStringLiteral(" mm³");
+      return u' ' + qt(lengthUnit().name) + u'³';
     case MeasureUnit::Angle:
       return QStringLiteral("°");
     case MeasureUnit::Time:
@@ -56,6 +58,11 @@ const Measure* find(const Measures& measures, std::string_view name) {
 
 }  // namespace
 
+double inShownUnit(double value, MeasureUnit unit) {
+  const int power = unit == MeasureUnit::Length ? 1 : unit == MeasureUnit::Area ? 2 : unit == MeasureUnit::Volume ? 3 : 0;
+  return value / std::pow(lengthUnit().millimetres, power);
+}
+
 QString readable(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? QStringLiteral("not a number") : QStringLiteral("∞");
   if (value == 0) return QStringLiteral("0");
@@ -77,7 +84,7 @@ QString readable(const Measure& measure) {
     MeasureUnit unit;
     QString operator()(bool value) const { return value ? QStringLiteral("yes") : QStringLiteral("no"); }
     QString operator()(std::int64_t value) const { return readable(value) + unitText(unit); }
-    QString operator()(double value) const { return readable(value, 6) + unitText(unit); }
+    QString operator()(double value) const { return readable(inShownUnit(value, unit), 6) + unitText(unit); }
     QString operator()(const std::string& value) const { return qt(value); }
   };
   return std::visit(Writer{measure.unit}, measure.value);
@@ -139,7 +146,7 @@ QString stateLine(const Measures& measures) {
   for (const char* name : {"volume", "area", "length"}) {
     const Measure* measure = find(measures, name);
     if (!measure || !std::holds_alternative<double>(measure->value)) continue;
-    parts << readable(std::get<double>(measure->value), 4) + unitText(measure->unit);
+    parts << readable(inShownUnit(std::get<double>(measure->value), measure->unit), 4) + unitText(measure->unit);
     break;
   }
   if (parts.size() == 1)

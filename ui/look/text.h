@@ -15,6 +15,8 @@ QString readable(double value, int digits = 5);
 QString readable(std::int64_t value);
 /// A measure with its unit: "128.3 mm²".
 QString readable(const Measure&);
+/// A length, area or volume (mm) in the unit of length that the user prefers.
+double inShownUnit(double value, MeasureUnit);
 /// "Smallest weight" for "min_weight".
 QString measureLabel(const std::string& name);
 /// " mm" where the name of a figure says it.

@@ -13,6 +13,7 @@
 #include "ui/fields/field_label.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
+#include "ui/look/units.h"
 
 namespace blossom::ui {
 
@@ -168,7 +169,7 @@ void ParameterField::offer(const Value& wanted, bool preview) {
 void ParameterField::offerText(const QString& text) {
   if (spec_.mayBeAbsent && text.trimmed().isEmpty() && spec_.kind != ParameterKind::Text) return offer(Value());
   try {
-    offer(parseText(spec_, text.trimmed().toStdString()));
+    offer(parseTyped(spec_, text));
   } catch (const Error& error) {
     showNote({});
     showProblem(reason(spec_, error) + tr(" The value before is kept."));
@@ -226,7 +227,7 @@ bool ParameterField::event(QEvent* event) {
 void ParameterField::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   addToMenu(menu);
-  const QString text = qt(formatText(spec_, value_));
+  const QString text = qt(formatText(spec_, value_, lengthUnit()));
   menu.addAction(tr("Copy value"), this, [text] { QApplication::clipboard()->setText(text); })->setEnabled(!text.isEmpty());
   const QString pasted = QApplication::clipboard()->text();
   menu.addAction(tr("Paste value"), this, [this, pasted] { offerText(pasted); })->setEnabled(!pasted.isEmpty());
@@ -245,7 +246,11 @@ void ParameterField::contextMenuEvent(QContextMenuEvent* event) {
 QString displayText(const ParameterSpec& spec, const Value& value) {
   if (value.is_null()) return {};
   if (spec.kind == ParameterKind::File && value.is_object()) return qt(value.value("path", std::string())).section(u'/', -1);
-  return qt(formatText(spec, value));
+  return qt(formatText(spec, value, lengthUnit()));
+}
+
+Value parseTyped(const ParameterSpec& spec, const QString& text) {
+  return parseText(spec, text.trimmed().toStdString(), lengthUnit());
 }
 
 QString shownLabel(const ParameterSpec& spec) {

@@ -35,7 +35,8 @@ struct Figure {
   QString shown, copied;
 };
 Figure figureOf(const Measure& measure) {
-  if (const auto* number = std::get_if<double>(&measure.value)) return {readable(*number, 6), qt(formatNumber(*number))};
+  if (const auto* number = std::get_if<double>(&measure.value))
+    return {readable(inShownUnit(*number, measure.unit), 6), qt(formatNumber(inShownUnit(*number, measure.unit)))};
   if (const auto* count = std::get_if<std::int64_t>(&measure.value)) return {readable(*count), QString::number(*count)};
   return {};
 }

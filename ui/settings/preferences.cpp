@@ -13,9 +13,8 @@ namespace {
 [[maybe_unused]] constexpr const char* shownNames[] = {QT_TRANSLATE_NOOP("Parameter", "theme"),
                                                        QT_TRANSLATE_NOOP("Parameter", "language"),
                                                        QT_TRANSLATE_NOOP("Parameter", "length unit"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "decimals"),
                                                        QT_TRANSLATE_NOOP("Parameter", "navigation"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "chord"),
+                                                       QT_TRANSLATE_NOOP("Parameter", "drawing tolerance"),
                                                        QT_TRANSLATE_NOOP("Parameter", "projection"),
                                                        QT_TRANSLATE_NOOP("Parameter", "autosave"),
                                                        QT_TRANSLATE_NOOP("Parameter", "autosave minutes"),
@@ -55,9 +54,15 @@ const std::vector<PreferenceGroup>& preferenceGroups() {
        {declared("navigation", choice({"blossom", "freecad", "rhino", "fusion"}), "blossom",
                  Preferences::tr("Which mouse buttons turn, shift and zoom the view.")),
         declared("projection", choice({"perspective", "parallel"}), "perspective",
-                 Preferences::tr("Of a document when it is opened."))}},
+                 Preferences::tr("Of a document when it is opened.")),
+        declared(
+            "drawing-tolerance", lengthFromZero(), 0.0,
+            Preferences::tr("How far what is drawn may lie from the shape itself; 0: a thousandth of its size. Results and "
+                            "files are exact whatever it is."))}},
       {Preferences::tr("Work"),
-       {declared("autosave", flag(), true, Preferences::tr("Keep a copy of unsaved changes that is offered after a crash.")),
+       {declared("length-unit", choice({"mm", "cm", "m", "in", "ft"}), "mm",
+                 Preferences::tr("In which lengths are shown, and what a number without a unit means. Files stay in mm.")),
+        declared("autosave", flag(), true, Preferences::tr("Keep a copy of unsaved changes that is offered after a crash.")),
         declared("autosave-minutes", number(0.1, 60), 1.0, Preferences::tr("Time between two such copies, in minutes.")),
         declared("threads", count(0, 256), 0, Preferences::tr("Processor cores to compute with; 0 takes all of them."))}},
   };

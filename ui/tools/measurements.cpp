@@ -197,7 +197,8 @@ QString Measurements::headline(const Entry& of) const {
   if (figures.values.empty()) return tr("Measuring");
   if (figures.kind != "x") return readable(figures.values.front());
   QStringList coordinates;
-  for (const Measure& value : figures.values) coordinates << readable(std::get<double>(value.value));
+  for (const Measure& value : figures.values)
+    coordinates << readable(inShownUnit(std::get<double>(value.value), MeasureUnit::Length));
   return coordinates.join(QStringLiteral(" · "));
 }
 

@@ -16,6 +16,7 @@
 #include "core/units.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
+#include "ui/look/units.h"
 
 namespace blossom::ui {
 
@@ -104,7 +105,7 @@ void SectionPanel::show(const SectionPlane& plane, std::pair<double, double> ran
   const QSignalBlocker quiet(slider_);
   slider_->setValue(static_cast<int>(std::lround(share * sliderSteps)));
   // The field is not written over while it is typed in.
-  if (!offset_->hasFocus() || !offset_->isModified()) offset_->setText(readable(plane.offset(), 6) + tr(" mm"));
+  if (!offset_->hasFocus() || !offset_->isModified()) offset_->setText(readableLength(plane.offset()));
   FloatingPanel::show();
 }
 
@@ -114,7 +115,7 @@ void SectionPanel::type() {
   QString text = offset_->text();
   text.remove(QChar(0x2009)).replace(QChar(0x2212), u'-');
   try {
-    const double value = parseLength(text.toStdString());
+    const double value = parseLength(text.toStdString(), lengthUnit());
     markWrong(offset_, false);
     problem_->hide();
     emit offsetChosen(value);
@@ -122,7 +123,7 @@ void SectionPanel::type() {
     markWrong(offset_, true);
     problem_->setText(qt(error.message()));
     problem_->show();
-    offset_->setText(readable(shown_, 6) + tr(" mm"));
+    offset_->setText(readableLength(shown_));
   }
   settle();
 }

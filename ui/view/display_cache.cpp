@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "document/error_of.h"
+#include "geometry/bounds.h"
 #include "scene/picking.h"
 
 namespace blossom::ui {
@@ -31,9 +32,12 @@ std::shared_ptr<const FeatureView> failed(const FeatureResult& result, const Err
   return view;
 }
 
+/// A wish that would make a picture of many millions of triangles is not granted.
+double usable(double chord, const Shape& shape) { return chord > 0 ? std::max(chord, bounds(shape).diagonal() * 1e-5) : 0; }
+
 }  // namespace
 
-std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result,
+std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result, double chord,
                                                       const Progress& progress) {
   auto view = std::make_shared<FeatureView>();
   view->result = result;
@@ -42,7 +46,7 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
   {
     const std::scoped_lock lock(guard_);
     const auto it = std::find_if(entries_.begin(), entries_.end(),
-                                 [&](const Entry& e) { return addressOf(e.shape) == addressOf(shape); });
+                                 [&](const Entry& e) { return e.chord == chord && addressOf(e.shape) == addressOf(shape); });
     if (it != entries_.end()) {
       entries_.splice(entries_.begin(), entries_, it);
       view->scene = it->scene;
@@ -51,14 +55,14 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
     }
   }
   const std::optional<Error> error = errorOf("Showing the result", [&] {
-    view->scene = toSceneData(tessellate(shape, {.chord = 0, .angle = 0.2}, progress.part(0, 0.7)));
+    view->scene = toSceneData(tessellate(shape, {.chord = usable(chord, shape), .angle = 0.2}, progress.part(0, 0.7)));
     view->measures = measure(shape, progress.part(0.7, 0.95));
     view->scene.solid = isSolid(view->measures);
     view->scene.picks = std::make_shared<const PickIndex>(view->scene);
   });
   if (error) return failed(*result, *error);
   const std::scoped_lock lock(guard_);
-  entries_.push_front({shape, view->scene, view->measures});
+  entries_.push_front({chord, shape, view->scene, view->measures});
   if (entries_.size() > mostEntries) entries_.pop_back();
   return view;
 }

@@ -78,7 +78,7 @@ GroundGrid::GroundGrid() : lines_(vtkSmartPointer<vtkPolyData>::New()), actor_(v
 }
 
 bool GroundGrid::follow(const Vec3& target, double millimetresPerPixel, double viewHeight, const Look& look) {
-  const double spacing = niceSpacing(millimetresPerPixel * 16);
+  const double spacing = niceSpacing(millimetresPerPixel * 16 / lengthUnit().millimetres) * lengthUnit().millimetres;
   const double major = spacing * majorEvery;
   const Vec2 center(std::round(target.x() / major) * major, std::round(target.y() / major) * major);
   const double reach = std::min(spacing * halfCount, millimetresPerPixel * viewHeight * 2.2);

@@ -159,15 +159,18 @@ void ViewWidget::leaveEvent(QEvent*) {
 
 void ViewWidget::tellWhereabouts(QPointF at) {
   const Ray ray = camera_.rayThrough(at);
-  const QString grid = tr("grid %1 mm").arg(readable(grid_.spacing()));
+  const QString grid = tr("grid %1").arg(readableLength(grid_.spacing()));
   const double reach = std::abs(ray.direction.z()) > 0.05 ? -ray.origin.z() / ray.direction.z() : -1;
   if (reach <= 0) {
     emit whereabouts(grid);
     return;
   }
   const Vec3 p = ray.origin + ray.direction * reach;
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(camera_.millimetresPerPixel()))), 0, 6);
-  emit whereabouts(tr("x %1   y %2 mm   ·   %3").arg(p.x(), 0, 'f', decimals).arg(p.y(), 0, 'f', decimals).arg(grid));
+  const LengthUnit& unit = lengthUnit();
+  const double perPixel = camera_.millimetresPerPixel() / unit.millimetres;
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(perPixel))), 0, 6);
+  const auto shown = [&](double value) { return QString::number(value / unit.millimetres, 'f', decimals); };
+  emit whereabouts(tr("x %1   y %2 %3   ·   %4").arg(shown(p.x()), shown(p.y()), qt(unit.name), grid));
 }
 
 }  // namespace blossom::ui

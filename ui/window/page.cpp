@@ -7,6 +7,7 @@
 
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
+#include "ui/look/units.h"
 #include "ui/panel/error_bar.h"
 #include "ui/panel/property_panel.h"
 #include "ui/settings/preferences.h"
@@ -158,17 +159,25 @@ void DocumentPage::connectWidgets() {
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
   connect(properties_, &PropertyPanel::manualWanted, this, &DocumentPage::manualWanted);
   connectPicking();
-  const auto follow = [this] {
-    view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
-  };
-  follow();
-  connect(&Preferences::instance(), &Preferences::changed, this, follow);
+  view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
+  connect(&Preferences::instance(), &Preferences::changed, this, &DocumentPage::followPreference);
   connect(&ThemeManager::instance(), &ThemeManager::changed, this, [this] {
     look_ = theme().look();
     view_->setLook(look_);
     refreshOverlay();
     tree_->viewport()->update();
   });
+}
+
+void DocumentPage::followPreference(const QString& name) {
+  if (name == QLatin1String("navigation"))
+    view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
+  if (name != QLatin1String("length-unit")) return;
+  properties_->show(properties_->shown());
+  tree_->viewport()->update();
+  view_->setLook(look_);  // the grid
+  emit measurements_.changed();
+  if (tool_) tool_->documentChanged();
 }
 
 void DocumentPage::refreshView() {
@@ -237,6 +246,8 @@ std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) c
   const auto view = session_.view(id);
   return view ? view->result : nullptr;
 }
+
+LengthUnit DocumentPage::lengthUnit() const { return ui::lengthUnit(); }
 
 double DocumentPage::gridSpacing() const { return view_->gridSpacing(); }
 double DocumentPage::pixelRatio() const { return view_->devicePixelRatioF(); }

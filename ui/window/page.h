@@ -58,6 +58,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] const Registry& registry() const override { return *session_.app().registry; }
   [[nodiscard]] const Look& look() const override { return look_; }
   [[nodiscard]] double gridSpacing() const override;
+  [[nodiscard]] LengthUnit lengthUnit() const override;
   [[nodiscard]] std::vector<FeatureId> selection() const override;
   void select(const FeatureId&) override;
   [[nodiscard]] std::optional<CutPlane> section() const override;
@@ -86,6 +87,7 @@ class DocumentPage : public QObject, public ToolHost {
   void buildWidgets();
   void connectSession();
   void connectWidgets();
+  void followPreference(const QString& name);
   void refreshView();
   void refreshOverlay();
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();

@@ -3,12 +3,22 @@
 #include <QFileInfo>
 
 #include "ui/look/text.h"
+#include "ui/settings/preferences.h"
 
 namespace blossom::ui {
+
+namespace {
+
+double drawingTolerance() { return Preferences::instance().get<double>("drawing-tolerance"); }
+
+}  // namespace
 
 Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app)), evaluator_(app_.registry) {
   connect(&autosave_, &QTimer::timeout, this, [this] {
     if (journal_) journal_->snapshot();
+  });
+  connect(&Preferences::instance(), &Preferences::changed, this, [this](const QString& name) {
+    if (name == QLatin1String("drawing-tolerance")) evaluate();  // results are at hand; they are drawn anew
   });
 }
 
@@ -89,12 +99,12 @@ void Session::evaluate() {
       [this, here](double fraction, const std::string& stage) {
         here([this, fraction, text = qt(stage)] { emit evaluationProgressed(fraction, text); });
       },
-      [this, here, cache = cache_, token = displayToken_](const FeatureId& id,
-                                                          const std::shared_ptr<const FeatureResult>& result) {
+      [here, cache = cache_, token = displayToken_, chord = drawingTolerance(), this](
+          const FeatureId& id, const std::shared_ptr<const FeatureResult>& result) {
         if (token.cancelled()) return;
         std::shared_ptr<const FeatureView> view;
         try {
-          view = cache->view(result, Progress(token));
+          view = cache->view(result, chord, Progress(token));
         } catch (const Error&) {
           return;  // cancelled: a newer evaluation is under way
         }

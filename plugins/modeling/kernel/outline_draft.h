@@ -37,6 +37,8 @@ class OutlineDraft {
   /// The scene with the drawing's own points and lines.
   [[nodiscard]] SnapScene sceneWith(SnapScene others) const;
 
+  /// In which typed lengths without a unit are.
+  void setLengthUnit(const LengthUnit& unit) { entry_ = TypedEntry(unit); }
   [[nodiscard]] TypedEntry& entry() { return entry_; }
   [[nodiscard]] const TypedEntry& entry() const { return entry_; }
 

@@ -56,11 +56,11 @@ std::string TypedEntry::text() const {
 TypedEntry::Values TypedEntry::values() const {
   Values values;
   if (place_) {
-    values.place = Vec2(parseLength(fields_[0]), parseLength(fields_[1]));
+    values.place = Vec2(parseLength(fields_[0], unit_), parseLength(fields_[1], unit_));
     values.relative = relative_;
     return values;
   }
-  if (!fields_[0].empty()) values.length = parseLength(fields_[0]);
+  if (!fields_[0].empty()) values.length = parseLength(fields_[0], unit_);
   if (!fields_[1].empty()) values.angle = parseAngle(fields_[1]);
   if (values.length && !(*values.length > 0))
     throw Error(ErrorCode::InvalidParameter, "The length must be above 0.", "Give the direction by an angle.");

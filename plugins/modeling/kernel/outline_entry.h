@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/units.h"
 #include "core/vector.h"
 
 namespace blossom::modeling {
@@ -11,6 +12,7 @@ namespace blossom::modeling {
 /// "@10,20" (from the last point). Lengths take units and expressions, as every length does.
 class TypedEntry {
  public:
+  explicit TypedEntry(LengthUnit unit = {}) : unit_(std::move(unit)) {}  ///< of lengths without one
   [[nodiscard]] bool open() const { return !fields_[0].empty() || !fields_[1].empty() || relative_; }
   /// May this character begin an entry?
   static bool begins(char);
@@ -18,7 +20,7 @@ class TypedEntry {
   bool type(char);
   bool back();         ///< takes the last character away
   void switchField();  ///< between length and angle
-  void clear() { *this = TypedEntry(); }
+  void clear() { *this = TypedEntry(unit_); }
   [[nodiscard]] std::string text() const;
   [[nodiscard]] bool inAngle() const { return active_ == 1 && !place_; }
 
@@ -35,6 +37,7 @@ class TypedEntry {
  private:
   [[nodiscard]] std::string& field() { return fields_.at(static_cast<std::size_t>(active_)); }
 
+  LengthUnit unit_;
   std::array<std::string, 2> fields_;
   int active_ = 0;
   bool place_ = false, relative_ = false;

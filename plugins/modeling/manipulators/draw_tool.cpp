@@ -14,21 +14,26 @@
 namespace blossom::modeling {
 namespace {
 
-QString measure(double value) { return QString::number(value, 'g', 6); }
+QString number(double value, const LengthUnit& unit) { return QString::number(value / unit.millimetres, 'g', 6); }
+QString measure(double value, const LengthUnit& unit) {
+  return QStringLiteral("%1 %2").arg(number(value, unit), QString::fromStdString(unit.name));
+}
 
 /// "25 mm  30°" for a line, "R 12.5 mm" for an arc, its length for a spline.
-QString dimension(const Segment& segment) {
-  if (const auto* arc = std::get_if<Arc2>(&segment)) return QStringLiteral("R %1 mm").arg(measure(arc->radius));
-  if (!std::holds_alternative<Line2>(segment)) return QStringLiteral("%1 mm").arg(measure(length(segment)));
+QString dimension(const Segment& segment, const LengthUnit& unit) {
+  if (const auto* arc = std::get_if<Arc2>(&segment)) return QStringLiteral("R %1").arg(measure(arc->radius, unit));
+  if (!std::holds_alternative<Line2>(segment)) return measure(length(segment), unit);
   const Vec2 along = endPoint(segment) - startPoint(segment);
   const double angle = toDegrees(std::atan2(along.y(), along.x()));
   // Half a millionth of a degree of rounding is no news.
-  return QStringLiteral("%1 mm   %2°").arg(measure(along.norm()), QString::number(std::round(angle * 1e4) / 1e4));
+  return QStringLiteral("%1   %2°").arg(measure(along.norm(), unit), QString::number(std::round(angle * 1e4) / 1e4));
 }
 
 }  // namespace
 
-DrawTool::DrawTool(ui::ToolHost& toolHost) : Tool(toolHost), scene_(snapScene(toolHost, {})) {}
+DrawTool::DrawTool(ui::ToolHost& toolHost) : Tool(toolHost), scene_(snapScene(toolHost, {})) {
+  draft_.setLengthUnit(toolHost.lengthUnit());
+}
 
 void DrawTool::documentChanged() { scene_ = snapScene(host(), {}); }
 
@@ -74,7 +79,7 @@ void DrawTool::place() {
   if (const auto next = draft_.preview(); next && next->closed)
     if (const auto place = selfCrossing(toPath(*next)))
       return refuse(tr("The outline would meet itself at (%1, %2); move a point or take some back with Backspace.")
-                        .arg(measure(place->x()), measure(place->y())));
+                        .arg(number(place->x(), host().lengthUnit()), number(place->y(), host().lengthUnit())));
   if (!draft_.place()) {
     const QString problem = QString::fromStdString(draft_.entry().problem());
     return refuse(problem.isEmpty() ? tr("This point makes no segment; choose another.") : problem);
@@ -207,14 +212,16 @@ void DrawTool::paintRubber(ToolPaint& paint) const {
   if (rubber) paint.segment(*rubber, paint.look().control, 1.5);
   const auto& snap = draft_.hovered();
   if (typed) {
-    if (rubber) paint.label((startPoint(*rubber) + endPoint(*rubber)) / 2, dimension(*rubber), paint.look().control);
+    if (rubber)
+      paint.label((startPoint(*rubber) + endPoint(*rubber)) / 2, dimension(*rubber, host().lengthUnit()),
+                  paint.look().control);
     if (snap)
       paint.label(snap->point, QString::fromStdString(draft_.entry().text()) + QStringLiteral(" |"), paint.look().made);
     return;
   }
   if (!snap) return;
   QStringList words;
-  if (rubber) words << dimension(*rubber);
+  if (rubber) words << dimension(*rubber, host().lengthUnit());
   for (const Guide& guide : snap->guides) paint.guide(guide, snap->point);
   paint.snapMarker(snap->point, snap->kind);
   if (snap->kind != SnapKind::None && snap->kind != SnapKind::Grid) words << snapName(snap->kind);

@@ -82,8 +82,7 @@ void ListField::addRow() {
   connect(row, &ListRow::hint, this, &ListField::hint);
   connect(row, &ListRow::removeWanted, this, [this, index] { remove(index); });
   connect(row, &ListRow::copyWanted, this, [this, index] { copy(index); });
-  connect(row, &ListRow::moveWanted, this,
-          [this, index](int by) { move(index, static_cast<std::size_t>(static_cast<int>(index) + by)); });
+  connect(row, &ListRow::moveWanted, this, [this, index](int by) { move(index, index + static_cast<std::size_t>(by)); });
   connect(row, &ListRow::dragged, this, &ListField::showDropLine);
   connect(row, &ListRow::dropped, this, [this, index](int globalY) {
     dropLine_->hide();

@@ -50,7 +50,11 @@ double moved(const ParameterSpec& spec, double value, double steps, double step)
   ParameterSpec scaled = spec;
   if (scaled.least) *scaled.least /= unit;
   if (scaled.greatest) *scaled.greatest /= unit;
-  return plainMoved(scaled, value / unit, steps, step / unit) * unit;
+  double result = plainMoved(scaled, value / unit, steps, step / unit) * unit;
+  // There and back a bound may be missed by a rounding.
+  if (spec.greatest) result = std::min(result, *spec.greatest);
+  if (spec.least) result = std::max(result, *spec.least);
+  return result;
 }
 
 }  // namespace blossom::ui

@@ -7,7 +7,7 @@
 namespace blossom::ui {
 
 QString lastFolder() {
-  const QString folder = QSettings().value(QStringLiteral("folder")).toString();
+  QString folder = QSettings().value(QStringLiteral("folder")).toString();
   if (!folder.isEmpty() && QFileInfo(folder).isDir()) return folder;
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }

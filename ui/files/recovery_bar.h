@@ -4,6 +4,7 @@
 #include "document/recovery_area.h"
 
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace blossom::ui {
@@ -22,7 +23,7 @@ class RecoveryBar : public QFrame {
   QWidget* row(const LostDocument&);
   QLabel* message_;
   QVBoxLayout* rows_;
-  class QPushButton* all_;
+  QPushButton* all_;
 };
 
 }  // namespace blossom::ui

@@ -6,16 +6,14 @@
 namespace blossom::ui {
 
 const LengthUnit& lengthUnit() {
-  static const auto preferred = [] {
+  static LengthUnit unit;
+  static int known = -1;
+  // Asked, not told: whoever shows lengths anew may hear of a change before a connection made here would.
+  if (const int changes = Preferences::instance().changes(); changes != known) {
     const std::string name = Preferences::instance().get<std::string>("length-unit");
-    return LengthUnit{name, millimetresPer(name)};
-  };
-  static LengthUnit unit = preferred();
-  static const auto following =
-      QObject::connect(&Preferences::instance(), &Preferences::changed, [](const QString& changed) {
-        if (changed == QLatin1String("length-unit")) unit = preferred();
-      });
-  Q_UNUSED(following)
+    unit = {name, millimetresPer(name)};
+    known = changes;
+  }
   return unit;
 }
 

@@ -112,8 +112,6 @@ class ParameterField : public QWidget {
 };
 
 /// The value as a form writes it, with its unit.
-/// What was typed, in the unit of length that the user prefers. @throws Error InvalidParameter.
-Value parseTyped(const ParameterSpec&, const QString& text);
 QString displayText(const ParameterSpec&, const Value&);
 /// What was typed; lengths without a unit are in the one the user prefers. @throws Error InvalidParameter.
 Value parseTyped(const ParameterSpec&, const QString& text);

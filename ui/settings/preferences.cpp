@@ -90,6 +90,7 @@ void Preferences::set(const std::string& name, const Value& value) {
   const Value wanted = checked(spec, value);
   if (wanted == this->value(name)) return;
   QSettings().setValue(keyOf(name), qt(formatText(spec, wanted)));
+  ++changes_;
   emit changed(qt(name));
 }
 

@@ -31,9 +31,14 @@ class Preferences : public QObject {
   /// @throws Error InvalidParameter.
   void set(const std::string& name, const Value&);
   void reset();  ///< everything to its default
+  /// How often a value was changed: who remembers what follows from one sees that it is out of date.
+  [[nodiscard]] int changes() const { return changes_; }
 
  signals:
   void changed(const QString& name);
+
+ private:
+  int changes_ = 0;
 };
 
 }  // namespace blossom::ui

@@ -20,8 +20,10 @@ PreferencesForm::PreferencesForm(const PreferenceGroup& group, QWidget* parent) 
   for (const ParameterSpec& spec : group.specs) add(spec);
   column->addStretch(1);
   connect(&Preferences::instance(), &Preferences::changed, this, [this](const QString& name) {
-    for (ParameterField* field : fields_)
-      if (qt(field->spec().name) == name) field->setValue(Preferences::instance().value(field->spec().name));
+    for (ParameterField* field : fields_) {
+      const bool otherUnit = name == QLatin1String("length-unit") && field->spec().kind == ParameterKind::Length;
+      if (otherUnit || qt(field->spec().name) == name) field->setValue(Preferences::instance().value(field->spec().name));
+    }
   });
 }
 

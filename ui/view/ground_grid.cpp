@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/look/units.h"
+
 namespace blossom::ui {
 
 namespace {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/look/text.h"
+#include "ui/look/units.h"
 #include "ui/view/view_band.h"
 #include "ui/view/view_widget.h"
 

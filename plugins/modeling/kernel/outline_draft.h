@@ -38,7 +38,9 @@ class OutlineDraft {
   [[nodiscard]] SnapScene sceneWith(SnapScene others) const;
 
   /// In which typed lengths without a unit are.
-  void setLengthUnit(const LengthUnit& unit) { entry_ = TypedEntry(unit); }
+  void setLengthUnit(const LengthUnit& unit) {
+    if (unit != entry_.unit()) entry_ = TypedEntry(unit);
+  }
   [[nodiscard]] TypedEntry& entry() { return entry_; }
   [[nodiscard]] const TypedEntry& entry() const { return entry_; }
 

@@ -13,6 +13,7 @@ namespace blossom::modeling {
 class TypedEntry {
  public:
   explicit TypedEntry(LengthUnit unit = {}) : unit_(std::move(unit)) {}  ///< of lengths without one
+  [[nodiscard]] const LengthUnit& unit() const { return unit_; }
   [[nodiscard]] bool open() const { return !fields_[0].empty() || !fields_[1].empty() || relative_; }
   /// May this character begin an entry?
   static bool begins(char);

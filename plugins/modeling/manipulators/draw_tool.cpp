@@ -35,7 +35,10 @@ DrawTool::DrawTool(ui::ToolHost& toolHost) : Tool(toolHost), scene_(snapScene(to
   draft_.setLengthUnit(toolHost.lengthUnit());
 }
 
-void DrawTool::documentChanged() { scene_ = snapScene(host(), {}); }
+void DrawTool::documentChanged() {
+  scene_ = snapScene(host(), {});
+  draft_.setLengthUnit(host().lengthUnit());
+}
 
 void DrawTool::hover(const ui::ToolEvent& event) {
   millimetresPerPixel_ = event.millimetresPerPixel;

@@ -49,7 +49,7 @@ QLabel* hiddenLine(const char* name) {
 QString FieldContext::nameOf(const Value& subShape, bool brief) const {
   if (!subShape.is_object()) return {};
   const std::string input = subShape.value("input", std::string());
-  const QString part =
+  QString part =
       sentenceCase(qt(subShape.value("kind", std::string()))) + u' ' + QString::number(subShape.value("index", -1));
   if (brief && sources.size() <= 1) return part;
   for (const Source& source : sources)

@@ -176,8 +176,7 @@ void Measurements::finish(int id, const CancelToken& token, const Measurement& f
 }
 
 QString Measurements::partName(const PartReference& part) const {
-  const QString feature =
-      host_.document().contains(part.feature) ? qt(host_.document().at(part.feature).name) : qt(part.feature);
+  QString feature = host_.document().contains(part.feature) ? qt(host_.document().at(part.feature).name) : qt(part.feature);
   switch (part.kind) {
     case SubShapeKind::Face:
       return tr("%1, face %2").arg(feature).arg(part.index);

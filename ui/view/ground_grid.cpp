@@ -31,7 +31,7 @@ double niceSpacing(double wanted) {
 
 class LineWriter {
  public:
-  LineWriter(Vec2 center, double reach) : center_(center), reach_(reach) {
+  LineWriter(const Vec2& center, double reach) : center_(center), reach_(reach) {
     points_->SetDataTypeToDouble();
     colors_->SetNumberOfComponents(4);
   }

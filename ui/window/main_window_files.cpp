@@ -106,7 +106,7 @@ void MainWindow::save(DocumentPage& page, std::function<void()> then) {
   question.addButton(QMessageBox::Cancel);
   question.setDefaultButton(elsewhere);
   question.exec();
-  if (question.clickedButton() == replace) write(page, file, std::move(then));
+  if (question.clickedButton() == replace) return write(page, file, std::move(then));
   if (question.clickedButton() == elsewhere) saveAs(page, std::move(then));
 }
 

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "core/error.h"
 #include "core/expression_functions.h"
@@ -50,7 +52,7 @@ class Parser {
   // What is written "10" may stand for 10 mm: only dimensions that cannot be meant are refused.
   double asWanted(const Dimensioned& value) const {
     const bool length = value.is(1, 0), angle = value.is(0, 1);
-    if (wanted_ == Quantity::Length && value.plain()) return value.value * unit_.millimetres;
+    if (wanted_ == Quantity::Length && value.plain()) return checkedAt(0, {value.value * unit_.millimetres}).value;
     if (value.plain() || (wanted_ == Quantity::Length && length) || (wanted_ == Quantity::Angle && angle))
       return value.value;
     fail(0, fmt::format("it comes to {}", length           ? "a length"
@@ -79,6 +81,15 @@ class Parser {
     if (a.plain() && unitOne(b)) return b.with(a.value * plainIn(b) + b.value);
     if (b.plain() && unitOne(a)) return a.with(a.value + b.value * plainIn(a));
     fail(place, "these cannot be added");
+  }
+
+  /// As in a sum: max(1 cm, 2) are two lengths.
+  void countPlainAsLengths(std::vector<Dimensioned>& values) const {
+    const auto length = std::find_if(values.begin(), values.end(), [](const Dimensioned& v) { return v.is(1, 0); });
+    if (length == values.end()) return;
+    const Dimensioned one = length->with(unit_.millimetres);
+    for (Dimensioned& value : values)
+      if (value.plain()) value = value * one;
   }
 
   /// What a plain number beside a length or an angle counts.
@@ -184,6 +195,7 @@ class Parser {
     std::vector<Dimensioned> values{sum()};
     for (blanks(); take(",") || take(";"); blanks()) values.push_back(sum());
     if (!take(")")) fail(place, fmt::format("the parenthesis of {} is not closed", name));
+    countPlainAsLengths(values);
     if (values.size() < function->least || values.size() > function->most)
       fail(place, fmt::format("{} takes {} {}", name, function->least, function->least == 1 ? "value" : "values"));
     const auto value = function->call(values);

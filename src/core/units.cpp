@@ -48,7 +48,7 @@ std::string formatNumber(double value) { return fmt::format("{}", value); }
 
 std::string formatLength(double millimetres, const LengthUnit& unit) {
   const double value = millimetres / unit.millimetres;
-  return fmt::format("{} {}", unit.millimetres == 1 ? formatNumber(value) : fmt::format("{:.12g}", value), unit.name);
+  return fmt::format("{} {}", unit.millimetres == 1 ? formatNumber(value) : fmt::format("{:.13g}", value), unit.name);
 }
 
 }  // namespace blossom

@@ -24,7 +24,7 @@ struct LengthUnit {
 /// @throws Error InvalidParameter saying what is not understood and where.
 double parseLength(std::string_view text, const LengthUnit& unit = {});
 
-/// "12.5 mm", "0.5 in": reads back as the same double in mm, in other units to twelve digits.
+/// "12.5 mm", "0.5 in": reads back as the same double in mm, in other units to thirteen digits.
 std::string formatLength(double millimetres, const LengthUnit& unit = {});
 
 /// Angle in degrees from "30", "30deg", "30°", "0.5rad", "100gon", "0.25turn" or an expression "pi/4 rad". No unit means

@@ -147,6 +147,53 @@ class ExpressionTest : public QObject {
     }
   }
 
+  // With another unit preferred a number that says none counts in it, and nothing else changes.
+  void numbersCountInTheUnitGiven() {
+    const LengthUnit inch{"in", 25.4}, foot{"ft", 304.8};
+    const std::vector<std::pair<const char*, double>> inches{{"1/2", 12.7},          {"1 1/2", 38.1},
+                                                             {"10 mm + 1", 35.4},    {"1 - 10 mm", 15.4},
+                                                             {"2 cm", 20},           {"-3", -76.2},
+                                                             {"2*3", 152.4},         {"2*(3 mm)", 6},
+                                                             {"sqrt(4)", 50.8},      {"5' 6\"", 1676.4},
+                                                             {"max(1 cm, 2)", 50.8}, {"min(3, 1 cm)", 10},
+                                                             {"hypot(3, 4)", 127},   {"hypot(76.2 mm, 4)", 127},
+                                                             {"mod(30 mm, 1)", 4.6}};
+    for (const auto& [text, wanted] : inches) COMPARE_NEAR(parseLength(text, inch), wanted, 1e-12 * std::abs(wanted));
+    COMPARE_NEAR(parseLength("2", foot), 609.6, 1e-12);
+    VERIFY_ERROR(parseLength("1e308", inch), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(parseLength("3 deg", inch), ErrorCode::InvalidParameter);
+    try {
+      parseLength("3 apples", inch);
+      QFAIL("apples are no unit");
+    } catch (const Error& error) {
+      QVERIFY2(error.hint().find("without a unit it is in") != std::string::npos, error.hint().c_str());
+    }
+  }
+
+  void lengthsReadBackInEveryUnit() {
+    auto random = test::seededRandom();
+    for (const char* name : {"mm", "cm", "m", "in", "ft"}) {
+      const LengthUnit unit{name, millimetresPer(name)};
+      for (int i = 0; i < 5000; ++i) {
+        const double size = std::pow(10, std::uniform_real_distribution(-6.0, 9.0)(random));
+        const double length = i % 2 ? size : -size;
+        const std::string text = formatLength(length, unit);
+        QVERIFY2(text.ends_with(std::string(" ") + name), text.c_str());
+        const double bare = parseLength(std::string_view(text).substr(0, text.find(' ')), unit);
+        COMPARE_NEAR(parseLength(text, unit), length, 1e-12 * size);
+        COMPARE_NEAR(parseLength(text), length, 1e-12 * size);
+        COMPARE_NEAR(bare, length, 1e-12 * size);
+      }
+      // What was typed with few digits is written with few.
+      for (int tenth = 1; tenth <= 1000; ++tenth) {
+        const std::string typed = formatNumber(tenth / 10.0);
+        QCOMPARE(formatLength(parseLength(typed, unit), unit), typed + ' ' + name);
+      }
+    }
+    QCOMPARE(formatLength(25.4, {"in", 25.4}), std::string("1 in"));
+    QCOMPARE(formatLength(12.5), std::string("12.5 mm"));
+  }
+
   void knownAngles() {
     COMPARE_NEAR(parseAngle("pi/4 rad"), 45, 1e-13);
     COMPARE_NEAR(parseAngle("45 deg"), 45, 0);

@@ -5,7 +5,11 @@ scenario "open by drop, palette, edit, reorder, undo, redo, save; pick a face; l
 scenario "draw an outline with snapping and typed lengths, extrude and fillet it" modeling_window_test
 scenario "measure and section" measure_window_test
 scenario "the view: picking of features, faces, edges and points, tools, navigation" view_test
-scenario "the panel: a field for every kind of parameter" property_panel_test
+scenario "the panel: a field for every kind of parameter, the name, errors, results" panel_form_test
+scenario "the panel: typed values" panel_typing_test
+scenario "the panel: keys, wheel and dragging" panel_dragging_test
+scenario "the panel: lists and records" panel_lists_test
+scenario "the panel: picking, inputs" panel_picking_test
 scenario "the tree: rename, isolate, delete, reorder, suppress, search" document_tree_test
 scenario "the palette; a job is cancelled" palette_test
 scenario "files: open, save, guard, damaged documents" window_files_test

@@ -1,0 +1,147 @@
+#include <QCheckBox>
+#include <QClipboard>
+#include <QLabel>
+
+#include "panel_fixture.h"
+#include "ui/fields/list_field.h"
+#include "ui/fields/list_row.h"
+#include "ui/panel/result_table.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+/// The form as a whole: what stands in it, the name, the results.
+class PanelFormTest : public PanelFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openPanel(); }
+  void cleanup() { closePanel(); }
+  void everyKindHasAFieldThatFits();
+  void tabGoesThroughTheFields();
+  void namesAreTypedOver();
+  void whatIsTypedIsNotLostWithTheSelection();
+  void errorsStandAtTheirField();
+  void resultsAreShownAndCopied();
+  void valuesGoBackToTheirDefault();
+};
+
+void PanelFormTest::everyKindHasAFieldThatFits() {
+  for (const ParameterSpec& spec : everything().parameters) {
+    const ParameterField* made = panel_->field(qt(spec.name));
+    QVERIFY2(made && made->isVisible(), spec.name.c_str());
+    QVERIFY2(made->value() == spec.fallback, spec.name.c_str());
+    QVERIFY2(made->minimumSizeHint().width() <= 210,
+             qPrintable(qt(spec.name) + QString::number(made->minimumSizeHint().width())));
+    QVERIFY2(made->geometry().right() <= panel_->viewport()->width(), spec.name.c_str());
+  }
+  // However much is in the lists, nothing is wider than the narrowest side.
+  Feature feature = session_->document().at("e");
+  feature.inputs = {"a", "b", "b"};
+  feature.parameters["points"] = Value::parse("[[-1234.5678,2,3],[4,5,6]]");
+  feature.parameters["tools"] = Value::array({now("pin"), now("pin")});
+  feature.parameters["face"] = Value{{"input", "base"}, {"kind", "face"}, {"index", 123456}};
+  session_->commit(session_->document().with(feature), QStringLiteral("Fill"));
+  static_cast<ListField*>(field("tools"))->rows()[0]->open(true);
+  panel_->resize(230, 700);
+  settle();
+  QTRY_COMPARE(panel_->widget()->width(), panel_->viewport()->width());
+}
+
+void PanelFormTest::tabGoesThroughTheFields() {
+  editor<QCheckBox>("flag")->setFocus();
+  for (const char* name : {"count", "number", "ratio", "length", "angle", "choice", "text"}) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    QVERIFY2(field(name)->isAncestorOf(QApplication::focusWidget()), name);
+  }
+}
+
+void PanelFormTest::namesAreTypedOver() {
+  auto* name = panel_->findChild<QLineEdit*>(QStringLiteral("featureNameEdit"));
+  QCOMPARE(name->text(), QStringLiteral("All"));
+  type(name, QStringLiteral("All of it"));
+  QCOMPARE(session_->document().at("e").name, std::string("All of it"));
+  QCOMPARE(qt(session_->history().undoText()), QStringLiteral("Rename All of it"));
+  session_->undo();
+  QCOMPARE(name->text(), QStringLiteral("All"));
+  name->setFocus();
+  QTest::keyClicks(name, QStringLiteral("x"));
+  QTest::keyClick(name, Qt::Key_Escape);
+  QCOMPARE(name->text(), QStringLiteral("All"));
+  QSignalSpy manual(panel_.get(), &PropertyPanel::manualWanted);
+  panel_->findChild<QToolButton*>(QStringLiteral("fieldButton"))->click();
+  QCOMPARE(manual.size(), 1);
+  QVERIFY(manual.front().front().toString().contains(QStringLiteral("test.everything")));
+}
+
+void PanelFormTest::whatIsTypedIsNotLostWithTheSelection() {
+  auto* line = editor<QLineEdit>("length");
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, QStringLiteral("17"));
+  panel_->show(FeatureId("a"));
+  QCOMPARE(now("length"), Value(17.0));
+  QVERIFY(session_->document().at("a").parameters.empty());
+  QVERIFY(field("size") && !field("length"));
+  panel_->show(FeatureId());
+  QVERIFY(!field("size"));
+  // A drag that was not let go is taken back.
+  panel_->show(FeatureId("e"));
+  settle();
+  const std::string before = toJson(session_->document());
+  QTest::mousePress(labelOf("length"), Qt::LeftButton, {}, QPoint(5, 5));
+  QTest::mouseMove(labelOf("length"), QPoint(60, 5));
+  QVERIFY(toJson(session_->document()) != before);
+  panel_->show(FeatureId("b"));
+  QCOMPARE(toJson(session_->document()), before);
+}
+
+void PanelFormTest::errorsStandAtTheirField() {
+  type(editor<QLineEdit>("length"), QStringLiteral("2 m"));
+  settle();
+  QCOMPARE(now("length"), Value(2000.0));  // the panel knows no such bound; the evaluation does
+  QTRY_COMPARE(field("length")->problem(), QStringLiteral("Length must fit the base; it is far too long."));
+  QVERIFY(panel_->findChild<QLabel*>(QStringLiteral("problemBox")));
+  session_->undo();
+  settle();
+  QTRY_VERIFY(field("length")->problem().isEmpty());
+  type(editor<QLineEdit>("angle"), QStringLiteral("13"));
+  settle();
+  QTRY_VERIFY(panel_->findChild<QLabel*>(QStringLiteral("problemBox")));
+  QCOMPARE(panel_->findChild<QLabel*>(QStringLiteral("problemBox"))->text(), QStringLiteral("It folds over."));
+  QVERIFY(field("angle")->problem().isEmpty());
+}
+
+void PanelFormTest::resultsAreShownAndCopied() {
+  auto* table = panel_->findChild<ResultTable*>();
+  const auto shown = [&](const QString& text) -> QLabel* {
+    for (auto* label : table->findChildren<QLabel*>())
+      if (!label->isHidden() && label->text() == text) return label;
+    return nullptr;
+  };
+  QTRY_VERIFY(shown(QStringLiteral("Area")));
+  QLabel* area = shown(QStringLiteral("50"));
+  QVERIFY(area && shown(QStringLiteral("mm²")));
+  QVERIFY(shown(QStringLiteral("12.25")) && shown(QStringLiteral("mm")));
+  QSignalSpy told(panel_.get(), &PropertyPanel::hint);
+  panel_->ensureWidgetVisible(area);
+  QTest::mouseClick(area, Qt::LeftButton);
+  QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("50"));
+  QVERIFY(!told.isEmpty());
+  QVERIFY(!shown(QStringLiteral("The flag is up.")));
+  QTest::keyClick(editor<QCheckBox>("flag"), Qt::Key_Space);
+  QTRY_VERIFY(shown(QStringLiteral("The flag is up.")));
+}
+
+void PanelFormTest::valuesGoBackToTheirDefault() {
+  type(editor<QLineEdit>("length"), QStringLiteral("12"));
+  auto* reset = field("length")->findChild<QToolButton*>(QStringLiteral("fieldReset"));
+  QTest::mouseMove(field("length"), middle(field("length")));
+  oneStep("length", 10.0, [&] { reset->click(); });
+  const std::string text = session_->history().undoText();
+  field("length")->resetToDefault();  // nothing to do
+  QCOMPARE(session_->history().undoText(), text);
+}
+
+BLOSSOM_PANEL_TEST_MAIN(PanelFormTest)
+#include "panel_form_test.moc"

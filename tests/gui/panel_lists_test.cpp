@@ -1,0 +1,132 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include "panel_fixture.h"
+#include "ui/fields/list_field.h"
+#include "ui/fields/list_row.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+/// Lists, records and lists of records.
+class PanelListsTest : public PanelFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openPanel(); }
+  void cleanup() { closePanel(); }
+  void listsAreEdited();
+  void listsOfRecords();
+  void recordsAreGroups();
+  void longListsAreShownBitByBit();
+};
+
+void PanelListsTest::listsAreEdited() {
+  auto* lengths = static_cast<ListField*>(field("lengths"));
+  const auto add = [](const ListField* list) {
+    for (auto* button : list->findChildren<QToolButton*>())
+      if (button->property("role") == QStringLiteral("add")) return button;
+    return static_cast<QToolButton*>(nullptr);
+  };
+  QCOMPARE(lengths->rows().size(), std::size_t(3));
+  oneStep("lengths", Value::array({1.0, 20.0, 3.0}),
+          [&] { type(lengths->rows()[1]->findChild<QLineEdit*>(), QStringLiteral("2 cm")); });
+  oneStep("lengths", Value::array({1.0, 20.0, 3.0, 0.0}), [&] { add(lengths)->click(); });
+  oneStep("lengths", Value::array({20.0, 1.0, 3.0, 0.0}), [&] { emit lengths->rows()[1]->moveWanted(-1); });
+  oneStep("lengths", Value::array({20.0, 3.0, 0.0, 1.0}), [&] {
+    // The number in front is dragged below the last row.
+    auto* number = lengths->rows()[1]->findChild<QLabel*>(QStringLiteral("rowNumber"));
+    QTest::mousePress(number, Qt::LeftButton, {}, middle(number));
+    const QPoint below = number->mapFromGlobal(lengths->rows()[3]->mapToGlobal(QPoint(5, lengths->rows()[3]->height())));
+    QTest::mouseMove(number, (middle(number) + below) / 2);
+    QTest::mouseMove(number, below);
+    QTest::mouseRelease(number, Qt::LeftButton, {}, below);
+  });
+  oneStep("lengths", Value::array({20.0, 0.0, 1.0}), [&] { emit lengths->rows()[1]->removeWanted(); });
+  oneStep("lengths", Value::array({20.0, 20.0, 0.0, 1.0}), [&] { emit lengths->rows()[0]->copyWanted(); });
+  type(lengths->rows()[0]->findChild<QLineEdit*>(), QStringLiteral("3 deg"));
+  QVERIFY(!lengths->rows()[0]->field()->problem().isEmpty());
+  QCOMPARE(now("lengths").at(0), Value(20.0));
+  // It must keep one.
+  for (int i = 0; i < 4; ++i) emit lengths->rows()[0]->removeWanted();
+  QCOMPARE(now("lengths"), Value::array({1.0}));
+  QVERIFY(lengths->problem().contains(QStringLiteral("at least 1 item")));
+
+  auto* points = static_cast<ListField*>(field("points"));
+  oneStep("points", Value::parse("[[0.0,0.0,0.0]]"), [&] { add(points)->click(); });
+  oneStep("points", Value::parse("[[1.0,2.5,-3.0]]"), [&] {
+    points->rows()[0]->field()->findChild<QToolButton*>(QStringLiteral("fieldButton"))->click();
+    QCOMPARE(panel_->wanted()->parameter, QStringLiteral("points/0"));
+    panel_->offerPick(pickOf(SubShapeKind::Vertex, 0));
+  });
+}
+
+void PanelListsTest::listsOfRecords() {
+  auto* tools = static_cast<ListField*>(field("tools"));
+  const Value fresh{{"diameter", 6.0}, {"shape", "flat"}, {"at", Value::array({0.0, 0.0, 0.0})}};
+  Value ball = fresh;
+  ball["shape"] = "ball";
+  oneStep("tools", Value::array({fresh}), [&] {
+    for (auto* button : tools->findChildren<QToolButton*>())
+      if (button->property("role") == QStringLiteral("add")) button->click();
+  });
+  ListRow* row = tools->rows()[0];
+  row->open(true);
+  QTRY_VERIFY(row->field() && row->field()->isVisible());
+  oneStep("tools", Value::array({ball}), [&] { QTest::keyClick(row->findChild<QComboBox*>(), Qt::Key_Down); });
+  row->findChild<QToolButton*>(QStringLiteral("rowTitle"))->click();
+  QVERIFY(row->field()->isHidden());
+  QVERIFY(row->findChild<QToolButton*>(QStringLiteral("rowTitle"))->text().contains(QStringLiteral("6 mm · ball")));
+  row->open(true);
+  auto* pick = row->findChild<QToolButton*>(QStringLiteral("fieldButton"));
+  pick->click();
+  QCOMPARE(panel_->wanted()->parameter, QStringLiteral("tools/0/at"));
+  Value moved = ball;
+  moved["at"] = Value::array({1.0, 2.5, -3.0});
+  oneStep("tools", Value::array({moved}), [&] { panel_->offerPick(pickOf(SubShapeKind::Whole, -1)); });
+  // Dragging inside of a record inside of a list is previewed and one step too.
+  auto* label = row->field()->findChild<ParameterField*>(QStringLiteral("parameter:diameter"))->findChild<FieldLabel*>();
+  Value wider = moved;
+  wider["diameter"] = 16.0;
+  oneStep("tools", Value::array({wider}), [&] {
+    QTest::mousePress(label, Qt::LeftButton, {}, QPoint(5, 5));
+    QTest::mouseMove(label, QPoint(25, 5));
+    QTest::mouseMove(label, QPoint(45, 5));
+    QTRY_COMPARE(now("tools").at(0).at("diameter"), Value(16.0));
+    QTest::mouseRelease(label, Qt::LeftButton, {}, QPoint(45, 5));
+  });
+}
+
+void PanelListsTest::recordsAreGroups() {
+  Value wider = now("pin");
+  wider["diameter"] = 50.8;
+  auto* diameter = field("pin")->findChild<ParameterField*>(QStringLiteral("parameter:diameter"));
+  oneStep("pin", wider, [&] { type(diameter->findChild<QLineEdit*>(), QStringLiteral("2\"")); });
+  type(diameter->findChild<QLineEdit*>(), QStringLiteral("-1"));
+  QVERIFY(!diameter->problem().isEmpty());
+  QCOMPARE(now("pin"), wider);
+  QTest::keyClick(diameter->findChild<QLineEdit*>(), Qt::Key_Escape);
+  QVERIFY(diameter->problem().isEmpty());
+}
+
+void PanelListsTest::longListsAreShownBitByBit() {
+  Feature feature = session_->document().at("e");
+  Value many = Value::array();
+  for (int i = 0; i < 1000; ++i) many.push_back(double(i));
+  feature.parameters["lengths"] = many;
+  session_->commit(session_->document().with(feature), QStringLiteral("Many"));
+  auto* lengths = static_cast<ListField*>(field("lengths"));
+  QVERIFY(lengths->rows().size() < 50);
+  auto* more = lengths->findChild<QPushButton*>(QStringLiteral("link"));
+  QVERIFY(more->isVisible());
+  const std::size_t before = lengths->rows().size();
+  more->click();
+  QVERIFY(lengths->rows().size() > before);
+  Value changed = many;
+  changed[before] = 5.5;
+  oneStep("lengths", changed, [&] { type(lengths->rows()[before]->findChild<QLineEdit*>(), QStringLiteral("5.5")); });
+}
+
+BLOSSOM_PANEL_TEST_MAIN(PanelListsTest)
+#include "panel_lists_test.moc"

@@ -1,0 +1,152 @@
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QMimeData>
+
+#include "panel_fixture.h"
+#include "ui/fields/swatch.h"
+#include "ui/panel/ratio_slider.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+/// Fields that are typed in or chosen from.
+class PanelTypingTest : public PanelFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openPanel(); }
+  void cleanup() { closePanel(); }
+  void expressionsAreTyped();
+  void aWrongValueIsKeptOut();
+  void escapeTakesBackWhatIsTyped();
+  void optionalValuesAreCleared();
+  void flagsChoicesAndTexts();
+  void coloursAreTypedAndChosen();
+  void filesAreDroppedAndWritten();
+};
+
+void PanelTypingTest::expressionsAreTyped() {
+  auto* length = editor<QLineEdit>("length");
+  oneStep("length", 72.7, [&] { type(length, QStringLiteral("1/2 in + 3*(2 cm)")); });
+  QCOMPARE(length->text(), QStringLiteral("72.7 mm"));
+  oneStep("angle", parseText(declared("angle", angle()), "pi/4 rad + 1"),
+          [&] { type(editor<QLineEdit>("angle"), QStringLiteral("pi/4 rad + 1")); });
+  oneStep("number", std::sqrt(2.0), [&] { type(editor<QLineEdit>("number"), QStringLiteral("sqrt(2)")); });
+  oneStep("count", 12, [&] { type(editor<QLineEdit>("count"), QStringLiteral("3*4")); });
+  oneStep("ratio", 0.75, [&] {
+    auto* slider = editor<RatioSlider>("ratio");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_F2);
+    type(slider, QStringLiteral("3/4"));
+  });
+}
+
+void PanelTypingTest::aWrongValueIsKeptOut() {
+  const std::string before = toJson(session_->document());
+  const std::vector<std::pair<const char*, QString>> wrong{
+      {"length", QStringLiteral("-3")}, {"length", QStringLiteral("3 apples")}, {"length", QStringLiteral("1/0")},
+      {"count", QStringLiteral("2.5")}, {"count", QStringLiteral("21")},        {"number", QStringLiteral("3 mm")},
+      {"angle", QStringLiteral("")},    {"color", QStringLiteral("no colour")}, {"file", QStringLiteral("/nowhere/x.json")}};
+  for (const auto& [name, text] : wrong) {
+    auto* line = editor<QLineEdit>(name);
+    const Value kept = field(name)->value();
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClick(line, Qt::Key_Delete);
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY2(field(name)->problem().contains(QStringLiteral("kept")), qPrintable(QLatin1String(name) + text));
+    QVERIFY(field(name)->problem().front().isUpper() || field(name)->problem().front() == u'"');
+    QCOMPARE(field(name)->value(), kept);
+    QCOMPARE(toJson(session_->document()), before);
+    QTest::keyClick(line, Qt::Key_Escape);
+    QVERIFY(field(name)->problem().isEmpty());
+    QCOMPARE(line->text(), displayText(field(name)->spec(), kept));
+  }
+}
+
+void PanelTypingTest::escapeTakesBackWhatIsTyped() {
+  const std::string before = toJson(session_->document());
+  for (const char* name : {"length", "text", "color", "count"}) {
+    auto* line = editor<QLineEdit>(name);
+    const QString shown = line->text();
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, QStringLiteral("7"));
+    QVERIFY(field(name)->editing());
+    QTest::keyClick(line, Qt::Key_Escape);
+    QCOMPARE(line->text(), shown);
+    QVERIFY(!field(name)->editing());
+    line->clearFocus();
+    QCOMPARE(toJson(session_->document()), before);
+  }
+}
+
+void PanelTypingTest::optionalValuesAreCleared() {
+  auto* line = editor<QLineEdit>("limit");
+  QVERIFY(line->text().isEmpty() && !line->placeholderText().isEmpty());
+  oneStep("limit", 30.0, [&] { type(line, QStringLiteral("3 cm")); });
+  oneStep("limit", Value(), [&] {
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClick(line, Qt::Key_Delete);
+    QTest::keyClick(line, Qt::Key_Return);
+  });
+}
+
+void PanelTypingTest::flagsChoicesAndTexts() {
+  auto* box = editor<QCheckBox>("flag");
+  oneStep("flag", true, [&] { QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(10, box->height() / 2)); });
+  oneStep("flag", false, [&] { QTest::keyClick(box, Qt::Key_Space); });
+  oneStep("choice", "fine", [&] { QTest::keyClick(editor<QComboBox>("choice"), Qt::Key_Down); });
+  oneStep("text", " a ; \"b\" ", [&] { type(editor<QLineEdit>("text"), QStringLiteral(" a ; \"b\" ")); });
+}
+
+void PanelTypingTest::coloursAreTypedAndChosen() {
+  auto* line = editor<QLineEdit>("color");
+  oneStep("color", "#112233", [&] { type(line, QStringLiteral("#123")); });
+  oneStep("color", "#4682b4", [&] { type(line, QStringLiteral("Steel blue")); });
+  oneStep("color", "#00ff00", [&] {
+    QTest::mouseClick(editor<Swatch>("color"), Qt::LeftButton);
+    auto* dialog = editor<QColorDialog>("color");
+    QVERIFY(dialog);
+    dialog->setCurrentColor(QColor(QStringLiteral("#0000ff")));
+    QTRY_COMPARE(now("color"), Value("#0000ff"));  // previewed
+    dialog->setCurrentColor(QColor(QStringLiteral("#00ff00")));
+    dialog->accept();
+  });
+}
+
+void PanelTypingTest::filesAreDroppedAndWritten() {
+  const auto written = [&](const char* name) {
+    QFile out(folder_.filePath(QLatin1String(name)));
+    if (out.open(QIODevice::WriteOnly)) out.write("{}");
+    return out.fileName();
+  };
+  const QString good = written("motion.json"), bad = written("motion.xyz");
+  const auto drop = [&](const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(middle(field("file")), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(field("file"), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(middle(field("file")), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(field("file"), &event);
+  };
+  drop(bad);
+  QVERIFY(field("file")->problem().contains(QStringLiteral("json")));
+  QVERIFY(now("file").is_null());
+  drop(good);
+  QTRY_VERIFY(!now("file").is_null());
+  QCOMPARE(qt(now("file").at("path").get<std::string>()), good);
+  QVERIFY(!now("file").at("asset").get<std::string>().empty());  // its content is in the document
+  QVERIFY(field("file")->problem().isEmpty());
+  QCOMPARE(editor<QLineEdit>("file")->text(), QStringLiteral("motion.json"));
+  session_->undo();
+  QVERIFY(now("file").is_null());
+}
+
+BLOSSOM_PANEL_TEST_MAIN(PanelTypingTest)
+#include "panel_typing_test.moc"

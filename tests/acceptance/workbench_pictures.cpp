@@ -7,10 +7,12 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "app/app.h"
+#include "ui/files/tile.h"
 #include "ui/help/help_menu.h"
 #include "ui/help/manual_window.h"
 #include "ui/look/theme.h"
@@ -62,7 +64,8 @@ class Pictures {
     while (timer.elapsed() < 60000 && quiet.elapsed() < quietMs) {
       QApplication::processEvents(QEventLoop::AllEvents, 20);
       const Session& session = window_->session();
-      if (session.evaluating() || session.job().running()) quiet.restart();
+      const ViewWidget& view = window_->view();
+      if (session.evaluating() || session.job().running() || (view.isVisible() && !view.sharp())) quiet.restart();
     }
   }
   void save(QWidget& widget, const char* name) {
@@ -99,7 +102,12 @@ class Pictures {
 
   void startPage() {
     open();
-    settle(12000);  // the pictures of the samples are made by another program
+    // The pictures of the samples are made by another program.
+    QElapsedTimer timer;
+    timer.start();
+    const auto tiles = window_->findChildren<Tile*>();
+    while (timer.elapsed() < 60000 && !std::all_of(tiles.begin(), tiles.end(), [](Tile* t) { return t->hasPicture(); }))
+      QApplication::processEvents(QEventLoop::AllEvents, 20);
     save(*window_, "start");
   }
   void propeller() {

@@ -57,6 +57,7 @@ Tile::Tile(const QString& file, const QString& title, const QString& about, QWid
 }
 
 void Tile::setPicture(const QPixmap& picture) {
+  pictured_ = true;
   const double ratio = devicePixelRatioF();
   QPixmap scaled = picture.scaled(pictureSize * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   scaled.setDevicePixelRatio(ratio);

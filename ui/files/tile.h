@@ -16,6 +16,7 @@ class Tile : public QPushButton {
   Tile(const QString& file, const QString& title, const QString& about, QWidget* parent = nullptr);
   [[nodiscard]] const QString& file() const { return file_; }
   void setPicture(const QPixmap&);
+  [[nodiscard]] bool hasPicture() const { return pictured_; }
   void setPinned(bool);
   /// The file is not there any more: the tile turns faint and says so.
   void setMissing();
@@ -26,6 +27,7 @@ class Tile : public QPushButton {
  private:
   void elide();
   QString file_, titleText_, aboutText_;
+  bool pictured_ = false;
   QLabel *picture_, *title_, *about_, *pin_;
 };
 

@@ -146,16 +146,8 @@
         <translation>Längeneinheit</translation>
     </message>
     <message>
-        <source>decimals</source>
-        <translation>Nachkommastellen</translation>
-    </message>
-    <message>
         <source>navigation</source>
         <translation>Navigation</translation>
-    </message>
-    <message>
-        <source>chord</source>
-        <translation>Sehnenfehler</translation>
     </message>
     <message>
         <source>projection</source>
@@ -192,6 +184,10 @@
     <message>
         <source>parallel</source>
         <translation>parallel</translation>
+    </message>
+    <message>
+        <source>drawing tolerance</source>
+        <translation>Zeichengenauigkeit</translation>
     </message>
 </context>
 <context>
@@ -1393,6 +1389,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>LOG</source>
         <translation>PROTOKOLL</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::LogList</name>
@@ -2104,28 +2104,12 @@ Seitwärts ziehen ändert ihn.</translation>
         <translation>Sprache des Fensters, vom nächsten Start an.</translation>
     </message>
     <message>
-        <source>Units</source>
-        <translation>Einheiten</translation>
-    </message>
-    <message>
-        <source>In which lengths are shown; any unit may be typed.</source>
-        <translation>Womit Längen gezeigt werden; eingeben lässt sich jede Einheit.</translation>
-    </message>
-    <message>
-        <source>Digits after the point where lengths are shown.</source>
-        <translation>Stellen nach dem Komma, wo Längen gezeigt werden.</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
     </message>
     <message>
         <source>Which mouse buttons turn, shift and zoom the view.</source>
         <translation>Mit welchen Maustasten die Ansicht gedreht, verschoben und vergrößert wird.</translation>
-    </message>
-    <message>
-        <source>Largest distance between a shape and the polygons that are drawn and exported.</source>
-        <translation>Größter Abstand einer Form von den Vielecken, die gezeichnet und exportiert werden.</translation>
     </message>
     <message>
         <source>Of a document when it is opened.</source>
@@ -2146,6 +2130,14 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Processor cores to compute with; 0 takes all of them.</source>
         <translation>Prozessorkerne, mit denen gerechnet wird; 0 nimmt alle.</translation>
+    </message>
+    <message>
+        <source>How far what is drawn may lie from the shape itself; 0: a thousandth of its size. Results and files are exact whatever it is.</source>
+        <translation>Wie weit das Gezeichnete von der Form selbst abweichen darf; 0: ein Tausendstel ihrer Größe. Ergebnisse und Dateien sind davon unabhängig genau.</translation>
+    </message>
+    <message>
+        <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>
+        <translation>Worin Längen gezeigt werden und was eine Zahl ohne Einheit bedeutet. Dateien bleiben in mm.</translation>
     </message>
 </context>
 <context>
@@ -2390,10 +2382,6 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Where it cuts, such as 12.5 or 1/2 in</source>
         <translation>Wo er schneidet, etwa 12.5 oder 1/2 in</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
 </context>
 <context>
@@ -2919,12 +2907,12 @@ Seitwärts ziehen ändert ihn.</translation>
         <translation>Wählt, was ganz im Rahmen liegt</translation>
     </message>
     <message>
-        <source>grid %1 mm</source>
-        <translation>Raster %1 mm</translation>
+        <source>grid %1</source>
+        <translation>Raster %1</translation>
     </message>
     <message>
-        <source>x %1   y %2 mm   ·   %3</source>
-        <translation>x %1   y %2 mm   ·   %3</translation>
+        <source>x %1   y %2 %3   ·   %4</source>
+        <translation>x %1   y %2 %3   ·   %4</translation>
     </message>
 </context>
 </TS>

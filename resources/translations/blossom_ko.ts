@@ -146,16 +146,8 @@
         <translation>길이 단위</translation>
     </message>
     <message>
-        <source>decimals</source>
-        <translation>소수 자릿수</translation>
-    </message>
-    <message>
         <source>navigation</source>
         <translation>탐색</translation>
-    </message>
-    <message>
-        <source>chord</source>
-        <translation>현 오차</translation>
     </message>
     <message>
         <source>projection</source>
@@ -192,6 +184,10 @@
     <message>
         <source>parallel</source>
         <translation>평행</translation>
+    </message>
+    <message>
+        <source>drawing tolerance</source>
+        <translation>표시 허용 오차</translation>
     </message>
 </context>
 <context>
@@ -1393,6 +1389,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>LOG</source>
         <translation>기록</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::LogList</name>
@@ -2104,28 +2104,12 @@ Drag sideways to change it.</source>
         <translation>창의 언어이며 다음 시작부터 적용됩니다.</translation>
     </message>
     <message>
-        <source>Units</source>
-        <translation>단위</translation>
-    </message>
-    <message>
-        <source>In which lengths are shown; any unit may be typed.</source>
-        <translation>길이를 표시하는 단위입니다. 입력할 때는 어떤 단위든 쓸 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Digits after the point where lengths are shown.</source>
-        <translation>길이를 표시할 때의 소수 자릿수입니다.</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>보기</translation>
     </message>
     <message>
         <source>Which mouse buttons turn, shift and zoom the view.</source>
         <translation>보기를 회전, 이동, 확대하는 마우스 단추입니다.</translation>
-    </message>
-    <message>
-        <source>Largest distance between a shape and the polygons that are drawn and exported.</source>
-        <translation>형상과, 화면에 그리고 내보내는 다각형 사이의 최대 거리입니다.</translation>
     </message>
     <message>
         <source>Of a document when it is opened.</source>
@@ -2146,6 +2130,14 @@ Drag sideways to change it.</source>
     <message>
         <source>Processor cores to compute with; 0 takes all of them.</source>
         <translation>계산에 쓸 프로세서 코어 수입니다. 0이면 모두 씁니다.</translation>
+    </message>
+    <message>
+        <source>How far what is drawn may lie from the shape itself; 0: a thousandth of its size. Results and files are exact whatever it is.</source>
+        <translation>화면에 그린 것이 실제 형상에서 벗어날 수 있는 거리입니다. 0이면 형상 크기의 1000분의 1입니다. 결과와 파일은 이 값과 상관없이 정확합니다.</translation>
+    </message>
+    <message>
+        <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>
+        <translation>길이를 표시하는 단위이며, 단위 없이 적은 수의 단위이기도 합니다. 파일은 그대로 mm입니다.</translation>
     </message>
 </context>
 <context>
@@ -2390,10 +2382,6 @@ Drag sideways to change it.</source>
     <message>
         <source>Where it cuts, such as 12.5 or 1/2 in</source>
         <translation>자르는 위치. 예: 12.5 또는 1/2 in</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
     </message>
 </context>
 <context>
@@ -2919,12 +2907,12 @@ Drag sideways to change it.</source>
         <translation>상자에 완전히 든 것을 선택합니다</translation>
     </message>
     <message>
-        <source>grid %1 mm</source>
-        <translation>격자 %1 mm</translation>
+        <source>grid %1</source>
+        <translation>격자 %1</translation>
     </message>
     <message>
-        <source>x %1   y %2 mm   ·   %3</source>
-        <translation>x %1   y %2 mm   ·   %3</translation>
+        <source>x %1   y %2 %3   ·   %4</source>
+        <translation>x %1   y %2 %3   ·   %4</translation>
     </message>
 </context>
 </TS>

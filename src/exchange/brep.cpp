@@ -47,12 +47,18 @@ BrepImport readBrep(const std::string& path, const Progress& progress) {
   return withOcctErrors(ErrorCode::FormatDamaged, "It cannot be understood as BREP.", [&] {
     TopoDS_Shape shape;
     std::ifstream stream(path, std::ios::binary);
+    // Where the file ends too soon, OCCT goes on with counts that nobody has read: for seconds, or for ever.
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
     Handle(OcctProgress) watcher = new OcctProgress(progress, "Reading");
-    if (isBinary(path))
-      BinTools::Read(shape, stream, watcher->Start());
-    else
-      BRepTools::Read(shape, stream, BRep_Builder(), watcher->Start());
-    if (shape.IsNull() || stream.fail()) throwDamaged();
+    try {
+      if (isBinary(path))
+        BinTools::Read(shape, stream, watcher->Start());
+      else
+        BRepTools::Read(shape, stream, BRep_Builder(), watcher->Start());
+    } catch (const std::ios_base::failure&) {
+      throwDamaged();
+    }
+    if (shape.IsNull()) throwDamaged();
     return BrepImport{Brep(shape), Value::object(), {}};
   });
 }

@@ -1,14 +1,49 @@
 #include "ui/view/display_cache.h"
+
+#include <BRepPrimAPI_MakeSphere.hxx>
+
 #include "support/support.h"
 
 using namespace blossom;
 using namespace blossom::ui;
+
+namespace {
+
+constexpr double radius = 10;
+
+std::shared_ptr<FeatureResult> sphere() {
+  auto result = std::make_shared<FeatureResult>();
+  result->evaluated.shape = Brep(BRepPrimAPI_MakeSphere(radius).Shape());
+  return result;
+}
+
+/// How far what is drawn lies from the sphere: vertices, and the triangles between them.
+double farthest(vtkPolyData& faces) {
+  const auto off = [](const Vec3& p) { return std::abs(p.norm() - radius); };
+  double most = 0;
+  for (vtkIdType cell = 0; cell < faces.GetNumberOfCells(); ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    faces.GetCellPoints(cell, count, corners);
+    Vec3 middle = Vec3::Zero();
+    for (vtkIdType i = 0; i < count; ++i) {
+      const Vec3 corner(faces.GetPoint(corners[i]));
+      most = std::max(most, off(corner));
+      middle += corner / double(count);
+    }
+    most = std::max(most, off(middle));
+  }
+  return most;
+}
+
+}  // namespace
 
 class DisplayCacheTest : public QObject {
   Q_OBJECT
  private slots:
   void whatCannotBeDrawnKeepsItsReason();
   void theSameShapeIsDrawnOnce();
+  void aToleranceIsKept();
 };
 
 // An empty motion once threw std::out_of_range through the evaluating thread and ended the program.
@@ -30,6 +65,26 @@ void DisplayCacheTest::theSameShapeIsDrawnOnce() {
   DisplayCache cache;
   const auto first = cache.view(result, 0, Progress::none()), second = cache.view(result, 0, Progress::none());
   QVERIFY(first->scene.faces && first->scene.faces == second->scene.faces);
+}
+
+void DisplayCacheTest::aToleranceIsKept() {
+  const auto ball = sphere();
+  DisplayCache cache;
+  vtkIdType before = 0;
+  for (const double tolerance : {1.0, 0.02, 0.005}) {
+    const auto view = cache.view(ball, tolerance, Progress::none());
+    QVERIFY(!view->result->error && view->scene.faces && view->scene.solid);
+    const vtkIdType triangles = view->scene.faces->GetNumberOfCells();
+    QVERIFY2(triangles > before, qPrintable(QStringLiteral("%1 triangles within %2").arg(triangles).arg(tolerance)));
+    QVERIFY2(farthest(*view->scene.faces) <= tolerance, qPrintable(QString::number(farthest(*view->scene.faces))));
+    before = triangles;
+  }
+  // Every tolerance has its own drawing; what was drawn before is shown again.
+  const auto fine = cache.view(ball, 0.005, Progress::none()), usual = cache.view(ball, 0, Progress::none());
+  QCOMPARE(fine->scene.faces->GetNumberOfCells(), before);
+  QVERIFY(usual->scene.faces->GetNumberOfCells() < before);
+  QVERIFY(farthest(*usual->scene.faces) <= 2 * radius * std::sqrt(3.0) * 1e-3);
+  QVERIFY(usual->scene.faces == cache.view(ball, 0, Progress::none())->scene.faces);
 }
 
 QTEST_GUILESS_MAIN(DisplayCacheTest)

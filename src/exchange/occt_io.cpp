@@ -39,9 +39,4 @@ OcctSetting::OcctSetting(const char* name, const char* value) : name_(name) {
 
 OcctSetting::~OcctSetting() { Interface_Static::SetCVal(name_, before_.c_str()); }
 
-void OcctProgress::Show(const Message_ProgressScope&, Standard_Boolean) {
-  // An exception must not pass through OCCT's callers; they ask UserBreak themselves.
-  if (!progress_.cancelled()) progress_.report(GetPosition(), stage_);
-}
-
 }  // namespace blossom

@@ -1,11 +1,11 @@
 #pragma once
-#include <Message_ProgressIndicator.hxx>
 #include <Standard_Failure.hxx>
 #include <mutex>
 #include <string>
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "geometry/occt_progress.h"
 
 namespace blossom {
 
@@ -31,20 +31,6 @@ class OcctSetting {
  private:
   const char* name_;
   std::string before_;
-};
-
-/// Lets OCCT's algorithms report to and be cancelled by a Progress.
-class OcctProgress : public Message_ProgressIndicator {
- public:
-  OcctProgress(const Progress& progress, std::string stage) : progress_(progress), stage_(std::move(stage)) {}
-
- protected:
-  void Show(const Message_ProgressScope&, Standard_Boolean) override;
-  Standard_Boolean UserBreak() override { return progress_.cancelled(); }
-
- private:
-  Progress progress_;
-  std::string stage_;
 };
 
 /// Format by which OCCT's writers give numbers enough digits to be read back as the same double; their own has 12.

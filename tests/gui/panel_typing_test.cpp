@@ -20,6 +20,7 @@ class PanelTypingTest : public PanelFixture {
   void cleanup() { closePanel(); }
   void expressionsAreTyped();
   void aWrongValueIsKeptOut();
+  void closingWithSomethingTypedIsHarmless();
   void escapeTakesBackWhatIsTyped();
   void optionalValuesAreCleared();
   void flagsChoicesAndTexts();
@@ -65,6 +66,16 @@ void PanelTypingTest::aWrongValueIsKeptOut() {
     QVERIFY(field(name)->problem().isEmpty());
     QCOMPARE(line->text(), displayText(field(name)->spec(), kept));
   }
+}
+
+void PanelTypingTest::closingWithSomethingTypedIsHarmless() {
+  auto* length = editor<QLineEdit>("length");
+  length->setFocus();
+  length->selectAll();
+  QTest::keyClicks(length, QStringLiteral("12"));
+  QVERIFY(length->isModified());
+  panel_.reset();  // the focus goes with it, and the line tells that it was left
+  QCOMPARE(now("length"), Value(10.0));
 }
 
 void PanelTypingTest::escapeTakesBackWhatIsTyped() {

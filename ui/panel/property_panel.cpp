@@ -91,12 +91,18 @@ InputEditor* PropertyPanel::input(const QString& name) const {
   return nullptr;
 }
 
-void PropertyPanel::rebuild() {
-  endPick();
-  // Fields that go away have nothing to say any more.
+// A field that goes away loses the focus, and what is typed in it would be told then.
+void PropertyPanel::muteEditors() {
   for (ParameterField* field : fields_) field->disconnect(this);
   for (InputEditor* input : inputs_) input->disconnect(this);
   if (header_) header_->disconnect(this);
+}
+
+PropertyPanel::~PropertyPanel() { muteEditors(); }
+
+void PropertyPanel::rebuild() {
+  endPick();
+  muteEditors();
   fields_.clear();
   inputs_.clear();
   header_ = nullptr;

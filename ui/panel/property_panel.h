@@ -26,6 +26,7 @@ class PropertyPanel : public QScrollArea {
   Q_OBJECT
  public:
   explicit PropertyPanel(Session&, QWidget* parent = nullptr);
+  ~PropertyPanel() override;
   /// Empty: nothing is selected.
   void show(const FeatureId&);
   [[nodiscard]] const FeatureId& shown() const { return shown_; }
@@ -49,6 +50,7 @@ class PropertyPanel : public QScrollArea {
  private:
   void leave();
   void rebuild();
+  void muteEditors();
   void addFeature(const Feature&);
   void addInputs();
   void addParameters();

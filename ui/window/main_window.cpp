@@ -60,8 +60,10 @@ MainWindow::MainWindow(App app, QWidget* parent)
   if (!problems.isEmpty()) errors().showNote(tr("Not every plugin could be loaded."), problems.join(u'\n'));
 }
 
-// Pages look at the registries and send signals to the window: they go first.
+// Pages look at the registries and send signals to the window: they go first. Before that all is hidden, because what hides
+// tells so, and there has to be a window to be told.
 MainWindow::~MainWindow() {
+  hide();
   for (const auto& page : pages_) page->disconnect(this);
   pages_.clear();
 }

@@ -51,6 +51,7 @@ class Editor : public QObject {
   Editor(const fs::path& folder, std::uint64_t seed)
       : place_(folder), random_(seed), log_(place_.log, std::ios::app), session_(loadApp({})) {
     Recovery::instance().start(place_.recovery);
+    note("state");  // the empty document may be the first that is saved
     QTimer::singleShot(0, this, &Editor::step);
   }
 

@@ -10,6 +10,8 @@ scenario "the panel: typed values" panel_typing_test
 scenario "the panel: keys, wheel and dragging" panel_dragging_test
 scenario "the panel: lists and records" panel_lists_test
 scenario "the panel: picking, inputs" panel_picking_test
+scenario "the panel: lengths in the unit preferred" panel_units_test
+scenario "preferences change what is shown, not the document" preferences_window_test
 scenario "the tree: rename, isolate, delete, reorder, suppress, search" document_tree_test
 scenario "the palette; a job is cancelled" palette_test
 scenario "files: open, save, guard, damaged documents" window_files_test

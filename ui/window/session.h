@@ -20,11 +20,11 @@
 
 namespace blossom::ui {
 
-/// One open document: its history, its results as they arrive, and its file. No widgets; everything slow runs on other
-/// threads.
 /// Sentences of a reader.
 QStringList toList(const std::vector<std::string>& sentences);
 
+/// One open document: its history, its results as they arrive, and its file. No widgets; everything slow runs on other
+/// threads.
 class Session : public QObject {
   Q_OBJECT
  public:

@@ -41,7 +41,6 @@ class StallWatch {
     std::atomic<double> wall = 0, busy = 0;
     void keep(double wallMs, double busyMs);
   };
-  void watch();
   void answer();
 
   static inline std::atomic<int> works_ = 0;

@@ -20,6 +20,10 @@ pkg_check_modules(ZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 find_package(Freetype REQUIRED)                # outlines of letters
 find_package(Fontconfig REQUIRED)              # which fonts are installed
+find_package(CGAL REQUIRED)                    # exact arrangements, polyhedra, Voronoi diagrams of segments
+# Debian's CMake package of OpenSubdiv names static libraries that its packages leave out.
+find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/bfr/surface.h REQUIRED)
+find_library(OPENSUBDIV_LIBRARY osdCPU REQUIRED)  # subdivision surfaces
 if(BLOSSOM_BUILD_UI)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGLWidgets Svg DBus)
 endif()

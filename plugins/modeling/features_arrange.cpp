@@ -1,10 +1,10 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "feature_groups.h"
+#include "in_worker.h"
 #include "kernel/arrange.h"
 #include "kernel/boolean.h"
 #include "kernel/placement.h"
-#include "worker_feature.h"
 
 namespace blossom::modeling {
 

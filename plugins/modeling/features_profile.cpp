@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "feature_groups.h"
+#include "in_worker.h"
 #include "kernel/arrange.h"
 #include "kernel/extrude.h"
 #include "kernel/loft.h"
@@ -7,7 +8,6 @@
 #include "kernel/revolve.h"
 #include "kernel/shape_parts.h"
 #include "profile_input.h"
-#include "worker_feature.h"
 
 namespace blossom::modeling {
 

@@ -1,12 +1,12 @@
 #include "core/error.h"
 #include "feature_groups.h"
+#include "in_worker.h"
 #include "kernel/arrange.h"
 #include "kernel/boolean.h"
 #include "kernel/fillet.h"
 #include "kernel/shape_parts.h"
 #include "kernel/shell.h"
 #include "profile_input.h"
-#include "worker_feature.h"
 
 namespace blossom::modeling {
 

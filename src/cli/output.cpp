@@ -53,7 +53,7 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 
 Output planned(const FormatRegistry& formats, const fs::path& path) {
   if (path.empty()) throw UsageError("The name of an output is empty.", "Write -o and the name of a file.");
-  Output output{path, nullptr, Value::object()};
+  Output output{path, nullptr, Value::object(), {}};
   if (!isDocument(path)) output.format = writableFormat(formats, path);
   if (!isDocument(path) && !output.format)
     throw Error(ErrorCode::FormatUnknown, fmt::format("The file {} has no extension that Blossom writes.", path.string()),
@@ -84,6 +84,28 @@ void refuseKind(const Output& output, const Shape& shape) {
 }
 
 }  // namespace
+
+std::vector<Output> spreadOverFrames(std::vector<Output> outputs, const Shape& shape) {
+  const auto* sequence = shape.get<Sequence>();
+  if (!sequence) return outputs;
+  std::vector<Output> spread;
+  for (const Output& output : outputs) {
+    if (!output.format) {
+      spread.push_back(output);
+      continue;
+    }
+    for (std::size_t k = 0; k < sequence->frames.size(); ++k) {
+      Output frame = output;
+      frame.frame = k;
+      const std::string name =
+          fmt::format("{}-{:04}{}", output.path.stem().string(), k + 1, output.path.extension().string());
+      frame.path.replace_filename(name);
+      checkPlace(frame.path);
+      spread.push_back(std::move(frame));
+    }
+  }
+  return spread;
+}
 
 std::vector<std::string> outputPaths(const FormatRegistry& formats, const std::vector<std::string>& given) {
   const auto known = [&](const std::string& path) { return isDocument(path) || writableFormat(formats, path); };
@@ -117,13 +139,16 @@ std::vector<Output> plannedOutputs(const FormatRegistry& formats, const std::vec
 
 void writeOutputs(const App& app, const std::vector<Output>& outputs, const Shape& shape, const Document& document,
                   const Progress& progress) {
+  const auto held = [&](const Output& output) -> const Shape& {
+    return output.frame ? shape.get<Sequence>()->frames.at(*output.frame) : shape;
+  };
   for (const Output& output : outputs)
-    if (output.format) refuseKind(output, shape);
+    if (output.format) refuseKind(output, held(output));
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const double count = static_cast<double>(outputs.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     if (outputs[i].format)
-      writeShape(*app.formats, shape, outputs[i].path, outputs[i].options, part);
+      writeShape(*app.formats, held(outputs[i]), outputs[i].path, outputs[i].options, part);
     else
       saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
   }

@@ -194,8 +194,7 @@ class DxfWriter {
 }  // namespace
 
 void writeDxf(const Shape& shape, const std::filesystem::path& path, const Value&, const Progress& progress) {
-  const Region* region = shape.get<Region>();
-  const Curves curves = region ? toCurves(*region) : *shape.get<Curves>();
+  const Curves curves = *drawingOf(shape);
   DxfWriter(curves, path).write(progress);
 }
 

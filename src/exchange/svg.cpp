@@ -21,7 +21,7 @@ Format svgFormat() {
     return svg::readDocument(content, progress);
   };
   format.write = svg::writeDocument;
-  format.writes = {ShapeKind::Curves, ShapeKind::Region};
+  format.writes = {ShapeKind::Curves, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath};
   return format;
 }
 

@@ -198,8 +198,7 @@ std::string attributes(const std::string& layer, const std::optional<Color>& col
 }  // namespace
 
 void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress) {
-  const Region* region = shape.get<Region>();
-  const Curves curves = region ? toCurves(*region) : *shape.get<Curves>();
+  const Curves curves = *drawingOf(shape);
   const double tolerance = options.value("tolerance", 1e-3);
   const Bounds page = boundsOf(curves, std::max(tolerance, 1e-2));
   const Vec2 size = (page.high - page.low).cwiseMax(Vec2(1e-3, 1e-3));

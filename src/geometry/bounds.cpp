@@ -70,6 +70,18 @@ struct Visitor {
     const gp_Pnt high = box.CornerMax();
     return {{low.X(), low.Y(), low.Z()}, {high.X(), high.Y(), high.Z()}, false};
   }
+  Bounds operator()(const MedialAxis& axis) const {
+    Bounds box;
+    for (const MedialEdge& edge : axis.edges)
+      for (const Vec3& p : edge.points) box.add(lifted(p.head<2>()));
+    return box;
+  }
+  Bounds operator()(const Toolpath& path) const {
+    Bounds box;
+    for (std::size_t i = 0; i < path.moves.size(); ++i)
+      for (const Vec3& p : polylineOf(startOf(path, i), path.moves[i], 0.1)) box.add(p);
+    return box;
+  }
   Bounds operator()(const Sequence& sequence) const {
     Bounds box;
     for (const Shape& frame : sequence.frames) box.add(bounds(frame));

@@ -112,6 +112,27 @@ Measures measureSequence(const Sequence& sequence) {
   return measures;
 }
 
+Measures measureMedialAxis(const MedialAxis& axis) {
+  const auto certified = static_cast<std::size_t>(
+      std::count_if(axis.vertices.begin(), axis.vertices.end(), [](const MedialVertex& v) { return v.certified; }));
+  return {"medial axis",
+          {count("edges", axis.edges.size()),
+           count("vertices", axis.vertices.size()),
+           count("certified", certified),
+           count("uncertified", axis.vertices.size() - certified),
+           {"length", lengthOf(axis), MeasureUnit::Length}}};
+}
+
+/// What nobody simulated is left out.
+Measures measureToolpath(const Toolpath& path) {
+  Measures measures{"toolpath",
+                    {{"length_mm", lengthOf(path), MeasureUnit::Length}, {"time_s", secondsOf(path), MeasureUnit::Time}}};
+  if (path.gouge) measures.values.push_back({"gouge_mm", *path.gouge, MeasureUnit::Length});
+  if (path.residue) measures.values.push_back({"residue_mm2", *path.residue, MeasureUnit::Area});
+  measures.values.push_back(count("passes", path.passes));
+  return measures;
+}
+
 struct Visitor {
   const Progress& progress;
   Measures operator()(std::monostate) const { return {"nothing", {}}; }
@@ -123,6 +144,8 @@ struct Visitor {
   Measures operator()(const Mesh& mesh) const { return measureMesh(mesh, progress); }
   Measures operator()(const Motion& motion) const { return measureMotion(motion); }
   Measures operator()(const Sequence& sequence) const { return measureSequence(sequence); }
+  Measures operator()(const MedialAxis& axis) const { return measureMedialAxis(axis); }
+  Measures operator()(const Toolpath& path) const { return measureToolpath(path); }
 };
 
 }  // namespace

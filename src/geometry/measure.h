@@ -20,7 +20,8 @@ struct Measure {
 /// What `info` prints and the result panel shows. The names are alike for all shapes of a kind:
 /// region: area perimeter loops holes components vertices lines arcs splines;
 /// mesh, solid: volume area faces vertices genus components closed; surface: degree_u degree_v poles_u poles_v min_weight
-/// area; sequence: frames; curves: curves length.
+/// area; sequence: frames; curves: curves length; medial axis: edges vertices certified uncertified length;
+/// toolpath: length_mm time_s gouge_mm residue_mm2 passes.
 struct Measures {
   std::string kind;
   std::vector<Measure> values;

@@ -128,6 +128,8 @@ struct Visitor {
     if (kind == SubShapeKind::Face) notAmong("face", "faces", 0, index);
     return {toWires(curves), {}, {}};
   }
+  PartGeometry operator()(const MedialAxis& axis) const { return (*this)(drawingOf(axis)); }
+  PartGeometry operator()(const Toolpath&) const { cannot("a toolpath"); }
   PartGeometry operator()(const Mesh& mesh) const {
     switch (kind) {
       case SubShapeKind::Face: {

@@ -1,5 +1,7 @@
 #include "geometry/shape.h"
 
+#include "geometry/planar.h"
+
 namespace blossom {
 
 std::string_view shapeKindName(ShapeKind kind) noexcept {
@@ -22,8 +24,20 @@ std::string_view shapeKindName(ShapeKind kind) noexcept {
       return "motion";
     case ShapeKind::Sequence:
       return "sequence";
+    case ShapeKind::MedialAxis:
+      return "medial axis";
+    case ShapeKind::Toolpath:
+      return "toolpath";
   }
   return "nothing";
+}
+
+std::optional<Curves> drawingOf(const Shape& shape) {
+  if (const auto* region = shape.get<Region>()) return toCurves(*region);
+  if (const auto* curves = shape.get<Curves>()) return *curves;
+  if (const auto* axis = shape.get<MedialAxis>()) return drawingOf(*axis);
+  if (const auto* path = shape.get<Toolpath>()) return drawingOf(*path);
+  return std::nullopt;
 }
 
 }  // namespace blossom

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -7,15 +8,17 @@
 
 #include "geometry/brep.h"
 #include "geometry/curve.h"
+#include "geometry/medial_axis.h"
 #include "geometry/mesh.h"
 #include "geometry/motion.h"
 #include "geometry/region.h"
 #include "geometry/sequence.h"
 #include "geometry/surface.h"
+#include "geometry/toolpath.h"
 
 namespace blossom {
 
-enum class ShapeKind { None, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence };
+enum class ShapeKind { None, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath };
 
 /// "region", "curves", "surface", .. as a user reads it.
 std::string_view shapeKindName(ShapeKind) noexcept;
@@ -24,7 +27,8 @@ std::string_view shapeKindName(ShapeKind) noexcept;
 /// safe to read from any thread.
 class Shape {
  public:
-  using Value = std::variant<std::monostate, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence>;
+  using Value =
+      std::variant<std::monostate, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath>;
 
   Shape() = default;
   template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, Shape>>>
@@ -49,5 +53,8 @@ class Shape {
  private:
   std::shared_ptr<const Value> value_;
 };
+
+/// The planar curves that stand for a shape in a drawing: of regions, curves, medial axes and toolpaths; nothing of others.
+std::optional<Curves> drawingOf(const Shape&);
 
 }  // namespace blossom

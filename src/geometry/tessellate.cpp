@@ -48,6 +48,42 @@ Tessellation tessellateCurve(const Curve& curve, double chord) {
   return result;
 }
 
+Tessellation tessellateMedialAxis(const MedialAxis& axis) {
+  Tessellation result;
+  for (const MedialEdge& edge : axis.edges) {
+    result.edgeIndices.push_back(static_cast<int>(result.edges.size()));
+    std::vector<Vec3>& line = result.edges.emplace_back();
+    for (const Vec3& p : edge.points) line.emplace_back(p.x(), p.y(), 0);
+  }
+  for (const MedialVertex& v : axis.vertices) result.vertices.emplace_back(v.at.x(), v.at.y(), 0);
+  return result;
+}
+
+/// Told apart on the dark and on the light canvas: what crosses air, what goes down, what cuts.
+Color colorOf(MoveKind kind) {
+  switch (kind) {
+    case MoveKind::Rapid:
+      return {0.47, 0.53, 0.60};
+    case MoveKind::Plunge:
+      return {0.86, 0.27, 0.36};
+    case MoveKind::Feed:
+      break;
+  }
+  return {0.16, 0.62, 0.56};
+}
+
+Tessellation tessellateToolpath(const Toolpath& path, double chord, const Progress& progress) {
+  Tessellation result;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (i % 1024 == 0) progress.check();
+    result.edgeIndices.push_back(static_cast<int>(i));
+    result.edges.push_back(polylineOf(startOf(path, i), path.moves[i], chord));
+    result.edgeColors.push_back(colorOf(path.moves[i].kind));
+    result.vertices.push_back(startOf(path, i));
+  }
+  return result;
+}
+
 struct Visitor {
   const TessellationOptions& options;
   const Progress& progress;
@@ -64,6 +100,8 @@ struct Visitor {
   Tessellation operator()(const Brep& brep) const { return tessellateBrep(brep, options, progress); }
   Tessellation operator()(const Mesh& mesh) const { return tessellateMesh(mesh, progress); }
   Tessellation operator()(const Motion& motion) const { return tessellateCurve(motion.trajectory, options.chord); }
+  Tessellation operator()(const MedialAxis& axis) const { return tessellateMedialAxis(axis); }
+  Tessellation operator()(const Toolpath& path) const { return tessellateToolpath(path, options.chord, progress); }
   Tessellation operator()(const Sequence& sequence) const {
     return sequence.frames.empty() ? Tessellation() : tessellate(sequence.frames.back(), options, progress);
   }

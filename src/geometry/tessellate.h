@@ -25,6 +25,7 @@ struct Tessellation {
   std::vector<Color> faceColors;         ///< per face; empty when the shape has no colours of its own
   std::vector<std::vector<Vec3>> edges;  ///< feature edges (of a B-rep), curves (of drawings) as polylines
   std::vector<int> edgeIndices;          ///< number of the edge each of `edges` is; -1: it has none
+  std::vector<Color> edgeColors;         ///< per polyline of `edges`; empty when they have no colours of their own
   std::vector<Vec3> vertices;            ///< by their number; for picking, not drawn
   std::vector<Vec3> markers;             ///< free points
 };

@@ -41,18 +41,25 @@ vtkSmartPointer<vtkFloatArray> normalArray(const std::vector<Vec3>& normals) {
 
 unsigned char toByte(double channel) { return static_cast<unsigned char>(std::lround(std::clamp(channel, 0.0, 1.0) * 255)); }
 
-vtkSmartPointer<vtkUnsignedCharArray> colorArray(const Tessellation& t) {
+template <class ColorOf>
+vtkSmartPointer<vtkUnsignedCharArray> colorArray(std::size_t cells, ColorOf colorOf) {
   auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
   array->SetName("color");
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(t.triangles.size()));
-  for (std::size_t i = 0; i < t.triangles.size(); ++i) {
-    const auto face = i < t.faceOfTriangle.size() ? static_cast<std::size_t>(t.faceOfTriangle[i]) : 0;
-    const Color color = face < t.faceColors.size() ? t.faceColors[face] : Color{};
+  array->SetNumberOfTuples(static_cast<vtkIdType>(cells));
+  for (std::size_t i = 0; i < cells; ++i) {
+    const Color color = colorOf(i);
     const unsigned char rgb[3] = {toByte(color.red), toByte(color.green), toByte(color.blue)};
     array->SetTypedTuple(static_cast<vtkIdType>(i), rgb);
   }
   return array;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> faceColorArray(const Tessellation& t) {
+  return colorArray(t.triangles.size(), [&](std::size_t i) {
+    const auto face = i < t.faceOfTriangle.size() ? static_cast<std::size_t>(t.faceOfTriangle[i]) : 0;
+    return face < t.faceColors.size() ? t.faceColors[face] : Color{};
+  });
 }
 
 vtkSmartPointer<vtkIntArray> numberArray(const char* name, const std::vector<int>& numbers) {
@@ -77,7 +84,7 @@ vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
   data->SetPoints(points);
   data->SetPolys(cells);
   if (t.normals.size() == t.points.size()) data->GetPointData()->SetNormals(normalArray(t.normals));
-  if (!t.faceColors.empty()) data->GetCellData()->SetScalars(colorArray(t));
+  if (!t.faceColors.empty()) data->GetCellData()->SetScalars(faceColorArray(t));
   if (t.faceOfTriangle.size() == t.triangles.size()) data->GetCellData()->AddArray(numberArray("face", t.faceOfTriangle));
   return data;
 }
@@ -99,6 +106,8 @@ vtkSmartPointer<vtkPolyData> makeEdges(const Tessellation& t) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetLines(cells);
+  if (!t.edgeColors.empty())
+    data->GetCellData()->SetScalars(colorArray(t.edges.size(), [&](std::size_t i) { return t.edgeColors.at(i); }));
   if (t.edgeIndices.size() == t.edges.size()) data->GetCellData()->AddArray(numberArray("edge", t.edgeIndices));
   return data;
 }

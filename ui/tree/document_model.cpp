@@ -31,6 +31,10 @@ QString iconOfKind(ShapeKind kind) {
       return QStringLiteral("motion");
     case ShapeKind::Sequence:
       return QStringLiteral("sequence");
+    case ShapeKind::MedialAxis:
+      return QStringLiteral("medial-axis");
+    case ShapeKind::Toolpath:
+      return QStringLiteral("toolpath");
     case ShapeKind::None:
       break;
   }

@@ -131,6 +131,11 @@ class Transformer {
     for (Shape& frame : sequence.frames) frame = transformed(frame, map_);
     return sequence;
   }
+  Shape operator()(const MedialAxis& axis) const { return (*this)(drawingOf(axis)); }
+  Shape operator()(const Toolpath&) const {
+    throw Error(ErrorCode::InvalidInput, "A toolpath cannot be transformed.",
+                "Transform the part, or move the work's zero.");
+  }
   Shape operator()(const Motion&) const {
     throw Error(ErrorCode::InvalidInput, "A motion cannot be transformed.", "Transform the surface that it sweeps.");
   }

@@ -1,12 +1,12 @@
-#include "shape_transport.h"
+#include "isolate/shape_transport.h"
 
 #include <BinTools.hxx>
+#include <Standard_Failure.hxx>
 #include <fstream>
 
 #include "core/error.h"
-#include "kernel/guarded.h"
 
-namespace blossom::modeling {
+namespace blossom {
 
 namespace {
 
@@ -77,21 +77,82 @@ std::vector<Path> pathsOf(const Value& all) {
   return paths;
 }
 
-void writeBrep(const TopoDS_Shape& shape, const fs::path& file) {
-  std::ofstream stream(file, std::ios::binary);
-  guarded("The shape could not be handed over.", "", [&] { BinTools::Write(shape, stream); });
+void finish(std::ofstream& stream, const fs::path& file) {
   stream.close();
   if (!stream)
     throw Error(ErrorCode::FileUnwritable,
                 "There is no room for temporary files in \"" + file.parent_path().string() + "\".", "Free some disk space.");
 }
 
+[[noreturn]] void unreadable() { throw Error(ErrorCode::Internal, "The shapes of a helper process cannot be read."); }
+
+void writeBrep(const TopoDS_Shape& shape, const fs::path& file) {
+  std::ofstream stream(file, std::ios::binary);
+  try {
+    BinTools::Write(shape, stream);
+  } catch (const Standard_Failure&) {
+    throw Error(ErrorCode::InvalidInput, "The shape cannot be handed over to a helper process.");
+  }
+  finish(stream, file);
+}
+
 TopoDS_Shape readBrep(const fs::path& file) {
   TopoDS_Shape shape;
   std::ifstream stream(file, std::ios::binary);
-  guarded("A shape could not be taken over.", "", [&] { BinTools::Read(shape, stream); });
-  if (shape.IsNull()) throw Error(ErrorCode::Internal, "The shapes of a helper process cannot be read.");
+  try {
+    BinTools::Read(shape, stream);
+  } catch (const Standard_Failure&) {
+    unreadable();
+  }
+  if (shape.IsNull()) unreadable();
   return shape;
+}
+
+template <class T>
+void writeArray(std::ofstream& stream, const std::vector<T>& values) {
+  const std::uint64_t count = values.size();
+  stream.write(reinterpret_cast<const char*>(&count), sizeof count);
+  stream.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
+}
+
+template <class T>
+std::vector<T> readArray(std::ifstream& stream) {
+  std::uint64_t count = 0;
+  stream.read(reinterpret_cast<char*>(&count), sizeof count);
+  if (!stream) unreadable();
+  std::vector<T> values(count);
+  stream.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
+  if (!stream) unreadable();
+  return values;
+}
+
+/// Both sides are one build on one machine: numbers travel as they lie in memory.
+void writeMesh(const Mesh& mesh, const fs::path& file) {
+  std::ofstream stream(file, std::ios::binary);
+  writeArray(stream, mesh.points);
+  writeArray(stream, mesh.faceStarts);
+  writeArray(stream, mesh.faceVertices);
+  writeArray(stream, mesh.creases);
+  writeArray(stream, mesh.corners);
+  finish(stream, file);
+}
+
+Mesh readMesh(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Mesh mesh;
+  mesh.points = readArray<Vec3>(stream);
+  mesh.faceStarts = readArray<int>(stream);
+  mesh.faceVertices = readArray<int>(stream);
+  mesh.creases = readArray<Crease>(stream);
+  mesh.corners = readArray<Corner>(stream);
+  return mesh;
+}
+
+Value saved(const Sequence& sequence, const fs::path& folder, const std::string& name) {
+  Value frames = Value::array();
+  for (std::size_t k = 0; k < sequence.frames.size(); ++k)
+    frames.push_back(saveShape(sequence.frames[k], folder, name + "-" + std::to_string(k)));
+  return {{"sequence", std::move(frames)}, {"times", sequence.times}};
 }
 
 }  // namespace
@@ -101,6 +162,11 @@ Value saveShape(const Shape& shape, const fs::path& folder, const std::string& n
   if (const auto* curves = shape.get<Curves>())
     return {{"curves", saved(curves->paths)}, {"even_odd", curves->fillRule == FillRule::EvenOdd}};
   if (const auto* curve = shape.get<Curve>()) return {{"curve", {curve->degree, curve->knots, lists(curve->poles)}}};
+  if (const auto* sequence = shape.get<Sequence>()) return saved(*sequence, folder, name);
+  if (const auto* mesh = shape.get<Mesh>()) {
+    writeMesh(*mesh, folder / (name + ".mesh"));
+    return {{"mesh", name + ".mesh"}};
+  }
   const auto* brep = shape.get<Brep>();
   if (!brep || brep->shape().IsNull())
     throw Error(ErrorCode::InvalidInput,
@@ -116,7 +182,14 @@ Shape loadShape(const Value& value, const fs::path& folder) {
   if (kind == "region") return Region{pathsOf(v)};
   if (kind == "curves") return Curves{pathsOf(v), value.at("even_odd").get<bool>() ? FillRule::EvenOdd : FillRule::NonZero};
   if (kind == "curve") return Curve{v.at(0), v.at(1).get<std::vector<double>>(), vectorsOf<Vec4>(v.at(2))};
+  if (kind == "mesh") return readMesh(folder / v.get<std::string>());
+  if (kind == "sequence") {
+    Sequence sequence;
+    for (const Value& frame : v) sequence.frames.push_back(loadShape(frame, folder));
+    sequence.times = value.at("times").get<std::vector<double>>();
+    return sequence;
+  }
   return Brep(readBrep(folder / v.get<std::string>()));
 }
 
-}  // namespace blossom::modeling
+}  // namespace blossom

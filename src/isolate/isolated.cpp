@@ -1,17 +1,14 @@
-#include "worker_feature.h"
+#include "isolate/isolated.h"
 
 #include "core/file.h"
-#include "shape_transport.h"
+#include "isolate/shape_transport.h"
 #include "worker/worker.h"
 
-namespace blossom::modeling {
+namespace blossom {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Its address tells which module this is.
-const char anchor = 0;
 
 Value savedInputs(const FeatureType& type, const Inputs& inputs, const fs::path& folder) {
   Value bySpec = Value::array();
@@ -34,11 +31,39 @@ Inputs loadedInputs(const Value& bySpec, const fs::path& folder) {
   return Inputs(std::move(inputs));
 }
 
+Value figuresJson(const std::vector<Measure>& figures) {
+  Value all = Value::array();
+  for (const Measure& figure : figures) {
+    Value each{{"name", figure.name}, {"unit", static_cast<int>(figure.unit)}};
+    std::visit([&](const auto& value) { each["value"] = value; }, figure.value);
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
+std::vector<Measure> figuresOf(const Value& all) {
+  std::vector<Measure> figures;
+  for (const Value& each : all) {
+    Measure figure{each.at("name"), false, static_cast<MeasureUnit>(each.at("unit").get<int>())};
+    const Value& value = each.at("value");
+    if (value.is_boolean())
+      figure.value = value.get<bool>();
+    else if (value.is_number_integer())
+      figure.value = value.get<std::int64_t>();
+    else if (value.is_number())
+      figure.value = value.get<double>();
+    else
+      figure.value = value.get<std::string>();
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
 /// The child's side.
 Value serve(const FeatureType::Evaluate& evaluate, const Value& arguments, const fs::path& folder,
             const Progress& progress) {
   const Evaluated made = evaluate(arguments.at("parameters"), loadedInputs(arguments.at("inputs"), folder), progress);
-  return {{"shape", saveShape(made.shape, folder, "result")}, {"stats", made.stats}, {"warnings", made.warnings}};
+  return {{"shape", saveShape(made.shape, folder, "result")}, {"stats", made.stats}, {"warnings", made.warnings}, {"figures", figuresJson(made.figures)}};
 }
 
 Shape namedLike(const Shape& made, const FeatureType& type, const Inputs& inputs) {
@@ -53,33 +78,34 @@ Shape namedLike(const Shape& made, const FeatureType& type, const Inputs& inputs
   return made;
 }
 
-Evaluated evaluateInWorker(const FeatureType& type, const std::string& activity, const Value& parameters,
+Evaluated evaluateInWorker(const FeatureType& type, const IsolationOptions& isolation, const Value& parameters,
                            const Inputs& inputs, const Progress& progress) {
   const TemporaryFolder folder;
   const Value arguments{{"parameters", parameters}, {"inputs", savedInputs(type, inputs, folder.path())}};
-  const WorkerOptions options{.activity = activity, .module = moduleOf(&anchor)};
+  const WorkerOptions options{.activity = isolation.activity, .module = isolation.module};
   const Value answer = runInWorker(type.id, arguments, folder.path(), progress, options);
   Evaluated made;
   made.shape = namedLike(loadShape(answer.at("shape"), folder.path()), type, inputs);
   made.stats = answer.at("stats");
   made.warnings = answer.at("warnings").get<std::vector<std::string>>();
+  made.figures = figuresOf(answer.at("figures"));
   return made;
 }
 
 }  // namespace
 
-FeatureType inWorker(FeatureType type, std::string activity, WorkerCondition when) {
+FeatureType isolated(FeatureType type, IsolationOptions options) {
   const auto direct = type.evaluate;
   registerWorkerCall(type.id, [direct](const Value& arguments, const fs::path& folder, const Progress& progress) {
     return serve(direct, arguments, folder, progress);
   });
   FeatureType made = type;
-  made.evaluate = [type = std::move(type), activity = std::move(activity), when = std::move(when)](
-                      const Value& parameters, const Inputs& inputs, const Progress& progress) {
-    if (when && !when(parameters, inputs)) return type.evaluate(parameters, inputs, progress);
-    return evaluateInWorker(type, activity, parameters, inputs, progress);
+  made.evaluate = [type = std::move(type), options = std::move(options)](const Value& parameters, const Inputs& inputs,
+                                                                         const Progress& progress) {
+    if (options.when && !options.when(parameters, inputs)) return type.evaluate(parameters, inputs, progress);
+    return evaluateInWorker(type, options, parameters, inputs, progress);
   };
   return made;
 }
 
-}  // namespace blossom::modeling
+}  // namespace blossom

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "feature/feature_type.h"
+
+namespace blossom {
+
+struct IsolationOptions {
+  std::string activity{};          ///< completes "The helper process .. crashed": "for the Boolean operation"
+  std::filesystem::path module{};  ///< the plugin's own module, as `moduleOf(&anchor)` tells it
+  /// Limits it to evaluations that are worth the start of a process (50 to 100 ms); empty: all.
+  std::function<bool(const Value& parameters, const Inputs&)> when{};
+};
+
+/// The same feature type, evaluated in a child process: what cannot poll `Progress` can so be cancelled at once, and may
+/// crash without harm. Takes and gives regions, curves, B-reps, meshes and sequences of them; a B-rep made has name and
+/// colour of the first B-rep given.
+///
+/// The module that declares it needs BLOSSOM_WORKER_CALLS() { .. } that declares its feature types once more, in the child.
+FeatureType isolated(FeatureType, IsolationOptions);
+
+}  // namespace blossom

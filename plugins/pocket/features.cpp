@@ -1,0 +1,4 @@
+#include "feature/plugin.h"
+#include "feature_groups.h"
+
+BLOSSOM_PLUGIN(registry) { blossom::pocket::registerOffsetFeatures(registry); }

@@ -77,7 +77,7 @@ struct Visitor {
     return box;
   }
   Bounds operator()(const Toolpath& path) const {
-    Bounds box;
+    Bounds box = path.stock;
     for (std::size_t i = 0; i < path.moves.size(); ++i)
       for (const Vec3& p : polylineOf(startOf(path, i), path.moves[i], 0.1)) box.add(p);
     return box;

@@ -72,6 +72,29 @@ Color colorOf(MoveKind kind) {
   return {0.16, 0.62, 0.56};
 }
 
+/// The twelve edges of the stock and the cross of the work's zero. They are no moves, so they have no number.
+void addStock(const Bounds& stock, Tessellation& result) {
+  if (stock.empty) return;
+  const auto draw = [&](const Vec3& from, const Vec3& to, const Color& color) {
+    result.edgeIndices.push_back(-1);
+    result.edges.push_back({from, to});
+    result.edgeColors.push_back(color);
+  };
+  const Color wood{0.72, 0.58, 0.36};
+  const auto corner = [&](int i) {
+    return Vec3((i & 1) != 0 ? stock.high.x() : stock.low.x(), (i & 2) != 0 ? stock.high.y() : stock.low.y(),
+                (i & 4) != 0 ? stock.high.z() : stock.low.z());
+  };
+  for (int i = 0; i < 8; ++i)
+    for (const int axis : {1, 2, 4})
+      if ((i & axis) == 0) draw(corner(i), corner(i | axis), wood);
+  const double arm = stock.diagonal() / 20;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 reach = arm * Vec3::Unit(axis);
+    draw(-reach, reach, {0.90, 0.62, 0.15});
+  }
+}
+
 Tessellation tessellateToolpath(const Toolpath& path, double chord, const Progress& progress) {
   Tessellation result;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
@@ -81,6 +104,8 @@ Tessellation tessellateToolpath(const Toolpath& path, double chord, const Progre
     result.edgeColors.push_back(colorOf(path.moves[i].kind));
     result.vertices.push_back(startOf(path, i));
   }
+  addStock(path.stock, result);
+  result.markers = path.marks;
   return result;
 }
 

@@ -45,6 +45,7 @@ struct Toolpath {
   std::size_t passes = 0;         ///< depths it is cut at
   std::optional<double> gouge;    ///< mm, the deepest cut into the part, as simulated
   std::optional<double> residue;  ///< mm2 that the tool could have reached and did not, as simulated
+  std::vector<Vec3> marks;        ///< where a simulation found gouge or residue
 };
 
 /// Where move i begins.

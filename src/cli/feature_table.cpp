@@ -18,7 +18,7 @@ Value featureJson(const Feature& feature, const FeatureResult* result, const Pro
     row["error"] = toJson(*result->error);
     return row;
   }
-  row["result"] = resultJson(measure(result->evaluated.shape, progress));
+  row["result"] = resultJson(measured(result->evaluated, progress));
   row["stats"] = result->evaluated.stats;
   row["warnings"] = result->evaluated.warnings;
   return row;

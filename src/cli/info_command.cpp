@@ -61,7 +61,7 @@ class InfoCommand {
         warnings.push_back(
             fmt::format("The feature \"{}\" failed: {}", last, rootCause(opened.document, results, last).message()));
       else
-        info.json["result"] = resultJson(info.measures = measure(result.evaluated.shape, progress));
+        info.json["result"] = resultJson(info.measures = measured(result.evaluated, progress));
     }
     info.json["stats"] = {{"total_ms", session_.elapsedMs()}};
     info.json["warnings"] = warnings;
@@ -74,7 +74,7 @@ class InfoCommand {
     const FeatureId id = addInput(session_, document, text, warnings);
     const auto result = evaluateFor(session_.app, document, id, progress);
     warnings.insert(warnings.end(), result->evaluated.warnings.begin(), result->evaluated.warnings.end());
-    Info info{Value{{"file", text}}, measure(result->evaluated.shape, progress)};
+    Info info{Value{{"file", text}}, measured(result->evaluated, progress)};
     info.json["result"] = resultJson(info.measures);
     info.json["stats"] = {{"kernel_ms", result->kernelMs}, {"total_ms", session_.elapsedMs()}};
     info.json["stats"].update(result->evaluated.stats);

@@ -101,4 +101,10 @@ Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
   return Inputs(std::move(bySpec));
 }
 
+Measures measured(const Evaluated& evaluated, const Progress& progress) {
+  Measures all = measure(evaluated.shape, progress);
+  all.values.insert(all.values.end(), evaluated.figures.begin(), evaluated.figures.end());
+  return all;
+}
+
 }  // namespace blossom

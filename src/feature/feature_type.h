@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/measure.h"
 #include "geometry/shape.h"
 #include "parameter/binding.h"
 #include "parameter/parameter.h"
@@ -31,7 +32,12 @@ struct Evaluated {
   Shape shape;
   Value stats = Value::object();      ///< counts and figures of the computation, for `stats` of --json and the result panel
   std::vector<std::string> warnings;  ///< full sentences
+  /// What the kind of feature promises in `result` beside the measures of the shape, such as the distances of a fit.
+  std::vector<Measure> figures = {};
 };
+
+/// The measures of the shape and the figures beside them. @throws Error Cancelled.
+Measures measured(const Evaluated&, const Progress& = Progress::none());
 
 /// All inputs, in order of the specs; `of(k)` are those of spec k.
 class Inputs {

@@ -63,7 +63,10 @@ std::vector<Measure> figuresOf(const Value& all) {
 Value serve(const FeatureType::Evaluate& evaluate, const Value& arguments, const fs::path& folder,
             const Progress& progress) {
   const Evaluated made = evaluate(arguments.at("parameters"), loadedInputs(arguments.at("inputs"), folder), progress);
-  return {{"shape", saveShape(made.shape, folder, "result")}, {"stats", made.stats}, {"warnings", made.warnings}, {"figures", figuresJson(made.figures)}};
+  return {{"shape", saveShape(made.shape, folder, "result")},
+          {"stats", made.stats},
+          {"warnings", made.warnings},
+          {"figures", figuresJson(made.figures)}};
 }
 
 Shape namedLike(const Shape& made, const FeatureType& type, const Inputs& inputs) {

@@ -32,6 +32,13 @@ std::shared_ptr<const FeatureView> failed(const FeatureResult& result, const Err
   return view;
 }
 
+/// Figures belong to the feature, the rest to the shape, which other features may share.
+Measures withFigures(Measures measures, const FeatureResult& result) {
+  const std::vector<Measure>& figures = result.evaluated.figures;
+  measures.values.insert(measures.values.end(), figures.begin(), figures.end());
+  return measures;
+}
+
 /// A wish that would make a picture of many millions of triangles is not granted.
 double usable(double chord, const Shape& shape) { return chord > 0 ? std::max(chord, bounds(shape).diagonal() * 1e-5) : 0; }
 
@@ -50,7 +57,7 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
     if (it != entries_.end()) {
       entries_.splice(entries_.begin(), entries_, it);
       view->scene = it->scene;
-      view->measures = it->measures;
+      view->measures = withFigures(it->measures, *result);
       return view;
     }
   }
@@ -63,6 +70,7 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
   if (error) return failed(*result, *error);
   const std::scoped_lock lock(guard_);
   entries_.push_front({chord, shape, view->scene, view->measures});
+  view->measures = withFigures(std::move(view->measures), *result);
   if (entries_.size() > mostEntries) entries_.pop_back();
   return view;
 }

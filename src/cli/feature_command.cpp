@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <ostream>
+#include <sstream>
 
 #include "cli/command_line.h"
 #include "cli/input.h"
@@ -106,6 +107,16 @@ class FeatureCommand {
     return planned;
   }
 
+  void chooseByOutput(const std::vector<Output>& planned, Value& given) const {
+    const ChoiceByOutput& choice = type_->byOutput;
+    if (choice.parameter.empty() || given.contains(choice.parameter) || planned.empty() || !planned.front().format) return;
+    for (const auto& [extensions, value] : choice.byExtensions) {
+      std::istringstream words(extensions);
+      for (std::string extension; words >> extension;)
+        if (extension == planned.front().format->extensions.front()) given[choice.parameter] = value;
+    }
+  }
+
   /// The document that this command line describes: its inputs, then the feature itself.
   [[nodiscard]] Document document(const Value& parameters, FeatureId& id, std::vector<std::string>& warnings) const {
     Document result;
@@ -127,8 +138,9 @@ class FeatureCommand {
 
   int run() {
     checkNumberOfInputs();
-    const Value given = parameters();
+    Value given = parameters();
     std::vector<Output> planned = outputs();
+    chooseByOutput(planned, given);
     std::vector<std::string> warnings;
     FeatureId id;
     const Document made = document(given, id, warnings);

@@ -62,6 +62,13 @@ const T& Inputs::get(std::size_t spec, std::size_t index) const {
   throwWrongKind(shape);
 }
 
+/// A choice that the command line makes by the format of the first output when it is not given: a mesh for STL, faces for
+/// STEP.
+struct ChoiceByOutput {
+  std::string parameter;                                          ///< empty: there is none
+  std::vector<std::pair<std::string, std::string>> byExtensions;  ///< {"step iges", "faces"}, ..
+};
+
 /// A feature type, declared once and present everywhere: command, flags, help, dialog, panel, undo text, file format,
 /// manual.
 struct FeatureType {
@@ -75,7 +82,8 @@ struct FeatureType {
   std::vector<InputSpec> inputs;
   std::vector<ParameterSpec> parameters;
   std::vector<std::string> examples;  ///< command lines for --help
-  Evaluate evaluate;                  ///< pure; parameters are complete and checked, inputs have an accepted kind
+  ChoiceByOutput byOutput = {};
+  Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
 };
 
 /// The shapes given, in the order of the specs: each spec takes what it accepts until it is full, leaving enough for those
@@ -108,6 +116,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& example(std::string line) {
     type_.examples.push_back(std::move(line));
+    return *this;
+  }
+  FeatureBuilder& byOutput(ChoiceByOutput choice) {
+    type_.byOutput = std::move(choice);
     return *this;
   }
   FeatureBuilder& input(InputSpec spec) {

@@ -1,0 +1,143 @@
+#include "core/error.h"
+#include "feature/plugin.h"
+#include "kernel/morph.h"
+#include "kernel/region_sum.h"
+
+namespace blossom::minkowski {
+namespace {
+
+std::vector<Region> regionsOf(const Inputs& inputs) {
+  std::vector<Region> regions;
+  for (const Shape& shape : inputs.of(0)) {
+    const Region* region = shape.get<Region>();
+    if (!region) throwWrongKind(shape);
+    regions.push_back(*region);
+  }
+  return regions;
+}
+
+struct MorphParameters {
+  double t = 0.5;
+  int frames = 0;
+  std::vector<double> blossom;
+  Evaluation evaluation = Evaluation::Explicit;
+  bool degreeElevate = false;
+  bool areaPreserving = false;
+  double tolerance = 0.01;
+};
+
+void refuseTogether(const MorphParameters& p) {
+  if (p.frames > 0 && !p.blossom.empty())
+    throw Error(ErrorCode::InvalidParameter, "Blossom parameters give one shape, not a sequence of frames.",
+                "Leave out the frames or the blossom parameters.");
+}
+
+double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static_cast<double>(frame) / (frames - 1); }
+
+Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress) {
+  refuseTogether(p);
+  const std::vector<Region> shapes = regionsOf(inputs);
+  const std::size_t degree = shapes.size() - 1;
+  Sequence sequence;
+  std::vector<std::vector<double>> arguments;
+  for (int k = 0; k < p.frames; ++k) {
+    sequence.times.push_back(timeOf(k, p.frames, p.t));
+    arguments.push_back(diagonal(degree, sequence.times.back()));
+  }
+  if (p.frames == 0) arguments.push_back(p.blossom.empty() ? diagonal(degree, p.t) : p.blossom);
+  MorphResult result = morph(shapes, arguments,
+                             {.evaluation = p.evaluation,
+                              .degreeElevate = p.degreeElevate,
+                              .areaPreserving = p.areaPreserving,
+                              .tolerance = p.tolerance},
+                             progress);
+  Evaluated out;
+  out.stats["sums"] = result.sums;
+  out.stats["degree"] = degree + (p.degreeElevate ? 1 : 0);
+  out.warnings = std::move(result.warnings);
+  if (p.frames == 0) {
+    out.shape = std::move(result.regions.front());
+    return out;
+  }
+  for (Region& region : result.regions) sequence.frames.emplace_back(std::move(region));
+  out.shape = std::move(sequence);
+  return out;
+}
+
+FeatureType morphFeature() {
+  using P = MorphParameters;
+  return feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.")
+      .command("morph")
+      .icon("morph")
+      .input({.name = "shape",
+              .help = "Control shapes, first to last.",
+              .kinds = {ShapeKind::Region},
+              .least = 2,
+              .most = anyNumber})
+      .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first shape) to 1 (the last).")
+      .parameter("frames", &P::frames, count(0, 10000), "How many shapes of a sequence from 0 to 1; 0 makes the one at t.")
+      .parameter("blossom", &P::blossom, list(ratio()),
+                 "One number for each control shape after the first, instead of t; all equal, they are t.")
+      .parameter(
+          "evaluation", &P::evaluation, choice({"recursive", "bottom-up", "explicit", "convex"}),
+          "How the in-betweens are computed; the shape is the same. Convex needs convex control shapes between the ends.")
+      .parameter("degree-elevate", &P::degreeElevate, flag(),
+                 "Use one control shape more; the morph stays the same when all shapes are convex.")
+      .parameter("area-preserving", &P::areaPreserving, flag(),
+                 "Scale the result so that its area blends those of the shapes.")
+      .parameter("tolerance", &P::tolerance, positiveLength(), "Largest distance between a curve and its polygon.")
+      .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
+      .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
+      .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
+      .evaluate(morphed);
+}
+
+struct SumParameters {
+  double tolerance = 0.01;
+};
+
+Evaluated evaluated(RegionSumResult result) {
+  Evaluated out;
+  out.stats["sums"] = result.sums;
+  out.shape = std::move(result.region);
+  return out;
+}
+
+FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std::string summary, std::string inputHelp) {
+  using P = SumParameters;
+  auto builder = feature<P>(std::move(id), std::move(title), std::move(summary));
+  builder.input({.name = "shape", .help = std::move(inputHelp), .kinds = {ShapeKind::Region}, .least = 2, .most = anyNumber})
+      .parameter("tolerance", &P::tolerance, positiveLength(), "Largest distance between a curve and its polygon.");
+  return builder;
+}
+
+FeatureType sumFeature() {
+  return sumBuilder("minkowski.minkowski-sum", "Minkowski sum",
+                    "Everything that one shape covers while its origin runs over the other.", "The shapes that are added.")
+      .icon("minkowski-sum")
+      .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
+      .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
+      .evaluate([](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        return evaluated(minkowskiSum(regionsOf(inputs), {.tolerance = p.tolerance}, progress));
+      });
+}
+
+FeatureType differenceFeature() {
+  return sumBuilder("minkowski.minkowski-difference", "Minkowski difference",
+                    "All places of the origin for which the second shape stays inside the first.",
+                    "A shape, then what is to have room in it.")
+      .icon("minkowski-difference")
+      .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
+      .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
+      .evaluate([](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        return evaluated(minkowskiDifference(regionsOf(inputs), {.tolerance = p.tolerance}, progress));
+      });
+}
+
+}  // namespace
+}  // namespace blossom::minkowski
+
+BLOSSOM_PLUGIN(registry) {
+  using namespace blossom::minkowski;
+  registry.addAll(morphFeature(), sumFeature(), differenceFeature());
+}

@@ -1,0 +1,263 @@
+#include "kernel/morph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "core/error.h"
+#include "geometry/planar.h"
+#include "kernel/flattening.h"
+#include "kernel/repetition.h"
+
+namespace blossom::minkowski {
+namespace {
+
+using Arguments = std::vector<double>;
+constexpr std::size_t mostShapes = 16;
+
+/// (1-t) A + t B, where 0 A is the origin alone.
+Polygons between(const Polygons& a, const Polygons& b, double t, Adder& add, const Progress& progress) {
+  if (t == 0) return a;
+  if (t == 1) return b;
+  return add(scaled(a, 1 - t), scaled(b, t), progress);
+}
+
+Polygons recursive(std::span<const Polygons> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+  if (t.empty()) return shapes.front();
+  const auto earlier = t.first(t.size() - 1);
+  return between(recursive(shapes.first(shapes.size() - 1), earlier, add, progress),
+                 recursive(shapes.subspan(1), earlier, add, progress), t.back(), add, progress);
+}
+
+Polygons bottomUp(std::vector<Polygons> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+  for (const double level : t) {
+    for (std::size_t i = 0; i + 1 < shapes.size(); ++i) shapes[i] = between(shapes[i], shapes[i + 1], level, add, progress);
+    shapes.pop_back();
+  }
+  return shapes.front();
+}
+
+/// The weights of A_i in the blossom, the products over all choices of i levels, each with how often it comes: one weight
+/// C(n,i) times where all arguments are equal.
+std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t) {
+  std::vector<std::map<double, std::size_t>> weights(t.size() + 1);
+  std::vector<double> sorted(t.begin(), t.end());
+  std::sort(sorted.begin(), sorted.end());
+  // Choices of equal arguments are interchangeable, so each weight is a power product, the same bits however it comes up.
+  const std::size_t n = sorted.size();
+  for (std::size_t choice = 0; choice < (std::size_t{1} << n); ++choice) {
+    std::map<double, std::pair<int, int>> taken;
+    std::size_t order = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const bool chosen = (choice >> k & 1) != 0;
+      order += chosen ? 1 : 0;
+      ++(chosen ? taken[sorted[k]].first : taken[sorted[k]].second);
+    }
+    double weight = 1;
+    for (const auto& [value, powers] : taken) weight *= std::pow(value, powers.first) * std::pow(1 - value, powers.second);
+    if (weight > 0) ++weights[order][weight];
+  }
+  return weights;
+}
+
+/// The explicit form. Repetitions stay for all frames.
+class Expansion {
+ public:
+  Expansion(std::span<const Polygons> shapes, Adder& add) : shapes_(shapes), add_(add) {}
+
+  Polygons at(std::span<const double> t, const Progress& progress) {
+    std::optional<Polygons> total;
+    const auto weights = weightsOf(t);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      for (const auto& [weight, count] : weights[i]) {
+        const Polygons term = scaled(repetition(i, count, progress), weight);
+        total = total ? add_(*total, term, progress) : term;
+      }
+    return *total;
+  }
+
+ private:
+  const Polygons& repetition(std::size_t i, std::size_t count, const Progress& progress) {
+    const auto [place, isNew] = repetitions_.try_emplace({i, count});
+    if (isNew) place->second = repeated(shapes_[i], count, add_, progress);
+    return place->second;
+  }
+
+  std::span<const Polygons> shapes_;
+  Adder& add_;
+  std::map<std::pair<std::size_t, std::size_t>, Polygons> repetitions_;
+};
+
+/// All repetitions of a shape in one, which is right for convex shapes only.
+Polygons convexAt(std::span<const Polygons> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+  std::optional<Polygons> total;
+  const auto weights = weightsOf(t);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    double all = 0;
+    for (const auto& [weight, count] : weights[i]) all += weight * static_cast<double>(count);
+    if (!(all > 0)) continue;
+    const Polygons term = scaled(shapes[i], all);
+    total = total ? add(*total, term, progress) : term;
+  }
+  return *total;
+}
+
+/// The blossom of numbers or points.
+template <class T>
+T blended(std::vector<T> values, std::span<const double> t) {
+  for (const double level : t) {
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = (1 - level) * values[i] + level * values[i + 1];
+    values.pop_back();
+  }
+  return values.front();
+}
+
+Vec2 centroid(const Polygons& polygons) {
+  Vec2 moment = Vec2::Zero();
+  double twice = 0;
+  const Vec2 reference = polygons.front().outer.front();
+  const auto add = [&](const Loop& loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 a = loop[i] - reference, b = loop[(i + 1) % loop.size()] - reference;
+      moment += cross(a, b) * (a + b);
+      twice += cross(a, b);
+    }
+  };
+  for (const Polygon& polygon : polygons) {
+    add(polygon.outer);
+    for (const Loop& hole : polygon.holes) add(hole);
+  }
+  return reference + moment / (3 * twice);
+}
+
+std::string nameOf(std::size_t i) { return fmt::format("control shape {}", i + 1); }
+
+void check(std::span<const Region> shapes, std::span<const Arguments> arguments) {
+  if (shapes.size() < 2)
+    throw Error(ErrorCode::InvalidParameter, "A morph needs at least two control shapes.", "Give another shape.");
+  if (shapes.size() > mostShapes)
+    throw Error(ErrorCode::LimitExceeded,
+                fmt::format("A morph has at most {} control shapes; {} are given.", mostShapes, shapes.size()),
+                "Join several morphs, one after the other.");
+  for (const Arguments& t : arguments) {
+    if (t.size() + 1 != shapes.size())
+      throw Error(ErrorCode::InvalidParameter,
+                  fmt::format("The blossom of {} control shapes takes {} numbers; {} are given.", shapes.size(),
+                              shapes.size() - 1, t.size()),
+                  "Give one number of 0 to 1 for each control shape after the first.");
+    for (const double level : t)
+      if (!(level >= 0 && level <= 1))
+        throw Error(ErrorCode::InvalidParameter, fmt::format("Every t must lie between 0 and 1; one is {}.", level));
+  }
+}
+
+class Morph {
+ public:
+  Morph(std::span<const Region> regions, const MorphOptions& options, const Progress& progress)
+      : regions_(regions), options_(options) {
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      shapes_.push_back(flattened(regions[i], options.tolerance, nameOf(i), progress));
+    if (options.evaluation == Evaluation::Convex) refuseHollows();
+    for (const Polygons& shape : shapes_) {
+      areas_.push_back(area(shape));
+      centres_.push_back(centroid(shape));
+    }
+    if (options.degreeElevate) elevate(progress);
+    expansion_.emplace(shapes_, add_);
+  }
+
+  Region at(const Arguments& t, const Progress& progress) {
+    if (std::all_of(t.begin(), t.end(), [](double level) { return level == 0; })) return regions_.front();
+    if (std::all_of(t.begin(), t.end(), [](double level) { return level == 1; })) return regions_.back();
+    Polygons shape = inBetween(shapes_.size() == regions_.size() ? t : diagonal(shapes_.size() - 1, t.front()), progress);
+    if (options_.areaPreserving) {
+      const Vec2 centre = blended(centres_, t);
+      const double factor = std::sqrt(blended(areas_, t) / area(shape));
+      shape = translated(scaled(translated(shape, -centre), factor), centre);
+    }
+    return toRegion(shape);
+  }
+
+  [[nodiscard]] std::size_t sums() const { return add_.count(); }
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    if (!options_.degreeElevate || std::all_of(regionsConvex_.begin(), regionsConvex_.end(), [](bool each) { return each; }))
+      return {};
+    return {
+        "Degree elevation keeps a morph for convex control shapes only; one of these is not convex, so the in-betweens "
+        "differ."};
+  }
+
+ private:
+  void refuseHollows() const {
+    for (std::size_t i = 1; i + 1 < shapes_.size(); ++i)
+      if (!isConvex(shapes_[i]))
+        throw Error(ErrorCode::InvalidInput,
+                    fmt::format("Control shape {} is not convex, so its repetitions are not multiples of it.", i + 1),
+                    "Choose the explicit evaluation.");
+  }
+
+  /// A'_i = i/(n+1) A_(i-1) + (1 - i/(n+1)) A_i.
+  void elevate(const Progress& progress) {
+    for (const Polygons& shape : shapes_) regionsConvex_.push_back(isConvex(shape));
+    std::vector<Polygons> elevated{shapes_.front()};
+    const double count = static_cast<double>(shapes_.size());
+    for (std::size_t i = 1; i < shapes_.size(); ++i)
+      elevated.push_back(between(shapes_[i], shapes_[i - 1], static_cast<double>(i) / count, add_, progress));
+    elevated.push_back(shapes_.back());
+    shapes_ = std::move(elevated);
+  }
+
+  Polygons inBetween(const Arguments& t, const Progress& progress) {
+    switch (options_.evaluation) {
+      case Evaluation::Recursive:
+        return recursive(shapes_, t, add_, progress);
+      case Evaluation::BottomUp:
+        return bottomUp(shapes_, t, add_, progress);
+      case Evaluation::Convex:
+        return convexAt(shapes_, t, add_, progress);
+      case Evaluation::Explicit:
+        break;
+    }
+    return expansion_->at(t, progress);
+  }
+
+  std::span<const Region> regions_;
+  MorphOptions options_;
+  Adder add_;
+  std::vector<Polygons> shapes_;
+  std::vector<bool> regionsConvex_;
+  std::vector<double> areas_;
+  std::vector<Vec2> centres_;
+  std::optional<Expansion> expansion_;
+};
+
+void refuseUnequal(const std::vector<double>& t) {
+  if (std::adjacent_find(t.begin(), t.end(), std::not_equal_to<>()) != t.end())
+    throw Error(ErrorCode::InvalidParameter,
+                "A morph whose degree is elevated has no place for different blossom parameters.",
+                "Leave out the degree elevation or the blossom parameters.");
+}
+
+}  // namespace
+
+std::vector<double> diagonal(std::size_t degree, double t) { return std::vector<double>(degree, t); }
+
+MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<double>> arguments,
+                  const MorphOptions& options, const Progress& progress) {
+  check(shapes, arguments);
+  if (options.degreeElevate) std::for_each(arguments.begin(), arguments.end(), refuseUnequal);
+  Morph evaluation(shapes, options, progress);
+  MorphResult result;
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    progress.report(static_cast<double>(k) / static_cast<double>(arguments.size()), "Adding shapes");
+    result.regions.push_back(evaluation.at(arguments[k], progress));
+  }
+  result.sums = evaluation.sums();
+  result.warnings = evaluation.warnings();
+  return result;
+}
+
+}  // namespace blossom::minkowski

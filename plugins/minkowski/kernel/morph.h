@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "geometry/region.h"
+
+namespace blossom::minkowski {
+
+/// How an in-between is computed; the shape is the same (up to rounding).
+enum class Evaluation {
+  Recursive,  ///< C_i^r = (1-t) C_i^(r-1) + t C_(i+1)^(r-1), as it stands: 2^n - 1 sums
+  BottomUp,   ///< the same, every intermediate shape once: n (n+1) / 2 sums
+  Explicit,   ///< sum of t^i (1-t)^(n-i) [C(n,i)] A_i: n sums, and the repetitions [k]A once for all frames
+  Convex      ///< [k]A = k A: n sums; only when all control shapes between the first and the last are convex
+};
+
+struct MorphOptions {
+  Evaluation evaluation = Evaluation::Explicit;
+  bool degreeElevate = false;   ///< one control shape more; the morph stays the same when all shapes are convex
+  bool areaPreserving = false;  ///< scale about the centre, so that the area is the blend of the control shapes' areas
+  double tolerance = 1e-2;      ///< mm, between curves and their polygons
+};
+
+struct MorphResult {
+  std::vector<Region> regions;        ///< one for each argument; straight lines, outer loops counter-clockwise
+  std::size_t sums = 0;               ///< Minkowski sums computed
+  std::vector<std::string> warnings;  ///< full sentences
+};
+
+/// The n equal arguments that stand for C(t).
+std::vector<double> diagonal(std::size_t degree, double t);
+
+/// In-between shapes of control shapes A0..An: de Casteljau's algorithm with Minkowski sums instead of sums of points (Lee,
+/// Lee, Kim & Kim 2002, section 4.2, equations 4.5 to 4.9; the blossom of section 4.3, equation 4.10). Each argument holds
+/// one number of 0..1 for each level; equal numbers t give C(t). Where all are 0 or all are 1, the first or the last
+/// control shape itself is the answer. Scaling is about the origin of the document.
+/// The blossom is symmetric in its arguments for all evaluations, for shapes that are not convex too.
+/// @throws Error InvalidParameter (fewer than two shapes, a wrong number of arguments, beyond 0..1), InvalidInput naming
+/// the shape and the place (see flattening.h; or a shape that is not convex for Evaluation::Convex), LimitExceeded,
+/// Cancelled.
+MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<double>> arguments, const MorphOptions& = {},
+                  const Progress& = Progress::none());
+
+}  // namespace blossom::minkowski

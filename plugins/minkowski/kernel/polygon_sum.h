@@ -1,0 +1,18 @@
+#pragma once
+#include "core/progress.h"
+#include "kernel/polygons.h"
+
+namespace blossom::minkowski {
+
+/// A + B = {a + b}, regularised; the empty set when one of them is empty. Both are snapped to a grid of 2^-39 of the larger
+/// extent, the rest is exact; loops come without collinear points and without crumbs of the grid's size. Two convex sets
+/// are merged by the angles of their edges in O(n + m); others are the faces of positive winding number of their
+/// convolution (see convolution.h).
+/// @throws Error LimitExceeded, Cancelled.
+Polygons sum(const Polygons& a, const Polygons& b, const Progress& = Progress::none());
+
+/// {p : p + B inside A} = complement of (complement of A) + (-B), regularised: what collapses to lines and points is left
+/// out, and the result may be empty. @pre B is not empty. @throws as sum.
+Polygons difference(const Polygons& a, const Polygons& b, const Progress& = Progress::none());
+
+}  // namespace blossom::minkowski

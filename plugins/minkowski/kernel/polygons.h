@@ -1,0 +1,42 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace blossom::minkowski {
+
+/// A closed polygon; the first point is not repeated at the end.
+using Loop = std::vector<Vec2>;
+
+/// A connected part: the outer loop counter-clockwise, holes clockwise.
+struct Polygon {
+  Loop outer;
+  std::vector<Loop> holes;
+};
+
+/// A planar set bounded by straight edges: what every sum takes and gives. Empty: the empty set.
+using Polygons = std::vector<Polygon>;
+
+/// Area to the left of a loop, negative when clockwise.
+double signedArea(const Loop&);
+double area(const Polygons&);
+/// Whether a point is inside of a loop that does not cross itself; undefined on the loop.
+bool encloses(const Loop&, const Vec2&);
+/// Edges of all loops together.
+std::size_t edgeCount(const Polygons&);
+/// s A, about the origin of the document; s below 0 turns by half a turn, 0 is not allowed.
+Polygons scaled(const Polygons&, double s);
+Polygons translated(const Polygons&, const Vec2& by);
+/// One part without holes and without a right turn beyond rounding (1e-9 of the edges' lengths).
+bool isConvex(const Polygons&);
+
+/// Axis-aligned box of everything.
+struct Box2 {
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
+  [[nodiscard]] Vec2 size() const { return high - low; }
+};
+/// @pre not empty
+Box2 boxOf(const Polygons&);
+
+}  // namespace blossom::minkowski

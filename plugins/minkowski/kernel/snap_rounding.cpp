@@ -1,0 +1,160 @@
+#include "kernel/snap_rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "kernel/near_pairs.h"
+#include "kernel/winding_faces.h"
+
+namespace blossom::minkowski {
+namespace {
+
+constexpr double pixel = 1;       // an edge is bent through vertices within it
+constexpr double clearance = 16;  // beyond it, what earlier roundings did (some units) has changed no order
+constexpr int mostRounds = 100;
+
+Vec2 asVec(const GridPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+Box2 boxOf(const GridPoint& a, const GridPoint& b) {
+  return {asVec({std::min(a.x, b.x), std::min(a.y, b.y)}), asVec({std::max(a.x, b.x), std::max(a.y, b.y)})};
+}
+
+double distance(const GridPoint& p, const GridPoint& a, const GridPoint& b) {
+  const Vec2 along = asVec(b - a), to = asVec(p - a);
+  const double t = std::clamp(to.dot(along) / along.squaredNorm(), 0.0, 1.0);
+  // Off the line by the exact cross product: the difference of two long vectors would lose it.
+  if (t > 0 && t < 1) return std::abs(static_cast<double>(cross(b - a, p - a))) / along.norm();
+  return asVec(t == 0 ? p - a : p - b).norm();
+}
+
+int sign(const Wide& w) { return w > 0 ? 1 : w < 0 ? -1 : 0; }
+
+bool crossing(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
+  return sign(cross(b - a, c - a)) * sign(cross(b - a, d - a)) < 0 &&
+         sign(cross(d - c, a - c)) * sign(cross(d - c, b - c)) < 0;
+}
+
+GridPoint crossingPoint(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
+  const double t = static_cast<double>(cross(c - a, d - c)) / static_cast<double>(cross(b - a, d - c));
+  const Vec2 off = t * asVec(b - a);
+  return a + GridPoint{std::llround(off.x()), std::llround(off.y())};
+}
+
+std::vector<Box2> boxesOf(const std::vector<CountedEdge>& edges) {
+  std::vector<Box2> boxes;
+  boxes.reserve(edges.size());
+  for (const CountedEdge& edge : edges) boxes.push_back(boxOf(edge.from, edge.to));
+  return boxes;
+}
+
+/// One round: every edge cut where a vertex or a crossing lies on it. Whether there was anything to cut.
+bool cutOnce(std::vector<CountedEdge>& edges, const Progress& progress) {
+  std::vector<std::vector<GridPoint>> cuts(edges.size());
+  bool any = false;
+  const auto add = [&](std::size_t edge, const GridPoint& p) {
+    if (p == edges[edge].from || p == edges[edge].to) return;
+    cuts[edge].push_back(p);
+    any = true;
+  };
+  const auto addNear = [&](std::size_t edge, const GridPoint& p) {
+    if (distance(p, edges[edge].from, edges[edge].to) < pixel) add(edge, p);
+  };
+  forEachNearPair(boxesOf(edges), pixel, progress, [&](std::size_t i, std::size_t j) {
+    const CountedEdge &e = edges[i], &f = edges[j];
+    addNear(i, f.from), addNear(i, f.to), addNear(j, e.from), addNear(j, e.to);
+    if (crossing(e.from, e.to, f.from, f.to)) {
+      const GridPoint p = crossingPoint(e.from, e.to, f.from, f.to);
+      add(i, p), add(j, p);
+    }
+    return true;
+  });
+  if (!any) return false;
+  std::vector<CountedEdge> pieces;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const GridPoint along = edges[i].to - edges[i].from;
+    std::vector<GridPoint>& points = cuts[i];
+    std::sort(points.begin(), points.end(), [&](const GridPoint& a, const GridPoint& b) {
+      const Wide s = dot(a, along), t = dot(b, along);
+      return s != t ? s < t : a < b;
+    });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    GridPoint from = edges[i].from;
+    points.push_back(edges[i].to);
+    for (const GridPoint& to : points) {
+      if (from != to) pieces.push_back({from, to, edges[i].count});
+      from = to;
+    }
+  }
+  joinEqual(pieces);
+  edges = std::move(pieces);
+  return true;
+}
+
+/// Each loop's own edges, in its direction.
+void addEdges(const GridLoop& loop, std::vector<CountedEdge>& edges) {
+  for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()], 1});
+}
+
+GridLoop onGrid(const Loop& loop) {
+  GridLoop result;
+  result.reserve(loop.size());
+  for (const Vec2& p : loop) result.push_back({std::llround(p.x()), std::llround(p.y())});
+  return cleaned(result);
+}
+
+std::vector<GridPolygon> onGrid(const Polygons& polygons) {
+  std::vector<GridPolygon> result;
+  for (const Polygon& polygon : polygons) {
+    GridPolygon image{onGrid(polygon.outer), {}};
+    if (image.outer.empty()) continue;
+    for (const Loop& hole : polygon.holes)
+      if (GridLoop loop = onGrid(hole); !loop.empty()) image.holes.push_back(std::move(loop));
+    result.push_back(std::move(image));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<CountedEdge> snapRounded(std::vector<CountedEdge> edges, const Progress& progress) {
+  joinEqual(edges);
+  for (int round = 0; round < mostRounds; ++round)
+    if (!cutOnce(edges, progress)) return edges;
+  throw Error(ErrorCode::Internal, "Rounding the shapes of a sum does not come to an end.",
+              "Please report this with the shapes.");
+}
+
+std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>& polygons) {
+  std::vector<CountedEdge> edges;
+  for (const GridPolygon& polygon : polygons) {
+    addEdges(polygon.outer, edges);
+    for (const GridLoop& hole : polygon.holes) addEdges(hole, edges);
+  }
+  return edges;
+}
+
+bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress) {
+  const std::vector<CountedEdge> edges = edgesOf(polygons);
+  bool clear = true;
+  forEachNearPair(boxesOf(edges), clearance, progress, [&](std::size_t i, std::size_t j) {
+    const CountedEdge &e = edges[i], &f = edges[j];
+    const auto near = [](const GridPoint& p, const CountedEdge& edge) {
+      return distance(p, edge.from, edge.to) < clearance;
+    };
+    // Neighbours share one end; any other coincidence needs a look.
+    const bool chained = e.to == f.from || e.from == f.to;
+    const int ends = int{near(e.from, f)} + int{near(e.to, f)} + int{near(f.from, e)} + int{near(f.to, e)};
+    clear = ends == (chained ? 2 : 0) && !crossing(e.from, e.to, f.from, f.to);
+    return clear;
+  });
+  return clear;
+}
+
+std::vector<GridPolygon> untangled(std::vector<GridPolygon> polygons, const Progress& progress) {
+  if (isClear(polygons, progress)) return polygons;
+  // The corners of the faces are vertices of the rounded edges, so nothing is rounded any more.
+  return onGrid(windingFaces(snapRounded(edgesOf(polygons), progress), progress));
+}
+
+}  // namespace blossom::minkowski

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/app.h"
+#include "core/error.h"
+#include "document/storage.h"
+
+namespace {
+
+using namespace blossom;
+
+FeatureId add(const App& app, Document& document, const char* command, const char* name, Value parameters,
+              const std::vector<FeatureId>& inputs = {}) {
+  const auto type = app.registry->at(command);
+  for (const FeatureId& input : inputs) {
+    Feature hidden = document.at(input);
+    hidden.visible = false;
+    document = document.with(std::move(hidden));
+  }
+  Feature feature{document.freshId(command), type->id, name, std::move(parameters), inputs, true, false, Value::object()};
+  document = document.with(feature);
+  return feature.id;
+}
+
+/// Figure 7 of Lee, Lee, Kim & Kim 2002: a triangle becomes a star, rounded on its way by a circle and pulled towards a
+/// pentagon early.
+Document triangleToStar(const App& app) {
+  Document document;
+  const auto triangle = add(app, document, "polygon", "Triangle", {{"sides", 3}, {"radius", 20}, {"rotation", 90}});
+  const auto pentagon = add(app, document, "polygon", "Pentagon", {{"sides", 5}, {"radius", 20}, {"rotation", 90}});
+  const auto circle = add(app, document, "circle", "Circle", {{"radius", 18}});
+  const auto star = add(app, document, "star", "Star", {{"points", 5}, {"outer", 24}, {"inner", 9}, {"rotation", 90}});
+  add(app, document, "morph", "Triangle to star", {{"t", 0.5}, {"frames", 0}}, {triangle, pentagon, circle, star});
+  return document;
+}
+
+/// Where the middle of a cutter may stand in a plate with a boss, and what the cutter then reaches.
+Document cutterRoom(const App& app) {
+  Document document;
+  const auto plate = add(app, document, "rectangle", "Plate", {{"width", 60}, {"height", 40}, {"corner", 6}});
+  const auto boss = add(app, document, "star", "Boss", {{"points", 6}, {"outer", 12}, {"inner", 6}});
+  const auto pocket = add(app, document, "boolean", "Pocket", {{"operation", "difference"}}, {plate, boss});
+  const auto cutter = add(app, document, "circle", "Cutter", {{"radius", 3}});
+  const auto room = add(app, document, "minkowski-difference", "Room for the cutter", Value::object(), {pocket, cutter});
+  add(app, document, "minkowski-sum", "What is cut", Value::object(), {room, cutter});
+  return document;
+}
+
+}  // namespace
+
+/// make_minkowski_samples FOLDER: writes the sample documents of morphs and sums.
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    fmt::print(stderr, "make_minkowski_samples FOLDER\n");
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = argv[1];
+    const App app = loadApp();
+    saveDocument(triangleToStar(app), folder / "triangle-to-star.blossom");
+    saveDocument(cutterRoom(app), folder / "cutter-room.blossom");
+  } catch (const Error& error) {
+    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,66 @@
+#pragma once
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "geometry/planar.h"
+
+namespace blossom::test {
+
+inline Path polygonPath(const std::vector<Vec2>& points) {
+  Path path;
+  path.closed = true;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    path.segments.emplace_back(Line2{points[i], points[(i + 1) % points.size()]});
+  return path;
+}
+
+inline Region polygonRegion(const std::vector<Vec2>& points) { return {{polygonPath(points)}}; }
+
+inline Path rectanglePath(const Vec2& low, const Vec2& high) {
+  return polygonPath({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+}
+
+inline Region rectangleRegion(const Vec2& low, const Vec2& high) { return {{rectanglePath(low, high)}}; }
+
+inline Region circleRegion(double radius, const Vec2& center = Vec2::Zero()) {
+  Path path;
+  path.closed = true;
+  path.segments.emplace_back(Arc2{center, radius, 0, 2 * std::numbers::pi});
+  return {{path}};
+}
+
+/// A polygon around `center` that is seen from there as a whole, with corners at random distances up to `reach`.
+inline std::vector<Vec2> spikyPoints(std::mt19937_64& random, const Vec2& center, double reach, int corners) {
+  std::uniform_real_distribution<double> distance(0.25, 1);
+  std::vector<Vec2> points;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.8 * distance(random)) / corners;
+    points.push_back(center + reach * distance(random) * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
+
+/// Up to three spiky parts apart from one another, some of them with a spiky hole.
+inline Region randomRegion(std::mt19937_64& random, double reach) {
+  std::uniform_int_distribution<int> parts(1, 3), corners(3, 9), coin(0, 1);
+  Region region;
+  const int count = parts(random);
+  for (int k = 0; k < count; ++k) {
+    const Vec2 center(2.2 * reach * k, reach * 0.3 * (coin(random) - 0.5));
+    std::vector<Vec2> outer = spikyPoints(random, center, reach, corners(random) + 2);
+    if (coin(random) == 1) {
+      for (Vec2& p : outer) p = center + (p - center).normalized() * std::max((p - center).norm(), 0.85 * reach);
+      if (outer.size() > 5) {  // a hole well inside: the outline's chords stay beyond 0.4 of its reach
+        std::vector<Vec2> hole = spikyPoints(random, center, 0.33 * reach, corners(random));
+        std::reverse(hole.begin(), hole.end());
+        region.loops.push_back(polygonPath(hole));
+      }
+    }
+    region.loops.push_back(polygonPath(outer));
+  }
+  return region;
+}
+
+}  // namespace blossom::test

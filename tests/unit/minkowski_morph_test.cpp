@@ -1,0 +1,150 @@
+#include "minkowski/kernel/morph.h"
+#include "support/regions.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::minkowski;
+using std::numbers::pi;
+
+namespace {
+
+Region regular(int sides, double radius, const Vec2& center = Vec2::Zero()) {
+  std::vector<Vec2> points;
+  for (int k = 0; k < sides; ++k)
+    points.push_back(center + radius * Vec2(std::cos(2 * pi * k / sides), std::sin(2 * pi * k / sides)));
+  return polygonRegion(points);
+}
+
+Region starRegion(int points, double outer, double inner) {
+  std::vector<Vec2> corners;
+  for (int k = 0; k < 2 * points; ++k) {
+    const double r = k % 2 == 0 ? outer : inner;
+    corners.push_back(r * Vec2(std::cos(pi * k / points), std::sin(pi * k / points)));
+  }
+  return polygonRegion(corners);
+}
+
+/// Control shapes none of which is convex.
+std::vector<Region> hollows(int count) {
+  std::vector<Region> shapes;
+  for (int k = 0; k < count; ++k) shapes.push_back(starRegion(3 + k, 10 + k, 4 + 0.5 * k));
+  return shapes;
+}
+
+std::vector<std::vector<double>> inBetweens(std::size_t degree, int count) {
+  std::vector<std::vector<double>> arguments;
+  for (int k = 1; k <= count; ++k) arguments.push_back(diagonal(degree, k / (count + 1.0)));
+  return arguments;
+}
+
+Region one(const std::vector<Region>& shapes, const std::vector<double>& t, const MorphOptions& options = {}) {
+  return morph(shapes, std::vector<std::vector<double>>{t}, options).regions.front();
+}
+
+constexpr Evaluation everyWay[] = {Evaluation::Recursive, Evaluation::BottomUp, Evaluation::Explicit};
+
+}  // namespace
+
+/// Bézier morphs and their blossoms.
+class MinkowskiMorphTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theEndsAreTheControlShapes() {
+    const std::vector<Region> shapes{circleRegion(5), starRegion(5, 8, 3), regular(4, 6)};
+    for (const Evaluation evaluation : everyWay) {
+      QVERIFY(one(shapes, {0, 0}, {.evaluation = evaluation}) == shapes.front());
+      QVERIFY(one(shapes, {1, 1}, {.evaluation = evaluation}) == shapes.back());
+    }
+  }
+
+  void aSquareBecomesABoxLinearly() {
+    const std::vector<Region> shapes{rectangleRegion({0, 0}, {2, 2}), rectangleRegion({10, 0}, {16, 4})};
+    for (const double t : {0.25, 0.5, 0.9}) COMPARE_NEAR(area(one(shapes, {t})), (2 + 4 * t) * (2 + 2 * t), 1e-9);
+  }
+
+  void allEvaluationsGiveOneShape() {
+    const std::vector<Region> shapes = hollows(4);
+    for (const double t : {0.2, 0.5, 0.85}) {
+      const double wanted = area(one(shapes, diagonal(3, t), {.evaluation = Evaluation::Recursive}));
+      for (const Evaluation evaluation : everyWay)
+        COMPARE_NEAR(area(one(shapes, diagonal(3, t), {.evaluation = evaluation})), wanted, 1e-8 * wanted);
+    }
+  }
+
+  void convexShapesNeedNoRepetition() {
+    const std::vector<Region> shapes{starRegion(5, 9, 3), regular(5, 7), circleRegion(6), starRegion(4, 9, 2)};
+    const auto t = diagonal(3, 0.4);
+    const double wanted = area(one(shapes, t, {.evaluation = Evaluation::Recursive}));
+    for (const Evaluation evaluation : {Evaluation::Explicit, Evaluation::Convex}) {
+      COMPARE_NEAR(area(one(shapes, t, {.evaluation = evaluation})), wanted, 1e-7 * wanted);
+      QCOMPARE(morph(shapes, std::vector<std::vector<double>>{t}, {.evaluation = evaluation}).sums, std::size_t{3});
+    }
+    VERIFY_ERROR(one(hollows(3), diagonal(2, 0.5), {.evaluation = Evaluation::Convex}), ErrorCode::InvalidInput);
+  }
+
+  /// Table 1 of the paper: sums for N in-betweens.
+  void theCountersOfTableOne() {
+    constexpr int frames = 3;
+    for (std::size_t n = 1; n <= 3; ++n) {
+      const auto shapes = hollows(static_cast<int>(n) + 1);
+      const auto arguments = inBetweens(n, frames);
+      const auto sums = [&](Evaluation evaluation) { return morph(shapes, arguments, {.evaluation = evaluation}).sums; };
+      QCOMPARE(sums(Evaluation::Recursive), ((std::size_t{1} << n) - 1) * frames);
+      QCOMPARE(sums(Evaluation::BottomUp), n * (n + 1) / 2 * frames);
+      QCOMPARE(sums(Evaluation::Explicit), n * frames + (std::size_t{1} << n) - n - 1);
+    }
+  }
+
+  void theBlossomIsSymmetric() {
+    const std::vector<Region> shapes = hollows(3);
+    const double wanted = area(one(shapes, {0.2, 0.7}, {.evaluation = Evaluation::Recursive}));
+    for (const Evaluation evaluation : everyWay) {
+      COMPARE_NEAR(area(one(shapes, {0.2, 0.7}, {.evaluation = evaluation})), wanted, 1e-8 * wanted);
+      COMPARE_NEAR(area(one(shapes, {0.7, 0.2}, {.evaluation = evaluation})), wanted, 1e-8 * wanted);
+    }
+    // A control shape in the middle is the blossom at 0, 1: with no sum, and with its own corners.
+    COMPARE_NEAR(area(one(shapes, {0, 1})), area(shapes[1]), 1e-9);
+    QCOMPARE(morph(shapes, std::vector<std::vector<double>>{{0, 1}}).sums, std::size_t{0});
+  }
+
+  void areasBlendWhenAsked() {
+    const std::vector<Region> shapes{rectangleRegion({0, 0}, {2, 2}), starRegion(5, 30, 10), regular(6, 4, {50, 0})};
+    const double t = 0.3;
+    const double wanted = (1 - t) * (1 - t) * area(shapes[0]) + 2 * t * (1 - t) * area(shapes[1]) + t * t * area(shapes[2]);
+    COMPARE_NEAR(area(one(shapes, diagonal(2, t), {.areaPreserving = true})), wanted, 1e-8 * wanted);
+  }
+
+  void elevationKeepsConvexMorphsAndWarnsOfOthers() {
+    const std::vector<Region> convex{regular(3, 10), rectangleRegion({0, 0}, {5, 2}), regular(7, 4)};
+    const auto t = diagonal(2, 0.35);
+    const MorphResult elevated = morph(convex, std::vector<std::vector<double>>{t}, {.degreeElevate = true});
+    COMPARE_NEAR(area(elevated.regions.front()), area(one(convex, t)), 1e-8 * area(one(convex, t)));
+    QVERIFY(elevated.warnings.empty());
+    QCOMPARE(morph(hollows(3), std::vector<std::vector<double>>{t}, {.degreeElevate = true}).warnings.size(),
+             std::size_t{1});
+    VERIFY_ERROR(one(convex, {0.1, 0.2}, {.degreeElevate = true}), ErrorCode::InvalidParameter);
+  }
+
+  void wrongArgumentsAreRefused() {
+    VERIFY_ERROR(one(hollows(3), {0.5}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(one(hollows(2), {1.5}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(one(hollows(1), {}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(one({regular(3, 1), polygonRegion({{0, 0}, {4, 4}, {4, 0}, {0, 4}})}, {0.5}), ErrorCode::InvalidInput);
+  }
+
+  void workCanBeCancelledBetweenFrames() {
+    const CancelToken token;
+    std::size_t reports = 0;
+    const Progress progress(token, [&](double fraction, const std::string&) {
+      ++reports;
+      if (fraction > 0.3) token.cancel();
+    });
+    VERIFY_ERROR(morph(hollows(3), inBetweens(2, 40), {}, progress), ErrorCode::Cancelled);
+    QVERIFY(reports < 20);
+  }
+};
+
+QTEST_APPLESS_MAIN(MinkowskiMorphTest)
+#include "minkowski_morph_test.moc"

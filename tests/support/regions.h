@@ -1,7 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "geometry/planar.h"
@@ -59,6 +63,55 @@ inline Region randomRegion(std::mt19937_64& random, double reach) {
       }
     }
     region.loops.push_back(polygonPath(outer));
+  }
+  return region;
+}
+
+/// Unit squares of a lattice by their lower left corners.
+using Cells = std::set<std::pair<int, int>>;
+
+/// Random squares: parts that touch in corners, holes of a single square, holes as large as what is put into them.
+inline Cells randomCells(std::mt19937_64& random, int width, int height, double share) {
+  std::bernoulli_distribution taken(share);
+  Cells cells{{0, 0}};
+  for (int x = 0; x < width; ++x)
+    for (int y = 0; y < height; ++y)
+      if (taken(random)) cells.insert({x, y});
+  return cells;
+}
+
+/// The area of lattice squares; loops touch in corners, where the boundary keeps to its own square.
+inline Region cellRegion(const Cells& cells) {
+  using Corner = std::pair<int, int>;
+  std::set<std::pair<Corner, Corner>> edges;  // squares on their left
+  const auto add = [&](Corner from, Corner to) {
+    if (edges.erase({to, from}) == 0) edges.insert({from, to});
+  };
+  for (const auto& [x, y] : cells) {
+    add({x, y}, {x + 1, y});
+    add({x + 1, y}, {x + 1, y + 1});
+    add({x + 1, y + 1}, {x, y + 1});
+    add({x, y + 1}, {x, y});
+  }
+  Region region;
+  while (!edges.empty()) {
+    const Corner start = edges.begin()->first;
+    Corner at = edges.begin()->second;
+    std::pair<int, int> along{at.first - start.first, at.second - start.second};
+    edges.erase(edges.begin());
+    std::vector<Vec2> points{{start.first, start.second}};
+    while (at != start) {
+      const auto [dx, dy] = along;
+      for (const auto& turn : {std::pair{-dy, dx}, std::pair{dx, dy}, std::pair{dy, -dx}}) {  // leftmost first
+        const Corner next{at.first + turn.first, at.second + turn.second};
+        if (edges.erase({at, next}) == 0) continue;
+        if (turn != along) points.emplace_back(at.first, at.second);
+        along = turn;
+        at = next;
+        break;
+      }
+    }
+    region.loops.push_back(polygonPath(points));
   }
   return region;
 }

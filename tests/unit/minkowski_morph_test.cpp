@@ -88,13 +88,26 @@ class MinkowskiMorphTest : public QObject {
   void theCountersOfTableOne() {
     constexpr int frames = 3;
     for (std::size_t n = 1; n <= 3; ++n) {
-      const auto shapes = hollows(static_cast<int>(n) + 1);
       const auto arguments = inBetweens(n, frames);
+      std::vector<Region> convex;
+      for (std::size_t i = 0; i <= n; ++i) convex.push_back(regular(3 + static_cast<int>(i), 10));
+      QCOMPARE(morph(convex, arguments, {.evaluation = Evaluation::Convex}).sums, n * frames);
+      QCOMPARE(morph(convex, arguments, {.evaluation = Evaluation::Explicit}).sums, n * frames);
+      const auto shapes = hollows(static_cast<int>(n) + 1);
       const auto sums = [&](Evaluation evaluation) { return morph(shapes, arguments, {.evaluation = evaluation}).sums; };
       QCOMPARE(sums(Evaluation::Recursive), ((std::size_t{1} << n) - 1) * frames);
       QCOMPARE(sums(Evaluation::BottomUp), n * (n + 1) / 2 * frames);
       QCOMPARE(sums(Evaluation::Explicit), n * frames + (std::size_t{1} << n) - n - 1);
     }
+  }
+
+  /// Where the table adds one at a time, doubling needs floor(log2 k) + popcount(k) - 1 sums for [k]A.
+  void doublingBeatsTheTable() {
+    const std::vector<Region> shapes(5, starRegion(3, 2, 0.5));
+    const std::size_t table = 4 + 16 - 4 - 1;
+    const std::size_t sums = morph(shapes, inBetweens(4, 1), {.evaluation = Evaluation::Explicit}).sums;
+    QCOMPARE(sums, std::size_t{4 + 2 + 3 + 2});  // [4], [6], [4]
+    QVERIFY(sums < table);
   }
 
   void theBlossomIsSymmetric() {

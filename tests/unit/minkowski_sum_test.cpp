@@ -120,6 +120,71 @@ class MinkowskiSumTest : public QObject {
     QCOMPARE(sumOf(two, rectangleRegion({0, 0}, {4, 1})).loops.size(), std::size_t{1});
   }
 
+  /// On a lattice the answer is counted: holes exactly as large as what fills them, parts that touch in corners or grow
+  /// until they do, every edge parallel to others.
+  void sumsAndDifferencesOfSquaresOfALattice() {
+    std::mt19937_64 random = seededRandom();
+    const Cells unit{{0, 0}, {1, 0}, {0, 1}, {1, 1}};  // a sum of squares is larger by one square both ways
+    for (int pair = 0; pair < 150; ++pair) {
+      const Cells a = randomCells(random, 3 + pair % 5, 3 + pair % 4, 0.3 + 0.05 * (pair % 10));
+      const Cells b = randomCells(random, 1 + pair % 3, 1 + pair % 4, 0.6);
+      Cells sum, difference;
+      for (const auto& p : a)
+        for (const auto& q : b)
+          for (const auto& u : unit) sum.insert({p.first + q.first + u.first, p.second + q.second + u.second});
+      for (int x = -4; x < 9; ++x)
+        for (int y = -4; y < 9; ++y) {
+          const auto fits = [&](const auto& q) {
+            return std::all_of(unit.begin(), unit.end(), [&](const auto& u) {
+              return a.contains({x + q.first + u.first, y + q.second + u.second});
+            });
+          };
+          if (std::all_of(b.begin(), b.end(), fits)) difference.insert({x, y});
+        }
+      COMPARE_NEAR(area(sumOf(cellRegion(a), cellRegion(b))), static_cast<double>(sum.size()), 1e-8);
+      if (difference.empty())
+        VERIFY_ERROR(differenceOf(cellRegion(a), cellRegion(b)), ErrorCode::Degenerate);
+      else
+        COMPARE_NEAR(area(differenceOf(cellRegion(a), cellRegion(b))), static_cast<double>(difference.size()), 1e-8);
+    }
+  }
+
+  /// Slits and spikes whose sides cross when they are rounded: a crossing of that size must not turn the sum around it.
+  /// Slits fill up. A spike below the rounding may count or not, or in part, as it does when it is a little wider.
+  void partsThinnerThanTheRoundingDoNoHarm() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> place(0, 1);
+    const Vec2 top(7.3, 10);
+    for (const double width : {1e-13, 1e-12, 1e-11, 1e-10, 1e-8})
+      for (int k = 0; k < 40; ++k) {
+        const bool spike = k % 2 == 0;
+        const Vec2 tip = spike ? Vec2(5.1, 17.3) : Vec2(2.9, 3.7);
+        const auto with = [&](double wide) {
+          const Vec2 across = wide * Vec2(1, spike ? 0 : -0.7);
+          std::vector<double> right, left;
+          for (int i = 0; i < 6; ++i) right.push_back(place(random)), left.push_back(place(random));
+          std::sort(right.begin(), right.end());
+          std::sort(left.rbegin(), left.rend());
+          std::vector<Vec2> points{{0, 0}, {10, 0}, {10, 10}, top + across};
+          for (const double t : right) points.push_back(top + t * (tip - top) + (1 - t) * place(random) * across);
+          points.push_back(tip);
+          for (const double t : left) points.push_back(top + t * (tip - top) - (1 - t) * place(random) * across);
+          points.push_back(top - across);
+          points.emplace_back(0, 10);
+          return polygonRegion(points);
+        };
+        const Region star = polygonRegion(spikyPoints(random, {0, 0}, 3, 9));
+        const double without = area(sumOf(rectangleRegion({0, 0}, {10, 10}), star));
+        const double thin = area(sumOf(with(width), star)), thicker = spike ? area(sumOf(with(1e-7), star)) : without;
+        const double rounding = 1e-5 * without;
+        QVERIFY2(
+            thin >= without - rounding && thin <= thicker + rounding,
+            qPrintable(
+                QString("%1 is not within %2 and %3, at a width of %4").arg(thin).arg(without).arg(thicker).arg(width)));
+        if (width >= 1e-8) COMPARE_NEAR(thin, thicker, rounding);
+      }
+  }
+
   void farFromTheOriginNothingIsLost() {
     const Region sum =
         sumOf(rectangleRegion({1e6, 1e6}, {1e6 + 1, 1e6 + 1}), polygonRegion({{-3e5, 0}, {-3e5 + 2, 0}, {-3e5 + 1, 1}}));
@@ -172,6 +237,13 @@ class MinkowskiSumTest : public QObject {
     QVERIFY2(message(open).starts_with("Shape 2 is open: a gap of 1 mm at (0, 1)"), message(open).c_str());
     QVERIFY(message(polygonRegion({{0, 0}, {std::nan(""), 4}, {4, 0}})).find("not numbers, in segment 1 of loop 1") !=
             std::string::npos);
+    // Through a corner, along an edge, drawn twice: nothing crosses inside of two edges.
+    for (const Region& bad : {polygonRegion({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}),
+                              Region{{rectanglePath({0, 0}, {2, 2}), rectanglePath({0, 0}, {2, 2})}},
+                              Region{{rectanglePath({0, 0}, {2, 2}), rectanglePath({0, 1}, {2, 3})}}})
+      QVERIFY2(message(bad).starts_with("Shape 2 crosses itself or overlaps itself at ("), message(bad).c_str());
+    QVERIFY(
+        message(polygonRegion({{0, 0}, {1, 0}, {2, 0}})).starts_with("Shape 2 has a loop at (0, 0) that encloses nothing"));
     VERIFY_ERROR(sumOf(square, rectangleRegion({0, 0}, {1e12, 1})), ErrorCode::LimitExceeded);
     VERIFY_ERROR(sumOf(square, Region{{rectanglePath({0, 0}, {2, 2}), rectanglePath({1, 1}, {3, 3})}}),
                  ErrorCode::InvalidInput);

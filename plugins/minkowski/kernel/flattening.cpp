@@ -72,9 +72,9 @@ struct Edge {
 bool crossInside(const Edge& a, const Edge& b, Vec2& place) {
   const Vec2 alongA = a.to - a.from, alongB = b.to - b.from;
   const double size = alongA.norm() * alongB.norm();
-  const double side = blossom::cross(alongA, alongB);
+  const double side = cross(alongA, alongB);
   if (std::abs(side) <= 1e-12 * size) return false;
-  const double s = blossom::cross(b.from - a.from, alongB) / side, t = blossom::cross(b.from - a.from, alongA) / side;
+  const double s = cross(b.from - a.from, alongB) / side, t = cross(b.from - a.from, alongA) / side;
   constexpr double rounding = 1e-9;
   if (!(s > rounding && s < 1 - rounding && t > rounding && t < 1 - rounding)) return false;
   place = a.from + s * alongA;

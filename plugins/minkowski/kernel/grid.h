@@ -17,6 +17,7 @@ struct GridPoint {
 // ISO C++ has no name for it; the compilers we build with all have the type.
 __extension__ using Wide = __int128;
 
+using blossom::cross;  // of vectors, beside those of grid points
 inline Wide cross(const GridPoint& a, const GridPoint& b) { return Wide(a.x) * b.y - Wide(a.y) * b.x; }
 inline Wide dot(const GridPoint& a, const GridPoint& b) { return Wide(a.x) * b.x + Wide(a.y) * b.y; }
 

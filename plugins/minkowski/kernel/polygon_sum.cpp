@@ -17,7 +17,7 @@ bool straight(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 along = c - a;
   const double reach = along.norm();
   if (reach <= crumb) return true;  // an antenna, or neighbours that are one point
-  return std::abs(blossom::cross(along, Vec2(b - a))) <= crumb * reach && (b - a).dot(along) >= 0 && (c - b).dot(along) >= 0;
+  return std::abs(cross(along, Vec2(b - a))) <= crumb * reach && (b - a).dot(along) >= 0 && (c - b).dot(along) >= 0;
 }
 
 /// Without collinear points; empty when nothing of any width is left.

@@ -133,8 +133,8 @@ const Format* FormatRegistry::find(std::string_view extensionOrId) const {
 
 FormatRegistry standardFormats() {
   FormatRegistry registry;
-  for (const auto& format : {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, dxfFormat,
-                             svgFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
+  for (const auto& format : {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, xyzFormat,
+                             dxfFormat, svgFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
     registry.add(format());
   return registry;
 }

@@ -72,6 +72,7 @@ Format stlFormat();
 Format objFormat();
 Format offFormat();
 Format plyFormat();
+Format xyzFormat();
 Format dxfFormat();
 Format svgFormat();
 Format motionFormat();

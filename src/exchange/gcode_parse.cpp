@@ -1,0 +1,467 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "core/units.h"
+#include "exchange/gcode_program.h"
+#include "exchange/text.h"
+
+/// Reads RS-274 in LinuxCNC's dialect: G0 G1 G2 G3 in the plane G17 and G5.2 NURBS.
+namespace blossom {
+namespace {
+
+struct Word {
+  char letter;
+  std::optional<double> value;  ///< empty for parameters and expressions, which are not evaluated
+};
+
+constexpr std::size_t largestLine = 10000;
+constexpr double farthest = 1e7;  ///< mm; no machine is larger, and arcs of such radii are straight to rounding
+
+/// A line without its comments: "(..)" and everything after ";"; what stands in parentheses goes to `comments`.
+std::string withoutComments(std::string_view line, std::vector<std::string>& comments) {
+  std::string kept;
+  int depth = 0;
+  for (const char c : line) {
+    if (depth == 0 && (c == ';' || c == '%')) break;
+    if (c == '(' && depth++ == 0) comments.emplace_back();
+    if (depth > 0 && c != '(' && c != ')') comments.back() += c;
+    if (depth == 0 && c != ' ' && c != '\t' && c != '\r')
+      kept += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (c == ')' && depth > 0) --depth;
+  }
+  return kept;
+}
+
+/// Length of a parameter or an expression: "#1", "#<name>", "[#1+2]".
+std::size_t expressionLength(std::string_view text) {
+  std::size_t at = 0;
+  int brackets = 0, angles = 0;
+  while (at < text.size()) {
+    const char c = text[at];
+    if (c == '[') ++brackets;
+    if (c == '<') ++angles;
+    if (brackets == 0 && angles == 0 && at > 0 && std::isalpha(static_cast<unsigned char>(c))) break;
+    if (c == ']') --brackets;
+    if (c == '>') --angles;
+    ++at;
+  }
+  return at;
+}
+
+/// What Blossom writes into the comments of its programs (see gcode_write.cpp): words and numbers apart by blanks.
+class HeaderComment {
+ public:
+  explicit HeaderComment(std::string_view comment) : rest_(comment) {}
+  bool word(std::string_view wanted) { return parse::takeWord(rest_) == wanted; }
+  double number() {
+    const auto value = parse::toNumber(parse::takeWord(rest_));
+    good_ = good_ && value && std::abs(*value) < farthest;
+    return good_ ? *value : 0;
+  }
+  [[nodiscard]] bool good() const { return good_; }
+
+ private:
+  std::string_view rest_;
+  bool good_ = true;
+};
+
+void readTool(HeaderComment words, Cutter& cutter) {
+  Cutter read = cutter;
+  if (!words.word("tool") || !words.word("T")) return;
+  read.number = static_cast<int>(words.number());
+  if (!words.word("diameter")) return;
+  read.diameter = words.number();
+  if (!words.word("corner")) return;
+  read.cornerRadius = words.number();
+  if (!words.word("angle")) return;
+  read.vAngle = toRadians(words.number());
+  const bool sane = words.good() && read.diameter > 0 && read.cornerRadius >= 0 && read.cornerRadius <= read.diameter / 2 &&
+                    read.vAngle >= 0 && read.vAngle < fullTurn / 2;
+  if (sane) cutter = read;
+}
+
+void readStock(HeaderComment words, Bounds& stock) {
+  if (!words.word("stock")) return;
+  Vec3 low, high;
+  for (int k = 0; k < 3; ++k) {
+    if (!words.word(std::string_view("XYZ").substr(static_cast<std::size_t>(k), 1))) return;
+    low[k] = words.number();
+    high[k] = words.number();
+  }
+  if (!words.good()) return;
+  stock.add(low);
+  stock.add(high);
+}
+
+void readComment(const std::string& comment, GcodeProgram& program) {
+  const HeaderComment words(comment);
+  readTool(words, program.cutter);
+  readStock(words, program.stock);
+  HeaderComment passes(comment);
+  if (!passes.word("passes")) return;
+  if (const double count = passes.number(); count > 0) program.passes = static_cast<std::size_t>(count);
+}
+
+class GcodeParser {
+ public:
+  GcodeProgram read(std::string_view text, const Progress& progress) {
+    std::size_t begin = 0;
+    while (begin < text.size() && !ended_) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      ++lineNumber_;
+      if (lineNumber_ % 4096 == 0)
+        progress.report(static_cast<double>(begin) / static_cast<double>(text.size()), "Reading G-code");
+      readLine(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    finishNurbs();
+    if (program_.counts.empty()) damaged("the file holds no motion (G0, G1, G2, G3 or G5.2)");
+    return std::move(program_);
+  }
+
+ private:
+  /// What one line says.
+  struct Block {
+    std::optional<double> x, y, z, i, j, radius, weight, order;
+    bool unknownZ = false;
+    bool machine = false;  ///< in the machine's coordinates, which a file does not tell
+  };
+
+  [[noreturn]] void damaged(const std::string& what) const {
+    throw Error(ErrorCode::FormatDamaged, fmt::format("Line {}: {}.", lineNumber_, what),
+                "Check that the file is G-code and complete.");
+  }
+
+  static void count(Value& counts, const std::string& name) { counts[name] = counts.value(name, 0) + 1; }
+
+  /// What contours do not mind, but a toolpath would be wrong without.
+  void cannotFollow(const std::string& what) {
+    if (!program_.obstacle) program_.obstacle = {lineNumber_, what};
+  }
+
+  void readLine(std::string_view raw) {
+    if (raw.size() > largestLine) damaged("the line is longer than 10,000 characters");
+    std::vector<std::string> comments;
+    const std::string line = withoutComments(raw, comments);
+    for (const std::string& comment : comments) readComment(comment, program_);
+    if (line.empty()) return;
+    if (line.front() == '/') return cannotFollow("a line that may be left out (/)");
+    if (line.front() == '#') return count(program_.skipped, "parameter");
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    if (line.front() == 'O' && line.size() > 1 && std::all_of(line.begin() + 1, line.end(), isDigit)) return;  // its number
+    if (line.front() == 'O') {
+      cannotFollow("a subroutine or a loop (O)");
+      return count(program_.skipped, "subroutine");
+    }
+    run(words(line));
+  }
+
+  std::vector<Word> words(std::string_view text) {
+    std::vector<Word> found;
+    while (!text.empty()) {
+      const char letter = text.front();
+      text.remove_prefix(1);
+      if (letter == '$' || letter == '^' || letter == '@') {  // spindle numbers and polar words of LinuxCNC
+        double ignored = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
+        text.remove_prefix(error == std::errc{} ? static_cast<std::size_t>(end - text.data()) : 0);
+        if (letter != '$') cannotFollow("polar coordinates");
+        continue;
+      }
+      if (!std::isupper(static_cast<unsigned char>(letter)))
+        damaged(fmt::format("a word starts with '{}'", letter >= ' ' && letter < 127 ? letter : '?'));
+      if (!text.empty() && (text.front() == '#' || text.front() == '[')) {
+        text.remove_prefix(expressionLength(text));
+        found.push_back({letter, std::nullopt});
+        continue;
+      }
+      if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+      double value = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+      if (error != std::errc{} || !std::isfinite(value)) damaged(fmt::format("the word {} has no number", letter));
+      text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+      found.push_back({letter, value});
+    }
+    return found;
+  }
+
+  void run(const std::vector<Word>& line) {
+    Block block;
+    for (const Word& word : line) {
+      switch (word.letter) {
+        case 'G':
+          mode(number(word), block);
+          break;
+        case 'X':
+          block.x = coordinate(word);
+          break;
+        case 'Y':
+          block.y = coordinate(word);
+          break;
+        case 'Z':
+          if (word.value)
+            block.z = coordinate(word);
+          else
+            block.unknownZ = true;
+          break;
+        case 'I':
+          block.i = coordinate(word);
+          break;
+        case 'J':
+          block.j = coordinate(word);
+          break;
+        case 'R':
+          block.radius = coordinate(word);
+          break;
+        case 'P':
+          block.weight = word.value;
+          break;
+        case 'L':
+          block.order = word.value;
+          break;
+        default:
+          setting(word);
+      }
+    }
+    motionOf(block);
+  }
+
+  void setting(const Word& word) {
+    switch (word.letter) {
+      case 'F':
+        if (word.value) feed_ = *word.value * unit_;
+        break;
+      case 'S':
+        if (word.value) program_.cutter.spindle = std::max(0.0, *word.value);
+        break;
+      case 'T':
+        program_.namesTool = true;
+        if (word.value && *word.value >= 0 && *word.value < 1e6) program_.cutter.number = static_cast<int>(*word.value);
+        break;
+      case 'M':
+        machine(word.value.value_or(-1));
+        break;
+      case 'A':
+      case 'B':
+      case 'C':
+        cannotFollow("a rotary axis");
+        break;
+      case 'N':
+      case 'H':
+      case 'D':
+      case 'Q':
+      case 'E':
+      case 'K':
+        break;
+      default:
+        count(program_.skipped, std::string(1, word.letter));
+    }
+  }
+
+  void machine(double code) {
+    if (code == 3 || code == 4) program_.turnsSpindle = true;
+    if (code == 6) program_.namesTool = true;
+    if (code == 2 || code == 30) ended_ = true;
+    if (code == 98 || code == 99) cannotFollow("a subroutine (M98)");
+  }
+
+  double number(const Word& word) const {
+    if (!word.value)
+      damaged(fmt::format("the word {} is a parameter or an expression, which is not evaluated here", word.letter));
+    return *word.value;
+  }
+
+  double coordinate(const Word& word) const {
+    const double mm = number(word) * unit_;
+    if (std::abs(mm) > farthest) damaged(fmt::format("the word {} is farther away than 10 km", word.letter));
+    return mm;
+  }
+
+  void mode(double code, Block& block) {
+    const int tenths = std::abs(code) < 1000 ? static_cast<int>(std::lround(code * 10)) : -1;
+    if (motion_ == GcodeMotion::Nurbs && tenths != 52) finishNurbs();
+    switch (tenths) {
+      case 0:
+        motion_ = GcodeMotion::Rapid;
+        break;
+      case 10:
+        motion_ = GcodeMotion::Line;
+        break;
+      case 20:
+        motion_ = GcodeMotion::Clockwise;
+        break;
+      case 30:
+        motion_ = GcodeMotion::Counterclockwise;
+        break;
+      case 52:
+        motion_ = GcodeMotion::Nurbs;
+        break;
+      case 800:
+        motion_ = GcodeMotion::None;
+        break;
+      case 280:
+      case 300:
+      case 530:
+        block.machine = true;
+        break;
+      case 180:
+      case 190:
+        damaged("arcs in the planes G18 and G19 are not read");
+      case 200:
+        unit_ = millimetresPerInch;
+        break;
+      case 210:
+        unit_ = 1;
+        break;
+      case 900:
+        absolute_ = true;
+        break;
+      case 910:
+        absolute_ = false;
+        break;
+      case 901:
+        absoluteCenters_ = true;
+        break;
+      case 911:
+        absoluteCenters_ = false;
+        break;
+      default:
+        otherMode(tenths);  // offsets, path modes and other settings do not change the contour
+    }
+  }
+
+  void otherMode(int tenths) {
+    if (tenths == 50 || tenths == 51) return cannotFollow("a spline (G5, G5.1)");
+    if (tenths == 410 || tenths == 420 || tenths == 411 || tenths == 421) return cannotFollow("cutter compensation");
+    if (tenths == 330 || tenths == 760) return cannotFollow("a thread");
+    if (tenths >= 380 && tenths < 390) return cannotFollow("a probe");
+    if (tenths == 100 || tenths == 520 || tenths == 920) return cannotFollow("a moved zero (G10, G52, G92)");
+    if (tenths == 730 || (tenths >= 810 && tenths <= 890)) return cannotFollow("a drilling cycle");
+    if (tenths < 540 || tenths > 593) return;
+    const std::string name =
+        tenths % 10 == 0 ? fmt::format("G{}", tenths / 10) : fmt::format("G{}.{}", tenths / 10, tenths % 10);
+    if (!program_.moves.empty() && name != program_.workOffset) cannotFollow("a second work offset");
+    program_.workOffset = name;
+  }
+
+  [[nodiscard]] Vec3 target(const Block& b) const {
+    if (absolute_) return {b.x.value_or(at_.x()), b.y.value_or(at_.y()), b.z.value_or(at_.z())};
+    return at_ + Vec3(b.x.value_or(0), b.y.value_or(0), b.z.value_or(0));
+  }
+
+  void countMove() {
+    static constexpr const char* names[] = {"", "G0", "G1", "G2", "G3", "G5.2"};
+    if (motion_ != GcodeMotion::None) count(program_.counts, names[static_cast<int>(motion_)]);
+  }
+
+  void motionOf(const Block& block) {
+    const bool plane = block.x || block.y;
+    if (block.machine) {  // somewhere else and back: a path that was begun ends here
+      count(program_.skipped, "machine coordinates");
+      return addMove(GcodeMotion::Rapid, at_, {}, true);
+    }
+    if (block.unknownZ) cannotFollow("a height that is a parameter or an expression");
+    if (motion_ == GcodeMotion::Nurbs) return addNurbs(block, plane);
+    const bool centred = plane || block.i || block.j;
+    if (!centred && !block.z && !block.unknownZ) return;
+    countMove();
+    if (motion_ == GcodeMotion::None) {
+      if (centred) damaged("coordinates without a motion (G0, G1, ..)");
+      return cannotFollow("a height without a motion");
+    }
+    const Vec3 to = target(block);
+    const bool round = motion_ == GcodeMotion::Clockwise || motion_ == GcodeMotion::Counterclockwise;
+    if (round && !centred) damaged("an arc needs I, J or R");
+    addMove(motion_, to, round ? center(block, to.head<2>()) : Vec2(0, 0), centred);
+  }
+
+  void addMove(GcodeMotion motion, const Vec3& to, const Vec2& center, bool inPlane) {
+    GcodeMove move{motion, at_, to, center, feed_, 0, lineNumber_, inPlane};
+    program_.movesInZ = program_.movesInZ || at_.z() != to.z();
+    program_.moves.push_back(move);
+    at_ = to;
+  }
+
+  [[nodiscard]] Vec2 center(const Block& b, const Vec2& to) {
+    const Vec2 from = at_.head<2>();
+    const bool clockwise = motion_ == GcodeMotion::Clockwise;
+    if (b.radius) {
+      const Vec2 chord = to - from;
+      const double half = chord.norm() / 2;
+      if (half == 0 || half > std::abs(*b.radius) * (1 + 1e-4)) damaged("the arc's radius R does not reach its end");
+      const double height = std::sqrt(std::max(0.0, *b.radius * *b.radius - half * half));
+      const Vec2 left = Vec2(-chord.y(), chord.x()) / (2 * half);
+      return from + chord / 2 + left * height * ((clockwise != (*b.radius < 0)) ? -1 : 1);
+    }
+    if (!b.i && !b.j) damaged("an arc needs I, J or R");
+    const Vec2 middle = absoluteCenters_ ? Vec2(b.i.value_or(from.x()), b.j.value_or(from.y()))
+                                         : Vec2(from + Vec2(b.i.value_or(0), b.j.value_or(0)));
+    const double radius = (from - middle).norm(), mismatch = std::abs((to - middle).norm() - radius);
+    if (radius == 0) damaged("the arc has no radius");
+    // What machines refuse: GRBL and LinuxCNC alike.
+    if (mismatch > 0.5 || (mismatch > 0.005 && mismatch > 1e-3 * radius)) cannotFollow("an arc that misses its end");
+    return middle;
+  }
+
+  void addNurbs(const Block& b, bool plane) {
+    if (nurbs_.empty()) {
+      count(program_.counts, "G5.2");
+      nurbs_.emplace_back(at_.x(), at_.y(), 1);  // the curve starts where the tool is
+      order_ = 3;
+    }
+    if (b.order) order_ = static_cast<int>(std::clamp(*b.order, 2.0, 26.0));
+    if (!plane) return;
+    const Vec3 pole = target(b);
+    const double w = b.weight.value_or(1);
+    if (!(w > 0)) damaged("the weight P must be above 0");
+    nurbs_.emplace_back(pole.x() * w, pole.y() * w, w);
+    nurbsEnd_ = {pole.x(), pole.y(), at_.z()};
+  }
+
+  void finishNurbs() {
+    if (motion_ == GcodeMotion::Nurbs) motion_ = GcodeMotion::None;
+    if (nurbs_.empty()) return;
+    if (nurbs_.size() < 2) damaged("a G5.2 curve needs at least two control points");
+    Spline2 spline;
+    spline.degree = std::min(order_, static_cast<int>(nurbs_.size())) - 1;
+    const auto poles = static_cast<int>(nurbs_.size());
+    for (int k = 0; k <= poles + spline.degree; ++k)
+      spline.knots.push_back(std::clamp(k - spline.degree, 0, poles - spline.degree));
+    spline.poles = std::move(nurbs_);
+    nurbs_.clear();
+    addMove(GcodeMotion::Nurbs, nurbsEnd_, {}, true);
+    program_.moves.back().spline = program_.splines.size();
+    program_.splines.push_back(std::move(spline));
+  }
+
+  GcodeMotion motion_ = GcodeMotion::None;
+  double unit_ = 1;
+  double feed_ = 0;
+  bool absolute_ = true;
+  bool absoluteCenters_ = false;
+  bool ended_ = false;
+  Vec3 at_ = Vec3::Zero();
+  Vec3 nurbsEnd_ = Vec3::Zero();
+  int order_ = 3;
+  std::vector<Vec3> nurbs_;
+  GcodeProgram program_;
+  std::size_t lineNumber_ = 0;
+};
+
+}  // namespace
+
+GcodeProgram parseGcode(std::string_view text, const Progress& progress) { return GcodeParser().read(text, progress); }
+
+bool isMachining(const GcodeProgram& program) {
+  return program.movesInZ && (program.turnsSpindle || program.namesTool || program.cutter.diameter > 0) &&
+         program.splines.empty();
+}
+
+}  // namespace blossom

@@ -1,0 +1,267 @@
+#include "exchange/gcode_write.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/units.h"
+
+namespace blossom {
+namespace {
+
+/// What a control understands.
+struct Post {
+  std::string_view name;
+  std::string_view title;
+  bool changesTools;    ///< T and M6
+  bool offsetsLengths;  ///< G43
+  bool blendsPath;      ///< G64 P
+  bool framed;          ///< "%" and a program number
+  bool pointed;         ///< whole numbers need a decimal point: X10.
+  std::string_view modes, end;
+};
+
+constexpr std::array<Post, 4> posts{{
+    {"linuxcnc", "LinuxCNC", true, true, true, false, false, "G17 G90 G91.1 G94 G40 G49 G80", "M2"},
+    {"grbl", "GRBL 1.1", false, false, false, false, false, "G17 G90 G91.1 G94 G40", "M2"},
+    {"mach3", "Mach3 and Mach4", true, true, false, false, false, "G17 G90 G91.1 G94 G40 G49 G80", "M30"},
+    {"fanuc", "Fanuc", true, true, false, true, true, "G17 G90 G94 G40 G49 G80", "M30"},
+}};
+
+const Post& postNamed(const std::string& name) {
+  const auto found = std::find_if(posts.begin(), posts.end(), [&](const Post& post) { return post.name == name; });
+  if (found == posts.end()) throw Error(ErrorCode::InvalidParameter, fmt::format("There is no post \"{}\".", name));
+  return *found;
+}
+
+/// LinuxCNC may round corners by so much to keep its speed; mm.
+constexpr double blending = 0.005;
+/// Largest difference of an arc's radius at its two ends that every control takes; mm.
+constexpr double largestMismatch = 0.005;
+/// Arcs of larger radii are straight as far as a control can tell; mm.
+constexpr double largestRadius = 1e4;
+/// LinuxCNC refuses arcs of smaller radii as points; mm.
+constexpr double smallestRadius = 0.005;
+
+using Ticks = std::array<std::int64_t, 3>;  ///< a position in units of the last decimal
+
+class GcodeWriter {
+ public:
+  GcodeWriter(const Toolpath& path, const Value& options)
+      : path_(path), post_(postNamed(options.value("post", "linuxcnc"))) {
+    inch_ = options.value("unit", "mm") == "inch";
+    numbered_ = options.value("line-numbers", false);
+    decimals_ = static_cast<int>(options.value("decimals", 4.0)) + (inch_ ? 1 : 0);
+    perMm_ = std::pow(10, decimals_) / (inch_ ? millimetresPerInch : 1);
+  }
+
+  std::string write(const Progress& progress) {
+    validate();
+    if (post_.framed) text_ += "%\nO0001\n";
+    header();
+    setup();
+    begin(path_.start);
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      if (i % 4096 == 0)
+        progress.report(static_cast<double>(i) / static_cast<double>(path_.moves.size()), "Writing the program");
+      move(startOf(path_, i), path_.moves[i]);
+    }
+    if (path_.cutter.spindle > 0) line("M5");
+    line(std::string(post_.end));
+    if (post_.framed) text_ += "%\n";
+    return std::move(text_);
+  }
+
+ private:
+  void validate() const {
+    if (path_.moves.empty())
+      throw Error(ErrorCode::InvalidInput, "The toolpath has no moves.", "Make one of a part that the tool fits into.");
+    constexpr double farthest = 1e6;
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      const ToolMove& m = path_.moves[i];
+      const bool finite = m.to.allFinite() && m.center.allFinite() && m.to.cwiseAbs().maxCoeff() < farthest;
+      if (!finite)
+        throw Error(ErrorCode::InvalidInput, fmt::format("Move {} of the toolpath goes to no finite place.", i + 1));
+      if (m.kind != MoveKind::Rapid && !(m.feed > 0 && std::isfinite(m.feed)))
+        throw Error(ErrorCode::InvalidInput,
+                    fmt::format("Move {} of the toolpath, to ({:.3f}, {:.3f}, {:.3f}), cuts without a feed.", i + 1,
+                                m.to.x(), m.to.y(), m.to.z()),
+                    "Give a feed above 0.");
+    }
+    if (!path_.start.allFinite()) throw Error(ErrorCode::InvalidInput, "The toolpath begins at no finite place.");
+  }
+
+  void line(const std::string& words) {
+    if (numbered_) text_ += fmt::format("N{} ", number_ = number_ >= 99990 ? 10 : number_ + 10);
+    text_ += words;
+    text_ += '\n';
+  }
+  void comment(const std::string& words) { text_ += fmt::format("({})\n", words); }
+
+  /// What the reader takes back (the first three) and what whoever stands at the machine wants to know. Lengths in mm.
+  void header() {
+    const Cutter& c = path_.cutter;
+    comment("Blossom");
+    comment(fmt::format("tool T {} diameter {} corner {} angle {}", c.number, formatNumber(c.diameter),
+                        formatNumber(c.cornerRadius), formatNumber(toDegrees(c.vAngle))));
+    const auto span = [](double low, double high) { return formatNumber(low) + " " + formatNumber(high); };
+    const Bounds& stock = path_.stock;
+    if (!stock.empty)
+      comment(fmt::format("stock X {} Y {} Z {}", span(stock.low.x(), stock.high.x()), span(stock.low.y(), stock.high.y()),
+                          span(stock.low.z(), stock.high.z())));
+    if (path_.passes > 0) comment(fmt::format("passes {}", path_.passes));
+    comment(fmt::format("for {}, work zero {}, all lengths in comments in mm", post_.title, path_.workOffset));
+    const auto seconds = static_cast<long long>(std::llround(secondsOf(path_)));
+    comment(fmt::format("path {:.0f} mm, time about {} min {} s", lengthOf(path_), seconds / 60, seconds % 60));
+    if (path_.gouge && path_.residue)
+      comment(fmt::format("simulated: gouge {:.4f} mm, residue {:.4f} mm2", *path_.gouge, *path_.residue));
+  }
+
+  void setup() {
+    line(fmt::format("{} {}", inch_ ? "G20" : "G21", post_.modes));
+    if (post_.blendsPath) line(fmt::format("G64 P{}", decimal(ticks(blending))));
+    line(path_.workOffset);
+    if (post_.changesTools) line(fmt::format("T{} M6", path_.cutter.number));
+    if (post_.offsetsLengths) line(fmt::format("G43 H{}", path_.cutter.number));
+    if (path_.cutter.spindle > 0) line(fmt::format("S{:.0f} M3", path_.cutter.spindle));
+  }
+
+  [[nodiscard]] std::int64_t ticks(double mm) const { return std::llround(mm * perMm_); }
+  [[nodiscard]] Ticks ticks(const Vec3& p) const { return {ticks(p.x()), ticks(p.y()), ticks(p.z())}; }
+  [[nodiscard]] double resolution() const { return 1 / perMm_; }
+
+  /// "-0.5", "12", for Fanuc "12.": whole ticks as a decimal number without needless zeros.
+  [[nodiscard]] std::string decimal(std::int64_t value) const {
+    const bool negative = value < 0;
+    std::string digits = std::to_string(negative ? -value : value);
+    if (static_cast<int>(digits.size()) <= decimals_)
+      digits.insert(0, static_cast<std::size_t>(decimals_) + 1 - digits.size(), '0');
+    digits.insert(digits.size() - static_cast<std::size_t>(decimals_), ".");
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.' && !post_.pointed) digits.pop_back();
+    return (negative ? "-" : "") + digits;
+  }
+
+  /// Height first: where the tool is when the program starts is not known.
+  void begin(const Vec3& p) {
+    at_ = ticks(p);
+    line("G0 Z" + decimal(at_[2]));
+    line("X" + decimal(at_[0]) + " Y" + decimal(at_[1]));
+    motion_ = "G0";
+  }
+
+  void move(const Vec3& from, const ToolMove& m) {
+    if (m.kind == MoveKind::Rapid) return straight("G0", ticks(m.to), 0);
+    if (m.turn == 0) return straight("G1", ticks(m.to), m.feed);
+    if (!round(from, m)) asLines(from, m);
+  }
+
+  void emit(const std::string& motion, const std::string& words, double feed) {
+    std::string all;
+    if (motion != motion_) all = motion + " ";
+    all += words;
+    motion_ = motion;
+    const std::string f = feed > 0 ? fmt::format("F{}", number(inch_ ? feed / millimetresPerInch : feed)) : "";
+    if (!f.empty() && f != feed_) {
+      all += " " + f;
+      feed_ = f;
+    }
+    line(all);
+  }
+
+  /// A feed to three decimals, never 0.
+  [[nodiscard]] std::string number(double value) const {
+    std::string text = fmt::format("{:.3f}", std::max(value, 0.001));
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.' && !post_.pointed) text.pop_back();
+    return text;
+  }
+
+  void straight(const std::string& motion, const Ticks& to, double feed) {
+    std::string words;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (to[k] != at_[k]) words += (words.empty() ? "" : " ") + std::string(1, "XYZ"[k]) + decimal(to[k]);
+    at_ = to;
+    if (!words.empty()) emit(motion, words, feed);
+  }
+
+  /// False when rounding leaves no arc that every control takes.
+  bool round(const Vec3& from, const ToolMove& m) {
+    const Ticks to = ticks(m.to);
+    const std::array<std::int64_t, 2> offset{ticks(m.center.x()) - at_[0], ticks(m.center.y()) - at_[1]};
+    const auto vector = [&](std::int64_t x, std::int64_t y) {
+      return Vec2(static_cast<double>(x) * resolution(), static_cast<double>(y) * resolution());
+    };
+    const Vec2 first = vector(-offset[0], -offset[1]);
+    const Vec2 last = vector(to[0] - at_[0] - offset[0], to[1] - at_[1] - offset[1]);
+    const double radius = first.norm();
+    if (radius > largestRadius || radius < std::max(2 * resolution(), smallestRadius) ||
+        std::abs(radius - last.norm()) > largestMismatch / 2)
+      return false;
+    ToolMove rounded;
+    rounded.turn = m.turn;
+    rounded.to = {last.x(), last.y(), 0};
+    const double wanted = sweepOf(from, m), kept = sweepOf({first.x(), first.y(), 0}, rounded);
+    if (std::abs(wanted - kept) * radius > 4 * resolution()) return false;
+    if (radius * (1 - std::cos(std::min(std::abs(kept) / 2, fullTurn / 4))) < resolution() / 2) return false;
+    std::string words = "X" + decimal(to[0]) + " Y" + decimal(to[1]);
+    if (to[2] != at_[2]) words += " Z" + decimal(to[2]);
+    words += " I" + decimal(offset[0]) + " J" + decimal(offset[1]);
+    at_ = to;
+    emit(m.turn > 0 ? "G3" : "G2", words, m.feed);
+    return true;
+  }
+
+  void asLines(const Vec3& from, const ToolMove& m) {
+    for (const Vec3& p : polylineOf(from, m, std::max(resolution(), 1e-3))) straight("G1", ticks(p), m.feed);
+  }
+
+  const Toolpath& path_;
+  const Post& post_;
+  bool inch_ = false, numbered_ = false;
+  int decimals_ = 4;
+  double perMm_ = 1e4;
+  int number_ = 0;
+  Ticks at_{};
+  std::string motion_, feed_, text_;
+};
+
+}  // namespace
+
+std::vector<ParameterSpec> gcodeWriteOptions() {
+  std::vector<std::string> names;
+  for (const Post& post : posts) names.emplace_back(post.name);
+  ParameterSpec post = choice(names);
+  post.name = "post";
+  post.fallback = "linuxcnc";
+  post.help = "The control that the program is written for.";
+  ParameterSpec decimals = count(2, 6);
+  decimals.name = "decimals";
+  decimals.fallback = 4;
+  decimals.help = "Places after the point, in inches one more.";
+  ParameterSpec unit = choice({"mm", "inch"});
+  unit.name = "unit";
+  unit.fallback = "mm";
+  unit.help = "What lengths are written in: G21 or G20.";
+  ParameterSpec numbers = flag();
+  numbers.name = "line-numbers";
+  numbers.fallback = false;
+  numbers.help = "Number the lines N10, N20, ..";
+  return {post, decimals, unit, numbers};
+}
+
+std::string gcodeText(const Toolpath& path, const Value& options, const Progress& progress) {
+  return GcodeWriter(path, options).write(progress);
+}
+
+void writeGcode(const Toolpath& path, const std::filesystem::path& file, const Value& options, const Progress& progress) {
+  writeAtomically(file, gcodeText(path, options, progress));
+}
+
+}  // namespace blossom

@@ -18,10 +18,10 @@ struct ClearanceOptions {
 
 /// How a diagram came about, for users who ask.
 struct DiagramStats {
-  std::size_t sites = 0;       ///< straight pieces of the flattened boundary
-  std::size_t vertices = 0;    ///< of the Voronoi diagram, both sides
-  std::size_t attempts = 0;    ///< diagrams built until one passed its checks
-  std::string method;          ///< "sweep line", or "Delaunay graph" when that one failed
+  std::size_t sites = 0;     ///< straight pieces of the flattened boundary
+  std::size_t vertices = 0;  ///< of the Voronoi diagram, both sides
+  std::size_t attempts = 0;  ///< diagrams built until one passed its checks
+  std::string method;        ///< "sweep line", or "Delaunay graph" when that one failed
   double milliseconds = 0;
 };
 
@@ -33,8 +33,8 @@ struct DiagramStats {
 /// lengths in mm. Building takes O(n log n) for n pieces, an offset O(n).
 class ClearanceDiagram {
  public:
-  /// @throws Error InvalidInput (empty, not finite, crossing itself; the message names the place), InvalidParameter (tolerance),
-  /// LimitExceeded (more than two million pieces), Cancelled.
+  /// @throws Error InvalidInput (empty, not finite, crossing itself; the message names the place), InvalidParameter
+  /// (tolerance), LimitExceeded (more than two million pieces), Cancelled.
   explicit ClearanceDiagram(const Region&, const ClearanceOptions& = {}, const Progress& = Progress::none());
 
   /// What is left of the region when everything nearer than `distance` to its boundary is taken away (inside), or the region

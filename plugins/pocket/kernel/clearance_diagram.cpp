@@ -1,0 +1,89 @@
+#include "kernel/clearance_diagram.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "kernel/boundary.h"
+#include "kernel/contact.h"
+#include "kernel/diagram.h"
+#include "kernel/medial.h"
+#include "kernel/offset_loops.h"
+#include "kernel/offset_trace.h"
+
+namespace blossom::pocket {
+
+struct ClearanceDiagram::Parts {
+  Parts(const Region& region, const ClearanceOptions& options, const Progress& progress)
+      : tolerance(options.tolerance),
+        boundary(region, options.tolerance / 4, progress.part(0, 0.1)),
+        diagram(boundary, progress.part(0.1, 1)) {}
+
+  double tolerance;
+  Boundary boundary;
+  Diagram diagram;
+  Disc largest;
+  DiagramStats stats;
+};
+
+namespace {
+
+void checkTolerance(double tolerance) {
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    throw Error(ErrorCode::InvalidParameter, "The tolerance must be a length above 0.", "0.001 mm is usual.");
+}
+
+}  // namespace
+
+ClearanceDiagram::ClearanceDiagram(const Region& region, const ClearanceOptions& options, const Progress& progress) {
+  checkTolerance(options.tolerance);
+  const auto begun = std::chrono::steady_clock::now();
+  auto parts = std::make_shared<Parts>(region, options, progress);
+  parts->largest = trueDisc(parts->boundary, parts->diagram, parts->diagram.deepest());
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
+  parts->stats = {parts->boundary.pieces().size(), parts->diagram.graph().vertices.size(), parts->diagram.attempts(),
+                  parts->diagram.exactPredicates() ? "Delaunay graph" : "sweep line", took.count()};
+  parts_ = std::move(parts);
+}
+
+Region ClearanceDiagram::offset(double distance, Side side, const Progress& progress) const {
+  if (!(distance >= 0) || !std::isfinite(distance))
+    throw Error(ErrorCode::InvalidParameter, "The distance of an offset must be 0 or more.",
+                "Choose the side for the direction.");
+  const Boundary& boundary = parts_->boundary;
+  if (distance == 0) return boundary.region();
+  if (distance < 4 * boundary.weld()) {
+    if (distance < parts_->tolerance) return boundary.region();
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The distance {} mm is too small for a part of {} mm.",
+                                                         formatNumber(distance), formatNumber(boundary.size())));
+  }
+  Region region;
+  for (const TracedLoop& loop : traced(parts_->diagram, distance, side, progress)) {
+    progress.check();
+    Path path = loopOnTrueCurves(boundary, loop, {distance, side, parts_->tolerance});
+    if (!path.segments.empty()) region.loops.push_back(std::move(path));
+  }
+  return region;
+}
+
+MedialAxis ClearanceDiagram::medialAxis(const Progress& progress) const {
+  return pocket::medialAxis(parts_->boundary, parts_->diagram, parts_->tolerance, progress);
+}
+
+double ClearanceDiagram::largestClearance() const { return parts_->largest.radius; }
+Vec2 ClearanceDiagram::largestCenter() const { return parts_->largest.center; }
+
+double ClearanceDiagram::clearance(const Vec2& x) const {
+  const Boundary::Nearest nearest = parts_->boundary.nearest(x);
+  return parts_->boundary.holds(x, nearest) ? nearest.distance : -nearest.distance;
+}
+
+const Region& ClearanceDiagram::region() const { return parts_->boundary.region(); }
+double ClearanceDiagram::tolerance() const { return parts_->tolerance; }
+const DiagramStats& ClearanceDiagram::stats() const { return parts_->stats; }
+
+}  // namespace blossom::pocket

@@ -1,0 +1,54 @@
+#pragma once
+#include <variant>
+#include <vector>
+
+#include "core/vector.h"
+#include "geometry/planar_bezier.h"
+#include "geometry/region.h"
+
+namespace blossom::pocket {
+
+/// One smooth piece of a boundary as it was drawn: a line, an arc or a rational Bézier piece, over [0, 1].
+class TrueCurve {
+ public:
+  explicit TrueCurve(Line2);
+  explicit TrueCurve(Arc2);
+  explicit TrueCurve(BezierPiece);
+
+  struct Frame {
+    Vec2 point, first, second;  ///< with respect to the parameter
+  };
+  [[nodiscard]] Frame at(double t) const;
+  [[nodiscard]] Vec2 point(double t) const { return at(t).point; }
+  /// Unit tangent; at an end where the derivative vanishes, the limit.
+  [[nodiscard]] Vec2 tangent(double t) const;
+  /// 1 / mm, positive when the curve bends to the left; 0 where the derivative vanishes.
+  [[nodiscard]] double curvature(double t) const;
+
+  /// Parameter of the foot of the perpendicular from `x` that Newton's iteration reaches from `guess`. It may leave [0, 1]
+  /// by `slack` in parameter, so that a foot which rounding puts beyond an end is still one.
+  [[nodiscard]] double foot(const Vec2& x, double guess, double slack) const;
+
+  [[nodiscard]] const Line2* line() const { return std::get_if<Line2>(&value_); }
+  [[nodiscard]] const Arc2* arc() const { return std::get_if<Arc2>(&value_); }
+  /// mm, not less than the arc length.
+  [[nodiscard]] double lengthBound() const { return length_; }
+
+ private:
+  std::variant<Line2, Arc2, BezierPiece> value_;
+  double length_ = 0;
+};
+
+/// The smooth pieces of a segment: one, or a spline's Bézier pieces.
+std::vector<TrueCurve> trueCurves(const Segment&);
+
+struct CurveSample {
+  double parameter = 0;
+  Vec2 point;
+};
+
+/// Points along the curve whose chords stay within `chord` mm of it and turn little from one to the next; both ends
+/// included.
+std::vector<CurveSample> flattened(const TrueCurve&, double chord);
+
+}  // namespace blossom::pocket

@@ -1,0 +1,48 @@
+#include "feature_groups.h"
+
+#include "isolate/isolated.h"
+#include "worker/worker.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+/// Its address tells which module this is.
+const char anchor = 0;
+
+Value statsOf(const MorphologyStats& stats) {
+  return {{"parts_a", stats.partsA},        {"parts_b", stats.partsB},   {"pairs", stats.pairs},
+          {"candidates", stats.candidates}, {"check_ms", stats.checkMs}, {"decompose_ms", stats.decomposeMs},
+          {"sum_ms", stats.sumMs},          {"unite_ms", stats.uniteMs}, {"output_ms", stats.outputMs}};
+}
+
+}  // namespace
+
+FeatureType inWorker(FeatureType type, std::string activity) {
+  return isolated(std::move(type), {.activity = std::move(activity), .module = moduleOf(&anchor)});
+}
+
+Evaluated evaluatedFrom(MorphologyResult result, const std::vector<double>& times) {
+  Evaluated out;
+  out.stats = statsOf(result.stats);
+  out.warnings = std::move(result.warnings);
+  if (times.empty()) {
+    out.shape = std::move(result.solids.front());
+    return out;
+  }
+  Sequence sequence;
+  for (Mesh& solid : result.solids) {
+    sequence.times.push_back(times.at(sequence.frames.size()));
+    sequence.frames.emplace_back(std::move(solid));
+  }
+  out.shape = std::move(sequence);
+  return out;
+}
+
+std::vector<double> frameTimes(int frames) {
+  std::vector<double> times;
+  for (int k = 0; k < frames; ++k) times.push_back(frames == 1 ? 1 : static_cast<double>(k) / (frames - 1));
+  return times;
+}
+
+}  // namespace blossom::morphology

@@ -1,0 +1,100 @@
+#include "feature_groups.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+const std::vector<ShapeKind> solidKinds{ShapeKind::Mesh, ShapeKind::Brep};
+const std::vector<ShapeKind> elementKinds{ShapeKind::Mesh, ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves,
+                                          ShapeKind::Curve};
+
+struct SumParameters {
+  double deviation = 0.05;
+};
+
+using PairOperation = MorphologyResult (*)(const Operand&, const Operand&, const Progress&);
+
+Evaluated combined(PairOperation operation, bool solidFirst, const SumParameters& p, const Inputs& inputs,
+                   const Progress& progress) {
+  const Operand a = operandOf(inputs.of(0)[0], {p.deviation, "The first shape", solidFirst}, progress);
+  const Operand b = operandOf(inputs.of(1)[0], {p.deviation, "The second shape", false}, progress);
+  return evaluatedFrom(operation(a, b, progress));
+}
+
+FeatureType sumFeature() {
+  using P = SumParameters;
+  return inWorker(feature<P>("morphology.solid-sum", "Solid sum",
+                             "Everything that one solid covers while its origin runs over the other.")
+                      .icon("solid-sum")
+                      .input({.name = "solid", .help = "What is added to.", .kinds = elementKinds})
+                      .input({.name = "element",
+                              .help = "What is added: a solid, a ball, a segment, a flat polygon or points.",
+                              .kinds = elementKinds})
+                      .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
+                      .example("blossom solid-sum part.stl ball:2 -o grown.stl")
+                      .example("blossom solid-sum bracket.step ball:1:2 --deviation 0.1 -o grown.off --json")
+                      .example("blossom solid-sum part.stl segment:0:0:20 -o swept.obj")
+                      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+                        return combined(solidSum, false, p, inputs, progress);
+                      }),
+                  "for the sum");
+}
+
+struct PairTexts {
+  const char *id, *title, *summary, *element, *icon, *activity;
+  std::vector<const char*> examples;
+};
+
+FeatureType melting(const PairTexts& texts, PairOperation operation) {
+  using P = SumParameters;
+  auto made = feature<P>(texts.id, texts.title, texts.summary);
+  made.icon(texts.icon)
+      .input({.name = "solid", .help = "The solid that is changed.", .kinds = solidKinds})
+      .input({.name = "element", .help = texts.element, .kinds = elementKinds})
+      .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);
+  for (const char* example : texts.examples) made.example(example);
+  return inWorker(made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {
+    return combined(operation, true, p, inputs, progress);
+  }),
+                  texts.activity);
+}
+
+FeatureType differenceFeature() {
+  return melting({"morphology.solid-difference",
+                  "Solid difference",
+                  "All places of the origin for which the second shape stays inside the first.",
+                  "What is to have room in it.",
+                  "solid-difference",
+                  "for the difference",
+                  {"blossom solid-difference housing.stl ball:3 -o room.stl",
+                   "blossom solid-difference block.step tool.step -o reach.off --json"}},
+                 solidDifference);
+}
+
+FeatureType openFeature() {
+  return melting({"morphology.solid-open",
+                  "Opening",
+                  "What of a solid is reached by a shape that stays inside: thin walls and outer edges go.",
+                  "The shape that runs about inside the solid.",
+                  "solid-open",
+                  "for the opening",
+                  {"blossom solid-open part.stl ball:1 -o rounded.stl"}},
+                 solidOpening);
+}
+
+FeatureType closeFeature() {
+  return melting({"morphology.solid-close",
+                  "Closing",
+                  "A solid with the places filled that a shape cannot enter from outside: narrow slots and inner edges.",
+                  "The shape that runs about outside of the solid.",
+                  "solid-close",
+                  "for the closing",
+                  {"blossom solid-close part.stl ball:1 -o filled.stl"}},
+                 solidClosing);
+}
+
+}  // namespace
+
+void registerSums(Registry& registry) { registry.addAll(sumFeature(), differenceFeature(), openFeature(), closeFeature()); }
+
+}  // namespace blossom::morphology

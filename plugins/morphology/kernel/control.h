@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+namespace blossom::morphology {
+
+/// The control function f of a morph, [0,1] -> [0,1] (Definition 9).
+enum class Control { Linear, Ease, EaseIn, EaseOut, Curve };
+
+struct ControlPoint {
+  double t = 0, value = 0;
+};
+
+/// f(t). Ease starts and ends at rest (3t^2 - 2t^3), ease-in starts and ease-out ends so. A curve runs straight between its
+/// points, whose t do not decrease, and level before and after them.
+/// @throws Error InvalidParameter when a curve has no points.
+double controlValue(Control, const std::vector<ControlPoint>& curve, double t);
+
+}  // namespace blossom::morphology

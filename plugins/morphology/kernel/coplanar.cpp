@@ -1,0 +1,266 @@
+#include "kernel/coplanar.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "geometry/mesh_topology.h"
+#include "kernel/plane_triangles.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Triangles of one plane each, as numbers per triangle.
+class Regions {
+ public:
+  Regions(const Mesh& mesh, const MeshTopology& topology, double tolerance) : mesh_(mesh), tolerance_(tolerance) {
+    neighbours_.resize(mesh.faceCount());
+    for (const MeshEdge& edge : topology.edges)
+      if (edge.manifold()) {
+        neighbours_[at(edge.faces[0])].push_back(edge.faces[1]);
+        neighbours_[at(edge.faces[1])].push_back(edge.faces[0]);
+      }
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) normals_.push_back(vectorArea(facePoints(mesh, f)));
+    regionOfFace_.assign(mesh.faceCount(), -1);
+    std::vector<std::size_t> order(mesh.faceCount());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // The largest triangle knows its plane best.
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return normals_[a].squaredNorm() > normals_[b].squaredNorm(); });
+    for (const std::size_t seed : order)
+      if (regionOfFace_[seed] < 0) grow(static_cast<int>(seed));
+  }
+  [[nodiscard]] const std::vector<int>& ofFace() const { return regionOfFace_; }
+  [[nodiscard]] std::size_t count() const { return normal_.size(); }
+  [[nodiscard]] const Vec3& normal(int region) const { return normal_[at(region)]; }
+
+ private:
+  void grow(int seed) {
+    const int region = static_cast<int>(normal_.size());
+    const Vec3 normal = normals_[at(seed)].normalized(), origin = mesh_.points[at(mesh_.face(at(seed))[0])];
+    normal_.push_back(normal);
+    regionOfFace_[at(seed)] = region;
+    std::vector<int> open{seed};
+    while (!open.empty()) {
+      const int face = open.back();
+      open.pop_back();
+      for (const int next : neighbours_[at(face)]) {
+        if (regionOfFace_[at(next)] >= 0 || !liesIn(next, origin, normal)) continue;
+        regionOfFace_[at(next)] = region;
+        open.push_back(next);
+      }
+    }
+  }
+  [[nodiscard]] bool liesIn(int face, const Vec3& origin, const Vec3& normal) const {
+    const auto corners = mesh_.face(at(face));
+    const auto near = [&](int v) { return std::abs((mesh_.points[at(v)] - origin).dot(normal)) <= tolerance_; };
+    if (!std::all_of(corners.begin(), corners.end(), near)) return false;
+    // The normal of a sliver is chance.
+    const double side = std::sqrt(2 * normals_[at(face)].norm());
+    return normals_[at(face)].dot(normal) > 0 || side * side <= tolerance_ * longestSide(face);
+  }
+  [[nodiscard]] double longestSide(int face) const {
+    const auto p = facePoints(mesh_, at(face));
+    return std::max({(p[0] - p[1]).norm(), (p[1] - p[2]).norm(), (p[2] - p[0]).norm()});
+  }
+
+  const Mesh& mesh_;
+  double tolerance_;
+  std::vector<std::vector<int>> neighbours_;
+  std::vector<Vec3> normals_, normal_;
+  std::vector<int> regionOfFace_;
+};
+
+/// Which vertices stay: corners of the regions, and what bends the chains between them.
+class Chains {
+ public:
+  Chains(const Mesh& mesh, const MeshTopology& topology, const std::vector<int>& regionOfFace, double tolerance)
+      : mesh_(mesh), tolerance_(tolerance), next_(mesh.points.size()), stays_(mesh.points.size(), false) {
+    std::vector<bool> corner(mesh.points.size(), false);
+    for (const MeshEdge& edge : topology.edges) {
+      if (edge.manifold() && regionOfFace[at(edge.faces[0])] == regionOfFace[at(edge.faces[1])]) continue;
+      next_[at(edge.low)].push_back(edge.high);
+      next_[at(edge.high)].push_back(edge.low);
+      if (!edge.manifold()) corner[at(edge.low)] = corner[at(edge.high)] = true;
+    }
+    for (std::size_t v = 0; v < next_.size(); ++v) stays_[v] = corner[v] || (!next_[v].empty() && next_[v].size() != 2);
+  }
+  void lock(int v) { stays_[at(v)] = true; }
+  /// All vertices that stay, after `lock`.
+  [[nodiscard]] std::vector<bool> simplified() const {
+    std::vector<bool> stays = stays_, seen(stays_.size(), false);
+    for (std::size_t v = 0; v < next_.size(); ++v)
+      if (stays_[v])
+        for (const int next : next_[v])
+          if (!seen[at(next)]) thin(walk(static_cast<int>(v), next, seen), stays);
+    for (std::size_t v = 0; v < next_.size(); ++v)
+      if (!next_[v].empty() && !stays_[v] && !seen[v]) thinRing(static_cast<int>(v), stays, seen);
+    return stays;
+  }
+
+ private:
+  /// From a corner along a chain to the next one, or round to the start.
+  [[nodiscard]] std::vector<int> walk(int from, int next, std::vector<bool>& seen) const {
+    std::vector<int> chain{from};
+    while (!stays_[at(next)] && next != from) {
+      seen[at(next)] = true;
+      const int previous = chain.back();
+      chain.push_back(next);
+      const auto& both = next_[at(next)];
+      next = both[0] == previous ? both[1] : both[0];
+    }
+    chain.push_back(next);
+    return chain;
+  }
+  void thinRing(int start, std::vector<bool>& stays, std::vector<bool>& seen) const {
+    std::vector<int> ring = walk(start, next_[at(start)][0], seen);
+    seen[at(start)] = true;
+    const auto distance = [&](int v) { return (mesh_.points[at(v)] - mesh_.points[at(start)]).squaredNorm(); };
+    const auto far = std::max_element(ring.begin(), ring.end(), [&](int a, int b) { return distance(a) < distance(b); });
+    stays[at(start)] = stays[at(*far)] = true;
+    thin({ring.begin(), far + 1}, stays);
+    thin({far, ring.end()}, stays);
+  }
+  /// Douglas and Peucker: keeps the farthest vertex while it is too far from the chord.
+  void thin(const std::vector<int>& chain, std::vector<bool>& stays) const {
+    if (chain.size() < 3) return;
+    const Vec3 &a = mesh_.points[at(chain.front())], &b = mesh_.points[at(chain.back())];
+    const Vec3 along = b - a;
+    const double squared = along.squaredNorm();
+    double most = -1;
+    std::size_t worst = 0;
+    for (std::size_t k = 1; k + 1 < chain.size(); ++k) {
+      const Vec3 offset = mesh_.points[at(chain[k])] - a;
+      const double t = squared > 0 ? std::clamp(offset.dot(along) / squared, 0.0, 1.0) : 0;
+      const double distance = (offset - t * along).norm();
+      if (distance > most) {
+        most = distance;
+        worst = k;
+      }
+    }
+    if (most <= tolerance_) return;
+    stays[at(chain[worst])] = true;
+    const auto middle = chain.begin() + static_cast<std::ptrdiff_t>(worst);
+    thin({chain.begin(), middle + 1}, stays);
+    thin({middle, chain.end()}, stays);
+  }
+
+  const Mesh& mesh_;
+  double tolerance_;
+  std::vector<std::vector<int>> next_;
+  std::vector<bool> stays_;
+};
+
+/// The boundary of each region as loops of vertices, counter-clockwise.
+std::vector<std::vector<std::vector<int>>> loopsOf(const Mesh& mesh, const std::vector<int>& regionOfFace,
+                                                   std::size_t count) {
+  std::vector<std::multimap<int, int>> steps(count);
+  std::set<std::tuple<int, int, int>> inner;  // region, from, to
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < 3; ++k) inner.emplace(regionOfFace[f], face[k], face[(k + 1) % 3]);
+  }
+  for (const auto& [region, from, to] : inner)
+    if (!inner.contains({region, to, from})) steps[at(region)].emplace(from, to);
+  std::vector<std::vector<std::vector<int>>> loops(count);
+  for (std::size_t r = 0; r < count; ++r)
+    while (!steps[r].empty()) {
+      std::vector<int> loop;
+      auto step = steps[r].begin();
+      while (step != steps[r].end()) {
+        loop.push_back(step->first);
+        const int to = step->second;
+        steps[r].erase(step);
+        step = steps[r].find(to);
+      }
+      loops[r].push_back(std::move(loop));
+    }
+  return loops;
+}
+
+bool repeats(std::vector<int> loop) {
+  std::sort(loop.begin(), loop.end());
+  return std::adjacent_find(loop.begin(), loop.end()) != loop.end();
+}
+
+double areaOf(const Mesh& mesh, const std::vector<std::array<int, 3>>& triangles) {
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles)
+    sum += (mesh.points[at(b)] - mesh.points[at(a)]).cross(mesh.points[at(c)] - mesh.points[at(a)]).norm() / 2;
+  return sum;
+}
+
+using Faces = std::vector<std::vector<int>>;
+
+/// The faces of a region from its thinned loops; false when they would not cover it.
+bool facesOf(const Mesh& mesh, const std::vector<std::vector<int>>& loops, const Vec3& normal, double area, double slack,
+             Faces& faces) {
+  if (loops.empty()) return true;  // thinned away: the neighbours meet
+  if (loops.size() == 1 && !repeats(loops.front())) {
+    std::vector<Vec3> polygon;
+    for (const int v : loops.front()) polygon.push_back(mesh.points[at(v)]);
+    double covered = 0;
+    for (const auto& [a, b, c] : triangulate(polygon))
+      covered += (polygon[at(b)] - polygon[at(a)]).cross(polygon[at(c)] - polygon[at(a)]).norm() / 2;
+    faces.push_back(loops.front());
+    return std::abs(covered - area) <= slack;
+  }
+  const auto triangles = trianglesBetween(mesh.points, loops, normal);
+  for (const auto& triangle : triangles) faces.emplace_back(triangle.begin(), triangle.end());
+  return !triangles.empty() && std::abs(areaOf(mesh, triangles) - area) <= slack;
+}
+
+}  // namespace
+
+Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Progress& progress) {
+  const MeshTopology topology = meshTopology(mesh, progress);
+  const Regions regions(mesh, topology, options.tolerance);
+  const auto& regionOfFace = regions.ofFace();
+  const auto loops = loopsOf(mesh, regionOfFace, regions.count());
+  std::vector<double> area(regions.count());
+  double largest = 0;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) area[at(regionOfFace[f])] += vectorArea(facePoints(mesh, f)).norm();
+  for (const Vec3& p : mesh.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  Chains chains(mesh, topology, regionOfFace, options.tolerance);
+
+  std::vector<bool> kept(regions.count(), false);  // regions whose triangles stay
+  for (bool again = true; again;) {
+    again = false;
+    progress.check();
+    const std::vector<bool> stays = chains.simplified();
+    Mesh result;
+    result.points = mesh.points;
+    for (std::size_t r = 0; r < regions.count(); ++r) {
+      if (kept[r]) continue;
+      std::vector<std::vector<int>> thinned;
+      for (const auto& loop : loops[r]) {
+        std::vector<int> left;
+        for (const int v : loop)
+          if (stays[at(v)]) left.push_back(v);
+        if (left.size() > 2) thinned.push_back(std::move(left));
+      }
+      Faces faces;
+      const double slack = 1e-9 * area[r] + 10 * options.tolerance * largest;
+      if (facesOf(mesh, thinned, regions.normal(static_cast<int>(r)), area[r], slack, faces)) {
+        for (const auto& face : faces) result.addFace(face);
+      } else {
+        kept[r] = again = true;
+        for (const auto& loop : loops[r])
+          for (const int v : loop) chains.lock(v);
+      }
+    }
+    if (again) continue;
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+      if (kept[at(regionOfFace[f])]) result.addFace(mesh.face(f));
+    return result;
+  }
+  return mesh;
+}
+
+}  // namespace blossom::morphology

@@ -1,0 +1,173 @@
+// First: the headers after it take away the debugging macros that its own still need.
+#include "kernel/exact_types.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Projection_traits_3.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/convex_decomposition_3.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace blossom::morphology {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+/// A shell turned outwards; `inside` tells whether it holds the solid (or a void).
+struct Shell {
+  SurfaceMesh surface;
+  Exact::FT volume;
+  bool inside = true;
+};
+
+std::vector<Shell> shellsOf(const SurfaceMesh& surface) {
+  SurfaceMesh work = surface;
+  std::vector<SurfaceMesh> parts;
+  PMP::split_connected_components(work, parts);
+  std::vector<Shell> shells;
+  for (SurfaceMesh& part : parts) {
+    part.collect_garbage();
+    Shell shell{std::move(part), 0, true};
+    shell.volume = PMP::volume(shell.surface);
+    if (shell.volume < 0) {
+      PMP::reverse_face_orientations(shell.surface);
+      shell.volume = -shell.volume;
+      shell.inside = false;
+    }
+    shells.push_back(std::move(shell));
+  }
+  // Whatever lies in a shell is smaller than it.
+  std::stable_sort(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) { return a.volume > b.volume; });
+  return shells;
+}
+
+struct CollectPoints {
+  std::vector<Point>& points;
+  void visit(Nef::Vertex_const_handle v) { points.push_back(v->point()); }
+  void visit(Nef::Halfedge_const_handle) {}
+  void visit(Nef::Halffacet_const_handle) {}
+  void visit(Nef::SHalfedge_const_handle) {}
+  void visit(Nef::SHalfloop_const_handle) {}
+  void visit(Nef::SFace_const_handle) {}
+};
+
+Parts decomposed(Nef nef, const Progress& progress) {
+  auto list = std::make_shared<PartList>();
+  if (nef.is_empty()) return list;
+  CGAL::convex_decomposition_3(nef);
+  auto volume = nef.volumes_begin();
+  for (++volume; volume != nef.volumes_end(); ++volume) {
+    progress.check();
+    if (!volume->mark()) continue;
+    Part part;
+    CollectPoints collect{part.points};
+    nef.visit_shell_objects(Nef::SFace_const_handle(volume->shells_begin()), collect);
+    list->parts.push_back(std::move(part));
+  }
+  return list;
+}
+
+// A facet, its holes and the vertices where it touches itself, as constraints in its plane.
+using Projected = CGAL::Projection_traits_3<Exact>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Projected>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Projected, CGAL::Triangulation_face_base_with_info_2<int, Projected>>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Projected, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                                       CGAL::Exact_predicates_tag>;
+
+/// How many boundaries lie between each triangle and the outside, modulo two.
+void markInside(Cdt& cdt) {
+  for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = -1;
+  std::vector<Cdt::Face_handle> open{cdt.infinite_face()};
+  cdt.infinite_face()->info() = 0;
+  while (!open.empty()) {
+    const Cdt::Face_handle face = open.back();
+    open.pop_back();
+    for (int k = 0; k < 3; ++k) {
+      const Cdt::Face_handle next = face->neighbor(k);
+      if (next->info() >= 0) continue;
+      next->info() = cdt.is_constrained({face, k}) ? 1 - face->info() : face->info();
+      open.push_back(next);
+    }
+  }
+}
+
+using VertexNumbers = std::unordered_map<Nef::Vertex_const_handle, std::size_t>;
+
+void addFacet(const Nef::Halffacet_const_handle& facet, const VertexNumbers& numbers, Triangles& out) {
+  // The plane of a halffacet looks into its volume: seen against it, triangles run outwards.
+  Cdt cdt(Projected(-facet->plane().orthogonal_vector()));
+  for (auto cycle = facet->facet_cycles_begin(); cycle != facet->facet_cycles_end(); ++cycle) {
+    if (!cycle.is_shalfedge()) continue;  // a vertex that only touches the facet
+    Nef::SHalfedge_around_facet_const_circulator start(Nef::SHalfedge_const_handle{cycle}), at(start);
+    std::vector<Cdt::Vertex_handle> loop;
+    CGAL_For_all(at, start) {
+      const auto vertex = at->source()->center_vertex();
+      loop.push_back(cdt.insert(vertex->point()));
+      loop.back()->info() = numbers.at(vertex);
+    }
+    for (std::size_t k = 0; k < loop.size(); ++k) cdt.insert_constraint(loop[k], loop[(k + 1) % loop.size()]);
+  }
+  markInside(cdt);
+  for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
+    if (f->info() == 1) out.faces.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+}
+
+}  // namespace
+
+Triangles trianglesOf(const Nef& nef) {
+  Triangles out;
+  VertexNumbers numbers;
+  for (auto v = nef.vertices_begin(); v != nef.vertices_end(); ++v) {
+    numbers.emplace(v, out.points.size());
+    out.points.push_back(v->point());
+  }
+  for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f)
+    if (f->incident_volume()->mark() && !f->twin()->incident_volume()->mark()) addFacet(f, numbers, out);
+  return out;
+}
+
+Solid solidFrom(Nef nef) {
+  auto body = std::make_shared<SolidBody>();
+  body->nef = std::move(nef);
+  return body;
+}
+
+Nef nefOf(const SolidBody& body) {
+  if (body.nef) return *body.nef;
+  Nef nef(Nef::EMPTY);
+  bool first = true;
+  for (const Shell& shell : shellsOf(body.surface)) {
+    const Nef part(shell.surface);
+    if (first)
+      nef = part;
+    else
+      nef = (shell.inside ? nef + part : nef - part).regularization();
+    first = false;
+  }
+  return nef;
+}
+
+Parts convexParts(const Solid& solid, const Progress& progress) {
+  if (isConvex(solid)) {
+    auto list = std::make_shared<PartList>();
+    list->parts.push_back({{solid->surface.points().begin(), solid->surface.points().end()}, solid->gridPoints});
+    return list;
+  }
+  return decomposed(nefOf(*solid), progress);
+}
+
+Parts convexPartsOutside(const Solid& solid, const Bounds& frame, const Progress& progress) {
+  return decomposed((Nef(box(frame)->surface) - nefOf(*solid)).regularization(), progress);
+}
+
+}  // namespace blossom::morphology

@@ -1,0 +1,12 @@
+#pragma once
+#include "core/progress.h"
+#include "geometry/mesh.h"
+
+namespace blossom::morphology {
+
+/// The same faces with vertices doubled where only corners or edges touch, so that the surface is a manifold wherever that
+/// needs no new vertices. At an edge with more than two faces, the two at each wedge of the inside belong together.
+/// Vertices that no face uses are dropped. Faces must be oriented and run through every edge as often both ways. O(n log n).
+Mesh manifoldOf(const Mesh&, const Progress& = Progress::none());
+
+}  // namespace blossom::morphology

@@ -1,0 +1,60 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "geometry/mesh.h"
+#include "kernel/ball.h"
+#include "kernel/operand.h"
+
+/// Morphology of solids (Liu, Chen, Wan, Zhu, "An Algorithm of 3-D Objects Morphing and Its Implementation Based on
+/// Morphology", sections 2 and 3). Coordinates are true ones: the origin matters, and need not lie in either shape.
+///
+/// All operations are exact on operands that are rounded to a grid of 2^-44 of their size; only the vertices that come out
+/// are rounded, to doubles. Solids are regular closed sets: what has no volume is left out. With r reflex edges in a solid,
+/// O(r^2) convex parts are added pair by pair and united.
+namespace blossom::morphology {
+
+struct MorphologyStats {
+  std::size_t partsA = 0, partsB = 0;  ///< convex parts of both, or of what lies outside the first (difference)
+  std::size_t pairs = 0;               ///< of parts that were added
+  std::size_t candidates = 0;          ///< facets of the sums of pairs, before they were united
+  double checkMs = 0, decomposeMs = 0, sumMs = 0, uniteMs = 0, outputMs = 0;
+};
+
+/// Closed, oriented polygons; faces of one plane are one.
+struct MorphologyResult {
+  std::vector<Mesh> solids;  ///< one a frame
+  MorphologyStats stats;
+  std::vector<std::string> warnings;
+};
+
+/// A + B = {a + b} (Definition 5). @throws Error InvalidInput, Degenerate when it has no volume, LimitExceeded, Cancelled.
+MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& = Progress::none());
+
+/// {x : x + B inside A}, the complement of (complement of A) + (-B). The paper's Definition 5 erodes by -B; this is the one
+/// that undoes a translation by B. @throws Error as solidSum; Degenerate when nothing is left.
+MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& = Progress::none());
+
+/// (A - B) + B: what of A is reached by a B that stays inside.
+MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress& = Progress::none());
+/// (A + B) - B: A and all places that B cannot enter from outside.
+MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& = Progress::none());
+
+/// (1 - w) A + w B for every weight w in 0..1 (Definition 9, w = f(t)); A itself at 0, B itself at 1. Both are solids.
+MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights,
+                            const Progress& = Progress::none());
+
+struct GrowOptions {
+  std::vector<double> radii{1};  ///< mm, one solid each, not decreasing; 0 gives the solid itself
+  int subdivisions = 1;          ///< of the ball
+  BallFit fit = BallFit::Inscribed;
+};
+
+/// A + ball (section 3.2).
+MorphologyResult inflated(const Operand& a, const GrowOptions&, const Progress& = Progress::none());
+/// A - ball. The paper writes A + tB here, too; meant is the difference. Ends before the first radius at which nothing is
+/// left, with a warning. @throws Error Degenerate when nothing is left at the first.
+MorphologyResult melted(const Operand& a, const GrowOptions&, const Progress& = Progress::none());
+
+}  // namespace blossom::morphology

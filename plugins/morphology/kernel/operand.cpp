@@ -1,0 +1,110 @@
+#include "kernel/operand.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "geometry/mesh_topology.h"
+#include "geometry/tessellate.h"
+#include "kernel/solid_check.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+constexpr double widestTurn = 0.8;  // radians between facets of a round that is smaller than the deviation
+
+Bounds boundsOf(const std::vector<Vec3>& points) {
+  Bounds bounds;
+  for (const Vec3& p : points) bounds.add(p);
+  return bounds;
+}
+
+/// All points within rounding of one plane.
+bool isFlat(const Mesh& mesh) {
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const Vec3 here = vectorArea(facePoints(mesh, f));
+    if (here.squaredNorm() > normal.squaredNorm()) normal = here;
+  }
+  if (!(normal.squaredNorm() > 0)) return true;
+  normal.normalize();
+  const Bounds bounds = boundsOf(mesh.points);
+  const double slack = 1e-9 * bounds.diagonal();
+  return std::all_of(mesh.points.begin(), mesh.points.end(),
+                     [&](const Vec3& p) { return std::abs((p - mesh.points.front()).dot(normal)) <= slack; });
+}
+
+void addSegments(const std::vector<Vec3>& line, Operand& out) {
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) out.pieces.push_back({line[k], line[k + 1]});
+}
+
+Operand fromMesh(Mesh mesh, Operand out) {
+  if (mesh.faceCount() == 0) {
+    out.form = Operand::Form::Points;
+    for (const Vec3& p : mesh.points) out.pieces.push_back({p});
+    return out;
+  }
+  refuseRubbish(mesh, {out.name});
+  if (!meshTopology(mesh).closed() && isFlat(mesh)) {
+    out.form = Operand::Form::Flat;
+    const Mesh triangles = triangulated(mesh).first;
+    for (std::size_t f = 0; f < triangles.faceCount(); ++f) out.pieces.push_back(facePoints(triangles, f));
+    return out;
+  }
+  out.mesh = std::move(mesh);
+  return out;
+}
+
+Operand fromTessellation(const Tessellation& made, Operand out) {
+  if (!made.triangles.empty()) return fromMesh(toMesh(made), std::move(out));
+  if (!made.edges.empty()) {
+    out.form = Operand::Form::Lines;
+    for (const auto& line : made.edges) addSegments(line, out);
+    return out;
+  }
+  out.form = Operand::Form::Points;
+  for (const Vec3& p : made.markers) out.pieces.push_back({p});
+  return out;
+}
+
+void refuseUnusable(const Operand& operand, bool solidOnly) {
+  for (const auto& piece : operand.pieces)
+    for (const Vec3& p : piece)
+      if (!p.allFinite() || p.cwiseAbs().maxCoeff() > 1e9)
+        throw Error(ErrorCode::InvalidInput,
+                    fmt::format("{} has coordinates that are not numbers, or beyond 1e9 mm.", operand.name),
+                    "Export it again.");
+  if (operand.form == Operand::Form::Body) return;
+  if (operand.pieces.empty() || (solidOnly && operand.form == Operand::Form::Points))
+    throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: it has no faces.", operand.name),
+                "Choose a solid or a closed mesh.");
+  if (solidOnly)
+    throw Error(ErrorCode::InvalidInput, fmt::format("{} is not a solid: it has no volume.", operand.name),
+                "Extrude it first, or choose a solid or a closed mesh.");
+}
+
+}  // namespace
+
+Bounds Operand::bounds() const {
+  if (form == Form::Body) return boundsOf(mesh.points);
+  Bounds bounds;
+  for (const auto& piece : pieces) bounds.add(boundsOf(piece));
+  return bounds;
+}
+
+Operand operandOf(const Shape& shape, const OperandOptions& options, const Progress& progress) {
+  Operand out;
+  out.name = options.name;
+  if (const Mesh* mesh = shape.get<Mesh>())
+    out = fromMesh(*mesh, std::move(out));
+  else
+    out = fromTessellation(tessellate(shape, {.chord = options.deviation, .angle = widestTurn}, progress), std::move(out));
+  refuseUnusable(out, options.solidOnly);
+  return out;
+}
+
+}  // namespace blossom::morphology

@@ -1,0 +1,97 @@
+#include "kernel/prepared.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "geometry/bounds.h"
+#include "geometry/mesh_topology.h"
+#include "kernel/coplanar.h"
+#include "kernel/manifold.h"
+#include "kernel/solid_check.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+constexpr int gridBits = 44;
+
+Vec3 snapped(const Vec3& p, double step) {
+  const Vec3 q = p / step;
+  return step * Vec3(std::nearbyint(q.x()), std::nearbyint(q.y()), std::nearbyint(q.z()));
+}
+
+/// No edge is reflex by more than `tolerance`.
+bool locallyConvex(const Mesh& mesh, const MeshTopology& topology, double tolerance) {
+  return std::all_of(topology.edges.begin(), topology.edges.end(), [&](const MeshEdge& edge) {
+    if (!edge.manifold()) return false;
+    const auto points = facePoints(mesh, static_cast<std::size_t>(edge.faces[0]));
+    const Vec3 normal = vectorArea(points);
+    const double length = normal.norm();
+    if (!(length > 0)) return true;
+    for (const Vec3& p : facePoints(mesh, static_cast<std::size_t>(edge.faces[1])))
+      if ((p - points[0]).dot(normal) > tolerance * length) return false;
+    return true;
+  });
+}
+
+/// A solid whose hull adds nothing but rounding is its hull: faces of a tilted box are planes only nearly.
+Solid asConvex(const Mesh& triangles) {
+  const MeshTopology topology = meshTopology(triangles);
+  const double size = bounds(triangles).diagonal(), tolerance = 1e-10 * size;
+  if (topology.components.size() != 1 || topology.components.front().genus() != 0) return nullptr;
+  if (!locallyConvex(triangles, topology, tolerance)) return nullptr;
+  Solid convex = hull(triangles.points);
+  if (!convex) return nullptr;
+  const double added = signedVolume(rounded(convex, Vec3::Zero(), Progress::none())) - signedVolume(triangles);
+  return std::abs(added) <= tolerance * area(triangles) ? convex : nullptr;
+}
+
+}  // namespace
+
+Grid gridFor(const Bounds& a, const Bounds& b) {
+  const double largest = std::max((a.high - a.low).maxCoeff(), (b.high - b.low).maxCoeff());
+  return {std::ldexp(1, std::ilogb(std::max(largest, 1e-9)) + 1 - gridBits)};
+}
+
+Prepared prepared(const Operand& operand, const Grid& grid, const Progress& progress) {
+  Prepared result;
+  result.name = operand.name;
+  const Bounds box = operand.bounds();
+  result.centre = snapped(box.center(), grid.step);
+  const auto local = [&](const Vec3& p) { return snapped(p - result.centre, grid.step); };
+  if (operand.form != Operand::Form::Body) {
+    std::vector<std::vector<Vec3>> pieces = operand.pieces;
+    for (auto& piece : pieces)
+      for (Vec3& p : piece) result.bounds.add(p = local(p));
+    result.pieces = piecesOf(pieces);
+    return result;
+  }
+  Mesh mesh = operand.mesh;
+  for (Vec3& p : mesh.points) p = local(p);
+  CheckedSolid checked = checkedSolid(mesh, {operand.name, result.centre}, progress);
+  result.warnings = std::move(checked.warnings);
+  for (const Vec3& p : checked.triangles.points) result.bounds.add(p);
+  result.solid = asConvex(checked.triangles);
+  if (!result.solid) result.solid = exactSolid(checked.triangles, progress);
+  return result;
+}
+
+Parts partsOf(const Prepared& operand, const Progress& progress) {
+  return operand.solid ? convexParts(operand.solid, progress) : operand.pieces;
+}
+
+Mesh finished(const Solid& solid, const Vec3& centre, const Progress& progress) {
+  progress.report(0, "Joining faces");
+  const Mesh triangles = manifoldOf(rounded(solid, Vec3::Zero(), progress), progress);
+  if (!meshTopology(triangles).closed())
+    throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
+  Mesh result =
+      manifoldOf(joinedCoplanar(triangles, {.tolerance = 1e-10 * bounds(triangles).diagonal()}, progress), progress);
+  if (!meshTopology(result).closed()) result = triangles;
+  for (Vec3& p : result.points) p += centre;
+  return result;
+}
+
+}  // namespace blossom::morphology

@@ -1,0 +1,164 @@
+#include "kernel/self_crossing.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/box_intersection_d.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/error.h"
+#include "geometry/mesh_topology.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Surface = CGAL::Surface_mesh<Point>;
+
+Point toKernel(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+struct Triangle {
+  std::array<Vec3, 3> at;
+  int component = 0;
+  [[nodiscard]] Kernel::Triangle_3 exact() const { return {toKernel(at[0]), toKernel(at[1]), toKernel(at[2])}; }
+  [[nodiscard]] Vec3 center() const { return (at[0] + at[1] + at[2]) / 3; }
+};
+
+/// Corners of `a` that lie at corners of `b`, as pairs of indices. By place, since touching surfaces have their own
+/// vertices.
+std::vector<std::pair<std::size_t, std::size_t>> commonCorners(const Triangle& a, const Triangle& b) {
+  std::vector<std::pair<std::size_t, std::size_t>> common;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (a.at[i] == b.at[j]) common.emplace_back(i, j);
+  return common;
+}
+
+Kernel::Segment_3 sideAcross(const Triangle& t, std::size_t corner) {
+  return {toKernel(t.at[(corner + 1) % 3]), toKernel(t.at[(corner + 2) % 3])};
+}
+
+/// Two triangles over one edge cross when they lie in one plane on the same side of it.
+bool foldOver(const Triangle& a, const Triangle& b, std::size_t freeA, std::size_t freeB) {
+  const Point p = toKernel(a.at[(freeA + 1) % 3]), q = toKernel(a.at[(freeA + 2) % 3]);
+  const Point x = toKernel(a.at[freeA]), y = toKernel(b.at[freeB]);
+  return CGAL::coplanar(p, q, x, y) && CGAL::coplanar_orientation(p, q, x, y) == CGAL::POSITIVE;
+}
+
+bool cross(const Triangle& a, const Triangle& b) {
+  const auto common = commonCorners(a, b);
+  if (common.size() >= 3) return true;
+  if (common.empty()) return CGAL::do_intersect(a.exact(), b.exact());
+  if (common.size() == 1)
+    return CGAL::do_intersect(b.exact(), sideAcross(a, common[0].first)) ||
+           CGAL::do_intersect(a.exact(), sideAcross(b, common[0].second));
+  return foldOver(a, b, 3 - common[0].first - common[1].first, 3 - common[0].second - common[1].second);
+}
+
+std::vector<Triangle> trianglesOf(const Mesh& mesh, const std::vector<int>& componentOfFace) {
+  std::vector<Triangle> triangles(mesh.faceCount());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) triangles[f].at[k] = mesh.points[static_cast<std::size_t>(mesh.face(f)[k])];
+    triangles[f].component = componentOfFace[f];
+  }
+  return triangles;
+}
+
+using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Triangle*>;
+
+std::vector<Box> boxesOf(const std::vector<Triangle>& triangles) {
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& t : triangles) boxes.emplace_back(t.exact().bbox(), &t);
+  return boxes;
+}
+
+/// First crossing within a shell, and first between two of them.
+struct Crossings {
+  std::optional<Vec3> within, between;
+};
+
+Crossings crossingsOf(const std::vector<Triangle>& triangles, const Progress& progress) {
+  Crossings found;
+  std::size_t count = 0;
+  auto boxes = boxesOf(triangles);
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    if (++count % 4096 == 0) progress.check();
+    const Triangle &first = *a.handle(), &second = *b.handle();
+    const bool same = first.component == second.component;
+    auto& place = same ? found.within : found.between;
+    if (!place && cross(first, second)) place = (first.center() + second.center()) / 2;
+  });
+  return found;
+}
+
+Surface surfaceOf(const Mesh& mesh) {
+  Surface surface;
+  std::vector<Surface::Vertex_index> vertices;
+  for (const Vec3& p : mesh.points) vertices.push_back(surface.add_vertex(toKernel(p)));
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto face = mesh.face(f);
+    const auto at = [&](std::size_t k) { return vertices[static_cast<std::size_t>(face[k])]; };
+    surface.add_face(at(0), at(1), at(2));
+  }
+  return surface;
+}
+
+Mesh meshOf(Surface& surface) {
+  surface.collect_garbage();
+  Mesh mesh;
+  for (const auto v : surface.vertices()) {
+    const Point& p = surface.point(v);
+    mesh.points.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto f : surface.faces()) {
+    std::vector<int> face;
+    for (const auto v : surface.vertices_around_face(surface.halfedge(f))) face.push_back(static_cast<int>(v));
+    mesh.addFace(face);
+  }
+  return mesh;
+}
+
+std::optional<Vec3> firstDegenerate(const Mesh& mesh) {
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto points = facePoints(mesh, f);
+    if (CGAL::collinear(toKernel(points[0]), toKernel(points[1]), toKernel(points[2]))) return points[0];
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Mesh withoutDegenerate(const Mesh& triangles, const Subject& subject) {
+  if (!firstDegenerate(triangles)) return triangles;
+  Surface surface = surfaceOf(triangles);
+  CGAL::Polygon_mesh_processing::remove_degenerate_faces(surface);
+  Mesh mended = meshOf(surface);
+  const auto left = firstDegenerate(mended);
+  if (left || !meshTopology(mended).closed())
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{} has faces without area near {}.", subject.name,
+                            subject.place(left.value_or(*firstDegenerate(triangles)))),
+                "Repair the mesh, or export it again with a larger deviation.");
+  return mended;
+}
+
+void refuseCrossing(CheckedSolid& solid, const Subject& subject, const Progress& progress) {
+  const MeshTopology topology = meshTopology(solid.triangles, progress);
+  const Crossings found = crossingsOf(trianglesOf(solid.triangles, topology.componentOfFace), progress);
+  if (found.within)
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{} crosses or touches itself near {}.", subject.name, subject.place(*found.within)),
+                "Repair the mesh in the program that made it.");
+  if (found.between)
+    solid.warnings.push_back(fmt::format("{} has bodies that touch or overlap near {}; they count as one.", subject.name,
+                                         subject.place(*found.between)));
+}
+
+}  // namespace blossom::morphology

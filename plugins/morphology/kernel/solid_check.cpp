@@ -1,0 +1,137 @@
+#include "kernel/solid_check.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "core/error.h"
+#include "geometry/bounds.h"
+#include "geometry/mesh_topology.h"
+#include "kernel/manifold.h"
+#include "kernel/self_crossing.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+constexpr double farthest = 1e9;  // mm
+
+/// Faces that use the same place use the same vertex, and no face uses one twice in a row.
+Mesh withSharedPoints(const Mesh& mesh) {
+  std::map<std::array<double, 3>, int> seen;
+  std::vector<int> first;
+  for (const Vec3& p : mesh.points)  // + 0.0: there is one zero only
+    first.push_back(seen.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, static_cast<int>(first.size())).first->second);
+  Mesh result;
+  result.points = mesh.points;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    std::vector<int> face;
+    for (const int v : mesh.face(f)) {
+      const int vertex = first[static_cast<std::size_t>(v)];
+      if (face.empty() || face.back() != vertex) face.push_back(vertex);
+    }
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+    if (face.size() > 2) result.addFace(face);
+  }
+  return result;
+}
+
+void refuseOpen(const Mesh& mesh, const MeshTopology& topology, const Subject& subject) {
+  for (const MeshEdge& edge : topology.edges) {
+    if (edge.balanced()) continue;
+    const Vec3 middle =
+        (mesh.points[static_cast<std::size_t>(edge.low)] + mesh.points[static_cast<std::size_t>(edge.high)]) / 2;
+    const int faces = edge.forward + edge.backward;
+    if (faces == 1)
+      throw Error(
+          ErrorCode::InvalidInput,
+          fmt::format("{} is open: an edge near {} has a face on one side only.", subject.name, subject.place(middle)),
+          "Close the hole in the program that made the mesh, or repair the mesh.");
+    if (faces == 2)
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("{} is twisted: two faces near {} are oriented against each other.", subject.name,
+                              subject.place(middle)),
+                  "Orient all faces outwards, then try again.");
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("{} is not a manifold: {} faces meet in an edge near {}.", subject.name, faces, subject.place(middle)),
+        "Remove inner walls and doubled faces.");
+  }
+}
+
+double volumeOf(const Mesh& triangles, const MeshTopology& topology, int component) {
+  Mesh part;
+  part.points = triangles.points;
+  for (std::size_t f = 0; f < triangles.faceCount(); ++f)
+    if (topology.componentOfFace[f] == component) part.addFace(triangles.face(f));
+  return signedVolume(part);
+}
+
+Mesh reversed(const Mesh& mesh) {
+  Mesh result = mesh;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+    std::reverse(result.faceVertices.begin() + mesh.faceStarts[f], result.faceVertices.begin() + mesh.faceStarts[f + 1]);
+  return result;
+}
+
+/// Turns a solid inside out when none of its shells looks outwards.
+void turnOutwards(CheckedSolid& solid, const Subject& subject) {
+  if (signedVolume(solid.triangles) >= 0) return;
+  const MeshTopology topology = meshTopology(solid.triangles);
+  for (std::size_t c = 0; c < topology.components.size(); ++c)
+    if (volumeOf(solid.triangles, topology, static_cast<int>(c)) > 0)
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("{} has more void than solid: some shells look outwards, some inwards.", subject.name),
+                  "Orient all faces outwards, those of voids towards the void.");
+  solid.triangles = reversed(solid.triangles);
+  solid.warnings.push_back(fmt::format("{} was inside out and has been turned.", subject.name));
+}
+
+}  // namespace
+
+void refuseRubbish(const Mesh& mesh, const Subject& subject) {
+  if (mesh.faceCount() == 0)
+    throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: it has no faces.", subject.name),
+                "Choose a solid or a closed mesh.");
+  for (const int v : mesh.faceVertices)
+    if (v < 0 || static_cast<std::size_t>(v) >= mesh.points.size())
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("{} names the vertex {}, but there are {}.", subject.name, v, mesh.points.size()),
+                  "Export the mesh again.");
+  for (std::size_t k = 0; k < mesh.points.size(); ++k) {
+    const Vec3& p = mesh.points[k];
+    if (!p.allFinite())
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("{} has a vertex, number {}, whose coordinates are not numbers.", subject.name, k),
+                  "Export the mesh again.");
+    if (p.cwiseAbs().maxCoeff() > farthest)
+      throw Error(ErrorCode::LimitExceeded,
+                  fmt::format("{} reaches to {}, farther than 1e9 mm from the origin.", subject.name, subject.place(p)),
+                  "Scale it down or move it to the origin.");
+  }
+}
+
+CheckedSolid checkedSolid(const Mesh& mesh, const Subject& subject, const Progress& progress) {
+  refuseRubbish(mesh, subject);
+  progress.report(0, "Checking the input");
+  const Mesh shared = withSharedPoints(mesh);
+  if (shared.faceCount() == 0)
+    throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: all of its faces are without area.", subject.name),
+                "Choose a solid or a closed mesh.");
+  refuseOpen(shared, meshTopology(shared, progress), subject);
+  CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(shared, progress).first, progress), subject), {}};
+  solid.triangles = manifoldOf(solid.triangles, progress);
+  const double size = bounds(solid.triangles).diagonal();
+  if (std::abs(signedVolume(solid.triangles)) <= 1e-12 * size * size * size)
+    throw Error(ErrorCode::InvalidInput, fmt::format("{} encloses no volume.", subject.name),
+                "Choose a solid or a closed mesh.");
+  turnOutwards(solid, subject);
+  refuseCrossing(solid, subject, progress);
+  return solid;
+}
+
+}  // namespace blossom::morphology

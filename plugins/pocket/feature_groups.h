@@ -1,10 +1,16 @@
 #pragma once
 // Not named features.h: the C library has a header of that name, which the plugin's include folder would hide.
 #include "feature/registry.h"
+#include "kernel/clearance_diagram.h"
 
 namespace blossom::pocket {
 
 /// Each registers the feature types of one group.
 void registerOffsetFeatures(Registry&);  ///< offset, medial axis
+
+FeatureType medialAxisFeature();
+
+/// How the diagram came about, for `stats`.
+void addDiagramStats(const ClearanceDiagram&, Value& stats);
 
 }  // namespace blossom::pocket

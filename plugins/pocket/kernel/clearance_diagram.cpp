@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "geometry/planar.h"
 #include "kernel/boundary.h"
 #include "kernel/contact.h"
 #include "kernel/diagram.h"
@@ -65,7 +66,9 @@ Region ClearanceDiagram::offset(double distance, Side side, const Progress& prog
   for (const TracedLoop& loop : traced(parts_->diagram, distance, side, progress)) {
     progress.check();
     Path path = loopOnTrueCurves(boundary, loop, {distance, side, parts_->tolerance});
-    if (!path.segments.empty()) region.loops.push_back(std::move(path));
+    // Where the distance equals the clearance along a line, rounding may leave a sliver.
+    if (path.segments.empty() || std::abs(signedArea(path)) <= boundary.weld() * length(path)) continue;
+    region.loops.push_back(std::move(path));
   }
   return region;
 }

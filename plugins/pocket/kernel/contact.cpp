@@ -30,18 +30,18 @@ Contact contactOf(const Boundary& boundary, const Site& site, const Vec2& x) {
   const auto& pieces = boundary.pieces();
   const Piece& piece = pieces[site.piece];
   const TrueCurve& curve = boundary.curves()[piece.curve];
-  const double slack = 4 * boundary.chord() / curve.lengthBound();
+  const double margin = 4 * boundary.chord() / curve.lengthBound();
   if (site.isPoint) {
     if (pieces[piece.previous].end != Joint::Inner) return {nullptr, 0, piece.from, 0};
-    return {&curve, piece.t0, piece.from, slack};
+    return {&curve, piece.t0, piece.from, margin};
   }
   const double share = nearestShare(piece.from, piece.to, x);
-  return {&curve, piece.t0 + share * (piece.t1 - piece.t0), piece.from + share * piece.along(), slack};
+  return {&curve, piece.t0 + share * (piece.t1 - piece.t0), piece.from + share * piece.along(), margin};
 }
 
 Vec2 footOn(Contact& contact, const Vec2& x) {
   if (!contact.curve) return contact.point;
-  contact.parameter = contact.curve->foot(x, contact.parameter, contact.slack);
+  contact.parameter = contact.curve->foot(x, contact.parameter, contact.margin);
   return contact.curve->point(contact.parameter);
 }
 

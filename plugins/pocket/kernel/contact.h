@@ -11,7 +11,7 @@ struct Contact {
   const TrueCurve* curve = nullptr;  ///< nullptr: the point
   double parameter = 0;
   Vec2 point = Vec2::Zero();
-  double slack = 0;  ///< parameters by which a foot may lie beyond the end of the curve
+  double margin = 0;  ///< parameters by which a foot may lie beyond the end of the curve
 };
 
 /// The contact of a disc around x that touches this site of the flattened boundary. Vertices which only the flattening made

@@ -95,11 +95,21 @@ class AxisMaker {
 
   void takeNode(std::size_t v) {
     Disc disc{graph_.vertices[v], diagram_.clearance(v)};
-    if (disc.radius > 0)
-      if (const auto exact = discTouching(contactsAround(boundary_, diagram_, v, around_[v]), disc, reachOf(boundary_)))
-        disc = *exact;
+    if (disc.radius > 0) disc = exactDisc(v, disc);
     node_[v] = axis_.vertices.size();
     axis_.vertices.push_back({disc.center, disc.radius, false});
+  }
+
+  [[nodiscard]] Disc exactDisc(std::size_t v, const Disc& rough) const {
+    if (kept_.degree[v] != 2)
+      if (const auto exact = discTouching(contactsAround(boundary_, diagram_, v, around_[v]), rough, reachOf(boundary_)))
+        return *exact;
+    for (const std::size_t h : around_[v]) {
+      if (!kept_.edge[h / 2]) continue;
+      const Vec3 point = onTrueBisector(h, {rough.center.x(), rough.center.y(), rough.radius});
+      return {point.head<2>(), point.z()};
+    }
+    return rough;
   }
 
   void lonely(std::size_t v) {
@@ -275,6 +285,9 @@ Disc trueDisc(const Boundary& boundary, const Diagram& diagram, std::size_t vert
     if (const Arc2* arc = contact.curve ? contact.curve->arc() : nullptr; arc && (arc->center - rough.center).norm() < reach)
       consider(arc->center);
   if (const auto exact = discTouching(contacts, rough, reach)) consider(exact->center);
+  for (std::size_t i = 0; i < std::min<std::size_t>(contacts.size(), 8); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (const auto exact = pointBetween(contacts[i], contacts[k], rough.center, reach)) consider(*exact);
   return best;
 }
 

@@ -159,10 +159,10 @@ std::optional<Disc> leafBeyond(const Boundary& boundary, const Diagram& diagram,
   const Vec2 tangent = curve.tangent(parameter);
   const Disc leaf{curve.point(parameter) + radius * Vec2(-tangent.y(), tangent.x()), radius};
   // Behind the tip there is no leaf, and a disc that holds boundary is none either.
-  const double slack = boundary.chord();
-  if (radius > diagram.clearance(v) + slack || (leaf.center - graph.vertices[v]).norm() > diagram.clearance(v))
+  const double chord = boundary.chord();
+  if (radius > diagram.clearance(v) + chord || (leaf.center - graph.vertices[v]).norm() > diagram.clearance(v))
     return std::nullopt;
-  if (boundary.nearest(leaf.center).distance < radius - 1e-3 * slack) return std::nullopt;
+  if (boundary.nearest(leaf.center).distance < radius - 1e-3 * chord) return std::nullopt;
   return leaf;
 }
 

@@ -123,12 +123,12 @@ class LoopMaker {
 
   /// Runs that exact joints leave no length: their neighbours meet instead.
   void dropCollapsed() {
-    for (std::size_t r = 0; r < runs_.size() && runs_.size() > 2;) {
+    for (std::size_t r = 0; r < runs_.size() && runs_.size() > 1;) {
       const Vec2 step = joints_[r] - joints_[before(r)];
       const double rough = roughLength(runs_[r]);
       const bool speck = step.norm() < 1e-3 * o_.tolerance && rough < 4 * o_.tolerance;
       const Vec2 direction = at(runs_[r].first + runs_[r].count - 1).to - at(runs_[r].first).from;
-      const bool turned = step.dot(direction) < 0 && rough < 4 * o_.tolerance;
+      const bool turned = runs_.size() > 2 && step.dot(direction) < 0 && rough < 4 * o_.tolerance;
       if (!speck && !turned) {
         ++r;
         continue;
@@ -178,7 +178,7 @@ class LoopMaker {
   [[nodiscard]] std::vector<TangentPoint> samplesOf(const Run& run, const Vec2& from, const Vec2& to) const {
     const auto footFrom = [&](std::size_t i, const Vec2& x) {
       Contact contact = contactOf(boundary_, at(i).site, x);
-      contact.slack = 0;
+      contact.margin = 0;
       footOn(contact, x);
       return contact.parameter;
     };

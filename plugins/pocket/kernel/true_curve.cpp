@@ -49,7 +49,7 @@ double footOnArc(const Arc2& arc, const Vec2& x, double guess) {
   return (wanted + turns * 2 * std::numbers::pi - arc.start) / arc.sweep;
 }
 
-double footOnBezier(const TrueCurve& curve, const Vec2& x, double guess, double slack) {
+double footOnBezier(const TrueCurve& curve, const Vec2& x, double guess, double margin) {
   double t = guess;
   for (int i = 0; i < 12; ++i) {
     const auto [point, first, second] = curve.at(t);
@@ -58,7 +58,7 @@ double footOnBezier(const TrueCurve& curve, const Vec2& x, double guess, double 
     // Beyond the centre of curvature the distance has no minimum nearby: go down the slope instead.
     if (!(slope > 0.05 * first.squaredNorm())) slope = first.squaredNorm();
     if (!(slope > 0)) return t;
-    const double next = std::clamp(t - value / slope, -slack, 1 + slack);
+    const double next = std::clamp(t - value / slope, -margin, 1 + margin);
     if (std::abs(next - t) < 1e-15) return next;
     t = next;
   }
@@ -126,13 +126,13 @@ double TrueCurve::curvature(double t) const {
   return speed > 1e-9 * length_ ? cross(f.first, f.second) / (speed * speed * speed) : 0;
 }
 
-double TrueCurve::foot(const Vec2& x, double guess, double slack) const {
+double TrueCurve::foot(const Vec2& x, double guess, double margin) const {
   if (const Line2* of = line()) {
     const Vec2 along = of->to - of->from;
-    return std::clamp((x - of->from).dot(along) / along.squaredNorm(), -slack, 1 + slack);
+    return std::clamp((x - of->from).dot(along) / along.squaredNorm(), -margin, 1 + margin);
   }
-  if (const Arc2* of = arc()) return std::clamp(footOnArc(*of, x, guess), -slack, 1 + slack);
-  return footOnBezier(*this, x, guess, slack);
+  if (const Arc2* of = arc()) return std::clamp(footOnArc(*of, x, guess), -margin, 1 + margin);
+  return footOnBezier(*this, x, guess, margin);
 }
 
 std::vector<TrueCurve> trueCurves(const Segment& segment) {

@@ -26,8 +26,8 @@ class TrueCurve {
   [[nodiscard]] double curvature(double t) const;
 
   /// Parameter of the foot of the perpendicular from `x` that Newton's iteration reaches from `guess`. It may leave [0, 1]
-  /// by `slack` in parameter, so that a foot which rounding puts beyond an end is still one.
-  [[nodiscard]] double foot(const Vec2& x, double guess, double slack) const;
+  /// by `margin` in parameter, so that a foot which rounding puts beyond an end is still one.
+  [[nodiscard]] double foot(const Vec2& x, double guess, double margin) const;
 
   [[nodiscard]] const Line2* line() const { return std::get_if<Line2>(&value_); }
   [[nodiscard]] const Arc2* arc() const { return std::get_if<Arc2>(&value_); }

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "feature_groups.h"
+#include "geometry/planar.h"
+#include "kernel/offset.h"
+#include "part_input.h"
+
+namespace blossom::pocket {
+
+namespace {
+
+enum class Sides { Inside, Outside, Both };
+
+struct OffsetParameters {
+  std::vector<double> distance{1};
+  Sides side = Sides::Inside;
+  SubShapeValue face;
+  double tolerance = 1e-3;
+};
+
+ParameterSpec distances() {
+  ParameterSpec spec = list(positiveLength());
+  spec.least = 1;
+  return spec;
+}
+
+const char* nameOf(Side side) { return side == Side::Inside ? "inside" : "outside"; }
+
+Error nothingLeft(double distance, double largest) {
+  return Error(ErrorCode::InvalidParameter,
+               fmt::format("Nothing is left inside at a distance of {} mm; the largest that fits is {} mm.",
+                           formatNumber(distance), formatNumber(largest)),
+               "Make the distance smaller, or offset to the outside.");
+}
+
+/// One offset with its figures in the list `offsets` of the stats.
+Region measuredOffset(const ClearanceDiagram& diagram, double distance, Side side, Value& stats, const Progress& progress) {
+  const auto begun = std::chrono::steady_clock::now();
+  Region region = diagram.offset(distance, side, progress);
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
+  double perimeter = 0;
+  for (const Path& loop : region.loops) perimeter += length(loop);
+  stats["offsets"].push_back({{"distance", distance},
+                              {"side", nameOf(side)},
+                              {"loops", region.loops.size()},
+                              {"area", area(region)},
+                              {"perimeter", perimeter},
+                              {"ms", took.count()}});
+  return region;
+}
+
+/// What lies within the distance on both sides of the outline.
+Region band(Region outside, const Region& inside) {
+  for (const Path& loop : inside.loops) outside.loops.push_back(reversed(loop));
+  return outside;
+}
+
+void addLoops(Curves& curves, const Region& region, double distance, Side side) {
+  for (Path loop : region.loops) {
+    loop.layer = fmt::format("{} {}", nameOf(side), formatNumber(distance));
+    curves.paths.push_back(std::move(loop));
+  }
+}
+
+Evaluated offsetOf(const OffsetParameters& p, const Inputs& inputs, const Progress& progress) {
+  const Part part = partOf(inputs.of(0)[0], p.face);
+  const ClearanceDiagram diagram(part.region, {p.tolerance}, progress.part(0, 0.7));
+  Evaluated out;
+  addDiagramStats(diagram, out.stats);
+  out.stats["offsets"] = Value::array();
+  Curves all;
+  std::size_t empty = 0;
+  for (std::size_t i = 0; i < p.distance.size(); ++i) {
+    const double d = p.distance[i];
+    const double share = 0.3 / static_cast<double>(p.distance.size());
+    const Progress own = progress.part(0.7 + share * double(i), 0.7 + share * double(i + 1));
+    Region inside;
+    Region outside;
+    if (p.side != Sides::Outside) inside = measuredOffset(diagram, d, Side::Inside, out.stats, own);
+    if (p.side != Sides::Inside) outside = measuredOffset(diagram, d, Side::Outside, out.stats, own);
+    const bool nothing = p.side == Sides::Inside && inside.loops.empty();
+    if (nothing && ++empty == p.distance.size()) throw nothingLeft(d, diagram.largestClearance());
+    if (nothing || (p.side == Sides::Both && inside.loops.empty()))
+      out.warnings.push_back(nothingLeft(d, diagram.largestClearance()).message());
+    if (p.distance.size() == 1) {
+      out.shape =
+          p.side == Sides::Both ? band(std::move(outside), inside) : std::move(p.side == Sides::Inside ? inside : outside);
+      return out;
+    }
+    addLoops(all, inside, d, Side::Inside);
+    addLoops(all, outside, d, Side::Outside);
+  }
+  out.shape = std::move(all);
+  return out;
+}
+
+FeatureType offsetFeature() {
+  using P = OffsetParameters;
+  return feature<P>("pocket.offset", "Offset", "Outlines at even distances from the outlines of a part.")
+      .icon("offset")
+      .input(partInput())
+      .parameter("distance", &P::distance, distances(),
+                 "How far from the outline; several distances make curves, a layer for each.")
+      .parameter("side", &P::side, choice({"inside", "outside", "both"}),
+                 "Where the offset lies; both makes the band along the outline.")
+      .parameter("face", &P::face, partFace(), partFaceHelp)
+      .parameter("tolerance", &P::tolerance, positiveLength(), "Most that a point of the offset may be off its distance.")
+      .example("blossom offset outline.svg --distance 2 -o smaller.dxf")
+      .example("blossom offset outline.dxf --distance 1,2,3,4 --side both -o rings.svg --json")
+      .example("blossom offset text:Blossom --distance 1.5 --side outside -o sticker.svg")
+      .example("blossom offset block.step --face 4 --distance 0.5 -o inset.step")
+      .evaluate(offsetOf);
+}
+
+}  // namespace
+
+void addDiagramStats(const ClearanceDiagram& diagram, Value& stats) {
+  stats["diagram_ms"] = diagram.stats().milliseconds;
+  stats["sites"] = diagram.stats().sites;
+  stats["voronoi_vertices"] = diagram.stats().vertices;
+  stats["diagrams_built"] = diagram.stats().attempts;
+  stats["method"] = diagram.stats().method;
+  stats["largest_distance"] = diagram.largestClearance();
+}
+
+void registerOffsetFeatures(Registry& registry) { registry.addAll(offsetFeature(), medialAxisFeature()); }
+
+}  // namespace blossom::pocket

@@ -34,9 +34,9 @@ void pullForward(vtkActor& actor) {
   actor.GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-10);
 }
 
-ActorPtr faceActor(const SceneData& data, const Look& look) {
+ActorPtr faceActor(const SceneData& data, vtkPolyData* faces, const Look& look) {
   const Color color = data.planar ? mixed(look.backgroundBottom, look.curve, 0.22) : look.surface;
-  ActorPtr actor = makeActor(data.faces, color);
+  ActorPtr actor = makeActor(faces, color);
   if (data.planar) {
     actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
     actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
@@ -89,7 +89,8 @@ void addLight(vtkRenderer& renderer, double x, double y, double z, double intens
 
 std::vector<ActorPtr> makeActors(const SceneData& data, const Look& look) {
   std::vector<ActorPtr> actors;
-  if (data.faces) actors.push_back(faceActor(data, look));
+  for (const auto& piece : data.pieces) actors.push_back(faceActor(data, piece, look));
+  if (data.faces && data.pieces.empty()) actors.push_back(faceActor(data, data.faces, look));
   if (data.edges) actors.push_back(edgeActor(data, look));
   if (data.points) actors.push_back(pointActor(data, look));
   return actors;

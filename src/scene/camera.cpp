@@ -95,21 +95,24 @@ Framing frameAll(const std::vector<Vec3>& points, const Turn& turn, double aspec
   return framing;
 }
 
+void addPointsOf(vtkActor& actor, std::vector<Vec3>& found) {
+  vtkDataSet* data = actor.GetMapper() ? actor.GetMapper()->GetInputAsDataSet() : nullptr;
+  if (!data) return;
+  const vtkIdType count = data->GetNumberOfPoints();
+  const vtkIdType step = std::max<vtkIdType>(1, count / 50'000);
+  for (vtkIdType i = 0; i < count; i += step) {
+    Vec3 p;
+    data->GetPoint(i, p.data());
+    found.push_back(p);
+  }
+}
+
 std::vector<Vec3> visiblePoints(vtkRenderer* renderer) {
   std::vector<Vec3> found;
   vtkActorCollection* actors = renderer->GetActors();
   actors->InitTraversal();
   while (vtkActor* actor = actors->GetNextActor()) {
-    if (!actor->GetVisibility() || !actor->GetUseBounds() || !actor->GetMapper()) continue;
-    vtkDataSet* data = actor->GetMapper()->GetInputAsDataSet();
-    if (!data) continue;
-    const vtkIdType count = data->GetNumberOfPoints();
-    const vtkIdType step = std::max<vtkIdType>(1, count / 50'000);
-    for (vtkIdType i = 0; i < count; i += step) {
-      Vec3 p;
-      data->GetPoint(i, p.data());
-      found.push_back(p);
-    }
+    if (actor->GetVisibility() && actor->GetUseBounds()) addPointsOf(*actor, found);
   }
   return found;
 }

@@ -4,6 +4,7 @@
 
 #include "core/vector.h"
 
+class vtkActor;
 class vtkCamera;
 class vtkRenderer;
 
@@ -33,6 +34,8 @@ Framing frameAll(const std::vector<Vec3>& points, const Turn&, double aspect, do
 
 /// Points that stand for everything visible in a renderer (at most some 50,000 of each actor).
 std::vector<Vec3> visiblePoints(vtkRenderer*);
+/// Adds those of one actor, whether it is in a renderer or not.
+void addPointsOf(vtkActor&, std::vector<Vec3>&);
 
 void place(vtkCamera*, const Turn&, const Framing&);
 

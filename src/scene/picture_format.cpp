@@ -65,8 +65,8 @@ void addPictureFormats(FormatRegistry& registry) {
   png.extensions = {"png"};
   png.writeOptions = pictureOptions();
   png.write = writePicture;
-  png.writes = {ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve,    ShapeKind::Surface,    ShapeKind::Brep,
-                ShapeKind::Mesh,   ShapeKind::Motion, ShapeKind::Sequence, ShapeKind::MedialAxis, ShapeKind::Toolpath};
+  png.writes = {ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve,      ShapeKind::Surface, ShapeKind::Brep,
+                ShapeKind::Mesh,   ShapeKind::Motion, ShapeKind::MedialAxis, ShapeKind::Toolpath};
   registry.add(std::move(png));
 }
 

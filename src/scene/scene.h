@@ -50,12 +50,14 @@ struct SceneData {
   bool solid = false;                      ///< the faces close, outward side out: a cut through them is filled
   std::shared_ptr<const PickIndex> picks;  ///< null until somebody has made it
   bool planar = false;                     ///< a drawing: all of it lies at z = 0, faces have no normals
+  /// The faces once more, in parts that go to the graphics card between two events each; empty: `faces` is small enough.
+  std::vector<vtkSmartPointer<vtkPolyData>> pieces;
   [[nodiscard]] bool empty() const;
 };
 /// O(points + triangles). Safe to call from any thread. Without `picks`.
 SceneData toSceneData(const Tessellation&);
 
-/// Actors of a shape, ready to be added to a renderer: faces first, then edges, then points.
+/// Actors of a shape, ready to be added to a renderer: faces first (one for each piece), then edges, then points.
 std::vector<vtkSmartPointer<vtkActor>> makeActors(const SceneData&, const Look&);
 /// What part of a shape an actor of `makeActors` draws.
 enum class ActorRole { Faces, Edges, Points };

@@ -8,6 +8,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scene/scene.h"
@@ -89,6 +90,39 @@ vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
   return data;
 }
 
+constexpr std::size_t trianglesOfPiece = 32'768;
+
+/// Some of the triangles with the points that they need.
+Tessellation partOf(const Tessellation& t, std::size_t first, std::size_t last) {
+  Tessellation part;
+  part.faceColors = t.faceColors;
+  std::vector<int> places(t.points.size(), -1);
+  const bool normals = t.normals.size() == t.points.size();
+  for (std::size_t i = first; i < last; ++i) {
+    std::array<int, 3> triangle = t.triangles[i];
+    for (int& corner : triangle) {
+      int& place = places[static_cast<std::size_t>(corner)];
+      if (place < 0) {
+        place = static_cast<int>(part.points.size());
+        part.points.push_back(t.points[static_cast<std::size_t>(corner)]);
+        if (normals) part.normals.push_back(t.normals[static_cast<std::size_t>(corner)]);
+      }
+      corner = place;
+    }
+    part.triangles.push_back(triangle);
+    if (i < t.faceOfTriangle.size()) part.faceOfTriangle.push_back(t.faceOfTriangle[i]);
+  }
+  return part;
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> makePieces(const Tessellation& t) {
+  std::vector<vtkSmartPointer<vtkPolyData>> pieces;
+  if (t.triangles.size() <= 2 * trianglesOfPiece) return pieces;
+  for (std::size_t first = 0; first < t.triangles.size(); first += trianglesOfPiece)
+    pieces.push_back(makeFaces(partOf(t, first, std::min(t.triangles.size(), first + trianglesOfPiece))));
+  return pieces;
+}
+
 vtkSmartPointer<vtkPolyData> makeEdges(const Tessellation& t) {
   std::size_t count = 0;
   for (const auto& line : t.edges) count += line.size();
@@ -149,6 +183,7 @@ bool SceneData::empty() const { return !faces && !edges && !points; }
 SceneData toSceneData(const Tessellation& t) {
   SceneData data;
   data.faces = makeFaces(t);
+  data.pieces = makePieces(t);
   data.edges = makeEdges(t);
   data.points = makeMarkers(t);
   data.vertices = makeVertices(t);

@@ -2,6 +2,7 @@
 #include <QImage>
 #include <numbers>
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
@@ -57,6 +58,8 @@ class SceneTest : public QObject {
   Q_OBJECT
  private slots:
   void polyDataHoldsWhatTheTessellationHolds();
+  void piecesOfALargeShapeAreItsFaces();
+  void edgesHaveColoursOfTheirOwn();
   void aFramedSphereTouchesTheMarginExactly();
   void namedViewsAreRightHandedFrames();
   void pictureShowsTheShapeInTheMiddleAndCanvasAtTheCorners();
@@ -87,6 +90,47 @@ void SceneTest::polyDataHoldsWhatTheTessellationHolds() {
 }
 
 // The cone of sight through the margin touches a sphere of radius r at distance r / sin(angle).
+void SceneTest::piecesOfALargeShapeAreItsFaces() {
+  QVERIFY(toSceneData(sphere(2, 24)).pieces.empty());
+  const Tessellation t = sphere(2, 200);
+  const SceneData data = toSceneData(t);
+  QVERIFY(data.pieces.size() > 1);
+  std::size_t next = 0;
+  for (const auto& piece : data.pieces) {
+    QVERIFY(piece->GetNumberOfPolys() <= 40'000);
+    auto* faces = piece->GetCellData()->GetArray("face");
+    for (vtkIdType cell = 0; cell < piece->GetNumberOfPolys(); ++cell, ++next) {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      piece->GetPolys()->GetCellAtId(cell, count, ids);
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto k = static_cast<std::size_t>(t.triangles[next][corner]);
+        Vec3 p, normal;
+        piece->GetPoint(ids[corner], p.data());
+        piece->GetPointData()->GetNormals()->GetTuple(ids[corner], normal.data());
+        QVERIFY(p == t.points[k]);
+        QVERIFY((normal - t.normals[k]).norm() < 1e-6);
+      }
+      QCOMPARE(static_cast<int>(faces->GetTuple1(cell)), t.faceOfTriangle[next]);
+    }
+  }
+  QCOMPARE(next, t.triangles.size());
+}
+
+void SceneTest::edgesHaveColoursOfTheirOwn() {
+  Tessellation t;
+  t.edges = {{Vec3(0, 0, 0), Vec3(1, 0, 0)}, {Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(2, 1, 0)}};
+  QVERIFY(!toSceneData(t).edges->GetCellData()->GetScalars());
+  t.edgeColors = {Color{1, 0, 0}, Color{0, 0, 1}};
+  const SceneData data = toSceneData(t);
+  auto* colors = data.edges->GetCellData()->GetScalars();
+  QVERIFY(colors);
+  QCOMPARE(colors->GetNumberOfTuples(), vtkIdType{2});
+  QCOMPARE(colors->GetComponent(0, 0), 255.0);
+  QCOMPARE(colors->GetComponent(1, 2), 255.0);
+  QCOMPARE(colors->GetComponent(1, 0), 0.0);
+}
+
 void SceneTest::aFramedSphereTouchesTheMarginExactly() {
   const double radius = 7, viewAngle = 30, margin = 0.1;
   const Turn turn{20, 40};

@@ -40,11 +40,14 @@ Value usable(const ParameterSpec& spec, const Value& stored) {
 
 }  // namespace
 
-std::vector<const Format*> formatsFor(const FormatRegistry& formats, ShapeKind kind) {
+std::vector<const Format*> formatsFor(const FormatRegistry& formats, const ExportScope& scope) {
   std::vector<const Format*> fitting;
-  for (const Format& format : formats.formats())
-    if (format.write && std::find(format.writes.begin(), format.writes.end(), kind) != format.writes.end())
-      fitting.push_back(&format);
+  for (const Format& format : formats.formats()) {
+    const auto takes = [&](ShapeKind kind) {
+      return kind != ShapeKind::None && std::find(format.writes.begin(), format.writes.end(), kind) != format.writes.end();
+    };
+    if (format.write && (takes(scope.kind) || takes(scope.frameKind))) fitting.push_back(&format);
+  }
   return fitting;
 }
 
@@ -111,7 +114,7 @@ void ExportDialog::fillFormats() {
   {
     const QSignalBlocker quiet(format_);
     format_->clear();
-    for (const Format* each : formatsFor(formats_, scope().kind)) format_->addItem(qt(each->title), qt(each->id));
+    for (const Format* each : formatsFor(formats_, scope())) format_->addItem(qt(each->title), qt(each->id));
     choose(before);
   }
   const bool any = format_->count() > 0;

@@ -14,11 +14,12 @@ namespace blossom::ui {
 
 class ParameterField;
 
-/// Something that can be exported as one file.
+/// Something that can be exported as one file, or a sequence as one for each frame.
 struct ExportScope {
   QString title;
   std::vector<FeatureId> features;
-  ShapeKind kind = ShapeKind::None;  ///< of all together; None: they do not go into one file
+  ShapeKind kind = ShapeKind::None;       ///< of all together; None: they do not go into one file
+  ShapeKind frameKind = ShapeKind::None;  ///< of every frame of a sequence, which may go into a file each
 };
 
 /// What is exported, in which format, and with which options, as the format declares them. The format that was used last and
@@ -46,7 +47,7 @@ class ExportDialog : public QDialog {
   std::vector<ParameterField*> fields_;
 };
 
-/// The formats that can hold a kind of shape.
-std::vector<const Format*> formatsFor(const FormatRegistry&, ShapeKind);
+/// The formats that can hold what is exported.
+std::vector<const Format*> formatsFor(const FormatRegistry&, const ExportScope&);
 
 }  // namespace blossom::ui

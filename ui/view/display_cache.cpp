@@ -42,6 +42,40 @@ Measures withFigures(Measures measures, const FeatureResult& result) {
 /// A wish that would make a picture of many millions of triangles is not granted.
 double usable(double chord, const Shape& shape) { return chord > 0 ? std::max(chord, bounds(shape).diagonal() * 1e-5) : 0; }
 
+SceneData drawn(const Shape& shape, double chord, const Progress& progress) {
+  return toSceneData(tessellate(shape, {.chord = usable(chord, shape), .angle = 0.2}, progress));
+}
+
+void addPicks(SceneData& scene) { scene.picks = std::make_shared<const PickIndex>(scene); }
+
+/// Each frame with what picking needs, so that nothing is left to be done while it plays.
+std::vector<SceneData> drawnFrames(const Sequence& sequence, double chord, const Progress& progress) {
+  std::vector<SceneData> frames;
+  frames.reserve(sequence.frames.size());
+  for (const Shape& frame : sequence.frames) {
+    const double share = 1 / static_cast<double>(sequence.frames.size());
+    const double done = share * static_cast<double>(frames.size());
+    frames.push_back(drawn(frame, chord, progress.part(done, done + share)));
+    frames.back().solid = frame.get<Mesh>() && isSolid(measure(frame));
+    addPicks(frames.back());
+  }
+  return frames;
+}
+
+void draw(FeatureView& view, const Shape& shape, double chord, const Progress& progress) {
+  const auto* sequence = shape.get<Sequence>();
+  if (sequence && !sequence->frames.empty()) {
+    view.frames = std::make_shared<const std::vector<SceneData>>(drawnFrames(*sequence, chord, progress.part(0, 0.9)));
+    view.scene = view.frames->back();
+    view.measures = measure(shape, progress.part(0.9, 1));
+    return;
+  }
+  view.scene = drawn(shape, chord, progress.part(0, 0.7));
+  view.measures = measure(shape, progress.part(0.7, 0.95));
+  view.scene.solid = isSolid(view.measures);
+  addPicks(view.scene);
+}
+
 }  // namespace
 
 std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result, double chord,
@@ -50,29 +84,30 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
   view->result = result;
   const Shape& shape = result->evaluated.shape;
   if (result->error || shape.empty()) return view;
+  const auto finish = [&] {
+    view->result = result;
+    view->measures = withFigures(std::move(view->measures), *result);
+    return view;
+  };
   {
     const std::scoped_lock lock(guard_);
     const auto it = std::find_if(entries_.begin(), entries_.end(),
                                  [&](const Entry& e) { return e.chord == chord && addressOf(e.shape) == addressOf(shape); });
     if (it != entries_.end()) {
       entries_.splice(entries_.begin(), entries_, it);
-      view->scene = it->scene;
-      view->measures = withFigures(it->measures, *result);
-      return view;
+      *view = it->view;
+      return finish();
     }
   }
-  const std::optional<Error> error = errorOf("Showing the result", [&] {
-    view->scene = toSceneData(tessellate(shape, {.chord = usable(chord, shape), .angle = 0.2}, progress.part(0, 0.7)));
-    view->measures = measure(shape, progress.part(0.7, 0.95));
-    view->scene.solid = isSolid(view->measures);
-    view->scene.picks = std::make_shared<const PickIndex>(view->scene);
-  });
-  if (error) return failed(*result, *error);
-  const std::scoped_lock lock(guard_);
-  entries_.push_front({chord, shape, view->scene, view->measures});
-  view->measures = withFigures(std::move(view->measures), *result);
-  if (entries_.size() > mostEntries) entries_.pop_back();
-  return view;
+  view->result = nullptr;
+  if (const std::optional<Error> error = errorOf("Showing the result", [&] { draw(*view, shape, chord, progress); }))
+    return failed(*result, *error);
+  {
+    const std::scoped_lock lock(guard_);
+    entries_.push_front({chord, shape, *view});
+    if (entries_.size() > mostEntries) entries_.pop_back();
+  }
+  return finish();
 }
 
 }  // namespace blossom::ui

@@ -2,6 +2,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "core/progress.h"
 #include "document/evaluator.h"
@@ -14,6 +15,7 @@ namespace blossom::ui {
 struct FeatureView {
   std::shared_ptr<const FeatureResult> result;
   SceneData scene;
+  std::shared_ptr<const std::vector<SceneData>> frames;  ///< of a sequence, else null; `scene` is the last of them
   Measures measures;
 };
 
@@ -27,9 +29,8 @@ class DisplayCache {
  private:
   struct Entry {
     double chord = 0;
-    Shape shape;  // keeps the address that is the key alive
-    SceneData scene;
-    Measures measures;
+    Shape shape;       // keeps the address that is the key alive
+    FeatureView view;  // without result
   };
   std::mutex guard_;
   std::list<Entry> entries_;  // newest first

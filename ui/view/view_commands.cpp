@@ -30,6 +30,9 @@ constexpr std::array<DisplayModeCommand, 3> displayModes{{{"view.shaded-edges", 
                                                           {"view.shaded", DisplayMode::Shaded},
                                                           {"view.wireframe", DisplayMode::Wireframe}}};
 
+constexpr std::array<const char*, 4> timelineCommands{"timeline.play", "timeline.next", "timeline.previous",
+                                                      "timeline.onion-skin"};
+
 }  // namespace
 
 ViewCommands::ViewCommands(Commands& commands, std::function<DocumentPage&()> page, QObject* parent)
@@ -37,6 +40,7 @@ ViewCommands::ViewCommands(Commands& commands, std::function<DocumentPage&()> pa
   addPickModes();
   addDisplayModes();
   addTools();
+  addTimeline();
 }
 
 void ViewCommands::addPickModes() {
@@ -88,14 +92,36 @@ void ViewCommands::addTools() {
                 [this] { page_().startSection(); });
 }
 
+void ViewCommands::addTimeline() {
+  const QString group = tr("Timeline");
+  const auto add = [&](const char* id, const char* icon, const QString& text, const QString& help, const char* key,
+                       auto go) {
+    commands_.add({QLatin1String(id), group, QLatin1String(icon), text, help, {QKeySequence(QLatin1String(key))}},
+                  [this, go] { go(page_().playback()); });
+  };
+  add(timelineCommands[0], "play", tr("&Play or pause"), tr("Run through the frames of the sequence shown."), "Shift+Space",
+      [](Playback& playback) { playback.setPlaying(!playback.playing()); });
+  add(timelineCommands[1], "chevron-right", tr("&Next frame"), tr("Show the next frame of the sequence."), ".",
+      [](Playback& playback) { playback.show(playback.frame() + 1); });
+  add(timelineCommands[2], "chevron-left", tr("Pre&vious frame"), tr("Show the frame before."), ",",
+      [](Playback& playback) { playback.show(playback.frame() - 1); });
+  add(timelineCommands[3], "onion-skin", tr("&Onion skin"), tr("Show the other frames of the sequence faintly."), "O",
+      [](Playback& playback) { playback.setOnionSkin(!playback.onionSkin()); });
+}
+
 void ViewCommands::addTo(QMenu& view, QMenu& select) {
   for (const DisplayModeCommand& each : displayModes) view.addAction(commands_.action(QLatin1String(each.id)));
   view.addSeparator();
   for (const char* id : {"view.measure", "view.section"}) view.addAction(commands_.action(QLatin1String(id)));
+  view.addSeparator();
+  for (const char* id : timelineCommands) view.addAction(commands_.action(QLatin1String(id)));
   for (const PickModeCommand& each : pickModes) select.addAction(commands_.action(QLatin1String(each.id)));
 }
 
 void ViewCommands::refresh() {
+  for (const char* id : timelineCommands)
+    commands_.setEnabled(QLatin1String(id), page_().playback().count() > 1,
+                         tr("No sequence is shown: a morph with several frames makes one."));
   const ViewWidget& view = page_().view();
   for (const PickModeCommand& each : pickModes)
     commands_.action(QLatin1String(each.id))->setChecked(view.pickMode() == each.mode);

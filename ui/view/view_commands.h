@@ -22,6 +22,7 @@ class ViewCommands : public QObject {
   void addPickModes();
   void addDisplayModes();
   void addTools();
+  void addTimeline();
   Commands& commands_;
   std::function<DocumentPage&()> page_;
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/camera.h"
 #include "scene/shading.h"
 
 namespace blossom::ui {
@@ -42,7 +43,7 @@ std::vector<FeatureId> ViewItems::set(const std::vector<ViewItem>& items) {
     const bool same = shown.scene.faces == item.scene.faces && shown.scene.edges == item.scene.edges &&
                       shown.scene.points == item.scene.points;
     if (!same || shown.actors.empty()) {
-      hide(shown);
+      replace(shown);
       shown.scene = item.scene;
       if (!shown.scene.picks) shown.scene.picks = std::make_shared<const PickIndex>(shown.scene);
       show(shown);
@@ -55,14 +56,52 @@ std::vector<FeatureId> ViewItems::set(const std::vector<ViewItem>& items) {
 
 void ViewItems::show(Shown& shown) {
   shown.actors = makeActors(shown.scene, look_);
-  for (const auto& actor : shown.actors) renderer_->AddActor(actor);
   applyMode(shown);
   applySection(shown);
+  if (shown.scene.pieces.empty()) {
+    for (const auto& actor : shown.actors) renderer_->AddActor(actor);
+    finish(shown);
+  } else {
+    shown.coming.assign(shown.actors.rbegin(), shown.actors.rend());
+  }
+}
+
+/// What is shown now makes room when the new shape is whole.
+void ViewItems::replace(Shown& shown) {
+  for (const auto& actor : shown.coming) shown.actors.erase(std::find(shown.actors.begin(), shown.actors.end(), actor));
+  shown.coming.clear();
+  shown.leaving.insert(shown.leaving.end(), shown.actors.begin(), shown.actors.end());
+  shown.actors.clear();
 }
 
 void ViewItems::hide(Shown& shown) {
-  for (const auto& actor : shown.actors) renderer_->RemoveActor(actor);
-  shown.actors.clear();
+  replace(shown);
+  finish(shown);
+}
+
+void ViewItems::finish(Shown& shown) {
+  if (!shown.coming.empty()) return;
+  for (const auto& actor : shown.leaving) renderer_->RemoveActor(actor);
+  shown.leaving.clear();
+}
+
+bool ViewItems::incomplete() const {
+  return std::any_of(shown_.begin(), shown_.end(), [](const auto& entry) { return !entry.second.coming.empty(); });
+}
+
+void ViewItems::bringNextPiece() {
+  const auto it = std::find_if(shown_.begin(), shown_.end(), [](const auto& entry) { return !entry.second.coming.empty(); });
+  if (it == shown_.end()) return;
+  renderer_->AddActor(it->second.coming.back());
+  it->second.coming.pop_back();
+  finish(it->second);
+}
+
+std::vector<Vec3> ViewItems::pointsToCome() const {
+  std::vector<Vec3> points;
+  for (const auto& [id, shown] : shown_)
+    for (const auto& actor : shown.coming) addPointsOf(*actor, points);
+  return points;
 }
 
 void ViewItems::setLook(const Look& look) {

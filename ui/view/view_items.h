@@ -49,6 +49,13 @@ class ViewItems {
   /// What everything that follows the section is clipped by; nullptr: there is none.
   [[nodiscard]] vtkPlane* clip() const;
 
+  /// Large shapes go to the graphics card piece by piece, one for each frame, so that none is long; what they replace stays
+  /// until they are whole.
+  [[nodiscard]] bool incomplete() const;
+  void bringNextPiece();
+  /// Of what has not come yet.
+  [[nodiscard]] std::vector<Vec3> pointsToCome() const;
+
   [[nodiscard]] bool empty() const { return shown_.empty(); }
   [[nodiscard]] bool planar() const;  ///< drawings only, and at least one
   [[nodiscard]] const SceneData* scene(const FeatureId&) const;
@@ -65,9 +72,13 @@ class ViewItems {
     SceneData scene;
     ItemRole role = ItemRole::Plain;
     std::vector<vtkSmartPointer<vtkActor>> actors;
+    std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
+    std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
   };
   void show(Shown&);
+  void replace(Shown&);
   void hide(Shown&);
+  void finish(Shown&);
   void paint(const FeatureId&, const Shown&) const;
   void paintFaces(vtkActor&, const Shown&, bool hovered) const;
   void paintEdges(vtkActor&, const Shown&, bool hovered) const;

@@ -107,6 +107,11 @@ void ViewWidget::paintGL() {
   timer.start();
   vtkCamera& camera = *renderer_->GetActiveCamera();
   camera_.applyTo(&camera);
+  if (items_.incomplete()) {
+    items_.bringNextPiece();
+    keepGridLast();
+    smoothing_.restart();
+  }
   grid_.follow(camera_.target(), camera_.millimetresPerPixel(), std::max(width(), height()), look_);
   renderer_->ResetCameraClippingRange();
   keepGridInSight();
@@ -121,6 +126,7 @@ void ViewWidget::paintGL() {
   context()->functions()->glFinish();
   lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
   ++framesDrawn_;
+  if (items_.incomplete()) return QTimer::singleShot(0, this, &ViewWidget::redraw);
   chooseSmoothing();
 }
 

@@ -71,7 +71,12 @@ void ViewWidget::setSection(const std::optional<CutPlane>& section) {
   redraw();
 }
 
-std::vector<Vec3> ViewWidget::everything() const { return visiblePoints(renderer_); }
+std::vector<Vec3> ViewWidget::everything() const {
+  std::vector<Vec3> points = visiblePoints(renderer_);
+  const std::vector<Vec3> coming = items_.pointsToCome();
+  points.insert(points.end(), coming.begin(), coming.end());
+  return points;
+}
 
 Bounds ViewWidget::extent() const { return items_.extent(); }
 

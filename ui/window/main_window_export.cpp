@@ -1,6 +1,7 @@
 // Exporting results of the main window's document.
 #include <QFileDialog>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "geometry/together.h"
 #include "ui/files/export_dialog.h"
@@ -17,13 +18,20 @@ namespace {
 ExportScope scopeOf(const Session& session, const std::vector<FeatureId>& ids) {
   ExportScope scope;
   std::vector<ShapeKind> kinds;
+  std::vector<Shape> frames;
   for (const FeatureId& id : ids) {
     const auto view = session.view(id);
     if (!view || view->result->evaluated.shape.empty()) continue;
     scope.features.push_back(id);
-    kinds.push_back(view->result->evaluated.shape.kind());
+    const Shape& shape = view->result->evaluated.shape;
+    kinds.push_back(shape.kind());
+    if (const auto* sequence = shape.get<Sequence>())
+      frames.insert(frames.end(), sequence->frames.begin(), sequence->frames.end());
   }
   scope.kind = kinds.empty() ? ShapeKind::None : kindTogether(kinds);
+  const auto alike = [&](const Shape& frame) { return frame.kind() == frames.front().kind(); };
+  if (kinds.size() == 1 && !frames.empty() && std::all_of(frames.begin(), frames.end(), alike))
+    scope.frameKind = frames.front().kind();
   return scope;
 }
 
@@ -57,7 +65,7 @@ std::vector<ExportScope> MainWindow::exportScopes() {
 
 void MainWindow::chooseAndExport() {
   std::vector<ExportScope> scopes = exportScopes();
-  const auto writable = [&](const ExportScope& each) { return !formatsFor(*app_.formats, each.kind).empty(); };
+  const auto writable = [&](const ExportScope& each) { return !formatsFor(*app_.formats, each).empty(); };
   if (scopes.empty())
     return page().showError(Error(ErrorCode::InvalidInput, "There is no result to export yet.",
                                   "Select a feature that has been computed without an error."));

@@ -11,6 +11,8 @@
 #include "ui/panel/error_bar.h"
 #include "ui/panel/property_panel.h"
 #include "ui/settings/preferences.h"
+#include "ui/timeline/onion_skin.h"
+#include "ui/timeline/timeline_bar.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/document_tree_panel.h"
 #include "ui/view/view_widget.h"
@@ -37,7 +39,8 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       treePanel_(new DocumentTreePanel(tree_)),
       properties_(new PropertyPanel(session_)),
       view_(new ViewWidget),
-      errors_(new ErrorBar) {
+      errors_(new ErrorBar),
+      timeline_(new TimelineBar(playback_)) {
   buildWidgets();
   connectSession();
   connectWidgets();
@@ -72,6 +75,8 @@ void DocumentPage::buildWidgets() {
   column->setSpacing(0);
   column->addWidget(errors_);
   column->addWidget(view_, 1);
+  column->addWidget(timeline_);
+  timeline_->hide();
 }
 
 bool DocumentPage::untouched() const {
@@ -135,6 +140,8 @@ void DocumentPage::connectSession() {
 
 void DocumentPage::connectWidgets() {
   connect(&measurements_, &Measurements::changed, this, &DocumentPage::refreshOverlay);
+  connect(&playback_, &Playback::moved, this, &DocumentPage::refreshView);
+  connect(&playback_, &Playback::changed, this, &DocumentPage::refreshOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
     properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current());
     refreshView();
@@ -180,7 +187,26 @@ void DocumentPage::followPreference(const QString& name) {
   if (tool_) tool_->documentChanged();
 }
 
+// Sequences of features that are shown move together; the longest gives the count.
+void DocumentPage::refreshTimeline() {
+  std::size_t count = 0;
+  for (const auto& feature : document().features()) {
+    const auto view = session_.view(feature->id);
+    if (feature->visible && !feature->suppressed && view && view->frames) count = std::max(count, view->frames->size());
+  }
+  const bool appeared = (count > 1) != (playback_.count() > 1);
+  playback_.setCount(static_cast<int>(count));
+  if (appeared) emit stateChanged();
+  timeline_->setVisible(count > 1);
+}
+
+SceneData DocumentPage::sceneNow(const FeatureView& view) const {
+  if (!view.frames) return view.scene;
+  return view.frames->at(static_cast<std::size_t>(playback_.frameOf(static_cast<int>(view.frames->size()))));
+}
+
 void DocumentPage::refreshView() {
+  refreshTimeline();
   const std::vector<FeatureId> selected = tree_->selected();
   std::vector<FeatureId> controls;
   for (const FeatureId& id : selected)
@@ -195,16 +221,30 @@ void DocumentPage::refreshView() {
     const ItemRole role = holds(selected, feature->id)   ? ItemRole::Made
                           : holds(controls, feature->id) ? ItemRole::Control
                                                          : ItemRole::Plain;
-    items.push_back({feature->id, view->scene, role});
+    items.push_back({feature->id, sceneNow(*view), role});
   }
   view_->setItems(items);
 }
 
 void DocumentPage::refreshOverlay() {
   std::vector<vtkSmartPointer<vtkProp>> props = overlayOfSelected();
+  const auto skins = skinsOfShown();
+  props.insert(props.begin(), skins.begin(), skins.end());
   const auto measured = measurements_.props();
   props.insert(props.end(), measured.begin(), measured.end());
   view_->setOverlay(std::move(props));
+}
+
+std::vector<vtkSmartPointer<vtkProp>> DocumentPage::skinsOfShown() const {
+  std::vector<vtkSmartPointer<vtkProp>> all;
+  if (!playback_.onionSkin()) return all;
+  for (const auto& feature : document().features()) {
+    const auto view = session_.view(feature->id);
+    if (!feature->visible || feature->suppressed || !view || !view->frames) continue;
+    const auto skins = onionSkin(*view->frames, look_, pixelRatio());
+    all.insert(all.end(), skins.begin(), skins.end());
+  }
+  return all;
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayOfSelected() {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "ui/manipulator.h"
+#include "ui/timeline/playback.h"
 #include "ui/tool.h"
 #include "ui/tools/measurements.h"
 #include "ui/window/session.h"
@@ -16,6 +17,7 @@ class DocumentTree;
 class DocumentTreePanel;
 class ErrorBar;
 class PropertyPanel;
+class TimelineBar;
 class ViewWidget;
 
 /// One open document in the window: its session, its side (tree and properties) and its canvas (what went wrong, and the
@@ -33,8 +35,9 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] DocumentTreePanel& treePanel() { return *treePanel_; }
   [[nodiscard]] PropertyPanel& properties() { return *properties_; }
   [[nodiscard]] ErrorBar& errors() { return *errors_; }
-  [[nodiscard]] QWidget* side() { return side_; }      ///< owned by the page until a window takes it in
-  [[nodiscard]] QWidget* canvas() { return canvas_; }  ///< likewise
+  [[nodiscard]] Playback& playback() { return playback_; }  ///< of the sequences that are shown
+  [[nodiscard]] QWidget* side() { return side_; }           ///< owned by the page until a window takes it in
+  [[nodiscard]] QWidget* canvas() { return canvas_; }       ///< likewise
   /// Nothing in it, never saved, nothing under way: may be used for what is opened next.
   [[nodiscard]] bool untouched() const;
 
@@ -89,7 +92,10 @@ class DocumentPage : public QObject, public ToolHost {
   void connectWidgets();
   void followPreference(const QString& name);
   void refreshView();
+  void refreshTimeline();
+  [[nodiscard]] SceneData sceneNow(const FeatureView&) const;
   void refreshOverlay();
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> skinsOfShown() const;
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();
   void fitWhenFirstShown();
   // page_tools.cpp
@@ -107,6 +113,8 @@ class DocumentPage : public QObject, public ToolHost {
   PropertyPanel* properties_;
   ViewWidget* view_;
   ErrorBar* errors_;
+  Playback playback_;
+  TimelineBar* timeline_;
   QPointer<QWidget> side_, canvas_;
   std::unique_ptr<Tool> tool_;     // started by the user
   std::unique_ptr<Tool> handles_;  // of the selected feature, while no tool is active

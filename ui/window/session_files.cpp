@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "document/storage.h"
+#include "exchange/frames.h"
 #include "geometry/together.h"
 #include "ui/look/text.h"
 #include "ui/window/session.h"
@@ -154,10 +155,16 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
       [this, file, options, shapes, figures](const Progress& progress) {
         QElapsedTimer clock;
         clock.start();
-        writeShape(*app_.formats, together(shapes), file, options, progress);
-        *figures = tr("%1 in %2 s")
-                       .arg(QLocale::c().formattedDataSize(QFileInfo(qt(file.string())).size(), 1))
-                       .arg(static_cast<double>(clock.elapsed()) / 1000, 0, 'f', 1);
+        const Shape shape = together(shapes);
+        writeShape(*app_.formats, shape, file, options, progress);
+        const Format* format = app_.formats->find(file.extension().string());
+        const auto files = filesOf(*format, shape, file, completed(format->writeOptions, options));
+        qint64 size = 0;
+        for (const FileOfShape& each : files) size += QFileInfo(qt(each.path.string())).size();
+        const QString written = tr("%1 in %2 s")
+                                    .arg(QLocale::c().formattedDataSize(size, 1))
+                                    .arg(static_cast<double>(clock.elapsed()) / 1000, 0, 'f', 1);
+        *figures = files.size() == 1 ? written : tr("%1 files, %2").arg(files.size()).arg(written);
       },
       [this, file, figures] { emit noted(tr("Exported %1: %2.").arg(fileName(file), *figures)); }, file);
 }

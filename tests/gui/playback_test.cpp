@@ -1,0 +1,97 @@
+#include "ui/timeline/playback.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+namespace blossom::ui {
+
+class PlaybackTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void longestSequenceGivesTheCount();
+  void aShorterSequenceKeepsItsEnds();
+  void keepsItsPlaceWhenTheCountChanges();
+  void playsToTheEndAndStops();
+  void loops();
+  void playFromTheEndBeginsAnew();
+  void staysWithinTheFrames();
+};
+
+void PlaybackTest::longestSequenceGivesTheCount() {
+  Playback playback;
+  playback.setCount(11);
+  playback.show(7);
+  QCOMPARE(playback.frameOf(11), 7);
+  QCOMPARE(playback.frameOf(1), 0);
+}
+
+void PlaybackTest::aShorterSequenceKeepsItsEnds() {
+  Playback playback;
+  playback.setCount(11);
+  QCOMPARE(playback.frameOf(3), 0);
+  playback.show(5);
+  QCOMPARE(playback.frameOf(3), 1);
+  playback.show(10);
+  QCOMPARE(playback.frameOf(3), 2);
+}
+
+void PlaybackTest::keepsItsPlaceWhenTheCountChanges() {
+  Playback playback;
+  playback.setCount(11);
+  playback.show(5);
+  playback.setCount(101);
+  QCOMPARE(playback.frame(), 50);
+  playback.setCount(0);
+  QCOMPARE(playback.frame(), 0);
+}
+
+void PlaybackTest::playsToTheEndAndStops() {
+  Playback playback;
+  playback.setCount(4);
+  playback.setLooping(false);
+  playback.setFramesPerSecond(60);
+  QSignalSpy moved(&playback, &Playback::moved);
+  playback.setPlaying(true);
+  QVERIFY(playback.playing());
+  QTRY_VERIFY(!playback.playing());
+  QCOMPARE(playback.frame(), 3);
+  QCOMPARE(moved.count(), 3);
+}
+
+void PlaybackTest::loops() {
+  Playback playback;
+  playback.setCount(3);
+  playback.setFramesPerSecond(60);
+  QSignalSpy moved(&playback, &Playback::moved);
+  playback.setPlaying(true);
+  QTRY_VERIFY(moved.count() >= 7);
+  QVERIFY(playback.playing());
+  playback.setCount(1);
+  QVERIFY(!playback.playing());
+}
+
+void PlaybackTest::playFromTheEndBeginsAnew() {
+  Playback playback;
+  playback.setCount(5);
+  playback.show(4);
+  playback.setPlaying(true);
+  QCOMPARE(playback.frame(), 0);
+}
+
+void PlaybackTest::staysWithinTheFrames() {
+  Playback playback;
+  playback.setPlaying(true);
+  QVERIFY(!playback.playing());
+  playback.setCount(5);
+  playback.show(17);
+  QCOMPARE(playback.frame(), 4);
+  playback.show(-3);
+  QCOMPARE(playback.frame(), 0);
+  playback.setFramesPerSecond(1000);
+  QCOMPARE(playback.framesPerSecond(), 60);
+}
+
+}  // namespace blossom::ui
+
+QTEST_GUILESS_MAIN(blossom::ui::PlaybackTest)
+#include "playback_test.moc"

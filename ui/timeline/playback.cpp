@@ -1,0 +1,72 @@
+#include "ui/timeline/playback.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blossom::ui {
+
+namespace {
+
+int scaledFrame(int frame, int count, int wanted) {
+  if (count < 2 || wanted < 2) return 0;
+  return static_cast<int>(std::lround(static_cast<double>(frame) * (wanted - 1) / (count - 1)));
+}
+
+}  // namespace
+
+Playback::Playback(QObject* parent) : QObject(parent) {
+  clock_.setTimerType(Qt::PreciseTimer);
+  connect(&clock_, &QTimer::timeout, this, &Playback::advance);
+}
+
+int Playback::frameOf(int frames) const { return scaledFrame(frame_, count_, frames); }
+
+void Playback::setCount(int frames) {
+  if (frames == count_) return;
+  frame_ = scaledFrame(frame_, count_, frames);
+  count_ = frames;
+  if (count_ < 2) clock_.stop();
+  emit changed();
+}
+
+void Playback::show(int frame) {
+  const int kept = std::clamp(frame, 0, std::max(0, count_ - 1));
+  if (kept == frame_) return;
+  frame_ = kept;
+  emit moved();
+}
+
+void Playback::setPlaying(bool play) {
+  if (play == playing() || (play && count_ < 2)) return;
+  if (play && frame_ == count_ - 1) show(0);
+  if (play)
+    clock_.start(1000 / framesPerSecond_);
+  else
+    clock_.stop();
+  emit changed();
+}
+
+void Playback::setLooping(bool looping) {
+  looping_ = looping;
+  emit changed();
+}
+
+void Playback::setFramesPerSecond(int rate) {
+  framesPerSecond_ = std::clamp(rate, 1, 60);
+  if (playing()) clock_.start(1000 / framesPerSecond_);
+  emit changed();
+}
+
+void Playback::setOnionSkin(bool on) {
+  onionSkin_ = on;
+  emit changed();
+}
+
+// Timer events that a slow frame delays are not made up for: a sequence that cannot keep its pace plays slower, whole.
+void Playback::advance() {
+  if (frame_ + 1 < count_) return show(frame_ + 1);
+  if (looping_) return show(0);
+  setPlaying(false);
+}
+
+}  // namespace blossom::ui

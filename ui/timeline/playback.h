@@ -1,0 +1,43 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+
+namespace blossom::ui {
+
+/// Which frame of the sequences in a document is shown, and whether they play. All sequences run together over one count of
+/// frames, that of the longest.
+class Playback : public QObject {
+  Q_OBJECT
+ public:
+  explicit Playback(QObject* parent = nullptr);
+
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] int frame() const { return frame_; }
+  [[nodiscard]] bool playing() const { return clock_.isActive(); }
+  [[nodiscard]] bool looping() const { return looping_; }
+  [[nodiscard]] int framesPerSecond() const { return framesPerSecond_; }
+  [[nodiscard]] bool onionSkin() const { return onionSkin_; }
+  /// The frame of a sequence with `frames` frames of its own, at least 1.
+  [[nodiscard]] int frameOf(int frames) const;
+
+  void setCount(int frames);  ///< keeps the place, as a share of the whole; 0 stops
+  void show(int frame);       ///< kept within the count
+  void setPlaying(bool);      ///< from the start when it stands at the end
+  void setLooping(bool looping);
+  void setFramesPerSecond(int);  ///< kept within 1 and 60
+  void setOnionSkin(bool);
+
+ signals:
+  void moved();    ///< another frame is shown
+  void changed();  ///< count, playing, looping, speed or onion skin
+
+ private:
+  void advance();
+
+  int count_ = 0, frame_ = 0;
+  bool looping_ = true, onionSkin_ = false;
+  int framesPerSecond_ = 24;
+  QTimer clock_;
+};
+
+}  // namespace blossom::ui

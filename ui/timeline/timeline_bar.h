@@ -1,0 +1,32 @@
+#pragma once
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace blossom::ui {
+
+class Playback;
+
+/// Under the view while a sequence is shown: play, scrub, pace, loop and onion skin.
+class TimelineBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit TimelineBar(Playback&, QWidget* parent = nullptr);
+
+ private:
+  void build();
+  void connectButtons();
+  void refresh();
+  void tellFrame();
+
+  Playback& playback_;
+  QToolButton *first_, *back_, *play_, *forward_, *last_, *loop_, *onion_;
+  QSlider* slider_;
+  QLabel* frame_;
+  QComboBox* pace_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,113 @@
+#include "kernel/pass.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "geometry/planar.h"
+#include "kernel/spokes.h"
+
+namespace blossom::pocket {
+
+namespace {
+
+constexpr std::size_t mostLevels = 20000;
+/// Loops shorter than this clear nothing.
+constexpr double shortestPass = 1e-6;
+
+struct Grown {
+  PassNode node;
+  InsideTest inside;
+};
+
+std::vector<Grown> nodesOf(const Region& region, std::size_t level, bool climb) {
+  std::vector<Grown> grown;
+  for (const RegionComponent& part : components(region)) {
+    Grown each;
+    each.node.level = level;
+    std::vector<Stroke> rim;
+    std::vector<std::size_t> loops{part.outer};
+    loops.insert(loops.end(), part.holes.begin(), part.holes.end());
+    for (const std::size_t loop : loops) {
+      const std::vector<Stroke> strokes = strokesOf(climb ? region.loops[loop] : reversed(region.loops[loop]), 1e-4);
+      Pass pass(strokes);
+      if (pass.length() < shortestPass) continue;
+      rim.insert(rim.end(), strokes.begin(), strokes.end());
+      each.node.passes.push_back(std::move(pass));
+    }
+    if (each.node.passes.empty()) continue;
+    each.inside = InsideTest(rim);
+    grown.push_back(std::move(each));
+  }
+  return grown;
+}
+
+}  // namespace
+
+Pass::Pass(std::vector<Stroke> strokes) {
+  double sum = 0;
+  for (Stroke& s : strokes) {
+    const double length = s.length();
+    if (!(length > 0)) continue;
+    sum += length;
+    ends_.push_back(sum);
+    strokes_.push_back(s);
+  }
+}
+
+std::size_t Pass::strokeAt(double length) const {
+  const auto found = std::upper_bound(ends_.begin(), ends_.end(), length);
+  return found == ends_.end() ? ends_.size() - 1 : static_cast<std::size_t>(found - ends_.begin());
+}
+
+Pass::Foot Pass::nearest(const Vec2& p) const {
+  Foot best;
+  for (std::size_t i = 0; i < strokes_.size(); ++i) {
+    const double share = strokes_[i].nearestShare(p);
+    const Vec2 at = strokes_[i].at(share);
+    const double away = (at - p).norm();
+    const double begin = i == 0 ? 0 : ends_[i - 1];
+    if (away < best.distance) best = {begin + share * (ends_[i] - begin), at, away};
+  }
+  return best;
+}
+
+PassTree passTree(const ClearanceDiagram& diagram, const PassOptions& options, const Progress& progress) {
+  PassTree tree;
+  std::vector<InsideTest> within;  // of the level before
+  std::vector<std::size_t> above;
+  const double largest = diagram.largestClearance();
+  for (std::size_t level = 0;; ++level) {
+    const double distance = options.first + static_cast<double>(level) * options.step;
+    if (distance > largest) break;
+    progress.report((distance - options.first) / std::max(largest - options.first, 1e-9), "Laying the passes");
+    if (level >= mostLevels)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} passes side by side are needed.", mostLevels),
+                  "Use a larger stepover or a larger tool.");
+    std::vector<Grown> grown = nodesOf(diagram.offset(distance, Side::Inside, progress), level, options.climb);
+    if (grown.empty()) break;
+    std::vector<std::size_t> indices;
+    std::vector<InsideTest> inside;
+    for (Grown& each : grown) {
+      const std::size_t index = tree.nodes.size();
+      const Vec2 start = each.node.passes.front().strokes().front().from;
+      if (level == 0) tree.roots.push_back(index);
+      for (std::size_t i = 0; i < above.size(); ++i)
+        if (within[i](start)) {
+          tree.nodes[above[i]].inner.push_back(index);
+          break;
+        }
+      indices.push_back(index);
+      inside.push_back(std::move(each.inside));
+      tree.nodes.push_back(std::move(each.node));
+    }
+    above = std::move(indices);
+    within = std::move(inside);
+    tree.levels = level + 1;
+  }
+  if (options.step > options.radius) addSpokes(diagram, options, tree, progress);
+  return tree;
+}
+
+}  // namespace blossom::pocket

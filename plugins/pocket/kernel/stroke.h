@@ -1,0 +1,41 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "core/vector.h"
+#include "geometry/region.h"
+
+namespace blossom::pocket {
+
+/// A straight line or a circular arc in the plane: what a tool's centre runs along, and what walls are made of. mm, radians.
+struct Stroke {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  bool round = false;
+  Vec2 center = Vec2::Zero();
+  double radius = 0, start = 0, sweep = 0;  ///< of an arc, as in Arc2
+
+  static Stroke line(const Vec2& from, const Vec2& to);
+  static Stroke arc(const Vec2& center, double radius, double start, double sweep);
+
+  [[nodiscard]] double length() const;
+  /// The point at a share 0..1 of its length, and the unit direction there.
+  [[nodiscard]] Vec2 at(double share) const;
+  [[nodiscard]] Vec2 direction(double share) const;
+  /// From one share of the length to another; backwards when `last` is below `first`.
+  [[nodiscard]] Stroke part(double first, double last) const;
+  [[nodiscard]] Stroke reversed() const { return part(1, 0); }
+  /// Corners of its box.
+  [[nodiscard]] std::pair<Vec2, Vec2> box() const;
+  /// The share of its length where it is nearest to p.
+  [[nodiscard]] double nearestShare(const Vec2& p) const;
+};
+
+double distance(const Stroke&, const Vec2&);
+/// Least distance of two strokes, in closed form; 0 when they meet. The candidates are the four ends, the points where the
+/// strokes cross, and the pairs of inner points whose connection is normal to both.
+double distance(const Stroke&, const Stroke&);
+
+/// The segments of a path; splines as lines within `chord` mm.
+std::vector<Stroke> strokesOf(const Path&, double chord);
+
+}  // namespace blossom::pocket

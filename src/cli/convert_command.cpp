@@ -60,7 +60,7 @@ class ConvertCommand {
     if (targets.empty())
       throw UsageError("convert needs a file to write.", fmt::format("\"blossom info {}\" only looks at the file.", in));
     const std::filesystem::path file = fileOfInput(in);
-    const auto planned =
+    auto planned =
         plannedOutputs(*session_.app.formats, outputPaths(*session_.app.formats, targets), {file}, formats_.get());
     std::vector<const Format*> used{session_.app.formats->find(file.extension().string())};
     for (const Output& output : planned) used.push_back(output.format);
@@ -70,7 +70,7 @@ class ConvertCommand {
     const Progress progress = display.progress();
     const Source source = readFile(in, file, progress.part(0, 0.5));
     const auto writing = std::chrono::steady_clock::now();
-    writeOutputs(session_.app, planned, source.imported.shape, source.document, progress.part(0.5, 0.95));
+    planned = writeOutputs(session_.app, planned, source.imported.shape, source.document, progress.part(0.5, 0.95));
     Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
     const Measures measures = measure(source.imported.shape, progress.part(0.95, 1));
     stats["entities"] = source.imported.entities;

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "exchange/frames.h"
 #include "parameter/wording.h"
 
 namespace blossom {
@@ -83,29 +84,26 @@ void refuseKind(const Output& output, const Shape& shape) {
               fmt::format("They can hold: {}.", enumerated(known, "or")));
 }
 
-}  // namespace
-
-std::vector<Output> spreadOverFrames(std::vector<Output> outputs, const Shape& shape) {
-  const auto* sequence = shape.get<Sequence>();
-  if (!sequence) return outputs;
-  std::vector<Output> spread;
+/// Each output as the files that a shape becomes in its format.
+std::vector<Output> spread(const std::vector<Output>& outputs, const Shape& shape) {
+  std::vector<Output> files;
   for (const Output& output : outputs) {
     if (!output.format) {
-      spread.push_back(output);
+      files.push_back(output);
       continue;
     }
-    for (std::size_t k = 0; k < sequence->frames.size(); ++k) {
-      Output frame = output;
-      frame.frame = k;
-      const std::string name =
-          fmt::format("{}-{:04}{}", output.path.stem().string(), k + 1, output.path.extension().string());
-      frame.path.replace_filename(name);
-      checkPlace(frame.path);
-      spread.push_back(std::move(frame));
+    for (FileOfShape& file : filesOf(*output.format, shape, output.path, output.options)) {
+      Output each = output;
+      if (file.path != output.path) checkPlace(file.path);
+      each.path = std::move(file.path);
+      each.shape = std::move(file.shape);
+      files.push_back(std::move(each));
     }
   }
-  return spread;
+  return files;
 }
+
+}  // namespace
 
 std::vector<std::string> outputPaths(const FormatRegistry& formats, const std::vector<std::string>& given) {
   const auto known = [&](const std::string& path) { return isDocument(path) || writableFormat(formats, path); };
@@ -137,21 +135,20 @@ std::vector<Output> plannedOutputs(const FormatRegistry& formats, const std::vec
   return outputs;
 }
 
-void writeOutputs(const App& app, const std::vector<Output>& outputs, const Shape& shape, const Document& document,
-                  const Progress& progress) {
-  const auto held = [&](const Output& output) -> const Shape& {
-    return output.frame ? shape.get<Sequence>()->frames.at(*output.frame) : shape;
-  };
+std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& planned, const Shape& shape,
+                                 const Document& document, const Progress& progress) {
+  std::vector<Output> outputs = spread(planned, shape);
   for (const Output& output : outputs)
-    if (output.format) refuseKind(output, held(output));
+    if (output.format) refuseKind(output, *output.shape);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const double count = static_cast<double>(outputs.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     if (outputs[i].format)
-      writeShape(*app.formats, held(outputs[i]), outputs[i].path, outputs[i].options, part);
+      writeShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, part);
     else
       saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
   }
+  return outputs;
 }
 
 Value pathsJson(const std::vector<Output>& outputs) {

@@ -13,7 +13,7 @@ struct Output {
   std::filesystem::path path;
   const Format* format = nullptr;
   Value options = Value::object();
-  std::optional<std::size_t> frame;  ///< which one of a sequence it holds
+  std::optional<Shape> shape;  ///< what was written into it
 };
 
 /// The paths of -o: repeated or as a comma list. A comma stays part of a name where what it would split off has no known
@@ -26,13 +26,10 @@ std::vector<std::string> outputPaths(const FormatRegistry&, const std::vector<st
 std::vector<Output> plannedOutputs(const FormatRegistry&, const std::vector<std::string>& paths,
                                    const std::vector<std::filesystem::path>& inputs, const FormatFlags* flags);
 
-/// A sequence in formats that hold one frame becomes as many files: out.svg stands for out-0001.svg, out-0002.svg and so on.
-/// Everything else stays as it is. @throws Error FileUnwritable.
-std::vector<Output> spreadOverFrames(std::vector<Output>, const Shape&);
-
-/// Writes a shape (and, for .blossom files, the document that made it with all its files inside). What one of the formats
-/// cannot hold is said before the first is written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
-void writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
+/// Writes a shape (and, for .blossom files, the document that made it with all its files inside). A sequence becomes
+/// several files in formats of one frame (see exchange/frames.h). What one of the formats cannot hold is said before the
+/// first is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
+std::vector<Output> writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
 
 /// The paths as --json prints them.
 Value pathsJson(const std::vector<Output>&);

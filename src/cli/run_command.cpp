@@ -153,8 +153,8 @@ class RunCommand {
     std::optional<Error> problem = firstFailure(opened.document, results);
     for (std::size_t i = 0; i < exports.size(); ++i) {
       try {
-        writeOne(opened.document, results, exports[i], outputs[i], progress.part(0.85, 1));
-        written.push_back(outputs[i]);
+        const auto files = writeOne(opened.document, results, exports[i], outputs[i], progress.part(0.85, 1));
+        written.insert(written.end(), files.begin(), files.end());
       } catch (const Error& error) {
         if (error.code() == ErrorCode::Cancelled) throw;
         if (!problem) problem = error;
@@ -171,8 +171,8 @@ class RunCommand {
     return {};
   }
 
-  void writeOne(const Document& document, const Results& results, const Export& wanted, const Output& output,
-                const Progress& progress) const {
+  std::vector<Output> writeOne(const Document& document, const Results& results, const Export& wanted, const Output& output,
+                               const Progress& progress) const {
     if (!output.format) return writeOutputs(session_.app, {output}, {}, document, progress);
     const FeatureId id = wanted.feature.empty() ? lastFeature(document).id : wanted.feature;
     const auto found = results.find(id);
@@ -181,7 +181,7 @@ class RunCommand {
     if (found->second->error)
       throw Error(found->second->error->code(), fmt::format("{} was not written, because \"{}\" failed.", wanted.path, id),
                   found->second->error->message());
-    writeOutputs(session_.app, {output}, found->second->evaluated.shape, document, progress);
+    return writeOutputs(session_.app, {output}, found->second->evaluated.shape, document, progress);
   }
 
   void report(const Value& features, const std::vector<std::string>& warnings, const std::vector<Output>& written,

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "exchange/frames.h"
 #include "exchange/sniff.h"
 #include "exchange/text.h"
 
@@ -153,13 +154,19 @@ Imported readShape(const FormatRegistry& registry, const fs::path& path, const V
 void writeShape(const FormatRegistry& registry, const Shape& shape, const fs::path& path, const Value& options,
                 const Progress& progress) {
   const Format& format = formatFor(registry, path, false);
-  if (std::find(format.writes.begin(), format.writes.end(), shape.kind()) == format.writes.end())
-    throw Error(ErrorCode::OutputNotSupported,
-                shape.empty() ? fmt::format("There is nothing to write to \"{}\".", path.filename().string())
-                              : fmt::format("A {} cannot be written as {}.", shapeKindName(shape.kind()), format.title),
-                fmt::format("{} takes {}.", format.title, kindList(format.writes)));
   const Value all = completed(format.writeOptions, options);
-  writeAtomically(path, [&](const fs::path& temporary) { format.write(shape, temporary, all, progress); });
+  const std::vector<FileOfShape> files = filesOf(format, shape, path, all);
+  for (const ShapeKind kind : kindsInFiles(format, shape, all))
+    if (std::find(format.writes.begin(), format.writes.end(), kind) == format.writes.end())
+      throw Error(ErrorCode::OutputNotSupported,
+                  kind == ShapeKind::None ? fmt::format("There is nothing to write to \"{}\".", path.filename().string())
+                                          : fmt::format("A {} cannot be written as {}.", shapeKindName(kind), format.title),
+                  fmt::format("{} takes {}.", format.title, kindList(format.writes)));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const double count = static_cast<double>(files.size());
+    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    writeAtomically(files[i].path, [&](const fs::path& temporary) { format.write(files[i].shape, temporary, all, part); });
+  }
 }
 
 }  // namespace blossom

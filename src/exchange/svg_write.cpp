@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/angle.h"
+#include "core/error.h"
 #include "core/units.h"
 #include "exchange/format.h"
 #include "exchange/mesh_options.h"
@@ -35,16 +37,16 @@ struct Bounds {
   Vec2 low{0, 0}, high{0, 0};
 };
 
-Bounds boundsOf(const Curves& curves, double chord) {
+Bounds boundsOf(const std::vector<Curves>& drawings, double chord) {
   Bounds b;
   bool first = true;
-  for (const Path& path : curves.paths) {
-    for (const Vec2& p : flatten(path, chord)) {
-      b.low = first ? p : Vec2(b.low.cwiseMin(p));
-      b.high = first ? p : Vec2(b.high.cwiseMax(p));
-      first = false;
-    }
-  }
+  for (const Curves& curves : drawings)
+    for (const Path& path : curves.paths)
+      for (const Vec2& p : flatten(path, chord)) {
+        b.low = first ? p : Vec2(b.low.cwiseMin(p));
+        b.high = first ? p : Vec2(b.high.cwiseMax(p));
+        first = false;
+      }
   return b;
 }
 
@@ -195,20 +197,8 @@ std::string attributes(const std::string& layer, const std::optional<Color>& col
   return result;
 }
 
-}  // namespace
-
-void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress) {
-  const Curves curves = *drawingOf(shape);
-  const double tolerance = options.value("tolerance", 1e-3);
-  const Bounds page = boundsOf(curves, std::max(tolerance, 1e-2));
-  const Vec2 size = (page.high - page.low).cwiseMax(Vec2(1e-3, 1e-3));
-  PathWriter writer(page.low.y() + page.low.y() + size.y(), tolerance);
-
-  const std::string width = formatNumber(size.x()), height = formatNumber(size.y());
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-      "width=\"{}mm\" height=\"{}mm\" viewBox=\"{} {} {} {}\">\n",
-      width, height, formatNumber(page.low.x()), formatNumber(page.low.y()), width, height);
+std::string elements(const Curves& curves, PathWriter& writer, const Progress& progress) {
+  std::string out;
   for (std::size_t i = 0; i < curves.paths.size();) {
     progress.check();
     // Neighbours of one layer and colour are one element, so that holes are holes.
@@ -223,6 +213,80 @@ void writeDocument(const Shape& shape, const std::filesystem::path& file, const 
     out += fmt::format("<g{}><path d=\"{}\"/></g>\n", attributes(first.layer, first.color, first.closed, curves.fillRule),
                        data);
     i = next;
+  }
+  return out;
+}
+
+/// When each frame begins, as a share of one run. The last frame stays for as long as the others do on average.
+std::vector<double> beginnings(const Sequence& sequence) {
+  const std::size_t count = sequence.frames.size();
+  const bool timed = sequence.times.size() == count && sequence.times.back() > sequence.times.front();
+  const double span = timed ? sequence.times.back() - sequence.times.front() : static_cast<double>(count) - 1;
+  const double whole = count > 1 ? span * static_cast<double>(count) / (static_cast<double>(count) - 1) : 1;
+  std::vector<double> begins;
+  for (std::size_t k = 0; k < count; ++k)
+    begins.push_back((timed ? sequence.times[k] - sequence.times.front() : static_cast<double>(k)) / whole);
+  return begins;
+}
+
+/// A frame that is seen in its own time alone. Programs that know no animation see the first one, and so do readers.
+std::string frameElement(const std::string& drawn, double begin, double end, double seconds) {
+  std::string values = "inline;none", times = "0;" + formatNumber(end);
+  if (begin > 0) {
+    values = "none;inline";
+    times = "0;" + formatNumber(begin);
+    if (end < 1) {
+      values += ";none";
+      times += ";" + formatNumber(end);
+    }
+  } else if (end >= 1) {
+    return "<g>\n" + drawn + "</g>\n";  // the only one
+  }
+  return fmt::format(
+      "<g display=\"{}\">\n<animate attributeName=\"display\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" "
+      "dur=\"{}s\" repeatCount=\"indefinite\"/>\n{}</g>\n",
+      begin > 0 ? "none" : "inline", values, times, formatNumber(seconds), drawn);
+}
+
+/// What is drawn of a shape: one drawing, or one for each frame.
+std::vector<Curves> drawingsOf(const Shape& shape) {
+  const auto* sequence = shape.get<Sequence>();
+  const std::vector<Shape> shapes = sequence ? sequence->frames : std::vector<Shape>{shape};
+  std::vector<Curves> drawings;
+  for (const Shape& each : shapes) {
+    std::optional<Curves> drawing = drawingOf(each);
+    if (!drawing)
+      throw Error(ErrorCode::OutputNotSupported,
+                  fmt::format("SVG takes planar drawings; frame {} of the sequence is a {}.", drawings.size() + 1,
+                              shapeKindName(each.kind())),
+                  "Write the frames as STL or OBJ files.");
+    drawings.push_back(std::move(*drawing));
+  }
+  if (drawings.empty()) throw Error(ErrorCode::OutputNotSupported, "The sequence has no frames.");
+  return drawings;
+}
+
+}  // namespace
+
+void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress) {
+  const std::vector<Curves> drawings = drawingsOf(shape);
+  const double tolerance = options.value("tolerance", 1e-3);
+  const Bounds page = boundsOf(drawings, std::max(tolerance, 1e-2));
+  const Vec2 size = (page.high - page.low).cwiseMax(Vec2(1e-3, 1e-3));
+  PathWriter writer(page.low.y() + page.low.y() + size.y(), tolerance);
+
+  const std::string width = formatNumber(size.x()), height = formatNumber(size.y());
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+      "width=\"{}mm\" height=\"{}mm\" viewBox=\"{} {} {} {}\">\n",
+      width, height, formatNumber(page.low.x()), formatNumber(page.low.y()), width, height);
+  if (const auto* sequence = shape.get<Sequence>()) {
+    const std::vector<double> begins = beginnings(*sequence);
+    for (std::size_t k = 0; k < drawings.size(); ++k)
+      out += frameElement(elements(drawings[k], writer, progress), begins[k], k + 1 < begins.size() ? begins[k + 1] : 1,
+                          options.value("seconds", 2.0));
+  } else {
+    out += elements(drawings.front(), writer, progress);
   }
   writeBytes(file, out + "</svg>\n");
 }

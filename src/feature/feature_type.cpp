@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "geometry/face_region.h"
 #include "geometry/planar.h"
 
 namespace blossom {
@@ -15,7 +16,7 @@ bool takes(const InputSpec& spec, ShapeKind kind) {
 }
 
 bool takesAsRegion(const InputSpec& spec, ShapeKind kind) {
-  return kind == ShapeKind::Curves && takes(spec, ShapeKind::Region);
+  return (kind == ShapeKind::Curves || kind == ShapeKind::Brep) && takes(spec, ShapeKind::Region);
 }
 
 bool accepts(const InputSpec& spec, const Shape& shape) {
@@ -48,11 +49,12 @@ std::string acceptedKinds(const InputSpec& spec) {
 Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
   if (takes(spec, shape.kind())) return shape;
   try {
+    if (const Brep* faces = shape.get<Brep>()) return toRegion(*faces);
     return toRegion(*shape.get<Curves>());
   } catch (const Error& e) {
     throw Error(e.code(),
-                fmt::format("The input \"{}\" of {} takes a region, and these curves make none: {}", spec.name, type.title,
-                            e.message()),
+                fmt::format("The input \"{}\" of {} takes a region, and these {} make none: {}", spec.name, type.title,
+                            shape.kind() == ShapeKind::Brep ? "faces" : "curves", e.message()),
                 e.hint());
   }
 }

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "feature/plugin.h"
+#include "geometry/planar.h"
 #include "kernel/morph.h"
 #include "kernel/region_sum.h"
 
@@ -23,8 +26,26 @@ struct MorphParameters {
   Evaluation evaluation = Evaluation::Explicit;
   bool degreeElevate = false;
   bool areaPreserving = false;
+  std::vector<Vec3> offsets;
   double tolerance = 0.01;
 };
+
+/// Where the control shapes were dragged to.
+void moveShapes(std::vector<Region>& shapes, const std::vector<Vec3>& offsets) {
+  if (offsets.size() > shapes.size())
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("{} offsets are given for {} control shapes.", offsets.size(), shapes.size()),
+                "Leave out those too many.");
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (offsets[i].z() != 0)
+      throw Error(ErrorCode::InvalidParameter, fmt::format("Offset {} leaves the plane of the shapes.", i + 1),
+                  "Give 0 for its z.");
+    if (offsets[i].isZero()) continue;  // the very same numbers
+    Eigen::Matrix<double, 2, 3> affine;
+    affine << Eigen::Matrix2d::Identity(), offsets[i].head<2>();
+    for (Path& loop : shapes[i].loops) loop = transformed(loop, affine);
+  }
+}
 
 void refuseTogether(const MorphParameters& p) {
   if (p.frames > 0 && !p.blossom.empty())
@@ -36,7 +57,8 @@ double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static
 
 Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
-  const std::vector<Region> shapes = regionsOf(inputs);
+  std::vector<Region> shapes = regionsOf(inputs);
+  moveShapes(shapes, p.offsets);
   const std::size_t degree = shapes.size() - 1;
   Sequence sequence;
   std::vector<std::vector<double>> arguments;
@@ -85,9 +107,13 @@ FeatureType morphFeature() {
                  "Use one control shape more; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.")
+      .parameter("offsets", &P::offsets, list(vector()),
+                 "How far each control shape is moved from where it was drawn, first to last; those left out stay.")
       .parameter("tolerance", &P::tolerance, positiveLength(), "Largest distance between a curve and its polygon.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
+      .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
+      .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
       .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
       .evaluate(morphed);
 }

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double farthest = 1e9;  // mm
 constexpr std::size_t mostCorners = 200'000;
+constexpr double farTooMany = 4e6;  // by the estimate, which is generous
 
 std::string at(const Vec2& p) { return fmt::format("({:.6g}, {:.6g})", p.x(), p.y()); }
 
@@ -54,6 +55,21 @@ void checkLoop(const Path& path, std::size_t number, const std::string& name) {
       refuse(ErrorCode::LimitExceeded, name, fmt::format("reaches {}, farther than 1e9 mm from the origin.", at(from)),
              "Check the unit of the drawing, or move it to the origin.");
   }
+}
+
+/// About how many corners a segment gets, from above: before they are made, for a tolerance may ask for billions.
+double expectedCorners(const Segment& segment, double tolerance) {
+  if (const auto* arc = std::get_if<Arc2>(&segment)) {
+    const double reach = std::clamp(1 - tolerance / std::max(std::abs(arc->radius), 1e-300), -1.0, 1.0);
+    return std::abs(arc->sweep) / std::max(2 * std::acos(reach), 1e-9);
+  }
+  const auto* spline = std::get_if<Spline2>(&segment);
+  if (!spline) return 1;
+  double bend = 0;  // a chord leaves a Bézier piece by at most d (d-1) / 8 times the second difference of its poles
+  const auto at = [&](std::size_t i) { return Vec2(spline->poles[i].head<2>() / spline->poles[i].z()); };
+  for (std::size_t i = 2; i < spline->poles.size(); ++i) bend = std::max(bend, (at(i) - 2 * at(i - 1) + at(i - 2)).norm());
+  return static_cast<double>(spline->poles.size()) *
+         (1 + std::sqrt(spline->degree * (spline->degree - 1) / 8.0 * bend / tolerance));
 }
 
 Loop cornersOf(const Path& path, double tolerance) {
@@ -108,9 +124,7 @@ void refuseOverlaps(const Polygons& loops, const std::string& name, const Progre
   const Grid grid{(box.low + box.high) / 2, gridUnit(box.size())};
   const std::vector<GridPolygon> snappedLoops = snapped(loops, grid);
   if (isClear(snappedLoops, progress)) return;
-  std::vector<CountedEdge> edges = edgesOf(snappedLoops);
-  joinEqual(edges);
-  const auto flaw = misplacedFace(edges, Tolerance{}.confusion / grid.unit, progress);
+  const auto flaw = misplacedFace(edgesOf(snappedLoops), Tolerance{}.confusion / grid.unit, progress);
   if (flaw)
     refuse(ErrorCode::InvalidInput, name, fmt::format("crosses itself or overlaps itself at {}.", at(grid.point(*flaw))),
            "Remove what is drawn twice there, or correct the outline.");
@@ -144,9 +158,11 @@ Polygons flattened(const Region& region, double tolerance, const std::string& na
   std::size_t corners = 0;
   for (std::size_t i = 0; i < region.loops.size(); ++i) {
     checkLoop(region.loops[i], i + 1, name);
-    Loop loop = cornersOf(region.loops[i], tolerance);
+    double expected = 0;
+    for (const Segment& segment : region.loops[i].segments) expected += expectedCorners(segment, tolerance);
+    Loop loop = expected > farTooMany ? Loop() : cornersOf(region.loops[i], tolerance);
     corners += loop.size();
-    if (corners > mostCorners)
+    if (expected > farTooMany || corners > mostCorners)
       refuse(ErrorCode::LimitExceeded, name,
              fmt::format("needs more than {} corners within {:.3g} mm.", mostCorners, tolerance), "Raise the tolerance.");
     if (loop.size() < 3)

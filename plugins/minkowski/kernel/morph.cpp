@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "geometry/planar.h"
+#include "kernel/control_centre.h"
 #include "kernel/flattening.h"
 #include "kernel/repetition.h"
 
@@ -113,24 +114,6 @@ T blended(std::vector<T> values, std::span<const double> t) {
     values.pop_back();
   }
   return values.front();
-}
-
-Vec2 centroid(const Polygons& polygons) {
-  Vec2 moment = Vec2::Zero();
-  double twice = 0;
-  const Vec2 reference = polygons.front().outer.front();
-  const auto add = [&](const Loop& loop) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2 a = loop[i] - reference, b = loop[(i + 1) % loop.size()] - reference;
-      moment += cross(a, b) * (a + b);
-      twice += cross(a, b);
-    }
-  };
-  for (const Polygon& polygon : polygons) {
-    add(polygon.outer);
-    for (const Loop& hole : polygon.holes) add(hole);
-  }
-  return reference + moment / (3 * twice);
 }
 
 std::string nameOf(std::size_t i) { return fmt::format("control shape {}", i + 1); }

@@ -96,6 +96,15 @@ void addEdges(const GridLoop& loop, std::vector<CountedEdge>& edges) {
   for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()], 1});
 }
 
+std::vector<CountedEdge> loopEdges(const std::vector<GridPolygon>& polygons) {
+  std::vector<CountedEdge> edges;
+  for (const GridPolygon& polygon : polygons) {
+    addEdges(polygon.outer, edges);
+    for (const GridLoop& hole : polygon.holes) addEdges(hole, edges);
+  }
+  return edges;
+}
+
 GridLoop onGrid(const Loop& loop) {
   GridLoop result;
   result.reserve(loop.size());
@@ -118,7 +127,6 @@ std::vector<GridPolygon> onGrid(const Polygons& polygons) {
 }  // namespace
 
 std::vector<CountedEdge> snapRounded(std::vector<CountedEdge> edges, const Progress& progress) {
-  joinEqual(edges);
   for (int round = 0; round < mostRounds; ++round)
     if (!cutOnce(edges, progress)) return edges;
   throw Error(ErrorCode::Internal, "Rounding the shapes of a sum does not come to an end.",
@@ -126,16 +134,13 @@ std::vector<CountedEdge> snapRounded(std::vector<CountedEdge> edges, const Progr
 }
 
 std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>& polygons) {
-  std::vector<CountedEdge> edges;
-  for (const GridPolygon& polygon : polygons) {
-    addEdges(polygon.outer, edges);
-    for (const GridLoop& hole : polygon.holes) addEdges(hole, edges);
-  }
+  std::vector<CountedEdge> edges = loopEdges(polygons);
+  joinEqual(edges);
   return edges;
 }
 
 bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress) {
-  const std::vector<CountedEdge> edges = edgesOf(polygons);
+  const std::vector<CountedEdge> edges = loopEdges(polygons);
   bool clear = true;
   forEachNearPair(boxesOf(edges), clearance, progress, [&](std::size_t i, std::size_t j) {
     const CountedEdge &e = edges[i], &f = edges[j];
@@ -153,8 +158,9 @@ bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress)
 
 std::vector<GridPolygon> untangled(std::vector<GridPolygon> polygons, const Progress& progress) {
   if (isClear(polygons, progress)) return polygons;
-  // The corners of the faces are vertices of the rounded edges, so nothing is rounded any more.
-  return onGrid(windingFaces(snapRounded(edgesOf(polygons), progress), progress));
+  // What was turned inside out (-1) stays a part. The corners of the faces are vertices of the rounded edges, so nothing is
+  // rounded any more.
+  return onGrid(windingFaces(snapRounded(edgesOf(polygons), progress), progress, Inside::NonZero));
 }
 
 }  // namespace blossom::minkowski

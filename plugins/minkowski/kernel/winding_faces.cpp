@@ -50,6 +50,7 @@ using Traits = CGAL::Arr_curve_data_traits_2<PollingTraits, int, std::plus<>>;
 
 struct FaceData {
   bool reached = false;
+  bool inside = false;
   int winding = 0;
   int part = -1;  ///< number of the connected part of the inside
 };
@@ -85,9 +86,9 @@ void forEachEdge(const Face& face, F f) {
   for (auto inner = face->inner_ccbs_begin(); inner != face->inner_ccbs_end(); ++inner) around(*inner);
 }
 
-void findWindings(Arrangement& arrangement, const Progress& progress) {
+void findWindings(Arrangement& arrangement, Inside rule, const Progress& progress) {
   std::vector<Face> open{arrangement.unbounded_face()};
-  open.front()->set_data({true, 0, -1});
+  open.front()->set_data({true, false, 0, -1});
   while (!open.empty()) {
     const Face face = open.back();
     open.pop_back();
@@ -96,7 +97,7 @@ void findWindings(Arrangement& arrangement, const Progress& progress) {
       const Face across = edge->twin()->face();
       const int winding = face->data().winding - step(edge);
       if (!across->data().reached) {
-        across->set_data({true, winding, -1});
+        across->set_data({true, rule == Inside::Positive ? winding > 0 : winding != 0, winding, -1});
         open.push_back(across);
       } else if (across->data().winding != winding) {
         throw Error(ErrorCode::Internal, "The edges of a sum do not close.", "Please report this with the shapes.");
@@ -105,7 +106,7 @@ void findWindings(Arrangement& arrangement, const Progress& progress) {
   }
 }
 
-bool inside(const Face& face) { return face->data().winding > 0; }
+bool inside(const Face& face) { return face->data().inside; }
 
 int numberParts(Arrangement& arrangement) {
   int parts = 0;
@@ -193,7 +194,7 @@ Polygons boundaries(Arrangement& arrangement, const Progress& progress) {
   return polygons;
 }
 
-void build(Arrangement& arrangement, std::span<const CountedEdge> edges, const Progress& progress) {
+void build(Arrangement& arrangement, std::span<const CountedEdge> edges, Inside rule, const Progress& progress) {
   // Else crossings of nearly parallel edges are only right to five digits.
   Kernel::FT::set_relative_precision_of_to_double(1e-15);
   const auto at = [](const GridPoint& p) { return Kernel::Point_2(static_cast<double>(p.x), static_cast<double>(p.y)); };
@@ -203,7 +204,7 @@ void build(Arrangement& arrangement, std::span<const CountedEdge> edges, const P
     curves.emplace_back(PollingTraits::X_monotone_curve_2(at(edge.from), at(edge.to)), edge.count);
   const Watch watch(progress);
   CGAL::insert(arrangement, curves.begin(), curves.end());
-  findWindings(arrangement, progress);
+  findWindings(arrangement, rule, progress);
 }
 
 /// Twice the area over the perimeter, of the outer boundary.
@@ -220,16 +221,16 @@ double widthOf(const Face& face) {
 
 }  // namespace
 
-Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progress) {
+Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progress, Inside rule) {
   if (edges.empty()) return {};
   Arrangement arrangement;
-  build(arrangement, edges, progress);
+  build(arrangement, edges, rule, progress);
   return boundaries(arrangement, progress);
 }
 
 std::optional<Vec2> misplacedFace(std::span<const CountedEdge> edges, double width, const Progress& progress) {
   Arrangement arrangement;
-  build(arrangement, edges, progress);
+  build(arrangement, edges, Inside::NonZero, progress);
   for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) {
     const int winding = face->data().winding;
     if (face->is_unbounded() || winding == 0 || winding == 1 || widthOf(face) <= width) continue;

@@ -1,0 +1,62 @@
+#include "kernel/control_centre.h"
+
+#include <cmath>
+
+#include "geometry/planar.h"
+
+namespace blossom::minkowski {
+namespace {
+
+/// Area and first moment of loops about a point.
+struct Moments {
+  Vec2 about;
+  double twice = 0;
+  Vec2 moment = Vec2::Zero();
+
+  void add(const Loop& loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 a = loop[i] - about, b = loop[(i + 1) % loop.size()] - about;
+      moment += blossom::cross(a, b) * (a + b);
+      twice += blossom::cross(a, b);
+    }
+  }
+  [[nodiscard]] Vec2 centre() const { return about + moment / (3 * twice); }
+};
+
+}  // namespace
+
+Vec2 centroid(const Polygons& polygons) {
+  Moments moments{polygons.front().outer.front()};
+  for (const Polygon& polygon : polygons) {
+    moments.add(polygon.outer);
+    for (const Loop& hole : polygon.holes) moments.add(hole);
+  }
+  return moments.centre();
+}
+
+Vec2 centreOf(const Region& region) {
+  Box2 box;
+  bool first = true;
+  const auto grow = [&](const Vec2& p) {
+    box = first ? Box2{p, p} : Box2{box.low.cwiseMin(p), box.high.cwiseMax(p)};
+    first = false;
+  };
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) {
+      grow(startPoint(segment));
+      grow(endPoint(segment));
+      if (const auto* arc = std::get_if<Arc2>(&segment)) {
+        grow(arc->center - Vec2(arc->radius, arc->radius));
+        grow(arc->center + Vec2(arc->radius, arc->radius));
+      }
+    }
+  if (first) return Vec2::Zero();
+  const Vec2 middle = (box.low + box.high) / 2;
+  const double size = box.size().norm();
+  if (!(size > 0) || !std::isfinite(size)) return Vec2::Zero();
+  Moments moments{middle};
+  for (const Path& loop : region.loops) moments.add(flatten(loop, size / 1000));
+  return std::abs(moments.twice) > 1e-9 * size * size ? moments.centre() : middle;
+}
+
+}  // namespace blossom::minkowski

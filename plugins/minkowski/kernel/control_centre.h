@@ -1,0 +1,14 @@
+#pragma once
+#include "geometry/region.h"
+#include "kernel/polygons.h"
+
+namespace blossom::minkowski {
+
+/// Centroid of the area. @pre the area is not 0
+Vec2 centroid(const Polygons&);
+
+/// Where a control shape is held: the centroid of its area, within a thousandth of its size; the middle of its box when it
+/// has no area.
+Vec2 centreOf(const Region&);
+
+}  // namespace blossom::minkowski

@@ -29,6 +29,7 @@ class MeshTessellator {
     }
     result_.edgeIndices.assign(result_.edges.size(), -1);
     result_.vertices = mesh_.points;
+    if (mesh_.faceCount() == 0) result_.markers = mesh_.points;  // a cloud of points
     if (mesh_.color) result_.faceColors.assign(mesh_.faceCount(), *mesh_.color);
     return std::move(result_);
   }

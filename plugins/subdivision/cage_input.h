@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+
+#include "geometry/shape.h"
+#include "kernel/limit_curve.h"
+#include "scheme_choice.h"
+
+namespace blossom::subdivision {
+
+/// The control polygon that drawn lines, or a curve of degree 1, are; none for B-spline curves of other degrees.
+/// @throws Error InvalidInput when it is not one polygon of straight lines.
+std::optional<ControlPolygon> polygonOf(const Shape&);
+
+/// The polygon as a shape of the kind that `like` is: drawn lines, or a curve of degree 1.
+Shape shapeOf(const ControlPolygon&, const Shape& like);
+
+/// A cubic or other B-spline curve whose poles can be control points. @throws Error InvalidInput when it has weights.
+const Curve& splineOf(const Shape&);
+
+/// Refuses a mesh for the schemes of curves and a curve for Loop's. @throws Error InvalidInput.
+void checkScheme(const Shape& cage, Chosen);
+
+}  // namespace blossom::subdivision

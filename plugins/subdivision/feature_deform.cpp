@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include "cage_input.h"
+#include "core/error.h"
+#include "feature_types.h"
+#include "geometry/bounds.h"
+#include "kernel/cage.h"
+#include "kernel/deform.h"
+#include "kernel/four_point.h"
+#include "kernel/limit_surface.h"
+#include "kernel/samples.h"
+#include "present.h"
+#include "pulls.h"
+
+namespace blossom::subdivision {
+namespace {
+
+struct DeformParameters {
+  Chosen scheme = Chosen::CatmullClark;
+  std::string free = "support";
+  double lambda = 1e-4;
+  int iterations = 20;
+  int samples = 50;
+  std::vector<Value> pulls;
+  As as = As::Cage;
+  int levels = 3;
+  double tolerance = 0.01;
+};
+
+std::vector<Vec3> polesOf(const Curve& curve) {
+  std::vector<Vec3> points;
+  for (const Vec4& each : curve.poles) points.emplace_back(each.head<3>());
+  return points;
+}
+
+void addFigures(const DeformResult& result, const Shape& cage, Evaluated& out) {
+  const auto length = [](const char* name, double value) { return Measure{name, value, MeasureUnit::Length}; };
+  out.figures = {length("rms_before", result.before.rms),
+                 length("rms_after", result.after.rms),
+                 length("max_before", result.before.largest),
+                 length("max_after", result.after.largest),
+                 {"free_points", static_cast<std::int64_t>(result.freePoints.size())},
+                 length("outside_change", result.outsideChange)};
+  out.stats["samples"] = result.feet.size();
+  out.stats["solutions"] = result.objective.size();
+  if (result.beyondRange)
+    out.warnings.emplace_back(
+        "More than half of the distance is left: the target lies beyond the local range. A wider rule for the free points, "
+        "such as rings:1, lets more of the shape follow.");
+  const double size = bounds(cage).diagonal();
+  if (result.before.largest > size)
+    out.warnings.push_back(
+        fmt::format("The target lies up to {:.3g} mm off; the cage is only {:.3g} mm large.", result.before.largest, size));
+}
+
+Evaluated deformEvaluate(const DeformParameters& p, const Inputs& inputs, const Progress& progress) {
+  const Shape& cage = inputs.of(0)[0];
+  checkScheme(cage, p.scheme);
+  DeformOptions options{.free = ruleOf(p.free), .lambda = p.lambda, .iterations = p.iterations, .pulls = pullsOf(p.pulls)};
+  std::vector<Vec3> samples;
+  for (const Shape& target : inputs.of(1)) samples = samplesOf(target, p.samples, progress);
+  if (samples.empty() && options.pulls.empty())
+    throw Error(ErrorCode::InvalidInput, "There is no target and nothing is pulled.",
+                "Give a target curve, a cloud of points, or pull a point of the limit shape.");
+  const Progress work = progress.part(0, 0.8), showing = progress.part(0.8, 1);
+  const PresentOptions shown{p.scheme, p.as, 0, p.levels, p.tolerance};
+  Evaluated out;
+  if (const Mesh* mesh = cage.get<Mesh>()) {
+    checkCage(*mesh, surfaceScheme(p.scheme), progress);
+    const LimitSurface surface(*mesh, surfaceScheme(p.scheme), progress);
+    DeformResult result = deform(surface, mesh->points, samples, options, work);
+    Mesh moved = *mesh;
+    moved.points = std::move(result.points);
+    addFigures(result, cage, out);
+    present(std::move(moved), shown, out, showing);
+  } else if (auto polygon = polygonOf(cage)) {
+    const CurveScheme scheme = curveScheme(p.scheme);
+    DeformResult result = scheme == CurveScheme::FourPoint
+                              ? deform(FourPointCurve(*polygon), polygon->points, samples, options, work)
+                              : deform(LimitCurve(*polygon, scheme), polygon->points, samples, options, work);
+    polygon->points = std::move(result.points);
+    addFigures(result, cage, out);
+    present(std::move(*polygon), cage, shown, out, showing);
+  } else {
+    Curve curve = splineOf(cage);
+    const DeformResult result = deform(LimitCurve(curve), polesOf(curve), samples, options, work);
+    for (std::size_t i = 0; i < curve.poles.size(); ++i) curve.poles[i].head<3>() = result.points[i];
+    addFigures(result, cage, out);
+    present(std::move(curve), shown, out, showing);
+  }
+  return out;
+}
+
+ParameterSpec named(ParameterSpec spec, const char* name, const char* help) {
+  spec.name = name;
+  spec.help = help;
+  return spec;
+}
+
+ParameterSpec pullList() {
+  ParameterSpec at = named(point(), "at", "A place on the limit shape, or near it, before the deformation.");
+  ParameterSpec to = named(point(), "to", "Where that place is to go.");
+  at.fallback = to.fallback = Value::array({0.0, 0.0, 0.0});
+  return list(record({at, to}));
+}
+
+}  // namespace
+
+FeatureType deformFeature() {
+  using P = DeformParameters;
+  return feature<P>("subdivision.deform", "Deform",
+                    "A cage whose limit surface or curve is pulled to a target near it; what lies farther off stays.")
+      .command("deform")
+      .icon("deform")
+      .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
+      .input({.name = "target",
+              .help = "Where the limit shape is to run: drawn curves, a cloud of points, or the vertices of a mesh.",
+              .kinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves},
+              .least = 0})
+      .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
+      .parameter("free", &P::free, text(),
+                 "Which control points may move: support, paper, or rings:N for the support grown by N rings.")
+      .parameter("lambda", &P::lambda, number(0, 1e6),
+                 "How much control points resist being moved; 0 takes the shortest movement that fits best.")
+      .parameter("iterations", &P::iterations, count(1, 1000), "How often closest points are found again, at most.")
+      .parameter("samples", &P::samples, count(2, 20000), "How many points are taken along drawn targets.")
+      .parameter("pulls", &P::pulls, pullList(), "Single places of the limit shape and where they are to go.")
+      .parameter("as", &P::as, asChoice(), kAsHelp)
+      .parameter("levels", &P::levels, count(0, 10), "How often a limit mesh or polygon is refined.")
+      .parameter("tolerance", &P::tolerance, positiveLength(),
+                 "How near B-spline faces come to the limit surface at extraordinary points; elsewhere they are exact.")
+      .byOutput(asByOutput())
+      .example("blossom deform cage.obj target.xyz -o pulled.obj --json")
+      .example("blossom deform cage.obj target.dxf --free rings:1 -o pulled.stl")
+      .example("blossom deform cage.obj target.xyz -o pulled.step")
+      .example("blossom deform polygon.dxf target.dxf --scheme cubic --free paper -o pulled.dxf")
+      .evaluate(deformEvaluate);
+}
+
+}  // namespace blossom::subdivision

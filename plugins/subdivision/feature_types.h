@@ -1,0 +1,13 @@
+#pragma once
+#include "feature/feature_type.h"
+
+namespace blossom::subdivision {
+
+FeatureType subdivideFeature();
+FeatureType deformFeature();
+FeatureType strokeFeature();
+
+/// What can be a cage.
+inline const std::vector<ShapeKind> cageKinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves};
+
+}  // namespace blossom::subdivision

@@ -1,0 +1,39 @@
+#pragma once
+#include <memory>
+
+#include "core/progress.h"
+#include "geometry/mesh.h"
+#include "kernel/limit_shape.h"
+#include "kernel/scheme.h"
+
+namespace blossom::subdivision {
+
+/// The limit surface of a cage. Every quad (every triangle for Loop) is a patch, other polygons are as many as they have
+/// corners. Regular patches are exact; round extraordinary points and semi-sharp features the surface is isolated ten levels
+/// deep before it is approximated, so that what is left is a millionth of the face.
+class LimitSurface final : public LimitShape {
+ public:
+  /// @pre `checkCage` accepts the cage; it is not kept. O(n). @throws Error Cancelled.
+  LimitSurface(const Mesh& cage, Scheme, const Progress& = Progress::none());
+  ~LimitSurface() override;
+  LimitSurface(const LimitSurface&) = delete;
+  LimitSurface& operator=(const LimitSurface&) = delete;
+
+  [[nodiscard]] Domain domain(int patch) const override;
+  [[nodiscard]] Row row(const Foot&) const override;
+  [[nodiscard]] Frame frame(const Foot&, std::span<const Vec3> points) const override;
+  [[nodiscard]] std::vector<Foot> spread() const override;
+  [[nodiscard]] std::vector<std::pair<int, int>> edges() const override;
+  [[nodiscard]] bool isCurve() const override { return false; }
+  /// Corner k of face f as a foot.
+  [[nodiscard]] Foot cornerFoot(std::size_t face, std::size_t k) const;
+  [[nodiscard]] std::size_t patchCount() const;
+  /// The limit point of corner k of face f.
+  [[nodiscard]] Row cornerRow(std::size_t face, std::size_t k) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace blossom::subdivision

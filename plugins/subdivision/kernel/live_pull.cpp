@@ -1,0 +1,75 @@
+#include "kernel/live_pull.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace blossom::subdivision {
+namespace {
+
+constexpr int lattice = 4;  // pieces along a side of a patch
+
+}  // namespace
+
+LivePull::LivePull(const LimitSurface& surface, std::span<const Vec3> points, std::vector<Handle> handles,
+                   const DeformOptions& options, const Progress& progress)
+    : points_(points.begin(), points.end()), moved_(points_), handles_(std::move(handles)) {
+  for (const Handle& handle : handles_) rows_.push_back(surface.row(handle.foot));
+  const auto edges = surface.edges();
+  free_ = grown(supportOf(rows_), edges, points.size(), options.free.rings);
+  if (free_.empty())
+    throw Error(ErrorCode::InvalidInput, "No control point is left free to move.", "Take fewer rings away.");
+  factor_ = std::make_unique<LeastSquares>(rows_, free_, edges, options.lambda, progress);
+  for (std::size_t p = 0; p < surface.patchCount(); ++p) {
+    if (p % 256 == 0) progress.check();
+    const auto patch = static_cast<int>(p);
+    const Row middle = surface.row({patch, 1.0 / 3, 1.0 / 3});  // inside of every patch all its control points act
+    if (std::any_of(middle.indices.begin(), middle.indices.end(),
+                    [&](int i) { return std::binary_search(free_.begin(), free_.end(), i); }))
+      addPatch(surface, patch);
+  }
+  samples_ = still_;
+  solve();
+}
+
+void LivePull::addPatch(const LimitSurface& surface, int patch) {
+  const bool triangle = surface.domain(patch) == Domain::Triangle;
+  std::array<std::array<int, lattice + 1>, lattice + 1> number{};
+  for (int i = 0; i <= lattice; ++i)
+    for (int j = 0; j <= (triangle ? lattice - i : lattice); ++j) {
+      const Row row = surface.row({patch, static_cast<double>(i) / lattice, static_cast<double>(j) / lattice});
+      number[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = static_cast<int>(still_.size());
+      still_.push_back(combined(row, points_));
+      Row& acting = sampleRows_.emplace_back();
+      for (std::size_t k = 0; k < row.indices.size(); ++k) {
+        const auto found = std::lower_bound(free_.begin(), free_.end(), row.indices[k]);
+        if (found == free_.end() || *found != row.indices[k]) continue;
+        acting.indices.push_back(static_cast<int>(found - free_.begin()));
+        acting.weights.push_back(row.weights[k]);
+      }
+    }
+  const auto at = [&](int i, int j) { return number[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; };
+  for (int i = 0; i < lattice; ++i)
+    for (int j = 0; j < (triangle ? lattice - i : lattice); ++j) {
+      triangles_.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      if (!triangle || i + j + 1 < lattice) triangles_.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+}
+
+void LivePull::drag(std::size_t k, const Vec3& to) {
+  handles_.at(k).to = to;
+  solve();
+}
+
+void LivePull::solve() {
+  std::vector<Vec3> residuals;
+  for (std::size_t k = 0; k < handles_.size(); ++k) residuals.push_back(handles_[k].to - combined(rows_[k], points_));
+  const std::vector<Vec3> moved = factor_->solve(residuals);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const auto p = static_cast<std::size_t>(free_[i]);
+    moved_[p] = points_[p] + moved[i];
+  }
+  for (std::size_t s = 0; s < samples_.size(); ++s) samples_[s] = still_[s] + combined(sampleRows_[s], moved);
+}
+
+}  // namespace blossom::subdivision

@@ -1,0 +1,18 @@
+#pragma once
+#include <opensubdiv/far/topologyRefiner.h>
+
+#include <memory>
+
+#include "geometry/mesh.h"
+#include "kernel/scheme.h"
+
+// OpenSubdiv shows in this header and in the two files that include it, nowhere else.
+namespace blossom::subdivision {
+
+/// The topology of a cage that `checkCage` accepts, with its sharp edges and vertices. How boundaries run is the tag
+/// `t interpolateboundary 1/0/0 N` of the cage: 1, which is also without the tag, keeps their corners; 2 rounds them.
+/// `t creasemethod` with "chaikin" averages the sharpness of creases.
+/// @throws Error InvalidInput for another N.
+std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeRefiner(const Mesh&, Scheme);
+
+}  // namespace blossom::subdivision

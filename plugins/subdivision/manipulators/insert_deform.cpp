@@ -1,0 +1,97 @@
+#include "manipulators/insert_deform.h"
+
+namespace blossom::subdivision {
+namespace {
+
+constexpr const char* deformType = "subdivision.deform";
+constexpr const char* subdivideType = "subdivision.subdivide";
+
+bool isCage(const ui::ToolHost& host, const FeatureId& id) {
+  const auto result = host.result(id);
+  if (!result || result->error) return false;
+  const ShapeKind kind = result->evaluated.shape.kind();
+  return kind == ShapeKind::Mesh || kind == ShapeKind::Curve || kind == ShapeKind::Curves;
+}
+
+Value parameter(const ui::ToolHost& host, const Feature& feature, const char* name) {
+  return completed(host.registry().at(feature.type)->parameters, feature.parameters).at(name);
+}
+
+/// Whether its result is a cage that goes on being one.
+bool givesCage(const ui::ToolHost& host, const Feature& feature) {
+  return feature.type == deformType && parameter(host, feature, "as") == "cage";
+}
+
+void takeDeform(const ui::ToolHost& host, const FeatureId& id, DeformPlace& place) {
+  const Feature& feature = host.document().at(id);
+  if (givesCage(host, feature) && feature.inputs.size() == 1) {
+    place.existing = id;
+    place.base = feature.inputs.front();
+  } else {
+    place.base = id;
+  }
+  if (feature.type == deformType) place.scheme = parameter(host, feature, "scheme");
+}
+
+Feature fresh(const ui::ToolHost& host, const Document& document, const char* type) {
+  const auto found = host.registry().at(type);
+  Feature feature;
+  feature.type = type;
+  feature.id = document.freshId(found->command);
+  feature.name = found->title;
+  return feature;
+}
+
+Document hidden(const Document& document, const FeatureId& id) {
+  Feature feature = document.at(id);
+  if (!feature.visible) return document;
+  feature.visible = false;
+  return document.with(std::move(feature));
+}
+
+}  // namespace
+
+std::optional<DeformPlace> deformPlace(const ui::ToolHost& host, const FeatureId& selected) {
+  const Document& document = host.document();
+  if (selected.empty() || !document.contains(selected)) return std::nullopt;
+  const Feature& feature = document.at(selected);
+  DeformPlace place;
+  place.scheme = "catmull-clark";
+  if (feature.type == subdivideType && feature.inputs.size() == 1) {
+    place.smooth = selected;
+    takeDeform(host, feature.inputs.front(), place);
+    place.scheme = parameter(host, feature, "scheme");
+  } else if (feature.type == deformType && !givesCage(host, feature)) {
+    return std::nullopt;  // its result is no cage any more
+  } else {
+    takeDeform(host, selected, place);
+    for (const FeatureId& user : document.usersOf(selected))
+      if (document.at(user).type == subdivideType) place.smooth = user;
+  }
+  if (!isCage(host, place.base)) return std::nullopt;
+  return place;
+}
+
+Document withDeform(const ui::ToolHost& host, Document document, const DeformPlace& place, const Value& parameters,
+                    const std::vector<FeatureId>& targets, FeatureId& id) {
+  const bool changed = !place.existing.empty();
+  Feature deform = changed ? document.at(place.existing) : fresh(host, document, deformType);
+  for (const auto& [name, value] : parameters.items()) deform.parameters[name] = value;
+  if (!changed) {
+    deform.parameters["scheme"] = place.scheme;
+    deform.inputs = {place.base};
+    deform.inputs.insert(deform.inputs.end(), targets.begin(), targets.end());
+  }
+  deform.visible = false;
+  id = deform.id;
+  document = hidden(document, place.base).with(std::move(deform));
+  Feature smooth = place.smooth.empty() ? fresh(host, document, subdivideType) : document.at(place.smooth);
+  if (place.smooth.empty()) {
+    smooth.name = "Smooth";
+    smooth.parameters = {{"scheme", place.scheme}, {"levels", 3}, {"as", "limit"}};
+  }
+  smooth.inputs = {id};
+  return document.with(std::move(smooth));
+}
+
+}  // namespace blossom::subdivision

@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+
+#include "manipulators/insert_deform.h"
+#include "ui/tool.h"
+
+namespace blossom::subdivision {
+
+/// Draws a target stroke over a shape: clicks place points, dragging draws by hand. The stroke lies in a plane through its
+/// first point, which X, Y and Z turn. When a cage or its smooth surface is selected, the stroke becomes the target of a
+/// deformation of it.
+class StrokeTool : public ui::Tool {
+  Q_OBJECT
+ public:
+  explicit StrokeTool(ui::ToolHost&);
+
+  [[nodiscard]] QString hint() const override;
+  bool press(const ui::ToolEvent&) override;
+  bool move(const ui::ToolEvent&) override;
+  bool release(const ui::ToolEvent&) override;
+  bool doubleClick(const ui::ToolEvent&) override;
+  bool key(const QKeyEvent&) override;
+  [[nodiscard]] ui::PickMode picks() const override { return ui::PickMode::Any; }
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
+
+ private:
+  [[nodiscard]] Vec3 normal(const ui::ToolEvent&) const;
+  [[nodiscard]] std::optional<Vec3> placeOf(const ui::ToolEvent&) const;
+  void add(const Vec3&);
+  void finish();
+
+  FeatureId shape_;  ///< that is to follow; empty: the stroke stands alone
+  std::optional<DeformPlace> place_;
+  std::vector<Vec3> points_;
+  std::optional<Vec3> hovered_;
+  std::optional<int> axis_;  ///< chosen by a key; else the one that looks most towards the viewer
+  Vec3 normal_ = Vec3::UnitY();
+  double pixel_ = 1;
+  bool drawing_ = false;
+};
+
+}  // namespace blossom::subdivision

@@ -1,0 +1,21 @@
+#pragma once
+#include "kernel/scheme.h"
+#include "parameter/parameter.h"
+
+namespace blossom::subdivision {
+
+/// As a user chooses it. A curve takes Catmull-Clark's rule too: along one direction that is the cubic one.
+enum class Chosen { CatmullClark, Loop, Cubic, Quadratic, FourPoint };
+
+ParameterSpec schemeChoice();
+inline constexpr const char* kSchemeHelp =
+    "Meshes: Catmull-Clark for any polygons, Loop for triangles. Polygons: cubic or quadratic B-splines, or four-point, "
+    "which passes through the points.";
+
+inline Scheme surfaceScheme(Chosen chosen) { return chosen == Chosen::Loop ? Scheme::Loop : Scheme::CatmullClark; }
+inline CurveScheme curveScheme(Chosen chosen) {
+  if (chosen == Chosen::Quadratic) return CurveScheme::Quadratic;
+  return chosen == Chosen::FourPoint ? CurveScheme::FourPoint : CurveScheme::Cubic;
+}
+
+}  // namespace blossom::subdivision

@@ -191,6 +191,33 @@
     </message>
 </context>
 <context>
+    <name>blossom::minkowski::MorphTool</name>
+    <message>
+        <source>Move %1 in the morph</source>
+        <translation>%1 im Morph verschieben</translation>
+    </message>
+    <message>
+        <source>Put %1 back where it was drawn</source>
+        <translation>%1 dorthin zurücksetzen, wo es gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>%1 is moved by %2, %3 %4 · Ctrl: no snapping · Esc takes it back</source>
+        <translation>%1 ist um %2, %3 %4 verschoben · Strg: ohne Fang · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag to move %1 in the morph</source>
+        <translation>Ziehen verschiebt %1 im Morph</translation>
+    </message>
+    <message>
+        <source>Drag to move %1 in the morph · double click puts it back</source>
+        <translation>Ziehen verschiebt %1 im Morph · Doppelklick setzt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag the centre of a control shape to move it</source>
+        <translation>Die Mitte einer Kontrollform ziehen, um sie zu verschieben</translation>
+    </message>
+</context>
+<context>
     <name>blossom::modeling</name>
     <message>
         <source>grid</source>
@@ -383,6 +410,68 @@
     <message>
         <source>the size</source>
         <translation>die Größe</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::subdivision::PullTool</name>
+    <message>
+        <source>Pull a point</source>
+        <translation>Einen Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>Let go to pull the point here · Shift: along the normal · Esc takes it back</source>
+        <translation>Loslassen zieht den Punkt hierher · Umschalt: entlang der Normalen · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point of the surface</source>
+        <translation>Ziehen, um diesen Punkt der Fläche zu ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a point of the smooth surface to pull it</source>
+        <translation>Einen Punkt der glatten Fläche ziehen</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::subdivision::StrokeTool</name>
+    <message>
+        <source>Pull to a stroke</source>
+        <translation>Zu einem Strich ziehen</translation>
+    </message>
+    <message>
+        <source>Draw a stroke</source>
+        <translation>Einen Strich zeichnen</translation>
+    </message>
+    <message>
+        <source>Click or draw where the shape is to run</source>
+        <translation>Klicken oder zeichnen, wo die Form verlaufen soll</translation>
+    </message>
+    <message>
+        <source>Click or draw the stroke</source>
+        <translation>Den Strich klicken oder zeichnen</translation>
+    </message>
+    <message>
+        <source>Click the next point, or drag to draw</source>
+        <translation>Den nächsten Punkt klicken oder ziehend zeichnen</translation>
+    </message>
+    <message>
+        <source>X, Y, Z: the plane across that axis</source>
+        <translation>X, Y, Z: die Ebene quer zu dieser Achse</translation>
+    </message>
+    <message>
+        <source>Backspace takes back</source>
+        <translation>Rücktaste nimmt zurück</translation>
+    </message>
+    <message>
+        <source>Enter pulls the shape to it</source>
+        <translation>Eingabe zieht die Form dorthin</translation>
+    </message>
+    <message>
+        <source>Enter finishes</source>
+        <translation>Eingabe beendet</translation>
+    </message>
+    <message>
+        <source>Esc leaves</source>
+        <translation>Esc verlässt</translation>
     </message>
 </context>
 <context>
@@ -2465,6 +2554,10 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>%1 is as it was after &quot;%2&quot;.</source>
         <translation>%1 ist, wie es nach „%2“ war.</translation>
     </message>
+    <message>
+        <source>%1 files, %2</source>
+        <translation>%1 Dateien, %2</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ShortcutEditor</name>
@@ -2656,6 +2749,65 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Not there any more</source>
         <translation>Nicht mehr da</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::TimelineBar</name>
+    <message>
+        <source>First frame</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>Frame before</source>
+        <translation>Bild davor</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>Begin anew at the end</source>
+        <translation>Am Ende von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>Onion skin: show the other frames faintly</source>
+        <translation>Zwiebelhaut: die anderen Bilder schwach zeigen</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast it plays</source>
+        <translation>Wie schnell abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -2871,6 +3023,46 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Cut the model open with a plane that can be dragged.</source>
         <translation>Das Modell mit einer verschiebbaren Ebene aufschneiden.</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>Ab&amp;spielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Run through the frames of the sequence shown.</source>
+        <translation>Die Bilder der gezeigten Folge durchlaufen.</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>&amp;Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Show the next frame of the sequence.</source>
+        <translation>Das nächste Bild der Folge zeigen.</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious frame</source>
+        <translation>&amp;Voriges Bild</translation>
+    </message>
+    <message>
+        <source>Show the frame before.</source>
+        <translation>Das Bild davor zeigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Onion skin</source>
+        <translation>&amp;Zwiebelhaut</translation>
+    </message>
+    <message>
+        <source>Show the other frames of the sequence faintly.</source>
+        <translation>Die anderen Bilder der Folge schwach zeigen.</translation>
+    </message>
+    <message>
+        <source>No sequence is shown: a morph with several frames makes one.</source>
+        <translation>Es wird keine Folge gezeigt: Ein Morph mit mehreren Bildern macht eine.</translation>
     </message>
 </context>
 <context>

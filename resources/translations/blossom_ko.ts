@@ -191,6 +191,33 @@
     </message>
 </context>
 <context>
+    <name>blossom::minkowski::MorphTool</name>
+    <message>
+        <source>Move %1 in the morph</source>
+        <translation>모프에서 %1 옮기기</translation>
+    </message>
+    <message>
+        <source>Put %1 back where it was drawn</source>
+        <translation>%1 을(를) 그린 자리로 되돌리기</translation>
+    </message>
+    <message>
+        <source>%1 is moved by %2, %3 %4 · Ctrl: no snapping · Esc takes it back</source>
+        <translation>%1 이(가) %2, %3 %4 만큼 옮겨짐 · Ctrl: 스냅 끄기 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Drag to move %1 in the morph</source>
+        <translation>끌어서 모프에서 %1 을(를) 옮기기</translation>
+    </message>
+    <message>
+        <source>Drag to move %1 in the morph · double click puts it back</source>
+        <translation>끌어서 모프에서 %1 을(를) 옮기기 · 두 번 클릭하면 되돌림</translation>
+    </message>
+    <message>
+        <source>Drag the centre of a control shape to move it</source>
+        <translation>제어 도형의 중심을 끌어 옮기기</translation>
+    </message>
+</context>
+<context>
     <name>blossom::modeling</name>
     <message>
         <source>grid</source>
@@ -383,6 +410,68 @@
     <message>
         <source>the size</source>
         <translation>크기</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::subdivision::PullTool</name>
+    <message>
+        <source>Pull a point</source>
+        <translation>점 당기기</translation>
+    </message>
+    <message>
+        <source>Let go to pull the point here · Shift: along the normal · Esc takes it back</source>
+        <translation>놓으면 점을 여기로 당김 · Shift: 법선 방향 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point of the surface</source>
+        <translation>끌어서 곡면의 이 점을 당기기</translation>
+    </message>
+    <message>
+        <source>Drag a point of the smooth surface to pull it</source>
+        <translation>매끄러운 곡면의 점을 끌어 당기기</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::subdivision::StrokeTool</name>
+    <message>
+        <source>Pull to a stroke</source>
+        <translation>획으로 당기기</translation>
+    </message>
+    <message>
+        <source>Draw a stroke</source>
+        <translation>획 그리기</translation>
+    </message>
+    <message>
+        <source>Click or draw where the shape is to run</source>
+        <translation>도형이 지나갈 곳을 클릭하거나 그리기</translation>
+    </message>
+    <message>
+        <source>Click or draw the stroke</source>
+        <translation>획을 클릭하거나 그리기</translation>
+    </message>
+    <message>
+        <source>Click the next point, or drag to draw</source>
+        <translation>다음 점을 클릭하거나 끌어서 그리기</translation>
+    </message>
+    <message>
+        <source>X, Y, Z: the plane across that axis</source>
+        <translation>X, Y, Z: 그 축에 수직인 평면</translation>
+    </message>
+    <message>
+        <source>Backspace takes back</source>
+        <translation>백스페이스로 되돌리기</translation>
+    </message>
+    <message>
+        <source>Enter pulls the shape to it</source>
+        <translation>Enter로 도형을 당기기</translation>
+    </message>
+    <message>
+        <source>Enter finishes</source>
+        <translation>Enter로 마치기</translation>
+    </message>
+    <message>
+        <source>Esc leaves</source>
+        <translation>Esc로 나가기</translation>
     </message>
 </context>
 <context>
@@ -2465,6 +2554,10 @@ Drag sideways to change it.</source>
         <source>%1 is as it was after &quot;%2&quot;.</source>
         <translation>%1은(는) &quot;%2&quot; 다음의 상태입니다.</translation>
     </message>
+    <message>
+        <source>%1 files, %2</source>
+        <translation>파일 %1개, %2</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ShortcutEditor</name>
@@ -2656,6 +2749,65 @@ Drag sideways to change it.</source>
     <message>
         <source>Not there any more</source>
         <translation>이제 없음</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::TimelineBar</name>
+    <message>
+        <source>First frame</source>
+        <translation>첫 프레임</translation>
+    </message>
+    <message>
+        <source>Frame before</source>
+        <translation>이전 프레임</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>재생</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>다음 프레임</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>마지막 프레임</translation>
+    </message>
+    <message>
+        <source>Begin anew at the end</source>
+        <translation>끝나면 처음부터</translation>
+    </message>
+    <message>
+        <source>Onion skin: show the other frames faintly</source>
+        <translation>어니언 스킨: 다른 프레임을 흐리게 표시</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>타임라인</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 프레임/초</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>속도</translation>
+    </message>
+    <message>
+        <source>How fast it plays</source>
+        <translation>재생 속도</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>일시 정지</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
@@ -2871,6 +3023,46 @@ Drag sideways to change it.</source>
     <message>
         <source>Cut the model open with a plane that can be dragged.</source>
         <translation>끌 수 있는 평면으로 모델을 잘라 봅니다.</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>타임라인</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>재생 또는 일시 정지(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Run through the frames of the sequence shown.</source>
+        <translation>표시된 시퀀스의 프레임을 재생합니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>다음 프레임(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show the next frame of the sequence.</source>
+        <translation>시퀀스의 다음 프레임을 표시합니다.</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious frame</source>
+        <translation>이전 프레임(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show the frame before.</source>
+        <translation>이전 프레임을 표시합니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Onion skin</source>
+        <translation>어니언 스킨(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show the other frames of the sequence faintly.</source>
+        <translation>시퀀스의 다른 프레임을 흐리게 표시합니다.</translation>
+    </message>
+    <message>
+        <source>No sequence is shown: a morph with several frames makes one.</source>
+        <translation>표시된 시퀀스가 없습니다. 프레임이 여럿인 모프가 시퀀스를 만듭니다.</translation>
     </message>
 </context>
 <context>

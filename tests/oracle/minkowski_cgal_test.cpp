@@ -80,7 +80,8 @@ class MinkowskiCgalTest : public QObject {
   void areasEqualThoseOfTwoOfCgalsMethods() {
     std::mt19937_64 random = seededRandom();
     int reducedAgrees = 0, decomposedAgrees = 0;
-    constexpr int pairs = 40;
+    double worst = 0;
+    constexpr int pairs = 100;
     for (int pair = 0; pair < pairs; ++pair) {
       std::uniform_real_distribution<double> size(0.1, 1);
       const Region a = randomRegion(random, 10), b = randomRegion(random, 10 * size(random) * size(random));
@@ -91,14 +92,18 @@ class MinkowskiCgalTest : public QObject {
       const double decomposed = areaOfSum(partsA, partsB, [](const Part& p, const Part& q) {
         return CGAL::minkowski_sum_2(p, q, CGAL::Polygon_vertical_decomposition_2<Kernel>());
       });
-      COMPARE_NEAR(ours, std::min(reduced, decomposed), 1e-9 * ours);
+      const double wanted = std::min(reduced, decomposed);
+      COMPARE_NEAR(ours, wanted, 1e-9 * ours);
+      worst = std::max(worst, std::abs(ours - wanted) / ours);
       reducedAgrees += std::abs(ours - reduced) <= 1e-9 * ours ? 1 : 0;
       decomposedAgrees += std::abs(ours - decomposed) <= 1e-9 * ours ? 1 : 0;
     }
-    qInfo("of %d areas the reduced convolution agrees in %d, the decomposition in %d", pairs, reducedAgrees,
-          decomposedAgrees);
-    QVERIFY(reducedAgrees >= pairs - 2);
-    QVERIFY(decomposedAgrees >= pairs - 2);
+    qInfo("figure cgal_pairs %d", pairs);
+    qInfo("figure cgal_worst %.3g", worst);
+    qInfo("figure cgal_reduced_convolution_agrees %d", reducedAgrees);
+    qInfo("figure cgal_vertical_decomposition_agrees %d", decomposedAgrees);
+    QVERIFY(reducedAgrees >= pairs - pairs / 20);
+    QVERIFY(decomposedAgrees >= pairs - pairs / 20);
   }
 };
 

@@ -92,6 +92,14 @@ Vec2 probe(std::mt19937_64& random, const Rings& sum, const Rings& a, const Ring
   return p + off * normal;
 }
 
+/// A line that the acceptance script reads.
+void figure(const char* name, double value) { qInfo("figure %s %.10g", name, value); }
+
+int holesOf(const Region& region) {
+  return static_cast<int>(
+      std::count_if(region.loops.begin(), region.loops.end(), [](const Path& loop) { return signedArea(loop) < 0; }));
+}
+
 }  // namespace
 
 /// x is in A + B exactly when A meets x - B: decided here with segments and points alone.
@@ -101,27 +109,36 @@ class MinkowskiMembershipTest : public QObject {
  private slots:
   void sumsOfRegionsWithHolesAndParts() {
     std::mt19937_64 random = seededRandom();
-    int near = 0, wrong = 0, holes = 0;
-    constexpr int pairs = 60, points = 200;
+    int near = 0, wrong = 0, holes = 0, holed = 0, several = 0;
+    constexpr int pairs = 500, points = 1000;
     for (int pair = 0; pair < pairs; ++pair) {
       std::uniform_real_distribution<double> size(0.1, 1);
       const Region a = randomRegion(random, 10), b = randomRegion(random, 10 * size(random) * size(random));
       const Region sum = minkowski::minkowskiSum(std::vector{a, b}).region;
       const Rings ringsA = ringsOf(a), ringsB = ringsOf(b), ringsSum = ringsOf(sum);
-      for (const Path& loop : sum.loops) holes += signedArea(loop) < 0 ? 1 : 0;
-      for (int k = 0; k < points; ++k) {
+      holes += holesOf(sum);
+      holed += holesOf(a) + holesOf(b) > 0 ? 1 : 0;
+      several += components(a).size() > 1 || components(b).size() > 1 ? 1 : 0;
+      for (int asked = 0, k = 0; asked < points; ++k) {
+        QVERIFY2(k < 2 * points, "hardly a point is farther from the boundary than rounding");
         const Vec2 x = probe(random, ringsSum, ringsA, ringsB, k);
         const double distance = distanceTo(ringsSum, x);
         if (distance < 1e-9) continue;  // rounding of the sum
+        ++asked;
         near += distance <= 1e-6 ? 1 : 0;
         wrong += inside(ringsSum, x) == meet(ringsA, mirrored(ringsB, x)) ? 0 : 1;
       }
     }
-    qInfo("%d of %d points within 1e-6 of the boundary, %d holes in %d sums, %d wrong", near, pairs * points, holes, pairs,
-          wrong);
+    figure("membership_pairs", pairs);
+    figure("membership_points_a_pair", points);
+    figure("membership_pairs_with_holes", holed);
+    figure("membership_pairs_with_several_parts", several);
+    figure("membership_holes_in_sums", holes);
+    figure("membership_near_percent", 100.0 * near / (pairs * points));
+    figure("membership_wrong", wrong);
     QCOMPARE(wrong, 0);
     QVERIFY(near > pairs * points / 2);
-    QVERIFY(holes > 0);
+    QVERIFY(holes > 0 && holed > pairs / 4 && several > pairs / 4);
   }
 
   void differencesOfRegionsWithHolesAndParts() {
@@ -156,7 +173,8 @@ class MinkowskiMembershipTest : public QObject {
         wrong += inside(ringsRoom, x) == within ? 0 : 1;
       }
     }
-    qInfo("%d points asked, %d wrong", asked, wrong);
+    figure("difference_points", asked);
+    figure("difference_wrong", wrong);
     QCOMPARE(wrong, 0);
     QVERIFY(asked > 1000);
   }

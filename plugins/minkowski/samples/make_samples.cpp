@@ -23,15 +23,38 @@ FeatureId add(const App& app, Document& document, const char* command, const cha
   return feature.id;
 }
 
-/// Figure 7 of Lee, Lee, Kim & Kim 2002: a triangle becomes a star, rounded on its way by a circle and pulled towards a
-/// pentagon early.
+Value places(std::initializer_list<std::pair<double, double>> offsets) {
+  Value list = Value::array();
+  for (const auto& [x, y] : offsets) list.push_back({x, y, 0.0});
+  return list;
+}
+
+/// Figure 7 of Lee, Lee, Kim & Kim 2002: a triangle becomes a star, pulled towards a pentagon early and rounded on its way
+/// by a circle.
 Document triangleToStar(const App& app) {
   Document document;
   const auto triangle = add(app, document, "polygon", "Triangle", {{"sides", 3}, {"radius", 20}, {"rotation", 90}});
   const auto pentagon = add(app, document, "polygon", "Pentagon", {{"sides", 5}, {"radius", 20}, {"rotation", 90}});
   const auto circle = add(app, document, "circle", "Circle", {{"radius", 18}});
   const auto star = add(app, document, "star", "Star", {{"points", 5}, {"outer", 24}, {"inner", 9}, {"rotation", 90}});
-  add(app, document, "morph", "Triangle to star", {{"t", 0.5}, {"frames", 0}}, {triangle, pentagon, circle, star});
+  add(app, document, "morph", "Triangle to star",
+      {{"frames", 49}, {"offsets", places({{-90, -20}, {-50, 45}, {50, 45}, {90, -20}})}},
+      {triangle, pentagon, circle, star});
+  return document;
+}
+
+/// Figure 5 (f): a letter with two holes becomes a flower with one. Nobody says which corner goes where.
+Document phiToFlower(const App& app) {
+  Document document;
+  const auto phi =
+      add(app, document, "text", "Phi", {{"text", "\u03A6"}, {"style", "bold"}, {"height", 60}, {"at", {-24, -22, 0}}});
+  const auto petal = add(app, document, "ellipse", "Petal", {{"a", 13}, {"b", 7}, {"centre", {17, 0, 0}}});
+  const auto petals = add(app, document, "pattern", "Petals", {{"kind", "circular"}, {"count", 6}, {"join", true}}, {petal});
+  const auto heart = add(app, document, "circle", "Heart", {{"radius", 8}});
+  const auto whole = add(app, document, "boolean", "Whole flower", {{"operation", "union"}}, {petals, heart});
+  const auto middle = add(app, document, "circle", "Middle", {{"radius", 4}});
+  const auto flower = add(app, document, "boolean", "Flower", {{"operation", "difference"}}, {whole, middle});
+  add(app, document, "morph", "Phi to flower", {{"frames", 25}, {"offsets", places({{-60, 0}, {60, 0}})}}, {phi, flower});
   return document;
 }
 
@@ -59,6 +82,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = argv[1];
     const App app = loadApp();
     saveDocument(triangleToStar(app), folder / "triangle-to-star.blossom");
+    saveDocument(phiToFlower(app), folder / "phi-to-flower.blossom");
     saveDocument(cutterRoom(app), folder / "cutter-room.blossom");
   } catch (const Error& error) {
     fmt::print(stderr, "{} {}\n", error.message(), error.hint());

@@ -126,7 +126,8 @@ Region toRegion(const Curves& curves, const Tolerance& tolerance) {
     region.loops.push_back(counterClockwise == side.inside ? paths[i] : reversed(paths[i]));
   }
   if (region.loops.empty())
-    throw Error(ErrorCode::InvalidInput, "The curves enclose no area.", "Draw at least one closed outline.");
+    throw Error(ErrorCode::InvalidInput, "The curves enclose no area.",
+                "Draw at least one closed outline that does not cross itself.");
   return region;
 }
 

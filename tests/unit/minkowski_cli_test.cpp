@@ -1,0 +1,171 @@
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "exchange/format.h"
+#include "geometry/planar.h"
+#include "support/modeling.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using std::numbers::pi;
+
+namespace {
+
+struct Answer {
+  int code = -1;
+  Value json;
+  [[nodiscard]] double result(const char* name) const { return json["result"][name].get<double>(); }
+  [[nodiscard]] int sums() const { return json["stats"]["sums"].get<int>(); }
+  [[nodiscard]] std::string message() const { return json["error"]["message"].get<std::string>(); }
+  [[nodiscard]] std::string hint() const { return json["error"].value("hint", ""); }
+};
+
+double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
+
+}  // namespace
+
+/// Morphs, sums and differences through the real command line.
+class MinkowskiCliTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void sumsAndDifferencesOfLiterals() {
+    const Answer sum = blossom({"minkowski-sum", "rectangle:40:10", "rectangle:5:6", "-o", "sum.svg"});
+    QCOMPARE(sum.code, 0);
+    COMPARE_NEAR(sum.result("area"), 45 * 16, 1e-9);
+    QCOMPARE(sum.json["feature"], Value("minkowski.minkowski-sum"));
+    QCOMPARE(sum.sums(), 1);
+    const Answer room = blossom({"minkowski-difference", "rectangle:40:30", "rectangle:10:10", "-o", "room.dxf"});
+    COMPARE_NEAR(room.result("area"), 30 * 20, 1e-9);
+    const Answer rounded = blossom({"minkowski-sum", "rectangle:40:10", "circle:2", "--tolerance", "1e-4"});
+    COMPARE_NEAR(rounded.result("area"), 400 + 100 * 2 + 4 * pi, 1e-4 * (100 + 4 * pi));
+  }
+
+  /// The ends are the control shapes, with their arcs: not polygons of them.
+  void theMorphStartsAtTheFirstAndEndsAtTheLast() {
+    QCOMPARE(blossom({"slot", "--length", "40", "--width", "12", "-o", "slot.dxf"}).code, 0);
+    for (const char* evaluation : {"recursive", "bottom-up", "explicit"}) {
+      const QStringList shapes{"morph", "circle:15", "star:5:24:9", "slot.dxf", "--evaluation", evaluation};
+      const Answer first = blossom(shapes + QStringList{"--t", "0"}), last = blossom(shapes + QStringList{"--t", "1"});
+      COMPARE_NEAR(first.result("area"), 225 * pi, 1e-9);
+      QVERIFY(first.result("arcs") >= 1 && first.result("lines") == 0);
+      COMPARE_NEAR(last.result("area"), 28 * 12 + 36 * pi, 1e-9);
+      QCOMPARE(last.result("arcs"), 2.0);
+      QCOMPARE(first.sums() + last.sums(), 0);
+    }
+  }
+
+  void tableOneIsPrinted() {
+    const QStringList three{"morph", "star:3:20:8", "star:4:22:7", "star:5:24:9", "--frames", "7", "--evaluation"};
+    // Five of seven frames lie between the ends; n = 2.
+    QCOMPARE(blossom(three + QStringList{"recursive"}).sums(), 3 * 5);
+    QCOMPARE(blossom(three + QStringList{"bottom-up"}).sums(), 3 * 5);
+    QCOMPARE(blossom(three + QStringList{"explicit"}).sums(), 2 * 5 + 1);
+    const Answer convex =
+        blossom({"morph", "star:3:20:8", "circle:9", "star:5:24:9", "--frames", "7", "--evaluation", "convex"});
+    QCOMPARE(convex.sums(), 2 * 5);
+    QCOMPARE(convex.json["result"]["frames"], Value(7));
+  }
+
+  void framesBecomeFiles() {
+    const Answer answer = blossom({"morph", "rectangle:10:10", "rectangle:20:30", "--frames", "5", "-o", "grow.svg"});
+    QCOMPARE(answer.code, 0);
+    QCOMPARE(answer.json["outputs"].size(), std::size_t{5});
+    for (int k = 0; k < 5; ++k)
+      COMPARE_NEAR(areaInFile(fs::path(folder_.path().toStdString()) / fmt::format("grow-{:04}.svg", k + 1)),
+                   (10 + 10 * k / 4.0) * (10 + 20 * k / 4.0), 1e-9);
+    QCOMPARE(blossom({"morph", "rectangle:10:10", "rectangle:20:30", "--frames", "5", "-o", "one.svg", "--svg.animate"})
+                 .json["outputs"]
+                 .size(),
+             std::size_t{1});
+    for (const char* file : {"grow.dxf", "grow.step", "grow.blossom"})
+      QVERIFY2(blossom({"morph", "rectangle:10:10", "rectangle:20:30", "--t", "0.5", "-o", file}).code == 0, file);
+  }
+
+  void rubbishIsRefusedWithPlaceAndRemedy() {
+    const struct {
+      const char *name, *drawing, *says;
+    } cases[] = {
+        {"open.svg", "<path fill='none' stroke='black' d='M0 0H20V20'/>", "open"},
+        {"crossing.svg", "<path d='M0 0L20 20V2L0 6Z'/>", "crosses itself at (5, 15)"},
+        {"flat.svg", "<path d='M0 0H20H5Z'/>", "enclose no area"},
+        {"empty.svg", "", "enclose no area"},
+        {"nan.svg", "<path d='M0 0LNaN 20V0Z'/>", "cannot be understood"},
+        {"cut.svg", "<path d='M0 0H20V", "cannot be read"},
+    };
+    for (const auto& each : cases) {
+      QFile file(folder_.filePath(QLatin1String(each.name)));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write("<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='20mm' viewBox='0 0 20 20'>");
+      file.write(each.drawing);
+      if (each.name != std::string("cut.svg")) file.write("</svg>");
+      file.close();
+      for (const char* command : {"minkowski-sum", "minkowski-difference", "morph"}) {
+        const Answer answer = blossom({command, "rectangle:40:30", each.name});
+        QVERIFY2(answer.code == 1, each.name);
+        QVERIFY2(answer.message().find(each.says) != std::string::npos, answer.message().c_str());
+        QVERIFY2(!answer.hint().empty(), answer.message().c_str());
+      }
+    }
+    const Answer none = blossom({"minkowski-difference", "rectangle:4:3", "circle:5"});
+    QVERIFY2(none.code == 1 && none.message().find("no room") != std::string::npos, none.message().c_str());
+    const Answer solid = blossom({"minkowski-sum", "ball:5:1", "circle:5"});
+    QVERIFY(solid.code == 1);
+  }
+
+  void everyFeatureExplainsItself() {
+    int found = 0;
+    for (const auto& type : theApp().registry->types()) {
+      if (!type->id.starts_with("minkowski.")) continue;
+      ++found;
+      QVERIFY2(!type->examples.empty(), type->id.c_str());
+      QVERIFY2(fs::exists(sourceFolder() / "resources/icons" / (type->icon + ".svg")), type->id.c_str());
+    }
+    QCOMPARE(found, 3);
+  }
+
+  void theSamplesHoldTheirMorphs() {
+    const Answer star = blossom({"info", samplePath("triangle-to-star.blossom")});
+    QCOMPARE(star.json["result"]["kind"], Value("sequence"));
+    QCOMPARE(star.json["result"]["frames"], Value(49));
+    QCOMPARE(blossom({"info", samplePath("phi-to-flower.blossom")}).json["result"]["kind"], Value("sequence"));
+    const Answer cut = blossom({"info", samplePath("cutter-room.blossom")});
+    QCOMPARE(cut.json["result"]["kind"], Value("region"));
+    QCOMPARE(cut.result("holes"), 1.0);
+  }
+
+  /// Two icons that nobody here drew: every in-between has an area between nothing and the sum of both boxes, and the ends
+  /// are the icons.
+  void realIconsMorph() {
+    NEED_SHARED_DATA();
+    const fs::path folder = sharedData() / "svg";
+    const QString cat = QString::fromStdString((folder / "cat.svg").string()),
+                  dog = QString::fromStdString((folder / "dog-side.svg").string());
+    const double catArea = areaInFile(folder / "cat.svg"), dogArea = areaInFile(folder / "dog-side.svg");
+    COMPARE_NEAR(blossom({"morph", cat, dog, "--t", "0"}).result("area"), catArea, 1e-9 * catArea);
+    COMPARE_NEAR(blossom({"morph", cat, dog, "--t", "1"}).result("area"), dogArea, 1e-9 * dogArea);
+    // Brunn and Minkowski: the root of the area is concave along the morph.
+    for (const double t : {0.25, 0.5, 0.75}) {
+      const Answer between = blossom({"morph", cat, dog, "--t", QString::number(t)});
+      QVERIFY(std::sqrt(between.result("area")) >= ((1 - t) * std::sqrt(catArea) + t * std::sqrt(dogArea)) * (1 - 1e-4));
+    }
+  }
+
+ private:
+  static QString program() { return QString::fromStdString((buildFolder() / "bin/blossom").string()); }
+  static QString samplePath(const char* name) { return QString::fromStdString(sample(name).string()); }
+
+  Answer blossom(QStringList arguments) {
+    QProcess process;
+    process.setWorkingDirectory(folder_.path());
+    process.start(program(), arguments << "--json");
+    if (!process.waitForFinished(120000)) return {};
+    return {process.exitCode(), Value::parse(process.readAllStandardOutput().toStdString(), nullptr, false)};
+  }
+
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(MinkowskiCliTest)
+#include "minkowski_cli_test.moc"

@@ -7,8 +7,10 @@ namespace blossom::pocket {
 
 /// Each registers the feature types of one group.
 void registerOffsetFeatures(Registry&);  ///< offset, medial axis
+void registerPocketFeatures(Registry&);  ///< pocket, simulate
 
 FeatureType medialAxisFeature();
+FeatureType simulateFeature();
 
 /// How the diagram came about, for `stats`.
 void addDiagramStats(const ClearanceDiagram&, Value& stats);

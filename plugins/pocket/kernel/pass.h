@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -24,6 +25,7 @@ class Pass {
   /// Calls `visit(stroke)` for the way from one length to another, which may go around several times.
   template <class Visit>
   void walk(double from, double distance, const Visit& visit) const {
+    from = std::fmod(from, length());
     std::size_t i = strokeAt(from);
     double begin = i == 0 ? 0 : ends_[i - 1];
     double at = from;

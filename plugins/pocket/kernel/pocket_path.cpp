@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "core/angle.h"
 #include "core/error.h"
@@ -68,35 +69,30 @@ class PocketCutter {
         diagram_(region, {.tolerance = o_.tolerance}, progress.part(0, 0.3)),
         writer_(result_.path, o_.feed, o_.plungeFeed, {o_.safeHeight, o_.approach}) {
     refuseLargeTool();
-    const double first = radius_ + o_.leaveWall + o_.finish;
-    tree_ = passTree(diagram_, {.first = first, .step = o_.stepover, .radius = radius_, .climb = o_.climb},
-                     progress.part(0.3, 0.7));
+    tree_ = passesFrom(radius_ + o_.leaveWall + o_.finish, progress.part(0.3, 0.6));
     if (tree_.roots.empty()) refuseTool();
+    if (o_.finish > 0) walls_ = passesFrom(radius_ + o_.leaveWall, progress.part(0.6, 0.7));
     std::vector<Stroke> rim;
     for (const std::size_t root : tree_.roots)
       for (const Pass& pass : tree_.nodes[root].passes) rim.insert(rim.end(), pass.strokes().begin(), pass.strokes().end());
     inside_ = InsideTest(rim);
     rim_ = StrokeTree(std::move(rim));
-    findNarrow();
+    findNarrow(o_.finish > 0 ? walls_ : tree_);
   }
 
   PocketResult cut() {
     result_.path.cutter = o_.cutter;
-    const double total = o_.depth - o_.leaveFloor;
-    const auto depths = static_cast<std::size_t>(std::max(1.0, std::ceil(total / o_.stepdown - 1e-9)));
-    result_.depths = result_.path.passes = depths;
+    total_ = o_.depth - o_.leaveFloor;
+    result_.depths = static_cast<std::size_t>(std::max(1.0, std::ceil(total_ / o_.stepdown - 1e-9)));
+    result_.path.passes = result_.depths;
     std::vector<std::size_t> waiting = tree_.roots;
     for (std::size_t done = 0; !waiting.empty(); ++done) {
+      progress_.report(0.7 + 0.3 * static_cast<double>(done) / static_cast<double>(tree_.roots.size()), "Cutting");
       const std::size_t root = takeNearest(waiting);
-      for (std::size_t i = 0; i < depths; ++i) {
-        progress_.report(0.7 + 0.3 * (static_cast<double>(done) + static_cast<double>(i) / static_cast<double>(depths)) /
-                                   static_cast<double>(tree_.roots.size()),
-                         "Cutting");
-        above_ = -total * static_cast<double>(i) / static_cast<double>(depths);
-        floor_ = -total * static_cast<double>(i + 1) / static_cast<double>(depths);
-        clear(root);
+      atEachDepth([&] {
+        clear(tree_, root);
         writer_.lift();
-      }
+      });
     }
     if (o_.finish > 0) finish();
     writer_.lift();
@@ -104,6 +100,20 @@ class PocketCutter {
   }
 
  private:
+  [[nodiscard]] PassTree passesFrom(double distance, const Progress& progress) const {
+    return passTree(diagram_, {.first = distance, .step = o_.stepover, .radius = radius_, .climb = o_.climb}, progress);
+  }
+
+  template <class Cut>
+  void atEachDepth(const Cut& cutOne) {
+    const auto depths = static_cast<double>(result_.depths);
+    for (std::size_t i = 0; i < result_.depths; ++i) {
+      above_ = -total_ * static_cast<double>(i) / depths;
+      floor_ = -total_ * static_cast<double>(i + 1) / depths;
+      cutOne();
+    }
+  }
+
   void refuseLargeTool() const {
     if (diagram_.largestClearance() <= radius_ + o_.leaveWall + o_.finish) refuseTool();
   }
@@ -120,12 +130,12 @@ class PocketCutter {
   }
 
   /// Parts of the region that no pass lies in.
-  void findNarrow() {
+  void findNarrow(const PassTree& tree) {
     const Region& region = diagram_.region();
     for (const RegionComponent& part : components(region)) {
       const Path& outer = region.loops[part.outer];
-      const bool entered = std::any_of(tree_.roots.begin(), tree_.roots.end(), [&](std::size_t root) {
-        return windingNumber(outer, tree_.nodes[root].passes.front().strokes().front().from) != 0;
+      const bool entered = std::any_of(tree.roots.begin(), tree.roots.end(), [&](std::size_t root) {
+        return windingNumber(outer, tree.nodes[root].passes.front().strokes().front().from) != 0;
       });
       if (!entered) result_.tooNarrow.push_back(startPoint(outer));
     }
@@ -146,17 +156,17 @@ class PocketCutter {
   }
 
   /// Clears what lies within a node, then along its own passes. Walks the tree without recursion: narrow steps make it deep.
-  void clear(std::size_t root) {
+  void clear(const PassTree& tree, std::size_t root) {
     std::vector<std::pair<std::size_t, bool>> stack{{root, false}};
     while (!stack.empty()) {
       const auto [node, ready] = stack.back();
       stack.pop_back();
       if (ready) {
-        clearPasses(tree_.nodes[node]);
+        clearPasses(tree.nodes[node]);
         continue;
       }
       stack.emplace_back(node, true);
-      for (const std::size_t inner : tree_.nodes[node].inner) stack.emplace_back(inner, false);
+      for (const std::size_t inner : tree.nodes[node].inner) stack.emplace_back(inner, false);
     }
   }
 
@@ -165,19 +175,32 @@ class PocketCutter {
     for (std::size_t i = 0; i < waiting.size(); ++i) waiting[i] = i;
     while (!waiting.empty()) {
       progress_.check();
-      std::size_t best = 0;
-      Pass::Foot foot;
-      for (std::size_t i = 0; i < waiting.size(); ++i) {
-        const Pass::Foot each = writer_.isDown() ? node.passes[waiting[i]].nearest(writer_.place()) : Pass::Foot{0, {}, 0};
-        if (i == 0 || each.distance < foot.distance) foot = each, best = i;
+      const bool untouched = node.inner.empty() && waiting.size() == node.passes.size();
+      auto [best, foot] = nearestOf(node, waiting);
+      double from = 0;
+      if (writer_.isDown() && mayStayDown(writer_.place(), foot.point)) {
+        from = linked(foot);
+      } else if (o_.entry == Entry::Helix && untouched && helix(node)) {
+        std::tie(best, foot) = nearestOf(node, waiting);
+        from = linked(foot);
+      } else {
+        from = entered(node.passes[waiting[best]]);
       }
       const std::size_t index = waiting[best];
       waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(best));
-      const Pass& pass = node.passes[index];
-      const double from = writer_.isDown() && mayStayDown(writer_.place(), foot.point) ? linked(foot) : entered(node, pass);
       runAround(node, index, from);
       ++result_.loops;
     }
+  }
+
+  /// Which of the passes is nearest to where the tool is; the first one when it is above the stock.
+  [[nodiscard]] std::pair<std::size_t, Pass::Foot> nearestOf(const PassNode& node,
+                                                             const std::vector<std::size_t>& passes) const {
+    std::pair<std::size_t, Pass::Foot> best{0, {}};
+    for (std::size_t i = 0; writer_.isDown() && i < passes.size(); ++i)
+      if (const Pass::Foot foot = node.passes[passes[i]].nearest(writer_.place()); foot.distance < best.second.distance)
+        best = {i, foot};
+    return best;
   }
 
   double linked(const Pass::Foot& foot) {
@@ -197,10 +220,8 @@ class PocketCutter {
   }
 
   /// Gets down to the floor somewhere on the pass and tells where.
-  double entered(const PassNode& node, const Pass& pass) {
+  double entered(const Pass& pass) {
     ++result_.entries;
-    if (o_.entry == Entry::Helix && node.inner.empty())
-      if (const auto at = helix(node, pass)) return *at;
     const Vec2 start = pass.strokes().front().from;
     writer_.approach(start, above_);
     const double distance = (above_ - floor_) / std::tan(o_.rampAngle);
@@ -215,12 +236,14 @@ class PocketCutter {
     return std::fmod(distance, pass.length());
   }
 
-  /// A helix in the largest disc of the node, then over to the pass; nothing when there is no room for one.
-  std::optional<double> helix(const PassNode& node, const Pass& pass) {
+  /// Down by a helix in the largest disc of the node, to where the nearest pass can be reached straight; false when there is
+  /// no room for one.
+  bool helix(const PassNode& node) {
     const auto [middle, clearance] = widest(node);
     const double room = clearance - radius_ - o_.leaveWall - o_.finish;
     const double turn = std::min(0.8 * radius_, room);
-    if (turn < 0.15 * radius_) return std::nullopt;
+    if (turn < 0.15 * radius_) return false;
+    ++result_.entries;
     const double side = o_.climb ? 1 : -1;
     const Stroke there = Stroke::arc(middle, turn, 0, side * fullTurn / 2);
     const Stroke back = Stroke::arc(middle, turn, fullTurn / 2, side * fullTurn / 2);
@@ -231,12 +254,12 @@ class PocketCutter {
     if (halves % 2 == 1) writer_.along(back);
     writer_.along(there);
     writer_.along(back);
-    const Pass::Foot foot = pass.nearest(writer_.place());
-    if (!mayStayDown(writer_.place(), foot.point)) {  // around a corner: from the middle, the way to a wall is free
-      writer_.straight(middle);
-      return linked(pass.nearest(middle));
-    }
-    return linked(foot);
+    Pass::Foot nearest;
+    for (const Pass& pass : node.passes)
+      if (const Pass::Foot foot = pass.nearest(writer_.place()); foot.distance < nearest.distance) nearest = foot;
+    // Around a corner: from the middle of the disc, the way to the nearest pass is free.
+    if (!mayStayDown(writer_.place(), nearest.point)) writer_.straight(middle);
+    return true;
   }
 
   /// The vertex of the medial axis with the largest clearance in a node.
@@ -279,30 +302,91 @@ class PocketCutter {
     writer_.along(pass, from + gone, whole - gone, floor_);
   }
 
-  /// The finishing pass at full depth, entered beside the wall where the passes cleared.
+  /// Takes off what the passes left on the walls.
   void finish() {
-    const double distance = radius_ + o_.leaveWall;
-    const Region walls = diagram_.offset(distance, Side::Inside, progress_);
-    for (const Path& loop : walls.loops) {
+    for (const std::size_t root : walls_.roots) {
       progress_.check();
-      const Pass pass(strokesOf(o_.climb ? loop : reversed(loop), 1e-4));
-      if (!(pass.length() > 0)) continue;
-      finish(pass);
-      ++result_.loops;
+      const PassNode& node = walls_.nodes[root];
+      if (!isCleared(root)) {  // too narrow for the passes: nothing was cut there yet
+        writer_.lift();
+        atEachDepth([&] {
+          clear(walls_, root);
+          writer_.lift();
+        });
+        continue;
+      }
+      for (std::size_t i = 0; i < node.passes.size(); ++i) finish(node, i);
     }
   }
 
-  void finish(const Pass& pass) {
+  /// Whether any of the clearing passes lies within a loop along the walls.
+  [[nodiscard]] bool isCleared(std::size_t root) const {
+    std::vector<Stroke> outline;
+    for (const Pass& pass : walls_.nodes[root].passes)
+      outline.insert(outline.end(), pass.strokes().begin(), pass.strokes().end());
+    const InsideTest within(outline);
+    return std::any_of(tree_.roots.begin(), tree_.roots.end(), [&](std::size_t cleared) {
+      return within(tree_.nodes[cleared].passes.front().strokes().front().from);
+    });
+  }
+
+  void finish(const PassNode& node, std::size_t index) {
+    const Pass& pass = node.passes[index];
+    ++result_.loops;
+    const auto [nearest, farthest] = besidePasses(pass);
+    writer_.lift();
+    if (nearest.distance > o_.finish + 2 * o_.tolerance) {  // all of it where the passes did not come
+      atEachDepth([&] {
+        runAround(node, index, entered(pass));
+        writer_.lift();
+      });
+    } else if (farthest > o_.finish + radius_ / 2) {  // some of it runs through full material, so it goes down in steps
+      atEachDepth([&] { finish(pass, nearest.at); });
+    } else {
+      finish(pass, nearest.at);
+    }
+  }
+
+  struct Beside {
+    double at = 0, distance = 1e300;
+  };
+  /// Where a pass is nearest to those that cleared, and how far from them it goes.
+  [[nodiscard]] std::pair<Beside, double> besidePasses(const Pass& pass) const {
+    Beside nearest;
+    double farthest = 0, begin = 0;
+    const double apart = radius_ / 4;
+    for (const Stroke& s : pass.strokes()) {
+      const int steps = std::max(1, static_cast<int>(std::ceil(s.length() / apart)));
+      for (int k = 0; k < steps; ++k) {
+        const double share = (k + 0.5) / steps;
+        const double away = rim_.nearest(s.at(share)).distance;
+        if (away < nearest.distance) nearest = {begin + share * s.length(), away};
+        farthest = std::max(farthest, away);
+      }
+      begin += s.length();
+    }
+    return {nearest, farthest};
+  }
+
+  /// Down to the floor in what the passes cleared, yet slowly: no pass need have been exactly here.
+  void plungeBeside(const Vec2& p) {
+    writer_.approach(p, 0);
+    writer_.straight(p, floor_);
+  }
+
+  /// Once around at the floor, by quarter circles from and to what the passes cleared; where there is room for none,
+  /// straight from the nearest place on them.
+  void finish(const Pass& pass, double nearest) {
     const double radius = std::max(o_.finish, radius_ / 4);
     const auto lead = leadPlace(pass, radius);
     writer_.lift();
-    if (!lead) {  // nowhere room for an arc: straight down beside the wall, where the passes were
-      const Stroke& first = pass.strokes().front();
-      const StrokeTree::Nearest near = rim_.nearest(first.from);
-      const Stroke& passed = rim_.strokes()[near.stroke];
-      writer_.approach(passed.at(passed.nearestShare(first.from)), floor_);
-      writer_.straight(first.from);
-      writer_.along(pass, 0, pass.length(), floor_);
+    if (!lead) {
+      Vec2 begin = pass.strokes().front().from;
+      pass.walk(nearest, 1e-6, [&](const Stroke& s) { begin = s.from; });
+      const Stroke& passed = rim_.strokes()[rim_.nearest(begin).stroke];
+      plungeBeside(passed.at(passed.nearestShare(begin)));
+      writer_.straight(begin);
+      writer_.along(pass, nearest, pass.length(), floor_);
       return;
     }
     const auto [at, side] = *lead;
@@ -313,7 +397,7 @@ class PocketCutter {
     const double angle = std::atan2(-in.y(), -in.x());
     const Stroke arrive = Stroke::arc(center, radius, angle - side * fullTurn / 4, side * fullTurn / 4);
     const Stroke leave = Stroke::arc(center, radius, angle, side * fullTurn / 4);
-    writer_.approach(arrive.from, floor_);
+    plungeBeside(arrive.from);
     writer_.along(arrive);
     writer_.straight(point);
     writer_.along(pass, at, pass.length(), floor_);
@@ -331,8 +415,8 @@ class PocketCutter {
         const Vec2 center = s.at(0.5) + radius * in;
         constexpr double touching = 1e-6;
         const double needed = radius_ + o_.leaveWall + radius - 2 * o_.tolerance;
-        if (diagram_.clearance(center) >= needed - touching && isCleared(center + radius * along) &&
-            isCleared(center - radius * along))
+        if (diagram_.clearance(center) >= needed - touching && inside_(center + radius * along) &&
+            inside_(center - radius * along))
           return std::pair(begin + whole / 2, side);
       }
       begin += whole;
@@ -340,19 +424,18 @@ class PocketCutter {
     return std::nullopt;
   }
 
-  [[nodiscard]] bool isCleared(const Vec2& p) const { return inside_(p); }
-
   const PocketOptions o_;
   const Progress progress_;
   const double radius_;
   const ClearanceDiagram diagram_;
-  PassTree tree_;
+  PassTree tree_;   ///< clears
+  PassTree walls_;  ///< along the walls, when a finishing pass is wanted
   StrokeTree rim_;
   InsideTest inside_;
   std::optional<MedialAxis> axis_;
   PocketResult result_;
   PathWriter writer_;
-  double above_ = 0, floor_ = 0;
+  double total_ = 0, above_ = 0, floor_ = 0;
 };
 
 }  // namespace

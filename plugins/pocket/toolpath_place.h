@@ -1,0 +1,13 @@
+#pragma once
+#include "geometry/region.h"
+#include "geometry/toolpath.h"
+
+namespace blossom::pocket {
+
+/// The same way somewhere else: moves, stock and marks.
+Toolpath translated(Toolpath, const Vec3& by);
+
+/// Corners of the box around a region.
+std::pair<Vec2, Vec2> boxOf(const Region&);
+
+}  // namespace blossom::pocket

@@ -1,0 +1,225 @@
+#include <numbers>
+
+#include "core/angle.h"
+#include "geometry/planar.h"
+#include "pocket/kernel/simulate.h"
+#include "pocket/kernel/stroke_tree.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::pocket;
+using namespace blossom::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Path polygon(const std::vector<Vec2>& corners) {
+  Path path;
+  path.closed = true;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    path.segments.emplace_back(Line2{corners[i], corners[(i + 1) % corners.size()]});
+  return path;
+}
+
+Region rectangle(double width, double height) { return {{polygon({{0, 0}, {width, 0}, {width, height}, {0, height}})}}; }
+
+Region disc(double radius) {
+  Path path;
+  path.closed = true;
+  path.segments.emplace_back(Arc2{{0, 0}, radius, 0, fullTurn});
+  return {{path}};
+}
+
+/// Down at the first point, along the others at z, up again.
+Toolpath along(const std::vector<Vec2>& points, double z, double diameter) {
+  Toolpath path;
+  path.cutter.diameter = diameter;
+  path.start = {points.front().x(), points.front().y(), 5};
+  const auto add = [&](MoveKind kind, const Vec2& p, double height) {
+    ToolMove move;
+    move.kind = kind;
+    move.to = {p.x(), p.y(), height};
+    move.feed = kind == MoveKind::Rapid ? 0 : 100;
+    path.moves.push_back(move);
+  };
+  add(MoveKind::Plunge, points.front(), z);
+  for (std::size_t i = 1; i < points.size(); ++i) add(MoveKind::Feed, points[i], z);
+  add(MoveKind::Rapid, points.back(), 5);
+  return path;
+}
+
+Stroke randomStroke(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto point = [&] { return Vec2(4 * unit(random) - 2, 4 * unit(random) - 2); };
+  if (unit(random) < 0.5) return Stroke::line(point(), point());
+  const double sweep = (unit(random) < 0.5 ? -1 : 1) * (unit(random) < 0.1 ? 1 : unit(random)) * fullTurn;
+  return Stroke::arc(point(), 0.05 + 2 * unit(random), 7 * unit(random) - 3.5, sweep);
+}
+
+}  // namespace
+
+class PocketSimulateTest final : public QObject {
+  Q_OBJECT
+ private slots:
+  /// Closed forms against brute force over samples.
+  void distancesOfStrokes() {
+    auto random = seededRandom();
+    for (int k = 0; k < 1000; ++k) {
+      const Stroke a = randomStroke(random), b = randomStroke(random);
+      const double exact = distance(a, b);
+      double sampled = 1e300;
+      constexpr int count = 200;
+      for (int i = 0; i <= count; ++i) sampled = std::min(sampled, distance(b, a.at(static_cast<double>(i) / count)));
+      QVERIFY(exact <= sampled + 1e-12);
+      // the distance changes at most as fast as one walks
+      QVERIFY2(exact >= sampled - a.length() / count / 2 - 1e-12, qPrintable(QString("%1 %2").arg(exact).arg(sampled)));
+      COMPARE_NEAR(exact, distance(b, a), 1e-12);
+      double nearest = 1e300;
+      for (int i = 0; i <= 2000; ++i) nearest = std::min(nearest, (a.at(i / 2000.0) - b.from).norm());
+      COMPARE_NEAR(distance(a, b.from), nearest, a.length() / 2000);
+    }
+  }
+
+  void treesFindWhatBruteForceFinds() {
+    auto random = seededRandom();
+    std::vector<Stroke> strokes;
+    for (int k = 0; k < 300; ++k) strokes.push_back(randomStroke(random));
+    const StrokeTree tree(strokes);
+    for (int k = 0; k < 300; ++k) {
+      const Stroke wanted = randomStroke(random);
+      double best = 1e300, bestPoint = 1e300;
+      for (const Stroke& s : strokes) {
+        best = std::min(best, distance(s, wanted));
+        bestPoint = std::min(bestPoint, distance(s, wanted.from));
+      }
+      QCOMPARE(tree.nearest(wanted).distance, best);
+      QCOMPARE(tree.nearest(wanted.from).distance, bestPoint);
+      QCOMPARE(tree.nearest(wanted.from, bestPoint / 2).stroke, strokes.size());
+    }
+  }
+
+  void insideIsWhereTheWindingNumberSaysSo() {
+    auto random = seededRandom();
+    std::uniform_real_distribution<double> unit(-1.2, 1.2);
+    Path path;
+    path.closed = true;
+    path.segments = {Line2{{-1, -1}, {1, -1}}, Arc2{{1, 0}, 1, -pi / 2, pi}, Line2{{1, 1}, {-1, 1}},
+                     Arc2{{-1, 0}, 1, pi / 2, -pi}};
+    const InsideTest inside(strokesOf(path, 1e-4));
+    for (int k = 0; k < 5000; ++k) {
+      const Vec2 p(2 * unit(random), unit(random));
+      QCOMPARE(inside(p), windingNumber(path, p) != 0);
+    }
+  }
+
+  void gougeIsHowDeepTheToolCutsIntoTheWall() {
+    const Region part = rectangle(40, 30);
+    const Vec2 a(5, 5), b(35, 5), c(35, 25), d(5, 25);
+    COMPARE_NEAR(simulate(along({a, b, c, d, a}, -2, 10), part).gouge, 0, 1e-12);
+    COMPARE_NEAR(simulate(along({a, b, c, d, a}, -2, 10.5), part).gouge, 0.25, 1e-12);
+    // the straight way from corner to corner of an L runs over the inner corner
+    const Region l{{polygon({{0, 0}, {40, 0}, {40, 10}, {10, 10}, {10, 40}, {0, 40}})}};
+    const auto crossing = simulate(along({{35, 5}, {5, 35}}, -1, 6), l);
+    COMPARE_NEAR(crossing.gouge, 3 + 10, 1e-3);  // the middle (20, 20) lies 10 mm beyond both walls
+    // within the stock above the part nothing is gouged
+    Toolpath above = along({{20, 15}, {20, 16}}, -1, 6);
+    for (const Vec2& p : {Vec2(-50, 16), Vec2(90, 16)})
+      above.moves.push_back({.kind = MoveKind::Feed, .to = {p.x(), p.y(), 1}, .feed = 100});
+    COMPARE_NEAR(simulate(above, part).gouge, 0, 1e-12);
+    // deeper than the floor
+    COMPARE_NEAR(simulate(along({a, b}, -2.25, 10), part, {.depth = 2}).gouge, 0.25, 1e-12);
+    // outside of everything
+    COMPARE_NEAR(simulate(along({{60, 5}, {60, 6}}, -2, 10), part).gouge, 5 + 20, 1e-12);
+  }
+
+  void curvedWaysAreMeasuredToo() {
+    // a circle of the tool's centre in a disc, and one that is half a hundredth too wide
+    for (const double radius : {7.0, 7.005}) {
+      Toolpath path = along({{radius, 0}}, -1, 6);
+      path.moves.insert(path.moves.begin() + 1,
+                        ToolMove{.kind = MoveKind::Feed, .to = {radius, 0, -1}, .turn = 1, .center = {0, 0}, .feed = 100});
+      COMPARE_NEAR(simulate(path, disc(10)).gouge, radius - 7, 1e-9);
+    }
+  }
+
+  void residueOfOneCircle() {
+    // The tool opens the whole disc of 10; one circle at 7 sweeps the ring from 4 to 10: a disc of 4 stays.
+    Toolpath path = along({{7, 0}}, -1, 6);
+    path.moves.insert(path.moves.begin() + 1,
+                      ToolMove{.kind = MoveKind::Feed, .to = {7, 0, -1}, .turn = 1, .center = {0, 0}, .feed = 100});
+    for (const double tolerance : {0.05, 0.01}) {
+      const SimulationResult result = simulate(path, disc(10), {.tolerance = tolerance});
+      const double inner = 4 - tolerance;
+      COMPARE_NEAR(*result.residue, pi * inner * inner, 2 * pi * 4 * tolerance);
+      COMPARE_NEAR(result.reachable, pi * 100, 0.05);
+      QVERIFY(!result.residueAt.empty());
+      for (const Vec2& p : result.residueAt) QVERIFY(p.norm() < 4);
+    }
+  }
+
+  void cornersOutOfReachAreNoResidue() {
+    // a rectangle as wide as twice the tool: one time around clears what the tool opens
+    const Toolpath path = along({{3, 3}, {37, 3}, {37, 9}, {3, 9}, {3, 3}}, -1, 6);
+    const SimulationResult result = simulate(path, rectangle(40, 12));
+    COMPARE_NEAR(*result.residue, 0, 1e-12);
+    COMPARE_NEAR(result.reachable, 40 * 12 - (4 - pi) * 9, 0.02);
+    // half of it not done
+    const SimulationResult half = simulate(along({{20, 3}, {37, 3}, {37, 9}, {20, 9}, {20, 3}}, -1, 6), rectangle(40, 12));
+    // left of the tool at x = 20: to its rim at 17, where its own corners of (4 - pi) 9 / 2 stay
+    const double rest = 17 * 12 - (4 - pi) * 9 / 2 + (4 - pi) * 9 / 2;
+    COMPARE_NEAR(*half.residue, rest, 0.8);
+  }
+
+  void whatIsToBeLeftIsNoResidue() {
+    const Toolpath path = along({{4, 4}, {36, 4}, {36, 8}, {4, 8}, {4, 4}}, -1, 6);
+    COMPARE_NEAR(*simulate(path, rectangle(40, 12), {.leave = 1}).residue, 0, 1e-12);
+    QVERIFY(*simulate(path, rectangle(40, 12)).residue > 80);
+  }
+
+  void onlyTheFloorCounts() {
+    Toolpath path = along({{3, 3}, {37, 3}, {37, 9}, {3, 9}, {3, 3}}, -1, 6);
+    const Toolpath deeper = along({{3, 3}, {37, 3}}, -2, 6);
+    path.moves.insert(path.moves.end(), deeper.moves.begin(), deeper.moves.end());
+    QVERIFY(*simulate(path, rectangle(40, 12)).residue > 100);
+    COMPARE_NEAR(*simulate(path, rectangle(40, 12), {.depth = 1}).residue, 0, 1e-12);
+    COMPARE_NEAR(simulate(path, rectangle(40, 12), {.depth = 1}).gouge, 1, 1e-12);
+  }
+
+  void rapidsThroughMaterialAreCounted() {
+    Toolpath path = along({{3, 3}, {37, 3}}, -1, 6);
+    QCOMPARE(simulate(path, rectangle(40, 12)).rapidsInStock, std::size_t(0));
+    path.moves.push_back({.kind = MoveKind::Rapid, .to = {3, 3, -0.5}});  // across, falling, from z = 5
+    QCOMPARE(simulate(path, rectangle(40, 12)).rapidsInStock, std::size_t(1));
+  }
+
+  void bullNosesAndVBitsAreNarrowAtTheTip() {
+    COMPARE_NEAR(radiusAt({.diameter = 6, .cornerRadius = 3}, 3), 3, 1e-12);
+    COMPARE_NEAR(radiusAt({.diameter = 6, .cornerRadius = 3}, 1.5), 3 * std::sqrt(0.75), 1e-12);
+    COMPARE_NEAR(radiusAt({.diameter = 6, .cornerRadius = 1}, 0.5), 2 + std::sqrt(0.75), 1e-12);
+    COMPARE_NEAR(radiusAt({.diameter = 6, .vAngle = pi / 2}, 2), 2, 1e-12);
+    COMPARE_NEAR(radiusAt({.diameter = 6, .vAngle = pi / 2}, 20), 3, 1e-12);
+    // a V bit of 90 degrees 1 mm deep is 1 mm wide on either side: 1.5 mm from the wall it does not touch it
+    Toolpath path = along({{1.5, 1.5}, {38.5, 1.5}}, -1, 6);
+    path.cutter.vAngle = pi / 2;
+    const SimulationResult result = simulate(path, rectangle(40, 12));
+    COMPARE_NEAR(result.gouge, 0, 1e-12);
+    QVERIFY(!result.residue);
+  }
+
+  void rubbishIsRefused() {
+    const Region part = rectangle(40, 12);
+    VERIFY_ERROR(simulate(Toolpath(), part), ErrorCode::InvalidInput);
+    VERIFY_ERROR(simulate(along({{3, 3}, {37, 3}}, -1, 0), part), ErrorCode::InvalidInput);
+    VERIFY_ERROR(simulate(along({{3, 3}, {37, 3}}, -1, 6), Region()), ErrorCode::InvalidInput);
+    VERIFY_ERROR(simulate(along({{3, 3}, {37, 3}}, 1, 6), part), ErrorCode::InvalidInput);
+    VERIFY_ERROR(simulate(along({{3, 3}, {std::nan(""), 3}}, -1, 6), part), ErrorCode::InvalidInput);
+    VERIFY_ERROR(simulate(along({{3, 3}, {37, 3}}, -1, 6), part, {.tolerance = 0}), ErrorCode::InvalidParameter);
+    CancelToken cancelled;
+    cancelled.cancel();
+    VERIFY_ERROR(simulate(along({{3, 3}, {37, 3}}, -1, 6), part, {}, Progress(cancelled)), ErrorCode::Cancelled);
+  }
+};
+
+QTEST_GUILESS_MAIN(PocketSimulateTest)
+#include "pocket_simulate_test.moc"

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/app.h"
+#include "core/error.h"
+#include "document/storage.h"
+
+namespace {
+
+using namespace blossom;
+
+FeatureId add(const App& app, Document& document, const char* command, const char* name, Value parameters,
+              const std::vector<FeatureId>& inputs = {}) {
+  const auto type = app.registry->at(command);
+  for (const FeatureId& input : inputs) {
+    Feature hidden = document.at(input);
+    hidden.visible = false;
+    document = document.with(std::move(hidden));
+  }
+  Feature feature{document.freshId(command), type->id, name, std::move(parameters), inputs, true, false, Value::object()};
+  document = document.with(feature);
+  return feature.id;
+}
+
+Value line(double x, double y) { return {{"kind", "line"}, {"to", {x, y, 0}}, {"tangent", false}}; }
+
+/// Figure 6 of Liu, Chen, Wan & Zhu: a quadrilateral becomes a triangle, here as solids. The figure shows five of the steps.
+Document blockToWedge(const App& app) {
+  Document document;
+  const auto square = add(app, document, "rectangle", "Square", {{"width", 40}, {"height", 40}});
+  const auto block = add(app, document, "extrude", "Block", {{"height", 20}}, {square});
+  const auto triangle = add(app, document, "polygon", "Triangle", {{"sides", 3}, {"radius", 24}, {"rotation", 90}});
+  const auto wedge = add(app, document, "extrude", "Wedge", {{"height", 40}}, {triangle});
+  add(app, document, "solid-morph", "Block to wedge", {{"frames", 17}}, {block, wedge});
+  return document;
+}
+
+/// Figure 5: a solid with two reflex edges, and a convex one added to it.
+Document notchedPlusPyramid(const App& app) {
+  Document document;
+  const Value around = {line(60, 0),  line(60, 50), line(40, 50), line(40, 20),
+                        line(20, 20), line(20, 50), line(0, 50),  line(0, 0)};
+  const auto outline = add(app, document, "outline", "Outline", {{"segments", around}});
+  const auto notched = add(app, document, "extrude", "Notched block", {{"height", 20}}, {outline});
+  const auto base = add(app, document, "polygon", "Base", {{"sides", 3}, {"radius", 8}});
+  const auto pyramid = add(app, document, "extrude", "Tapered", {{"height", 10}, {"taper", 20}}, {base});
+  add(app, document, "solid-sum", "Notched plus tapered", Value::object(), {notched, pyramid});
+  return document;
+}
+
+/// Section 3.2: a piece of ice melts. Thin parts go first, what is thick lasts.
+Document meltingIce(const App& app) {
+  Document document;
+  const auto star = add(app, document, "star", "Star", {{"points", 6}, {"outer", 30}, {"inner", 15}});
+  const auto ice = add(app, document, "extrude", "Ice", {{"height", 24}}, {star});
+  add(app, document, "melt", "Melting ice", {{"radius", 8}, {"frames", 9}, {"subdivisions", 1}}, {ice});
+  return document;
+}
+
+/// A letter, grown by a ball on all sides.
+Document inflatedLetter(const App& app) {
+  Document document;
+  const auto text = add(app, document, "text", "Letter", {{"text", "L"}, {"style", "bold"}, {"height", 40}});
+  const auto letter = add(app, document, "extrude", "Raised", {{"height", 8}}, {text});
+  add(app, document, "inflate", "Inflated", {{"radius", 4}, {"subdivisions", 2}}, {letter});
+  return document;
+}
+
+}  // namespace
+
+/// make_morphology_samples FOLDER: writes the sample documents of sums, morphs and melting.
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    fmt::print(stderr, "make_morphology_samples FOLDER\n");
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = argv[1];
+    const App app = loadApp();
+    saveDocument(blockToWedge(app), folder / "block-to-wedge.blossom");
+    saveDocument(notchedPlusPyramid(app), folder / "notched-sum.blossom");
+    saveDocument(meltingIce(app), folder / "melting-ice.blossom");
+    saveDocument(inflatedLetter(app), folder / "inflated-letter.blossom");
+  } catch (const Error& error) {
+    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
+    return 1;
+  }
+  return 0;
+}

@@ -12,14 +12,16 @@ namespace {
 
 struct MedialAxisParameters {
   SubShapeValue face;
+  bool skipOpen = false;
   double tolerance = 1e-3;
 };
 
 Evaluated medialAxisOf(const MedialAxisParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Part part = partOf(inputs.of(0)[0], p.face);
-  const ClearanceDiagram diagram(part.region, {p.tolerance}, progress.part(0, 0.6));
+  const Part part = partOf(inputs.of(0)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
+  const ClearanceDiagram diagram(part.region, {.tolerance = p.tolerance}, progress.part(0, 0.6));
   MedialAxis axis = diagram.medialAxis(progress.part(0.6, 1));
   Evaluated out;
+  out.warnings = part.warnings;
   addDiagramStats(diagram, out.stats);
   const auto doubtful =
       std::find_if(axis.vertices.begin(), axis.vertices.end(), [](const MedialVertex& v) { return !v.certified; });
@@ -38,6 +40,7 @@ FeatureType medialAxisFeature() {
       .icon("medial-axis")
       .input(partInput())
       .parameter("face", &P::face, partFace(), partFaceHelp)
+      .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .parameter("tolerance", &P::tolerance, positiveLength(),
                  "Most that the axis may be off; bumps of a smooth outline below it have no branch.")
       .example("blossom medial-axis outline.svg -o axis.dxf")

@@ -19,6 +19,7 @@ struct OffsetParameters {
   std::vector<double> distance{1};
   Sides side = Sides::Inside;
   SubShapeValue face;
+  bool skipOpen = false;
   double tolerance = 1e-3;
 };
 
@@ -67,9 +68,10 @@ void addLoops(Curves& curves, const Region& region, double distance, Side side) 
 }
 
 Evaluated offsetOf(const OffsetParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Part part = partOf(inputs.of(0)[0], p.face);
-  const ClearanceDiagram diagram(part.region, {p.tolerance}, progress.part(0, 0.7));
+  const Part part = partOf(inputs.of(0)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
+  const ClearanceDiagram diagram(part.region, {.tolerance = p.tolerance}, progress.part(0, 0.7));
   Evaluated out;
+  out.warnings = part.warnings;
   addDiagramStats(diagram, out.stats);
   out.stats["offsets"] = Value::array();
   Curves all;
@@ -108,6 +110,7 @@ FeatureType offsetFeature() {
       .parameter("side", &P::side, choice({"inside", "outside", "both"}),
                  "Where the offset lies; both makes the band along the outline.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
+      .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .parameter("tolerance", &P::tolerance, positiveLength(), "Most that a point of the offset may be off its distance.")
       .example("blossom offset outline.svg --distance 2 -o smaller.dxf")
       .example("blossom offset outline.dxf --distance 1,2,3,4 --side both -o rings.svg --json")

@@ -15,6 +15,7 @@
 #include "geometry/occt.h"
 #include "geometry/planar.h"
 #include "geometry/sub_shape.h"
+#include "kernel/boundary.h"
 
 namespace blossom::pocket {
 
@@ -59,22 +60,50 @@ Part fromFace(const TopoDS_Face& face, const std::string& name) {
 
 bool hasSolid(const TopoDS_Shape& shape) { return TopExp_Explorer(shape, TopAbs_SOLID).More(); }
 
+std::string endsOf(const Path& path) {
+  return fmt::format("from {} to {}", placeText(startPoint(path)), placeText(endPoint(path)));
+}
+
+/// The region in a drawing, whose open lines are refused with their place or left out.
+Part fromCurves(const Curves& drawn, OpenLines openLines) {
+  Curves curves = joined(drawn);
+  std::vector<Path> open;
+  for (const Path& path : curves.paths)
+    if (!path.closed && !path.segments.empty()) open.push_back(path);
+  Part part;
+  if (!open.empty()) {
+    if (open.size() == curves.paths.size())
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("The drawing has no closed outline; {} {}.",
+                              open.size() == 1 ? "its only line runs" : "the first of its open lines runs", endsOf(open[0])),
+                  "Close an outline in the drawing.");
+    if (openLines != OpenLines::LeaveOut)
+      throw Error(ErrorCode::InvalidInput, fmt::format("A line is open: it runs {}.", endsOf(open[0])),
+                  openLines == OpenLines::RefuseForNow ? "Close the gap in the drawing, or skip open lines (--skip-open)."
+                                                       : "Close the gap in the drawing, or delete the line.");
+    std::erase_if(curves.paths, [](const Path& path) { return !path.closed; });
+    part.warnings.push_back(fmt::format(
+        "{} left out; {} runs {}.", open.size() == 1 ? "One open line was" : fmt::format("{} open lines were", open.size()),
+        open.size() == 1 ? "it" : "the first", endsOf(open[0])));
+  }
+  part.region = toRegion(curves);
+  return part;
+}
+
 int faceCount(const TopoDS_Shape& shape) {
   int count = 0;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) ++count;
   return count;
 }
 
-Part fromBrep(const Brep& brep, int index) {
+Part fromBrep(const Brep& brep, int index, OpenLines openLines) {
   if (index >= 0) return fromFace(faceOf(brep, index), fmt::format("Face {}", index));
   if (hasSolid(brep.shape()))
     throw Error(ErrorCode::InvalidInput, "The input is a solid; which of its faces is meant?",
                 "Choose one of its flat faces: --face 0, or pick it in the view.");
   if (faceCount(brep.shape()) == 1)
     return fromFace(TopoDS::Face(TopExp_Explorer(brep.shape(), TopAbs_FACE).Current()), "The face");
-  Part part;
-  part.region = toRegion(planarCurves(brep.shape()));
-  return part;
+  return fromCurves(planarCurves(brep.shape()), openLines);
 }
 
 }  // namespace
@@ -87,18 +116,16 @@ InputSpec partInput() {
 
 ParameterSpec partFace() { return optional(subShape("face")); }
 
-Part partOf(const Shape& shape, const SubShapeValue& face) {
-  if (const Brep* brep = shape.get<Brep>()) return fromBrep(*brep, face.index);
+Part partOf(const Shape& shape, const SubShapeValue& face, OpenLines openLines) {
+  if (const Brep* brep = shape.get<Brep>()) return fromBrep(*brep, face.index, openLines);
   if (face.index > 0)
     throw Error(ErrorCode::NotFound, fmt::format("The outline has one face; face {} is not among them.", face.index),
                 "Leave the face out.");
+  if (const Curves* curves = shape.get<Curves>()) return fromCurves(*curves, openLines);
+  const Region* region = shape.get<Region>();
+  if (!region) throwWrongKind(shape);
   Part part;
-  if (const Region* region = shape.get<Region>())
-    part.region = *region;
-  else if (const Curves* curves = shape.get<Curves>())
-    part.region = toRegion(*curves);
-  else
-    throwWrongKind(shape);
+  part.region = *region;
   return part;
 }
 

@@ -16,8 +16,6 @@ namespace blossom::pocket {
 namespace {
 
 constexpr std::size_t mostPieces = 2'000'000;
-/// Radians by which a boundary may turn at a joint and still count as smooth.
-constexpr double smoothTurn = 1e-3;
 /// Radians: a curve that turns more than this from chord to chord has a corner inside.
 constexpr double innerTurn = 0.8;
 
@@ -42,8 +40,6 @@ void checkNumbers(const Region& region) {
   }
 }
 
-double turnBetween(const Vec2& a, const Vec2& b) { return std::atan2(std::abs(cross(a, b)), a.dot(b)); }
-
 void checkClosed(const Path& path) {
   const Vec2 from = startPoint(path);
   const Vec2 to = endPoint(path);
@@ -54,6 +50,8 @@ void checkClosed(const Path& path) {
 }
 
 }  // namespace
+
+double turnBetween(const Vec2& a, const Vec2& b) { return std::atan2(std::abs(cross(a, b)), a.dot(b)); }
 
 std::string placeText(const Vec2& p) {
   const auto rounded = [](double v) { return formatNumber(std::round(v * 1000) / 1000); };

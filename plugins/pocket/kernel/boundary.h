@@ -78,6 +78,11 @@ class Boundary {
   Vec2 middle_ = Vec2::Zero();
 };
 
+/// Radians by which a boundary may turn at a joint and still count as smooth.
+inline constexpr double smoothTurn = 1e-3;
+/// Radians between two directions, 0 to pi.
+double turnBetween(const Vec2& a, const Vec2& b);
+
 /// "(12.5, 3)", for messages.
 std::string placeText(const Vec2&);
 

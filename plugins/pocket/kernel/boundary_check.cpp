@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "kernel/boundary.h"
 #include "kernel/grid.h"
@@ -49,6 +51,18 @@ Clash clash(const GridPiece& a, const GridPiece& b) {
   const auto forward =
       (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) + (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
   return forward > 0 ? Clash::Along : Clash::None;
+}
+
+/// Counter-clockwise angle from one direction to another, 0 to 2 pi.
+double turnTo(const Vec2& from, const Vec2& to) {
+  const double angle = std::atan2(cross(from, to), from.dot(to));
+  return angle < 0 ? angle + fullTurn : angle;
+}
+
+/// Whether two ways through one vertex change sides there: each is given by where it comes from and where it goes.
+bool changeSides(const Vec2& at, const Vec2& from, const Vec2& to, const Vec2& otherFrom, const Vec2& otherTo) {
+  const double left = turnTo(to - at, from - at);
+  return (turnTo(to - at, otherFrom - at) < left) != (turnTo(to - at, otherTo - at) < left);
 }
 
 Vec2 crossingPoint(const Piece& a, const Piece& b) {
@@ -125,6 +139,9 @@ std::optional<Boundary::Trouble> Boundary::crossing(const Progress& progress) co
       if (k <= i || found) return;
       const Clash kind = clash(onGrid[i], onGrid[k]);
       if (kind != Clash::None) found = Trouble{crossingPoint(pieces_[i], pieces_[k]), kind == Clash::Along};
+      if (onGrid[i].from == onGrid[k].from && changeSides(pieces_[i].from, pieces_[pieces_[i].previous].from, pieces_[i].to,
+                                                          pieces_[pieces_[k].previous].from, pieces_[k].to))
+        found = Trouble{pieces_[i].from, false};
     });
   }
   return found;

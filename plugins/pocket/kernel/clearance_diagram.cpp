@@ -22,7 +22,7 @@ struct ClearanceDiagram::Parts {
   Parts(const Region& region, const ClearanceOptions& options, const Progress& progress)
       : tolerance(options.tolerance),
         boundary(region, options.tolerance / 4, progress.part(0, 0.1)),
-        diagram(boundary, progress.part(0.1, 1)) {}
+        diagram(boundary, options.exactPredicates, progress.part(0.1, 1)) {}
 
   double tolerance;
   Boundary boundary;

@@ -13,7 +13,8 @@ namespace blossom::pocket {
 enum class Side { Inside, Outside };
 
 struct ClearanceOptions {
-  double tolerance = 1e-3;  ///< mm, most that a point of an offset may be off its distance
+  double tolerance = 1e-3;       ///< mm, most that a point of an offset may be off its distance
+  bool exactPredicates = false;  ///< build the Delaunay graph at once; slow, the peer of the sweep line in tests
 };
 
 /// How a diagram came about, for users who ask.

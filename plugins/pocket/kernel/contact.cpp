@@ -32,7 +32,7 @@ Contact contactOf(const Boundary& boundary, const Site& site, const Vec2& x) {
   const TrueCurve& curve = boundary.curves()[piece.curve];
   const double margin = 4 * boundary.chord() / curve.lengthBound();
   if (site.isPoint) {
-    if (pieces[piece.previous].end != Joint::Inner) return {nullptr, 0, piece.from, 0};
+    if (pieces[piece.previous].end == Joint::Corner) return {nullptr, 0, piece.from, 0};
     return {&curve, piece.t0, piece.from, margin};
   }
   const double share = nearestShare(piece.from, piece.to, x);

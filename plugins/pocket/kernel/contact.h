@@ -14,8 +14,8 @@ struct Contact {
   double margin = 0;  ///< parameters by which a foot may lie beyond the end of the curve
 };
 
-/// The contact of a disc around x that touches this site of the flattened boundary. Vertices which only the flattening made
-/// belong to their curve.
+/// The contact of a disc around x that touches this site of the flattened boundary. Vertices which only the flattening made,
+/// and those where one curve goes on as another, belong to the curve that begins there.
 Contact contactOf(const Boundary&, const Site&, const Vec2& x);
 
 /// Foot of x on the contact, whose parameter follows.

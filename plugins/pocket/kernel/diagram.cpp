@@ -65,8 +65,6 @@ EdgeParts Diagram::partsOf(std::size_t edge) const {
   const double rb = b == atInfinity ? infinite : clearance_[b];
   const Vec2 atA = a == atInfinity ? Vec2(-towardsInfinity(half)) : graph_.vertices[a];
   const Vec2 atB = b == atInfinity ? towardsInfinity(half) : graph_.vertices[b];
-  const auto whereOf = [&](std::size_t vertex) { return vertex == atInfinity ? Where::Outside : where_[vertex]; };
-
   EdgeParts parts;
   parts.primary = bisector.kind != Bisector::Kind::Normal;
   bool dips = false;
@@ -77,11 +75,11 @@ EdgeParts Diagram::partsOf(std::size_t edge) const {
   }
   if (dips) {
     parts.count = 2;
-    parts.part[0] = {ra, bisector.least, whereOf(a), atA};
-    parts.part[1] = {bisector.least, rb, whereOf(b), atB};
+    parts.part[0] = {ra, bisector.least, Where::Unknown, atA};
+    parts.part[1] = {bisector.least, rb, Where::Unknown, atB};
   } else {
     parts.count = 1;
-    parts.part[0] = {ra, rb, ra > rb ? whereOf(a) : whereOf(b), ra > rb ? atA : atB};
+    parts.part[0] = {ra, rb, Where::Unknown, ra > rb ? atA : atB};
   }
   return parts;
 }
@@ -135,10 +133,21 @@ std::vector<Vec3> Diagram::polyline(std::size_t half, double chord) const {
   return points;
 }
 
-void Diagram::findParts(const Boundary&) {
+void Diagram::findParts() {
   parts_.clear();
   parts_.reserve(graph_.edges.size() / 2);
   for (std::size_t edge = 0; edge < graph_.edges.size() / 2; ++edge) parts_.push_back(partsOf(edge));
+}
+
+void Diagram::markParts() {
+  const auto whereOf = [&](std::size_t vertex) { return vertex == atInfinity ? Where::Outside : where_[vertex]; };
+  for (std::size_t edge = 0; edge < parts_.size(); ++edge) {
+    EdgeParts& parts = parts_[edge];
+    const Where a = whereOf(graph_.edges[2 * edge].origin);
+    const Where b = whereOf(graph_.target(2 * edge));
+    parts.part[0].where = parts.count == 2 || parts.part[0].from > parts.part[0].to ? a : b;
+    parts.part[1].where = b;
+  }
 }
 
 }  // namespace blossom::pocket

@@ -26,9 +26,10 @@ struct EdgeParts {
 /// A checked Voronoi diagram of a boundary with the clearance of everything in it. Immutable.
 class Diagram {
  public:
-  /// Builds sweep-line diagrams on turned grids until one passes all checks, then tries exact predicates.
+  /// Builds sweep-line diagrams on turned grids until one passes all checks, then tries exact predicates (or
+  /// these at once).
   /// @throws Error Degenerate when none passes (with what failed), Cancelled.
-  Diagram(const Boundary&, const Progress&);
+  Diagram(const Boundary&, bool exactPredicates, const Progress&);
 
   [[nodiscard]] const VoronoiGraph& graph() const { return graph_; }
   [[nodiscard]] double clearance(std::size_t vertex) const { return clearance_[vertex]; }
@@ -47,7 +48,10 @@ class Diagram {
   void accept(VoronoiGraph, const Boundary&, const Progress&);
   void findClearances(const Boundary&);
   void findSides(const Boundary&);
-  void findParts(const Boundary&);
+  void findParts();
+  void markParts();
+  /// mm by which rounding to the grid may move things at clearance r.
+  [[nodiscard]] double slackAt(double r) const { return slack_ * (1 + r / size_); }
   void certify(const Boundary&, const Progress&) const;
   [[nodiscard]] EdgeParts partsOf(std::size_t edge) const;
   [[nodiscard]] Vec2 towardsInfinity(std::size_t half) const;
@@ -60,7 +64,7 @@ class Diagram {
   std::vector<Where> where_;
   std::vector<EdgeParts> parts_;
   std::size_t deepest_ = 0, attempts_ = 0;
-  double slack_ = 0;  ///< mm that rounding to the grid may change
+  double slack_ = 0, size_ = 1;
   bool exact_ = false;
 };
 

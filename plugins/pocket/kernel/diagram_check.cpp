@@ -64,6 +64,9 @@ void checkCorners(const VoronoiGraph& graph, const std::vector<double>& clearanc
   }
 }
 
+/// Where pieces follow one another straight on, an edge runs from inside through their common end to the outside.
+bool passesThroughBoundary(const EdgeParts& parts) { return parts.count == 2 && parts.part[0].to == 0; }
+
 }  // namespace
 
 void Diagram::findClearances(const Boundary& boundary) {
@@ -85,8 +88,7 @@ void Diagram::findClearances(const Boundary& boundary) {
   }
   for (std::size_t v = 0; v < count; ++v) {
     if (sites[v] < 2) reject("a vertex has fewer than three edges");
-    if (!(most[v] - least[v] <= slack_ + 1e-10 * most[v]))
-      rejectAt("a vertex is not as far from all its sites", graph_.vertices[v]);
+    if (!(most[v] - least[v] <= slackAt(most[v]))) rejectAt("a vertex is not as far from all its sites", graph_.vertices[v]);
     clearance_[v] = sum[v] / sites[v];
   }
   for (const HalfEdge& edge : graph_.edges) {
@@ -109,21 +111,22 @@ void Diagram::findSides(const Boundary&) {
     return false;
   };
   std::vector<std::size_t> open;
-  const double apart = 4 * slack_;
+  const auto apart = [&](std::size_t v) { return 4 * slackAt(clearance_[v]); };
   for (const HalfEdge& edge : graph_.edges) {
-    if (edge.origin == atInfinity || clearance_[edge.origin] <= apart) continue;
+    if (edge.origin == atInfinity || clearance_[edge.origin] <= apart(edge.origin)) continue;
     const Site& site = graph_.cells[edge.cell];
     if (site.isPoint) continue;
     const Piece& piece = (*pieces_)[site.piece];
     const double side = cross(piece.along(), graph_.vertices[edge.origin] - piece.from) / piece.along().norm();
-    if (std::abs(side) > apart && give(edge.origin, side > 0 ? Where::Inside : Where::Outside)) open.push_back(edge.origin);
+    if (std::abs(side) > apart(edge.origin) && give(edge.origin, side > 0 ? Where::Inside : Where::Outside))
+      open.push_back(edge.origin);
   }
   // Vertices among points alone lie on the side of their neighbours.
   std::vector<std::vector<std::size_t>> unknown(graph_.vertices.size());
   for (std::size_t h = 0; h < graph_.edges.size(); ++h) {
     const std::size_t a = graph_.edges[h].origin;
     const std::size_t b = graph_.target(h);
-    if (a == atInfinity || clearance_[a] == 0) continue;
+    if (a == atInfinity || clearance_[a] == 0 || passesThroughBoundary(parts_[h / 2])) continue;
     if (b == atInfinity) {
       if (give(a, Where::Outside)) open.push_back(a);
     } else if (where_[b] == Where::Unknown && clearance_[b] > 0) {
@@ -140,7 +143,7 @@ void Diagram::findSides(const Boundary&) {
 
 void Diagram::certify(const Boundary& boundary, const Progress& progress) const {
   const auto holdsNothing = [&](const Vec2& center, double radius, const char* what) {
-    if (boundary.flatDistance(center) < radius - slack_ - 1e-10 * radius) rejectAt(what, center);
+    if (boundary.flatDistance(center) < radius - slackAt(radius)) rejectAt(what, center);
   };
   parallelFor(graph_.vertices.size(), 512, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
@@ -151,7 +154,7 @@ void Diagram::certify(const Boundary& boundary, const Progress& progress) const 
       if (!parts_[e].primary) continue;
       for (int k = 0; k < parts_[e].count; ++k) {
         const EdgePart& part = parts_[e].part[static_cast<std::size_t>(k)];
-        if (std::isinf(std::max(part.from, part.to)) || std::abs(part.from - part.to) < slack_) continue;
+        if (std::isinf(std::max(part.from, part.to)) || std::abs(part.from - part.to) < slackAt(part.to)) continue;
         const double middle = (part.from + part.to) / 2;
         holdsNothing(pointAt(e, k, middle), middle, "the disc of an edge holds boundary");
       }
@@ -165,14 +168,15 @@ void Diagram::accept(VoronoiGraph graph, const Boundary& boundary, const Progres
   checkEuler(graph_);
   findClearances(boundary);
   checkCorners(graph_, clearance_, boundary);
+  findParts();
   findSides(boundary);
-  findParts(boundary);
+  markParts();
   for (std::size_t h = 0; h < graph_.edges.size(); ++h) {
     const std::size_t origin = graph_.edges[h].origin;
     const bool leaves = origin == atInfinity || graph_.target(h) == atInfinity;
     const bool straight = !graph_.cells[graph_.edges[h].cell].isPoint && !graph_.cells[graph_.edges[h ^ 1].cell].isPoint;
     if (leaves && straight) reject("an edge between two pieces does not end");
-    if (leaves && origin != atInfinity && where_[origin] == Where::Inside)
+    if (leaves && origin != atInfinity && where_[origin] == Where::Inside && !passesThroughBoundary(parts_[h / 2]))
       rejectAt("an inner edge does not end", graph_.vertices[origin]);
   }
   certify(boundary, progress);
@@ -182,11 +186,12 @@ void Diagram::accept(VoronoiGraph graph, const Boundary& boundary, const Progres
   if (deepest_ == atInfinity) reject("no vertex lies inside");
 }
 
-Diagram::Diagram(const Boundary& boundary, const Progress& progress) : pieces_(&boundary.pieces()) {
+Diagram::Diagram(const Boundary& boundary, bool exactPredicates, const Progress& progress) : pieces_(&boundary.pieces()) {
   constexpr std::size_t sweeps = 6;
+  size_ = boundary.size();
   slack_ = 32 * Grid(boundary.middle(), boundary.size(), 0).step();
   std::string why;
-  for (attempts_ = 1; attempts_ <= sweeps + 1; ++attempts_) {
+  for (attempts_ = exactPredicates ? sweeps + 1 : 1; attempts_ <= sweeps + 1; ++attempts_) {
     exact_ = attempts_ > sweeps;
     progress.report(double(attempts_ - 1) / double(sweeps + 1), "Building the Voronoi diagram");
     try {

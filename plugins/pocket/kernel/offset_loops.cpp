@@ -89,22 +89,36 @@ class LoopMaker {
     return sign_ * toTheLeft(endOfCurve ? boundary_.curves()[piece.curve].tangent(t) : Vec2(piece.along().normalized()));
   }
 
-  /// Where run ends and the next begins.
+  /// Whether the boundary keeps its direction from one piece to the next, though another part of it may touch it there.
+  [[nodiscard]] bool goesStraightOn(const Piece& piece, const Piece& next) const {
+    if (piece.end == Joint::Smooth) return true;
+    return piece.end == Joint::Corner && turnBetween(normalAt(piece, true), normalAt(next, false)) < smoothTurn;
+  }
+
+  /// Whether x lies at the distance from the true boundary. Near centres of curvature the exact offset of one curve may come
+  /// closer to the boundary than the chords told, and does not count.
+  [[nodiscard]] bool isAtDistance(const Vec2& x) const {
+    return std::abs(boundary_.nearest(x).distance - o_.distance) <= o_.tolerance / 16;
+  }
+
+  /// Where run ends and the next begins, on the true curves; as the chords have it when that cannot be told.
   [[nodiscard]] Vec2 jointAfter(std::size_t i) const {
+    const auto exact = exactJoint(i);
+    return exact && isAtDistance(*exact) ? *exact : at(i).to;
+  }
+
+  [[nodiscard]] std::optional<Vec2> exactJoint(std::size_t i) const {
     const Site& a = at(i).site;
     const Site& b = at(i + 1).site;
     const Vec2& rough = at(i).to;
-    if (!a.isPoint && b.isPoint && pieces_[a.piece].next == b.piece && !curveOf(b))
+    const bool follows = !a.isPoint && pieces_[a.piece].next == b.piece;
+    if (follows && (b.isPoint ? !curveOf(b) : goesStraightOn(pieces_[a.piece], pieces_[b.piece])))
       return pieces_[b.piece].from + o_.distance * normalAt(pieces_[a.piece], true);
     if (a.isPoint && !b.isPoint && a.piece == b.piece && !curveOf(a))
       return pieces_[a.piece].from + o_.distance * normalAt(pieces_[a.piece], false);
-    if (!a.isPoint && !b.isPoint && pieces_[a.piece].next == b.piece && pieces_[a.piece].end == Joint::Smooth)
-      return pieces_[b.piece].from + o_.distance * normalAt(pieces_[a.piece], true);
     // The joint of chords may be off by the chord error over the sine of the angle between them.
     const double reach = std::max(200 * boundary_.chord(), 1e-3 * o_.distance);
-    const auto exact =
-        pointAtDistance(contactOf(boundary_, a, rough), contactOf(boundary_, b, rough), o_.distance, rough, reach);
-    return exact ? *exact : rough;
+    return pointAtDistance(contactOf(boundary_, a, rough), contactOf(boundary_, b, rough), o_.distance, rough, reach);
   }
 
   void findJoints() {
@@ -165,8 +179,11 @@ class LoopMaker {
     sweep += turnOnce * std::round((expected - sweep) / turnOnce);
     if (sweep < 0) return Line2{from, to};  // shorter than rounding
     sweep *= turn;
+    // All around, the ends say nothing about the centre.
+    if (std::abs(sweep) > 0.9 * turnOnce && (from - to).norm() < 1e-9 * radius)
+      return Arc2{center, a.norm(), std::atan2(a.y(), a.x()), sweep};
     const double off = std::max(std::abs(a.norm() - radius), std::abs(b.norm() - radius));
-    if (std::abs(sweep) > 1e-9 && off < 1e-9 * (1 + radius)) return Arc2{center, radius, std::atan2(a.y(), a.x()), sweep};
+    if (std::abs(sweep) > 1e-9 && off < 1e-11 * (1 + radius)) return Arc2{center, radius, std::atan2(a.y(), a.x()), sweep};
     return arcThrough(from, to, sweep);
   }
 
@@ -184,23 +201,29 @@ class LoopMaker {
     };
     const double start = footFrom(run.first, from);
     const double end = footFrom(run.first + run.count - 1, to);
-    std::vector<double> parameters;
+    struct Sample {
+      double t;
+      TangentPoint rough;
+    };
+    std::vector<Sample> places;
     for (std::size_t k = 0; k < run.count; ++k) {
       const TracedPiece& traced = at(run.first + k);
       if (traced.site.isPoint) continue;
       const double a = contactOf(boundary_, traced.site, traced.from).parameter;
       const double b = contactOf(boundary_, traced.site, traced.to).parameter;
-      for (int i = 0; i < 4; ++i) parameters.push_back(a + i * (b - a) / 4);
-      parameters.push_back(b);
+      const Vec2 along = pieces_[traced.site.piece].along().normalized();
+      for (int i = 0; i <= 4; ++i)
+        places.push_back({a + i * (b - a) / 4, {traced.from + i * (traced.to - traced.from) / 4, along}});
     }
-    std::sort(parameters.begin(), parameters.end());
+    std::sort(places.begin(), places.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
     std::vector<TangentPoint> samples{{from, exactAt(*run.curve, start).tangent}};
     const double apart = 1e-2 * boundary_.chord();
-    for (const double t : parameters) {
-      if (!(t > start && t < end)) continue;
-      const bool regular = 1 - sign_ * o_.distance * run.curve->curvature(t) > 1e-6;
-      const TangentPoint next = exactAt(*run.curve, t);
-      if (regular && (next.at - samples.back().at).norm() > apart && (next.at - to).norm() > apart) samples.push_back(next);
+    for (const Sample& place : places) {
+      if (!(place.t > start && place.t < end)) continue;
+      TangentPoint next = exactAt(*run.curve, place.t);
+      const double speed = 1 - sign_ * o_.distance * run.curve->curvature(place.t);
+      if (speed < 1e-6 || !isAtDistance(next.at)) next = place.rough;
+      if ((next.at - samples.back().at).norm() > apart && (next.at - to).norm() > apart) samples.push_back(next);
     }
     samples.push_back({to, exactAt(*run.curve, end).tangent});
     return samples;

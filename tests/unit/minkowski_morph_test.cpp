@@ -59,6 +59,17 @@ class MinkowskiMorphTest : public QObject {
     }
   }
 
+  /// On the way there, the other shapes become smaller than any rounding.
+  void theEndsAreApproached() {
+    const std::vector<Region> shapes{regular(7, 15), starRegion(4, 9, 5), starRegion(5, 24, 9)};
+    for (double t = 1e-3; t > 1e-17; t /= 10)
+      for (const Evaluation evaluation : everyWay) {
+        const MorphOptions options{.evaluation = evaluation};
+        COMPARE_NEAR(area(one(shapes, {t, t}, options)), area(shapes.front()), 1e4 * t + 1e-7);
+        COMPARE_NEAR(area(one(shapes, {1 - t, 1 - t}, options)), area(shapes.back()), 1e4 * t + 1e-7);
+      }
+  }
+
   void aSquareBecomesABoxLinearly() {
     const std::vector<Region> shapes{rectangleRegion({0, 0}, {2, 2}), rectangleRegion({10, 0}, {16, 4})};
     for (const double t : {0.25, 0.5, 0.9}) COMPARE_NEAR(area(one(shapes, {t})), (2 + 4 * t) * (2 + 2 * t), 1e-9);

@@ -1,3 +1,4 @@
+#include "minkowski/kernel/polygon_sum.h"
 #include "minkowski/kernel/region_sum.h"
 #include "minkowski/kernel/snap_rounding.h"
 #include "minkowski/kernel/winding_faces.h"
@@ -219,6 +220,25 @@ class MinkowskiSumTest : public QObject {
     const Region sum =
         sumOf(rectangleRegion({1e6, 1e6}, {1e6 + 1, 1e6 + 1}), polygonRegion({{-3e5, 0}, {-3e5 + 2, 0}, {-3e5 + 1, 1}}));
     COMPARE_NEAR(area(sum), 1 + 1 + 2 + 1, 1e-8);
+  }
+
+  /// However small a part is, its sum with the other set is as large as that.
+  void specksCountAsPoints() {
+    const Region l = polygonRegion({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}});
+    for (double size = 1e-3; size > 1e-18; size /= 10) {
+      const Region speck = polygonRegion({{50, 0}, {50 + size, 0}, {50 + size / 3, size / 3}, {50, size}});
+      const double rounding = 20 * size + 1e-7;
+      if (size >= 1e-5) COMPARE_NEAR(area(sumOf(l, speck)), 7, rounding);
+      Polygons star;
+      for (int k = 0; k < 10; ++k)
+        star.resize(1), star[0].outer.push_back((k % 2 == 0 ? size : size / 3) *
+                                                Vec2(std::cos(2 * pi * k / 10), std::sin(2 * pi * k / 10)));
+      const Polygons large{{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}};
+      COMPARE_NEAR(minkowski::area(sum(large, star)), 7, rounding);
+      Polygons both = star;
+      both.push_back({{{50, 0}, {60, 0}, {60, 10}, {50, 10}}, {}});
+      COMPARE_NEAR(minkowski::area(sum(large, both)), 7 + 14 * 14 - 3 * 3, 10 * rounding);
+    }
   }
 
   void differencesShrink() {

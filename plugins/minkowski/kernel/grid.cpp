@@ -6,6 +6,8 @@
 namespace blossom::minkowski {
 namespace {
 
+constexpr std::int64_t speck = 16;  // units; rounding leaves no shape to what is smaller
+
 GridLoop snapped(const Loop& loop, const Grid& grid) {
   GridLoop points;
   points.reserve(loop.size());
@@ -13,7 +15,20 @@ GridLoop snapped(const Loop& loop, const Grid& grid) {
     const Vec2 q = (p - grid.origin) / grid.unit;
     points.push_back({std::llround(q.x()), std::llround(q.y())});
   }
-  return cleaned(points);
+  return points;
+}
+
+/// An outline as it comes out of rounding. A speck becomes its box, for a part must not vanish: what is added to it is as
+/// large as the other set.
+GridLoop outlineOf(const GridLoop& points) {
+  GridPoint low = points.front(), high = points.front();
+  for (const GridPoint& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  if (high.x - low.x > speck || high.y - low.y > speck) return cleaned(points);
+  high = {std::max(high.x, low.x + 1), std::max(high.y, low.y + 1)};
+  return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
 }  // namespace
@@ -49,10 +64,11 @@ double gridUnit(const Vec2& largestSize) {
 std::vector<GridPolygon> snapped(const Polygons& polygons, const Grid& grid) {
   std::vector<GridPolygon> result;
   for (const Polygon& polygon : polygons) {
-    GridPolygon image{snapped(polygon.outer, grid), {}};
+    const GridLoop points = snapped(polygon.outer, grid);
+    GridPolygon image{outlineOf(points), {}};
     if (image.outer.empty()) continue;
     for (const Loop& hole : polygon.holes)
-      if (GridLoop loop = snapped(hole, grid); !loop.empty()) image.holes.push_back(std::move(loop));
+      if (GridLoop loop = cleaned(snapped(hole, grid)); !loop.empty()) image.holes.push_back(std::move(loop));
     result.push_back(std::move(image));
   }
   return result;

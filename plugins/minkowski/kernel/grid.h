@@ -41,7 +41,7 @@ struct Grid {
 double gridUnit(const Vec2& largestSize);
 /// Without equal neighbours, straight corners and antennas; empty when nothing else is left.
 GridLoop cleaned(const GridLoop&);
-/// Snaps to the nearest grid points; what collapses vanishes.
+/// Snaps to the nearest grid points. Specks become boxes; slivers and holes that collapse vanish.
 std::vector<GridPolygon> snapped(const Polygons&, const Grid&);
 
 }  // namespace blossom::minkowski

@@ -41,7 +41,7 @@ at_most "  n = 4: doubling chains need fewer sums than the table" "$(morph_sums 
 areas=("$("$bin/blossom" circle --radius 15 -o "$out/shape-0.svg" --json | json area)"
   "$("$bin/blossom" star --points 5 --outer 24 --inner 9 -o "$out/shape-1.svg" --json | json area)")
 for t in 0 1; do
-  end=$("$bin/blossom" morph "$out/shape-0.svg" star:4:9:5 "$out/shape-1.svg" --t $t -o "$out/end-$t.svg" --json)
+  end=$("$bin/blossom" morph circle:15 star:4:9:5 star:5:24:9 --t $t -o "$out/end-$t.svg" --json)
   equal "C($t): area of that control shape" "$(json area <<<"$end")" "${areas[$t]}"
   equal "C($t): its file is that of the shape" "$(cmp "$out/end-$t.svg" "$out/shape-$t.svg" && echo the same)" "the same"
 done

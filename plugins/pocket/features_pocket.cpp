@@ -38,6 +38,7 @@ struct PocketParameters {
   WorkOffset workOffset = WorkOffset::G54;
   double tolerance = 0.005;
   SubShapeValue face;
+  bool skipOpen = false;
 };
 
 /// "45%" of the tool's diameter, or a length.
@@ -142,10 +143,11 @@ void addSimulation(const PocketParameters& p, const Region& region, Toolpath& pa
 }
 
 Evaluated pocketOf(const PocketParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Part part = partOf(inputs.of(0)[0], p.face);
+  const Part part = partOf(inputs.of(0)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
   const PocketOptions options = optionsOf(p);
   PocketResult made = pocketPath(part.region, options, progress.part(0, 0.6));
   Evaluated out;
+  out.warnings = part.warnings;
   warnOfNarrow(made, out.warnings);
   if (made.plunged > 0)
     out.warnings.push_back(fmt::format("{} entr{} no room for a {}: the tool plunges there.", made.plunged,
@@ -213,8 +215,9 @@ FeatureType pocketFeature() {
       .parameter("tool-number", &P::toolNumber, count(1, 9999), "Place in the tool changer.")
       .parameter("tolerance", &P::tolerance, positiveLength(), "Most that the path may be off.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
+      .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .example("blossom pocket plate.dxf --tool-diameter 6 --depth 10 --stepdown 2.5 -o plate.ngc")
-      .example("blossom pocket cover.step --face part:face:4 --tool-diameter 1/8in --depth 3 --entry helix -o cover.ngc")
+      .example("blossom pocket cover.step --face 4 --tool-diameter 1/8in --depth 3 --entry helix -o cover.ngc")
       .example("blossom pocket sign.svg --tool-diameter 3 --depth 2 --finish 0.2 --post grbl -o sign.nc")
       .evaluate(pocketOf);
 }

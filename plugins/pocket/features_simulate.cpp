@@ -16,6 +16,7 @@ struct SimulateParameters {
   double depth = 0, leave = 0;
   double tolerance = 0.01;
   SubShapeValue face;
+  bool skipOpen = false;
 };
 
 void chooseTool(const SimulateParameters& p, Toolpath& path) {
@@ -43,7 +44,7 @@ Vec3 placeOf(const Toolpath& path, const Part& part) {
 }
 
 Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Part part = partOf(inputs.of(1)[0], p.face);
+  const Part part = partOf(inputs.of(1)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
   Toolpath path = inputs.get<Toolpath>(0);
   chooseTool(p, path);
   const Vec3 place = placeOf(path, part);
@@ -53,6 +54,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
   path.residue = result.residue;
   path.marks.clear();
   Evaluated out;
+  out.warnings = part.warnings;
   constexpr double visible = 1e-6;
   if (result.gouge > visible) {
     const Vec3 at = result.gougeAt + place;
@@ -89,8 +91,10 @@ FeatureType simulateFeature() {
       .parameter("leave", &P::leave, lengthFromZero(), "What was to stay on the walls.")
       .parameter("tolerance", &P::tolerance, positiveLength(), "Residue narrower than this does not count.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
+      .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .example("blossom simulate plate.ngc --part plate.dxf")
       .example("blossom simulate foreign.nc --part plate.dxf --tool-diameter 6 --depth 10 --json")
+      .example("blossom simulate plate.ngc part.step --face 4")
       .evaluate(simulated);
 }
 

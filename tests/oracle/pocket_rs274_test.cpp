@@ -20,7 +20,7 @@ namespace {
 
 /// mm: programs are written with four places after the point in mm and five in inches, but rs274 prints four of either.
 double resolutionOf(const char* unit) { return unit == std::string("inch") ? 2.54e-3 : 1e-4; }
-constexpr double curvesWithin = 1e-5;      // mm, of the oracle
+constexpr double curvesWithin = 1e-5;  // mm, of the oracle
 
 /// The figures that all programs together came to.
 struct Figures {
@@ -31,8 +31,8 @@ struct Figures {
 };
 
 struct Job {
-  double share = 0.5;     ///< of the largest tool that fits
-  double stepover = 0.45; ///< of its diameter
+  double share = 0.5;      ///< of the largest tool that fits
+  double stepover = 0.45;  ///< of its diameter
   double depths = 2;
   Entry entry = Entry::Ramp;
   bool climb = true, finish = false;
@@ -74,9 +74,8 @@ std::vector<ShortLine> linesOfMove(const Vec3& from, const ToolMove& move) {
 }
 
 bool isTracked(const std::vector<std::pair<double, ShortLine>>& cut, const Vec3& p) {
-  return std::any_of(cut.begin(), cut.end(), [&](const auto& each) {
-    return each.first <= p.z() && each.second.distance(p.head<2>()) < 0.01;
-  });
+  return std::any_of(cut.begin(), cut.end(),
+                     [&](const auto& each) { return each.first <= p.z() && each.second.distance(p.head<2>()) < 0.01; });
 }
 
 std::string place(const Vec2& p) { return fmt::format("({:.3f}, {:.3f})", p.x(), p.y()); }
@@ -110,7 +109,8 @@ std::string complaint(const Toolpath& path, const PocketOptions& o, double resol
     }
     if (m.to.z() <= -o.depth + resolution && high > -o.depth + resolution) floor.push_back({m.to.head<2>(), m.to.head<2>()});
     if (!seen.insert({from.x(), from.y(), m.to.x(), m.to.y(), m.center.x(), m.center.y(), m.turn}).second) continue;
-    constexpr double apart = 0.05;  // mm; beside a corner r away the distance changes by apart^2 / 8 r between two samples
+    // Between two samples the distance to a corner r away changes by apart^2 / 8 r.
+    const double apart = std::sqrt(8 * o.cutter.diameter / 2 * 2e-4);
     for (const ShortLine& line : lines) {
       const int steps = std::max(1, static_cast<int>(std::ceil((line.to - line.from).norm() / apart)));
       for (int k = 0; k <= steps; ++k) {
@@ -144,7 +144,7 @@ std::string complaint(const Region& part, const Job& job, double largest, Figure
   writeShape(formats, made.path, file, {{"post", job.post}, {"unit", job.unit}});
   const Interpreted run = interpret(file);
   if (!run.good) return "rs274: " + run.log;
-  const ReachOracle oracle(part, diameter / 2, curvesWithin, 1.5e6);
+  const ReachOracle oracle(part, diameter / 2, curvesWithin, 8e5);
   return complaint(run.path, o, resolutionOf(job.unit), oracle, figures);
 }
 
@@ -269,8 +269,8 @@ class PocketRs274Test final : public QObject {
 
  private:
   static void print(const std::string& name, const Figures& f) {
-    std::printf("figure %s_parts %d\nfigure %s_refused %d\nfigure %s_programs %d\nfigure %s_arcs %d\n", name.c_str(), f.parts,
-                name.c_str(), f.refused, name.c_str(), f.programs, name.c_str(), f.arcs);
+    std::printf("figure %s_parts %d\nfigure %s_refused %d\nfigure %s_programs %d\nfigure %s_arcs %d\n", name.c_str(),
+                f.parts, name.c_str(), f.refused, name.c_str(), f.programs, name.c_str(), f.arcs);
     std::printf("figure %s_gouge %.6f\nfigure %s_gouge_share %.4f\nfigure %s_residue %.6f\n", name.c_str(), f.gouge,
                 name.c_str(), f.beyond, name.c_str(), f.residue);
     std::printf("figure %s_reachable %.1f\nfigure %s_path %.0f\n", name.c_str(), f.reachable, name.c_str(), f.millimetres);

@@ -272,7 +272,8 @@ class PocketPathTest final : public QObject {
           for (std::size_t i = 0; i < made.path.moves.size(); ++i)
             if (made.path.moves[i].kind != MoveKind::Rapid)
               for (const Vec3& q : polylineOf(startOf(made.path, i), made.path.moves[i], 1e-3))
-                if (q.z() == startOf(made.path, i).z() && q.z() == made.path.moves[i].to.z() && (q.head<2>() - p).norm() < 15)
+                if (q.z() == startOf(made.path, i).z() && q.z() == made.path.moves[i].to.z() &&
+                    (q.head<2>() - p).norm() < 15)
                   floors.insert(q.z());
           if (ClearanceDiagram(*part).clearance(p) > 3) QCOMPARE(floors.size(), std::size_t(3));
         }

@@ -4,6 +4,7 @@
 #include "geometry/planar.h"
 #include "pocket/kernel/simulate.h"
 #include "pocket/kernel/stroke_tree.h"
+#include "support/planar_parts.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -110,6 +111,21 @@ class PocketSimulateTest final : public QObject {
     for (int k = 0; k < 5000; ++k) {
       const Vec2 p(2 * unit(random), unit(random));
       QCOMPARE(inside(p), windingNumber(path, p) != 0);
+    }
+  }
+
+  /// Rays at the very height of a joint, where rounding could leave a gap.
+  void insideHoldsAtTheHeightsOfJoints() {
+    Path ellipse;
+    ellipse.closed = true;
+    ellipse.segments.emplace_back(ellipticArc({0, 0}, {16, 0}, 0.625, 0, fullTurn));
+    for (const Path& path :
+         {ellipse, wavyPath({1.1, 0.7}, 9, 2, 5), circlePath({0.1, 0.3}, 7), circlePath({0.1, 0.3}, 7, true)}) {
+      const std::vector<Stroke> strokes = strokesOf(path, 1e-3);
+      const InsideTest inside(strokes);
+      for (const Stroke& s : strokes)
+        for (const double y : {s.from.y(), s.to.y(), std::nextafter(s.from.y(), 1e9), std::nextafter(s.from.y(), -1e9)})
+          for (const double x : {-30.0, 30.0}) QVERIFY(!inside({x, y}));
     }
   }
 

@@ -42,7 +42,7 @@ class ResidueSearch {
       open.pop_back();
       if (++looked % 4096 == 0) progress.check();
       const double reach = s.half * std::sqrt(2.0);
-      const double enough = radius_ + tolerance_ + reach;
+      const double enough = radius_ + tolerance_ + 2 * reach;  // beyond it, all of the square is out of reach
       const double swept = cut_.nearest(s.middle, enough).distance;
       if (swept + reach <= radius_ + tolerance_) continue;
       const double centre = within_(s.middle) ? 0 : rim_.nearest(s.middle, enough).distance;
@@ -59,6 +59,29 @@ class ResidueSearch {
         for (const double y : {-0.5, 0.5}) open.push_back({s.middle + s.half * Vec2(x, y), s.half / 2});
     }
     return found;
+  }
+
+  /// mm2 that the tool opens of a square. Squares on the rim count by how far their middle lies within: what is off in one
+  /// is mostly made good by its neighbours.
+  [[nodiscard]] double opened(Square square) const {
+    const double smallest = radius_ / 64;
+    double sum = 0;
+    std::vector<Square> open{square};
+    while (!open.empty()) {
+      const Square s = open.back();
+      open.pop_back();
+      const double reach = s.half * std::sqrt(2.0);
+      const double centre = within_(s.middle) ? 0 : rim_.nearest(s.middle, radius_ + reach).distance;
+      if (centre >= radius_ + reach) continue;
+      const bool all = centre + reach <= radius_;
+      if (all || s.half <= smallest) {
+        sum += 4 * s.half * s.half * (all ? 1 : std::clamp(0.5 + (radius_ - centre) / (2 * s.half), 0.0, 1.0));
+        continue;
+      }
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5}) open.push_back({s.middle + s.half * Vec2(x, y), s.half / 2});
+    }
+    return sum;
   }
 
   void mark(Residue& found, const Vec2& p) const {
@@ -90,9 +113,7 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   if (diagram.largestClearance() <= problem.radius + problem.leave) return total;
   const Region centers = diagram.offset(problem.radius + problem.leave, Side::Inside, progress);
   if (centers.loops.empty()) return total;
-  // What the tool opens is the offset of where its centre may be. Squares of the last size lie along its rim.
-  total.reachable = area(ClearanceDiagram(centers, {.tolerance = tolerance / 4}, progress.part(0.2, 0.4))
-                             .offset(problem.radius, Side::Outside, progress));
+  // Squares of the last size lie along the rim.
   constexpr double squaresAlong = 12;  // looked at for each length of the tolerance along the rim
   const double length = perimeter(centers);
   total.resolution = std::max(tolerance, squaresAlong * length / static_cast<double>(problem.cells));
@@ -111,14 +132,17 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   const auto columns = static_cast<std::size_t>(std::ceil((high.x() - low.x()) / side));
   const auto rows = static_cast<std::size_t>(std::ceil((high.y() - low.y()) / side));
   std::vector<Residue> parts(columns * rows);
-  parallelFor(parts.size(), 1, progress.part(0.4, 1), [&](std::size_t begin, std::size_t end) {
+  parallelFor(parts.size(), 1, progress.part(0.2, 1), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec2 cell(static_cast<double>(i % columns) + 0.5, static_cast<double>(i / columns) + 0.5);
-      parts[i] = search.search({low + side * cell, side / 2}, progress);
+      const Square square{low + side * cell, side / 2};
+      parts[i] = search.search(square, progress);
+      parts[i].reachable = search.opened(square);
     }
   });
   for (const Residue& each : parts) {
     total.area += each.area;
+    total.reachable += each.reachable;
     for (const Vec2& p : each.places) search.mark(total, p);
   }
   return total;

@@ -188,6 +188,9 @@ std::vector<Stroke> strokesOf(const Path& path, double chord) {
       for (std::size_t i = 0; i + 1 < points.size(); ++i) strokes.push_back(Stroke::line(points[i], points[i + 1]));
     }
   }
+  // Rounding must leave no gap: a ray through one would not meet the outline.
+  for (std::size_t i = 0; i + 1 < strokes.size(); ++i) strokes[i].to = strokes[i + 1].from;
+  if (path.closed && !strokes.empty()) strokes.back().to = strokes.front().from;
   return strokes;
 }
 

@@ -35,7 +35,7 @@ double distance(const Stroke&, const Vec2&);
 /// strokes cross, and the pairs of inner points whose connection is normal to both.
 double distance(const Stroke&, const Stroke&);
 
-/// The segments of a path; splines as lines within `chord` mm.
+/// The segments of a path; splines as lines within `chord` mm. Each begins exactly where the one before ends.
 std::vector<Stroke> strokesOf(const Path&, double chord);
 
 }  // namespace blossom::pocket

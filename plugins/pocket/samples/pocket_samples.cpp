@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/app.h"
+#include "core/error.h"
+#include "document/storage.h"
+
+namespace {
+
+using namespace blossom;
+
+FeatureId add(const App& app, Document& document, const char* command, const char* name, Value parameters,
+              const std::vector<FeatureId>& inputs = {}) {
+  const auto type = app.registry->at(command);
+  for (const FeatureId& input : inputs) {
+    Feature hidden = document.at(input);
+    hidden.visible = false;
+    document = document.with(std::move(hidden));
+  }
+  Feature feature{document.freshId(command), type->id, name, std::move(parameters), inputs, true, false, Value::object()};
+  document = document.with(feature);
+  return feature.id;
+}
+
+/// A rounded cover with bosses that stay: ramps, even depths, a finishing pass along the walls.
+Document cover(const App& app) {
+  Document document;
+  const auto plate = add(app, document, "rectangle", "Cover", {{"width", 90}, {"height", 60}, {"corner", 12}});
+  const auto window = add(app, document, "ellipse", "Window", {{"a", 16}, {"b", 10}});
+  const auto screw = add(app, document, "circle", "Screw boss", {{"radius", 5}, {"centre", {-31, -17, 0}}});
+  const auto row = add(app, document, "pattern", "Row", {{"count", 2}, {"step", {62, 0, 0}}}, {screw});
+  const auto bosses = add(app, document, "pattern", "Bosses", {{"count", 2}, {"step", {0, 34, 0}}}, {row});
+  const auto part = add(app, document, "boolean", "Part", {{"operation", "difference"}}, {plate, window, bosses});
+  add(app, document, "pocket", "Pocket",
+      {{"tool-diameter", 6}, {"depth", 9}, {"stepdown", 3}, {"finish", 0.2}, {"zero", "corner"}}, {part});
+  return document;
+}
+
+/// Letters cut into a sign with a small tool, helix down, each letter to its depth before the next.
+Document sign(const App& app) {
+  Document document;
+  const auto letters =
+      add(app, document, "text", "Letters", {{"text", "Blossom"}, {"style", "bold"}, {"height", 30}, {"at", {0, 0, 0}}});
+  add(app, document, "pocket", "Engraved",
+      {{"tool-diameter", 2}, {"depth", 2}, {"stepover", "50%"}, {"entry", "helix"}, {"feed", 600}, {"stock-margin", 8}},
+      {letters});
+  return document;
+}
+
+}  // namespace
+
+/// make_pocket_program_samples FOLDER: writes the sample documents of pockets.
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    fmt::print(stderr, "make_pocket_program_samples FOLDER\n");
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = argv[1];
+    const App app = loadApp();
+    saveDocument(cover(app), folder / "pocket-cover.blossom");
+    saveDocument(sign(app), folder / "pocket-sign.blossom");
+  } catch (const Error& error) {
+    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
+    return 1;
+  }
+  return 0;
+}

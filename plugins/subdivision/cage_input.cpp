@@ -41,6 +41,12 @@ ControlPolygon polygonOfPath(const Curves& curves) {
 
 }  // namespace
 
+Shape cageOf(const Shape& input) {
+  if (input.kind() != ShapeKind::Region) return input;
+  std::optional<Curves> drawing = drawingOf(input);
+  return drawing ? Shape(std::move(*drawing)) : input;
+}
+
 std::optional<ControlPolygon> polygonOf(const Shape& shape) {
   if (const auto* curves = shape.get<Curves>()) return polygonOfPath(*curves);
   const Curve& curve = splineOf(shape);

@@ -7,6 +7,9 @@
 
 namespace blossom::subdivision {
 
+/// What is used of an input: of a region its outline, as drawn lines.
+Shape cageOf(const Shape& input);
+
 /// The control polygon that drawn lines, or a curve of degree 1, are; none for B-spline curves of other degrees.
 /// @throws Error InvalidInput when it is not one polygon of straight lines.
 std::optional<ControlPolygon> polygonOf(const Shape&);

@@ -1,14 +1,18 @@
 #include "faces_brep.h"
 
+#include <fmt/format.h>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
+
+#include <vector>
 
 #include "core/error.h"
 #include "geometry/occt.h"
@@ -32,33 +36,58 @@ TopoDS_Shape sewn(const std::vector<Surface>& faces, const Progress& progress) {
   return sewing.SewedShape();
 }
 
-/// Shells that close become solids.
+TopoDS_Shell shellOf(const TopoDS_Face& face) {
+  TopoDS_Shell shell;
+  const BRep_Builder builder;
+  builder.MakeShell(shell);
+  builder.Add(shell, face);
+  return shell;
+}
+
+/// A solid when the shell closes, else what is given.
+TopoDS_Shape solidOr(const TopoDS_Shell& shell, const TopoDS_Shape& given) {
+  if (!BRep_Tool::IsClosed(shell)) return given;
+  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(shell).Solid();
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+int faceCount(const TopoDS_Shape& shape) {
+  int count = 0;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) ++count;
+  return count;
+}
+
+void checkNoneIsLost(const TopoDS_Shape& sewn, std::size_t faces) {
+  const auto left = static_cast<std::size_t>(faceCount(sewn));
+  if (left < faces)
+    throw Error(ErrorCode::Degenerate,
+                fmt::format("{} of the {} B-spline faces are squeezed to a line or a point.", faces - left, faces),
+                "Look for vertices of the cage that lie on each other.");
+}
+
+/// Shells that close become solids, and so do faces that close by themselves, as that of a torus.
 TopoDS_Shape withSolids(const TopoDS_Shape& sewn) {
+  std::vector<TopoDS_Shape> parts;
+  for (TopExp_Explorer shells(sewn, TopAbs_SHELL); shells.More(); shells.Next())
+    parts.push_back(solidOr(TopoDS::Shell(shells.Current()), shells.Current()));
+  for (TopExp_Explorer loose(sewn, TopAbs_FACE, TopAbs_SHELL); loose.More(); loose.Next())
+    parts.push_back(solidOr(shellOf(TopoDS::Face(loose.Current())), loose.Current()));
+  if (parts.size() == 1) return parts.front();
   TopoDS_Compound all;
-  BRep_Builder builder;
+  const BRep_Builder builder;
   builder.MakeCompound(all);
-  int parts = 0;
-  TopoDS_Shape last;
-  for (TopExp_Explorer shells(sewn, TopAbs_SHELL); shells.More(); shells.Next(), ++parts) {
-    const TopoDS_Shell shell = TopoDS::Shell(shells.Current());
-    last = shell;
-    if (shell.Closed()) {
-      TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(shell).Solid();
-      BRepLib::OrientClosedSolid(solid);
-      last = solid;
-    }
-    builder.Add(all, last);
-  }
-  for (TopExp_Explorer loose(sewn, TopAbs_FACE, TopAbs_SHELL); loose.More(); loose.Next(), ++parts)
-    builder.Add(all, last = loose.Current());
-  return parts == 1 ? last : all;
+  for (const TopoDS_Shape& part : parts) builder.Add(all, part);
+  return all;
 }
 
 }  // namespace
 
 Brep brepOf(const std::vector<Surface>& faces, const std::string& name, const Progress& progress) {
   try {
-    return Brep(withSolids(sewn(faces, progress)), name);
+    const TopoDS_Shape joined = sewn(faces, progress);
+    checkNoneIsLost(joined, faces.size());
+    return Brep(withSolids(joined), name);
   } catch (const Standard_Failure& failure) {
     throw Error(ErrorCode::Degenerate, std::string("The faces cannot be joined: ") + failure.GetMessageString(),
                 "Look for faces of the cage that are squeezed to a line or a point.");

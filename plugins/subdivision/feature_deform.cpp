@@ -54,7 +54,7 @@ void addFigures(const DeformResult& result, const Shape& cage, Evaluated& out) {
 }
 
 Evaluated deformEvaluate(const DeformParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Shape& cage = inputs.of(0)[0];
+  const Shape cage = cageOf(inputs.of(0)[0]);
   checkScheme(cage, p.scheme);
   DeformOptions options{.free = ruleOf(p.free), .lambda = p.lambda, .iterations = p.iterations, .pulls = pullsOf(p.pulls)};
   std::vector<Vec3> samples;
@@ -114,8 +114,10 @@ FeatureType deformFeature() {
       .icon("deform")
       .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
       .input({.name = "target",
-              .help = "Where the limit shape is to run: drawn curves, a cloud of points, or the vertices of a mesh.",
-              .kinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves},
+              .help =
+                  "Where the limit shape is to run: drawn curves, edges of a solid, a cloud of points, or the vertices of a "
+                  "mesh.",
+              .kinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Region, ShapeKind::Brep},
               .least = 0})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
       .parameter("free", &P::free, text(),

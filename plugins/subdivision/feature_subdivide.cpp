@@ -13,7 +13,7 @@ struct SubdivideParameters {
 };
 
 Evaluated subdivideEvaluate(const SubdivideParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Shape& cage = inputs.of(0)[0];
+  const Shape cage = cageOf(inputs.of(0)[0]);
   checkScheme(cage, p.scheme);
   Evaluated out;
   if (p.as != As::Faces) out.stats["levels"] = p.levels;

@@ -8,6 +8,6 @@ FeatureType deformFeature();
 FeatureType strokeFeature();
 
 /// What can be a cage.
-inline const std::vector<ShapeKind> cageKinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves};
+inline const std::vector<ShapeKind> cageKinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Region};
 
 }  // namespace blossom::subdivision

@@ -51,7 +51,11 @@ void presentFaces(const Mesh& cage, const PresentOptions& options, Evaluated& ou
   if (made.exactFaces < made.faces.size())
     out.warnings.push_back(
         fmt::format("Near extraordinary points the faces lie up to {:.2g} mm and {:.2g}° off the limit surface.",
-                    made.deviation, toDegrees(made.normalDeviation)));
+                    made.deviation - made.sharpened, toDegrees(made.normalDeviation)));
+  if (made.sharpened > 0)
+    out.warnings.push_back(fmt::format(
+        "Edges that are sharp for some levels only are sharp in the faces: up to {:.2g} mm off the limit surface.",
+        made.sharpened));
   if (made.deviation > options.tolerance)
     out.warnings.emplace_back("That is more than the tolerance; refine the cage once and try again.");
 }

@@ -1,7 +1,5 @@
 #include "kernel/bspline_faces.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -11,31 +9,12 @@
 #include "kernel/cage.h"
 #include "kernel/limit_surface.h"
 #include "kernel/quad_layout.h"
-#include "kernel/subdivide.h"
+#include "kernel/settled_cage.h"
 
 namespace blossom::subdivision {
 namespace {
 
-constexpr double mostFaces = 50000;
 constexpr int coarsest = 2, finest = 8;  // levels of knots towards an extraordinary corner
-
-/// Quads only, and nothing semi-sharp any more.
-Mesh settled(const Mesh& cage, const Progress& progress) {
-  double sharpest = 0;
-  for (const Crease& crease : cage.creases)
-    if (crease.sharpness < 10) sharpest = std::max(sharpest, crease.sharpness);
-  for (const Corner& corner : cage.corners)
-    if (corner.sharpness < 10) sharpest = std::max(sharpest, corner.sharpness);
-  int levels = static_cast<int>(std::ceil(sharpest));
-  for (std::size_t f = 0; f < cage.faceCount(); ++f)
-    if (cage.face(f).size() != 4) levels = std::max(levels, 1);
-  if (static_cast<double>(cage.faceVertices.size()) * std::pow(4.0, levels - 1) > mostFaces)
-    throw Error(ErrorCode::LimitExceeded,
-                fmt::format("As B-spline faces, {} faces with edges of sharpness {} would be more than {} faces.",
-                            cage.faceCount(), sharpest, mostFaces),
-                "Give the edges a lower sharpness, or 10, which is sharp for ever; or take a limit mesh.");
-  return levels > 0 ? subdivide(cage, {.levels = levels}, progress).mesh : cage;
-}
 
 /// Point, derivatives by u and v, and the mixed one.
 struct Node {
@@ -283,7 +262,8 @@ FacesResult bsplineFaces(const Mesh& cage, const FacesOptions& options, const Pr
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
     throw Error(ErrorCode::InvalidParameter, "The tolerance is not above 0.", "Give a length above 0.");
   checkCage(cage, Scheme::CatmullClark, progress);
-  const Mesh quads = settled(cage, progress.part(0, 0.1));
+  const SettledCage settled = settledCage(cage, options.tolerance / 2, progress.part(0, 0.1));
+  const Mesh& quads = settled.quads;
   const LimitSurface surface(quads, Scheme::CatmullClark, progress.part(0.1, 0.3));
   const std::vector<LayoutCell> layout = quadLayout(quads, progress.part(0.3, 0.4));
   FacesResult result;
@@ -299,9 +279,10 @@ FacesResult bsplineFaces(const Mesh& cage, const FacesOptions& options, const Pr
       const Gap here = gapOf(result.faces.back(), limit, cell, levels);
       gap = {std::max(gap.distance, here.distance), std::max(gap.angle, here.angle)};
     }
-    result.deviation = gap.distance;
+    result.sharpened = settled.sharpened;
+    result.deviation = gap.distance + settled.sharpened;
     result.normalDeviation = gap.angle;
-    if (gap.distance <= options.tolerance) break;
+    if (result.deviation <= options.tolerance) break;
   }
   progress.report(1, "Making faces");
   return result;

@@ -103,6 +103,10 @@ Row LimitSurface::cornerRow(std::size_t face, std::size_t k) const {
 
 std::size_t LimitSurface::patchCount() const { return data_->patches.size(); }
 
+std::vector<int> LimitSurface::controlPoints(int patch) const {
+  return Data::indicesOf(data_->surface(static_cast<std::size_t>(data_->patches[static_cast<std::size_t>(patch)].face)));
+}
+
 Foot LimitSurface::cornerFoot(std::size_t face, std::size_t k) const {
   const int first = data_->firstPatch[face];
   if (data_->patches[static_cast<std::size_t>(first)].part >= 0) return {first + static_cast<int>(k), 0, 0};

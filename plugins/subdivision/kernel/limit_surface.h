@@ -28,6 +28,8 @@ class LimitSurface final : public LimitShape {
   /// Corner k of face f as a foot.
   [[nodiscard]] Foot cornerFoot(std::size_t face, std::size_t k) const;
   [[nodiscard]] std::size_t patchCount() const;
+  /// The control points that act on a patch.
+  [[nodiscard]] std::vector<int> controlPoints(int patch) const;
   /// The limit point of corner k of face f.
   [[nodiscard]] Row cornerRow(std::size_t face, std::size_t k) const;
 

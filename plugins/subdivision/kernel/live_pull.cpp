@@ -23,9 +23,8 @@ LivePull::LivePull(const LimitSurface& surface, std::span<const Vec3> points, st
   for (std::size_t p = 0; p < surface.patchCount(); ++p) {
     if (p % 256 == 0) progress.check();
     const auto patch = static_cast<int>(p);
-    const Row middle = surface.row({patch, 1.0 / 3, 1.0 / 3});  // inside of every patch all its control points act
-    if (std::any_of(middle.indices.begin(), middle.indices.end(),
-                    [&](int i) { return std::binary_search(free_.begin(), free_.end(), i); }))
+    const std::vector<int> acting = surface.controlPoints(patch);
+    if (std::any_of(acting.begin(), acting.end(), [&](int i) { return std::binary_search(free_.begin(), free_.end(), i); }))
       addPatch(surface, patch);
   }
   samples_ = still_;

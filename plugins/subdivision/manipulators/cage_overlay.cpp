@@ -7,7 +7,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include "geometry/mesh_topology.h"
+#include <algorithm>
+
 #include "geometry/planar.h"
 
 namespace blossom::subdivision {
@@ -15,14 +16,13 @@ namespace {
 
 using Polylines = std::vector<std::vector<Vec3>>;
 
-vtkSmartPointer<vtkActor> actorOf(const vtkSmartPointer<vtkPolyData>& data, const Color& color, double opacity) {
+vtkSmartPointer<vtkActor> actorOf(const vtkSmartPointer<vtkPolyData>& data, const Color& color) {
   const auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData(data);
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   const auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color.red, color.green, color.blue);
-  actor->GetProperty()->SetOpacity(opacity);
   actor->GetProperty()->LightingOff();
   actor->PickableOff();
   return actor;
@@ -38,16 +38,25 @@ vtkSmartPointer<vtkProp> scenePoints(const std::vector<Vec3>& places, const Colo
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetVerts(cells);
-  const auto actor = actorOf(data, color, 1);
+  const auto actor = actorOf(data, color);
   actor->GetProperty()->SetPointSize(static_cast<float>(size));
   actor->GetProperty()->RenderPointsAsSpheresOn();
   return actor;
 }
 
 Polylines edgesOf(const Mesh& mesh) {
+  std::vector<std::pair<int, int>> edges;
+  edges.reserve(mesh.faceVertices.size());
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) edges.push_back(std::minmax(face[k], face[(k + 1) % face.size()]));
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   Polylines lines;
-  for (const MeshEdge& edge : meshTopology(mesh).edges)
-    lines.push_back({mesh.points[static_cast<std::size_t>(edge.low)], mesh.points[static_cast<std::size_t>(edge.high)]});
+  lines.reserve(edges.size());
+  for (const auto& [low, high] : edges)
+    lines.push_back({mesh.points[static_cast<std::size_t>(low)], mesh.points[static_cast<std::size_t>(high)]});
   return lines;
 }
 
@@ -72,7 +81,7 @@ Polylines linesOf(const Shape& shape) {
 
 }  // namespace
 
-vtkSmartPointer<vtkProp> sceneLines(const Polylines& lines, const Color& color, double width, double opacity) {
+vtkSmartPointer<vtkProp> sceneLines(const Polylines& lines, const Color& color, double width) {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
   for (const auto& line : lines) {
@@ -82,7 +91,7 @@ vtkSmartPointer<vtkProp> sceneLines(const Polylines& lines, const Color& color, 
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetLines(cells);
-  const auto actor = actorOf(data, color, opacity);
+  const auto actor = actorOf(data, color);
   actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   return actor;
 }
@@ -92,7 +101,7 @@ std::vector<vtkSmartPointer<vtkProp>> cageOverlay(const ui::OverlayContext& cont
   const Shape& cage = context.inputs.front();
   constexpr std::size_t mostPointsShown = 2000;  // more would hide the surface
   const Polylines lines = linesOf(cage);
-  std::vector<vtkSmartPointer<vtkProp>> props{sceneLines(lines, context.look.control, 1.2, 0.75)};
+  std::vector<vtkSmartPointer<vtkProp>> props{sceneLines(lines, context.look.control, 1)};
   std::vector<Vec3> points;
   if (const Mesh* mesh = cage.get<Mesh>())
     points = mesh->points;

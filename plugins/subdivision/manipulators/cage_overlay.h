@@ -7,6 +7,6 @@ namespace blossom::subdivision {
 std::vector<vtkSmartPointer<vtkProp>> cageOverlay(const ui::OverlayContext&);
 
 /// Lines that lie in the scene, a little nearer to the eye than faces at the same place.
-vtkSmartPointer<vtkProp> sceneLines(const std::vector<std::vector<Vec3>>&, const Color&, double width, double opacity);
+vtkSmartPointer<vtkProp> sceneLines(const std::vector<std::vector<Vec3>>&, const Color&, double width);
 
 }  // namespace blossom::subdivision

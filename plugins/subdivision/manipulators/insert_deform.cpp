@@ -1,5 +1,7 @@
 #include "manipulators/insert_deform.h"
 
+#include "geometry/mesh.h"
+
 namespace blossom::subdivision {
 namespace {
 
@@ -40,6 +42,18 @@ Feature fresh(const ui::ToolHost& host, const Document& document, const char* ty
   feature.id = document.freshId(found->command);
   feature.name = found->title;
   return feature;
+}
+
+/// How often a cage is refined for its smooth surface to be drawn at every movement of the mouse, even without a graphics
+/// card.
+int levelsFor(const ui::ToolHost& host, const FeatureId& cage) {
+  constexpr std::size_t mostFaces = 50'000;
+  const auto result = host.result(cage);
+  const Mesh* mesh = result ? result->evaluated.shape.get<Mesh>() : nullptr;
+  int levels = mesh ? 1 : 3;
+  if (mesh)
+    for (std::size_t faces = 16 * mesh->faceCount(); levels < 3 && faces <= mostFaces; faces *= 4) ++levels;
+  return levels;
 }
 
 Document hidden(const Document& document, const FeatureId& id) {
@@ -88,7 +102,7 @@ Document withDeform(const ui::ToolHost& host, Document document, const DeformPla
   Feature smooth = place.smooth.empty() ? fresh(host, document, subdivideType) : document.at(place.smooth);
   if (place.smooth.empty()) {
     smooth.name = "Smooth";
-    smooth.parameters = {{"scheme", place.scheme}, {"levels", 3}, {"as", "limit"}};
+    smooth.parameters = {{"scheme", place.scheme}, {"levels", levelsFor(host, place.base)}, {"as", "limit"}};
   }
   smooth.inputs = {id};
   return document.with(std::move(smooth));

@@ -5,9 +5,9 @@
 #include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.h"
-#include "kernel/subdivide.h"
 #include "pulls.h"
 #include "ui/tools/view_props.h"
 
@@ -15,7 +15,8 @@ namespace blossom::subdivision {
 namespace {
 
 constexpr double gripPixels = 8;
-constexpr std::size_t mostFaces = 20000;  // of a cage whose points can be dragged live
+constexpr std::size_t mostFaces = 50000;   // of a cage whose points can be dragged live
+constexpr std::size_t facesAtOnce = 1000;  // whose limit surface takes a few milliseconds
 
 double distanceTo(const Ray& ray, const Vec3& p) {
   const Vec3 from = p - ray.origin;
@@ -26,125 +27,136 @@ double distanceTo(const Ray& ray, const Vec3& p) {
 
 PullTool::PullTool(ui::ToolHost& toolHost, FeatureId feature) : Tool(toolHost), feature_(std::move(feature)) { load(); }
 
+PullTool::~PullTool() { loading_.cancel(); }
+
+/// The limit surface is kept while the cage is the same: after a pull only the grips move.
 void PullTool::load() {
-  grips_.clear();
-  surface_.reset();
+  loading_.cancel();
+  loading_ = {};
   pulls_.clear();
   options_ = {};
   base_ = Shape();
   place_ = deformPlace(host(), feature_);
-  if (!place_) return;
-  base_ = host().result(place_->base)->evaluated.shape;
+  if (place_) base_ = host().result(place_->base)->evaluated.shape;
   const Mesh* mesh = base_.get<Mesh>();
-  if (!mesh || mesh->faceCount() > mostFaces) return;
+  if (!mesh || mesh->faceCount() > mostFaces) return take({});
+  scheme_ = place_->scheme == "loop" ? Scheme::Loop : Scheme::CatmullClark;
   if (!place_->existing.empty()) {
     const Feature& feature = host().document().at(place_->existing);
     const Value all = completed(host().registry().at(feature.type)->parameters, feature.parameters);
-    pulls_ = pullsOf(all.at("pulls").get<std::vector<Value>>());
-    options_.lambda = all.at("lambda").get<double>();
-    options_.free = ruleOf(all.at("free").get<std::string>());
-  }
-  try {
-    loadGrips();
-  } catch (const Error&) {
-    grips_.clear();  // what is wrong with the cage, the features that take it say
-  }
-}
-
-/// The limit points of all vertices; those of pulls stand where they were pulled to.
-void PullTool::loadGrips() {
-  const Mesh& mesh = *base_.get<Mesh>();
-  const Scheme scheme = place_->scheme == "loop" ? Scheme::Loop : Scheme::CatmullClark;
-  surface_ = std::make_unique<LimitSurface>(mesh, scheme);
-  std::vector<Vec3> now = mesh.points;
-  if (!place_->existing.empty())
-    if (const auto result = host().result(place_->existing); result && !result->error)
-      if (const Mesh* moved = result->evaluated.shape.get<Mesh>(); moved && moved->points.size() == now.size())
-        now = moved->points;
-  std::vector<bool> known(mesh.points.size());
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-    for (std::size_t k = 0; k < mesh.face(f).size(); ++k) {
-      const auto v = static_cast<std::size_t>(mesh.face(f)[k]);
-      if (known[v]) continue;
-      known[v] = true;
-      const Row row = surface_->cornerRow(f, k);
-      grips_.push_back({combined(row, mesh.points), combined(row, now), surface_->cornerFoot(f, k), {}});
+    try {
+      pulls_ = pullsOf(all.at("pulls").get<std::vector<Value>>());
+      options_.lambda = all.at("lambda").get<double>();
+      options_.free = ruleOf(all.at("free").get<std::string>());
+    } catch (const Error&) {
+      return take({});  // the feature itself says what is wrong with it
     }
-  for (std::size_t p = 0; p < pulls_.size(); ++p) {
-    const auto same = std::find_if(grips_.begin(), grips_.end(), [&](const Grip& grip) {
-      return (grip.base - pulls_[p].at).norm() <= 1e-9 * (1 + pulls_[p].at.norm());
+  }
+  const bool same = surface_ && &surface_->mesh() == mesh && surface_->scheme == scheme_;
+  const auto known = same ? surface_ : nullptr;
+  if (mesh->faceCount() <= facesAtOnce || (known && onVertices(*known, pulls_)))
+    return take(loaded(known, base_, scheme_, pulls_, pointsNow(), Progress::none()));
+  thread_.start([this, known, base = base_, scheme = scheme_, pulls = pulls_, now = pointsNow(), token = loading_] {
+    Loaded made = loaded(known, base, scheme, pulls, now, Progress(token));
+    here_.post([this, token, made = std::move(made)] {
+      if (!token.cancelled()) take(made);
     });
-    if (same != grips_.end()) same->pull = p;
+  });
+}
+
+PullTool::Loaded PullTool::loaded(std::shared_ptr<const GripSurface> known, const Shape& base, Scheme scheme,
+                                  const std::vector<Pull>& pulls, const std::vector<Vec3>& now, const Progress& progress) {
+  try {
+    if (!known) known = gripSurface(base, scheme, progress);
+    std::vector<Grip> grips = gripsOf(*known, pulls, now, progress);
+    return {std::move(known), std::move(grips)};
+  } catch (const std::exception&) {
+    return {};  // what is wrong with the cage, the features that take it say
   }
 }
 
-void PullTool::documentChanged() {
-  if (working_ || held_) return;
-  if (!host().document().contains(feature_)) {
-    emit finished();
+/// The control points after the pulls that there are.
+std::vector<Vec3> PullTool::pointsNow() const {
+  const std::vector<Vec3>& points = base_.get<Mesh>()->points;
+  const auto result = place_->existing.empty() ? nullptr : host().result(place_->existing);
+  const Mesh* moved = result && !result->error ? result->evaluated.shape.get<Mesh>() : nullptr;
+  return moved && moved->points.size() == points.size() ? moved->points : points;
+}
+
+void PullTool::take(Loaded loaded) {
+  if (held_) {  // what is held keeps its number
+    outdated_ = true;
     return;
   }
-  load();
+  surface_ = std::move(loaded.first);
+  grips_ = std::move(loaded.second);
   hovered_.reset();
   emit changed();
 }
 
+void PullTool::documentChanged() {
+  if (working_) return;
+  if (!host().document().contains(feature_)) {
+    emit finished();
+    return;
+  }
+  if (held_)
+    outdated_ = true;
+  else
+    load();
+}
+
 std::optional<std::size_t> PullTool::under(const ui::ToolEvent& event) const {
+  const double reach = gripPixels * event.millimetresPerPixel;
+  // What the surface hides cannot be taken hold of.
+  const double seen =
+      event.pick.feature.empty() ? std::numeric_limits<double>::infinity() : event.pick.part.distance + 3 * reach;
   std::optional<std::size_t> best;
-  double nearest = gripPixels * event.millimetresPerPixel, depth = 0;
+  double nearest = reach;
   for (std::size_t k = 0; k < grips_.size(); ++k) {
     const double distance = distanceTo(event.ray, grips_[k].now);
-    if (distance > gripPixels * event.millimetresPerPixel) continue;
-    const double along = (grips_[k].now - event.ray.origin).dot(event.ray.direction);
-    // What the surface hides cannot be taken hold of; of what is seen, the nearest to the mouse is.
-    if (!event.pick.feature.empty() && along > event.pick.part.distance + 3 * gripPixels * event.millimetresPerPixel)
-      continue;
-    if (best && distance > nearest && along > depth) continue;
+    if (distance > nearest || (grips_[k].now - event.ray.origin).dot(event.ray.direction) > seen) continue;
     best = k;
     nearest = distance;
-    depth = along;
   }
   return best;
 }
 
 bool PullTool::press(const ui::ToolEvent& event) {
-  if (event.button != Qt::LeftButton) return false;
+  if (event.button != Qt::LeftButton || !surface_) return false;
   const auto grip = under(event);
   if (!grip) return false;
-  try {
-    begin(*grip, event);
-  } catch (const Error&) {
-    end();
-    return false;
-  }
+  begin(*grip, event);
   emit changed();
   return true;
 }
 
 void PullTool::begin(std::size_t grip, const ui::ToolEvent& event) {
-  const Mesh& mesh = *base_.get<Mesh>();
-  std::vector<LivePull::Handle> handles;
-  moving_ = pulls_.size();
+  std::vector<LivePull::Handle> handles(pulls_.size());
   for (const Grip& each : grips_)
-    if (each.pull) handles.push_back({each.foot, pulls_[*each.pull].to});
-  // In the order of the pulls, so that the numbers agree.
-  handles.clear();
-  for (std::size_t p = 0; p < pulls_.size(); ++p)
-    for (const Grip& each : grips_)
-      if (each.pull == p) handles.push_back({each.foot, pulls_[p].to});
-  if (handles.size() != pulls_.size())
-    throw Error(ErrorCode::InvalidInput, "Some pulls take hold between vertices.", "Edit them in the panel.");
-  if (grips_[grip].pull)
-    moving_ = *grips_[grip].pull;
-  else
-    handles.push_back({grips_[grip].foot, grips_[grip].now});
-  const Frame frame = surface_->frame(grips_[grip].foot, mesh.points);
+    if (each.pull) handles[*each.pull] = {each.foot, pulls_[*each.pull].to};
+  moving_ = grips_[grip].pull.value_or(pulls_.size());
+  if (!grips_[grip].pull) handles.push_back({grips_[grip].foot, grips_[grip].now});
+  const Frame frame = surface_->surface->frame(grips_[grip].foot, surface_->mesh().points);
   const Vec3 across = frame.du.cross(frame.dv);
   normal_ = across.norm() > 0 ? Vec3(across.normalized()) : Vec3::UnitZ();
   grabbed_ = target_ = handles[moving_].to;
   towards_ = event.ray.direction;
-  live_ = std::make_unique<LivePull>(*surface_, mesh.points, std::move(handles), options_);
   held_ = grip;
+  makeLive(std::move(handles));
+}
+
+void PullTool::makeLive(std::vector<LivePull::Handle> handles) {
+  try {
+    live_ = std::make_unique<LivePull>(*surface_->surface, surface_->mesh().points, std::move(handles), options_);
+  } catch (const Error&) {
+    return;  // the feature will tell why it cannot be pulled there
+  }
+  const std::vector<int>& free = live_->freePoints();
+  const auto moves = [&](int point) { return std::binary_search(free.begin(), free.end(), point); };
+  liveEdges_.clear();
+  for (const auto& [from, to] : surface_->edges)
+    if (moves(from) || moves(to)) liveEdges_.emplace_back(from, to);
 }
 
 /// In the plane that faces the viewer; with Shift along the normal of the surface.
@@ -163,7 +175,7 @@ Vec3 PullTool::dragged(const ui::ToolEvent& event) const {
 bool PullTool::move(const ui::ToolEvent& event) {
   if (held_) {
     target_ = dragged(event);
-    live_->drag(moving_, target_);
+    if (live_) live_->drag(moving_, target_);
     emit changed();
     return true;
   }
@@ -177,12 +189,11 @@ bool PullTool::move(const ui::ToolEvent& event) {
 
 bool PullTool::release(const ui::ToolEvent& event) {
   if (!held_ || event.button != Qt::LeftButton) return false;
-  if ((target_ - grabbed_).norm() > 0) {
+  if ((target_ - grabbed_).norm() > 0)
     commit();
-  } else {
+  else
     end();
-    emit changed();
-  }
+  emit changed();
   return true;
 }
 
@@ -195,15 +206,16 @@ void PullTool::commit() {
   FeatureId id;
   working_ = true;  // the host tells of the change before it returns
   Document document = withDeform(host(), host().document(), *place_, {{"pulls", records}}, {}, id);
-  end();
   host().commit(std::move(document), tr("Pull a point"));
   working_ = false;
-  documentChanged();
+  outdated_ = true;
+  end();
 }
 
 void PullTool::end() {
   held_.reset();
   live_.reset();
+  if (std::exchange(outdated_, false)) documentChanged();
 }
 
 void PullTool::revert() { end(); }
@@ -216,6 +228,7 @@ bool PullTool::key(const QKeyEvent& event) {
 }
 
 QString PullTool::hint() const {
+  if (grips_.empty()) return {};  // the view says what it does by itself
   if (held_) return tr("Let go to pull the point here · Shift: along the normal · Esc takes it back");
   if (hovered_) return tr("Drag to pull this point of the surface");
   return tr("Drag a point of the smooth surface to pull it");
@@ -230,17 +243,17 @@ std::vector<vtkSmartPointer<vtkProp>> PullTool::props() const {
     if (grip.pull) pulled.push_back(grip.now);
   if (!pulled.empty()) props.push_back(ui::pointsProp(pulled, look.made, 7 * ratio));
   if (hovered_ && !held_) props.push_back(ui::pointsProp({grips_[*hovered_].now}, look.control, 10 * ratio));
-  if (!live_) return props;
-  std::vector<std::array<Vec3, 3>> triangles;
-  const auto at = [&](int i) { return live_->samples()[static_cast<std::size_t>(i)]; };
-  for (const auto& [a, b, c] : live_->triangles()) triangles.push_back({at(a), at(b), at(c)});
-  props.push_back(ui::trianglesProp(triangles, look.made, 0.55));
-  std::vector<std::vector<Vec3>> cage;
-  const std::vector<int>& free = live_->freePoints();
-  for (const auto& [from, to] : surface_->edges())
-    if (std::binary_search(free.begin(), free.end(), from) || std::binary_search(free.begin(), free.end(), to))
+  if (!held_) return props;
+  if (live_) {
+    std::vector<std::array<Vec3, 3>> triangles;
+    const auto at = [&](int i) { return live_->samples()[static_cast<std::size_t>(i)]; };
+    for (const auto& [a, b, c] : live_->triangles()) triangles.push_back({at(a), at(b), at(c)});
+    props.push_back(ui::trianglesProp(triangles, look.made, 0.55));
+    std::vector<std::vector<Vec3>> cage;
+    for (const auto& [from, to] : liveEdges_)
       cage.push_back({live_->points()[static_cast<std::size_t>(from)], live_->points()[static_cast<std::size_t>(to)]});
-  props.push_back(ui::linesProp(cage, look.control, 1.2 * ratio));
+    props.push_back(ui::linesProp(cage, look.control, 1.2 * ratio));
+  }
   props.push_back(ui::linesProp({{grabbed_, target_}}, look.made, 1.5 * ratio));
   props.push_back(ui::pointsProp({target_}, look.made, 10 * ratio));
   return props;

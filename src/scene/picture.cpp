@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "scene/offscreen.h"
+#include "scene/onion_skin.h"
 #include "scene/scene.h"
 
 namespace blossom {
@@ -27,14 +28,41 @@ void checkSize(const PictureOptions& options) {
                                                        largestSide, options.width, options.height));
 }
 
-std::vector<SceneData> tessellateAll(const std::vector<Shape>& shapes, const PictureOptions& options,
-                                     const Progress& progress) {
-  std::vector<SceneData> drawn;
+/// What a picture shows of one shape; of a sequence its last frame, and outlines of others around it.
+struct Drawing {
+  SceneData shape;
+  std::vector<SceneData> frames;
+};
+
+/// Evenly spread, the first and the last among them.
+std::vector<const Shape*> someFrames(const Sequence& sequence) {
+  const std::size_t count = std::min(mostSkins, sequence.frames.size());
+  std::vector<const Shape*> frames;
+  for (std::size_t k = 0; k < count; ++k)
+    frames.push_back(&sequence.frames[count > 1 ? k * (sequence.frames.size() - 1) / (count - 1) : 0]);
+  return frames;
+}
+
+Drawing drawingOf(const Shape& shape, const PictureOptions& options, const Progress& progress) {
+  const auto drawn = [&](const Shape& each) {
+    return toSceneData(tessellate(each, {.chord = options.chord, .angle = 0.12}, progress));
+  };
+  const auto* sequence = shape.get<Sequence>();
+  if (!sequence || sequence->frames.empty()) return {drawn(shape), {}};
+  Drawing drawing;
+  for (const Shape* frame : someFrames(*sequence)) drawing.frames.push_back(drawn(*frame));
+  drawing.shape = drawing.frames.back();
+  return drawing;
+}
+
+std::vector<Drawing> tessellateAll(const std::vector<Shape>& shapes, const PictureOptions& options,
+                                   const Progress& progress) {
+  std::vector<Drawing> drawn;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const double count = static_cast<double>(shapes.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    SceneData data = toSceneData(tessellate(shapes[i], {.chord = options.chord, .angle = 0.12}, part));
-    if (!data.empty()) drawn.push_back(std::move(data));
+    Drawing drawing = drawingOf(shapes[i], options, part);
+    if (!drawing.shape.empty()) drawn.push_back(std::move(drawing));
   }
   if (drawn.empty()) throw Error(ErrorCode::InvalidInput, "There is nothing to draw.", "Give a shape with faces or curves.");
   return drawn;
@@ -45,16 +73,18 @@ double widthFactor(const PictureOptions& options, int supersampling) {
   return supersampling * std::max(1.0, std::min(options.width, options.height) / 900.0);
 }
 
-void fillScene(vtkRenderer* renderer, const std::vector<SceneData>& drawn, Look look, const PictureOptions& options,
+void fillScene(vtkRenderer* renderer, const std::vector<Drawing>& drawn, Look look, const PictureOptions& options,
                double factor) {
   look.edgeWidth *= factor;
   look.pointSize *= factor;
   setUpRenderer(renderer, look);
-  for (const SceneData& data : drawn)
-    for (const auto& actor : makeActors(data, look)) {
-      if (!options.edges && data.faces && roleOf(actor) == ActorRole::Edges) continue;
+  for (const auto& [shape, frames] : drawn) {
+    for (const auto& actor : makeActors(shape, look)) {
+      if (!options.edges && shape.faces && roleOf(actor) == ActorRole::Edges) continue;
       renderer->AddActor(actor);
     }
+    for (const auto& skin : onionSkin(frames, look, 1, 1)) renderer->AddViewProp(skin);
+  }
   fitCamera(renderer, options.view);
 }
 
@@ -103,7 +133,7 @@ void renderPicture(const std::vector<Shape>& shapes, const std::filesystem::path
                    const Progress& progress) {
   static std::mutex onePictureAtATime;
   checkSize(options);
-  const std::vector<SceneData> drawn = tessellateAll(shapes, options, progress.part(0, 0.5));
+  const std::vector<Drawing> drawn = tessellateAll(shapes, options, progress.part(0, 0.5));
   const std::scoped_lock lock(onePictureAtATime);
   const Look look = options.lightTheme ? Look::light() : Look::dark();
   const int supersampling = 2;

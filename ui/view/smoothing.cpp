@@ -26,6 +26,16 @@ void copy(QOpenGLExtraFunctions& gl, unsigned int from, unsigned int to, int wid
   gl.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+/// What shines through leaves its opacity in the frame buffer, and a picture taken of the window would be blended by it.
+void makeOpaque(QOpenGLExtraFunctions& gl, vtkOpenGLState& state, unsigned int frameBuffer) {
+  gl.glBindFramebuffer(GL_FRAMEBUFFER, frameBuffer);
+  state.vtkglDisable(GL_SCISSOR_TEST);
+  state.vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  state.vtkglClearColor(0, 0, 0, 1);
+  state.vtkglClear(GL_COLOR_BUFFER_BIT);
+  state.vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
 }  // namespace
 
 QPointF Smoothing::offset() const {
@@ -37,7 +47,10 @@ void Smoothing::take(vtkGenericOpenGLRenderWindow& window, unsigned int frameBuf
   QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
   const int width = window.GetSize()[0], height = window.GetSize()[1];
   vtkOpenGLFramebufferObject& drawn = *window.GetDisplayFramebuffer();
-  if (taken_++ == 0) return copy(gl, drawn.GetFBOIndex(), frameBuffer, width, height);
+  if (taken_++ == 0) {
+    copy(gl, drawn.GetFBOIndex(), frameBuffer, width, height);
+    return makeOpaque(gl, *window.GetState(), frameBuffer);
+  }
   // The mean grows with the weight of one more frame. VTK keeps a copy of OpenGL's state, so it is changed through VTK.
   window.GetShaderCache()->ReleaseCurrentShader();
   vtkOpenGLState& state = *window.GetState();
@@ -57,6 +70,7 @@ void Smoothing::take(vtkGenericOpenGLRenderWindow& window, unsigned int frameBuf
                 QOpenGLTextureBlitter::OriginBottomLeft);
   blitter_.release();
   state.vtkglEnable(GL_DEPTH_TEST);
+  makeOpaque(gl, state, frameBuffer);
 }
 
 void Smoothing::release() {

@@ -48,7 +48,7 @@ void ViewWidget::applyLook() {
   items_.setLook(look);
   hoverLight_.setLook(look, mixed(look.control, look.surface, 0.35), 0.55);
   selected_.setLook(look, look.control, 0.9);
-  redraw();
+  showToolProps();  // in the colours and widths of this look
 }
 
 void ViewWidget::setGridVisible(bool visible) {

@@ -5,13 +5,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "scene/onion_skin.h"
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
 #include "ui/look/units.h"
 #include "ui/panel/error_bar.h"
 #include "ui/panel/property_panel.h"
 #include "ui/settings/preferences.h"
-#include "ui/timeline/onion_skin.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/document_tree_panel.h"

@@ -1,0 +1,18 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "scene/scene.h"
+
+class vtkProp;
+
+namespace blossom {
+
+inline constexpr std::size_t mostSkins = 12;
+
+/// The outlines of up to `mostSkins` frames of a sequence, evenly spread, first and last among them; later ones warmer.
+std::vector<vtkSmartPointer<vtkProp>> onionSkin(const std::vector<SceneData>& frames, const Look&, double pixelRatio,
+                                                double opacity = 0.45);
+
+}  // namespace blossom

@@ -46,8 +46,8 @@ Document triangleToStar(const App& app) {
 /// Figure 5 (f): a letter with two holes becomes a flower with one. Nobody says which corner goes where.
 Document phiToFlower(const App& app) {
   Document document;
-  const auto phi =
-      add(app, document, "text", "Phi", {{"text", "\u03A6"}, {"style", "bold"}, {"height", 60}, {"at", {-24, -22, 0}}});
+  const auto phi = add(app, document, "text", "Phi",
+                       {{"text", "\u03A6"}, {"style", "bold"}, {"height", 60}, {"align", "centre"}, {"at", {0, -30, 0}}});
   const auto petal = add(app, document, "ellipse", "Petal", {{"a", 13}, {"b", 7}, {"centre", {17, 0, 0}}});
   const auto petals = add(app, document, "pattern", "Petals", {{"kind", "circular"}, {"count", 6}, {"join", true}}, {petal});
   const auto heart = add(app, document, "circle", "Heart", {{"radius", 8}});

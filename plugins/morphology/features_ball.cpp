@@ -53,7 +53,9 @@ double measureOf(const LiteralForm& form, std::string_view text) {
   try {
     return parseLength(text);
   } catch (const Error& error) {
-    refuse(form, error.message());
+    std::string why = error.message();
+    if (why.ends_with('.')) why.pop_back();
+    refuse(form, why);
   }
 }
 

@@ -73,7 +73,7 @@ Parts decomposed(Nef nef, const Progress& progress) {
     nef.visit_shell_objects(Nef::SFace_const_handle(volume->shells_begin()), collect);
     list->parts.push_back(std::move(part));
   }
-  return list;
+  return joinedParts(list, progress);
 }
 
 // A facet, its holes and the vertices where it touches itself, as constraints in its plane.

@@ -1,6 +1,8 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <chrono>
@@ -51,6 +53,8 @@ SurfaceMesh hullOfSum(const Part& a, const Part& b, Vec3& place) {
     if (haveVolume(sums)) surface = hullOf(sums);
   }
   if (surface.number_of_faces() > 0) PMP::triangulate_faces(surface);
+  if (!CGAL::is_closed(surface))
+    throw Error(ErrorCode::Internal, "The sum of two convex parts is not closed.", "Please report the two shapes.");
   return surface;
 }
 
@@ -60,7 +64,8 @@ Solid simplest(Nef nef) {
   if (!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces)) return solidFrom(std::move(nef));
   SurfaceMesh surface;
   PMP::polygon_soup_to_polygon_mesh(triangles.points, triangles.faces, surface);
-  if (surface.number_of_vertices() != triangles.points.size()) return solidFrom(std::move(nef));
+  if (surface.number_of_vertices() != triangles.points.size() || PMP::does_self_intersect(surface))
+    return solidFrom(std::move(nef));
   return solidFrom(std::move(surface));
 }
 
@@ -69,16 +74,14 @@ enum class Operation { Union, Difference };
 Solid combined(const Solid& a, const Solid& b, Operation operation) {
   if (!a->nef && !b->nef) {
     SurfaceMesh first = a->surface, second = b->surface, result;
-    bool done = false;
     try {
-      done = operation == Operation::Union ? PMP::corefine_and_compute_union(first, second, result)
-                                           : PMP::corefine_and_compute_difference(first, second, result);
-    } catch (const std::exception&) {
-      done = false;  // Nef polyhedra take any input
-    }
-    if (done) {
+      const bool done = operation == Operation::Union ? PMP::corefine_and_compute_union(first, second, result)
+                                                      : PMP::corefine_and_compute_difference(first, second, result);
       result.collect_garbage();
-      return solidFrom(std::move(result));
+      // Corefinement hands out surfaces that are open or touch themselves, and goes astray on them: it may never end.
+      if (done && CGAL::is_valid_polygon_mesh(result) && CGAL::is_closed(result) && !PMP::does_self_intersect(result))
+        return solidFrom(std::move(result));
+    } catch (const std::exception&) {  // CGAL refuses what it has made; Nef polyhedra take any input
     }
   }
   const Nef first = nefOf(*a), second = nefOf(*b);

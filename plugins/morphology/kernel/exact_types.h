@@ -59,6 +59,9 @@ struct Triangles {
 Triangles trianglesOf(const Nef&);
 SurfaceMesh hullOf(const std::vector<Point>&);
 SurfaceMesh hullOf(const std::vector<Vec3>&);
+/// Neighbouring convex parts joined where their union is convex, up to 1e-12 of the size: the decomposition puts up more
+/// walls than it needs. Parts only grow by it.
+Parts joinedParts(const Parts&, const Progress&);
 bool haveVolume(const std::vector<Point>&);
 
 }  // namespace blossom::morphology

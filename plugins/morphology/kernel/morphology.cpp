@@ -54,6 +54,23 @@ class Work {
     return parts;
   }
 
+  /// An exact result as an operand, rounded as if it came from a file: it has faces that are bent by less than rounding, and
+  /// every bend would be taken apart. As it is where rounding would make it cross itself.
+  [[nodiscard]] Prepared asOperand(const Solid& solid, const Bounds& bounds, const Grid& grid, double from, double to) {
+    Prepared made;
+    made.solid = solid;
+    made.bounds = bounds;
+    if (isConvex(solid)) return made;
+    Operand rounded;
+    rounded.mesh = finished(solid, Vec3::Zero(), progress_.part(from, (from + to) / 2));
+    try {
+      made = prepared(rounded, grid, progress_.part((from + to) / 2, to));
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::InvalidInput) throw;
+    }
+    return made;
+  }
+
   void finish(const Solid& solid, const Vec3& centre, double from, double to) {
     Stopwatch watch;
     solids_.push_back(finished(solid, centre, progress_.part(from, to)));
@@ -193,10 +210,9 @@ MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress
   Eroder eroder(work, pair.a.solid, pair.a.bounds);
   const Solid left = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.15, 0.5);
   if (isEmpty(left)) nothingLeft(inSentence(a.name), smallerElement);
-  Prepared core;
-  core.solid = left;
-  const Solid opened = work.sum(work.apart(core, 0.5, 0.6), partsB, 0.6, 0.95);
-  work.finish(opened, pair.a.centre, 0.95, 1);
+  const Prepared core = work.asOperand(left, minus(pair.a.bounds, pair.b.bounds), pair.grid, 0.5, 0.55);
+  const Solid opened = work.sum(work.apart(core, 0.55, 0.6), partsB, 0.6, 0.95);
+  work.finish(opened, pair.a.centre + core.centre, 0.95, 1);
   return work.result();
 }
 
@@ -206,10 +222,11 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
   const Pair pair = prepare(work, a, b);
   const Parts partsA = work.apart(pair.a, 0.1, 0.15), partsB = work.apart(pair.b, 0.15, 0.2);
   const Solid sum = work.sum(partsA, partsB, 0.2, 0.6);
-  Eroder eroder(work, sum, plus(pair.a.bounds, pair.b.bounds));
-  const Solid closed = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.6, 0.95);
+  const Prepared grown = work.asOperand(sum, plus(pair.a.bounds, pair.b.bounds), pair.grid, 0.6, 0.65);
+  Eroder eroder(work, grown.solid, grown.bounds);
+  const Solid closed = eroder.by(partsB, pair.b.bounds, pair.grid.step, 0.65, 0.95);
   if (isEmpty(closed)) throw Error(ErrorCode::Internal, "The closing has lost the solid.", "Please report the two shapes.");
-  work.finish(closed, pair.a.centre, 0.95, 1);
+  work.finish(closed, pair.a.centre + grown.centre, 0.95, 1);
   return work.result();
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "geometry/mesh_topology.h"
+#include "geometry/planar.h"
 #include "geometry/tessellate.h"
 #include "kernel/solid_check.h"
 
@@ -71,6 +72,12 @@ Operand fromTessellation(const Tessellation& made, Operand out) {
   return out;
 }
 
+/// A drawing of closed outlines stands for what they enclose.
+bool isOutline(const Curves& drawing) {
+  return !drawing.paths.empty() &&
+         std::all_of(drawing.paths.begin(), drawing.paths.end(), [](const Path& path) { return path.closed; });
+}
+
 void refuseUnusable(const Operand& operand, bool solidOnly) {
   for (const auto& piece : operand.pieces)
     for (const Vec3& p : piece)
@@ -97,6 +104,8 @@ Bounds Operand::bounds() const {
 }
 
 Operand operandOf(const Shape& shape, const OperandOptions& options, const Progress& progress) {
+  const Curves* drawing = shape.get<Curves>();
+  if (drawing && isOutline(*drawing)) return operandOf(toRegion(*drawing), options, progress);
   Operand out;
   out.name = options.name;
   if (const Mesh* mesh = shape.get<Mesh>())

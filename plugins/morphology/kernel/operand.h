@@ -25,7 +25,8 @@ struct OperandOptions {
   bool solidOnly = false;  ///< refuse what has no volume
 };
 
-/// A mesh or B-rep as a solid; regions, flat faces and open flat meshes as flat pieces; curves and wires as segments; a mesh
+/// A mesh or B-rep as a solid; regions, closed outlines, flat faces and open flat
+/// meshes as flat pieces; other curves and wires as segments; a mesh
 /// without faces as points. @throws Error InvalidInput, Cancelled.
 Operand operandOf(const Shape&, const OperandOptions&, const Progress& = Progress::none());
 

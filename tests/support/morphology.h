@@ -1,0 +1,17 @@
+#pragma once
+#include "morphology/kernel/morphology.h"
+#include "support/polyhedra.h"
+
+/// Morphology of meshes in one word each.
+namespace blossom::test {
+
+inline morphology::Operand bodyOf(const Mesh& mesh) { return morphology::operandOf(mesh, {.name = "The solid"}); }
+inline Mesh solidSumOf(const Mesh& a, const Mesh& b) { return morphology::solidSum(bodyOf(a), bodyOf(b)).solids.front(); }
+inline Mesh solidDifferenceOf(const Mesh& a, const Mesh& b) {
+  return morphology::solidDifference(bodyOf(a), bodyOf(b)).solids.front();
+}
+inline Mesh openingOf(const Mesh& a, const Mesh& b) { return morphology::solidOpening(bodyOf(a), bodyOf(b)).solids.front(); }
+inline Mesh closingOf(const Mesh& a, const Mesh& b) { return morphology::solidClosing(bodyOf(a), bodyOf(b)).solids.front(); }
+inline Mesh ballOf(double radius, int subdivisions = 1) { return morphology::ball({radius, subdivisions}).mesh; }
+
+}  // namespace blossom::test

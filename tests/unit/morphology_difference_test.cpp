@@ -1,0 +1,141 @@
+#include "support/morphology.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::morphology;
+
+namespace {
+
+constexpr double tiny = 1e-9;
+
+/// A frame box with the solid as a void in it, shells as they are.
+Mesh boxAround(const Mesh& solid, double room) {
+  const Bounds box = boundsOf(solid);
+  return together(cuboid(box.low - Vec3::Constant(room), box.high + Vec3::Constant(room)), insideOut(solid));
+}
+
+/// vol(A - B) by duality: what of the void (frame - A) + (-B) leaves, seen only from sums.
+double differenceByDuality(const Mesh& a, const Mesh& b) {
+  const double room = 1.5 * (boundsOf(b).high - boundsOf(b).low).norm() + boundsOf(b).low.norm();
+  const Bounds frame = boundsOf(boxAround(a, room));
+  const Mesh mirrored = reflected(b);
+  return volumeOf(solidSumOf(cuboid(frame.low, frame.high), mirrored)) - volumeOf(solidSumOf(boxAround(a, room), mirrored));
+}
+
+/// Every point tried that lies in `inner` lies in `outer`.
+void verifyWithin(std::mt19937_64& random, const Mesh& inner, const Mesh& outer) {
+  const Mesh a = triangulated(inner).first, b = triangulated(outer).first;
+  int found = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 p = randomPoint(random, boundsOf(a));
+    if (!holds(a, p)) continue;
+    ++found;
+    QVERIFY(holds(b, p));
+  }
+  QVERIFY(found > 20);
+}
+
+}  // namespace
+
+/// Differences, openings and closings of solids.
+class MorphologyDifferenceTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // {x : x + [0,1]^3 inside [-5,5]^3}: the element is not reflected.
+  void theElementIsNotReflected() {
+    const Mesh room = solidDifferenceOf(cuboid({-5, -5, -5}, {5, 5, 5}), cuboid({0, 0, 0}, {1, 1, 1}));
+    COMPARE_NEAR(volumeOf(room), 729, tiny * 729);
+    QVERIFY((boundsOf(room).low - Vec3(-5, -5, -5)).norm() < tiny);
+    QVERIFY((boundsOf(room).high - Vec3(4, 4, 4)).norm() < tiny);
+    QCOMPARE(room.faceCount(), std::size_t{6});
+    qInfo("figure difference_volume %.17g", volumeOf(room));
+    qInfo("figure difference_low %.17g", boundsOf(room).low.x());
+    qInfo("figure difference_high %.17g", boundsOf(room).high.x());
+  }
+
+  // The same through the way of solids that are not convex.
+  void nonConvexSolidsLikewise() {
+    const Mesh room = solidDifferenceOf(lBlock(), cuboid({0, 0, 0}, {0.5, 0.25, 1}));
+    // Along x: 3.5 by 0.75; along y: 0.5 by 3.75; common 0.5 by 0.75; one high.
+    COMPARE_NEAR(volumeOf(room), 3.5 * 0.75 + 0.5 * 3.75 - 0.5 * 0.75, tiny);
+    QVERIFY(boundsOf(room).low.norm() < tiny);
+    QVERIFY((boundsOf(room).high - Vec3(3.5, 3.75, 1)).norm() < tiny);
+  }
+
+  void aDifferenceUndoesATranslation() {
+    const Mesh l = lBlock();
+    // A very small cube at b: nearly the translation by b.
+    const double size = 1e-4;
+    const Vec3 by(7, -3, 11);
+    const Mesh back = solidDifferenceOf(movedBy(l, by), cuboid(by, by + Vec3::Constant(size)));
+    QVERIFY((boundsOf(back).low - boundsOf(l).low).norm() < 2 * size);
+    QVERIFY((boundsOf(back).high - boundsOf(l).high).norm() < 2 * size);
+  }
+
+  void dualityOfSumAndDifference() {
+    std::mt19937_64 random = seededRandom();
+    double worst = 0;
+    for (int k = 0; k < 4; ++k) {
+      const Mesh solids[] = {lBlock(), frameBlock(3, 1, 0, 2), turnedBy(lBlock(), randomTurn(random)), spikyCube(random, 3)};
+      const Mesh& a = solids[k];
+      const Mesh b = movedBy(scaledBy(cornerTetrahedron(), 0.4), {0.3, -0.2, 0.1});
+      const double direct = volumeOf(solidDifferenceOf(a, b)), dual = differenceByDuality(a, b);
+      COMPARE_NEAR(direct, dual, 1e-8 * volumeOf(a));
+      worst = std::max(worst, std::abs(direct - dual) / volumeOf(a));
+    }
+    qInfo("figure duality_error %.3g", worst);
+  }
+
+  void aSumMinusItsElementHoldsTheSolid() {
+    std::mt19937_64 random = seededRandom();
+    const Mesh a = turnedBy(lBlock(), randomTurn(random)), b = cornerTetrahedron();
+    const Mesh closed = closingOf(a, b);
+    QVERIFY(volumeOf(closed) >= volumeOf(a) - tiny);
+    verifyWithin(random, a, closed);
+    const Mesh back = solidDifferenceOf(solidSumOf(a, b), b);
+    COMPARE_NEAR(volumeOf(back), volumeOf(closed), tiny * volumeOf(back));
+  }
+
+  void openingAndClosing() {
+    // A ball-like element leaves the wide part and takes the fin; a cube fills a slot narrower than itself.
+    const Mesh fin = prism({{0, 0}, {6, 0}, {6, 0.4}, {3, 0.4}, {3, 3}, {0, 3}}, 0, 3);
+    const Mesh opened = openingOf(fin, cuboid({0, 0, 0}, {1, 1, 1}));
+    COMPARE_NEAR(volumeOf(opened), 27, tiny * 27);
+    const Mesh again = openingOf(opened, cuboid({0, 0, 0}, {1, 1, 1}));
+    COMPARE_NEAR(volumeOf(again), volumeOf(opened), tiny * 27);
+    const Mesh slotted = prism({{0, 0}, {5, 0}, {5, 3}, {2.5, 3}, {2.5, 1}, {2, 1}, {2, 3}, {0, 3}}, 0, 3);
+    const Mesh filled = closingOf(slotted, cuboid({0, 0, 0}, {1, 1, 1}));
+    COMPARE_NEAR(volumeOf(filled), 45, tiny * 45);
+    const Mesh wide = closingOf(slotted, cuboid({0, 0, 0}, {0.5, 0.5, 0.5}));
+    QVERIFY(volumeOf(wide) <= 45 + tiny);
+    // An element that goes through every slot changes nothing.
+    COMPARE_NEAR(volumeOf(closingOf(slotted, cuboid({0, 0, 0}, {0.25, 0.25, 0.25}))), volumeOf(slotted), tiny * 45);
+  }
+
+  void flatElements() {
+    Operand segment;
+    segment.form = Operand::Form::Lines;
+    segment.pieces = {{{0, 0, 0}, {0, 0, 1.5}}};
+    // The L is 2 high: half of it is left, at the bottom.
+    const Mesh left = solidDifference(bodyOf(lBlock()), segment).solids.front();
+    COMPARE_NEAR(volumeOf(left), 3.5, tiny);
+    COMPARE_NEAR(boundsOf(left).high.z(), 0.5, tiny);
+    Operand plate;
+    plate.form = Operand::Form::Flat;
+    plate.pieces = {{{0, 0, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}}, {{0, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}}};
+    COMPARE_NEAR(volumeOf(solidDifference(bodyOf(lBlock()), plate).solids.front()), 2 * (2 * 3.5 * 0.5 - 0.25), tiny);
+  }
+
+  void nothingLeftIsSaid() {
+    VERIFY_ERROR(solidDifferenceOf(cuboid({0, 0, 0}, {1, 1, 1}), cuboid({0, 0, 0}, {2, 0.1, 0.1})), ErrorCode::Degenerate);
+    VERIFY_ERROR(solidDifferenceOf(lBlock(), cuboid({0, 0, 0}, {2, 2, 0.1})), ErrorCode::Degenerate);
+    // As large as the solid: one place, which has no volume.
+    VERIFY_ERROR(solidDifferenceOf(lBlock(), lBlock()), ErrorCode::Degenerate);
+    VERIFY_ERROR(openingOf(lBlock(), cuboid({0, 0, 0}, {2, 2, 2})), ErrorCode::Degenerate);
+  }
+};
+
+QTEST_APPLESS_MAIN(MorphologyDifferenceTest)
+#include "morphology_difference_test.moc"

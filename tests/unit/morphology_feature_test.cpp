@@ -1,0 +1,166 @@
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <thread>
+
+#include "support/modeling.h"
+#include "support/polyhedra.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+/// As on the command line: "ball:2:1".
+Shape literal(const std::string& text) { return theApp().registry->literal(text); }
+
+/// Takes CGAL minutes.
+std::vector<Shape> longWork() {
+  std::mt19937_64 random(7);
+  return {spikyRing(random, 6, 1.5, 24), spikyRing(random, 5, 1, 24)};
+}
+
+}  // namespace
+
+/// The features as the evaluator and the command line call them.
+class MorphologyFeatureTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void solidsOfCadAreTakenApartToTheirDeviation() {
+    const Shape box = made("box", {{"width", 4}, {"depth", 3}, {"height", 2}}).shape;
+    const Shape ball = made("ball", {{"radius", 1}, {"subdivisions", 1}}).shape;
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {box, ball})), volumeWithCuboid(*ball.get<Mesh>(), {4, 3, 2}),
+                 1e-9);
+    const Shape cylinder = made("cylinder", {{"radius", 5}, {"height", 10}}).shape;
+    double before = 0;
+    for (const double deviation : {0.5, 0.1}) {
+      const double sum = volume(made("solid-sum", {{"deviation", deviation}}, {cylinder, box}));
+      const double exact = (25 * std::numbers::pi + 12 + 10 * 7) * 12;
+      QVERIFY(sum > before && sum <= exact + 1e-9);
+      QVERIFY(exact - sum <= deviation * 2 * std::numbers::pi * 6 * 12);
+      before = sum;
+    }
+  }
+
+  void everyStructuringElement() {
+    const Shape box = made("box", {{"width", 4}, {"depth", 3}, {"height", 2}}).shape;
+    const Shape ball = literal("ball:0.5:2");
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {box, ball})), volumeWithCuboid(*ball.get<Mesh>(), {4, 3, 2}),
+                 1e-9);
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {box, literal("segment:0:0:5")})), 4 * 3 * 7, 1e-9);
+    COMPARE_NEAR(volume(made("solid-difference", Value::object(), {box, literal("segment:0:0:0.5")})), 4 * 3 * 1.5, 1e-9);
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {box, rectangle(0, 0, 1, 2)})), 5 * 5 * 2, 1e-9);
+    const Shape flat = made("rectangle", {{"width", 1}, {"height", 2}}).shape;
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {box, flat})), 5 * 5 * 2, 1e-9);
+    const Region frame{{polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}), polygon({{1, 1}, {1, 5}, {5, 5}, {5, 1}})}};
+    COMPARE_NEAR(volume(made("solid-sum", Value::object(), {cuboid({0, 0, 0}, {1, 1, 1}), frame})), 7 * 7 - 3 * 3, 1e-9);
+    for (const char* wrong :
+         {"ball:", "ball:-1", "ball:1:2:3", "ball:1:1.5", "ball:1:9", "ball:x", "segment:1:2", "segment:0:0:0"})
+      VERIFY_ERROR(literal(wrong), ErrorCode::InvalidParameter);
+  }
+
+  void sequences() {
+    const std::vector<Shape> solids{cuboid({0, 0, 0}, {1, 2, 3}), cuboid({0, 0, 0}, {4, 2, 1})};
+    const Evaluated morph = made("solid-morph", {{"frames", 5}, {"control", "ease"}}, solids);
+    const auto* sequence = morph.shape.get<Sequence>();
+    QVERIFY(sequence && sequence->frames.size() == 5);
+    for (std::size_t k = 0; k < 5; ++k) {
+      const double t = static_cast<double>(k) / 4, w = t * t * (3 - 2 * t);
+      COMPARE_NEAR(figure(sequence->frames[k], "volume"), (1 + 3 * w) * 2 * (3 - 2 * w), 1e-12);
+      COMPARE_NEAR(sequence->times[k], t, 1e-15);
+    }
+    const Evaluated melting = made("melt", {{"radius", 0.4}, {"frames", 3}}, {lBlock()});
+    QCOMPARE(melting.shape.get<Sequence>()->frames.size(), std::size_t{3});
+    const Evaluated curve =
+        made("solid-morph", {{"t", 0.5}, {"control", "curve"}, {"curve", {{0, 0}, {0.5, 1}, {1, 1}}}}, solids);
+    COMPARE_NEAR(volume(curve), 4 * 2 * 1, 1e-12);
+  }
+
+  void figuresOfTheWork() {
+    const Evaluated sum = made("solid-sum", Value::object(), {lBlock(), cornerTetrahedron()});
+    for (const char* key :
+         {"parts_a", "parts_b", "pairs", "candidates", "check_ms", "decompose_ms", "sum_ms", "unite_ms", "output_ms"})
+      QVERIFY2(sum.stats.contains(key), key);
+    QCOMPARE(figure(sum.shape, "genus"), 0.0);
+    QCOMPARE(figure(sum.shape, "components"), 1.0);
+    QVERIFY(made("inflate", Value::object(), {lBlock()}).stats.at("ball_deviation").get<double>() > 0);
+  }
+
+  void longWorkIsCancelledInTheMiddle() {
+    const std::vector<Shape> inputs = longWork();
+    const CancelToken token;
+    QElapsedTimer sinceCancel;
+    std::atomic<bool> asked = false;
+    // When the helper is well inside of CGAL, which never looks up.
+    const Progress cancelling(token, [&](double, const std::string& stage) {
+      if (stage != "Taking apart" && stage != "Adding convex parts") return;
+      if (asked.exchange(true)) return;
+      sinceCancel.start();
+      token.cancel();
+    });
+    VERIFY_ERROR(made("solid-sum", Value::object(), inputs, cancelling), ErrorCode::Cancelled);
+    QVERIFY(asked);
+    qInfo("figure cancel_ms %lld", static_cast<long long>(sinceCancel.elapsed()));
+  }
+
+  void throughTheCommandLine() {
+    blossom({"box", "--width", "10", "--depth", "8", "--height", "6", "-o", "box.step"});
+    for (const char* format : {"off", "obj", "stl", "ply", "step"}) {
+      const QString file = QString("sum.") + format;
+      const Ran ran = blossom({"solid-sum", "box.step", "ball:1:1", "-o", file});
+      QVERIFY2(ran.code == 0, ran.json.dump().c_str());
+      QCOMPARE(ran.json["feature"], Value("morphology.solid-sum"));
+      const double expected = ran.json["result"]["volume"].get<double>();
+      const Ran info = blossom({"info", file});
+      QVERIFY2(info.code == 0, info.json.dump().c_str());
+      COMPARE_NEAR(info.json["result"]["volume"].get<double>(), expected, 1e-5 * expected);
+      QCOMPARE(info.json["result"]["closed"], Value(true));
+    }
+    const Ran melting = blossom({"melt", "box.step", "--radius", "2", "--frames", "3", "-o", "frame.obj"});
+    QVERIFY2(melting.code == 0, melting.json.dump().c_str());
+    QCOMPARE(melting.json["outputs"].size(), std::size_t{3});
+    const Ran refused = blossom({"melt", "box.step", "--radius", "9", "-o", "none.off"});
+    QCOMPARE(refused.code, 1);
+    QVERIFY(!refused.json["error"]["hint"].get<std::string>().empty());
+    QVERIFY(!QFile::exists(folder_.filePath("none.off")));
+  }
+
+  void everyFeatureExplainsItself() {
+    int features = 0;
+    for (const auto& type : theApp().registry->types()) {
+      if (!type->id.starts_with("morphology.")) continue;
+      ++features;
+      QVERIFY2(!type->examples.empty(), type->id.c_str());
+      QVERIFY2(fs::exists(sourceFolder() / "resources/icons" / (type->icon + ".svg")), type->id.c_str());
+      for (const std::string& example : type->examples)
+        QVERIFY2(example.starts_with("blossom " + type->command), example.c_str());
+    }
+    QCOMPARE(features, 8);
+    QVERIFY(fs::exists(sourceFolder() / "resources/icons/morphology.svg"));
+  }
+
+  void theSampleDocumentsAreWhole() {
+    for (const char* name : {"block-to-wedge", "notched-sum", "melting-ice", "inflated-letter"}) {
+      const Ran info = blossom({"info", QString::fromStdString((sample(std::string(name) + ".blossom")).string())});
+      QVERIFY2(info.code == 0, info.json.dump().c_str());
+    }
+  }
+
+ private:
+  struct Ran {
+    int code = -1;
+    Value json;
+  };
+  Ran blossom(QStringList arguments) {
+    QProcess process;
+    process.setWorkingDirectory(folder_.path());
+    process.start(QString::fromStdString((buildFolder() / "bin/blossom").string()), arguments << "--json");
+    if (!process.waitForFinished(100000)) return {};
+    return {process.exitCode(), Value::parse(process.readAllStandardOutput().toStdString(), nullptr, false)};
+  }
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(MorphologyFeatureTest)
+#include "morphology_feature_test.moc"

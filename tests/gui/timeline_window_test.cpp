@@ -1,0 +1,123 @@
+#include <QFile>
+#include <QSlider>
+#include <QToolButton>
+
+#include "ui/tree/document_edits.h"
+#include "window_fixture.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+/// A morph from a square to one twice as large, frame by frame: frame k of 11 is a square of side 10 + k.
+class TimelineWindowTest : public WindowFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init();
+  void cleanup() { window_.reset(); }
+
+  void scrubbingShowsTheFrame();
+  void playingMovesOnAndPauses();
+  void onionSkinShowsTheOthers();
+  void theTimelineGoesWithItsSequence();
+
+ private:
+  [[nodiscard]] QString square(const char* name, int side) const {
+    const QString file = folder_.filePath(QLatin1String(name));
+    QFile svg(file);
+    if (!svg.open(QIODevice::WriteOnly)) qFatal("no room for %s", name);
+    svg.write(QStringLiteral("<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='20mm' viewBox='0 0 20 20'>"
+                             "<path d='M0 0H%1V%1H0Z'/></svg>")
+                  .arg(side)
+                  .toLatin1());
+    return file;
+  }
+  [[nodiscard]] QWidget& timeline() const { return *window_->findChild<QWidget*>(QStringLiteral("timeline")); }
+  [[nodiscard]] QSlider& slider() const { return *timeline().findChild<QSlider*>(); }
+  [[nodiscard]] Playback& playback() const { return window_->page().playback(); }
+  [[nodiscard]] double shownWidth() const {
+    const Bounds box = window_->view().extent();
+    return box.high.x() - box.low.x();
+  }
+};
+
+void TimelineWindowTest::init() {
+  openWindow();
+  openAndWait(square("small.svg", 10));
+  window_->session().import({square("large.svg", 20).toStdString()});
+  waitUntilComputed();
+  std::vector<FeatureId> squares;
+  for (const auto& feature : window_->session().document().features()) squares.push_back(feature->id);
+  QCOMPARE(squares.size(), std::size_t{2});
+  QVERIFY(!timeline().isVisible());
+  window_->session().addFeature(*window_->session().app().registry->find("minkowski.morph"), squares);
+  waitUntilComputed();
+  edit("frames", "11");
+  waitUntilComputed();
+  Session& session = window_->session();
+  session.commit(isolated(session.document(), {last()}), QStringLiteral("Isolate"));
+  QTRY_VERIFY(timeline().isVisible());
+  QCOMPARE(playback().count(), 11);
+}
+
+void TimelineWindowTest::scrubbingShowsTheFrame() {
+  for (const int frame : {0, 5, 10, 3}) {
+    slider().setValue(frame);
+    QCOMPARE(playback().frame(), frame);
+    COMPARE_NEAR(shownWidth(), 10 + frame, 1e-6);
+  }
+  run("timeline.next");
+  QCOMPARE(slider().value(), 4);
+  run("timeline.previous");
+  run("timeline.previous");
+  COMPARE_NEAR(shownWidth(), 12, 1e-6);
+}
+
+void TimelineWindowTest::playingMovesOnAndPauses() {
+  slider().setValue(8);
+  auto* const play = timeline().findChild<QToolButton*>(QStringLiteral("play"));
+  QTest::mouseClick(play, Qt::LeftButton);
+  QVERIFY(playback().playing());
+  QTRY_VERIFY(playback().frame() < 8);  // it has begun anew
+  QTest::mouseClick(play, Qt::LeftButton);
+  QVERIFY(!playback().playing());
+  COMPARE_NEAR(shownWidth(), 10 + playback().frame(), 1e-6);
+}
+
+void TimelineWindowTest::onionSkinShowsTheOthers() {
+  slider().setValue(10);
+  window_->view().fit(false);
+  slider().setValue(0);
+  const QImage alone = canvas();
+  run("timeline.onion-skin");
+  const QImage together = canvas();
+  // The outlines of later frames lie where nothing was drawn before. (That of the last lies under the control shape.)
+  const QPoint late = screenOf({19, 1, 0}), half = screenOf({15, 5, 0});
+  const auto changedAround = [&](const QPoint& at) {
+    for (int dx = -4; dx <= 4; ++dx)
+      for (int dy = -4; dy <= 4; ++dy) {
+        const QPoint p = (at + QPoint(dx, dy)) * alone.devicePixelRatio();
+        if (alone.rect().contains(p) && alone.pixel(p) != together.pixel(p)) return true;
+      }
+    return false;
+  };
+  QVERIFY(changedAround(late));
+  QVERIFY(changedAround(half));
+  run("timeline.onion-skin");
+  QCOMPARE(canvas(), alone);
+}
+
+void TimelineWindowTest::theTimelineGoesWithItsSequence() {
+  slider().setValue(10);
+  const FeatureId morph = last();
+  Session& session = window_->session();
+  session.commit(session.document().without(morph), QStringLiteral("Delete"));
+  QTRY_VERIFY(!timeline().isVisible());
+  QVERIFY(!window_->commands().find(QStringLiteral("timeline.play"))->action->isEnabled());
+  session.undo();
+  QTRY_VERIFY(timeline().isVisible());
+  QVERIFY(window_->commands().find(QStringLiteral("timeline.play"))->action->isEnabled());
+}
+
+BLOSSOM_WINDOW_TEST_MAIN(TimelineWindowTest)
+#include "timeline_window_test.moc"

@@ -43,7 +43,8 @@ TopoDS_Shape filled(const Region& region) {
 
 TopoDS_Shape ofCurves(const Curves& given, bool fill) {
   const Curves curves = joined(given);
-  if (curves.paths.empty()) throw Error(ErrorCode::InvalidInput, "There are no curves in the input.");
+  if (curves.paths.empty())
+    throw Error(ErrorCode::InvalidInput, "There are no curves in the input.", "Give a drawing that holds some.");
   const auto isOpen = [](const Path& path) { return !path.closed; };
   const auto open = std::find_if(curves.paths.begin(), curves.paths.end(), isOpen);
   if (open == curves.paths.end() && fill) return filled(toRegion(curves));

@@ -65,6 +65,9 @@ class DxfWriter {
     dxf_.writeObjectsEnd(*writer_);
     writer_->dxfEOF();
     writer_->close();
+    if (writer_->failed())
+      throw Error(ErrorCode::FileUnwritable, "The drawing could not be written to the end.",
+                  "Check that the disk is not full.");
   }
 
  private:

@@ -151,6 +151,25 @@ Imported readShape(const FormatRegistry& registry, const fs::path& path, const V
   return guardedRead(format, path, completed(format.readOptions, options), progress);
 }
 
+namespace {
+
+/// Streams of the libraries behind some formats end a full disk with exceptions of their own, such as std::bad_cast.
+void writeOne(const Format& format, const FileOfShape& file, const Value& options, const Progress& progress) {
+  try {
+    writeAtomically(file.path, [&](const fs::path& temporary) { format.write(file.shape, temporary, options, progress); });
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    throw Error(ErrorCode::FileUnwritable,
+                fmt::format("The file {} cannot be written as {}.", file.path.string(), format.title),
+                "Check that the disk is not full.");
+  }
+}
+
+}  // namespace
+
 void writeShape(const FormatRegistry& registry, const Shape& shape, const fs::path& path, const Value& options,
                 const Progress& progress) {
   const Format& format = formatFor(registry, path, false);
@@ -165,7 +184,7 @@ void writeShape(const FormatRegistry& registry, const Shape& shape, const fs::pa
   for (std::size_t i = 0; i < files.size(); ++i) {
     const double count = static_cast<double>(files.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    writeAtomically(files[i].path, [&](const fs::path& temporary) { format.write(files[i].shape, temporary, all, part); });
+    writeOne(format, files[i], all, part);
   }
 }
 

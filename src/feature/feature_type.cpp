@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "geometry/face_region.h"
 #include "geometry/planar.h"
+#include "geometry/soundness.h"
 
 namespace blossom {
 namespace {
@@ -44,6 +45,14 @@ std::string acceptedKinds(const InputSpec& spec) {
               fmt::format("The input \"{}\" of {} takes {}; it got {}.", spec.name, type.title, acceptedKinds(spec),
                           withArticle(shape.kind())),
               spec.help);
+}
+
+void refuseUnsound(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
+  const std::string flaw = unsoundness(shape);
+  if (!flaw.empty())
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("The input \"{}\" of {} cannot be used: {}.", spec.name, type.title, flaw),
+                "Mend the file or the feature that it comes from.");
 }
 
 Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
@@ -96,6 +105,7 @@ Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
         if (taken.size() >= spec.least && &spec != &type.inputs.back()) break;
         throwNotAccepted(type, spec, given[next]);
       }
+      refuseUnsound(type, spec, given[next]);
       taken.push_back(converted(type, spec, given[next++]));
     }
   }

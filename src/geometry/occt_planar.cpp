@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
@@ -14,6 +15,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -59,13 +61,22 @@ bool isNothing(const Segment& segment) {
 }
 
 /// Built edge by edge: the vertices between segments take a tolerance as wide as the gap they bridge.
+[[noreturn]] void throwNothing(const Path& path) {
+  std::string place;
+  if (!path.segments.empty()) {
+    const Vec2 start = startPoint(path);
+    place = fmt::format(" at ({:.6g}, {:.6g})", start.x(), start.y());
+  }
+  throw Error(ErrorCode::Degenerate, fmt::format("The path{} has no length, so it has no edges.", place),
+              "Remove it from the drawing.");
+}
+
 class WireBuilder {
  public:
   TopoDS_Wire build(const Path& path) {
     std::vector<Segment> segments;
     std::remove_copy_if(path.segments.begin(), path.segments.end(), std::back_inserter(segments), isNothing);
-    if (segments.empty())
-      throw Error(ErrorCode::Degenerate, "A path of length zero has no edges.", "Remove it from the drawing.");
+    if (segments.empty()) throwNothing(path);
     TopoDS_Wire wire;
     builder_.MakeWire(wire);
     const TopoDS_Vertex start = path.closed ? vertexBetween(endPoint(segments.back()), startPoint(segments.front()))

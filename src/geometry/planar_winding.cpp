@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -139,7 +141,13 @@ Vec2 interiorPoint(const Path& path) {
       if (windingNumber(path, candidate) != 0) return candidate;
     }
   }
-  throw Error(ErrorCode::Degenerate, "A closed path encloses no area.", "Remove it, or look whether it crosses itself.");
+  std::string place;
+  if (!path.segments.empty()) {
+    const Vec2 start = startPoint(path);
+    place = fmt::format(" that begins at ({:.6g}, {:.6g})", start.x(), start.y());
+  }
+  throw Error(ErrorCode::Degenerate, fmt::format("A closed path{} encloses no area.", place),
+              "Remove it, or look whether it crosses itself.");
 }
 
 }  // namespace blossom

@@ -23,6 +23,22 @@ double distanceTo(const Ray& ray, const Vec3& p) {
   return (from - std::max(0.0, from.dot(ray.direction)) * ray.direction).norm();
 }
 
+/// The surface within reach as a net of lines: seen wherever it goes, and drawn in no time where faces, shaded or
+/// translucent, are not.
+std::vector<std::vector<Vec3>> netOf(const LivePull& live, Scheme scheme) {
+  std::vector<std::vector<Vec3>> net;
+  const auto at = [&](int i) { return live.samples()[static_cast<std::size_t>(i)]; };
+  bool lower = true;  // quads are two triangles each, whose common side is left out
+  for (const auto& [a, b, c] : live.triangles()) {
+    if (scheme == Scheme::Loop)
+      net.push_back({at(a), at(b), at(c), at(a)});
+    else
+      net.push_back(lower ? std::vector{at(b), at(a), at(c)} : std::vector{at(a), at(b), at(c)});
+    lower = !lower;
+  }
+  return net;
+}
+
 }  // namespace
 
 PullTool::PullTool(ui::ToolHost& toolHost, FeatureId feature) : Tool(toolHost), feature_(std::move(feature)) { load(); }
@@ -245,10 +261,7 @@ std::vector<vtkSmartPointer<vtkProp>> PullTool::props() const {
   if (hovered_ && !held_) props.push_back(ui::pointsProp({grips_[*hovered_].now}, look.control, 10 * ratio));
   if (!held_) return props;
   if (live_) {
-    std::vector<std::array<Vec3, 3>> triangles;
-    const auto at = [&](int i) { return live_->samples()[static_cast<std::size_t>(i)]; };
-    for (const auto& [a, b, c] : live_->triangles()) triangles.push_back({at(a), at(b), at(c)});
-    props.push_back(ui::trianglesProp(triangles, look.made, 0.55));
+    props.push_back(ui::linesProp(netOf(*live_, scheme_), look.made, ratio));
     std::vector<std::vector<Vec3>> cage;
     for (const auto& [from, to] : liveEdges_)
       cage.push_back({live_->points()[static_cast<std::size_t>(from)], live_->points()[static_cast<std::size_t>(to)]});

@@ -42,9 +42,13 @@ check=$("$tests/check_solid" "$out/deformed.step" "$out/deformed.stl" 0.1)
 equal "  STEP solid closed and valid (OCCT)" "$(json valid <<<"$check")" true
 changed=$(diff <(grep '^v' "$cage") <(grep '^v' "$out/deformed.obj") | grep -c '^>')
 at_most "  vertices of the OBJ that changed, of $(grep -c '^v' "$cage")" "$changed" "$(json free_points <<<"$answer")"
+drawing() { # file, points as "x y"..: an open polyline
+  local file=$1; shift
+  { printf '0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n%d\n70\n0\n' $#; for p in "$@"; do printf '10\n%s\n20\n%s\n' $p; done; printf '0\nENDSEC\n0\nEOF\n'; } >"$file"
+}
+drawing "$out/polygon.dxf" "0 0" "10 12" "22 -6" "34 10" "45 0" "56 8"
+drawing "$out/wanted.dxf" "12 4" "17 6" "22 7" "28 7" "34 5"
 for scheme in cubic quadratic four-point; do
-  "$bin/blossom" stroke --points "0,0,0; 10,12,0; 22,-6,0; 34,10,0; 45,0,0; 56,8,0" --no-smooth -o "$out/polygon.dxf" >>"$out/subdivide.log" 2>&1
-  "$bin/blossom" stroke --points "12,4,0; 22,7,0; 34,5,0" -o "$out/wanted.dxf" >>"$out/subdivide.log" 2>&1
   answer=$("$bin/blossom" deform "$out/polygon.dxf" "$out/wanted.dxf" --scheme $scheme -o "$out/curve-$scheme.dxf" --json 2>>"$out/subdivide.log")
   equal "curve, $scheme: exit code and outside_change" "$?, $(json outside_change <<<"$answer")" "0, 0.0"
 done

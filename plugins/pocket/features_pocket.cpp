@@ -117,6 +117,15 @@ void warnOfNarrow(const PocketResult& made, std::vector<std::string>& warnings) 
                                  made.tooNarrow.size(), made.tooNarrow.size() == 1 ? "is" : "are", at.x(), at.y()));
 }
 
+/// Round corners leave ridges between passes that lie further apart than the flat of the tool is wide.
+void warnOfRidges(const PocketOptions& o, std::vector<std::string>& warnings) {
+  const double corner = o.cutter.cornerRadius;
+  const double beside = (o.stepover - (o.cutter.diameter - 2 * corner)) / 2;
+  if (corner <= 0 || beside <= 0) return;
+  const double height = corner - std::sqrt(std::max(0.0, corner * corner - beside * beside));
+  warnings.push_back(fmt::format("The tool's round corners leave ridges of {:.3f} mm on the floor between passes.", height));
+}
+
 /// Nothing leaves here that was not driven through once.
 void addSimulation(const PocketParameters& p, const Region& region, Toolpath& path, Evaluated& out,
                    const Progress& progress) {
@@ -149,6 +158,7 @@ Evaluated pocketOf(const PocketParameters& p, const Inputs& inputs, const Progre
   Evaluated out;
   out.warnings = part.warnings;
   warnOfNarrow(made, out.warnings);
+  warnOfRidges(options, out.warnings);
   if (made.plunged > 0)
     out.warnings.push_back(fmt::format("{} entr{} no room for a {}: the tool plunges there.", made.plunged,
                                        made.plunged == 1 ? "y has" : "ies have",

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <list>
 #include <memory>
 #include <ostream>
 #include <sstream>
@@ -44,7 +46,29 @@ class FeatureCommand {
     app_->add_option("INPUT", inputs_, help + " A file, a document (model.blossom#feature) or a shape written down.")
         ->type_name("")
         ->expected(0, -1);
+    declareNamedInputs();
     CommandLine::addDocumentFlags(*app_, session_);
+  }
+
+  /// Where every input is a single one of its own kind, those after the first can also be given by name: --part FILE.
+  void declareNamedInputs() {
+    for (const InputSpec& spec : type_->inputs)
+      if (spec.least != 1 || spec.most != 1) return;
+    for (std::size_t i = 1; i < type_->inputs.size(); ++i) {
+      const InputSpec& spec = type_->inputs[i];
+      const auto namesake = [&](const ParameterSpec& parameter) { return parameter.name == spec.name; };
+      if (std::any_of(type_->parameters.begin(), type_->parameters.end(), namesake)) continue;
+      named_.emplace_back();
+      named_.back().first = i;
+      app_->add_option("--" + spec.name, named_.back().second, fmt::format("INPUT {} by name: the {}.", i + 1, spec.name))
+          ->type_name("FILE");
+    }
+  }
+
+  void takeNamedInputs() {
+    for (const auto& [index, input] : named_)
+      if (!input.empty())
+        inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(std::min(index, inputs_.size())), input);
   }
 
   /// A feature without inputs that needs one file (import) takes it as the plain word that everybody would write.
@@ -137,6 +161,7 @@ class FeatureCommand {
   }
 
   int run() {
+    takeNamedInputs();
     checkNumberOfInputs();
     Value given = parameters();
     std::vector<Output> planned = outputs();
@@ -186,6 +211,8 @@ class FeatureCommand {
   std::shared_ptr<const FeatureType> type_;
   CLI::App* app_ = nullptr;
   std::vector<std::string> inputs_, outputs_;
+  std::list<std::pair<std::size_t, std::string>>
+      named_;  ///< inputs by name, with their place; a list: the parser keeps addresses
   std::unique_ptr<ParameterFlags> parameters_;
   std::unique_ptr<FormatFlags> formats_;
 };

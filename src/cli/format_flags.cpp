@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace blossom {
 namespace {
@@ -22,31 +23,43 @@ std::vector<ParameterSpec> optionsOf(const Format& format, int sides) {
   return specs;
 }
 
+/// Options known well enough to be given without their format.
+struct CommonFlag {
+  const char *name, *placeholder, *help;
+};
+constexpr std::array<CommonFlag, 2> commonFlags{{
+    {"chord", "LENGTH", "Largest distance between a shape and the polygons written for it, for all outputs at once."},
+    {"post", "NAME", "The control that G-code is written for; short for --gcode.post."},
+}};
+
 }  // namespace
 
 FormatFlags::FormatFlags(CommandLine& line, CLI::App& app, const FormatRegistry& formats, int sides) {
-  bool anyChord = false;
   for (const Format& format : formats.formats()) {
     std::vector<ParameterSpec> specs = optionsOf(format, sides);
-    anyChord = anyChord || named(format.writeOptions, "chord");
     if (!specs.empty())
       entries_.push_back(
           {format.id, format.title, ParameterFlags(line, app, std::move(specs), format.id + ".", "File options")});
   }
-  if (anyChord && (sides & Writing) && !app.get_option_no_throw("--chord"))
-    chord_ = app.add_option("--chord",
-                            "Largest distance between a shape and the polygons written for it, for all outputs at once.")
-                 ->type_name("LENGTH")
-                 ->group("File options");
+  if (!(sides & Writing)) return;
+  for (const CommonFlag& flag : commonFlags) {
+    const std::string name = std::string("--") + flag.name;
+    const bool known = std::any_of(formats.formats().begin(), formats.formats().end(),
+                                   [&](const Format& format) { return named(format.writeOptions, flag.name); });
+    if (!known || app.get_option_no_throw(name)) continue;
+    common_.push_back({flag.name, app.add_option(name, flag.help)->type_name(flag.placeholder)->group("File options")});
+  }
 }
 
 Value FormatFlags::given(const Format& format, const std::vector<ParameterSpec>& declared) const {
   Value values = Value::object();
-  if (const ParameterSpec* chord = named(declared, "chord"); chord && chord_ && chord_->count() > 0) {
+  for (const auto& [name, option] : common_) {
+    const ParameterSpec* spec = named(declared, name);
+    if (!spec || option->count() == 0) continue;
     try {
-      values["chord"] = parseText(*chord, chord_->results().back());
+      values[name] = parseText(*spec, option->results().back());
     } catch (const Error& error) {
-      throw UsageError(namingFlag("--chord", chord->name, error.message()), error.hint());
+      throw UsageError(namingFlag("--" + name, spec->name, error.message()), error.hint());
     }
   }
   for (const Entry& entry : entries_) {

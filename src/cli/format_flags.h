@@ -6,8 +6,8 @@
 
 namespace blossom {
 
-/// Options of the formats as flags: --stl.ascii, --step.schema ap242; and --chord, which stands for the `chord` of every
-/// output.
+/// Options of the formats as flags: --stl.ascii, --step.schema ap242; and --chord and --post, which stand for the option of
+/// that name of every output.
 class FormatFlags {
  public:
   enum Side { Reading = 1, Writing = 2 };
@@ -27,7 +27,11 @@ class FormatFlags {
     ParameterFlags flags;
   };
   std::vector<Entry> entries_;
-  CLI::Option* chord_ = nullptr;
+  struct Common {
+    std::string name;
+    CLI::Option* option;
+  };
+  std::vector<Common> common_;
 };
 
 }  // namespace blossom

@@ -321,6 +321,9 @@ class PocketPathTest final : public QObject {
     VERIFY_ERROR(pocketPath({{polygonPath({{0, 0}, {40, 40}, {40, 0}, {0, 40}})}}, tool(6, 1)), ErrorCode::InvalidInput);
     VERIFY_ERROR(pocketPath({{boxPath(0, 0, std::nan(""), 40)}}, tool(6, 1)), ErrorCode::InvalidInput);
     PocketOptions o = tool(6, 1);
+    o.cutter.cornerRadius = 3.1;
+    VERIFY_ERROR(pocketPath(part, o), ErrorCode::InvalidParameter);
+    o = tool(6, 1);
     o.leaveFloor = 1;
     VERIFY_ERROR(pocketPath(part, o), ErrorCode::InvalidParameter);
     VERIFY_ERROR(pocketPath(part, tool(6, 1, 1e-6)), ErrorCode::LimitExceeded);

@@ -32,6 +32,10 @@ PocketOptions checkedOptions(PocketOptions o) {
       refuse(fmt::format("The {} must not be below 0; it is {:g}.", name, value), "Give 0 or more.");
   };
   above(diameter, "diameter of the tool");
+  fromZero(o.cutter.cornerRadius, "radius of the tool's corners");
+  if (o.cutter.cornerRadius > diameter / 2)
+    refuse(fmt::format("Corners of {:.4g} mm do not fit on a tool of {:.4g} mm.", o.cutter.cornerRadius, diameter),
+           "Give at most half the diameter; that is a ball.");
   above(o.depth, "depth");
   fromZero(o.stepdown, "stepdown");
   fromZero(o.stepover, "stepover");

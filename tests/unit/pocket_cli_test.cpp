@@ -1,0 +1,151 @@
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "exchange/format.h"
+#include "support/modeling.h"
+#include "support/planar_parts.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+namespace {
+
+struct Answer {
+  int code = -1;
+  Value json;
+  [[nodiscard]] double result(const char* name) const { return json["result"][name].get<double>(); }
+  [[nodiscard]] std::string message() const { return json["error"]["message"].get<std::string>(); }
+  [[nodiscard]] std::string hint() const { return json["error"].value("hint", ""); }
+};
+
+}  // namespace
+
+/// Pockets and simulations through the real command line.
+class PocketCliTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aProgramIsWrittenAndSimulated() {
+    writePart("part.dxf");
+    const Answer made =
+        blossom({"pocket", "part.dxf", "--tool-diameter", "6", "--depth", "5", "--stepdown", "2", "-o", "part.ngc"});
+    QCOMPARE(made.code, 0);
+    QCOMPARE(made.json["feature"], Value("pocket.pocket"));
+    QCOMPARE(made.json["result"]["kind"], Value("toolpath"));
+    QCOMPARE(made.result("passes"), 3.0);
+    QCOMPARE(made.result("residue_mm2"), 0.0);
+    QVERIFY(made.result("gouge_mm") <= 0.005);
+    QVERIFY(made.result("length_mm") > 0 && made.result("time_s") > 0);
+    // by name and by place
+    for (const QStringList& part : {QStringList{"--part", "part.dxf"}, QStringList{"part.dxf"}}) {
+      const Answer swept = blossom(QStringList{"simulate", "part.ngc"} + part);
+      QCOMPARE(swept.code, 0);
+      QVERIFY(swept.result("gouge_mm") <= 0.0051);
+      QCOMPARE(swept.result("residue_mm2"), 0.0);
+      QCOMPARE(swept.json["stats"]["rapids_in_stock"], Value(0));
+    }
+    const Answer twice = blossom({"simulate", "part.ngc", "part.dxf", "--part", "part.dxf"});
+    QVERIFY(twice.code != 0 && !twice.hint().empty());
+    COMPARE_NEAR(blossom({"simulate", "part.ngc", "part.dxf", "--tool-diameter", "6.5"}).result("gouge_mm"), 0.25, 0.0051);
+    COMPARE_NEAR(blossom({"simulate", "part.ngc", "part.dxf", "--depth", "4"}).result("gouge_mm"), 1, 1e-9);
+    QVERIFY(blossom({"simulate", "part.ngc", "part.dxf", "--tool-diameter", "3"}).result("residue_mm2") > 10);
+  }
+
+  void theWorksZeroAndItsStock() {
+    // a part whose lower left corner lies at (10, 20); the stock reaches 5 beyond it, 2 below the pocket
+    const QStringList part{"pocket", "part.dxf", "--depth", "4"};
+    writePart("part.dxf", {10, 20});
+    for (const auto& [zero, height, low] : {std::tuple{"drawing", "top", Vec3(5, 15, -6)},
+                                            {"corner", "top", Vec3(0, 0, -6)},
+                                            {"center", "bottom", Vec3(-35, -25, 0)}}) {
+      const Answer made =
+          blossom(part + QStringList{"--zero", zero, "--zero-height", height, "--work-offset", "G55", "-o", "z.ngc"});
+      QCOMPARE(made.code, 0);
+      const Imported read = readShape(*theApp().formats, (folder_.path() + "/z.ngc").toStdString());
+      const auto* path = read.shape.get<Toolpath>();
+      QVERIFY(path);
+      QCOMPARE(path->workOffset, std::string("G55"));
+      QVERIFY((path->stock.low - low).norm() < 1e-9);
+      QVERIFY((path->stock.high - low - Vec3(70, 50, 6)).norm() < 1e-9);
+      QCOMPARE(blossom({"simulate", "z.ngc", "part.dxf"}).result("residue_mm2"), 0.0);
+    }
+  }
+
+  void everyPostIsWritten() {
+    for (const char* post : {"linuxcnc", "grbl", "mach3", "fanuc"}) {
+      QCOMPARE(blossom({"pocket", "circle:20", "--post", post, "--gcode.unit", "inch", "-o", "post.nc"}).code, 0);
+      QFile file(folder_.path() + "/post.nc");
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QByteArray program = file.readAll();
+      QVERIFY(program.contains("G20") && program.contains("\nG3 "));
+    }
+  }
+
+  void rubbishIsRefusedWithPlaceAndRemedy() {
+    writePart("part.dxf");
+    const auto refuses = [&](const QStringList& words, const char* said, const char* hint) {
+      const Answer answer = blossom(words);
+      QVERIFY2(answer.code == 1 || answer.code == 2, qPrintable(words.join(' ')));
+      QVERIFY2(answer.message().find(said) != std::string::npos, answer.message().c_str());
+      QVERIFY2(answer.hint().find(hint) != std::string::npos, answer.hint().c_str());
+    };
+    refuses({"pocket", "rectangle:60:8", "--tool-diameter", "10"}, "does not fit", "7.99 mm");
+    refuses({"pocket", "part.dxf", "--stepover", "140%"}, "wider than the tool", "100 %");
+    refuses({"pocket", "part.dxf", "--stepover", "much"}, "\"much\"", "45%");
+    refuses({"pocket", "part.dxf", "--stepover", "nan"}, "nan", "45%");
+    refuses({"pocket", "part.dxf", "--depth", "4", "--leave-floor", "4"}, "as thick as", "Leave less");
+    refuses({"pocket", "part.dxf", "--depth", "4", "--stock-thickness", "3"}, "3 mm thick", "thicker");
+    refuses({"pocket", "part.dxf", "--tool-corner", "4"}, "Corners of 4 mm", "half");
+    refuses({"pocket", "missing.dxf"}, "missing.dxf", "");
+    refuses({"simulate", "part.dxf", "part.dxf"}, "", "");
+    Path open = boxPath(0, 0, 20, 20);
+    open.segments.pop_back();
+    open.closed = false;
+    writeShape(*theApp().formats, Curves{{open}, FillRule::EvenOdd}, folder_.filePath("open.dxf").toStdString());
+    refuses({"pocket", "open.dxf"}, "its only line runs from", "Close");
+    write("bow.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9' width='9mm' height='9mm'>"
+          "<path d='M0 0L9 9V0L0 6Z'/></svg>");
+    refuses({"pocket", "bow.svg", "--tool-diameter", "1"}, "crosses itself near (3.6", "Redraw");
+    write("air.ngc", "G21\nT1 M6\nS100 M3\nG0 Z5\nG1 X10 Y10 Z2 F100\nZ3\nM2\n");
+    refuses({"simulate", "air.ngc", "part.dxf", "--tool-diameter", "3"}, "does not cut below", "zero");
+    refuses({"simulate", "air.ngc", "part.dxf"}, "which tool", "--tool-diameter");
+  }
+
+  void theSamplesHoldTheirPockets() {
+    for (const char* name : {"pocket-cover.blossom", "pocket-sign.blossom"}) {
+      const Answer run = blossom({"run", QString::fromStdString(sample(name).string())});
+      QCOMPARE(run.code, 0);
+      const Value& last = run.json["features"].back();
+      QCOMPARE(last["result"]["kind"], Value("toolpath"));
+      QCOMPARE(last["result"]["residue_mm2"], Value(0.0));
+    }
+  }
+
+ private:
+  void write(const char* name, const char* text) const {
+    QFile file(folder_.filePath(QLatin1String(name)));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+  /// A plate of 60 x 40 with a round island.
+  void writePart(const char* name, const Vec2& at = {0, 0}) const {
+    const Curves part{{boxPath(at.x(), at.y(), at.x() + 60, at.y() + 40), circlePath(at + Vec2(30, 20), 8, true)},
+                      FillRule::EvenOdd};
+    writeShape(*theApp().formats, part, folder_.filePath(QLatin1String(name)).toStdString());
+  }
+  static QString program() { return QString::fromStdString((buildFolder() / "bin/blossom").string()); }
+  Answer blossom(QStringList arguments) {
+    QProcess process;
+    process.setWorkingDirectory(folder_.path());
+    process.start(program(), arguments << "--json");
+    if (!process.waitForFinished(120000)) return {};
+    return {process.exitCode(), Value::parse(process.readAllStandardOutput().toStdString(), nullptr, false)};
+  }
+
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(PocketCliTest)
+#include "pocket_cli_test.moc"

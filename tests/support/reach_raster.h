@@ -50,7 +50,8 @@ inline Polyline sampled(const Segment& segment, double chord) {
     if (!(b > a)) continue;
     for (int count = 4;; count *= 2) {  // until the points between are near the lines
       Polyline run;
-      for (int k = 0; k <= 2 * count; ++k) run.push_back(pointOf(spline, k == 2 * count ? b : a + (b - a) * k / (2 * count)));
+      for (int k = 0; k <= 2 * count; ++k)
+        run.push_back(pointOf(spline, k == 2 * count ? b : a + (b - a) * k / (2 * count)));
       double off = 0;
       for (std::size_t k = 1; k < run.size(); k += 2) off = std::max(off, (run[k] - (run[k - 1] + run[k + 1]) / 2).norm());
       if (off > 4 * chord && count < 1 << 14) continue;
@@ -106,7 +107,8 @@ class Raster {
   [[nodiscard]] Marks within(const std::vector<ShortLine>& lines, double radius) const {
     std::vector<int> change(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_ + 1), 0);
     for (const ShortLine& line : lines) {
-      const double bottom = std::min(line.from.y(), line.to.y()) - radius, top = std::max(line.from.y(), line.to.y()) + radius;
+      const double bottom = std::min(line.from.y(), line.to.y()) - radius,
+                   top = std::max(line.from.y(), line.to.y()) + radius;
       const int first = std::max(0, static_cast<int>(std::ceil((bottom - low_.y()) / step_)));
       const int last = std::min(rows_ - 1, static_cast<int>(std::floor((top - low_.y()) / step_)));
       for (int row = first; row <= last; ++row) {
@@ -123,7 +125,8 @@ class Raster {
     for (int row = 0; row < rows_; ++row) {
       int depth = 0;
       for (int column = 0; column < columns_; ++column) {
-        depth += change[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) + static_cast<std::size_t>(column)];
+        depth += change[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
+                        static_cast<std::size_t>(column)];
         marks[index(column, row)] = depth > 0;
       }
     }

@@ -3,6 +3,7 @@
 
 #include "exchange/format.h"
 #include "geometry/planar.h"
+#include "pocket/kernel/boundary.h"
 #include "pocket/kernel/clearance_diagram.h"
 #include "support/medial_checks.h"
 #include "support/support.h"
@@ -32,6 +33,17 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
+
+/// Where the loops of an offset cross one another; empty when they do not.
+std::string crossingOf(const Region& made) {
+  if (made.loops.empty()) return {};
+  try {
+    (void)Boundary(made, tolerance / 4, Progress::none());
+  } catch (const Error& error) {
+    return error.message();
+  }
+  return {};
+}
 
 /// Closed outlines of a drawing; lines that do not close are left out.
 Curves closedOutlines(const Shape& shape) {
@@ -109,9 +121,11 @@ void PocketOffsetFilesTest::verifyOffset(const Region& part, const ClearanceDiag
   const Region made = diagram.offset(distance, side);
   slowestOffset_ = std::max(slowestOffset_, watch.milliseconds());
   ++offsets_;
-  double reach = 0;
+  // Exactly at the clearance of a flat edge, both sides of the offset lie on it: next to it they do not.
+  const bool fine = crossingOf(made).empty() || crossingOf(diagram.offset(distance * (1 - 1e-6), side)).empty();
+  QVERIFY2(fine,
+           qPrintable(QStringLiteral("its loops at %1 mm: ").arg(distance) + QString::fromStdString(crossingOf(made))));
   for (const Path& loop : made.loops) {
-    reach += length(loop);
     for (std::size_t i = 0; i < loop.segments.size(); ++i) {
       const Segment& segment = loop.segments[i];
       const Segment& next = loop.segments[(i + 1) % loop.segments.size()];

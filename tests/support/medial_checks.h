@@ -20,13 +20,14 @@ class AxisCheck {
     double worstSecondFoot = 0;  ///< mm by which the boundary away from the nearest foot stays out of the disc
     Vec2 at = Vec2::Zero();      ///< where the second foot is worst
     [[nodiscard]] std::string text() const {
-      return fmt::format("{} points, {} outside, clearance off by {:.3g}, second foot by {:.3g}, at ({:.4f}, {:.4f})", points,
-                         outside, worstClearance, worstSecondFoot, at.x(), at.y());
+      return fmt::format("{} points, {} outside, clearance off by {:.3g}, second foot by {:.3g}, at ({:.4f}, {:.4f})",
+                         points, outside, worstClearance, worstSecondFoot, at.x(), at.y());
     }
   };
 
   /// Ends and middles of all straight bits. How fast the clearance r rises along the edge gives the angle between the feet:
-  /// they are 2 r sqrt(1 - (dr/ds)^2) apart, and a disc that touches the boundary but once touches nothing a quarter as far off.
+  /// they are 2 r sqrt(1 - (dr/ds)^2) apart, and a disc that touches the boundary but once touches nothing a quarter as far
+  /// off.
   [[nodiscard]] Report all() const {
     Report report;
     for (const MedialEdge& edge : axis_.edges)
@@ -58,7 +59,8 @@ class AxisCheck {
       double best = std::numeric_limits<double>::infinity();
       for (const MedialVertex& v : axis_.vertices) best = std::min(best, (v.at - x).norm() - v.clearance);
       for (const MedialEdge& edge : axis_.edges)
-        for (std::size_t k = 0; k + 1 < edge.points.size(); ++k) best = std::min(best, outOf(edge.points[k], edge.points[k + 1], x));
+        for (std::size_t k = 0; k + 1 < edge.points.size(); ++k)
+          best = std::min(best, outOf(edge.points[k], edge.points[k + 1], x));
       most = std::max(most, best);
     }
     return most;
@@ -88,7 +90,8 @@ class AxisCheck {
     };
     for (int i = 0; i < 20; ++i) {
       const double third = (high - low) / 3;
-      (out(low + third) < out(high - third) ? high : low) = out(low + third) < out(high - third) ? high - third : low + third;
+      (out(low + third) < out(high - third) ? high : low) =
+          out(low + third) < out(high - third) ? high - third : low + third;
     }
     return out((low + high) / 2);
   }

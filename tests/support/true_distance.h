@@ -78,8 +78,8 @@ class TrueDistance {
 
     [[nodiscard]] double toBox(const Vec2& x) const { return (low - x).cwiseMax(x - high).cwiseMax(Vec2::Zero()).norm(); }
     [[nodiscard]] bool isWithin(const Vec2& center, double radius) const {
-      return radius > 0 && std::all_of(poles.begin(), poles.end(),
-                                       [&](const Vec3& p) { return (euclidean(p) - center).norm() < radius; });
+      return radius > 0 &&
+             std::all_of(poles.begin(), poles.end(), [&](const Vec3& p) { return (euclidean(p) - center).norm() < radius; });
     }
   };
   struct Open {
@@ -122,7 +122,8 @@ class TrueDistance {
   }
   /// The foot on a chord, and where the chord leaves the disc.
   template <class Consider>
-  static void onChord(const Vec2& a, const Vec2& b, const Vec2& x, const Vec2& center, double radius, const Consider& consider) {
+  static void onChord(const Vec2& a, const Vec2& b, const Vec2& x, const Vec2& center, double radius,
+                      const Consider& consider) {
     consider(a + shareOf(a, b, x) * (b - a));
     const double squared = (b - a).squaredNorm();
     if (radius <= 0 || !(squared > 0)) return;

@@ -24,16 +24,13 @@ std::string refusalOf(const Region& region) {
   return {};
 }
 
-#define VERIFY_REFUSED(region, ...)                                                     \
-  do {                                                                                  \
-    const std::string said_ = refusalOf(region);                                        \
-    for (const char* part_ : {__VA_ARGS__})                                             \
-      QVERIFY2(said_.find(part_) != std::string::npos, ("said: " + said_).c_str());     \
+#define VERIFY_REFUSED(region, ...)                                                                                       \
+  do {                                                                                                                    \
+    const std::string said_ = refusalOf(region);                                                                          \
+    for (const char* part_ : {__VA_ARGS__}) QVERIFY2(said_.find(part_) != std::string::npos, ("said: " + said_).c_str()); \
   } while (false)
 
-Region wave() {
-  return {{wavyPath({0, 0}, 30, 5, 5), wavyPath({-8, 2}, 6, 1.5, 3, true), circlePath({12, -3}, 5, true)}};
-}
+Region wave() { return {{wavyPath({0, 0}, 30, 5, 5), wavyPath({-8, 2}, 6, 1.5, 3, true), circlePath({12, -3}, 5, true)}}; }
 
 double perimeter(const Region& region) {
   double sum = 0;

@@ -16,7 +16,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-MedialAxis axisOf(const Region& region, double tolerance = 1e-3) { return ClearanceDiagram(region, {tolerance}).medialAxis(); }
+MedialAxis axisOf(const Region& region, double tolerance = 1e-3) {
+  return ClearanceDiagram(region, {tolerance}).medialAxis();
+}
 
 /// The vertex next to a place.
 const MedialVertex& vertexAt(const MedialAxis& axis, const Vec2& at) {
@@ -39,9 +41,7 @@ Region ellipse(double a, double b) {
   return {{path}};
 }
 
-Region wave() {
-  return {{wavyPath({0, 0}, 30, 5, 5), wavyPath({-8, 2}, 6, 1.5, 3, true), circlePath({12, -3}, 5, true)}};
-}
+Region wave() { return {{wavyPath({0, 0}, 30, 5, 5), wavyPath({-8, 2}, 6, 1.5, 3, true), circlePath({12, -3}, 5, true)}}; }
 
 /// Discs around the axis' points cover exactly the part, and every disc touches its boundary twice.
 void verifyAxis(const Region& part, const MedialAxis& axis, double tolerance, std::mt19937_64& random) {

@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "geometry/planar.h"
+#include "pocket/kernel/boundary.h"
 #include "pocket/kernel/clearance_diagram.h"
 #include "pocket/kernel/offset.h"
 #include "support/planar_parts.h"
@@ -44,7 +45,8 @@ Path stadiumPath(double half, double radius) {
 
 /// Two squares of side 10 joined by a bar of width 2 and length 10.
 Region dumbbell() {
-  return {{polygonPath({{0, 0}, {10, 0}, {10, 4}, {20, 4}, {20, 0}, {30, 0}, {30, 10}, {20, 10}, {20, 6}, {10, 6}, {10, 10}, {0, 10}})}};
+  return {{polygonPath(
+      {{0, 0}, {10, 0}, {10, 4}, {20, 4}, {20, 0}, {30, 0}, {30, 10}, {20, 10}, {20, 6}, {10, 6}, {10, 10}, {0, 10}})}};
 }
 
 Region waveWithIslands() {
@@ -61,17 +63,18 @@ Vec2 pointOn(const Segment& segment, double t) {
 /// Every sampled point of the offset lies at the distance from the true curves and on its side, and random points are in the
 /// offset exactly when they should be.
 void verifyOffset(const Region& part, const Region& made, double distance, Side side, std::mt19937_64& random) {
-  const TrueDistance truth(part.loops);
+  const TrueDistance truth(part.loops, 1e-6);
+  if (!made.loops.empty()) (void)Boundary(made, tolerance / 4, Progress::none());  // throws where its loops cross
   for (const Path& loop : made.loops)
     for (const Segment& segment : loop.segments)
-      for (const double t : {0.0, 0.2, 0.5, 0.9}) {
+      for (const double t : {0.0, 0.4, 0.8}) {
         const Vec2 p = pointOn(segment, t);
         COMPARE_NEAR(truth(p), distance, tolerance);
         if (distance > 2 * tolerance) QCOMPARE(windingAround(part.loops, p), side == Side::Inside ? 1 : 0);
       }
   const double reach = side == Side::Outside ? 40 + distance : 40;
   std::uniform_real_distribution<double> place(-reach, reach);
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const Vec2 p(place(random), place(random));
     const double away = truth(p);
     if (std::abs(away - distance) < 2 * tolerance) continue;
@@ -235,11 +238,18 @@ class PocketOffsetTest final : public QObject {
       verifyOffset(part, diagram.offset(d, Side::Outside), d, Side::Outside, random);
     }
   }
+  /// Samples of a fitted run once led 0.009 mm back before a cusp.
+  void loopsDoNotCrossThemselvesAtCusps() {
+    std::mt19937_64 random = seededRandom();
+    const Region pair{{wavyPath({0, 0}, 10, 2, 3), wavyPath({23.5, 1}, 10, 2, 5)}};
+    for (const double d : {0.8, 1.5, 2.2, 3.0, 4.4, 6.1})
+      verifyOffset(pair, offsetOf(pair, d, Side::Outside), d, Side::Outside, random);
+  }
   void randomPartsLieAtTheDistance() {
     std::mt19937_64 random = seededRandom();
     std::uniform_real_distribution<double> wave(0.05, 0.4), size(8, 30), share(0.02, 0.95);
     std::uniform_int_distribution<int> waves(2, 9);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 6; ++i) {
       const double radius = size(random);
       const Region part{{wavyPath({0, 0}, radius, wave(random) * radius, waves(random)),
                          wavyPath({0.1 * radius, 0}, 0.3 * radius, wave(random) * 0.3 * radius, waves(random), true)}};
@@ -263,13 +273,15 @@ class PocketOffsetTest final : public QObject {
   void theDirectionOfTheLoopsDoesNotMatter() {
     Region turned = waveWithIslands();
     for (Path& loop : turned.loops) loop = reversed(loop);
-    for (const Side side : {Side::Inside, Side::Outside}) verifySame(offsetOf(waveWithIslands(), 1.5, side), offsetOf(turned, 1.5, side));
+    for (const Side side : {Side::Inside, Side::Outside})
+      verifySame(offsetOf(waveWithIslands(), 1.5, side), offsetOf(turned, 1.5, side));
   }
   void insertedKnotsChangeNothing() {
     Region refined = waveWithIslands();
     auto& spline = std::get<Spline2>(refined.loops[0].segments[0]);
     for (const double knot : {5.3, 5.3, 11.0, 20.75}) spline = withKnot(spline, knot);
-    for (const Side side : {Side::Inside, Side::Outside}) verifySame(offsetOf(waveWithIslands(), 1.5, side), offsetOf(refined, 1.5, side));
+    for (const Side side : {Side::Inside, Side::Outside})
+      verifySame(offsetOf(waveWithIslands(), 1.5, side), offsetOf(refined, 1.5, side));
   }
   void aSmallerToleranceComesNearer() {
     const Region part{{ellipsePath(20, 9)}};

@@ -135,6 +135,14 @@ class LoopMaker {
     return sum;
   }
 
+  /// Where two runs meet whose joint is about `guess`.
+  [[nodiscard]] Vec2 meeting(std::size_t r, std::size_t next, const Vec2& guess) const {
+    const Contact a = contactOf(boundary_, at(runs_[r].first + runs_[r].count - 1).site, guess);
+    const Contact b = contactOf(boundary_, at(runs_[next].first).site, guess);
+    const auto exact = pointAtDistance(a, b, o_.distance, guess, std::max(200 * boundary_.chord(), 1e-3 * o_.distance));
+    return exact && isAtDistance(*exact) ? *exact : guess;
+  }
+
   /// Runs that exact joints leave no length: their neighbours meet instead.
   void dropCollapsed() {
     for (std::size_t r = 0; r < runs_.size() && runs_.size() > 1;) {
@@ -142,12 +150,15 @@ class LoopMaker {
       const double rough = roughLength(runs_[r]);
       const bool speck = step.norm() < 1e-3 * o_.tolerance && rough < 4 * o_.tolerance;
       const Vec2 direction = at(runs_[r].first + runs_[r].count - 1).to - at(runs_[r].first).from;
-      const bool turned = runs_.size() > 2 && step.dot(direction) < 0 && rough < 4 * o_.tolerance;
+      // Around a corner that only the chords round, the true curves' offsets meet before.
+      const bool turned = runs_.size() > 2 && step.dot(direction) < 0 &&
+                          (!runs_[r].curve || rough < 4 * o_.tolerance || step.norm() < 4 * o_.tolerance);
       if (!speck && !turned) {
         ++r;
         continue;
       }
-      joints_[before(r)] = speck ? joints_[r] : Vec2((joints_[r] + joints_[before(r)]) / 2);
+      joints_[before(r)] =
+          speck ? joints_[r] : meeting(before(r), (r + 1) % runs_.size(), (joints_[r] + joints_[before(r)]) / 2);
       runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(r));
       joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(r));
       if (r > 0) --r;
@@ -223,8 +234,15 @@ class LoopMaker {
       TangentPoint next = exactAt(*run.curve, place.t);
       const double speed = 1 - sign_ * o_.distance * run.curve->curvature(place.t);
       if (speed < 1e-6 || !isAtDistance(next.at)) next = place.rough;
-      if ((next.at - samples.back().at).norm() > apart && (next.at - to).norm() > apart) samples.push_back(next);
+      // Rough samples lie beside exact ones also along the curve: none may lead back.
+      if ((next.at - samples.back().at).dot(next.tangent) > apart) samples.push_back(next);
     }
+    const double near = 1e3 * boundary_.chord();
+    const auto isPastEnd = [&](const TangentPoint& last) {
+      const Vec2 rest = to - last.at;
+      return rest.norm() < near && rest.dot(last.tangent) <= apart;
+    };
+    while (samples.size() > 1 && isPastEnd(samples.back())) samples.pop_back();
     samples.push_back({to, exactAt(*run.curve, end).tangent});
     return samples;
   }

@@ -218,6 +218,18 @@ class PocketPathTest final : public QObject {
     }
   }
 
+  /// A pass falls just onto the middle line of a ring, of a corridor with bends, and of a wall.
+  void passesMayCollapseOntoTheMiddleLine() {
+    const Region ring{{circlePath({0, 0}, 10), circlePath({0, 0}, 8, true)}};
+    const Region hook{{polygonPath({{0, 0}, {20, 0}, {20, 2}, {2, 2}, {2, 12}, {0, 12}})}};
+    const Region wavy{{wavyPath({0, 0}, 12, 1, 5), circlePath({0, 0}, 7.1, true)}};
+    for (const double diameter : {0.2, 0.4, 1.0})
+      for (const double step : {0.45, 0.9, (1 - diameter / 2) / 2 / diameter, (1 - diameter / 2) / diameter})
+        if (step <= 1)
+          for (const Region* part : {&ring, &hook, &wavy})
+            verifyPath(*part, tool(diameter, 0.5 * diameter, step * diameter));
+  }
+
   /// The widest place lies between islands; the first pass is the outermost one, on their far side.
   void aHelixGoesOnAlongThePassBesideIt() {
     Region part{{circlePath({0, 0}, 70)}};

@@ -43,6 +43,23 @@ std::vector<Grown> nodesOf(const Region& region, std::size_t level, bool climb) 
   return grown;
 }
 
+/// The nodes at a distance. Where a corridor is just twice as wide as the distance, the offset is a line and rounding may
+/// tear its loops: then it is taken a little beside, at the walls only away from them.
+std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std::size_t level, bool climb,
+                           const Progress& progress) {
+  const double nudge = diagram.tolerance() / 4;
+  for (const int aside : {0, -1, -2, 2}) {
+    try {
+      return nodesOf(diagram.offset(distance + nudge * (level == 0 ? std::abs(aside) : aside), Side::Inside, progress),
+                     level, climb);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::InvalidInput) throw;
+    }
+  }
+  throw Error(ErrorCode::Internal, fmt::format("The pass at {:.4f} mm from the walls has no clear inside.", distance),
+              "Use a slightly different tool diameter or stepover.");
+}
+
 }  // namespace
 
 Pass::Pass(std::vector<Stroke> strokes) {
@@ -85,7 +102,7 @@ PassTree passTree(const ClearanceDiagram& diagram, const PassOptions& options, c
     if (level >= mostLevels)
       throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} passes side by side are needed.", mostLevels),
                   "Use a larger stepover or a larger tool.");
-    std::vector<Grown> grown = nodesOf(diagram.offset(distance, Side::Inside, progress), level, options.climb);
+    std::vector<Grown> grown = nodesAt(diagram, distance, level, options.climb, progress);
     if (grown.empty()) break;
     std::vector<std::size_t> indices;
     std::vector<InsideTest> inside;

@@ -475,6 +475,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::morphology::RadiusTool</name>
+    <message>
+        <source>Drag the radius</source>
+        <translation>Radius ziehen</translation>
+    </message>
+    <message>
+        <source>The radius is %1 · Ctrl: no steps · Esc takes it back</source>
+        <translation>Der Radius ist %1 · Strg: ohne Stufen · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag up or down to change the radius of %1</source>
+        <translation>Nach oben oder unten ziehen ändert den Radius von %1</translation>
+    </message>
+    <message>
+        <source>Drag the handle to change the radius</source>
+        <translation>Am Griff ziehen ändert den Radius</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::AboutDialog</name>
     <message>
         <source>The text of the licence is not installed. It can be read at https://www.gnu.org/licenses/gpl-3.0.txt.</source>

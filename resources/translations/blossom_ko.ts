@@ -475,6 +475,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::morphology::RadiusTool</name>
+    <message>
+        <source>Drag the radius</source>
+        <translation>반지름 끌기</translation>
+    </message>
+    <message>
+        <source>The radius is %1 · Ctrl: no steps · Esc takes it back</source>
+        <translation>반지름 %1 · Ctrl: 단계 없이 · Esc: 되돌리기</translation>
+    </message>
+    <message>
+        <source>Drag up or down to change the radius of %1</source>
+        <translation>위아래로 끌어 반지름 %1 바꾸기</translation>
+    </message>
+    <message>
+        <source>Drag the handle to change the radius</source>
+        <translation>손잡이를 끌어 반지름 바꾸기</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::AboutDialog</name>
     <message>
         <source>The text of the licence is not installed. It can be read at https://www.gnu.org/licenses/gpl-3.0.txt.</source>

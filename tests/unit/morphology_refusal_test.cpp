@@ -27,7 +27,7 @@ Mesh doubled() {
   mesh.addFace(std::array{0, 2, 3, 1});
   return mesh;
 }
-Mesh selfCrossing() { return prism({{0, 0}, {2, 2}, {2, 0}, {0, 2}}, 0, 1); }
+Mesh selfCrossing() { return prism({{0, 0}, {3, 3}, {3, 0}, {0, 2}}, 0, 1); }
 Mesh notNumbers() {
   Mesh mesh = unitCube();
   mesh.points[3].y() = std::nan("");
@@ -54,7 +54,7 @@ std::vector<Rubbish> allRubbish() {
           {"twisted", twisted(), ErrorCode::InvalidInput, "is twisted: two faces near ("},
           {"doubled face", doubled(), ErrorCode::InvalidInput, "3 faces meet in an edge near ("},
           {"self-crossing", selfCrossing(), ErrorCode::InvalidInput, "crosses or touches itself near ("},
-          {"not numbers", notNumbers(), ErrorCode::InvalidInput, "number 3, whose coordinates are not numbers"},
+          {"not numbers", notNumbers(), ErrorCode::InvalidInput, "a coordinate of point 4 is not a number"},
           {"far away", farAway(), ErrorCode::LimitExceeded, "farther than 1e9 mm"},
           {"flattened", flattened(), ErrorCode::InvalidInput, "encloses no volume"}};
 }
@@ -128,7 +128,9 @@ class MorphologyRefusalTest : public QObject {
     const std::string text = std::string(rubbish.name) + ": " + error.what();
     QVERIFY2(error.code() == rubbish.code, text.c_str());
     QVERIFY2(error.message().find(rubbish.words) != std::string::npos, text.c_str());
-    QVERIFY2(error.message().find(which) != std::string::npos, text.c_str());
+    // What is no number is refused before the feature is asked, by the name of the input.
+    const bool named = error.message().find(which) != std::string::npos || error.message().starts_with("The input \"");
+    QVERIFY2(named, text.c_str());
     QVERIFY2(!error.hint().empty(), text.c_str());
   }
 };

@@ -142,6 +142,10 @@ Solid solidFrom(Nef nef) {
   return body;
 }
 
+Nef unionOf(const Nef& a, const Nef& b) { return (a + b).regularization(); }
+
+Nef differenceOf(const Nef& a, const Nef& b) { return (a - b).regularization(); }
+
 Nef nefOf(const SolidBody& body) {
   if (body.nef) return *body.nef;
   Nef nef(Nef::EMPTY);
@@ -151,7 +155,7 @@ Nef nefOf(const SolidBody& body) {
     if (first)
       nef = part;
     else
-      nef = (shell.inside ? nef + part : nef - part).regularization();
+      nef = shell.inside ? unionOf(nef, part) : differenceOf(nef, part);
     first = false;
   }
   return nef;
@@ -167,7 +171,7 @@ Parts convexParts(const Solid& solid, const Progress& progress) {
 }
 
 Parts convexPartsOutside(const Solid& solid, const Bounds& frame, const Progress& progress) {
-  return decomposed((Nef(box(frame)->surface) - nefOf(*solid)).regularization(), progress);
+  return decomposed(differenceOf(Nef(box(frame)->surface), nefOf(*solid)), progress);
 }
 
 }  // namespace blossom::morphology

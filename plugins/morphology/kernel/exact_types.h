@@ -51,6 +51,9 @@ Solid solidFrom(SurfaceMesh);
 Solid solidFrom(Nef);
 /// As Nef polyhedron: shells looking inwards are cut out.
 Nef nefOf(const SolidBody&);
+/// Regularised. Here alone Nef polyhedra are combined: the compiler takes a minute over it.
+Nef unionOf(const Nef&, const Nef&);
+Nef differenceOf(const Nef&, const Nef&);
 /// Triangulates the facets of a Nef polyhedron.
 struct Triangles {
   std::vector<Point> points;

@@ -1,0 +1,12 @@
+#include "manipulators/radius_tool.h"
+#include "ui/manipulator.h"
+
+BLOSSOM_MANIPULATORS(registry) {
+  using blossom::morphology::RadiusTool;
+  registry.addHandles("morphology.inflate", [](blossom::ui::ToolHost& host, const blossom::FeatureId& id) {
+    return std::make_unique<RadiusTool>(host, id, RadiusTool::Direction::Outwards);
+  });
+  registry.addHandles("morphology.melt", [](blossom::ui::ToolHost& host, const blossom::FeatureId& id) {
+    return std::make_unique<RadiusTool>(host, id, RadiusTool::Direction::Inwards);
+  });
+}

@@ -91,8 +91,10 @@ Value resultJson(const Measures& measures) {
 std::vector<ReportRow> rowsOf(const Measures& measures) {
   std::vector<ReportRow> rows{{"kind", measures.kind, ""}};
   const Value values = resultJson(measures);
-  for (const Measure& each : measures.values)
-    rows.push_back({readable(each.name), valueText(values[each.name]), unitText(each.unit)});
+  for (const Measure& each : measures.values) {
+    const std::string name = each.unit == MeasureUnit::None ? each.name : splitUnit(each.name).first;  // told once
+    rows.push_back({readable(name), valueText(values[each.name]), unitText(each.unit)});
+  }
   return rows;
 }
 

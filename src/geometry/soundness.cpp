@@ -60,7 +60,8 @@ struct FlawOf {
     if (std::string flaw = flawOf(region.loops, "loop"); !flaw.empty()) return flaw;
     for (std::size_t k = 0; k < region.loops.size(); ++k)
       if (const Path& loop = region.loops[k]; !loop.closed)
-        return fmt::format("loop {} is open, it runs from {} to {}", k + 1, asText(startPoint(loop)), asText(endPoint(loop)));
+        return fmt::format("loop {} is open, it runs from {} to {}", k + 1, asText(startPoint(loop)),
+                           asText(endPoint(loop)));
     return {};
   }
   std::string operator()(const Curves& curves) const { return flawOf(curves.paths, "path"); }

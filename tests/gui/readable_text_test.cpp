@@ -8,6 +8,7 @@ class ReadableTextTest : public QObject {
   Q_OBJECT
  private slots:
   void figuresReadWell();
+  void theStateOfAToolpathIsItsLength();
 };
 
 void ReadableTextTest::figuresReadWell() {
@@ -26,6 +27,12 @@ void ReadableTextTest::figuresReadWell() {
            QChar(0x2212) + QStringLiteral("1") + thin + QStringLiteral("234") + thin + QStringLiteral("567"));
   QCOMPARE(readable(std::int64_t(999)), QStringLiteral("999"));
   QCOMPARE(readable(3e-7), QStringLiteral("3.00e") + QChar(0x2212) + QStringLiteral("07"));
+}
+
+void ReadableTextTest::theStateOfAToolpathIsItsLength() {
+  Toolpath path;
+  path.moves = {{MoveKind::Rapid, {3, 4, 0}}};
+  QCOMPARE(stateLine(measure(path)), QStringLiteral("toolpath, 5 mm"));
 }
 
 QTEST_GUILESS_MAIN(ReadableTextTest)

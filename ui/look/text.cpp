@@ -143,7 +143,7 @@ QString stateLine(const Measures& measures) {
   const Measure* degreeV = find(measures, "degree_v");
   if (degreeU && degreeV) head += QStringLiteral(" %1 × %2").arg(readable(*degreeU), readable(*degreeV));
   parts << head;
-  for (const char* name : {"volume", "area", "length"}) {
+  for (const char* name : {"volume", "area", "length", "length_mm"}) {
     const Measure* measure = find(measures, name);
     if (!measure || !std::holds_alternative<double>(measure->value)) continue;
     parts << readable(inShownUnit(std::get<double>(measure->value), measure->unit), 4) + unitText(measure->unit);

@@ -4,11 +4,12 @@ tour=$(sed -n '/^## Two minutes/,/^## /p' "$root/README.md" | sed -n '1,/^## [^T
 pictures=$(grep -oE '\]\(resources/[^)]*\.png\)' <<<"$tour" | tr -d '()]')
 equal "pictures of the tour" "$(wc -w <<<"$pictures")" 5
 for picture in $pictures; do [ -s "$root/$picture" ] || report FAIL "picture $picture" "is not there" "exists"; done
+mkdir -p "$root/out"
 pasted=0
 while read -r line; do
   wanted=$(grep -oE -- '-o [^ ]+' <<<"$line" | cut -c4-)
   (cd "$root" && rm -f "$wanted" && PATH="$bin:$PATH" timeout 120 bash -c "$line") >>"$out/tour.log" 2>&1
-  equal "${line:0:66}" "$?, $(find "$root/${wanted%/*}" -newer "$out" -name "$(basename "${wanted%.*}")*" -size +0 2>/dev/null | wc -l) made" "0, 1 made"
+  equal "${line:0:66}" "$? $([ -s "$root/$wanted" ] && echo made)" "0 made"
   pasted=$((pasted + 1))
 done < <(sed -n '/^```sh/,/^```/p' <<<"$tour" | grep '^blossom ')
 equal "commands of the tour" "$pasted" 5

@@ -84,7 +84,8 @@ bool covers(const Format& format, const std::string& name) {
 void refuseWrongContent(const FormatRegistry& registry, const Format& format, const fs::path& path,
                         const std::string& head) {
   const std::string file = path.filename().string();
-  if (head.empty()) throw Error(ErrorCode::FormatDamaged, fmt::format("The file \"{}\" is empty.", file));
+  if (head.empty())
+    throw Error(ErrorCode::FormatDamaged, fmt::format("The file \"{}\" is empty.", file), "Fetch or export the file again.");
   std::string looks = sniffFormat(head);
   std::error_code status;
   if (looks.empty() && looksLikeBinaryStl(head, fs::file_size(path, status))) looks = "STL";

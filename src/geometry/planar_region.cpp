@@ -97,6 +97,24 @@ bool isSpeck(const Path& path, double tolerance) {
   return path.segments.empty() || (path.segments.size() < 3 && length(path) <= tolerance);
 }
 
+/// Whether a path without area turns around something all the same, like an 8 whose halves cancel out.
+bool turnsBothWays(const Path& path) {
+  try {
+    (void)interiorPoint(path);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+[[noreturn]] void crossing(const Path& path) {
+  const Vec2 start = startPoint(path);
+  throw Error(
+      ErrorCode::InvalidInput,
+      fmt::format("The outline that begins at ({:.6g}, {:.6g}) crosses itself: its parts cancel out.", start.x(), start.y()),
+      "Redraw it, or trim what crosses.");
+}
+
 /// Closed paths that enclose something; what encloses nothing (a line there and back) bounds no area.
 std::vector<Path> closedPaths(const Curves& curves, const Tolerance& tolerance) {
   std::vector<Path> paths;
@@ -104,7 +122,10 @@ std::vector<Path> closedPaths(const Curves& curves, const Tolerance& tolerance) 
     if (isSpeck(path, tolerance.joining)) continue;
     if (!path.closed) open(path);
     const double perimeter = length(path);
-    if (std::abs(signedArea(path)) > perimeter * tolerance.confusion) paths.push_back(std::move(path));
+    if (std::abs(signedArea(path)) > perimeter * tolerance.confusion)
+      paths.push_back(std::move(path));
+    else if (turnsBothWays(path))
+      crossing(path);
   }
   return paths;
 }

@@ -133,7 +133,7 @@ int windingNumber(const Path& path, const Vec2& point) {
 
 Vec2 interiorPoint(const Path& path) {
   if (!path.segments.empty()) {
-    double chord = std::sqrt(std::abs(signedArea(path))) / 100;
+    double chord = std::max(std::sqrt(std::abs(signedArea(path))) / 100, 1e-5 * length(path));
     for (int attempt = 0; attempt < 4 && chord > 0; ++attempt, chord /= 16) {
       const std::vector<Vec2> polygon = flatten(path, chord);
       if (polygon.size() < 2 || !(extent(polygon) > 0)) continue;

@@ -1,6 +1,6 @@
 // Shapes that no reader should give and that yet reach a feature: every feature type that is registered, of every plugin,
-// refuses them with a sentence and a remedy or makes something sound of them. Where the rubbish is in one place, the sentence
-// names it.
+// refuses them with a sentence and a remedy or makes something sound of them. Where the rubbish is in one place, the
+// sentence names it.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -70,7 +70,9 @@ Mesh facesBeyondTheirPoints() {
 
 Region bowTie() { return {{polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}}; }
 
-Region crossingLoops() { return {{polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), polygon({{5, 5}, {15, 5}, {15, 15}, {5, 15}})}}; }
+Region crossingLoops() {
+  return {{polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), polygon({{5, 5}, {15, 5}, {15, 15}, {5, 15}})}};
+}
 
 Region openLoop() { return {{polygon({{0, 0}, {10, 0}, {10, 10}}, false)}}; }
 
@@ -133,7 +135,13 @@ std::vector<Rubbish> rubbishOf(ShapeKind kind) {
               {"knots that fall", Curve{1, {0, 1, 0, 1}, {{0, 0, 0, 1}, {1, 0, 0, 1}}}, false}};
     case ShapeKind::Mesh:
       return {{"nothing at all", Mesh{}, false},
-              {"points alone", [] { Mesh mesh; mesh.points = cube().points; return mesh; }(), false},
+              {"points alone",
+               [] {
+                 Mesh mesh;
+                 mesh.points = cube().points;
+                 return mesh;
+               }(),
+               false},
               {"an open box", openCube()},
               {"boxes through one another", crossingCubes(), false},
               {"a box pulled through itself", with(cube(), 7, {5, 5, -20})},
@@ -218,7 +226,8 @@ class RubbishShapesTest : public QObject {
       QVERIFY2(isOfTheUser, told.c_str());
       QVERIFY2(isSentence(error.message()), told.c_str());
       QVERIFY2(isSentence(error.hint()), told.c_str());
-      if (given.hasPlace && !isHarmless(given, declared.inputs[static_cast<std::size_t>(input)])) QVERIFY2(namesPlace(error.message()), told.c_str());
+      if (given.hasPlace && !isHarmless(given, declared.inputs[static_cast<std::size_t>(input)]))
+        QVERIFY2(namesPlace(error.message()), told.c_str());
       ++refused_;
     }
   }

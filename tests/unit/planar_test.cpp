@@ -318,6 +318,12 @@ class PlanarTest : public QObject {
       QVERIFY2(error.message().find("(13, 1)") != std::string::npos, error.what());
     }
     VERIFY_ERROR(toRegion({}), ErrorCode::InvalidInput);
+    // The halves of an 8 cancel out; beside a square it must not vanish without a word.
+    const Path square = polygon({{20, 0}, {30, 0}, {30, 10}, {20, 10}}),
+               eight = polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}});
+    VERIFY_ERROR(toRegion({{square, eight}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
+    const Path thereAndBack = polygon({{0, 0}, {5, 1}, {9, 0}, {5, 1}});
+    COMPARE_NEAR(area(toRegion({{square, thereAndBack}, FillRule::EvenOdd})), 100, 1e-12);
     VERIFY_ERROR(toRegion({{polygon({{0, 0}, {5, 0}})}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
   }
 };

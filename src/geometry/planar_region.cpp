@@ -170,8 +170,10 @@ std::vector<RegionComponent> components(const Region& region) {
     for (const std::size_t container : around[i])
       if (loops[container].area > 0) nearest = container;
     if (!nearest)
-      throw Error(ErrorCode::InvalidInput, fmt::format("The hole at ({:.6g}, {:.6g}) is not inside an outer loop.",
-                                                       loops[i].inside.x(), loops[i].inside.y()));
+      throw Error(
+          ErrorCode::InvalidInput,
+          fmt::format("The hole at ({:.6g}, {:.6g}) is not inside an outer loop.", loops[i].inside.x(), loops[i].inside.y()),
+          "Draw an outline around it; an outline that crosses itself may look like this, too.");
     result[componentOf[*nearest]].holes.push_back(i);
   }
   return result;

@@ -136,7 +136,7 @@ void PanelTypingTest::filesAreDroppedAndWritten() {
     if (out.open(QIODevice::WriteOnly)) out.write("{}");
     return out.fileName();
   };
-  const QString good = written("motion.json"), bad = written("motion.xyz");
+  const QString good = written("motion.json"), bad = written("motion.unknown");
   const auto drop = [&](const QString& path) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});

@@ -63,11 +63,11 @@ void AppTest::aLinkedFileIsEmbeddedOnRequest() {
 }
 
 void AppTest::filesThatCannotBeImported() {
-  writeAtomically(file("text.xyz"), "text");
+  writeAtomically(file("text.unknown"), "text");
   writeAtomically(file("bare"), "text");
   VERIFY_ERROR(withImported(app_, Document(), file("none.off")), ErrorCode::FileNotFound);
   VERIFY_ERROR(withImported(app_, Document(), folder_->path().toStdString()), ErrorCode::FileUnreadable);
-  VERIFY_ERROR(withImported(app_, Document(), file("text.xyz")), ErrorCode::FormatUnknown);
+  VERIFY_ERROR(withImported(app_, Document(), file("text.unknown")), ErrorCode::FormatUnknown);
   VERIFY_ERROR(withImported(app_, Document(), file("bare")), ErrorCode::FormatUnknown);
 }
 

@@ -196,9 +196,9 @@ void CliTest::failuresEndWithOneAndAnErrorObject_data() {
   QTest::newRow("no such folder") << QStringList{"convert", "cube.off", "none/a.obj"} << "FileUnwritable";
   QTest::newRow("output is a folder") << QStringList{"convert", "cube.off", "folder.obj"} << "FileUnwritable";
   QTest::newRow("folder is a file") << QStringList{"convert", "cube.off", "cube.off/a.obj"} << "FileUnwritable";
-  QTest::newRow("unknown output") << QStringList{"convert", "cube.off", "a.xyz"} << "FormatUnknown";
+  QTest::newRow("unknown output") << QStringList{"convert", "cube.off", "a.unknown"} << "FormatUnknown";
   QTest::newRow("no extension") << QStringList{"convert", "cube.off", "a"} << "FormatUnknown";
-  QTest::newRow("unknown input") << QStringList{"info", "text.xyz"} << "FormatUnknown";
+  QTest::newRow("unknown input") << QStringList{"info", "text.unknown"} << "FormatUnknown";
   QTest::newRow("damaged") << QStringList{"info", "damaged.off"} << "FormatDamaged";
   QTest::newRow("damaged through a feature")
       << QStringList{"import", "--file", "damaged.off", "-o", "a.obj"} << "FormatDamaged";
@@ -213,7 +213,7 @@ void CliTest::failuresEndWithOneAndAnErrorObject() {
   QFETCH(QString, code);
   QDir(folder_->path()).mkdir("folder.obj");
   QDir(folder_->path()).mkdir("folder.blossom");
-  blossom::writeAtomically(file("text.xyz"), "text");
+  blossom::writeAtomically(file("text.unknown"), "text");
   blossom::writeAtomically(file("damaged.off"), "OFF\n8 6 0\n0 0");
   blossom::writeAtomically(file("damaged.blossom"), "PK rubbish");
   const QStringList before = files();

@@ -11,7 +11,7 @@ class FormatTest : public QObject {
     QVERIFY(formats().find("dxf"));
     QCOMPARE(formats().find(".DXF"), formats().find("dxf"));
     QCOMPARE(formats().find("stp"), formats().find("step"));
-    QVERIFY(!formats().find("xyz"));
+    QVERIFY(!formats().find("unknown"));
     QVERIFY(!formats().find(""));
   }
 
@@ -29,8 +29,8 @@ class FormatTest : public QObject {
     const TemporaryFolder folder;
     VERIFY_ERROR(readShape(formats(), folder.path() / "none.obj"), ErrorCode::FileNotFound);
     VERIFY_ERROR(readShape(formats(), folder.path()), ErrorCode::FileUnreadable);
-    writeText(folder.path() / "a.xyz", "hello");
-    VERIFY_ERROR(readShape(formats(), folder.path() / "a.xyz"), ErrorCode::FormatUnknown);
+    writeText(folder.path() / "a.unknown", "hello");
+    VERIFY_ERROR(readShape(formats(), folder.path() / "a.unknown"), ErrorCode::FormatUnknown);
     writeText(folder.path() / "noextension", "hello");
     VERIFY_ERROR(readShape(formats(), folder.path() / "noextension"), ErrorCode::FormatUnknown);
   }
@@ -119,7 +119,7 @@ class FormatTest : public QObject {
     Mesh mesh;
     VERIFY_ERROR(writeShape(formats(), mesh, folder.path() / "a.dxf"), ErrorCode::OutputNotSupported);
     VERIFY_ERROR(writeShape(formats(), Shape(), folder.path() / "a.stl"), ErrorCode::OutputNotSupported);
-    VERIFY_ERROR(writeShape(formats(), mesh, folder.path() / "a.xyz"), ErrorCode::FormatUnknown);
+    VERIFY_ERROR(writeShape(formats(), mesh, folder.path() / "a.unknown"), ErrorCode::FormatUnknown);
     VERIFY_ERROR(writeShape(formats(), mesh, folder.path() / "a.obj", Value{{"nonsense", 1}}), ErrorCode::InvalidParameter);
     QVERIFY(fs::is_empty(folder.path()));
   }

@@ -185,9 +185,10 @@ class RegistryTest : public QObject {
       const Inputs inputs = arrangedInputs(type, given);
       return std::vector<std::size_t>{inputs.of(0).size(), inputs.of(1).size(), inputs.of(2).size()};
     };
+    const Curve line{1, {0, 0, 1, 1}, {{0, 0, 0, 1}, {1, 0, 0, 1}}};
     QCOMPARE(counts({Region{}, Region{}, Mesh{}}), (std::vector<std::size_t>{2, 0, 1}));
-    QCOMPARE(counts({Region{}, Curve{}, Mesh{}}), (std::vector<std::size_t>{1, 1, 1}));
-    VERIFY_ERROR(counts({Region{}, Curve{}, Curve{}, Mesh{}}), ErrorCode::InvalidInput);
+    QCOMPARE(counts({Region{}, line, Mesh{}}), (std::vector<std::size_t>{1, 1, 1}));
+    VERIFY_ERROR(counts({Region{}, line, line, Mesh{}}), ErrorCode::InvalidInput);
     VERIFY_ERROR(counts({Mesh{}, Mesh{}}), ErrorCode::InvalidInput);
   }
 };

@@ -15,12 +15,12 @@ qtest "programs: every post, arcs after rounding, read back" "$build/tests/bin/g
 
 refused=$("$bin/blossom" pocket rectangle:60:8 --tool-diameter 10 --depth 2 -o "$out/refused.ngc" --json)
 equal "a tool that does not fit: the largest that would" "$(json hint <<<"$refused" | grep -oE '[0-9.]+ mm')" "7.99 mm"
-cover=$("$bin/blossom" pocket "$root/resources/samples/pocket-cover.blossom#part" --tool-diameter 6 --depth 9 --stepdown 3 --finish 0.2 -o "$out/cover.ngc" --json)
+cover=$("$bin/blossom" pocket "$root/resources/samples/pocket-cover.blossom#boolean-1" --tool-diameter 6 --depth 9 --stepdown 3 --finish 0.2 -o "$out/cover.ngc" --json)
 at_most "cover: gouge by its own simulation" "$(json gouge_mm <<<"$cover")" 0.0051 mm
 at_most "cover: residue" "$(json residue_mm2 <<<"$cover")" 0 mm2
-measured=$("$bin/blossom" simulate "$out/cover.ngc" --part "$root/resources/samples/pocket-cover.blossom#part" --json)
+measured=$("$bin/blossom" simulate "$out/cover.ngc" --part "$root/resources/samples/pocket-cover.blossom#boolean-1" --json)
 at_most "simulate the program as written: gouge" "$(json gouge_mm <<<"$measured")" 0.0052 mm
 at_most "simulate the program as written: residue" "$(json residue_mm2 <<<"$measured")" 0 mm2
-larger=$("$bin/blossom" simulate "$out/cover.ngc" --part "$root/resources/samples/pocket-cover.blossom#part" --tool-diameter 7 --json)
+larger=$("$bin/blossom" simulate "$out/cover.ngc" --part "$root/resources/samples/pocket-cover.blossom#boolean-1" --tool-diameter 7 --json)
 at_least "simulate with a tool 1 mm larger: gouge" "$(json gouge_mm <<<"$larger")" 0.49 mm
 at_most "  and no more than that" "$(json gouge_mm <<<"$larger")" 0.51 mm

@@ -12,10 +12,10 @@ report() { # verdict what measured asked
   printf '  %-4s  %-66s %16s   %s\n' "$1" "$2" "$3" "$4"
 }
 at_most() { # what measured bound [unit]
-  if awk -v a="${2:-nan}" -v b="$3" 'BEGIN { exit !(a == a + 0 && a <= b) }'; then report PASS "$1" "$2 ${4:-}" "<= $3 ${4:-}"; else report FAIL "$1" "${2:-nothing} ${4:-}" "<= $3 ${4:-}"; fi
+  if awk -v a="${2:-none}" -v b="$3" 'BEGIN { exit !(a == a + 0 && a <= b) }'; then report PASS "$1" "$2 ${4:-}" "<= $3 ${4:-}"; else report FAIL "$1" "${2:-nothing} ${4:-}" "<= $3 ${4:-}"; fi
 }
 at_least() { # what measured bound [unit]
-  if awk -v a="${2:-nan}" -v b="$3" 'BEGIN { exit !(a == a + 0 && a >= b) }'; then report PASS "$1" "$2 ${4:-}" ">= $3 ${4:-}"; else report FAIL "$1" "${2:-nothing} ${4:-}" ">= $3 ${4:-}"; fi
+  if awk -v a="${2:-none}" -v b="$3" 'BEGIN { exit !(a == a + 0 && a >= b) }'; then report PASS "$1" "$2 ${4:-}" ">= $3 ${4:-}"; else report FAIL "$1" "${2:-nothing} ${4:-}" ">= $3 ${4:-}"; fi
 }
 equal() { # what measured wanted
   if [ "$2" = "$3" ]; then report PASS "$1" "$2" "= $3"; else report FAIL "$1" "${2:-nothing}" "= $3"; fi

@@ -62,9 +62,9 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
 
 }  // namespace
 
-Pass::Pass(std::vector<Stroke> strokes) {
+Pass::Pass(const std::vector<Stroke>& strokes) {
   double sum = 0;
-  for (Stroke& s : strokes) {
+  for (const Stroke& s : strokes) {
     const double length = s.length();
     if (!(length > 0)) continue;
     sum += length;

@@ -12,7 +12,7 @@ namespace blossom::pocket {
 class Pass {
  public:
   Pass() = default;
-  explicit Pass(std::vector<Stroke> strokes);
+  explicit Pass(const std::vector<Stroke>& strokes);
   [[nodiscard]] const std::vector<Stroke>& strokes() const { return strokes_; }
   [[nodiscard]] double length() const { return ends_.empty() ? 0 : ends_.back(); }
 

@@ -337,7 +337,8 @@ class PocketCutter {
   void finish(const PassNode& node, std::size_t index) {
     const Pass& pass = node.passes[index];
     ++result_.loops;
-    const auto [nearest, farthest] = besidePasses(pass);
+    const auto [nearestPlace, farthest] = besidePasses(pass);
+    const Beside nearest = nearestPlace;
     writer_.lift();
     if (nearest.distance > o_.finish + 2 * o_.tolerance) {  // all of it where the passes did not come
       atEachDepth([&] {

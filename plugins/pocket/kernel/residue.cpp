@@ -33,7 +33,7 @@ class ResidueSearch {
     rim_ = StrokeTree(std::move(rim));
   }
 
-  [[nodiscard]] Residue search(Square square, const Progress& progress) const {
+  [[nodiscard]] Residue search(const Square& square, const Progress& progress) const {
     Residue found;
     std::size_t looked = 0;
     std::vector<Square> open{square};
@@ -63,7 +63,7 @@ class ResidueSearch {
 
   /// mm2 that the tool opens of a square. Squares on the rim count by how far their middle lies within: what is off in one
   /// is mostly made good by its neighbours.
-  [[nodiscard]] double opened(Square square) const {
+  [[nodiscard]] double opened(const Square& square) const {
     const double smallest = radius_ / 64;
     double sum = 0;
     std::vector<Square> open{square};
@@ -134,7 +134,8 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   std::vector<Residue> parts(columns * rows);
   parallelFor(parts.size(), 1, progress.part(0.2, 1), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Vec2 cell(static_cast<double>(i % columns) + 0.5, static_cast<double>(i / columns) + 0.5);
+      const std::size_t row = i / columns, column = i % columns;
+      const Vec2 cell(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
       const Square square{low + side * cell, side / 2};
       parts[i] = search.search(square, progress);
       parts[i].reachable = search.opened(square);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # pocket programs: LinuxCNC's interpreter, gouge and residue, refusals, speed
-qtest "every drawing, three tools, through rs274 and swept" "$build/tests/bin/pocket_rs274_test" BLOSSOM_SHARED_DATA="$data"
+qtest "every drawing, three tools, through rs274 and swept" "$build/tests/bin/pocket_rs274_test" BLOSSOM_SHARED_DATA="$data" QTEST_FUNCTION_TIMEOUT=3600000
 swept() { figure pocket_rs274_test "$1"; }
 at_least "  drawings with closed regions" "$(swept drawings_parts)" 60
 at_least "  programs that rs274 ran without error" "$(swept drawings_programs)" 180

@@ -20,7 +20,7 @@ namespace {
 
 /// mm: programs are written with four places after the point in mm and five in inches, but rs274 prints four of either.
 double resolutionOf(const char* unit) { return unit == std::string("inch") ? 2.54e-3 : 1e-4; }
-constexpr double curvesWithin = 1e-5;  // mm, of the oracle
+constexpr double curvesWithin = 5e-5;  // mm, of the oracle
 
 /// The figures that all programs together came to.
 struct Figures {
@@ -144,7 +144,7 @@ std::string complaint(const Region& part, const Job& job, double largest, Figure
   writeShape(formats, made.path, file, {{"post", job.post}, {"unit", job.unit}});
   const Interpreted run = interpret(file);
   if (!run.good) return "rs274: " + run.log;
-  const ReachOracle oracle(part, diameter / 2, curvesWithin, 8e5);
+  const ReachOracle oracle(part, diameter / 2, curvesWithin, 5e5);
   return complaint(run.path, o, resolutionOf(job.unit), oracle, figures);
 }
 

@@ -1,7 +1,13 @@
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -58,34 +64,109 @@ SurfaceMesh hullOfSum(const Part& a, const Part& b, Vec3& place) {
   return surface;
 }
 
-/// Back to a surface when it touches itself nowhere any more.
-Solid simplest(Nef nef) {
-  Triangles triangles = trianglesOf(nef);
-  if (!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces)) return solidFrom(std::move(nef));
-  SurfaceMesh surface;
-  PMP::polygon_soup_to_polygon_mesh(triangles.points, triangles.faces, surface);
-  if (surface.number_of_vertices() != triangles.points.size() || PMP::does_self_intersect(surface))
-    return solidFrom(std::move(nef));
-  return solidFrom(std::move(surface));
-}
-
 enum class Operation { Union, Difference };
 
-Solid combined(const Solid& a, const Solid& b, Operation operation) {
-  if (!a->nef && !b->nef) {
-    SurfaceMesh first = a->surface, second = b->surface, result;
-    try {
-      const bool done = operation == Operation::Union ? PMP::corefine_and_compute_union(first, second, result)
-                                                      : PMP::corefine_and_compute_difference(first, second, result);
-      result.collect_garbage();
-      // Corefinement hands out surfaces that are open or touch themselves, and goes astray on them: it may never end.
-      if (done && CGAL::is_valid_polygon_mesh(result) && CGAL::is_closed(result) && !PMP::does_self_intersect(result))
-        return solidFrom(std::move(result));
-    } catch (const std::exception&) {  // CGAL refuses what it has made; Nef polyhedra take any input
+/// How a part of one surface lies to the solid that the other bounds.
+enum class Side { Outside, Inside, SameWay, OtherWay };
+
+/// Both surfaces cut along each other; what CGAL makes of them afterwards may never end where the result has a vertex that
+/// two parts share, so which pieces stay is found out here.
+class Corefined {
+ public:
+  Corefined(const Solid& a, const Solid& b) : surfaces_{a->surface, b->surface} {
+    for (std::size_t k = 0; k < 2; ++k) cuts_[k] = surfaces_[k].add_property_map<Edge, bool>("e:cut", false).first;
+    PMP::corefine(surfaces_[0], surfaces_[1], CGAL::parameters::edge_is_constrained_map(cuts_[0]),
+                  CGAL::parameters::edge_is_constrained_map(cuts_[1]));
+  }
+
+  [[nodiscard]] Triangles combined(Operation operation) const {
+    Triangles out;
+    const bool unite = operation == Operation::Union;
+    collect(0, {Side::Outside, unite ? Side::SameWay : Side::OtherWay}, false, out);
+    collect(1, {unite ? Side::Outside : Side::Inside}, !unite, out);
+    return out;
+  }
+
+ private:
+  using Edge = SurfaceMesh::Edge_index;
+  using Face = SurfaceMesh::Face_index;
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Exact, Primitive>>;
+
+  static std::array<Point, 3> corners(const SurfaceMesh& surface, Face face) {
+    const auto h = surface.halfedge(face);
+    return {surface.point(surface.source(h)), surface.point(surface.target(h)),
+            surface.point(surface.target(surface.next(h)))};
+  }
+  static Exact::Vector_3 normal(const SurfaceMesh& surface, Face face) {
+    const auto [p, q, r] = corners(surface, face);
+    return CGAL::normal(p, q, r);
+  }
+  static Side sideOf(const SurfaceMesh& surface, Face face, const SurfaceMesh& other, const Tree& tree) {
+    const auto [p, q, r] = corners(surface, face);
+    const Point middle = CGAL::centroid(p, q, r);
+    const CGAL::Side_of_triangle_mesh<SurfaceMesh, Exact, CGAL::Default, Tree> side(tree);
+    switch (side(middle)) {
+      case CGAL::ON_UNBOUNDED_SIDE:
+        return Side::Outside;
+      case CGAL::ON_BOUNDED_SIDE:
+        return Side::Inside;
+      case CGAL::ON_BOUNDARY:
+        break;
+    }
+    const auto covering = tree.any_intersected_primitive(middle);
+    return covering && normal(surface, face) * normal(other, *covering) > 0 ? Side::SameWay : Side::OtherWay;
+  }
+
+  /// The pieces between the cuts that lie to the other surface in one of these ways.
+  void collect(std::size_t which, const std::vector<Side>& wanted, bool reversed, Triangles& out) const {
+    const SurfaceMesh &surface = surfaces_.at(which), &other = surfaces_.at(1 - which);
+    Tree tree(faces(other).begin(), faces(other).end(), other);
+    std::vector<std::size_t> piece(surface.number_of_faces() + surface.number_of_removed_faces());
+    const auto pieceOf = CGAL::make_property_map(piece);
+    const std::size_t count =
+        PMP::connected_components(surface, pieceOf, CGAL::parameters::edge_is_constrained_map(cuts_.at(which)));
+    std::vector<std::optional<bool>> stays(count);
+    for (const Face face : surface.faces()) {
+      auto& stay = stays[piece[face]];
+      if (!stay) stay = std::find(wanted.begin(), wanted.end(), sideOf(surface, face, other, tree)) != wanted.end();
+      if (*stay) add(surface, face, reversed, out);
     }
   }
+  static void add(const SurfaceMesh& surface, Face face, bool reversed, Triangles& out) {
+    const std::size_t from = out.points.size();
+    for (const Point& p : corners(surface, face)) out.points.push_back(p);
+    out.faces.push_back({from, from + (reversed ? 2 : 1), from + (reversed ? 1 : 2)});
+  }
+
+  std::array<SurfaceMesh, 2> surfaces_;
+  std::array<SurfaceMesh::Property_map<Edge, bool>, 2> cuts_;
+};
+
+/// A surface when the triangles make one that is closed and has no vertex or edge that two of its parts share. Parts of two
+/// surfaces that were cut along each other can touch in no other way.
+std::optional<SurfaceMesh> surfaceOf(Triangles triangles) {
+  PMP::merge_duplicate_points_in_polygon_soup(triangles.points, triangles.faces);
+  if (!PMP::is_polygon_soup_a_polygon_mesh(triangles.faces)) return std::nullopt;
+  SurfaceMesh surface;
+  PMP::polygon_soup_to_polygon_mesh(triangles.points, triangles.faces, surface);
+  if (surface.number_of_vertices() != triangles.points.size() || !CGAL::is_closed(surface)) return std::nullopt;
+  return surface;
+}
+
+/// Back to a surface when it touches itself nowhere any more.
+Solid simplest(Nef nef) {
+  auto surface = surfaceOf(trianglesOf(nef));
+  if (surface && !PMP::does_self_intersect(*surface)) return solidFrom(std::move(*surface));
+  return solidFrom(std::move(nef));
+}
+
+Solid combined(const Solid& a, const Solid& b, Operation operation) {
+  if (!a->nef && !b->nef)
+    if (auto surface = surfaceOf(Corefined(a, b).combined(operation))) return solidFrom(std::move(*surface));
+  // Surfaces that touch themselves.
   const Nef first = nefOf(*a), second = nefOf(*b);
-  return simplest(operation == Operation::Union ? unionOf(first, second) : differenceOf(first, second));
+  return simplest((operation == Operation::Union ? first + second : first - second).regularization());
 }
 
 /// Halves along the longest extent until single pieces are left: what is united lies side by side, which keeps

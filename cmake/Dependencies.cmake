@@ -25,7 +25,7 @@ find_package(CGAL REQUIRED)                    # exact arrangements, polyhedra, 
 find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/bfr/surface.h REQUIRED)
 find_library(OPENSUBDIV_LIBRARY osdCPU REQUIRED)  # subdivision surfaces
 if(BLOSSOM_BUILD_UI)
-  find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGLWidgets Svg DBus)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS Widgets OpenGL Svg DBus)
 endif()
 if(BLOSSOM_BUILD_TESTS)
   find_package(Qt6 6.4 REQUIRED COMPONENTS Test)

@@ -113,7 +113,7 @@ Options readOptions() {
 void tellFirstFrame(MainWindow& window) {
   auto shape = std::make_shared<bool>(false);
   QObject::connect(&window.session(), &Session::viewChanged, &window.view(), [shape] { *shape = true; });
-  QObject::connect(&window.view(), &QOpenGLWidget::frameSwapped, &window.view(),
+  QObject::connect(&window.view(), &ViewWidget::framePainted, &window.view(),
                    [shape] { reached(*shape ? "first frame with a shape" : "first frame"); });
 }
 

@@ -38,13 +38,6 @@ double areaAt(double t) {
   return (20 * (1 - t) + 40 * t) * (20 * (1 - t) + 10 * t) - std::max(0.0, hole - 40 * t) * std::max(0.0, hole - 10 * t);
 }
 
-bool isOpaque(const QImage& image) {
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (qAlpha(image.pixel(x, y)) != 255) return false;
-  return true;
-}
-
 double timeOf(int frame) { return static_cast<double>(frame) / lastFrame; }
 
 }  // namespace
@@ -318,8 +311,7 @@ void MinkowskiWindowTest::takePictures(const std::string& name, int frame) {
   const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
   for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
     ThemeManager::instance().apply(choice);
-    QVERIFY(!canvas().isNull());                           // at rest
-    QVERIFY(isOpaque(window_->view().grabFramebuffer()));  // although the onion skin is not
+    QVERIFY(!canvas().isNull());  // at rest
     const char* const ending = choice == ThemeChoice::Light ? "-light.png" : "-dark.png";
     const QString file = QDir(folder).filePath(QString::fromStdString(name + ending));
     if (!folder.isEmpty()) QVERIFY(window_->grab().save(file));

@@ -1,15 +1,8 @@
 #include "ui/view/smoothing.h"
 
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkOpenGLFramebufferObject.h>
-#include <vtkOpenGLShaderCache.h>
-#include <vtkOpenGLState.h>
-#include <vtkTextureObject.h>
-
-#include <QMatrix4x4>
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
 #include <array>
+#include <bit>
+#include <cstring>
 
 namespace blossom::ui {
 
@@ -19,21 +12,11 @@ namespace {
 constexpr std::array<std::array<int, 2>, Smoothing::frames> places{
     {{0, 0}, {-3, -1}, {1, -3}, {3, 1}, {-1, 3}, {-2, -4}, {2, 2}, {-4, 4}}};
 
-void copy(QOpenGLExtraFunctions& gl, unsigned int from, unsigned int to, int width, int height) {
-  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
-  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-  gl.glDisable(GL_SCISSOR_TEST);
-  gl.glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
+constexpr std::uint32_t pair = 0x00FF00FF, opaque = 0xFF000000;
 
-/// What shines through leaves its opacity in the frame buffer, and a picture taken of the window would be blended by it.
-void makeOpaque(QOpenGLExtraFunctions& gl, vtkOpenGLState& state, unsigned int frameBuffer) {
-  gl.glBindFramebuffer(GL_FRAMEBUFFER, frameBuffer);
-  state.vtkglDisable(GL_SCISSOR_TEST);
-  state.vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-  state.vtkglClearColor(0, 0, 0, 1);
-  state.vtkglClear(GL_COLOR_BUFFER_BIT);
-  state.vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+/// The line of a picture that the line `y` of a frame belongs to.
+std::uint32_t* lineOf(QImage& picture, int y) {
+  return reinterpret_cast<std::uint32_t*>(picture.scanLine(picture.height() - 1 - y));
 }
 
 }  // namespace
@@ -43,39 +26,47 @@ QPointF Smoothing::offset() const {
   return QPointF(place[0], place[1]) / frames;
 }
 
-void Smoothing::take(vtkGenericOpenGLRenderWindow& window, unsigned int frameBuffer) {
-  QOpenGLExtraFunctions& gl = *QOpenGLContext::currentContext()->extraFunctions();
-  const int width = window.GetSize()[0], height = window.GetSize()[1];
-  vtkOpenGLFramebufferObject& drawn = *window.GetDisplayFramebuffer();
+bool Smoothing::take(const std::vector<std::uint32_t>& frame, QImage& picture) {
+  const auto width = static_cast<std::size_t>(picture.width());
   if (taken_++ == 0) {
-    copy(gl, drawn.GetFBOIndex(), frameBuffer, width, height);
-    return makeOpaque(gl, *window.GetState(), frameBuffer);
+    for (int y = 0; y < picture.height(); ++y)
+      std::memcpy(lineOf(picture, y), &frame[static_cast<std::size_t>(y) * width], width * sizeof(std::uint32_t));
+    return true;
   }
-  // The mean grows with the weight of one more frame. VTK keeps a copy of OpenGL's state, so it is changed through VTK.
-  window.GetShaderCache()->ReleaseCurrentShader();
-  vtkOpenGLState& state = *window.GetState();
-  gl.glBindFramebuffer(GL_FRAMEBUFFER, frameBuffer);
-  state.vtkglViewport(0, 0, width, height);
-  state.vtkglDisable(GL_SCISSOR_TEST);
-  state.vtkglDisable(GL_DEPTH_TEST);
-  state.vtkglDisable(GL_CULL_FACE);
-  state.vtkglEnable(GL_BLEND);
-  state.vtkglBlendFuncSeparate(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, GL_CONSTANT_ALPHA,
-                               GL_ONE_MINUS_CONSTANT_ALPHA);
-  gl.glBlendColor(0, 0, 0, 1.0F / static_cast<float>(taken_));
-  if (!blitter_.isCreated()) blitter_.create();
-  state.vtkglActiveTexture(GL_TEXTURE0);
-  blitter_.bind();
-  blitter_.blit(drawn.GetColorAttachmentAsTextureObject(0)->GetHandle(), QMatrix4x4(),
-                QOpenGLTextureBlitter::OriginBottomLeft);
-  blitter_.release();
-  state.vtkglEnable(GL_DEPTH_TEST);
-  makeOpaque(gl, state, frameBuffer);
+  if (taken_ == 2) {  // the picture is the first frame still
+    redAndBlue_.assign(frame.size(), 0);
+    green_.assign(frame.size(), 0);
+    for (int y = 0; y < picture.height(); ++y) {
+      const std::uint32_t* line = lineOf(picture, y);
+      for (std::size_t x = 0; x < width; ++x) {
+        redAndBlue_[static_cast<std::size_t>(y) * width + x] = line[x] & pair;
+        green_[static_cast<std::size_t>(y) * width + x] = (line[x] >> 8) & 0xFF;
+      }
+    }
+  }
+  add(frame);
+  if (!std::has_single_bit(static_cast<unsigned>(taken_))) return false;
+  showMean(picture);
+  return true;
 }
 
-void Smoothing::release() {
-  if (blitter_.isCreated()) blitter_.destroy();
-  restart();
+void Smoothing::add(const std::vector<std::uint32_t>& frame) {
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    redAndBlue_[i] += frame[i] & pair;
+    green_[i] += (frame[i] >> 8) & 0xFF;
+  }
+}
+
+void Smoothing::showMean(QImage& picture) const {
+  const int shift = std::countr_zero(static_cast<unsigned>(taken_));
+  const std::uint32_t half = 1U << (shift - 1), halves = half << 16 | half;
+  const auto width = static_cast<std::size_t>(picture.width());
+  for (int y = 0; y < picture.height(); ++y) {
+    std::uint32_t* line = lineOf(picture, y);
+    const std::size_t start = static_cast<std::size_t>(y) * width;
+    for (std::size_t x = 0; x < width; ++x)
+      line[x] = opaque | (((redAndBlue_[start + x] + halves) >> shift) & pair) | ((green_[start + x] + half) >> shift) << 8;
+  }
 }
 
 }  // namespace blossom::ui

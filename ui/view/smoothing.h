@@ -1,9 +1,8 @@
 #pragma once
-#include <QOpenGLTextureBlitter>
+#include <QImage>
 #include <QPointF>
-#include <QSize>
-
-class vtkGenericOpenGLRenderWindow;
+#include <cstdint>
+#include <vector>
 
 namespace blossom::ui {
 
@@ -18,12 +17,16 @@ class Smoothing {
   [[nodiscard]] bool complete() const { return taken_ >= frames; }
   /// By how many device pixels the next frame lies aside; the first lies in place.
   [[nodiscard]] QPointF offset() const;
-  /// Takes what the window has drawn into the frame buffer given, which holds the mean of those before.
-  void take(vtkGenericOpenGLRenderWindow&, unsigned int frameBuffer);
-  void release();  ///< what belongs to the OpenGL context, which is current
+  /// Takes one more frame, pixels 0xAARRGGBB with the lowest line first as OpenGL gives them. The picture, of the same size,
+  /// becomes the mean of all frames whenever these are 1, 2, 4 or 8. Returns whether it did.
+  bool take(const std::vector<std::uint32_t>& frame, QImage& picture);
 
  private:
-  QOpenGLTextureBlitter blitter_;
+  void add(const std::vector<std::uint32_t>& frame);
+  void showMean(QImage& picture) const;
+
+  // Sums of red and blue, and of green: two colours share a word, each with room for eight times 255.
+  std::vector<std::uint32_t> redAndBlue_, green_;
   int taken_ = 0;
 };
 

@@ -2,15 +2,14 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkOpenGLFramebufferObject.h>
 #include <vtkRenderer.h>
 
 #include <QElapsedTimer>
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
+#include <QPaintEvent>
+#include <QPainter>
 #include <algorithm>
 
+#include "ui/view/painter.h"
 #include "ui/view/view_band.h"
 #include "ui/view/view_cube.h"
 
@@ -26,8 +25,8 @@ constexpr int restMs = 140;      // after the last change
 }  // namespace
 
 ViewWidget::ViewWidget(QWidget* parent)
-    : QOpenGLWidget(parent),
-      window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
+    : QWidget(parent),
+      painter_(Painter::shared()),
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
       items_(renderer_),
       hoverLight_(renderer_),
@@ -35,7 +34,7 @@ ViewWidget::ViewWidget(QWidget* parent)
       cube_(new ViewCube(this)),
       band_(new SelectionBand(this)) {
   quietVtk();
-  setUpdateBehavior(PartialUpdate);  // the mean of frames grows in the frame buffer
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
@@ -45,21 +44,13 @@ ViewWidget::ViewWidget(QWidget* parent)
   connect(&camera_, &CameraControl::moved, this, &ViewWidget::cameraMoved);
   connect(cube_, &ViewCube::sideChosen, this, [this](const QString& view) { lookFrom(view); });
   connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);
+  QTimer::singleShot(0, this, [this] { painter_->rehearse(); });
 }
 
-ViewWidget::~ViewWidget() {
-  releaseGl();
-  if (context()) disconnect(context(), nullptr, this, nullptr);
-}
+ViewWidget::~ViewWidget() { painter_->remove(renderer_); }
 
 void ViewWidget::buildRenderer() {
-  // Qt makes the context current before it calls us.
-  window_->SetOwnContext(false);
-  window_->SetReadyForRendering(true);
-  window_->SetIsCurrent(true);
-  window_->SetSupportsOpenGL(1);
-  window_->SetFrameBlitModeToNoBlit();
-  window_->AddRenderer(renderer_);
+  painter_->add(renderer_);
   renderer_->AddActor(grid_.actor());
   setUpRenderer(renderer_, look_);
   applyLook();
@@ -76,35 +67,56 @@ void ViewWidget::redraw() {
   update();
 }
 
-void ViewWidget::releaseGl() {
-  if (!isValid()) return;
-  makeCurrent();
-  smoothing_.release();
-  window_->Finalize();
-  doneCurrent();
+QString ViewWidget::problem() const { return painter_->problem(); }
+
+void ViewWidget::paintEvent(QPaintEvent* event) {
+  if (!problem().isEmpty()) return paintProblem(*event);
+  const bool changed = bringUpToDate();
+  QPainter(this).drawImage(QPointF(0, 0), picture_);
+  // Painting is done, and the window is shown, when this event has been handled.
+  if (changed) QMetaObject::invokeMethod(this, &ViewWidget::framePainted, Qt::QueuedConnection);
 }
 
-void ViewWidget::initializeGL() {
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ViewWidget::releaseGl, Qt::UniqueConnection);
-  if (!window_->InitializeFromCurrentContext()) {
-    problem_ = tr("The graphics driver has no OpenGL 3.2, which the view needs.");
-    for (const std::string& line : takeVtkMessages()) problem_ += QLatin1Char('\n') + QString::fromStdString(line);
-  }
+void ViewWidget::paintProblem(const QPaintEvent& event) {
+  QPainter painter(this);
+  painter.fillRect(event.rect(), palette().color(QPalette::Window));
+  painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, problem());
 }
 
-void ViewWidget::resizeGL(int, int) {
-  window_->SetSize(static_cast<int>(width() * devicePixelRatioF()), static_cast<int>(height() * devicePixelRatioF()));
-  camera_.setViewSize(size());
-  redraw();
-  if (scale_ == devicePixelRatioF()) return;
-  scale_ = devicePixelRatioF();  // it changes with the screen
+QImage ViewWidget::grabFramebuffer() {
+  if (problem().isEmpty()) bringUpToDate();
+  return picture_;
+}
+
+void ViewWidget::sizePicture() {
+  const double scale = devicePixelRatioF();
+  const QSize pixels(static_cast<int>(width() * scale), static_cast<int>(height() * scale));
+  if (picture_.size() == pixels && scale == scale_) return;
+  picture_ = QImage(pixels, QImage::Format_RGB32);
+  picture_.setDevicePixelRatio(scale);
+  smoothing_.restart();
+  if (scale == scale_) return;
+  scale_ = scale;  // it changes with the screen
   applyLook();
 }
 
-void ViewWidget::paintGL() {
-  if (!problem_.isEmpty() || sharp()) return;  // the frame buffer has it still
+bool ViewWidget::bringUpToDate() {
+  sizePicture();
+  if (sharp() || picture_.isNull()) return false;
   QElapsedTimer timer;
   timer.start();
+  prepareFrame();
+  const bool changed = smoothing_.take(painter_->draw(renderer_, picture_.size(), multisampled_ ? samples : 0), picture_);
+  lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
+  ++framesDrawn_;
+  if (items_.incomplete())
+    QTimer::singleShot(0, this, &ViewWidget::redraw);
+  else
+    chooseSmoothing();
+  return changed;
+}
+
+void ViewWidget::prepareFrame() {
   vtkCamera& camera = *renderer_->GetActiveCamera();
   camera_.applyTo(&camera);
   if (items_.incomplete()) {
@@ -113,21 +125,13 @@ void ViewWidget::paintGL() {
     smoothing_.restart();
   }
   grid_.follow(camera_.target(), camera_.millimetresPerPixel(), std::max(width(), height()), look_);
+  camera.SetWindowCenter(0, 0);
   renderer_->ResetCameraClippingRange();
   keepGridInSight();
   items_.setCulling(!items_.extent().contains(Vec3(camera.GetPosition())));
   items_.placeCaps(camera, camera_.millimetresPerPixel());
-  window_->SetMultiSamples(multisampled_ ? samples : 0);
   const QPointF offset = smoothing_.offset();
-  camera.SetWindowCenter(2 * offset.x() / window_->GetSize()[0], 2 * offset.y() / window_->GetSize()[1]);
-  window_->Render();
-  camera.SetWindowCenter(0, 0);
-  smoothing_.take(*window_, defaultFramebufferObject());
-  context()->functions()->glFinish();
-  lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
-  ++framesDrawn_;
-  if (items_.incomplete()) return QTimer::singleShot(0, this, &ViewWidget::redraw);
-  chooseSmoothing();
+  camera.SetWindowCenter(2 * offset.x() / picture_.width(), 2 * offset.y() / picture_.height());
 }
 
 // Fast graphics smooth every frame at once; for others the mean of several is taken when nothing changes any more.
@@ -153,8 +157,10 @@ void ViewWidget::keepGridInSight() {
 }
 
 void ViewWidget::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
   placeCube();
+  camera_.setViewSize(size());
+  redraw();
 }
 
 void ViewWidget::placeCube() { cube_->move(width() - cube_->width() - 14, 12); }

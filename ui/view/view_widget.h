@@ -1,9 +1,11 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
-#include <QOpenGLWidget>
+#include <QImage>
 #include <QPointer>
 #include <QTimer>
+#include <QWidget>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,18 +17,18 @@
 #include "ui/view/view_items.h"
 #include "ui/view/view_navigation.h"
 
-class vtkGenericOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 
 namespace blossom::ui {
 
+class Painter;
 class SelectionBand;
 class ViewCube;
 
-/// The canvas: VTK draws into the frame buffer of this widget. Geometry is sent to the graphics card once; orbiting only
+/// The canvas, drawn by VTK. Geometry is sent to the graphics card once; orbiting only
 /// moves the camera, and nothing is drawn while nothing changes.
-class ViewWidget : public QOpenGLWidget {
+class ViewWidget : public QWidget {
   Q_OBJECT
  public:
   explicit ViewWidget(QWidget* parent = nullptr);
@@ -74,7 +76,10 @@ class ViewWidget : public QOpenGLWidget {
   [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
   /// All edges are smoothed; at first, and while the camera moves, that is left out where it would stutter.
   [[nodiscard]] bool sharp() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
-  [[nodiscard]] QString problem() const { return problem_; }  ///< why nothing can be drawn; empty when all is well
+
+  [[nodiscard]] QString problem() const;  ///< why nothing can be drawn; empty when all is well
+  /// What is shown, drawn before when it is out of date.
+  QImage grabFramebuffer();
 
   /// What the mouse would do when it rests on the view.
   static QString idleHint(NavigationStyle style = NavigationStyle::Blossom) { return navigationHint(style); }
@@ -83,6 +88,7 @@ class ViewWidget : public QOpenGLWidget {
   void picked(const QString& feature, bool extend);  ///< a click, or a box for each feature in it; empty: the canvas itself
   void partPicked(const blossom::ui::Pick&, Qt::KeyboardModifiers);  ///< any click, in every mode; no feature: the canvas
   void hovered(const blossom::ui::Pick&);                            ///< changed
+  void framePainted();                                               ///< a new picture is on the screen
   void partsSelected();                                              ///< selectedParts() changed
   void selectionBoxed(const std::vector<blossom::ui::Pick>&, Qt::KeyboardModifiers);
   void contextMenuWanted(const QPoint& globalPosition, const blossom::ui::Pick&);
@@ -92,9 +98,7 @@ class ViewWidget : public QOpenGLWidget {
   void filesDropped(const QStringList& files);
 
  protected:
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent*) override;
   bool event(QEvent*) override;
   void resizeEvent(QResizeEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
@@ -110,8 +114,11 @@ class ViewWidget : public QOpenGLWidget {
   enum class KeyOffer { None, Refused, Taken };
 
   void buildRenderer();
-  void releaseGl();
   void applyLook();
+  void sizePicture();
+  bool bringUpToDate();
+  void prepareFrame();
+  void paintProblem(const QPaintEvent&);
   void keepGridLast();
   void keepGridInSight();
   [[nodiscard]] Look scaledLook() const;
@@ -135,7 +142,8 @@ class ViewWidget : public QOpenGLWidget {
   void finishBox(QPointF at, Qt::KeyboardModifiers);
   void tellWhereabouts(QPointF);
 
-  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+  std::shared_ptr<Painter> painter_;
+  QImage picture_;
   vtkSmartPointer<vtkRenderer> renderer_;
   ViewItems items_;
   PartHighlight hoverLight_, selected_;
@@ -164,7 +172,6 @@ class ViewWidget : public QOpenGLWidget {
   bool multisampled_ = false, tooSlow_ = false;  // for it
   QTimer settle_;
   int framesDrawn_ = 0;
-  QString problem_;
 };
 
 }  // namespace blossom::ui

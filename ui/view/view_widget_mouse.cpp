@@ -142,7 +142,7 @@ bool ViewWidget::event(QEvent* event) {
     event->accept();
     return true;
   }
-  return QOpenGLWidget::event(event);
+  return QWidget::event(event);
 }
 
 // The right button opens it when it is released without a drag; the key opens it where the mouse is.

@@ -93,7 +93,7 @@ void ViewWidget::keyPressEvent(QKeyEvent* event) {
   if (std::exchange(keyOffer_, KeyOffer::None) == KeyOffer::Taken)
     event->accept();
   else
-    QOpenGLWidget::keyPressEvent(event);
+    QWidget::keyPressEvent(event);
 }
 
 void ViewWidget::hoverAt(QPointF at, Qt::KeyboardModifiers modifiers) {

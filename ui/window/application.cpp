@@ -42,9 +42,7 @@ void prepareApplication() {
   format.setProfile(QSurfaceFormat::CoreProfile);
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setDepthBufferSize(24);
-  format.setSwapInterval(1);
   QSurfaceFormat::setDefaultFormat(format);
-  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
 void setUpApplication() {

@@ -18,10 +18,10 @@ Screenshot::Screenshot(MainWindow& window, QString file) : QObject(&window), win
 
 void Screenshot::whenComputed() {
   if (window_.session().evaluating() || window_.session().job().running()) return;
-  disconnect(&window_.view(), &QOpenGLWidget::frameSwapped, this, nullptr);
-  connect(&window_.view(), &QOpenGLWidget::frameSwapped, this, [this] {
+  disconnect(&window_.view(), &ViewWidget::framePainted, this, nullptr);
+  connect(&window_.view(), &ViewWidget::framePainted, this, [this] {
     if (window_.session().evaluating() || window_.session().job().running() || !window_.view().sharp()) return;
-    disconnect(&window_.view(), &QOpenGLWidget::frameSwapped, this, nullptr);
+    disconnect(&window_.view(), &ViewWidget::framePainted, this, nullptr);
     QCoreApplication::processEvents();  // layouts settle in several rounds
     emit taken(window_.grab().save(file_));
   });

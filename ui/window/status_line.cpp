@@ -98,7 +98,10 @@ void StatusLine::refresh() {
   const Work& shown = work_.last();
   const QString percent = shown.fraction > 0 ? tr(" %1 %").arg(std::lround(shown.fraction * 100)) : QString();
   workText_->setText((jobs_ > 1 ? tr("%1 jobs: ").arg(jobs_) : QString()) + shown.what + percent);
+  // It would paint the whole window at once, in the midst of what else is to be done.
+  bar_->setUpdatesEnabled(false);
   bar_->setValue(static_cast<int>(std::lround(shown.fraction * 1000)));
+  bar_->setUpdatesEnabled(true);
 }
 
 }  // namespace blossom::ui

@@ -1,0 +1,53 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSize>
+#include <QString>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkRenderer;
+
+namespace blossom::ui {
+
+/// Draws off the screen what the views show: one OpenGL context and one window of VTK for all of them, so that a new view
+/// finds its shaders translated. Views paint the pixels like any picture, and the window around them stays an ordinary one:
+/// with a QOpenGLWidget in it, Qt has OpenGL put the whole window together again whenever a single letter of it changes,
+/// which takes 30 to 50 ms where OpenGL is software.
+class Painter {
+ public:
+  /// The same for all who hold it at the same time.
+  static std::shared_ptr<Painter> shared();
+  ~Painter();
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+
+  [[nodiscard]] const QString& problem() const { return problem_; }  ///< why nothing can be drawn; empty when all is well
+  /// What is drawn later has to be known from the beginning to the end, as it keeps data on the graphics card.
+  void add(vtkRenderer*);
+  void remove(vtkRenderer*);
+  /// Pixels 0xAARRGGBB, the lowest line first; valid until the next call. @param size device pixels, not empty
+  const std::vector<std::uint32_t>& draw(vtkRenderer*, QSize size, int samples);
+  /// Draws one of everything, so that the driver translates its shaders before anybody waits for them. Once.
+  void rehearse();
+
+ private:
+  Painter();
+  void start();
+  bool makeCurrent();
+  void makeContextCurrent() { makeCurrent(); }  // for VTK
+  void readPixels(QSize);
+
+  QOffscreenSurface surface_;
+  QOpenGLContext context_;
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+  std::vector<std::uint32_t> pixels_;
+  QString problem_;
+  bool rehearsed_ = false;
+};
+
+}  // namespace blossom::ui

@@ -74,6 +74,8 @@ void StallTest::jobsLeaveTheWindowAlive_data() {
   QTest::addColumn<QString>("file");
   QTest::newRow("propeller") << propeller();
   QTest::newRow("130000_triangles") << mesh_;
+  for (const char* name : {"triangle-to-star", "melting-ice", "flange", "free-form-pocket", "pulled-surface"})
+    QTest::newRow(name) << QString::fromStdString(test::sample(std::string(name) + ".blossom").string());
   const auto step = test::sharedData() / "step";
   std::error_code ec;
   std::filesystem::path largest;

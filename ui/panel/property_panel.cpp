@@ -41,7 +41,7 @@ bool isAbout(const QString& message, const QString& parameter) {
 }  // namespace
 
 PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
-    : QScrollArea(parent), session_(session), context_(std::make_shared<FieldContext>()) {
+    : QScrollArea(parent), session_(session), context_(std::make_shared<FieldContext>()), result_(new ResultTable(this)) {
   context_->picking = true;
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -54,6 +54,7 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
     for (InputEditor* input : inputs_) input->refresh();
   });
   connect(&session, &Session::evaluationFinished, this, &PropertyPanel::sendPreview);
+  connect(result_, &ResultTable::copied, this, &PropertyPanel::hint);
   rebuild();
 }
 
@@ -106,7 +107,8 @@ void PropertyPanel::rebuild() {
   fields_.clear();
   inputs_.clear();
   header_ = nullptr;
-  result_ = nullptr;
+  result_->hide();
+  result_->setParent(this);  // it stays, for its rows take longer to make than to fill
   previewed_ = faulty_ = nullptr;
   waiting_.reset();
   auto* content = new QWidget;
@@ -122,16 +124,15 @@ void PropertyPanel::rebuild() {
                               "note"));
   } else {
     addFeature(session_.document().at(shown_));
+    refreshFields();
+    refreshResult();
   }
   column_->addStretch();
   if (QWidget* before = takeWidget()) {
     before->hide();
     before->deleteLater();  // one of its buttons may have been clicked
   }
-  setWidget(content);
-  if (shown_.empty()) return;
-  refreshFields();
-  refreshResult();
+  setWidget(content);  // at last, for what is hidden yet is laid out only once
 }
 
 void PropertyPanel::addTitle(const QString& text) {
@@ -200,9 +201,8 @@ void PropertyPanel::connectField(ParameterField* field) {
 void PropertyPanel::addResult() {
   column_->addSpacing(6);
   addTitle(tr("RESULT"));
-  result_ = new ResultTable;
-  connect(result_, &ResultTable::copied, this, &PropertyPanel::hint);
   column_->addWidget(result_);
+  result_->setVisible(true);
 }
 
 /// Sub-shapes are named after the features that stand in the inputs now.
@@ -234,7 +234,7 @@ void PropertyPanel::refreshFields() {
 }
 
 void PropertyPanel::refreshResult() {
-  if (!result_) return;
+  if (shown_.empty()) return;
   std::vector<std::string> besides;  // what is set above need not be told below
   for (const ParameterField* field : fields_) besides.push_back(field->spec().name);
   const auto view = session_.view(shown_);

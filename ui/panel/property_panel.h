@@ -78,7 +78,7 @@ class PropertyPanel : public QScrollArea {
   std::vector<ParameterField*> fields_;
   std::vector<InputEditor*> inputs_;
   FeatureHeader* header_ = nullptr;
-  ResultTable* result_ = nullptr;
+  ResultTable* result_;
   QVBoxLayout* column_ = nullptr;
 
   ParameterField* previewed_ = nullptr;  // the field that is dragged

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -60,6 +61,21 @@ ResultTable::ResultTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   words_->setSpacing(4);
   column->addLayout(grid_);
   column->addLayout(words_);
+  QTimer::singleShot(0, this, &ResultTable::makeRows);
+}
+
+// Before the first result comes, when there is most to do.
+void ResultTable::makeRows() {
+  constexpr std::size_t usual = 10;
+  const std::size_t used = used_;
+  while (used_ < usual) {
+    const Row& row = next({});
+    for (QLabel* label : {row.name, row.number, row.unit, row.text}) {
+      label->ensurePolished();
+      label->hide();
+    }
+  }
+  used_ = used;
 }
 
 void ResultTable::show(const FeatureView* view, const std::vector<std::string>& besides) {

@@ -37,7 +37,7 @@ class ResultTable final : public QWidget {
   void addText(const QString& name, const QString& text);
   Row& next(const QString& name);
   void addWords(const QString&, const char* style);
-  void clear();
+  void makeRows();
   void showResult(const FeatureView&, const std::vector<std::string>& besides);
   void showError(const Error&);
   void copyMenu(const Row&, const QPoint& at);

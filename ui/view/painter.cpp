@@ -1,6 +1,5 @@
 #include "ui/view/painter.h"
 
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -11,40 +10,12 @@
 #include <QOpenGLExtraFunctions>
 
 #include "scene/scene.h"
-#include "ui/view/ground_grid.h"
-#include "ui/view/view_items.h"
 
 namespace blossom::ui {
 
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("blossom::ui::Painter", text); }
-
-/// A tetrahedron with edges and corners.
-SceneData smallSolid() {
-  Tessellation t;
-  t.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (const Vec3& p : t.points) t.normals.push_back((p - Vec3::Constant(0.25)).normalized());
-  t.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-  t.faceOfTriangle = {0, 1, 2, 3};
-  t.edges = {{t.points[0], t.points[1]}, {t.points[1], t.points[2]}};
-  t.edgeIndices = {0, 1};
-  t.vertices = t.points;
-  SceneData scene = toSceneData(t);
-  scene.solid = true;
-  return scene;
-}
-
-SceneData smallDrawing() {
-  Tessellation t;
-  t.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  t.triangles = {{0, 1, 2}};
-  t.faceOfTriangle = {0};
-  t.edges = {{t.points[0], t.points[1], t.points[2]}};
-  t.edgeIndices = {0};
-  t.vertices = t.points;
-  return toSceneData(t);
-}
 
 }  // namespace
 
@@ -98,6 +69,7 @@ const std::vector<std::uint32_t>& Painter::draw(vtkRenderer* renderer, QSize siz
   window_->SetSize(size.width(), size.height());
   window_->SetMultiSamples(samples);
   window_->Render();
+  fresh_ = false;
   readPixels(size);
   return pixels_;
 }
@@ -112,31 +84,6 @@ void Painter::readPixels(QSize size) {
   constexpr GLenum bgra = 0x80E1;  // with bytes: 0xAARRGGBB on little-endian machines
   gl.glReadPixels(0, 0, size.width(), size.height(), bgra, GL_UNSIGNED_BYTE, pixels_.data());
   drawn.UnBind(GL_READ_FRAMEBUFFER);
-}
-
-void Painter::rehearse() {
-  if (rehearsed_ || !problem_.isEmpty()) return;
-  rehearsed_ = true;
-  const Look look = Look::dark();
-  vtkNew<vtkRenderer> stage;
-  setUpRenderer(stage, look);
-  add(stage);
-  {
-    ViewItems items(stage);
-    items.setLook(look);
-    items.set({{"solid", smallSolid(), ItemRole::Plain}, {"drawing", smallDrawing(), ItemRole::Made}});
-    GroundGrid grid;
-    grid.follow(Vec3::Zero(), 0.01, 100, look);
-    stage->AddActor(grid.actor());
-    stage->ResetCamera();
-    const QSize size(64, 64);
-    draw(stage, size, 0);
-    items.setSection(CutPlane{Vec3::UnitX(), 0.2});
-    items.placeCaps(*stage->GetActiveCamera(), 0.01);
-    draw(stage, size, 0);
-    stage->RemoveActor(grid.actor());
-  }
-  remove(stage);
 }
 
 }  // namespace blossom::ui

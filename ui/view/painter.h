@@ -32,8 +32,7 @@ class Painter {
   void remove(vtkRenderer*);
   /// Pixels 0xAARRGGBB, the lowest line first; valid until the next call. @param size device pixels, not empty
   const std::vector<std::uint32_t>& draw(vtkRenderer*, QSize size, int samples);
-  /// Draws one of everything, so that the driver translates its shaders before anybody waits for them. Once.
-  void rehearse();
+  [[nodiscard]] bool fresh() const { return fresh_; }  ///< has drawn nothing yet
 
  private:
   Painter();
@@ -47,7 +46,7 @@ class Painter {
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   std::vector<std::uint32_t> pixels_;
   QString problem_;
-  bool rehearsed_ = false;
+  bool fresh_ = true;
 };
 
 }  // namespace blossom::ui

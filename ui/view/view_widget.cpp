@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "ui/view/painter.h"
+#include "ui/view/rehearsal.h"
 #include "ui/view/view_band.h"
 #include "ui/view/view_cube.h"
 
@@ -44,7 +45,7 @@ ViewWidget::ViewWidget(QWidget* parent)
   connect(&camera_, &CameraControl::moved, this, &ViewWidget::cameraMoved);
   connect(cube_, &ViewCube::sideChosen, this, [this](const QString& view) { lookFrom(view); });
   connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);
-  QTimer::singleShot(0, this, [this] { painter_->rehearse(); });
+  QTimer::singleShot(0, this, [this] { rehearse(*painter_); });
 }
 
 ViewWidget::~ViewWidget() { painter_->remove(renderer_); }
@@ -139,7 +140,7 @@ void ViewWidget::chooseSmoothing() {
   if (multisampled_ && lastFrameMs_ > fluentMs) {
     multisampled_ = false;
     tooSlow_ = true;
-  } else if (!multisampled_ && !tooSlow_ && framesDrawn_ > 1 && lastFrameMs_ < fastMs) {
+  } else if (!multisampled_ && !tooSlow_ && !items_.empty() && lastFrameMs_ < fastMs) {
     multisampled_ = true;
     return redraw();
   }

@@ -61,6 +61,7 @@ void ToolPaint::lines(const std::vector<std::vector<Vec2>>& polylines, const Col
   const auto actor = actorOf(data, color);
   actor->GetProperty()->SetLineWidth(static_cast<float>(width * ratio_));
   actor->GetProperty()->SetOpacity(opacity);
+  actor->ForceOpaqueOn();  // blended in place; a pass for translucent things would cost every frame
   props_.emplace_back(actor);
 }
 

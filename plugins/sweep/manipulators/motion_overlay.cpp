@@ -38,6 +38,7 @@ class Lines {
     actor->GetProperty()->SetColor(color.red, color.green, color.blue);
     actor->GetProperty()->SetLineWidth(static_cast<float>(width));
     actor->GetProperty()->SetOpacity(opacity);
+    actor->ForceOpaqueOn();  // blended in place; a pass for translucent things would cost every frame
     actor->GetProperty()->LightingOff();
     actor->PickableOff();
     return actor;

@@ -37,7 +37,8 @@ FeatureToolBar::FeatureToolBar(const FeatureMenus& menus, QWidget* parent) : QWi
     }
     group.rest = toolButton(this);
     group.rest->setObjectName(QStringLiteral("featureGroup"));
-    group.rest->setIcon(icon(source.icon));
+    group.own = icon(source.icon);
+    group.rest->setIcon(group.own);
     group.rest->setText(source.title + QStringLiteral(" ▾"));
     group.rest->setToolTip(tr("Everything of %1").arg(source.title));
     group.rest->setAccessibleName(source.title);
@@ -97,19 +98,25 @@ void FeatureToolBar::share(int width) {
 void FeatureToolBar::arrange() {
   share(width());
   int x = 0;
-  for (Group& group : groups_) {
-    group.line->setGeometry(x + lineSpace / 2, 8, 1, height() - 16);
-    x += lineSpace;
-    const auto place = [&](QToolButton* button, bool visible) {
-      button->setVisible(visible);
-      if (!visible) return;
-      const QSize size = button->sizeHint();
-      button->setGeometry(x, (height() - size.height()) / 2, size.width(), size.height());
-      x += size.width() + gap;
-    };
-    for (std::size_t i = 0; i < group.buttons.size(); ++i) place(group.buttons[i], i < group.shown);
-    place(group.rest, group.shown < group.buttons.size());
-  }
+  for (Group& group : groups_) place(group, x);
+}
+
+void FeatureToolBar::place(Group& group, int& x) {
+  group.line->setGeometry(x + lineSpace / 2, 8, 1, height() - 16);
+  x += lineSpace;
+  const auto put = [&](QToolButton* button, bool visible) {
+    button->setVisible(visible);
+    if (!visible) return;
+    const QSize size = button->sizeHint();
+    button->setGeometry(x, (height() - size.height()) / 2, size.width(), size.height());
+    x += size.width() + gap;
+  };
+  for (std::size_t i = 0; i < group.buttons.size(); ++i) put(group.buttons[i], i < group.shown);
+  const bool more = group.shown < group.buttons.size();
+  put(group.rest, more);
+  // Not the picture of the button beside it.
+  const QIcon wanted = more && group.shown > 0 ? group.buttons[group.shown]->defaultAction()->icon() : group.own;
+  if (group.rest->icon().cacheKey() != wanted.cacheKey()) group.rest->setIcon(wanted);
 }
 
 void FeatureToolBar::resizeEvent(QResizeEvent* event) {

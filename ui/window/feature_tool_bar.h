@@ -1,4 +1,5 @@
 #pragma once
+#include <QIcon>
 #include <QWidget>
 #include <vector>
 
@@ -30,11 +31,13 @@ class FeatureToolBar : public QWidget {
   struct Group {
     std::vector<QToolButton*> buttons;
     QToolButton* rest = nullptr;  ///< opens the menu of the whole group
+    QIcon own;                    ///< of the group, which stands for it as long as none of its buttons is shown
     QFrame* line = nullptr;
     std::size_t shown = 0;
   };
   [[nodiscard]] int widthOf(const Group&, std::size_t shown) const;
   void share(int width);
+  void place(Group&, int& x);
   void arrange();
   std::vector<Group> groups_;
 };

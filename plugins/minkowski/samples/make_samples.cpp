@@ -1,27 +1,9 @@
-#include <fmt/format.h>
-
-#include <filesystem>
-
-#include "app/app.h"
-#include "core/error.h"
-#include "document/storage.h"
+#include "plugins/sample_maker.h"
 
 namespace {
 
 using namespace blossom;
-
-FeatureId add(const App& app, Document& document, const char* command, const char* name, Value parameters,
-              const std::vector<FeatureId>& inputs = {}) {
-  const auto type = app.registry->at(command);
-  for (const FeatureId& input : inputs) {
-    Feature hidden = document.at(input);
-    hidden.visible = false;
-    document = document.with(std::move(hidden));
-  }
-  Feature feature{document.freshId(command), type->id, name, std::move(parameters), inputs, true, false, Value::object()};
-  document = document.with(feature);
-  return feature.id;
-}
+using samples::add;
 
 Value places(std::initializer_list<std::pair<double, double>> offsets) {
   Value list = Value::array();
@@ -74,19 +56,9 @@ Document cutterRoom(const App& app) {
 
 /// make_minkowski_samples FOLDER: writes the sample documents of morphs and sums.
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "make_minkowski_samples FOLDER\n");
-    return 2;
-  }
-  try {
-    const std::filesystem::path folder = argv[1];
-    const App app = loadApp();
+  return samples::run(argc, argv, [](const App& app, const std::filesystem::path& folder) {
     saveDocument(triangleToStar(app), folder / "triangle-to-star.blossom");
     saveDocument(phiToFlower(app), folder / "phi-to-flower.blossom");
     saveDocument(cutterRoom(app), folder / "cutter-room.blossom");
-  } catch (const Error& error) {
-    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
-    return 1;
-  }
-  return 0;
+  });
 }

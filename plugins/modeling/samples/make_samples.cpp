@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
-#include <filesystem>
 #include <map>
 
-#include "app/app.h"
-#include "core/error.h"
 #include "kernel/placement.h"
 #include "kernel/shape_parts.h"
+#include "plugins/sample_maker.h"
 
 namespace {
 
@@ -121,20 +117,10 @@ Document keyTag(const App& app) {
 
 /// make_modeling_samples FOLDER: writes the sample documents of ordinary CAD.
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "make_modeling_samples FOLDER\n");
-    return 2;
-  }
-  try {
-    const std::filesystem::path folder = argv[1];
-    const App app = loadApp();
+  return samples::run(argc, argv, [](const App& app, const std::filesystem::path& folder) {
     saveDocument(bracket(app), folder / "bracket.blossom");
     saveDocument(flange(app), folder / "flange.blossom");
     saveDocument(duct(app), folder / "duct.blossom");
     saveDocument(keyTag(app), folder / "key-tag.blossom");
-  } catch (const Error& error) {
-    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
 #include <array>
-#include <filesystem>
 #include <vector>
-
-#include "app/app.h"
-#include "core/error.h"
-#include "document/storage.h"
+#include "plugins/sample_maker.h"
 
 namespace {
 
@@ -57,18 +51,8 @@ Document sticker(const App& app) {
 
 /// make_offset_samples FOLDER: writes the sample documents of offsets and medial axes.
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "make_offset_samples FOLDER\n");
-    return 2;
-  }
-  try {
-    const std::filesystem::path folder = argv[1];
-    const App app = loadApp();
+  return samples::run(argc, argv, [](const App& app, const std::filesystem::path& folder) {
     saveDocument(freeFormPocket(app), folder / "free-form-pocket.blossom");
     saveDocument(sticker(app), folder / "sticker.blossom");
-  } catch (const Error& error) {
-    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,27 +1,9 @@
-#include <fmt/format.h>
-
-#include <filesystem>
-
-#include "app/app.h"
-#include "core/error.h"
-#include "document/storage.h"
+#include "plugins/sample_maker.h"
 
 namespace {
 
 using namespace blossom;
-
-FeatureId add(const App& app, Document& document, const char* command, const char* name, Value parameters,
-              const std::vector<FeatureId>& inputs = {}) {
-  const auto type = app.registry->at(command);
-  for (const FeatureId& input : inputs) {
-    Feature hidden = document.at(input);
-    hidden.visible = false;
-    document = document.with(std::move(hidden));
-  }
-  Feature feature{document.freshId(command), type->id, name, std::move(parameters), inputs, true, false, Value::object()};
-  document = document.with(feature);
-  return feature.id;
-}
+using samples::add;
 
 /// A rounded cover with bosses that stay: ramps, even depths, a finishing pass along the walls.
 Document cover(const App& app) {
@@ -52,18 +34,8 @@ Document sign(const App& app) {
 
 /// make_pocket_program_samples FOLDER: writes the sample documents of pockets.
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "make_pocket_program_samples FOLDER\n");
-    return 2;
-  }
-  try {
-    const std::filesystem::path folder = argv[1];
-    const App app = loadApp();
+  return samples::run(argc, argv, [](const App& app, const std::filesystem::path& folder) {
     saveDocument(cover(app), folder / "pocket-cover.blossom");
     saveDocument(sign(app), folder / "pocket-sign.blossom");
-  } catch (const Error& error) {
-    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,16 +1,12 @@
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
 
-#include "app/app.h"
-#include "core/error.h"
-#include "document/storage.h"
 #include "exchange/format.h"
 #include "kernel/subdivide.h"
+#include "plugins/sample_maker.h"
 
 namespace {
 
@@ -171,22 +167,13 @@ Document crown(const App& app, const fs::path& scratch) {
 
 /// make_subdivision_samples FOLDER: writes the sample documents of subdivision.
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "make_subdivision_samples FOLDER\n");
-    return 2;
-  }
-  try {
-    const fs::path folder = argv[1], scratch = fs::temp_directory_path() / "blossom-subdivision-samples";
+  return samples::run(argc, argv, [](const App& app, const std::filesystem::path& folder) {
+    const fs::path scratch = fs::temp_directory_path() / "blossom-subdivision-samples";
     fs::create_directories(scratch);
-    const App app = loadApp();
     saveDocument(pulledCurve(app, scratch), folder / "pulled-curve.blossom");
     saveDocument(pulledSurface(app, scratch), folder / "pulled-surface.blossom");
     saveDocument(handMouse(app, scratch), folder / "hand-mouse.blossom");
     saveDocument(crown(app, scratch), folder / "crown.blossom");
     fs::remove_all(scratch);
-  } catch (const Error& error) {
-    fmt::print(stderr, "{} {}\n", error.message(), error.hint());
-    return 1;
-  }
-  return 0;
+  });
 }

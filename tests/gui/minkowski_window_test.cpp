@@ -1,7 +1,6 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QMimeData>
 #include <QSlider>
 #include <QToolButton>
@@ -10,7 +9,6 @@
 #include "document/storage.h"
 #include "exchange/format.h"
 #include "geometry/planar.h"
-#include "ui/files/export_dialog.h"
 #include "ui/timeline/playback.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
@@ -64,7 +62,6 @@ class MinkowskiWindowTest : public WindowFixture {
   void morphBoth();
   void takePictures(const std::string& name, int frame);
   void drag(const Vec3& from, const Vec3& to);
-  void exportAs(const char* format, bool animated, const QString& file);
   [[nodiscard]] Vec2 offsetOf(std::size_t shape) const;
   [[nodiscard]] double exportedArea(const QString& file) const;
   [[nodiscard]] Playback& playback() const { return window_->page().playback(); }
@@ -133,31 +130,6 @@ void MinkowskiWindowTest::drag(const Vec3& from, const Vec3& to) {
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, end);
 }
 
-/// The dialogs of File > Export, answered.
-void MinkowskiWindowTest::exportAs(const char* format, bool animated, const QString& file) {
-  const QString saidBefore = window_->errors().message();
-  run("file.export");
-  auto* const dialog = window_->findChild<ExportDialog*>();
-  QVERIFY(dialog);
-  dialog->choose(QLatin1String(format));
-  QCOMPARE(dialog->format().id, std::string(format));
-  for (auto* field : dialog->findChildren<ParameterField*>())
-    if (field->spec().name == "animate") field->setValue(Value(animated));
-  QTimer answering;
-  connect(&answering, &QTimer::timeout, &answering, [&] {
-    auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (!chooser) return;
-    answering.stop();
-    auto* name = chooser->findChild<QLineEdit*>();
-    name->setText(file);
-    QTest::keyClick(name, Qt::Key_Return);
-  });
-  answering.start(20);
-  dialog->accept();
-  waitUntilComputed();
-  QCOMPARE(window_->errors().message(), saidBefore);
-}
-
 Vec2 MinkowskiWindowTest::offsetOf(std::size_t shape) const {
   const Value offsets = window_->page().document().at(morph_).parameters.value("offsets", Value::array());
   if (shape >= offsets.size()) return Vec2::Zero();
@@ -192,7 +164,7 @@ void MinkowskiWindowTest::framesAndAnimatedDrawingsAreExported() {
   window_->tree().select(morph_);
   for (const char* format : {"svg", "dxf"}) {
     const QString extension = QLatin1String(format);
-    exportAs(format, false, path("walk.") + extension);
+    exportAs(format, path("walk.") + extension, {{"animate", false}});
     for (int k = 0; k < frameCount; ++k) {
       const QString file = path("walk-") + QStringLiteral("%1.").arg(k + 1, 4, 10, QLatin1Char('0')) + extension;
       QVERIFY2(QFile::exists(file), qPrintable(file));
@@ -200,7 +172,7 @@ void MinkowskiWindowTest::framesAndAnimatedDrawingsAreExported() {
     }
     QVERIFY(!QFile::exists(path("walk-0014.") + extension));
   }
-  exportAs("svg", true, path("playing.svg"));
+  exportAs("svg", path("playing.svg"), {{"animate", true}});
   QFile svg(path("playing.svg"));
   QVERIFY(svg.open(QIODevice::ReadOnly));
   QCOMPARE(QString::fromUtf8(svg.readAll()).count(QStringLiteral("<animate ")), qsizetype(frameCount));

@@ -1,7 +1,6 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QMimeData>
 #include <algorithm>
 #include <array>
@@ -10,7 +9,6 @@
 #include "exchange/format.h"
 #include "geometry/planar.h"
 #include "support/true_distance.h"
-#include "ui/files/export_dialog.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
@@ -50,7 +48,6 @@ class OffsetWindowTest : public WindowFixture {
   [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   void drop(const QString& file);
   void importDrawing();
-  void exportAs(const char* format, const QString& file);
   void takePictures();
   FeatureId part_;
 };
@@ -79,28 +76,6 @@ void OffsetWindowTest::importDrawing() {
   QTRY_COMPARE(window_->page().document().features().size(), std::size_t{1});
   waitUntilComputed();
   part_ = last();
-}
-
-/// The dialogs of File > Export, answered.
-void OffsetWindowTest::exportAs(const char* format, const QString& file) {
-  run("file.export");
-  auto* const dialog = window_->findChild<ExportDialog*>();
-  QVERIFY(dialog);
-  dialog->choose(QLatin1String(format));
-  QCOMPARE(dialog->format().id, std::string(format));
-  QTimer answering;
-  connect(&answering, &QTimer::timeout, &answering, [&] {
-    auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (!chooser) return;
-    answering.stop();
-    auto* name = chooser->findChild<QLineEdit*>();
-    name->setText(file);
-    QTest::keyClick(name, Qt::Key_Return);
-  });
-  answering.start(20);
-  dialog->accept();
-  waitUntilComputed();
-  QVERIFY2(window_->errors().isHidden(), qPrintable(window_->errors().message()));
 }
 
 void OffsetWindowTest::takePictures() {

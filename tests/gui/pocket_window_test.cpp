@@ -1,7 +1,6 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QMimeData>
 
 #include "exchange/format.h"
@@ -9,7 +8,6 @@
 #include "pocket/kernel/simulate.h"
 #include "support/planar_parts.h"
 #include "support/rs274.h"
-#include "ui/files/export_dialog.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
@@ -41,7 +39,6 @@ class PocketWindowTest : public WindowFixture {
   [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   void drop(const QString& file);
   void pocketTheDrawing();
-  void exportTo(const QString& file);
   void takePictures(const std::string& name);
   [[nodiscard]] Toolpath toolpath(const FeatureId& id) const {
     return *window_->session().view(id)->result->evaluated.shape.get<Toolpath>();
@@ -87,35 +84,13 @@ void PocketWindowTest::pocketTheDrawing() {
   QVERIFY2(!view->result->error, view->result->error ? view->result->error->what() : "");
 }
 
-/// The dialogs of File > Export, answered.
-void PocketWindowTest::exportTo(const QString& file) {
-  run("file.export");
-  auto* const dialog = window_->findChild<ExportDialog*>();
-  QVERIFY(dialog);
-  dialog->choose(QStringLiteral("gcode"));
-  QCOMPARE(dialog->format().id, std::string("gcode"));
-  QTimer answering;
-  connect(&answering, &QTimer::timeout, &answering, [&] {
-    auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (!chooser) return;
-    answering.stop();
-    auto* name = chooser->findChild<QLineEdit*>();
-    name->setText(file);
-    QTest::keyClick(name, Qt::Key_Return);
-  });
-  answering.start(20);
-  dialog->accept();
-  waitUntilComputed();
-  QVERIFY2(window_->errors().isHidden(), qPrintable(window_->errors().message()));
-}
-
 void PocketWindowTest::aPocketProgramIsSaved() {
   QCOMPARE(measureOf(pocket_, "passes"), 2.0);
   QCOMPARE(measureOf(pocket_, "residue_mm2"), 0.0);
   QVERIFY(measureOf(pocket_, "gouge_mm") < 0.005);
   QVERIFY(measureOf(pocket_, "length_mm") > 1000);
   window_->tree().select(pocket_);
-  exportTo(path("cover.ngc"));
+  exportAs("gcode", path("cover.ngc"));
   QVERIFY(QFile::exists(path("cover.ngc")));
   if (!test::haveInterpreter()) QSKIP("LinuxCNC's interpreter rs274 is not installed");
   const test::Interpreted run = test::interpret(path("cover.ngc").toStdString());
@@ -130,7 +105,7 @@ void PocketWindowTest::aPocketProgramIsSaved() {
 
 void PocketWindowTest::theSavedProgramIsSimulated() {
   window_->tree().select(pocket_);
-  exportTo(path("again.ngc"));
+  exportAs("gcode", path("again.ngc"));
   drop(path("again.ngc"));
   QTRY_COMPARE(window_->page().document().features().size(), std::size_t{3});
   waitUntilComputed();

@@ -2,7 +2,6 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
-#include <QFileDialog>
 #include <QMouseEvent>
 #include <QPointer>
 #include <algorithm>
@@ -14,7 +13,6 @@
 #include "subdivision/kernel/limit_surface.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"
-#include "ui/files/export_dialog.h"
 #include "ui/tool.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
@@ -73,7 +71,6 @@ class SubdivisionWindowTest : public WindowFixture {
   void openCage(const Mesh& cage, const char* name);
   void choose(const char* parameter, const char* value);
   void drawStroke();
-  void exportAs(const char* format, const QString& file);
   [[nodiscard]] Shape saved(const QString& file) const {
     return readShape(*window_->session().app().formats, file.toStdString()).shape;
   }
@@ -144,29 +141,6 @@ void SubdivisionWindowTest::drawStroke() {
   QTest::keyClick(&window_->view(), Qt::Key_Return);
   QTRY_VERIFY(!window_->page().toolStarted());
   waitUntilComputed();
-}
-
-void SubdivisionWindowTest::exportAs(const char* format, const QString& file) {
-  run("file.export");
-  const QPointer<ExportDialog> dialog = window_->findChild<ExportDialog*>();
-  QVERIFY(dialog);
-  dialog->choose(QLatin1String(format));
-  QCOMPARE(dialog->format().id, std::string(format));
-  QTimer answering;
-  connect(&answering, &QTimer::timeout, &answering, [&] {
-    auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (!chooser) return;
-    answering.stop();
-    auto* name = chooser->findChild<QLineEdit*>();
-    name->setText(file);
-    QTest::keyClick(name, Qt::Key_Return);
-  });
-  answering.start(20);
-  dialog->accept();
-  waitUntilComputed();
-  QVERIFY2(window_->errors().isHidden(), qPrintable(window_->errors().message()));
-  QVERIFY(QFile::exists(file));
-  QTRY_VERIFY(!dialog);  // the next one is found by its type
 }
 
 /// Kept where BLOSSOM_PICTURES says, to be looked at.

@@ -1,7 +1,9 @@
 #pragma once
 #include <QApplication>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPointer>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -11,6 +13,7 @@
 
 #include "app/app.h"
 #include "support/support.h"
+#include "ui/files/export_dialog.h"
 #include "ui/look/theme.h"
 #include "ui/panel/error_bar.h"
 #include "ui/panel/parameter_field.h"
@@ -126,6 +129,32 @@ class WindowFixture : public QObject {
       asked = question != nullptr;
       if (question) question->button(button)->click();
     });
+  }
+
+  /// The dialogs of File > Export, answered; `options` are set where the format has fields of these names.
+  void exportAs(const char* format, const QString& file, const Value& options = Value::object()) {
+    const QString saidBefore = window_->errors().message();
+    run("file.export");
+    const QPointer<ExportDialog> dialog = window_->findChild<ExportDialog*>();
+    QVERIFY(dialog);
+    dialog->choose(QLatin1String(format));
+    QCOMPARE(dialog->format().id, std::string(format));
+    for (auto* field : dialog->findChildren<ParameterField*>())
+      if (options.contains(field->spec().name)) field->setValue(options.at(field->spec().name));
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, &answering, [&] {
+      auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (!chooser) return;
+      answering.stop();
+      auto* name = chooser->findChild<QLineEdit*>();
+      name->setText(file);
+      QTest::keyClick(name, Qt::Key_Return);
+    });
+    answering.start(20);
+    dialog->accept();
+    waitUntilComputed();
+    QCOMPARE(window_->errors().message(), saidBefore);
+    QTRY_VERIFY(!dialog);  // the next one is found by its type
   }
 
   /// The view, once its edges are smooth.

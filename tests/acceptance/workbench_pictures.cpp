@@ -78,18 +78,10 @@ class Pictures {
     settle();
   }
   /// Where the first face from above is seen, and one below it.
-  std::vector<QPointF> twoFaces() {
-    std::vector<QPointF> places;
-    int first = -1;
+  /// On the walls of the two holes for bolts.
+  std::vector<QPointF> boltHoles() {
     const ViewWidget& view = window_->view();
-    for (int y = 20; y < view.height() && places.size() < 2; y += 12) {
-      const QPointF at(view.width() * 0.47, y);
-      const Pick pick = view.pickAt(at, PickMode::Face);
-      if (pick.feature.empty() || pick.part.index == first) continue;
-      first = pick.part.index;
-      places.push_back(at + QPointF(0, 12));
-    }
-    return places;
+    return {view.camera().project({16, 20.3, 6.5}), view.camera().project({64, 20.3, 6.5})};
   }
   void clickAt(const QPointF& at) {
     for (const QEvent::Type type : {QEvent::MouseMove, QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
@@ -145,7 +137,7 @@ class Pictures {
   void measure() {
     openSample("bracket.blossom");
     run("view.measure");
-    for (const QPointF& at : twoFaces()) clickAt(at);
+    for (const QPointF& at : boltHoles()) clickAt(at);
     save(*window_, "measure");
   }
   void preferences() {

@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/app.h"
 #include "ui/files/recent_files.h"
@@ -33,14 +34,23 @@ QLabel* label(const QString& text, const char* name) {
   return made;
 }
 
-// "name: sentence" in every line.
-QHash<QString, QString> sampleDescriptions() {
-  QHash<QString, QString> words;
+struct SampleWords {
+  QString name, sentence;
+};
+
+// "name: sentence" in every line; the samples are shown in this order.
+QList<SampleWords> sampleDescriptions() {
+  QList<SampleWords> words;
   QFile file(qt((resourceFolder() / "samples" / "descriptions.txt").string()));
   if (!file.open(QIODevice::ReadOnly)) return words;
   for (const QString& line : QString::fromUtf8(file.readAll()).split(u'\n'))
-    words.insert(line.section(u':', 0, 0).trimmed(), line.section(u':', 1).trimmed());
+    words.append({line.section(u':', 0, 0).trimmed(), line.section(u':', 1).trimmed()});
   return words;
+}
+
+auto wordsOf(const QList<SampleWords>& all, const QString& file) {
+  const QString name = QFileInfo(file).completeBaseName();
+  return std::find_if(all.begin(), all.end(), [&](const SampleWords& words) { return words.name == name; });
 }
 
 QPushButton* button(const QString& text, const char* iconName) {
@@ -61,6 +71,9 @@ QStringList sampleFiles() {
         info.suffix() == QLatin1String("json") && folder.exists(info.completeBaseName() + QStringLiteral(".blossom"));
     if (!twice) files << info.absoluteFilePath();
   }
+  const QList<SampleWords> order = sampleDescriptions();
+  std::stable_sort(files.begin(), files.end(),
+                   [&](const QString& a, const QString& b) { return wordsOf(order, a) < wordsOf(order, b); });
   return files;
 }
 
@@ -136,10 +149,11 @@ QLayout* StartPage::headings() {
 }
 
 void StartPage::fillSamples() {
-  const QHash<QString, QString> words = sampleDescriptions();
+  const QList<SampleWords> all = sampleDescriptions();
   std::vector<Tile*> tiles;
   for (const QString& file : sampleFiles()) {
-    auto* tile = new Tile(file, readableFileName(file), words.value(QFileInfo(file).completeBaseName()));
+    const auto words = wordsOf(all, file);
+    auto* tile = new Tile(file, readableFileName(file), words == all.end() ? QString() : words->sentence);
     connect(tile, &QPushButton::clicked, this, [this, file] { emit fileChosen(file); });
     tiles.push_back(tile);
   }

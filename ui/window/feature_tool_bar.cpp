@@ -23,6 +23,8 @@ QToolButton* toolButton(QWidget* parent) {
   return button;
 }
 
+bool looksLike(const QIcon& a, const QIcon& b) { return a.pixmap(20, 20).toImage() == b.pixmap(20, 20).toImage(); }
+
 int widthOf(const QWidget* button) { return button->sizeHint().width() + gap; }
 
 }  // namespace
@@ -38,6 +40,9 @@ FeatureToolBar::FeatureToolBar(const FeatureMenus& menus, QWidget* parent) : QWi
     group.rest = toolButton(this);
     group.rest->setObjectName(QStringLiteral("featureGroup"));
     group.own = icon(source.icon);
+    const auto twin = std::find_if(source.actions.begin(), source.actions.end(),
+                                   [&](const QAction* action) { return looksLike(action->icon(), group.own); });
+    group.twin = static_cast<std::size_t>(twin - source.actions.begin());
     group.rest->setIcon(group.own);
     group.rest->setText(source.title + QStringLiteral(" ▾"));
     group.rest->setToolTip(tr("Everything of %1").arg(source.title));
@@ -114,8 +119,8 @@ void FeatureToolBar::place(Group& group, int& x) {
   for (std::size_t i = 0; i < group.buttons.size(); ++i) put(group.buttons[i], i < group.shown);
   const bool more = group.shown < group.buttons.size();
   put(group.rest, more);
-  // Not the picture of the button beside it.
-  const QIcon wanted = more && group.shown > 0 ? group.buttons[group.shown]->defaultAction()->icon() : group.own;
+  // Not the picture of a button beside it.
+  const QIcon wanted = more && group.twin < group.shown ? group.buttons[group.shown]->defaultAction()->icon() : group.own;
   if (group.rest->icon().cacheKey() != wanted.cacheKey()) group.rest->setIcon(wanted);
 }
 

@@ -31,7 +31,8 @@ class FeatureToolBar : public QWidget {
   struct Group {
     std::vector<QToolButton*> buttons;
     QToolButton* rest = nullptr;  ///< opens the menu of the whole group
-    QIcon own;                    ///< of the group, which stands for it as long as none of its buttons is shown
+    QIcon own;                    ///< of the group
+    std::size_t twin = 0;         ///< the button that has the same one; the number of buttons: none
     QFrame* line = nullptr;
     std::size_t shown = 0;
   };

@@ -158,10 +158,11 @@ std::vector<vtkSmartPointer<vtkProp>> RadiusTool::props() const {
   const Color& color = hovered_ ? look.made : look.control;
   const double pixel = host().pixelRatio();
   const QString length = QString::fromStdString(formatLength(radius_, host().lengthUnit()));
-  return {ui::linesProp({{*top_, handle()}}, color, 1.25 * pixel), ui::pointsProp({*top_}, look.control, ringPixels * pixel),
-          ui::pointsProp({handle()}, color, (hovered_ ? 2.4 : 2) * ringPixels * pixel),
-          ui::labelProp(length, handle(),
-                        {qtColor(color, 1), qtColor(look.backgroundBottom, 0.85), qtColor(color, 0.5), pixel})};
+  const Vec3 above = handle().z() > top_->z() ? handle() : *top_;  // beside the line, not on it
+  return {
+      ui::linesProp({{*top_, handle()}}, color, 1.25 * pixel), ui::pointsProp({*top_}, look.control, ringPixels * pixel),
+      ui::pointsProp({handle()}, color, (hovered_ ? 2.4 : 2) * ringPixels * pixel),
+      ui::labelProp(length, above, {qtColor(color, 1), qtColor(look.backgroundBottom, 0.85), qtColor(color, 0.5), pixel})};
 }
 
 }  // namespace blossom::morphology

@@ -1,4 +1,4 @@
-#include "plugins/sample_maker.h"
+#include "app/sample_maker.h"
 
 namespace {
 

@@ -2,9 +2,9 @@
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <map>
 
+#include "app/sample_maker.h"
 #include "kernel/placement.h"
 #include "kernel/shape_parts.h"
-#include "plugins/sample_maker.h"
 
 namespace {
 

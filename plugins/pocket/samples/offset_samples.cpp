@@ -1,6 +1,6 @@
 #include <array>
 #include <vector>
-#include "plugins/sample_maker.h"
+#include "app/sample_maker.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <numbers>
 
+#include "app/sample_maker.h"
 #include "exchange/format.h"
 #include "kernel/subdivide.h"
-#include "plugins/sample_maker.h"
 
 namespace {
 

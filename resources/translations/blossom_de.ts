@@ -413,6 +413,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::morphology::RadiusTool</name>
+    <message>
+        <source>Drag the radius</source>
+        <translation>Radius ziehen</translation>
+    </message>
+    <message>
+        <source>The radius is %1 · Ctrl: no steps · Esc takes it back</source>
+        <translation>Der Radius ist %1 · Strg: ohne Stufen · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag up or down to change the radius of %1</source>
+        <translation>Nach oben oder unten ziehen ändert den Radius von %1</translation>
+    </message>
+    <message>
+        <source>Drag the handle to change the radius</source>
+        <translation>Am Griff ziehen ändert den Radius</translation>
+    </message>
+</context>
+<context>
     <name>blossom::subdivision::PullTool</name>
     <message>
         <source>Pull a point</source>
@@ -472,25 +491,6 @@
     <message>
         <source>Esc leaves</source>
         <translation>Esc verlässt</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::morphology::RadiusTool</name>
-    <message>
-        <source>Drag the radius</source>
-        <translation>Radius ziehen</translation>
-    </message>
-    <message>
-        <source>The radius is %1 · Ctrl: no steps · Esc takes it back</source>
-        <translation>Der Radius ist %1 · Strg: ohne Stufen · Esc nimmt es zurück</translation>
-    </message>
-    <message>
-        <source>Drag up or down to change the radius of %1</source>
-        <translation>Nach oben oder unten ziehen ändert den Radius von %1</translation>
-    </message>
-    <message>
-        <source>Drag the handle to change the radius</source>
-        <translation>Am Griff ziehen ändert den Radius</translation>
     </message>
 </context>
 <context>
@@ -2167,6 +2167,17 @@ Seitwärts ziehen ändert ihn.</translation>
     </message>
 </context>
 <context>
+    <name>blossom::ui::Painter</name>
+    <message>
+        <source>The graphics driver offers no OpenGL, which the view needs.</source>
+        <translation>Der Grafiktreiber bietet kein OpenGL an, das die Ansicht braucht.</translation>
+    </message>
+    <message>
+        <source>The graphics driver has no OpenGL 3.2, which the view needs.</source>
+        <translation>Der Grafiktreiber hat kein OpenGL 3.2, das die Ansicht braucht.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::ParameterField</name>
     <message>
         <source>%1 of %2</source>
@@ -3093,10 +3104,6 @@ Seitwärts ziehen ändert ihn.</translation>
 </context>
 <context>
     <name>blossom::ui::ViewWidget</name>
-    <message>
-        <source>The graphics driver has no OpenGL 3.2, which the view needs.</source>
-        <translation>Der Grafiktreiber hat kein OpenGL 3.2, das die Ansicht braucht.</translation>
-    </message>
     <message>
         <source>Orbiting</source>
         <translation>Drehen</translation>

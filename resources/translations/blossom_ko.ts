@@ -413,6 +413,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::morphology::RadiusTool</name>
+    <message>
+        <source>Drag the radius</source>
+        <translation>반지름 끌기</translation>
+    </message>
+    <message>
+        <source>The radius is %1 · Ctrl: no steps · Esc takes it back</source>
+        <translation>반지름 %1 · Ctrl: 단계 없이 · Esc: 되돌리기</translation>
+    </message>
+    <message>
+        <source>Drag up or down to change the radius of %1</source>
+        <translation>위아래로 끌어 반지름 %1 바꾸기</translation>
+    </message>
+    <message>
+        <source>Drag the handle to change the radius</source>
+        <translation>손잡이를 끌어 반지름 바꾸기</translation>
+    </message>
+</context>
+<context>
     <name>blossom::subdivision::PullTool</name>
     <message>
         <source>Pull a point</source>
@@ -472,25 +491,6 @@
     <message>
         <source>Esc leaves</source>
         <translation>Esc로 나가기</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::morphology::RadiusTool</name>
-    <message>
-        <source>Drag the radius</source>
-        <translation>반지름 끌기</translation>
-    </message>
-    <message>
-        <source>The radius is %1 · Ctrl: no steps · Esc takes it back</source>
-        <translation>반지름 %1 · Ctrl: 단계 없이 · Esc: 되돌리기</translation>
-    </message>
-    <message>
-        <source>Drag up or down to change the radius of %1</source>
-        <translation>위아래로 끌어 반지름 %1 바꾸기</translation>
-    </message>
-    <message>
-        <source>Drag the handle to change the radius</source>
-        <translation>손잡이를 끌어 반지름 바꾸기</translation>
     </message>
 </context>
 <context>
@@ -2167,6 +2167,17 @@ Drag sideways to change it.</source>
     </message>
 </context>
 <context>
+    <name>blossom::ui::Painter</name>
+    <message>
+        <source>The graphics driver offers no OpenGL, which the view needs.</source>
+        <translation>그래픽 드라이버가 보기에 필요한 OpenGL을 제공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The graphics driver has no OpenGL 3.2, which the view needs.</source>
+        <translation>그래픽 드라이버에 보기에 필요한 OpenGL 3.2가 없습니다.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::ParameterField</name>
     <message>
         <source>%1 of %2</source>
@@ -3093,10 +3104,6 @@ Drag sideways to change it.</source>
 </context>
 <context>
     <name>blossom::ui::ViewWidget</name>
-    <message>
-        <source>The graphics driver has no OpenGL 3.2, which the view needs.</source>
-        <translation>그래픽 드라이버에 보기에 필요한 OpenGL 3.2가 없습니다.</translation>
-    </message>
     <message>
         <source>Orbiting</source>
         <translation>회전</translation>

@@ -6,18 +6,11 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
-#include <QCoreApplication>
 #include <QOpenGLExtraFunctions>
 
 #include "scene/scene.h"
 
 namespace blossom::ui {
-
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("blossom::ui::Painter", text); }
-
-}  // namespace
 
 std::shared_ptr<Painter> Painter::shared() {
   static std::weak_ptr<Painter> held;

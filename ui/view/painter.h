@@ -1,6 +1,7 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QSize>
@@ -19,6 +20,7 @@ namespace blossom::ui {
 /// with a QOpenGLWidget in it, Qt has OpenGL put the whole window together again whenever a single letter of it changes,
 /// which takes 30 to 50 ms where OpenGL is software.
 class Painter {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::Painter)
  public:
   /// The same for all who hold it at the same time.
   static std::shared_ptr<Painter> shared();

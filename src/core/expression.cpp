@@ -45,16 +45,15 @@ class Parser {
     const Dimensioned value = sum();
     blanks();
     if (!atEnd()) unexpected();
-    return asWanted(value);
+    return checkedAt(0, asWanted(value)).value;
   }
 
  private:
   // What is written "10" may stand for 10 mm: only dimensions that cannot be meant are refused.
-  double asWanted(const Dimensioned& value) const {
+  Dimensioned asWanted(const Dimensioned& value) const {
     const bool length = value.is(1, 0), angle = value.is(0, 1);
-    if (wanted_ == Quantity::Length && value.plain()) return checkedAt(0, {value.value * unit_.millimetres}).value;
-    if (value.plain() || (wanted_ == Quantity::Length && length) || (wanted_ == Quantity::Angle && angle))
-      return value.value;
+    if (wanted_ == Quantity::Length && value.plain()) return {value.value * unit_.millimetres};
+    if (value.plain() || (wanted_ == Quantity::Length && length) || (wanted_ == Quantity::Angle && angle)) return value;
     fail(0, fmt::format("it comes to {}", length           ? "a length"
                                           : angle          ? "an angle"
                                           : value.is(2, 0) ? "an area"
@@ -137,7 +136,7 @@ class Parser {
       const double inches = number();
       const auto unit = takeUnit();
       if (unit && unit->value == millimetresPerInch)
-        return feet.with(feet.value + std::copysign(inches * unit->value, feet.value));
+        return checkedAt(back, feet.with(feet.value + std::copysign(inches * unit->value, feet.value)));
     }
     at_ = back;
     return feet;

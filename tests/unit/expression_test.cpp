@@ -228,6 +228,7 @@ class ExpressionTest : public QObject {
         {"sqrt 2", "\"sqrt 2\" is not a length: sqrt needs its value in parentheses (character 6)."},
         {"sqrt(-1)", "\"sqrt(-1)\" is not a length: this has no value (character 1)."},
         {"10^400", "\"10^400\" is not a length: this is too large (character 1)."},
+        {"1e305'9e306\"", "\"1e305'9e306\"\" is not a length: this is too large (character 7)."},
         {"1e300*1e300", "\"1e300*1e300\" is not a length: this is too large (character 6)."},
         {"hypot(1)", "\"hypot(1)\" is not a length: hypot takes 2 values (character 1)."},
         {"", "\"\" is not a length: nothing is written (character 1)."},

@@ -5,6 +5,7 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <memory>
@@ -87,8 +88,10 @@ class Combiner {
     return solids_ ? finishedSolid(together(parts), complaint()) : finishedSheet(together(parts), complaint());
   }
 
+  /// Of a copy: joining, and the mending after it, change edges that the given shape shares even where they fail.
   [[nodiscard]] TopoDS_Shape simplified(const TopoDS_Shape& shape) const {
-    ShapeUpgrade_UnifySameDomain unify(shape, Standard_True, Standard_True, Standard_False);
+    const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape).Shape();
+    ShapeUpgrade_UnifySameDomain unify(copy, Standard_True, Standard_True, Standard_False);
     unify.Build();
     return unify.Shape();
   }

@@ -3,12 +3,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "core/error.h"
 
 namespace blossom::subdivision {
 namespace {
+
+/// A foot found by iteration misses a corner of its patch by rounding; weights that exist only for that do not count.
+constexpr double negligible = 1e-12;
 
 /// Index of the point that is farthest by `distance`.
 template <class Distance>
@@ -59,7 +63,9 @@ double reach(std::span<const Vec3> points) {
 
 std::vector<int> supportOf(std::span<const Row> rows) {
   std::vector<int> list;
-  for (const Row& row : rows) list.insert(list.end(), row.indices.begin(), row.indices.end());
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < row.indices.size(); ++k)
+      if (std::abs(row.weights[k]) > negligible) list.push_back(row.indices[k]);
   return sortedOnce(std::move(list));
 }
 

@@ -12,7 +12,7 @@ struct FreeRule {
   int rings = 0;       ///< the support grown by so many rings of neighbours, shrunk when below 0
 };
 
-/// The control points that the rows touch. Sorted.
+/// The control points that the rows touch with more than rounding. Sorted.
 std::vector<int> supportOf(std::span<const Row> rows);
 
 /// Grown by `rings` rings of neighbours in the cage, or shrunk by as many rings from its rim. Sorted.

@@ -1,9 +1,9 @@
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 
 #include "exchange/format.h"
 #include "geometry/planar.h"
+#include "support/command_line.h"
 #include "support/modeling.h"
 
 using namespace blossom;
@@ -12,14 +12,7 @@ using std::numbers::pi;
 
 namespace {
 
-struct Answer {
-  int code = -1;
-  Value json;
-  [[nodiscard]] double result(const char* name) const { return json["result"][name].get<double>(); }
-  [[nodiscard]] int sums() const { return json["stats"]["sums"].get<int>(); }
-  [[nodiscard]] std::string message() const { return json["error"]["message"].get<std::string>(); }
-  [[nodiscard]] std::string hint() const { return json["error"].value("hint", ""); }
-};
+int sums(const Answer& answer) { return answer.json["stats"]["sums"].get<int>(); }
 
 double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
 
@@ -35,7 +28,7 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(sum.code, 0);
     COMPARE_NEAR(sum.result("area"), 45 * 16, 1e-9);
     QCOMPARE(sum.json["feature"], Value("minkowski.minkowski-sum"));
-    QCOMPARE(sum.sums(), 1);
+    QCOMPARE(sums(sum), 1);
     const Answer room = blossom({"minkowski-difference", "rectangle:40:30", "rectangle:10:10", "-o", "room.dxf"});
     COMPARE_NEAR(room.result("area"), 30 * 20, 1e-9);
     const Answer rounded = blossom({"minkowski-sum", "rectangle:40:10", "circle:2", "--tolerance", "1e-4"});
@@ -52,19 +45,19 @@ class MinkowskiCliTest : public QObject {
       QVERIFY(first.result("arcs") >= 1 && first.result("lines") == 0);
       COMPARE_NEAR(last.result("area"), 28 * 12 + 36 * pi, 1e-9);
       QCOMPARE(last.result("arcs"), 2.0);
-      QCOMPARE(first.sums() + last.sums(), 0);
+      QCOMPARE(sums(first) + sums(last), 0);
     }
   }
 
   void tableOneIsPrinted() {
     const QStringList three{"morph", "star:3:20:8", "star:4:22:7", "star:5:24:9", "--frames", "7", "--evaluation"};
     // Five of seven frames lie between the ends; n = 2.
-    QCOMPARE(blossom(three + QStringList{"recursive"}).sums(), 3 * 5);
-    QCOMPARE(blossom(three + QStringList{"bottom-up"}).sums(), 3 * 5);
-    QCOMPARE(blossom(three + QStringList{"explicit"}).sums(), 2 * 5 + 1);
+    QCOMPARE(sums(blossom(three + QStringList{"recursive"})), 3 * 5);
+    QCOMPARE(sums(blossom(three + QStringList{"bottom-up"})), 3 * 5);
+    QCOMPARE(sums(blossom(three + QStringList{"explicit"})), 2 * 5 + 1);
     const Answer convex =
         blossom({"morph", "star:3:20:8", "circle:9", "star:5:24:9", "--frames", "7", "--evaluation", "convex"});
-    QCOMPARE(convex.sums(), 2 * 5);
+    QCOMPARE(sums(convex), 2 * 5);
     QCOMPARE(convex.json["result"]["frames"], Value(7));
   }
 
@@ -153,16 +146,9 @@ class MinkowskiCliTest : public QObject {
   }
 
  private:
-  static QString program() { return QString::fromStdString((buildFolder() / "bin/blossom").string()); }
   static QString samplePath(const char* name) { return QString::fromStdString(sample(name).string()); }
 
-  Answer blossom(QStringList arguments) {
-    QProcess process;
-    process.setWorkingDirectory(folder_.path());
-    process.start(program(), arguments << "--json");
-    if (!process.waitForFinished(120000)) return {};
-    return {process.exitCode(), Value::parse(process.readAllStandardOutput().toStdString(), nullptr, false)};
-  }
+  Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }
 
   QTemporaryDir folder_;
 };

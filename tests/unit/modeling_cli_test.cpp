@@ -1,20 +1,11 @@
-#include <QProcess>
 #include <QTemporaryDir>
 
+#include "support/command_line.h"
 #include "support/modeling.h"
 
 using namespace blossom;
 using namespace blossom::test;
 using std::numbers::pi;
-
-namespace {
-
-struct Ran {
-  int code = -1;
-  Value json;
-};
-
-}  // namespace
 
 /// Ordinary CAD through the real command line.
 class ModelingCliTest : public QObject {
@@ -24,11 +15,11 @@ class ModelingCliTest : public QObject {
   void aDrilledRoundedPlate() {
     COMPARE_NEAR(volumeOf({"box", "--width", "60", "--depth", "40", "--height", "10", "-o", "plate.step"}), 24000, 1e-9);
     COMPARE_NEAR(volumeOf({"cylinder", "--radius", "5", "--position", "30,20,-5", "-o", "pin.step"}), 750 * pi, 1e-9);
-    const Ran drilled = blossom({"boolean", "plate.step", "pin.step", "--operation", "difference", "-o", "drilled.step"});
+    const Answer drilled = blossom({"boolean", "plate.step", "pin.step", "--operation", "difference", "-o", "drilled.step"});
     QCOMPARE(drilled.code, 0);
     COMPARE_NEAR(drilled.json["result"]["volume"].get<double>(), 24000 - 250 * pi, 1e-6);
     QCOMPARE(drilled.json["result"]["genus"], Value(1));
-    const Ran rounded = blossom({"fillet", "plate.step", "--radius", "2", "-o", "soft.step"});
+    const Answer rounded = blossom({"fillet", "plate.step", "--radius", "2", "-o", "soft.step"});
     const double steiner = 56 * 36 * 6 + 4 * (56 * 36 + 36 * 6 + 6 * 56) + 4 * pi * (56 + 36 + 6) + 32 * pi / 3;
     COMPARE_NEAR(rounded.json["result"]["volume"].get<double>(), steiner, 1e-5 * steiner);
     QCOMPARE(rounded.json["stats"]["rounded_edges"], Value(12));
@@ -39,7 +30,7 @@ class ModelingCliTest : public QObject {
     COMPARE_NEAR(volumeOf({"extrude", "r.dxf", "--height", "5", "-o", "e.step"}), 3000, 1e-9);
     COMPARE_NEAR(volumeOf({"revolve", "r.dxf", "-o", "v.step"}), 600 * 2 * pi * 25, 1e-6);
     COMPARE_NEAR(areaOf({"circle", "--radius", "2", "-o", "c.svg"}), 4 * pi, 1e-9);
-    const Ran pipe = blossom({"pipe", "c.svg", "r.dxf", "-o", "frame.step"});
+    const Answer pipe = blossom({"pipe", "c.svg", "r.dxf", "-o", "frame.step"});
     QCOMPARE(pipe.code, 0);
     COMPARE_NEAR(pipe.json["result"]["volume"].get<double>(), 4 * pi * 100, 1e-3);
     QCOMPARE(pipe.json["result"]["genus"], Value(1));
@@ -47,16 +38,16 @@ class ModelingCliTest : public QObject {
 
   void edgesAreNamedInWords() {
     blossom({"box", "-o", "box.step"});
-    const Ran two =
+    const Answer two =
         blossom({"chamfer", "box.step", "--edges", "shape:edge:0,shape:edge:6", "--distance", "1", "-o", "c.step"});
     QCOMPARE(two.code, 0);
     QCOMPARE(two.json["stats"]["chamfered_edges"], Value(2));
-    const Ran tooMuch = blossom({"fillet", "box.step", "--edges", "shape:edge:3", "--radius", "25", "-o", "f.step"});
+    const Answer tooMuch = blossom({"fillet", "box.step", "--edges", "shape:edge:3", "--radius", "25", "-o", "f.step"});
     QCOMPARE(tooMuch.code, 1);
     const auto message = tooMuch.json["error"]["message"].get<std::string>();
     QVERIFY2(message.starts_with("Edge 3 cannot be rounded with 25 mm: the largest radius here is about "), message.c_str());
     QVERIFY(!fs::exists(fs::path(folder_.path().toStdString()) / "f.step"));
-    const Ran missing = blossom({"fillet", "box.step", "--edges", "shape:edge:12", "-o", "f.step"});
+    const Answer missing = blossom({"fillet", "box.step", "--edges", "shape:edge:12", "-o", "f.step"});
     QCOMPARE(missing.json["error"]["code"], Value("NotFound"));
   }
 
@@ -64,8 +55,8 @@ class ModelingCliTest : public QObject {
     for (const auto& type : theApp().registry->types()) {
       if (!type->id.starts_with("modeling.")) continue;
       QProcess help;
-      help.start(program(), {QString::fromStdString(type->command), "--help"});
-      QVERIFY(help.waitForFinished());
+      help.start(blossomProgram(), {QString::fromStdString(type->command), "--help"});
+      QVERIFY(help.waitForFinished(-1));
       QCOMPARE(help.exitCode(), 0);
       const QString text = help.readAllStandardOutput();
       for (const ParameterSpec& spec : type->parameters) {
@@ -82,7 +73,7 @@ class ModelingCliTest : public QObject {
   void theSampleDocumentsAreWhole() {
     for (const auto& entry : fs::directory_iterator(sourceFolder() / "resources/samples")) {
       if (entry.path().extension() != ".blossom") continue;
-      const Ran info = blossom({"info", QString::fromStdString(entry.path().string())});
+      const Answer info = blossom({"info", QString::fromStdString(entry.path().string())});
       QVERIFY2(info.code == 0, entry.path().c_str());
       if (info.json["result"]["kind"] == Value("solid"))
         QVERIFY2(info.json["result"]["closed"] == Value(true), entry.path().c_str());
@@ -90,18 +81,10 @@ class ModelingCliTest : public QObject {
   }
 
  private:
-  static QString program() { return QString::fromStdString((buildFolder() / "bin/blossom").string()); }
-
-  Ran blossom(QStringList arguments) {
-    QProcess process;
-    process.setWorkingDirectory(folder_.path());
-    process.start(program(), arguments << "--json");
-    if (!process.waitForFinished(60000)) return {};
-    return {process.exitCode(), Value::parse(process.readAllStandardOutput().toStdString(), nullptr, false)};
-  }
+  Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }
   double resultOf(const QStringList& arguments, const char* name) {
-    const Ran ran = blossom(arguments);
-    return ran.code == 0 ? ran.json["result"][name].get<double>() : std::nan("");
+    const Answer ran = blossom(arguments);
+    return ran.code == 0 ? ran.result(name) : std::nan("");
   }
   double volumeOf(const QStringList& arguments) { return resultOf(arguments, "volume"); }
   double areaOf(const QStringList& arguments) { return resultOf(arguments, "area"); }

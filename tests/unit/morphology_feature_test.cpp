@@ -1,8 +1,8 @@
 #include <QElapsedTimer>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <thread>
 
+#include "support/command_line.h"
 #include "support/modeling.h"
 #include "support/polyhedra.h"
 
@@ -108,19 +108,19 @@ class MorphologyFeatureTest : public QObject {
     blossom({"box", "--width", "10", "--depth", "8", "--height", "6", "-o", "box.step"});
     for (const char* format : {"off", "obj", "stl", "ply", "step"}) {
       const QString file = QString("sum.") + format;
-      const Ran ran = blossom({"solid-sum", "box.step", "ball:1:1", "-o", file});
+      const Answer ran = blossom({"solid-sum", "box.step", "ball:1:1", "-o", file});
       QVERIFY2(ran.code == 0, ran.json.dump().c_str());
       QCOMPARE(ran.json["feature"], Value("morphology.solid-sum"));
       const double expected = ran.json["result"]["volume"].get<double>();
-      const Ran info = blossom({"info", file});
+      const Answer info = blossom({"info", file});
       QVERIFY2(info.code == 0, info.json.dump().c_str());
       COMPARE_NEAR(info.json["result"]["volume"].get<double>(), expected, 1e-5 * expected);
       QCOMPARE(info.json["result"]["closed"], Value(true));
     }
-    const Ran melting = blossom({"melt", "box.step", "--radius", "2", "--frames", "3", "-o", "frame.obj"});
+    const Answer melting = blossom({"melt", "box.step", "--radius", "2", "--frames", "3", "-o", "frame.obj"});
     QVERIFY2(melting.code == 0, melting.json.dump().c_str());
     QCOMPARE(melting.json["outputs"].size(), std::size_t{3});
-    const Ran refused = blossom({"melt", "box.step", "--radius", "9", "-o", "none.off"});
+    const Answer refused = blossom({"melt", "box.step", "--radius", "9", "-o", "none.off"});
     QCOMPARE(refused.code, 1);
     QVERIFY(!refused.json["error"]["hint"].get<std::string>().empty());
     QVERIFY(!QFile::exists(folder_.filePath("none.off")));
@@ -142,23 +142,13 @@ class MorphologyFeatureTest : public QObject {
 
   void theSampleDocumentsAreWhole() {
     for (const char* name : {"block-to-wedge", "notched-sum", "melting-ice", "inflated-letter"}) {
-      const Ran info = blossom({"info", QString::fromStdString((sample(std::string(name) + ".blossom")).string())});
+      const Answer info = blossom({"info", QString::fromStdString((sample(std::string(name) + ".blossom")).string())});
       QVERIFY2(info.code == 0, info.json.dump().c_str());
     }
   }
 
  private:
-  struct Ran {
-    int code = -1;
-    Value json;
-  };
-  Ran blossom(QStringList arguments) {
-    QProcess process;
-    process.setWorkingDirectory(folder_.path());
-    process.start(QString::fromStdString((buildFolder() / "bin/blossom").string()), arguments << "--json");
-    if (!process.waitForFinished(100000)) return {};
-    return {process.exitCode(), Value::parse(process.readAllStandardOutput().toStdString(), nullptr, false)};
-  }
+  Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }
   QTemporaryDir folder_;
 };
 

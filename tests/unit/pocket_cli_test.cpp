@@ -1,25 +1,13 @@
 #include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 
 #include "exchange/format.h"
+#include "support/command_line.h"
 #include "support/modeling.h"
 #include "support/planar_parts.h"
 
 using namespace blossom;
 using namespace blossom::test;
-
-namespace {
-
-struct Answer {
-  int code = -1;
-  Value json;
-  [[nodiscard]] double result(const char* name) const { return json["result"][name].get<double>(); }
-  [[nodiscard]] std::string message() const { return json["error"]["message"].get<std::string>(); }
-  [[nodiscard]] std::string hint() const { return json["error"].value("hint", ""); }
-};
-
-}  // namespace
 
 /// Pockets and simulations through the real command line.
 class PocketCliTest : public QObject {
@@ -135,14 +123,7 @@ class PocketCliTest : public QObject {
                       FillRule::EvenOdd};
     writeShape(*theApp().formats, part, folder_.filePath(QLatin1String(name)).toStdString());
   }
-  static QString program() { return QString::fromStdString((buildFolder() / "bin/blossom").string()); }
-  Answer blossom(QStringList arguments) {
-    QProcess process;
-    process.setWorkingDirectory(folder_.path());
-    process.start(program(), arguments << "--json");
-    if (!process.waitForFinished(120000)) return {};
-    return {process.exitCode(), Value::parse(process.readAllStandardOutput().toStdString(), nullptr, false)};
-  }
+  Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }
 
   QTemporaryDir folder_;
 };

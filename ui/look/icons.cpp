@@ -1,5 +1,6 @@
 #include "ui/look/icons.h"
 
+#include <QCache>
 #include <QHash>
 #include <QIconEngine>
 #include <QPainter>
@@ -15,15 +16,24 @@ namespace {
 
 std::filesystem::path iconFile(const QString& name) { return resourceFolder() / "icons" / (name.toStdString() + ".svg"); }
 
-// Text of the file, with `currentColor`, `accent` and `onMade` still to be replaced.
+// Text of the file, with `currentColor`, `accent` and `onMade` still to be replaced; empty when there is none.
 const QByteArray& rawSource(const QString& name) {
   static QHash<QString, QByteArray> cache;
   auto it = cache.find(name);
   if (it == cache.end()) {
-    const QString known = hasIcon(name) ? name : QStringLiteral("feature");
-    it = cache.insert(name, QByteArray::fromStdString(readFile(iconFile(known))));
+    const std::filesystem::path file = iconFile(name);
+    it = cache.insert(name, std::filesystem::exists(file) ? QByteArray::fromStdString(readFile(file)) : QByteArray());
   }
   return *it;
+}
+
+/// Lists ask for the same few icons whenever they are painted: what was read once is kept.
+QSvgRenderer& renderer(const QByteArray& source) {
+  constexpr int kept = 200;
+  static QCache<QByteArray, QSvgRenderer> cache(kept);
+  QSvgRenderer* known = cache.object(source);
+  if (!known) cache.insert(source, known = new QSvgRenderer(source));
+  return *known;
 }
 
 class ThemedEngine final : public QIconEngine {
@@ -37,7 +47,7 @@ class ThemedEngine final : public QIconEngine {
     const Theme& colors = theme();
     QByteArray source = iconSource(name_, colors.color(token), colors);
     if (mode == QIcon::Disabled) source = iconSource(name_, colors.color(token), disabledTheme(colors));
-    QSvgRenderer(source).render(painter, rect);
+    renderer(source).render(painter, rect);
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
     if (size.isEmpty()) return {};  // of a button that is squeezed to nothing
@@ -59,10 +69,10 @@ class ThemedEngine final : public QIconEngine {
 
 }  // namespace
 
-bool hasIcon(const QString& name) { return !name.isEmpty() && std::filesystem::exists(iconFile(name)); }
+bool hasIcon(const QString& name) { return !name.isEmpty() && !rawSource(name).isEmpty(); }
 
 QByteArray iconSource(const QString& name, const QColor& color, const Theme& theme) {
-  QByteArray source = rawSource(name);
+  QByteArray source = rawSource(hasIcon(name) ? name : QStringLiteral("feature"));
   source.replace("currentColor", color.name().toLatin1());
   source.replace("\"accent\"", '"' + theme.color("made").name().toLatin1() + '"');
   source.replace("\"onMade\"", '"' + theme.color("onMade").name().toLatin1() + '"');
@@ -72,7 +82,7 @@ QByteArray iconSource(const QString& name, const QColor& color, const Theme& the
 QIcon icon(const QString& name) { return QIcon(new ThemedEngine(name)); }
 
 void paintIcon(QPainter& painter, const QRectF& rect, const QString& name, const QColor& color) {
-  QSvgRenderer(iconSource(name, color, theme())).render(&painter, rect);
+  renderer(iconSource(name, color, theme())).render(&painter, rect);
 }
 
 }  // namespace blossom::ui

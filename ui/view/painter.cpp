@@ -32,7 +32,9 @@ Painter::Painter() : window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New(
 
 Painter::~Painter() {
   window_->RemoveObservers(vtkCommand::WindowMakeCurrentEvent);
-  if (makeCurrent()) window_->Finalize();
+  if (!makeCurrent()) return;
+  forgetFence();
+  window_->Finalize();
 }
 
 void Painter::start() {
@@ -55,27 +57,54 @@ void Painter::remove(vtkRenderer* renderer) {
   window_->RemoveRenderer(renderer);
 }
 
-const std::vector<std::uint32_t>& Painter::draw(vtkRenderer* renderer, QSize size, int samples) {
-  makeCurrent();
+Painter::Frame Painter::begin(vtkRenderer* renderer, QSize size, int samples) {
+  ++last_;
+  if (!makeCurrent()) {
+    problem_ = tr("The graphics driver has taken OpenGL away. Save the document, then start Blossom again.");
+    return last_;
+  }
+  forgetFence();
+  size_ = size;
   window_->GetRenderers()->RemoveAllItems();
   window_->GetRenderers()->AddItem(renderer);
   window_->SetSize(size.width(), size.height());
   window_->SetMultiSamples(samples);
+  resolved_ = samples > 0;
+  window_->SetSwapBuffers(resolved_);
   window_->Render();
-  fresh_ = false;
-  readPixels(size);
-  return pixels_;
+  QOpenGLExtraFunctions& gl = *context_.extraFunctions();
+  fence_ = gl.glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.glFlush();
+  return last_;
 }
 
-void Painter::readPixels(QSize size) {
-  pixels_.resize(static_cast<std::size_t>(size.width()) * static_cast<std::size_t>(size.height()));
-  vtkOpenGLFramebufferObject& drawn = *window_->GetDisplayFramebuffer();
+bool Painter::finished(Frame frame, std::chrono::microseconds wait) {
+  if (frame != last_ || !fence_ || !makeCurrent()) return true;
+  const auto nanoseconds = static_cast<GLuint64>(std::chrono::nanoseconds(wait).count());
+  return context_.extraFunctions()->glClientWaitSync(fence_, 0, nanoseconds) != GL_TIMEOUT_EXPIRED;
+}
+
+const std::vector<std::uint32_t>* Painter::take(Frame frame) {
+  if (frame != last_ || !fence_ || !makeCurrent()) return nullptr;
+  forgetFence();
+  readPixels();
+  return &pixels_;
+}
+
+void Painter::forgetFence() {
+  if (fence_) context_.extraFunctions()->glDeleteSync(fence_);
+  fence_ = nullptr;
+}
+
+void Painter::readPixels() {
+  pixels_.resize(static_cast<std::size_t>(size_.width()) * static_cast<std::size_t>(size_.height()));
+  vtkOpenGLFramebufferObject& drawn = *(resolved_ ? window_->GetDisplayFramebuffer() : window_->GetRenderFramebuffer());
   drawn.Bind(GL_READ_FRAMEBUFFER);
   QOpenGLExtraFunctions& gl = *context_.extraFunctions();
   gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   gl.glPixelStorei(GL_PACK_ALIGNMENT, 4);
   constexpr GLenum bgra = 0x80E1;  // with bytes: 0xAARRGGBB on little-endian machines
-  gl.glReadPixels(0, 0, size.width(), size.height(), bgra, GL_UNSIGNED_BYTE, pixels_.data());
+  gl.glReadPixels(0, 0, size_.width(), size_.height(), bgra, GL_UNSIGNED_BYTE, pixels_.data());
   drawn.UnBind(GL_READ_FRAMEBUFFER);
 }
 

@@ -6,6 +6,7 @@
 #include <QOpenGLContext>
 #include <QSize>
 #include <QString>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -32,23 +33,37 @@ class Painter {
   /// What is drawn later has to be known from the beginning to the end, as it keeps data on the graphics card.
   void add(vtkRenderer*);
   void remove(vtkRenderer*);
-  /// Pixels 0xAARRGGBB, the lowest line first; valid until the next call. @param size device pixels, not empty
-  const std::vector<std::uint32_t>& draw(vtkRenderer*, QSize size, int samples);
-  [[nodiscard]] bool fresh() const { return fresh_; }  ///< has drawn nothing yet
+
+  /// Names one frame.
+  using Frame = std::uint64_t;
+  /// Begins a frame and returns while the graphics card, or the threads that stand for it, still draw. One is drawn at a
+  /// time: what was begun before and not taken is lost. @param size device pixels, not empty
+  Frame begin(vtkRenderer*, QSize size, int samples);
+  /// Whether nothing is to be waited for any more, after waiting that long.
+  [[nodiscard]] bool finished(Frame, std::chrono::microseconds wait = {});
+  /// Pixels 0xAARRGGBB, the lowest line first, valid until the next call; waits for them. nullptr when the frame was lost.
+  const std::vector<std::uint32_t>* take(Frame);
+  [[nodiscard]] bool fresh() const { return last_ == 0; }  ///< has drawn nothing yet
 
  private:
   Painter();
   void start();
   bool makeCurrent();
   void makeContextCurrent() { makeCurrent(); }  // for VTK
-  void readPixels(QSize);
+  void forgetFence();
+  void readPixels();
 
   QOffscreenSurface surface_;
   QOpenGLContext context_;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
-  std::vector<std::uint32_t> pixels_;
   QString problem_;
-  bool fresh_ = true;
+
+  // The frame being drawn.
+  Frame last_ = 0;
+  QSize size_;
+  bool resolved_ = false;   // from several samples of each pixel into a second framebuffer; copying there would wait
+  GLsync fence_ = nullptr;  // none: taken, or lost
+  std::vector<std::uint32_t> pixels_;
 };
 
 }  // namespace blossom::ui

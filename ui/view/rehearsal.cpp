@@ -69,13 +69,14 @@ void rehearse(Painter& painter) {
              {"coloured", solid(true), ItemRole::Control},
              {"drawing", drawing(), ItemRole::Made}});
   stage->ResetCamera();
-  painter.draw(stage, size, 0);
+  const auto draw = [&] { painter.take(painter.begin(stage, size, 0)); };
+  draw();
   addHandles(*stage, look);
   items.setCulling(true);
-  painter.draw(stage, size, 0);
+  draw();
   items.setSection(CutPlane{Vec3::UnitX(), 0.2});
   items.placeCaps(*stage->GetActiveCamera(), 0.01);
-  painter.draw(stage, size, 0);
+  draw();
   painter.remove(stage);
 }
 

@@ -1,10 +1,15 @@
 #include "ui/view/view_items.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkMapper.h>
+#include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +26,16 @@ bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
 
 /// Edges without numbers do not tell the form of a shape: a wireframe of it shows its triangles.
 bool needsTriangles(const SceneData& scene) { return !scene.edges || partOf(scene, SubShapeKind::Edge, 0).empty(); }
+
+/// Software OpenGL collects what is to be drawn until it is told to begin: told so before each piece, its threads draw one
+/// while the next is prepared.
+void flushBefore(vtkActor& piece) {
+  vtkNew<vtkCallbackCommand> flush;
+  flush->SetCallback([](vtkObject*, unsigned long, void*, void*) {
+    if (const QOpenGLContext* context = QOpenGLContext::currentContext()) context->functions()->glFlush();
+  });
+  piece.GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, flush);
+}
 
 }  // namespace
 
@@ -92,7 +107,9 @@ bool ViewItems::incomplete() const {
 void ViewItems::bringNextPiece() {
   const auto it = std::find_if(shown_.begin(), shown_.end(), [](const auto& entry) { return !entry.second.coming.empty(); });
   if (it == shown_.end()) return;
-  renderer_->AddActor(it->second.coming.back());
+  const vtkSmartPointer<vtkActor> piece = it->second.coming.back();
+  flushBefore(*piece);
+  renderer_->AddActor(piece);
   it->second.coming.pop_back();
   finish(it->second);
 }

@@ -4,10 +4,9 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include <QElapsedTimer>
 #include <QPaintEvent>
 #include <QPainter>
-#include <algorithm>
+#include <utility>
 
 #include "ui/view/painter.h"
 #include "ui/view/rehearsal.h"
@@ -18,10 +17,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int samples = 4;       // of each pixel, where the graphics are fast
-constexpr double fastMs = 2;     // a frame without them that takes no longer can have them
-constexpr double fluentMs = 20;  // a frame with them that takes longer had better not
-constexpr int restMs = 140;      // after the last change
+constexpr int lookMs = 2;  // between looks whether a frame is there
 
 }  // namespace
 
@@ -40,9 +36,13 @@ ViewWidget::ViewWidget(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
   buildRenderer();
-  settle_.setSingleShot(true);
-  connect(&settle_, &QTimer::timeout, this, qOverload<>(&ViewWidget::update));
-  connect(&camera_, &CameraControl::moved, this, &ViewWidget::cameraMoved);
+  for (QTimer* timer : {&settle_, &next_}) timer->setSingleShot(true);
+  connect(&next_, &QTimer::timeout, this, &ViewWidget::beginFrame);
+  connect(&settle_, &QTimer::timeout, this, &ViewWidget::comeToRest);
+  arrival_.setInterval(lookMs);
+  arrival_.setTimerType(Qt::PreciseTimer);
+  connect(&arrival_, &QTimer::timeout, this, &ViewWidget::lookForFrame);
+  connect(&camera_, &CameraControl::moved, this, &ViewWidget::redrawMoving);
   connect(cube_, &ViewCube::sideChosen, this, [this](const QString& view) { lookFrom(view); });
   connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);
   QTimer::singleShot(0, this, [this] { rehearse(*painter_); });
@@ -57,104 +57,22 @@ void ViewWidget::buildRenderer() {
   applyLook();
 }
 
-void ViewWidget::cameraMoved() {
-  cube_->setTurn(camera_.turn());
-  redraw();
-}
-
-void ViewWidget::redraw() {
-  smoothing_.restart();
-  settle_.stop();
-  update();
-}
-
 QString ViewWidget::problem() const { return painter_->problem(); }
 
 void ViewWidget::paintEvent(QPaintEvent* event) {
   if (!problem().isEmpty()) return paintProblem(*event);
-  const bool changed = bringUpToDate();
+  sizePicture();
+  if (blank_) drawNow();  // better late than empty
+  if (outdated_) wantFrame();
   QPainter(this).drawImage(QPointF(0, 0), picture_);
   // Painting is done, and the window is shown, when this event has been handled.
-  if (changed) QMetaObject::invokeMethod(this, &ViewWidget::framePainted, Qt::QueuedConnection);
+  if (std::exchange(changed_, false)) QMetaObject::invokeMethod(this, &ViewWidget::framePainted, Qt::QueuedConnection);
 }
 
 void ViewWidget::paintProblem(const QPaintEvent& event) {
   QPainter painter(this);
   painter.fillRect(event.rect(), palette().color(QPalette::Window));
   painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, problem());
-}
-
-QImage ViewWidget::grabFramebuffer() {
-  if (problem().isEmpty()) bringUpToDate();
-  return picture_;
-}
-
-void ViewWidget::sizePicture() {
-  const double scale = devicePixelRatioF();
-  const QSize pixels(static_cast<int>(width() * scale), static_cast<int>(height() * scale));
-  if (picture_.size() == pixels && scale == scale_) return;
-  picture_ = QImage(pixels, QImage::Format_RGB32);
-  picture_.setDevicePixelRatio(scale);
-  smoothing_.restart();
-  if (scale == scale_) return;
-  scale_ = scale;  // it changes with the screen
-  applyLook();
-}
-
-bool ViewWidget::bringUpToDate() {
-  sizePicture();
-  if (sharp() || picture_.isNull()) return false;
-  QElapsedTimer timer;
-  timer.start();
-  prepareFrame();
-  const bool changed = smoothing_.take(painter_->draw(renderer_, picture_.size(), multisampled_ ? samples : 0), picture_);
-  lastFrameMs_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
-  ++framesDrawn_;
-  if (items_.incomplete())
-    QTimer::singleShot(0, this, &ViewWidget::redraw);
-  else
-    chooseSmoothing();
-  return changed;
-}
-
-void ViewWidget::prepareFrame() {
-  vtkCamera& camera = *renderer_->GetActiveCamera();
-  camera_.applyTo(&camera);
-  if (items_.incomplete()) {
-    items_.bringNextPiece();
-    keepGridLast();
-    smoothing_.restart();
-  }
-  grid_.follow(camera_.target(), camera_.millimetresPerPixel(), std::max(width(), height()), look_);
-  camera.SetWindowCenter(0, 0);
-  renderer_->ResetCameraClippingRange();
-  keepGridInSight();
-  items_.setCulling(!items_.extent().contains(Vec3(camera.GetPosition())));
-  items_.placeCaps(camera, camera_.millimetresPerPixel());
-  const QPointF offset = smoothing_.offset();
-  camera.SetWindowCenter(2 * offset.x() / picture_.width(), 2 * offset.y() / picture_.height());
-}
-
-// Fast graphics smooth every frame at once; for others the mean of several is taken when nothing changes any more.
-void ViewWidget::chooseSmoothing() {
-  if (multisampled_ && lastFrameMs_ > fluentMs) {
-    multisampled_ = false;
-    tooSlow_ = true;
-  } else if (!multisampled_ && !tooSlow_ && !items_.empty() && lastFrameMs_ < fastMs) {
-    multisampled_ = true;
-    return redraw();
-  }
-  if (!sharp()) settle_.start(smoothing_.taken() == 1 ? restMs : 0);
-}
-
-// The clipping range is made for the shapes; the ground reaches farther.
-void ViewWidget::keepGridInSight() {
-  vtkCamera& camera = *renderer_->GetActiveCamera();
-  if (!grid_.actor()->GetVisibility() || camera.GetParallelProjection()) return;
-  const double distance = camera.GetDistance();
-  const double* range = camera.GetClippingRange();
-  const double far = std::max(range[1], distance + grid_.reach() * 1.5);
-  camera.SetClippingRange(std::max(std::min(range[0], distance * 0.2), far * 5e-4), far);
 }
 
 void ViewWidget::resizeEvent(QResizeEvent* event) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QPointer>
 #include <QTimer>
@@ -26,8 +27,8 @@ class Painter;
 class SelectionBand;
 class ViewCube;
 
-/// The canvas, drawn by VTK. Geometry is sent to the graphics card once; orbiting only
-/// moves the camera, and nothing is drawn while nothing changes.
+/// The canvas, drawn by VTK. Geometry is sent to the graphics card once; orbiting only moves the camera, and nothing is
+/// drawn while nothing changes. While a frame is drawn the window goes on: the picture follows when it is there.
 class ViewWidget : public QWidget {
   Q_OBJECT
  public:
@@ -75,7 +76,7 @@ class ViewWidget : public QWidget {
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
   [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
   /// All edges are smoothed; at first, and while the camera moves, that is left out where it would stutter.
-  [[nodiscard]] bool sharp() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
+  [[nodiscard]] bool sharp() const { return !frame_ && smooth(); }
 
   [[nodiscard]] QString problem() const;  ///< why nothing can be drawn; empty when all is well
   /// What is shown, drawn before when it is out of date.
@@ -115,8 +116,16 @@ class ViewWidget : public QWidget {
 
   void buildRenderer();
   void applyLook();
+  // Frames: begun here, drawn beside what the window does, shown when they are there.
+  [[nodiscard]] bool smooth() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
   void sizePicture();
-  bool bringUpToDate();
+  void wantFrame() { next_.start(); }
+  void beginFrame();
+  void comeToRest();
+  void lookForFrame();
+  void takeFrame();
+  void showFrame(const std::vector<std::uint32_t>& pixels);
+  void drawNow();
   void prepareFrame();
   void paintProblem(const QPaintEvent&);
   void keepGridLast();
@@ -124,7 +133,7 @@ class ViewWidget : public QWidget {
   [[nodiscard]] Look scaledLook() const;
   [[nodiscard]] std::vector<Vec3> everything() const;
   void placeCube();
-  void cameraMoved();
+  void redrawMoving();
   void redraw();  // soon and fast; smoothed when things have come to rest
   void chooseSmoothing();
   // What the mouse does.
@@ -170,7 +179,16 @@ class ViewWidget : public QWidget {
   double lastFrameMs_ = 0;
   Smoothing smoothing_;
   bool multisampled_ = false, tooSlow_ = false;  // for it
-  QTimer settle_;
+  QTimer settle_, next_, arrival_;
+  std::optional<std::uint64_t> frame_;  // that is being drawn
+  Turn frameTurn_;                      // how the camera stands in it
+  bool outdated_ = false;               // it is, before it is there
+  bool blank_ = true;                   // nothing is in the picture yet
+  bool changed_ = false;                // the picture, since it was painted
+  // Where a frame takes too long, the camera moves in frames of half the size.
+  bool moving_ = false, slow_ = false;
+  QSize frameSize_;
+  QElapsedTimer frameTimer_;
   int framesDrawn_ = 0;
 };
 

@@ -30,6 +30,7 @@ class SmoothingTest : public QObject {
  private slots:
   void thePictureIsTheMeanOfTheFrames();
   void framesLieLessThanAPixelAside();
+  void aSmallFrameFillsThePicture();
 };
 
 void SmoothingTest::thePictureIsTheMeanOfTheFrames() {
@@ -67,6 +68,26 @@ void SmoothingTest::framesLieLessThanAPixelAside() {
     smoothing.take(Frame(width * height), picture);
   }
   QVERIFY(std::abs(sum.x()) <= 0.5 && std::abs(sum.y()) <= 0.5);
+}
+
+/// Four quarters of one colour each come where they belong: OpenGL counts lines from below.
+void SmoothingTest::aSmallFrameFillsThePicture() {
+  const std::array<QRgb, 4> colors{qRgb(200, 0, 0), qRgb(0, 200, 0), qRgb(0, 0, 200), qRgb(90, 90, 90)};
+  constexpr int half = 6;
+  Frame frame;
+  for (int y = 0; y < 2 * half; ++y)
+    for (int x = 0; x < 2 * half; ++x) frame.push_back(colors[static_cast<std::size_t>(2 * (y / half) + x / half)]);
+  for (const double scale : {1.0, 2.0}) {
+    QImage picture(4 * half, 4 * half, QImage::Format_RGB32);
+    picture.setDevicePixelRatio(scale);
+    showEnlarged(frame, {2 * half, 2 * half}, picture);
+    QCOMPARE(picture.pixel(half, 3 * half), colors[0]);
+    QCOMPARE(picture.pixel(3 * half, 3 * half), colors[1]);
+    QCOMPARE(picture.pixel(half, half), colors[2]);
+    QCOMPARE(picture.pixel(3 * half, half), colors[3]);
+    QCOMPARE(picture.pixel(0, 0), colors[2]);
+    QCOMPARE(picture.pixel(4 * half - 1, 4 * half - 1), colors[1]);
+  }
 }
 
 QTEST_APPLESS_MAIN(SmoothingTest)

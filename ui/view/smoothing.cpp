@@ -1,5 +1,6 @@
 #include "ui/view/smoothing.h"
 
+#include <QPainter>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -67,6 +68,13 @@ void Smoothing::showMean(QImage& picture) const {
     for (std::size_t x = 0; x < width; ++x)
       line[x] = opaque | (((redAndBlue_[start + x] + halves) >> shift) & pair) | ((green_[start + x] + half) >> shift) << 8;
   }
+}
+
+void showEnlarged(const std::vector<std::uint32_t>& frame, QSize size, QImage& picture) {
+  const QImage whole(reinterpret_cast<const uchar*>(frame.data()), size.width(), size.height(), QImage::Format_RGB32);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(QRectF(QPointF(), QSizeF(picture.size()) / picture.devicePixelRatio()), whole.mirrored());
 }
 
 }  // namespace blossom::ui

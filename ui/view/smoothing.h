@@ -30,4 +30,7 @@ class Smoothing {
   int taken_ = 0;
 };
 
+/// A frame of another size over the whole picture, with its pixels blended.
+void showEnlarged(const std::vector<std::uint32_t>& frame, QSize size, QImage& picture);
+
 }  // namespace blossom::ui

@@ -3,7 +3,6 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include <QPainter>
 #include <algorithm>
 #include <chrono>
 
@@ -22,14 +21,6 @@ constexpr double stutterMs = 50;                 // a frame that takes longer do
 constexpr double easyMs = 12;                    // a coarse frame that takes no longer need not be coarse
 constexpr int restMs = 140;                      // after the last change
 constexpr std::chrono::microseconds soon(1500);  // worth waiting for: fast graphics need no second look
-
-/// Pixels 0xAARRGGBB of a smaller frame, the lowest line first, over the whole picture.
-void enlarge(const std::vector<std::uint32_t>& pixels, QSize size, QImage& picture) {
-  const QImage frame(reinterpret_cast<const uchar*>(pixels.data()), size.width(), size.height(), QImage::Format_RGB32);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(QRectF(QPointF(), QSizeF(picture.size()) / picture.devicePixelRatio()), frame.mirrored());
-}
 
 }  // namespace
 
@@ -107,7 +98,7 @@ void ViewWidget::showFrame(const std::vector<std::uint32_t>& pixels) {
   const bool whole = frameSize_ == picture_.size();
   if (moving_) slow_ = whole ? lastFrameMs_ > stutterMs : lastFrameMs_ > easyMs;
   if (!whole)
-    enlarge(pixels, frameSize_, picture_);
+    showEnlarged(pixels, frameSize_, picture_);
   else if (!smoothing_.take(pixels, picture_))
     return;
   cube_->setTurn(frameTurn_);

@@ -89,7 +89,8 @@ std::vector<int> grown(std::vector<int> chosen, std::span<const std::pair<int, i
 }
 
 std::vector<int> paperRuleOnCurve(std::span<const Vec3> samples, std::span<const Vec3> points) {
-  const Vec3 from = samples.front(), to = samples.back();
+  const Vec3& from = samples.front();
+  const Vec3& to = samples.back();
   const double length = (to - from).norm();
   if (!(length > 1e-9 * reach(samples)))
     throw Error(ErrorCode::InvalidInput, "The target begins where it ends, so that no line runs through its ends.",

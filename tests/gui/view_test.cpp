@@ -137,6 +137,26 @@ class ViewTest : public QObject {
     QVERIFY(view_->pickAt({4, 4}, PickMode::Any).feature.empty());
   }
 
+  /// One may be on its way, of a camera that has moved on since; and the cube turns with what is shown.
+  void aPictureAskedForIsTheOneOfNow() {
+    view_->lookFrom(QStringLiteral("top"), false);
+    const QImage top = view_->grabFramebuffer();
+    view_->lookFrom(QStringLiteral("front"), false);
+    const QImage front = view_->grabFramebuffer();
+    QVERIFY(top != front);
+    for (int i = 0; i < 5; ++i) {
+      view_->lookFrom(QStringLiteral("top"), false);
+      QCoreApplication::processEvents();  // begins a frame, and takes it where the graphics are fast
+      view_->lookFrom(QStringLiteral("front"), false);
+      QVERIFY(view_->grabFramebuffer() == front);
+    }
+    QTRY_VERIFY(view_->sharp());
+    const int drawn = view_->framesDrawn();
+    view_->repaint();
+    QTest::qWait(50);
+    QCOMPARE(view_->framesDrawn(), drawn);  // painting alone draws nothing
+  }
+
   void hoveringLightsUp() {
     QSignalSpy spy(view_.get(), &ViewWidget::hovered);
     const QImage plain = view_->grabFramebuffer();

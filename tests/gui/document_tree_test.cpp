@@ -6,6 +6,7 @@
 #include <QMimeData>
 #include <QPushButton>
 
+#include "support/mouse.h"
 #include "tree_fixture.h"
 #include "ui/tree/document_clipboard.h"
 #include "ui/tree/document_delegate.h"
@@ -307,7 +308,7 @@ void DocumentTreeTest::failuresSayWhyAndWhatToDo() {
 void DocumentTreeTest::eyeHidesAndShows() {
   DocumentTree& tree = window_->tree();
   const QPoint eye = DocumentDelegate::eyeRect(tree.visualRect(row("c"))).center();
-  QTest::mouseMove(tree.viewport(), eye);
+  test::moveMouse(tree.viewport(), eye);
   QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye);
   QVERIFY(!document().at("c").visible);
   QCOMPARE(undoText(), QStringLiteral("Hide c"));

@@ -32,7 +32,7 @@ class MeasureWindowTest : public WindowFixture {
   [[nodiscard]] Measurements& measured() { return window_->page().measurements(); }
   [[nodiscard]] QPoint seen(const Vec3& p) { return view().camera().project(p).toPoint(); }
   void click(const Vec3& p) {
-    QTest::mouseMove(&view(), seen(p));
+    test::moveMouse(&view(), seen(p));
     QTest::mouseClick(&view(), Qt::LeftButton, {}, seen(p));
   }
   [[nodiscard]] bool ready() {
@@ -79,9 +79,9 @@ void MeasureWindowTest::theSectionIsDraggedAndMeasurementsSurviveIt() {
   QVERIFY(behind.feature.empty() || behind.part.kind != SubShapeKind::Face || behind.part.index != front.part.index);
   const QPoint handle = seen({5, 10, 15});
   const Vec3 goal(5, 14, 15);
-  QTest::mouseMove(&view(), handle);
+  test::moveMouse(&view(), handle);
   QTest::mousePress(&view(), Qt::LeftButton, {}, handle);
-  for (int i = 1; i <= 8; ++i) QTest::mouseMove(&view(), handle + (seen(goal) - handle) * i / 8);
+  for (int i = 1; i <= 8; ++i) test::moveMouse(&view(), handle + (seen(goal) - handle) * i / 8);
   QTest::mouseRelease(&view(), Qt::LeftButton, {}, seen(goal));
   COMPARE_NEAR(view().section()->offset, -14, 0.3);  // as exact as a pixel
   QVERIFY(ready());

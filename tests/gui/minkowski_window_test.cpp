@@ -124,9 +124,9 @@ void MinkowskiWindowTest::init() {
 
 void MinkowskiWindowTest::drag(const Vec3& from, const Vec3& to) {
   const QPoint start = screenOf(from), end = screenOf(to);
-  QTest::mouseMove(&window_->view(), start);
+  test::moveMouse(&window_->view(), start);
   QTest::mousePress(&window_->view(), Qt::LeftButton, {}, start);
-  for (int i = 1; i <= 8; ++i) QTest::mouseMove(&window_->view(), start + (end - start) * i / 8);
+  for (int i = 1; i <= 8; ++i) test::moveMouse(&window_->view(), start + (end - start) * i / 8);
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, end);
 }
 
@@ -210,16 +210,16 @@ void MinkowskiWindowTest::aControlShapeIsDraggedAndPutBack() {
   QVERIFY(offsetOf(0).isZero());
   QCOMPARE(offsetOf(1), offset);
   const QPoint handle = screenOf(drawn + Vec3(offset.x(), offset.y(), 0));
-  QTest::mouseMove(&window_->view(), handle);
+  test::moveMouse(&window_->view(), handle);
   QTest::mouseDClick(&window_->view(), Qt::LeftButton, {}, handle);
   waitUntilComputed();
   QVERIFY(offsetOf(1).isZero());
 
   // Esc in the middle of a drag takes it back.
   const QPoint start = screenOf(drawn);
-  QTest::mouseMove(&window_->view(), start);
+  test::moveMouse(&window_->view(), start);
   QTest::mousePress(&window_->view(), Qt::LeftButton, {}, start);
-  QTest::mouseMove(&window_->view(), start + QPoint(60, 20));
+  test::moveMouse(&window_->view(), start + QPoint(60, 20));
   QVERIFY(!offsetOf(1).isZero());
   QTest::keyClick(&window_->view(), Qt::Key_Escape);
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, start + QPoint(60, 20));

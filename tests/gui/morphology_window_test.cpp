@@ -170,9 +170,9 @@ void MorphologyWindowTest::theRadiusIsDragged() {
   window_->tree().select(inflated);
   const auto radius = [&] { return window_->page().document().at(inflated).parameters.value("radius", 0.0); };
   const QPoint from = screenOf({20, 15, 25}), to = screenOf({20, 15, 30});
-  QTest::mouseMove(&window_->view(), from);
+  test::moveMouse(&window_->view(), from);
   QTest::mousePress(&window_->view(), Qt::LeftButton, Qt::ControlModifier, from);
-  QTest::mouseMove(&window_->view(), (from + to) / 2);
+  test::moveMouse(&window_->view(), (from + to) / 2);
   QMouseEvent moved(QEvent::MouseMove, to, window_->view().mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
                     Qt::ControlModifier);
   QApplication::sendEvent(&window_->view(), &moved);

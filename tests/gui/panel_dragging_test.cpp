@@ -61,7 +61,7 @@ void PanelDraggingTest::labelsAreScrubbed() {
   const QPoint from = middle(label);
   oneStep("length", 20.0, [&] {
     QTest::mousePress(label, Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 20; ++i) QTest::mouseMove(label, from + QPoint(2 * i, 0));
+    for (int i = 1; i <= 20; ++i) test::moveMouse(label, from + QPoint(2 * i, 0));
     QTRY_COMPARE(now("length"), Value(20.0));
     QCOMPARE(qt(session_->history().undoText()), QStringLiteral("Begin"));
     QTest::mouseRelease(label, Qt::LeftButton, {}, from + QPoint(40, 0));
@@ -73,11 +73,11 @@ void PanelDraggingTest::escapeEndsAScrub() {
   FieldLabel* label = labelOf("angle");
   const QPoint from = middle(label);
   QTest::mousePress(label, Qt::LeftButton, {}, from);
-  QTest::mouseMove(label, from + QPoint(40, 0));
+  test::moveMouse(label, from + QPoint(40, 0));
   QTRY_COMPARE(now("angle"), Value(55.0));
   QTest::keyClick(editor<QLineEdit>("angle"), Qt::Key_Escape);
   QCOMPARE(now("angle"), Value(45.0));
-  QTest::mouseMove(label, from + QPoint(80, 0));
+  test::moveMouse(label, from + QPoint(80, 0));
   QTest::mouseRelease(label, Qt::LeftButton, {}, from + QPoint(80, 0));
   settle();
   QCOMPARE(toJson(session_->document()), before);
@@ -88,7 +88,7 @@ void PanelDraggingTest::ratiosAreDragged() {
   auto* slider = editor<RatioSlider>("ratio");
   const auto at = [&](double share) { return QPoint(int(share * slider->width()), slider->height() / 2); };
   QTest::mousePress(slider, Qt::LeftButton, {}, at(0.3));
-  QTest::mouseMove(slider, at(0.8));
+  test::moveMouse(slider, at(0.8));
   QTRY_VERIFY(now("ratio").get<double>() > 0.7);
   QCOMPARE(qt(session_->history().undoText()), QStringLiteral("Begin"));
   QTest::keyClick(slider, Qt::Key_Escape);
@@ -96,8 +96,8 @@ void PanelDraggingTest::ratiosAreDragged() {
   QCOMPARE(now("ratio"), Value(0.25));
   oneStep("ratio", 1.0, [&] {
     QTest::mousePress(slider, Qt::LeftButton, {}, at(0.3));
-    QTest::mouseMove(slider, at(0.5));
-    QTest::mouseMove(slider, at(1.5));
+    test::moveMouse(slider, at(0.5));
+    test::moveMouse(slider, at(1.5));
     QTest::mouseRelease(slider, Qt::LeftButton, {}, at(1.5));
   });
   oneStep("ratio", 0.98, [&] {
@@ -127,7 +127,7 @@ void PanelDraggingTest::curvesAreDrawn() {
   QCOMPARE(now("curve"), Value::parse("[[0.0,0.5],[0.25,0.5],[1.0,0.5]]"));
   const QPoint at = curve->toPixels({0.25, 0.5}).toPoint();
   QTest::mousePress(curve, Qt::LeftButton, {}, at);
-  QTest::mouseMove(curve, at + QPoint(1000, 0));  // stops at its neighbour
+  test::moveMouse(curve, at + QPoint(1000, 0));  // stops at its neighbour
   QTRY_COMPARE(now("curve").at(1).at(0), Value(1.0));
   QTest::keyClick(curve, Qt::Key_Escape);
   QTest::mouseRelease(curve, Qt::LeftButton, {}, at);
@@ -149,7 +149,7 @@ void PanelDraggingTest::draggingNeverQueuesUp() {
   const QPoint from = middle(label);
   gate_.close();
   QTest::mousePress(label, Qt::LeftButton, {}, from);
-  for (int i = 1; i <= 100; ++i) QTest::mouseMove(label, from + QPoint(4 * i, 0));
+  for (int i = 1; i <= 100; ++i) test::moveMouse(label, from + QPoint(4 * i, 0));
   QTRY_COMPARE(gate_.count(), 1);
   QCoreApplication::processEvents();
   QCOMPARE(gate_.count(), 1);                                               // ninety-nine values later

@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "app/app.h"
+#include "support/mouse.h"
 #include "support/support.h"
 #include "ui/fields/field_label.h"
 #include "ui/look/text.h"

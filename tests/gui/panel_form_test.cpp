@@ -90,7 +90,7 @@ void PanelFormTest::whatIsTypedIsNotLostWithTheSelection() {
   settle();
   const std::string before = toJson(session_->document());
   QTest::mousePress(labelOf("length"), Qt::LeftButton, {}, QPoint(5, 5));
-  QTest::mouseMove(labelOf("length"), QPoint(60, 5));
+  test::moveMouse(labelOf("length"), QPoint(60, 5));
   QVERIFY(toJson(session_->document()) != before);
   panel_->show(FeatureId("b"));
   QCOMPARE(toJson(session_->document()), before);
@@ -136,7 +136,7 @@ void PanelFormTest::resultsAreShownAndCopied() {
 void PanelFormTest::valuesGoBackToTheirDefault() {
   type(editor<QLineEdit>("length"), QStringLiteral("12"));
   auto* reset = field("length")->findChild<QToolButton*>(QStringLiteral("fieldReset"));
-  QTest::mouseMove(field("length"), middle(field("length")));
+  test::moveMouse(field("length"), middle(field("length")));
   oneStep("length", 10.0, [&] { reset->click(); });
   const std::string text = session_->history().undoText();
   field("length")->resetToDefault();  // nothing to do

@@ -39,8 +39,8 @@ void PanelListsTest::listsAreEdited() {
     auto* number = lengths->rows()[1]->findChild<QLabel*>(QStringLiteral("rowNumber"));
     QTest::mousePress(number, Qt::LeftButton, {}, middle(number));
     const QPoint below = number->mapFromGlobal(lengths->rows()[3]->mapToGlobal(QPoint(5, lengths->rows()[3]->height())));
-    QTest::mouseMove(number, (middle(number) + below) / 2);
-    QTest::mouseMove(number, below);
+    test::moveMouse(number, (middle(number) + below) / 2);
+    test::moveMouse(number, below);
     QTest::mouseRelease(number, Qt::LeftButton, {}, below);
   });
   oneStep("lengths", Value::array({20.0, 0.0, 1.0}), [&] { emit lengths->rows()[1]->removeWanted(); });
@@ -91,8 +91,8 @@ void PanelListsTest::listsOfRecords() {
   wider["diameter"] = 16.0;
   oneStep("tools", Value::array({wider}), [&] {
     QTest::mousePress(label, Qt::LeftButton, {}, QPoint(5, 5));
-    QTest::mouseMove(label, QPoint(25, 5));
-    QTest::mouseMove(label, QPoint(45, 5));
+    test::moveMouse(label, QPoint(25, 5));
+    test::moveMouse(label, QPoint(45, 5));
     QTRY_COMPARE(now("tools").at(0).at("diameter"), Value(16.0));
     QTest::mouseRelease(label, Qt::LeftButton, {}, QPoint(45, 5));
   });

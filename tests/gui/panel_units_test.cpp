@@ -134,7 +134,7 @@ void PanelUnitsTest::labelsAreScrubbedInRoundInches() {
   FieldLabel* label = labelOf("length");
   const QPoint from = middle(label);
   QTest::mousePress(label, Qt::LeftButton, {}, from);
-  QTest::mouseMove(label, from + QPoint(20, 0));
+  test::moveMouse(label, from + QPoint(20, 0));
   QTest::mouseRelease(label, Qt::LeftButton, {}, from + QPoint(20, 0));
   settle();
   QCOMPARE(shown("length"), QStringLiteral("15 in"));

@@ -67,7 +67,7 @@ void PreferencesWindowTest::aUnitIsFollowedByAllThatShowsLengths() {
   QVERIFY2(stateLineOfSweep().contains(QStringLiteral(" in")), qPrintable(stateLineOfSweep()));
   QVERIFY2(text("tolerance").endsWith(QStringLiteral(" in")), qPrintable(text("tolerance")));
   QTRY_VERIFY(window_->view().framesDrawn() > frames);
-  QTest::mouseMove(&window_->view(), window_->view().rect().center());
+  test::moveMouse(&window_->view(), window_->view().rect().center());
   QTRY_VERIFY(!told.isEmpty() && told.back().front().toString().endsWith(QStringLiteral(" in")));
   QCOMPARE(computed.size(), 0);
   QCOMPARE(drawn(), picture);  // the shape looks the same

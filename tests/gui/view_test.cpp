@@ -7,6 +7,7 @@
 
 #include "geometry/brep.h"
 #include "geometry/sub_shape.h"
+#include "support/mouse.h"
 #include "support/support.h"
 #include "ui/look/theme.h"
 #include "ui/view/view_widget.h"
@@ -160,22 +161,22 @@ class ViewTest : public QObject {
   void hoveringLightsUp() {
     QSignalSpy spy(view_.get(), &ViewWidget::hovered);
     const QImage plain = view_->grabFramebuffer();
-    QTest::mouseMove(view_.get(), at({2, 1, 20}).toPoint());
+    test::moveMouse(view_.get(), at({2, 1, 20}).toPoint());
     QCOMPARE(view_->hoveredPick().feature, FeatureId("box"));
     QCOMPARE(spy.size(), 1);
     const QImage whole = view_->grabFramebuffer();
     QVERIFY(whole != plain);
-    QTest::mouseMove(view_.get(), at({3, 0, 20}).toPoint());
+    test::moveMouse(view_.get(), at({3, 0, 20}).toPoint());
     QCOMPARE(spy.size(), 1);  // the same feature
     view_->setPickMode(PickMode::Face);
-    QTest::mouseMove(view_.get(), at({2, 1, 20}).toPoint());
+    test::moveMouse(view_.get(), at({2, 1, 20}).toPoint());
     QVERIFY(view_->hoveredPick().part.kind == SubShapeKind::Face);
     // The face alone changes its colour: the one beside it stays.
     const QImage lit = view_->grabFramebuffer();
     const QPoint top = at({2, 1, 20}).toPoint(), side = at({2, -10, 6}).toPoint();
     QVERIFY(lit.pixel(top) != plain.pixel(top));
     QCOMPARE(lit.pixel(side), plain.pixel(side));
-    QTest::mouseMove(view_.get(), QPoint(5, 5));
+    test::moveMouse(view_.get(), QPoint(5, 5));
     QVERIFY(view_->hoveredPick().feature.empty());
   }
 
@@ -207,8 +208,8 @@ class ViewTest : public QObject {
     QSignalSpy boxed(view_.get(), &ViewWidget::selectionBoxed);
     const auto drag = [&](QPoint from, QPoint to) {
       QTest::mousePress(view_.get(), Qt::LeftButton, Qt::ControlModifier, from);
-      QTest::mouseMove(view_.get(), (from + to) / 2);
-      QTest::mouseMove(view_.get(), to);
+      test::moveMouse(view_.get(), (from + to) / 2);
+      test::moveMouse(view_.get(), to);
       QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::ControlModifier, to);
       const auto found = boxed.takeLast().front().value<std::vector<Pick>>();
       QStringList names;
@@ -249,7 +250,7 @@ class ViewTest : public QObject {
     const QPoint from = at(point).toPoint();
     const Vec3 pivot = view_->pickAt(from, PickMode::Face).part.point;
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 5; ++i) QTest::mouseMove(view_.get(), from + QPoint(12 * i, 5 * i));
+    for (int i = 1; i <= 5; ++i) test::moveMouse(view_.get(), from + QPoint(12 * i, 5 * i));
     const Turn turned = view_->camera().turn();
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, from + QPoint(60, 25));
     QVERIFY(std::abs(turned.yaw - 35) > 5);
@@ -282,7 +283,7 @@ class ViewTest : public QObject {
         const double scale = view_->camera().millimetresPerPixel();
         const auto button = static_cast<Qt::MouseButton>(binding.buttons.toInt());
         QTest::mousePress(view_.get(), button, binding.modifiers, {40, 500});
-        for (int i = 1; i <= 3; ++i) QTest::mouseMove(view_.get(), {40 + 10 * i, 500 - 8 * i});
+        for (int i = 1; i <= 3; ++i) test::moveMouse(view_.get(), {40 + 10 * i, 500 - 8 * i});
         QTest::mouseRelease(view_.get(), button, binding.modifiers, {70, 476});
         const CameraControl& camera = view_->camera();
         QCOMPARE(camera.turn().yaw != turn.yaw, binding.action == Orbit);
@@ -314,12 +315,12 @@ class ViewTest : public QObject {
     QSignalSpy picked(view_.get(), &ViewWidget::picked), dismissed(view_.get(), &ViewWidget::toolDismissed);
     const Turn turn = view_->camera().turn();
     const QPoint top = at({2, 1, 20}).toPoint();
-    QTest::mouseMove(view_.get(), top);
+    test::moveMouse(view_.get(), top);
     QCOMPARE(tool.log, QStringList{QStringLiteral("move")});
     QVERIFY(tool.last.pick.part.kind == SubShapeKind::Face && tool.last.pick.feature == "box");
     tool.log.clear();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, top);
-    QTest::mouseMove(view_.get(), top + QPoint(30, 10));
+    test::moveMouse(view_.get(), top + QPoint(30, 10));
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, top + QPoint(30, 10));
     QCOMPARE(tool.log.join(u' '), QStringLiteral("press move release"));
     QCOMPARE(view_->camera().turn().yaw, turn.yaw);
@@ -332,7 +333,7 @@ class ViewTest : public QObject {
     tool.takes = false;  // the camera moves as always, and the tool still hears of the release
     tool.log.clear();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, top);
-    for (int i = 1; i <= 4; ++i) QTest::mouseMove(view_.get(), top + QPoint(10 * i, 0));
+    for (int i = 1; i <= 4; ++i) test::moveMouse(view_.get(), top + QPoint(10 * i, 0));
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, top + QPoint(40, 0));
     QCOMPARE(tool.log.join(u' '), QStringLiteral("press release"));
     QVERIFY(view_->camera().turn().yaw != turn.yaw);

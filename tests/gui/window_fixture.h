@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "app/app.h"
+#include "support/mouse.h"
 #include "support/support.h"
 #include "ui/files/export_dialog.h"
 #include "ui/look/theme.h"
@@ -116,7 +117,7 @@ class WindowFixture : public QObject {
   }
 
   [[nodiscard]] QPoint screenOf(const Vec3& p) const { return window_->view().camera().project(p).toPoint(); }
-  void moveTo(const Vec3& p) { QTest::mouseMove(&window_->view(), screenOf(p)); }
+  void moveTo(const Vec3& p) { test::moveMouse(&window_->view(), screenOf(p)); }
   void clickAt(const Vec3& p, Qt::KeyboardModifiers modifiers = {}) {
     moveTo(p);
     QTest::mouseClick(&window_->view(), Qt::LeftButton, modifiers, screenOf(p));

@@ -80,7 +80,7 @@ void WindowTest::draggingOrbitsAndWheelZooms() {
   const QImage before = canvas();
   const QPoint from(200, 400), to(330, 350);
   QTest::mousePress(&view, Qt::LeftButton, {}, from);
-  for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from + (to - from) * i / 5);
+  for (int i = 1; i <= 5; ++i) test::moveMouse(&view, from + (to - from) * i / 5);
   QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
   const QImage orbited = canvas();
   QVERIFY(difference(before, orbited) > 0.03);
@@ -91,7 +91,7 @@ void WindowTest::draggingOrbitsAndWheelZooms() {
 
   const Turn turn = view.camera().turn();
   QTest::mousePress(&view, Qt::RightButton, {}, from);
-  for (int i = 1; i <= 5; ++i) QTest::mouseMove(&view, from + (to - from) * i / 5);
+  for (int i = 1; i <= 5; ++i) test::moveMouse(&view, from + (to - from) * i / 5);
   QTest::mouseRelease(&view, Qt::RightButton, {}, to);
   QCOMPARE(view.camera().turn().yaw, turn.yaw);
   QVERIFY(difference(orbited, canvas()) > 0.03);

@@ -142,6 +142,37 @@ class PocketDiagramTest final : public QObject {
       COMPARE_NEAR(diagram.clearance(x), wanted, 1e-7);
     }
   }
+  /// Near the centre of curvature many points of a curve are almost equally far. Of the parabola y = x^2 / 20 mm the nearest
+  /// one is a root of a cubic.
+  void clearancesHoldAtTheCentreOfCurvature() {
+    const double p = 10;  // radius of curvature at the vertex, and y = x^2 / (2 p)
+    Spline2 parabola;
+    parabola.degree = 2;
+    parabola.poles = {{-30, 45, 1}, {0, -45, 1}, {30, 45, 1}};
+    parabola.knots = {0, 0, 0, 1, 1, 1};
+    Path path;
+    path.closed = true;
+    path.segments = {parabola, Line2{{30, 45}, {-30, 45}}};
+    const ClearanceDiagram diagram(Region{{path}});
+    const auto distance = [&](const Vec2& x) {
+      double best = std::numeric_limits<double>::infinity();
+      // t^3 + 2 p (p - y) t - 2 p^2 x = 0, bisected in every stretch between its turning points.
+      const double linear = 2 * p * (p - x.y()), turn = linear < 0 ? std::sqrt(-linear / 3) : 0;
+      const auto value = [&](double t) { return t * t * t + linear * t - 2 * p * p * x.x(); };
+      for (const auto& [from, to] : {std::pair(-30.0, -turn), std::pair(-turn, turn), std::pair(turn, 30.0)}) {
+        double low = from, high = to;
+        if ((value(low) > 0) == (value(high) > 0)) continue;
+        for (int i = 0; i < 200; ++i) ((value(low) > 0) == (value((low + high) / 2) > 0) ? low : high) = (low + high) / 2;
+        best = std::min(best, (Vec2(low, low * low / (2 * p)) - x).norm());
+      }
+      return best;
+    };
+    for (const double up : {-1e-1, -1e-3, -1e-6, 0.0, 1e-6, 1e-3, 1e-1, 1.0})
+      for (const double aside : {-1.0, -1e-3, 0.0, 1e-9, 1e-6, 1e-4, 1e-2, 0.5}) {
+        const Vec2 x(aside, p + up);
+        COMPARE_NEAR(diagram.clearance(x), distance(x), 1e-12);
+      }
+  }
   void bothWaysOfBuildingAgree() {
     std::mt19937_64 random = seededRandom();
     verifyPeers(wave());

@@ -49,18 +49,28 @@ double footOnArc(const Arc2& arc, const Vec2& x, double guess) {
   return (wanted + turns * 2 * std::numbers::pi - arc.start) / arc.sweep;
 }
 
+/// Newton's iteration on the derivative of the squared distance. Near the centre of curvature that is flat: steps that go
+/// up are shortened, and there may be many.
 double footOnBezier(const TrueCurve& curve, const Vec2& x, double guess, double margin) {
+  constexpr int mostSteps = 60;
+  constexpr double resolved = 1e-15, rounding = 1e-15;
   double t = guess;
-  for (int i = 0; i < 12; ++i) {
-    const auto [point, first, second] = curve.at(t);
-    const double value = (point - x).dot(first);
-    double slope = first.squaredNorm() + (point - x).dot(second);
-    // Beyond the centre of curvature the distance has no minimum nearby: go down the slope instead.
-    if (!(slope > 0.05 * first.squaredNorm())) slope = first.squaredNorm();
-    if (!(slope > 0)) return t;
-    const double next = std::clamp(t - value / slope, -margin, 1 + margin);
-    if (std::abs(next - t) < 1e-15) return next;
+  TrueCurve::Frame here = curve.at(t);
+  for (int i = 0; i < mostSteps; ++i) {
+    const Vec2 offset = here.point - x;
+    const double speed = here.first.squaredNorm(), slope = speed + offset.dot(here.second);
+    if (!(speed > 0)) return t;
+    // Beyond the centre of curvature the distance has no minimum nearby: go down its slope instead.
+    const double step = offset.dot(here.first) / (slope > 1e-6 * speed ? slope : speed);
+    double next = std::clamp(t - step, -margin, 1 + margin);
+    TrueCurve::Frame there = curve.at(next);
+    while ((there.point - x).squaredNorm() > offset.squaredNorm() * (1 + rounding) && std::abs(next - t) > resolved) {
+      next = t + (next - t) / 4;
+      there = curve.at(next);
+    }
+    if (std::abs(next - t) <= resolved) return t;
     t = next;
+    here = there;
   }
   return t;
 }

@@ -65,12 +65,14 @@ class WindowFixture : public QObject {
     return {};
   }
 
+  // Waits are long for the sake of sanitizers and busy machines; a test that hangs is ended by who runs the tests.
+
   /// Opens a file and waits until it is computed and drawn.
   void openAndWait(const QString& file) {
     window_->openFile(file);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->session().document().features().empty() && !window_->session().evaluating() &&
                                  !window_->session().job().running(),
-                             60000);
+                             300000);
     QVERIFY2(window_->errors().isHidden(), qPrintable(window_->errors().message()));
     QTRY_VERIFY(window_->view().sharp());
   }
@@ -81,7 +83,7 @@ class WindowFixture : public QObject {
   }
 
   void waitUntilComputed() {
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating() && !window_->session().job().running(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating() && !window_->session().job().running(), 300000);
   }
 
   void run(const char* command) {

@@ -2176,6 +2176,10 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>The graphics driver has no OpenGL 3.2, which the view needs.</source>
         <translation>Der Grafiktreiber hat kein OpenGL 3.2, das die Ansicht braucht.</translation>
     </message>
+    <message>
+        <source>The graphics driver has taken OpenGL away. Save the document, then start Blossom again.</source>
+        <translation>Der Grafiktreiber hat OpenGL weggenommen. Das Dokument speichern und Blossom neu starten.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ParameterField</name>

@@ -2176,6 +2176,10 @@ Drag sideways to change it.</source>
         <source>The graphics driver has no OpenGL 3.2, which the view needs.</source>
         <translation>그래픽 드라이버에 보기에 필요한 OpenGL 3.2가 없습니다.</translation>
     </message>
+    <message>
+        <source>The graphics driver has taken OpenGL away. Save the document, then start Blossom again.</source>
+        <translation>그래픽 드라이버가 OpenGL을 해제했습니다. 문서를 저장한 다음 Blossom을 다시 시작하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ParameterField</name>

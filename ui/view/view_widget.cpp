@@ -62,9 +62,9 @@ QString ViewWidget::problem() const { return painter_->problem(); }
 void ViewWidget::paintEvent(QPaintEvent* event) {
   if (!problem().isEmpty()) return paintProblem(*event);
   sizePicture();
-  if (blank_) drawNow();  // better late than empty
+  if (blank_ && before_.isNull()) drawNow();  // better late than empty
   if (outdated_) wantFrame();
-  QPainter(this).drawImage(QPointF(0, 0), picture_);
+  QPainter(this).drawImage(rect(), blank_ ? before_ : picture_);
   // Painting is done, and the window is shown, when this event has been handled.
   if (std::exchange(changed_, false)) QMetaObject::invokeMethod(this, &ViewWidget::framePainted, Qt::QueuedConnection);
 }

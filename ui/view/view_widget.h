@@ -184,6 +184,7 @@ class ViewWidget : public QWidget {
   Turn frameTurn_;                      // how the camera stands in it
   bool outdated_ = false;               // it is, before it is there
   bool blank_ = true;                   // nothing is in the picture yet
+  QImage before_;                       // what is shown until then
   bool changed_ = false;                // the picture, since it was painted
   // Where a frame takes too long, the camera moves in frames of half the size.
   bool moving_ = false, slow_ = false;

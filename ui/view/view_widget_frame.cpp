@@ -45,6 +45,7 @@ void ViewWidget::sizePicture() {
   const double scale = devicePixelRatioF();
   const QSize pixels(static_cast<int>(width() * scale), static_cast<int>(height() * scale));
   if (picture_.size() == pixels && scale == scale_) return;
+  if (!blank_) before_ = picture_;
   picture_ = QImage(pixels, QImage::Format_RGB32);
   picture_.setDevicePixelRatio(scale);
   frame_.reset();
@@ -104,6 +105,7 @@ void ViewWidget::showFrame(const std::vector<std::uint32_t>& pixels) {
   cube_->setTurn(frameTurn_);
   changed_ = true;
   blank_ = false;
+  before_ = QImage();
   update();
 }
 

@@ -116,10 +116,12 @@ void DocumentPage::connectSession() {
   });
   connect(&session_, &Session::evaluationFinished, this, [this] {
     emit workEnded(evaluationKey);
-    if (fitPending_ && tree_->selected().empty()) tree_->selectLast();
+    const bool first = fitPending_ && tree_->selected().empty();
     refreshView();
     refreshOverlay();
     fitWhenFirstShown();
+    // In a turn of its own: the panel that it fills takes its time.
+    if (first) QMetaObject::invokeMethod(tree_, &DocumentTree::selectLastUnlessSelected, Qt::QueuedConnection);
   });
   connect(&session_, &Session::featureAdded, this, [this](const QString& id) { tree_->select(id.toStdString()); });
   connect(&session_, &Session::failed, this, &DocumentPage::showError);

@@ -43,6 +43,7 @@ class PaletteTest : public TreeFixture {
   void whatCannotBeDoneSaysWhy();
   void itClosesWithoutDoingAnything();
   void theToolBarFitsAnyWidth();
+  void theWindowClosesAtAnyWidth();
   void aLongJobIsListedAndCancelled();
   void finishedWorkIsKeptWithItsMessage();
   void theLogTellsWhatHappened();
@@ -185,6 +186,17 @@ void PaletteTest::theToolBarFitsAnyWidth() {
     QVERIFY(shown >= 2);
     const auto* field = window_->findChild<QPushButton*>(QStringLiteral("findCommand"));
     QVERIFY(field && field->isVisible() && field->mapTo(window_.get(), field->rect().topRight()).x() <= width);
+  }
+}
+
+// The tool bar is styled once more when it goes; the actions of its buttons have gone by then.
+void PaletteTest::theWindowClosesAtAnyWidth() {
+  for (const int width : {1280, 1440, 1600, 1760, 1920, 2600}) {
+    window_->resize(width, 720);
+    QTRY_COMPARE(window_->width(), width);
+    QCoreApplication::processEvents();
+    window_.reset();
+    openTestWindow();
   }
 }
 

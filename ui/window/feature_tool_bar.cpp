@@ -120,7 +120,7 @@ void FeatureToolBar::place(Group& group, int& x) {
   const bool more = group.shown < group.buttons.size();
   put(group.rest, more);
   // Not the picture of a button beside it.
-  const QIcon wanted = more && group.twin < group.shown ? group.buttons[group.shown]->defaultAction()->icon() : group.own;
+  const QIcon wanted = more && group.twin < group.shown ? group.buttons[group.shown]->icon() : group.own;
   if (group.rest->icon().cacheKey() != wanted.cacheKey()) group.rest->setIcon(wanted);
 }
 

@@ -87,6 +87,13 @@ QString styleSheet(const Theme& theme, IconFiles& icons) {
   return result;
 }
 
+QFont uiFont() {
+  QFont font;
+  font.setFamilies({QStringLiteral("Inter"), QStringLiteral("Noto Sans"), QStringLiteral("DejaVu Sans")});
+  font.setPixelSize(12);
+  return font;
+}
+
 }  // namespace
 
 QColor Theme::color(const char* token) const {
@@ -141,6 +148,7 @@ void ThemeManager::apply(ThemeChoice choice) {
   const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && desktop_->dark());
   if (!theme_.name.isEmpty() && theme_.dark == dark) return;
   theme_ = readTheme(resourceFolder() / "themes" / (dark ? "dark.json" : "light.json"));
+  QApplication::setFont(uiFont());
   QApplication::setPalette(theme_.palette());
   qApp->setStyleSheet(styleSheet(theme_, *iconFiles_));
   emit changed();

@@ -1,8 +1,10 @@
 #include "ui/panel/property_panel.h"
 
 #include <QLabel>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/reference_page.h"
 #include "ui/look/text.h"
@@ -18,10 +20,16 @@ namespace blossom::ui {
 
 namespace {
 
-QLabel* styled(const QString& text, const char* name) {
-  auto* label = new QLabel(text);
+QLabel* styled(const QString& text, const char* name, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
   label->setObjectName(QLatin1String(name));
   label->setWordWrap(true);
+  return label;
+}
+
+QLabel* title(const QString& text, QWidget* parent) {
+  QLabel* label = styled(text, "sectionTitle", parent);
+  label->setMinimumHeight(20);
   return label;
 }
 
@@ -47,6 +55,7 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(NoFrame);
   setFocusPolicy(Qt::NoFocus);
+  buildColumn();
   connect(&session, &Session::documentChanged, this, [this] { show(shown_); });
   connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
     if (feature.toStdString() == shown_) return refreshResult();
@@ -101,49 +110,61 @@ void PropertyPanel::muteEditors() {
 
 PropertyPanel::~PropertyPanel() { muteEditors(); }
 
+// The results stay when another feature is shown: Qt looks up the style of a widget, and of all within, whenever its parent
+// changes, and that takes longer than all else. For the same reason widgets are made with the parent that they keep.
+void PropertyPanel::buildColumn() {
+  auto* content = new QWidget;
+  content->setObjectName(QStringLiteral("propertyContent"));
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(16, 12, 16, 16);
+  column->setSpacing(7);
+  form_ = new QWidget(content);
+  column->addWidget(form_);
+  column->addSpacing(6);
+  resultTitle_ = title(tr("RESULT"), content);
+  column->addWidget(resultTitle_);
+  column->addWidget(result_);
+  column->addStretch();
+  setWidget(content);
+}
+
 void PropertyPanel::rebuild() {
   endPick();
   muteEditors();
   fields_.clear();
   inputs_.clear();
   header_ = nullptr;
-  result_->hide();
-  result_->setParent(this);  // it stays, for its rows take longer to make than to fill
   previewed_ = faulty_ = nullptr;
   waiting_.reset();
-  auto* content = new QWidget;
-  content->setObjectName(QStringLiteral("propertyContent"));
-  column_ = new QVBoxLayout(content);
-  column_->setContentsMargins(16, 12, 16, 16);
+  QWidget* const before = std::exchange(form_, new QWidget(widget()));
+  column_ = new QVBoxLayout(form_);
+  column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(7);
-  if (shown_.empty()) {
-    addTitle(tr("PROPERTIES"));
-    column_->addWidget(styled(session_.document().features().empty()
-                                  ? tr("Nothing is open yet.")
-                                  : tr("Select a feature to see what it is made from and what it came to."),
-                              "note"));
-  } else {
+  const bool something = !shown_.empty();
+  resultTitle_->setVisible(something);
+  result_->setVisible(something);
+  if (something) {
     addFeature(session_.document().at(shown_));
     refreshFields();
     refreshResult();
+  } else {
+    column_->addWidget(title(tr("PROPERTIES"), form_));
+    column_->addWidget(styled(session_.document().features().empty()
+                                  ? tr("Nothing is open yet.")
+                                  : tr("Select a feature to see what it is made from and what it came to."),
+                              "note", form_));
   }
-  column_->addStretch();
-  if (QWidget* before = takeWidget()) {
-    before->hide();
-    before->deleteLater();  // one of its buttons may have been clicked
-  }
-  setWidget(content);  // at last, for what is hidden yet is laid out only once
-}
-
-void PropertyPanel::addTitle(const QString& text) {
-  auto* title = styled(text, "sectionTitle");
-  title->setMinimumHeight(20);
-  column_->addWidget(title);
+  if (QWidget* focused = before->focusWidget()) focused->clearFocus();
+  before->hide();
+  delete widget()->layout()->replaceWidget(before, form_);
+  before->deleteLater();  // one of its buttons may have been clicked
+  form_->show();          // at last, for what is hidden yet is laid out only once
+  verticalScrollBar()->setValue(0);
 }
 
 void PropertyPanel::addFeature(const Feature& feature) {
   type_ = session_.app().registry->find(feature.type);
-  header_ = new FeatureHeader;
+  header_ = new FeatureHeader(form_);
   if (type_)
     header_->setType(qt(type_->title), qt(type_->summary), qt(referencePageName(type_->id)));
   else
@@ -153,14 +174,13 @@ void PropertyPanel::addFeature(const Feature& feature) {
   column_->addWidget(header_);
   if (type_ && !type_->inputs.empty()) addInputs();
   if (type_ && !type_->parameters.empty()) addParameters();
-  addResult();
 }
 
 void PropertyPanel::addInputs() {
   column_->addSpacing(4);
-  addTitle(tr("INPUTS"));
+  column_->addWidget(title(tr("INPUTS"), form_));
   for (std::size_t spec = 0; spec < type_->inputs.size(); ++spec) {
-    auto* input = new InputEditor(session_, shown_, type_, spec);
+    auto* input = new InputEditor(session_, shown_, type_, spec, form_);
     connect(input, &InputEditor::hint, this, &PropertyPanel::hint);
     connect(input, &InputEditor::pickWanted, this,
             [this](InputEditor* from, const PickRequest& request) { wantPick(nullptr, from, request); });
@@ -174,9 +194,9 @@ void PropertyPanel::addInputs() {
 
 void PropertyPanel::addParameters() {
   column_->addSpacing(4);
-  addTitle(tr("PROPERTIES"));
+  column_->addWidget(title(tr("PROPERTIES"), form_));
   for (const ParameterSpec& spec : type_->parameters) {
-    ParameterField* field = ParameterField::make(spec, nullptr, context_);
+    ParameterField* field = ParameterField::make(spec, form_, context_);
     connectField(field);
     column_->addWidget(field);
     fields_.push_back(field);
@@ -196,13 +216,6 @@ void PropertyPanel::connectField(ParameterField* field) {
   connect(field, &ParameterField::pickUnwanted, this, [this](ParameterField* from) {
     if (from == pickingField_) endPick();
   });
-}
-
-void PropertyPanel::addResult() {
-  column_->addSpacing(6);
-  addTitle(tr("RESULT"));
-  column_->addWidget(result_);
-  result_->setVisible(true);
 }
 
 /// Sub-shapes are named after the features that stand in the inputs now.

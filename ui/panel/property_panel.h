@@ -49,13 +49,12 @@ class PropertyPanel : public QScrollArea {
 
  private:
   void leave();
+  void buildColumn();
   void rebuild();
   void muteEditors();
   void addFeature(const Feature&);
   void addInputs();
   void addParameters();
-  void addResult();
-  void addTitle(const QString&);
   void connectField(ParameterField*);
   void refreshContext();
   void refreshFields();
@@ -78,8 +77,10 @@ class PropertyPanel : public QScrollArea {
   std::vector<ParameterField*> fields_;
   std::vector<InputEditor*> inputs_;
   FeatureHeader* header_ = nullptr;
+  QWidget* form_ = nullptr;        // what is made anew for each feature
+  QVBoxLayout* column_ = nullptr;  // of the form
+  QWidget* resultTitle_ = nullptr;
   ResultTable* result_;
-  QVBoxLayout* column_ = nullptr;
 
   ParameterField* previewed_ = nullptr;  // the field that is dragged
   std::optional<Value> waiting_;         // its newest value, not yet sent off

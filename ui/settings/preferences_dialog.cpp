@@ -21,6 +21,7 @@ PreferencesDialog::PreferencesDialog(Commands& commands, QWidget* parent)
   groups_->setObjectName(QStringLiteral("preferenceGroups"));
   groups_->setFixedWidth(190);
   groups_->setFrameShape(QFrame::NoFrame);
+  groups_->ensurePolished();  // or its rows are measured before the style sheet has given them their padding
   for (const PreferenceGroup& group : preferenceGroups()) {
     forms_.push_back(new PreferencesForm(group));
     addPage(group.title, forms_.back());

@@ -166,7 +166,7 @@ Solid combined(const Solid& a, const Solid& b, Operation operation) {
     if (auto surface = surfaceOf(Corefined(a, b).combined(operation))) return solidFrom(std::move(*surface));
   // Surfaces that touch themselves.
   const Nef first = nefOf(*a), second = nefOf(*b);
-  return simplest((operation == Operation::Union ? first + second : first - second).regularization());
+  return simplest(operation == Operation::Union ? unionOf(first, second) : differenceOf(first, second));
 }
 
 /// Halves along the longest extent until single pieces are left: what is united lies side by side, which keeps

@@ -17,13 +17,6 @@ namespace {
 
 constexpr double largestCoordinate = 1e12;
 
-Vec2 checkedPoint(const Geom::Point& p) {
-  Vec2 point(p.x(), p.y());
-  if (!point.allFinite() || point.cwiseAbs().maxCoeff() > largestCoordinate)
-    throw Error(ErrorCode::FormatDamaged, "A path has a coordinate that is not a number or too large.");
-  return point;
-}
-
 Spline2 bezier(std::initializer_list<Vec2> points) {
   Spline2 spline;
   spline.degree = static_cast<int>(points.size()) - 1;
@@ -33,27 +26,28 @@ Spline2 bezier(std::initializer_list<Vec2> points) {
   return spline;
 }
 
-/// Receives what lib2geom parses.
+/// Receives what lib2geom parses. It throws only when all has been parsed: lib2geom loses a piece that its receiver refuses.
 class Builder final : public Geom::PathSink {
  public:
   using Geom::PathSink::feed;
 
   void moveTo(const Geom::Point& p) override {
     finish(false);
-    start_ = at_ = checkedPoint(p);
+    start_ = at_ = checked(p);
   }
   void lineTo(const Geom::Point& p) override {
-    const Vec2 to = checkedPoint(p);
+    const Vec2 to = checked(p);
     if (to != at_) current_.segments.push_back(Line2{at_, to});
     at_ = to;
   }
   void curveTo(const Geom::Point& a, const Geom::Point& b, const Geom::Point& p) override {
-    addBezier({at_, checkedPoint(a), checkedPoint(b), checkedPoint(p)});
+    addBezier({at_, checked(a), checked(b), checked(p)});
   }
-  void quadTo(const Geom::Point& a, const Geom::Point& p) override { addBezier({at_, checkedPoint(a), checkedPoint(p)}); }
+  void quadTo(const Geom::Point& a, const Geom::Point& p) override { addBezier({at_, checked(a), checked(p)}); }
   void arcTo(double rx, double ry, double rotation, bool large, bool sweep, const Geom::Point& p) override {
-    const Vec2 to = checkedPoint(p);
-    checkedPoint({rx, ry});
+    const Vec2 to = checked(p);
+    checked({rx, ry});
+    if (!allGood_) return;
     for (Segment& s : arcSegment(at_, to, rx, ry, rotation, large, sweep)) current_.segments.push_back(std::move(s));
     at_ = to;
   }
@@ -66,10 +60,18 @@ class Builder final : public Geom::PathSink {
 
   std::vector<Path> take() {
     finish(false);
+    if (!allGood_) throw Error(ErrorCode::FormatDamaged, "A path has a coordinate that is not a number or too large.");
     return std::move(paths_);
   }
 
  private:
+  Vec2 checked(const Geom::Point& p) {
+    const Vec2 point(p.x(), p.y());
+    const bool good = point.allFinite() && point.cwiseAbs().maxCoeff() <= largestCoordinate;
+    allGood_ = allGood_ && good;
+    return good ? point : at_;
+  }
+
   void addBezier(std::initializer_list<Vec2> points) {
     const bool isPoint = std::all_of(points.begin(), points.end(), [&](const Vec2& p) { return p == at_; });
     if (!isPoint) current_.segments.push_back(bezier(points));
@@ -85,6 +87,7 @@ class Builder final : public Geom::PathSink {
   std::vector<Path> paths_;
   Path current_;
   Vec2 start_{0, 0}, at_{0, 0};
+  bool allGood_ = true;
 };
 
 }  // namespace
@@ -93,8 +96,6 @@ std::vector<Path> parsePathData(const std::string& data) {
   Builder builder;
   try {
     Geom::SVGPathParser(builder).parse(data);
-  } catch (const Error&) {
-    throw;
   } catch (const std::exception&) {
     throw Error(ErrorCode::FormatDamaged, fmt::format("The path data {} cannot be understood.", parse::shown(data)));
   }

@@ -53,6 +53,7 @@ class MinkowskiWindowTest : public WindowFixture {
   void aControlShapeIsDraggedAndPutBack();
   void theDocumentIsSavedAndOpened();
   void anOpenOutlineIsRefusedAndTheDocumentLivesOn();
+  void aSampleIsSeenWithAllItsControlShapes();
   void picturesOfTheMorph();
 
  private:
@@ -257,6 +258,25 @@ void MinkowskiWindowTest::anOpenOutlineIsRefusedAndTheDocumentLivesOn() {
     QVERIFY(!window_->errors().isHidden());
   }
   QCOMPARE(measureOf(morph_, "frames"), double(frameCount));
+}
+
+void MinkowskiWindowTest::aSampleIsSeenWithAllItsControlShapes() {
+  window_.reset();
+  openWindow();
+  openAndWait(QString::fromStdString(test::sample("triangle-to-star.blossom").string()));
+  const auto features = window_->page().document().features();
+  morph_ = features.back()->id;
+  QTRY_COMPARE(window_->page().properties().shown(), morph_);
+  QCOMPARE(features.size(), std::size_t{5});
+  for (std::size_t k = 0; k + 1 < features.size(); ++k) {
+    const auto result = window_->page().result(features[k]->id);
+    QVERIFY(result);
+    const Bounds box = bounds(result->evaluated.shape);
+    const Vec2 offset = offsetOf(k);
+    for (const Vec3& corner : {box.low, box.high})
+      QVERIFY2(window_->view().rect().contains(screenOf(corner + Vec3(offset.x(), offset.y(), 0))),
+               features[k]->name.c_str());
+  }
 }
 
 void MinkowskiWindowTest::picturesOfTheMorph() {

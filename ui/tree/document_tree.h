@@ -24,9 +24,6 @@ class DocumentTree : public QListView {
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
   void selectThese(const std::vector<FeatureId>&);
   void selectLast();
-  void selectLastUnlessSelected() {
-    if (selected().empty()) selectLast();
-  }
   void selectFirstShown();
   void selectAll() override;  ///< what the filter shows
   /// Only rows are shown in whose name, type or state all words of the text occur.

@@ -116,12 +116,10 @@ void DocumentPage::connectSession() {
   });
   connect(&session_, &Session::evaluationFinished, this, [this] {
     emit workEnded(evaluationKey);
-    const bool first = fitPending_ && tree_->selected().empty();
+    if (fitPending_ && tree_->selected().empty()) selectLast();
     refreshView();
     refreshOverlay();
     fitWhenFirstShown();
-    // In a turn of its own: the panel that it fills takes its time.
-    if (first) QMetaObject::invokeMethod(tree_, &DocumentTree::selectLastUnlessSelected, Qt::QueuedConnection);
   });
   connect(&session_, &Session::featureAdded, this, [this](const QString& id) { tree_->select(id.toStdString()); });
   connect(&session_, &Session::failed, this, &DocumentPage::showError);
@@ -145,7 +143,7 @@ void DocumentPage::connectWidgets() {
   connect(&playback_, &Playback::moved, this, &DocumentPage::refreshView);
   connect(&playback_, &Playback::changed, this, &DocumentPage::refreshOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
-    properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current());
+    if (!fillPanelLater_) showProperties();
     refreshView();
     refreshOverlay();
     refreshHandles();
@@ -268,6 +266,16 @@ std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayOfSelected() {
     errors_->showError(tr("The handles of %1 cannot be shown.").arg(qt(feature.name)), qt(problem.what()));
     return {};
   }
+}
+
+void DocumentPage::showProperties() { properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current()); }
+
+// The view has to fit what the tool of the feature shows, too; the panel takes its time, so it is filled in a turn of its own.
+void DocumentPage::selectLast() {
+  fillPanelLater_ = true;
+  tree_->selectLast();
+  fillPanelLater_ = false;
+  QMetaObject::invokeMethod(this, &DocumentPage::showProperties, Qt::QueuedConnection);
 }
 
 void DocumentPage::fitWhenFirstShown() {

@@ -97,6 +97,8 @@ class DocumentPage : public QObject, public ToolHost {
   void refreshOverlay();
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> skinsOfShown() const;
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();
+  void showProperties();
+  void selectLast();
   void fitWhenFirstShown();
   // page_tools.cpp
   void refreshHandles();
@@ -120,6 +122,7 @@ class DocumentPage : public QObject, public ToolHost {
   std::unique_ptr<Tool> handles_;  // of the selected feature, while no tool is active
   FeatureId handled_;
   bool fitPending_ = true;
+  bool fillPanelLater_ = false;
 };
 
 }  // namespace blossom::ui

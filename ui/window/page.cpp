@@ -270,7 +270,8 @@ std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayOfSelected() {
 
 void DocumentPage::showProperties() { properties_->show(tree_->selected().empty() ? FeatureId() : tree_->current()); }
 
-// The view has to fit what the tool of the feature shows, too; the panel takes its time, so it is filled in a turn of its own.
+// The view has to fit what the tool of the feature shows, too; the panel takes its time, so it is filled in a turn of its
+// own.
 void DocumentPage::selectLast() {
   fillPanelLater_ = true;
   tree_->selectLast();

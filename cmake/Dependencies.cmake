@@ -16,6 +16,7 @@ find_package(pugixml REQUIRED)
 find_package(2Geom REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-ps)  # pages of PDF and PostScript
 pkg_check_modules(ZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 find_package(Freetype REQUIRED)                # outlines of letters

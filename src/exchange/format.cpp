@@ -135,8 +135,9 @@ const Format* FormatRegistry::find(std::string_view extensionOrId) const {
 
 FormatRegistry standardFormats() {
   FormatRegistry registry;
-  for (const auto& format : {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, xyzFormat,
-                             dxfFormat, svgFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
+  for (const auto& format :
+       {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, xyzFormat, dxfFormat, svgFormat,
+        pdfFormat, psFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
     registry.add(format());
   return registry;
 }

@@ -75,6 +75,8 @@ Format plyFormat();
 Format xyzFormat();
 Format dxfFormat();
 Format svgFormat();
+Format pdfFormat();
+Format psFormat();
 Format motionFormat();
 Format gcodeFormat();
 Format controlPointsFormat();

@@ -9,10 +9,11 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "exchange/bezier_pieces.h"
+#include "exchange/drawn_box.h"
 #include "exchange/format.h"
 #include "exchange/mesh_options.h"
 #include "exchange/svg_write.h"
-#include "geometry/bspline.h"
 #include "geometry/planar.h"
 
 namespace blossom::svg {
@@ -31,52 +32,6 @@ std::string escaped(const std::string& text) {
       result += c;
   }
   return result;
-}
-
-struct Bounds {
-  Vec2 low{0, 0}, high{0, 0};
-};
-
-Bounds boundsOf(const std::vector<Curves>& drawings, double chord) {
-  Bounds b;
-  bool first = true;
-  for (const Curves& curves : drawings)
-    for (const Path& path : curves.paths)
-      for (const Vec2& p : flatten(path, chord)) {
-        b.low = first ? p : Vec2(b.low.cwiseMin(p));
-        b.high = first ? p : Vec2(b.high.cwiseMax(p));
-        first = false;
-      }
-  return b;
-}
-
-/// A piece of a spline in homogeneous Bézier form.
-using Piece = std::vector<Vec3>;
-
-Vec2 at(const Vec3& pole) { return pole.head<2>() / pole.z(); }
-
-std::pair<Piece, Piece> halved(Piece poles) {
-  const std::size_t n = poles.size();
-  Piece left, right(n);
-  for (std::size_t level = 0; level < n; ++level) {
-    left.push_back(poles.front());
-    right[n - 1 - level] = poles[n - 1 - level];
-    for (std::size_t i = 0; i + 1 + level < n; ++i) poles[i] = 0.5 * (poles[i] + poles[i + 1]);
-  }
-  return {left, right};
-}
-
-Vec2 pointOf(Piece poles, double t) {
-  for (std::size_t n = poles.size() - 1; n > 0; --n)
-    for (std::size_t i = 0; i < n; ++i) poles[i] = (1 - t) * poles[i] + t * poles[i + 1];
-  return at(poles[0]);
-}
-
-/// Derivative of the point at either end of a piece, over its parameter.
-Vec2 endDerivative(const Piece& p, bool atStart) {
-  const double degree = static_cast<double>(p.size() - 1);
-  const Vec3 &here = atStart ? p.front() : p.back(), &next = atStart ? p[1] : p[p.size() - 2];
-  return degree * next.z() / here.z() * (atStart ? 1 : -1) * (at(next) - at(here));
 }
 
 class PathWriter {
@@ -115,47 +70,26 @@ class PathWriter {
   }
 
   void addSpline(const Spline2& spline) {
-    const BezierCurve bezier = toBezier(toCurve(spline));
-    const std::size_t size = static_cast<std::size_t>(bezier.degree) + 1;
-    for (std::size_t first = 0; first + size <= bezier.poles.size(); first += size) {
-      Piece piece;
-      for (std::size_t i = 0; i < size; ++i) {
-        const Vec4& pole = bezier.poles[first + i];
-        piece.emplace_back(pole.x(), pole.y(), pole.w());
-      }
-      addPiece(piece, 0);
-    }
+    for (const BezierPiece& piece : bezierPieces(spline)) addPiece(piece);
   }
 
-  void addPiece(const Piece& p, int depth) {
-    const bool polynomial = std::all_of(p.begin(), p.end(), [&](const Vec3& pole) { return pole.z() == p.front().z(); });
-    if (polynomial && p.size() == 2) {
-      out_ += "L" + pair(at(p[1]));
-    } else if (polynomial && p.size() == 3) {
-      out_ += "Q" + pair(at(p[1])) + " " + pair(at(p[2]));
-    } else if (polynomial && p.size() == 4) {
-      addCubic(at(p[1]), at(p[2]), at(p[3]));
-    } else if (p.size() == 3 && addConic(p)) {
-      return;
-    } else {
-      const Vec2 a = at(p.front()), d = at(p.back());
-      const Vec2 b = a + endDerivative(p, true) / 3, c = d - endDerivative(p, false) / 3;
-      if (depth >= 16 || isNear(p, a, b, c, d)) {
-        addCubic(b, c, d);
-      } else {
-        const auto [left, right] = halved(p);
-        addPiece(left, depth + 1);
-        addPiece(right, depth + 1);
-      }
-    }
+  void addPiece(const BezierPiece& p) {
+    const bool polynomial = isPolynomial(p);
+    if (polynomial && p.size() == 2)
+      out_ += "L" + pair(toPlane(p[1]));
+    else if (polynomial && p.size() == 3)
+      out_ += "Q" + pair(toPlane(p[1])) + " " + pair(toPlane(p[2]));
+    else if (p.size() != 3 || !addConic(p))
+      for (const auto& cubic : cubicsOf(p, tolerance_))
+        out_ += "C" + pair(cubic[1]) + " " + pair(cubic[2]) + " " + pair(cubic[3]);
   }
 
   /// A rational quadratic piece of an ellipse is the affine image of an arc of half-angle acos(w) of the unit circle, where
   /// w is the middle weight in standard form (Piegl & Tiller, The NURBS Book, 7.3). False for parabolas and hyperbolas.
-  bool addConic(const Piece& p) {
+  bool addConic(const BezierPiece& p) {
     const double w = p[1].z() / std::sqrt(p[0].z() * p[2].z());
     if (!(w > 1e-6) || !(w < 1 - 1e-9)) return false;
-    const Vec2 start = at(p[0]), corner = at(p[1]), end = at(p[2]);
+    const Vec2 start = toPlane(p[0]), corner = toPlane(p[1]), end = toPlane(p[2]);
     const double sine = std::sqrt(1 - w * w);
     Eigen::Matrix2d axes;  // conjugate half-diameters
     axes.col(0) = (corner - 0.5 * (start + end)) * w / (sine * sine);
@@ -168,19 +102,6 @@ class PathWriter {
                         axes.determinant() > 0 ? 0 : 1, pair(end));
     return true;
   }
-
-  /// Compared at equal parameters, which bounds the distance of the curves from above.
-  [[nodiscard]] bool isNear(const Piece& p, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) const {
-    constexpr int samples = 8;
-    for (int i = 1; i < samples; ++i) {
-      const double t = static_cast<double>(i) / samples, s = 1 - t;
-      const Vec2 cubic = s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
-      if ((cubic - pointOf(p, t)).norm() > 0.8 * tolerance_) return false;
-    }
-    return true;
-  }
-
-  void addCubic(const Vec2& b, const Vec2& c, const Vec2& d) { out_ += "C" + pair(b) + " " + pair(c) + " " + pair(d); }
 
   double mirror_, tolerance_;
   std::string out_;
@@ -271,7 +192,7 @@ std::vector<Curves> drawingsOf(const Shape& shape) {
 void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress) {
   const std::vector<Curves> drawings = drawingsOf(shape);
   const double tolerance = options.value("tolerance", 1e-3);
-  const Bounds page = boundsOf(drawings, std::max(tolerance, 1e-2));
+  const DrawnBox page = drawnBox(drawings, std::max(tolerance, 1e-2));
   const Vec2 size = (page.high - page.low).cwiseMax(Vec2(1e-3, 1e-3));
   PathWriter writer(page.low.y() + page.low.y() + size.y(), tolerance);
 

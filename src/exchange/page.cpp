@@ -99,9 +99,13 @@ void writePage(MakeSurface make, const Shape& shape, const std::filesystem::path
     cairo_show_page(page.get());
   }
   cairo_surface_finish(surface.get());
-  if (const cairo_status_t status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS)
-    throw Error(ErrorCode::OutputNotSupported, std::string("The page cannot be drawn: ") + cairo_status_to_string(status) + ".",
-                "Write it as SVG or DXF.");
+  if (const cairo_status_t status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS) {
+    // Cairo keeps the pages of PostScript in a temporary file until they are complete.
+    const bool onDisk = status == CAIRO_STATUS_WRITE_ERROR || status == CAIRO_STATUS_TEMP_FILE_ERROR;
+    throw Error(onDisk ? ErrorCode::FileUnwritable : ErrorCode::OutputNotSupported,
+                std::string("The page cannot be drawn: ") + cairo_status_to_string(status) + ".",
+                onDisk ? "Make room on the disk of the temporary folder." : "Write it as SVG or DXF.");
+  }
   writeBytes(file, content);
 }
 

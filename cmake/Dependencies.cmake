@@ -18,6 +18,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo cairo-pdf cairo-ps)  # pages of PDF and PostScript
 pkg_check_modules(ZIP REQUIRED IMPORTED_TARGET libzip)
+find_package(ZLIB REQUIRED)                    # what a damaged zip still holds, without its directory; checksums of journals
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 find_package(Freetype REQUIRED)                # outlines of letters
 find_package(Fontconfig REQUIRED)              # which fonts are installed

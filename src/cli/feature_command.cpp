@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/command_line.h"
+#include "cli/flag_inputs.h"
 #include "cli/input.h"
 #include "cli/output.h"
 #include "cli/progress_display.h"
@@ -29,6 +30,7 @@ class FeatureCommand {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     parameters_ = std::make_unique<ParameterFlags>(line, *app_, type_->parameters, "", "Parameters");
+    made_ = std::make_unique<FlagInputs>(line, *app_, *session_.app.registry, *type_);
     formats_ = std::make_unique<FormatFlags>(line, *app_, *session_.app.formats, FormatFlags::Writing);
     setExamples(*app_, type_->examples);
   }
@@ -85,6 +87,7 @@ class FeatureCommand {
 
   void checkNumberOfInputs() const {
     if (fileParameter()) return;
+    const std::size_t given = inputs_.size() + made_->given().size();
     std::size_t least = 0, most = 0;
     std::string wanted;
     for (const InputSpec& spec : type_->inputs) {
@@ -92,13 +95,13 @@ class FeatureCommand {
       most = spec.most == anyNumber || most == anyNumber ? anyNumber : most + spec.most;
       wanted += (wanted.empty() ? "" : ", ") + spec.name;
     }
-    if (inputs_.size() >= least && inputs_.size() <= most) return;
+    if (given >= least && given <= most) return;
     const std::string number = least == most       ? std::to_string(least)
                                : most == anyNumber ? fmt::format("at least {}", least)
                                                    : fmt::format("{} to {}", least, most);
     throw UsageError(fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number,
-                                 number == "1" ? "" : "s", wanted, inputs_.size(), inputs_.size() == 1 ? "is" : "are"),
-                     inputs_.size() > most ? "Several outputs are a comma list: -o a.step,b.stl."
+                                 number == "1" ? "" : "s", wanted, given, given == 1 ? "is" : "are"),
+                     given > most ? "Several outputs are a comma list: -o a.step,b.stl."
                                            : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
                      ErrorCode::InvalidInput);
   }
@@ -141,12 +144,23 @@ class FeatureCommand {
     }
   }
 
+  /// Files and what is written down, and between them, each in its place, what flags make.
+  [[nodiscard]] std::vector<FeatureId> addInputs(Document& document, std::vector<std::string>& warnings) const {
+    std::vector<FeatureId> ids;
+    for (const std::string& input : inputs_) ids.push_back(addInput(session_, document, input, warnings));
+    for (auto& [place, made] : made_->given()) {
+      made.id = document.freshId(made.id);
+      ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(std::min(place, ids.size())), made.id);
+      document = document.with(std::move(made));
+    }
+    return ids;
+  }
+
   /// The document that this command line describes: its inputs, then the feature itself.
   [[nodiscard]] Document document(const Value& parameters, FeatureId& id, std::vector<std::string>& warnings) const {
     Document result;
     Feature feature;
-    if (!fileParameter())
-      for (const std::string& input : inputs_) feature.inputs.push_back(addInput(session_, result, input, warnings));
+    if (!fileParameter()) feature.inputs = addInputs(result, warnings);
     for (const FeatureId& input : feature.inputs) {
       Feature hidden = result.at(input);
       hidden.visible = false;
@@ -214,6 +228,7 @@ class FeatureCommand {
   std::list<std::pair<std::size_t, std::string>>
       named_;  ///< inputs by name, with their place; a list: the parser keeps addresses
   std::unique_ptr<ParameterFlags> parameters_;
+  std::unique_ptr<FlagInputs> made_;
   std::unique_ptr<FormatFlags> formats_;
 };
 

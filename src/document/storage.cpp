@@ -8,7 +8,7 @@
 #include "core/file.h"
 #include "document/assets.h"
 #include "document/document_json.h"
-#include "document/zip_archive.h"
+#include "core/zip_archive.h"
 
 namespace blossom {
 namespace {

@@ -89,7 +89,7 @@ void refuseWrongContent(const FormatRegistry& registry, const Format& format, co
   std::string looks = sniffFormat(head);
   std::error_code status;
   if (looks.empty() && looksLikeBinaryStl(head, fs::file_size(path, status))) looks = "STL";
-  if (looks.empty() || covers(format, looks)) return;
+  if (looks.empty() || covers(format, looks) || (looks == "ZIP" && format.zipped)) return;
   const Format* right = registry.find(looks);
   throw Error(ErrorCode::FormatDamaged,
               fmt::format("The file \"{}\" looks like {}, not like {}.", file, looks, format.title),
@@ -136,7 +136,7 @@ const Format* FormatRegistry::find(std::string_view extensionOrId) const {
 FormatRegistry standardFormats() {
   FormatRegistry registry;
   for (const auto& format :
-       {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, xyzFormat, dxfFormat, svgFormat,
+       {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, threeMfFormat, xyzFormat, dxfFormat, svgFormat,
         pdfFormat, psFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
     registry.add(format());
   return registry;

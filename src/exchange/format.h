@@ -33,6 +33,7 @@ struct Format {
   Read read;                      ///< empty: cannot be read
   Write write;                    ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
   std::vector<ShapeKind> writes;  ///< kinds the writer takes; for the message when another comes
+  bool zipped = false;            ///< its files are zips
 };
 
 class FormatRegistry {
@@ -72,6 +73,7 @@ Format stlFormat();
 Format objFormat();
 Format offFormat();
 Format plyFormat();
+Format threeMfFormat();
 Format xyzFormat();
 Format dxfFormat();
 Format svgFormat();

@@ -109,7 +109,8 @@ bool looksLikeBinaryStl(std::string_view head, std::uintmax_t fileSize) {
 }
 
 std::string sniffFormat(std::string_view head) {
-  if (const std::string_view foreign = foreignFormat(head); !foreign.empty()) return std::string(foreign);
+  if (const std::string_view foreign = foreignFormat(head); !foreign.empty())
+    return foreign == "ZIP" && contains(head, "3D/3dmodel.model") ? "3MF" : std::string(foreign);
   if (head.substr(0, 3) == "\xef\xbb\xbf") head.remove_prefix(3);
   const std::string_view text = parse::trimmed(head);
   if (contains(text.substr(0, 2000), "ISO-10303-21;")) return "STEP";

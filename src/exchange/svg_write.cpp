@@ -14,25 +14,11 @@
 #include "exchange/format.h"
 #include "exchange/mesh_options.h"
 #include "exchange/svg_write.h"
+#include "exchange/xml_text.h"
 #include "geometry/planar.h"
 
 namespace blossom::svg {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (static_cast<unsigned char>(c) >= ' ')
-      result += c;
-  }
-  return result;
-}
 
 class PathWriter {
  public:
@@ -114,7 +100,7 @@ std::string attributes(const std::string& layer, const std::optional<Color>& col
   if (!filled)
     result = fmt::format(" fill=\"none\" stroke=\"{}\" stroke-width=\"0.25\"", color ? toHex(*color) : "currentColor");
   if (filled && rule == FillRule::EvenOdd) result += " fill-rule=\"evenodd\"";
-  if (!layer.empty()) result = fmt::format(" inkscape:label=\"{}\"", escaped(layer)) + result;
+  if (!layer.empty()) result = fmt::format(" inkscape:label=\"{}\"", escapedXml(layer)) + result;
   return result;
 }
 

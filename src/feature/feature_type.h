@@ -69,6 +69,14 @@ struct ChoiceByOutput {
   std::vector<std::pair<std::string, std::string>> byExtensions;  ///< {"step iges", "faces"}, ..
 };
 
+/// How commands take this feature, which needs no input itself, as one of theirs by flags alone:
+/// `pocket --text Blossom --font "DejaVu Serif" --text.height 20`.
+struct InputByFlags {
+  ShapeKind makes = ShapeKind::Region;  ///< inputs that name this kind, or any, can be made so
+  std::string asks;                     ///< the parameter whose flag asks for it; empty: there are no such flags
+  std::vector<std::string> plain = {};  ///< parameters whose flags need no prefix; those of all others begin with "ASKS."
+};
+
 /// A feature type, declared once and present everywhere: command, flags, help, dialog, panel, undo text, file format,
 /// manual.
 struct FeatureType {
@@ -83,6 +91,7 @@ struct FeatureType {
   std::vector<ParameterSpec> parameters;
   std::vector<std::string> examples;  ///< command lines for --help
   ChoiceByOutput byOutput = {};
+  InputByFlags inputByFlags = {};
   Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
 };
 
@@ -120,6 +129,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& byOutput(ChoiceByOutput choice) {
     type_.byOutput = std::move(choice);
+    return *this;
+  }
+  FeatureBuilder& inputByFlags(InputByFlags flags) {
+    type_.inputByFlags = std::move(flags);
     return *this;
   }
   FeatureBuilder& input(InputSpec spec) {

@@ -50,6 +50,15 @@ void settle(const std::string& owner, ParameterSpec& spec, bool element = false)
   }
 }
 
+void checkInputByFlags(const std::string& what, const FeatureType& type, const std::set<std::string>& parameters) {
+  const InputByFlags& flags = type.inputByFlags;
+  if (flags.asks.empty()) return;
+  if (!type.inputs.empty()) broken(what, "cannot be an input by flags alone, for it takes inputs itself");
+  for (const std::string& name : flags.plain)
+    if (!parameters.contains(name)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", name));
+  if (!parameters.contains(flags.asks)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", flags.asks));
+}
+
 void checkDeclaration(FeatureType& type) {
   const std::string what = fmt::format("The feature type \"{}\"", type.id);
   if (!isName(type.id, true) || type.id.find('.') == std::string::npos) broken(what, "has no proper id; write plugin.name");
@@ -67,6 +76,7 @@ void checkDeclaration(FeatureType& type) {
       broken(fmt::format("The parameter \"{}\" of {}", spec.name, type.id), "has a name that every command needs itself");
     if (!names.insert(spec.name).second) broken(what, fmt::format("declares the parameter \"{}\" twice", spec.name));
   }
+  checkInputByFlags(what, type, names);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Tessellation tessellate(const Shape&, const TessellationOptions& = {}, const Pro
 /// is closed.
 Mesh toMesh(const Tessellation&);
 
-/// Mesh of a shape (the shape itself when it is one): what STL, OBJ, OFF and PLY write.
+/// Mesh of a shape (the shape itself when it is one): what OBJ, OFF, PLY and 3MF write.
 /// @throws Error InvalidInput when the shape has no faces.
 Mesh meshOf(const Shape&, const TessellationOptions& = {}, const Progress& = Progress::none());
 

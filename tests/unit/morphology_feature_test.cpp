@@ -106,7 +106,7 @@ class MorphologyFeatureTest : public QObject {
 
   void throughTheCommandLine() {
     blossom({"box", "--width", "10", "--depth", "8", "--height", "6", "-o", "box.step"});
-    for (const char* format : {"off", "obj", "stl", "ply", "step"}) {
+    for (const char* format : {"off", "obj", "stl", "ply", "3mf", "step"}) {
       const QString file = QString("sum.") + format;
       const Answer ran = blossom({"solid-sum", "box.step", "ball:1:1", "-o", file});
       QVERIFY2(ran.code == 0, ran.json.dump().c_str());

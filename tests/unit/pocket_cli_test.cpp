@@ -101,6 +101,35 @@ class PocketCliTest : public QObject {
     refuses({"simulate", "air.ngc", "part.dxf"}, "which tool", "--tool-diameter");
   }
 
+  void aPartIsTextByFlags() {
+    const QStringList tool{"--tool-diameter", "0.5", "--depth", "1"};
+    const Answer written = blossom(QStringList{"pocket", "text:Blossom"} + tool);
+    const Answer made = blossom(QStringList{"pocket", "--text", "Blossom", "--font", "DejaVuSans", "-o", "text.ngc"} + tool);
+    QCOMPARE(made.code, 0);
+    QCOMPARE(made.result("length_mm"), written.result("length_mm"));
+    const Answer high = blossom({"offset", "--text", "Hi", "--text.height", "30", "--text.style", "bold", "--distance", "1",
+                                 "--side", "outside", "-o", "hi.dxf,hi.blossom"});
+    QCOMPARE(high.code, 0);
+    QCOMPARE(high.result("components"), 3.0);  // H, i and its dot
+    // the text is a feature of the document that comes out
+    QCOMPARE(blossom({"run", "hi.blossom"}).json["features"][0]["type"], Value("modeling.text"));
+    // the part of a simulation stands behind the program, wherever the flags do
+    QCOMPARE(blossom({"simulate", "--text", "Blossom", "text.ngc"}).result("residue_mm2"), 0.0);
+    QCOMPARE(blossom({"minkowski-sum", "circle:1", "--text", "O"}).code, 0);
+  }
+
+  void flagsThatMakeAnInputAreRefused() {
+    const Answer alone = blossom({"pocket", "circle:20", "--font", "DejaVu Sans"});
+    QCOMPARE(alone.code, 2);
+    QVERIFY(alone.message().find("--font") != std::string::npos && alone.hint().find("--text") != std::string::npos);
+    QCOMPARE(blossom({"pocket", "circle:20", "--text", "O"}).code, 2);  // two parts
+    const Answer font = blossom({"pocket", "--text", "O", "--font", "No Such Font"});
+    QVERIFY(font.code == 1 && font.message().find("No Such Font") != std::string::npos);
+    QCOMPARE(blossom({"pocket", "--text", "O", "--text.height", "-3"}).code, 2);
+    QCOMPARE(blossom({"pocket", "--text", ""}).code, 1);
+    QCOMPARE(blossom({"text", "--text.height", "3"}).code, 2);  // where it is the command itself, its flags are plain
+  }
+
   void theSamplesHoldTheirPockets() {
     for (const char* name : {"pocket-cover.blossom", "pocket-sign.blossom"}) {
       const Answer run = blossom({"run", QString::fromStdString(sample(name).string())});

@@ -121,6 +121,12 @@ class RegistryTest : public QObject {
     refused([](FeatureType& t) { t.parameters[0].name = "no-copies"; });
     refused([](FeatureType& t) { t.parameters[2].choices.clear(); });
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
+    refused([](FeatureType& t) { t.inputByFlags.asks = "words"; });
+    refused([](FeatureType& t) { t.inputByFlags = {.asks = "title", .plain = {"font"}}; });
+    refused([](FeatureType& t) {
+      t.inputByFlags.asks = "title";
+      t.inputs.push_back({"shape", "", {}});
+    });
     QCOMPARE(registry.types().size(), std::size_t{1});
   }
 

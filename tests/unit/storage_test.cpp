@@ -7,7 +7,7 @@
 #include "core/file.h"
 #include "core/version.h"
 #include "document/json_text.h"
-#include "document/zip_archive.h"
+#include "core/zip_archive.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "document/zip_archive.h"
+#include "core/zip_archive.h"
 
 /// Entries of a zip by the headers in front of them (PKWARE, .ZIP File Format Specification, section 4.3.7).
 namespace blossom {

@@ -1,4 +1,4 @@
-#include "document/zip_archive.h"
+#include "core/zip_archive.h"
 
 #include <fmt/format.h>
 #include <zip.h>
@@ -48,7 +48,7 @@ void checkLimits(const std::string& name, std::uint64_t size, std::uint64_t tota
     throw Error(
         ErrorCode::LimitExceeded,
         fmt::format("{} unpacks to more than {} MB.", name, (size > limits.entry ? limits.entry : limits.total) >> 20),
-        "A document of this size cannot be opened.");
+        "A file of this size cannot be opened.");
 }
 
 /// The size an entry declares may be a lie, so that the text grows with what is really there.

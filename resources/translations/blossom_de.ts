@@ -2402,6 +2402,37 @@ Seitwärts ziehen ändert ihn.</translation>
     </message>
 </context>
 <context>
+    <name>blossom::ui::ResultRows</name>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Click to copy</source>
+        <translation>Klicken zum Kopieren</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>%1 kopiert</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Wert kopieren</translation>
+    </message>
+    <message>
+        <source>Copy name and value</source>
+        <translation>Name und Wert kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all results</source>
+        <translation>Alle Ergebnisse kopieren</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::ResultTable</name>
     <message>
         <source>yes</source>
@@ -2430,30 +2461,6 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>ms</source>
         <translation>ms</translation>
-    </message>
-    <message>
-        <source>Click to copy</source>
-        <translation>Klicken zum Kopieren</translation>
-    </message>
-    <message>
-        <source>Copied %1</source>
-        <translation>%1 kopiert</translation>
-    </message>
-    <message>
-        <source>Copied</source>
-        <translation>Kopiert</translation>
-    </message>
-    <message>
-        <source>Copy value</source>
-        <translation>Wert kopieren</translation>
-    </message>
-    <message>
-        <source>Copy name and value</source>
-        <translation>Name und Wert kopieren</translation>
-    </message>
-    <message>
-        <source>Copy all results</source>
-        <translation>Alle Ergebnisse kopieren</translation>
     </message>
 </context>
 <context>

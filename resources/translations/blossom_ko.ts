@@ -2402,6 +2402,37 @@ Drag sideways to change it.</source>
     </message>
 </context>
 <context>
+    <name>blossom::ui::ResultRows</name>
+    <message>
+        <source>Results</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Click to copy</source>
+        <translation>클릭하여 복사</translation>
+    </message>
+    <message>
+        <source>Copied %1</source>
+        <translation>%1 복사됨</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>복사됨</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>값 복사</translation>
+    </message>
+    <message>
+        <source>Copy name and value</source>
+        <translation>이름과 값 복사</translation>
+    </message>
+    <message>
+        <source>Copy all results</source>
+        <translation>모든 결과 복사</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::ResultTable</name>
     <message>
         <source>yes</source>
@@ -2430,30 +2461,6 @@ Drag sideways to change it.</source>
     <message>
         <source>ms</source>
         <translation>ms</translation>
-    </message>
-    <message>
-        <source>Click to copy</source>
-        <translation>클릭하여 복사</translation>
-    </message>
-    <message>
-        <source>Copied %1</source>
-        <translation>%1 복사됨</translation>
-    </message>
-    <message>
-        <source>Copied</source>
-        <translation>복사됨</translation>
-    </message>
-    <message>
-        <source>Copy value</source>
-        <translation>값 복사</translation>
-    </message>
-    <message>
-        <source>Copy name and value</source>
-        <translation>이름과 값 복사</translation>
-    </message>
-    <message>
-        <source>Copy all results</source>
-        <translation>모든 결과 복사</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,7 @@
 #include "panel_fixture.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
-#include "ui/panel/result_table.h"
+#include "ui/panel/result_rows.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -113,24 +113,32 @@ void PanelFormTest::errorsStandAtTheirField() {
 }
 
 void PanelFormTest::resultsAreShownAndCopied() {
-  auto* table = panel_->findChild<ResultTable*>();
-  const auto shown = [&](const QString& text) -> QLabel* {
-    for (auto* label : table->findChildren<QLabel*>())
-      if (!label->isHidden() && label->text() == text) return label;
-    return nullptr;
+  auto* rows = panel_->findChild<ResultRows*>();
+  const auto row = [&](const char* name) {
+    const auto& all = rows->rows();
+    return std::find_if(all.begin(), all.end(), [&](const ResultRow& each) { return each.name == QLatin1String(name); });
   };
-  QTRY_VERIFY(shown(QStringLiteral("Area")));
-  QLabel* area = shown(QStringLiteral("50"));
-  QVERIFY(area && shown(QStringLiteral("mm²")));
-  QVERIFY(shown(QStringLiteral("12.25")) && shown(QStringLiteral("mm")));
+  QTRY_VERIFY(rows->isVisible() && row("Area") != rows->rows().end());
+  QCOMPARE(row("Area")->number, QStringLiteral("50"));
+  QCOMPARE(row("Area")->unit, QStringLiteral("mm²"));
+  QVERIFY(std::any_of(rows->rows().begin(), rows->rows().end(), [](const ResultRow& each) {
+    return each.number == QStringLiteral("12.25") && each.unit == QStringLiteral("mm");
+  }));
   QSignalSpy told(panel_.get(), &PropertyPanel::hint);
-  panel_->ensureWidgetVisible(area);
-  QTest::mouseClick(area, Qt::LeftButton);
+  const QRect area = rows->valueRect(static_cast<std::size_t>(row("Area") - rows->rows().begin()));
+  const QPoint inPanel = rows->mapTo(panel_->widget(), area.center());
+  panel_->ensureVisible(inPanel.x(), inPanel.y());
+  QTest::mouseClick(rows, Qt::LeftButton, {}, area.center());
   QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("50"));
   QVERIFY(!told.isEmpty());
-  QVERIFY(!shown(QStringLiteral("The flag is up.")));
+  const auto warned = [&] {
+    for (const auto* label : panel_->findChildren<QLabel*>(QStringLiteral("warning")))
+      if (!label->isHidden() && label->text() == QStringLiteral("The flag is up.")) return true;
+    return false;
+  };
+  QVERIFY(!warned());
   QTest::keyClick(editor<QCheckBox>("flag"), Qt::Key_Space);
-  QTRY_VERIFY(shown(QStringLiteral("The flag is up.")));
+  QTRY_VERIFY(warned());
 }
 
 void PanelFormTest::valuesGoBackToTheirDefault() {

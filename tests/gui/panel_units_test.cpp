@@ -4,7 +4,7 @@
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
 #include "ui/fields/stepping.h"
-#include "ui/panel/result_table.h"
+#include "ui/panel/result_rows.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -47,15 +47,9 @@ class PanelUnitsTest : public PanelFixture {
   [[nodiscard]] QString shown(const char* name) const { return editor<QLineEdit>(name)->text(); }
   /// "6 in²" of the result of that name; empty when there is none.
   [[nodiscard]] QString result(const char* name) const {
-    QString text;
-    const auto* table = panel_->findChild<ResultTable*>();
-    const auto labels = table->findChildren<QLabel*>();
-    for (const QLabel* label : labels) {
-      if (label->isHidden() || label->text() != QLatin1String(name)) continue;
-      for (const QLabel* other : labels)
-        if (!other->isHidden() && other != label && other->y() == label->y()) text += other->text() + u' ';
-    }
-    return text.trimmed();
+    for (const ResultRow& row : panel_->findChild<ResultRows*>()->rows())
+      if (row.name == QLatin1String(name)) return (row.value() + u' ' + row.unit).trimmed();
+    return {};
   }
 };
 

@@ -1,12 +1,6 @@
 #include "ui/panel/result_table.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QGridLayout>
 #include <QLabel>
-#include <QMenu>
-#include <QMouseEvent>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,7 +8,6 @@
 #include "ui/look/text.h"
 
 namespace blossom::ui {
-
 namespace {
 
 // {"LINE": 29, "ARC": 3} reads "29 LINE, 3 ARC".
@@ -42,63 +35,39 @@ Figure figureOf(const Measure& measure) {
   return {};
 }
 
-QLabel* cell(const char* style, Qt::Alignment alignment) {
-  auto* label = new QLabel;
-  label->setObjectName(QLatin1String(style));
-  label->setAlignment(alignment | Qt::AlignTop);
-  return label;
-}
-
 }  // namespace
 
-ResultTable::ResultTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayout), words_(new QVBoxLayout) {
+ResultTable::ResultTable(QWidget* parent) : QWidget(parent), shown_(new ResultRows(this)), words_(new QVBoxLayout) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
-  grid_->setVerticalSpacing(5);
-  grid_->setHorizontalSpacing(8);
-  grid_->setColumnStretch(1, 1);
   words_->setSpacing(4);
-  column->addLayout(grid_);
+  column->addWidget(shown_);
   column->addLayout(words_);
-  QTimer::singleShot(0, this, &ResultTable::makeRows);
-}
-
-// Before the first result comes, when there is most to do.
-void ResultTable::makeRows() {
-  constexpr std::size_t usual = 10;
-  const std::size_t used = used_;
-  while (used_ < usual) {
-    const Row& row = next({});
-    for (QLabel* label : {row.name, row.number, row.unit, row.text}) {
-      label->ensurePolished();
-      label->hide();
-    }
-  }
-  used_ = used;
+  connect(shown_, &ResultRows::copied, this, &ResultTable::copied);
 }
 
 void ResultTable::show(const FeatureView* view, const std::vector<std::string>& besides) {
-  used_ = 0;
   for (QLabel* sentence : sentences_) sentence->deleteLater();
   for (QLabel* sentence : sentences_) sentence->hide();
   sentences_.clear();
+  rows_.clear();
   if (!view)
     addWords(tr("Computing…"), "note");
   else if (view->result->error)
-    showError(*view->result->error);
+    addError(*view->result->error);
   else
-    showResult(*view, besides);
-  for (std::size_t i = used_; i < rows_.size(); ++i)
-    for (QLabel* label : {rows_[i].name, rows_[i].number, rows_[i].unit, rows_[i].text}) label->hide();
+    addResult(*view, besides);
+  shown_->setVisible(!rows_.empty());
+  shown_->setRows(std::move(rows_));
 }
 
-void ResultTable::showError(const Error& error) {
+void ResultTable::addError(const Error& error) {
   addWords(qt(error.message()), "problemBox");
   if (!error.hint().empty()) addWords(qt(error.hint()), "note");
 }
 
-void ResultTable::showResult(const FeatureView& view, const std::vector<std::string>& besides) {
+void ResultTable::addResult(const FeatureView& view, const std::vector<std::string>& besides) {
   if (!view.measures.kind.empty()) addText(tr("Kind"), qt(view.measures.kind));
   std::vector<std::string> shown = besides;
   for (const Measure& measure : view.measures.values) {
@@ -124,52 +93,14 @@ void ResultTable::showResult(const FeatureView& view, const std::vector<std::str
   for (const std::string& warning : result.evaluated.warnings) addWords(qt(warning), "warning");
 }
 
-ResultTable::Row& ResultTable::next(const QString& name) {
-  if (used_ == rows_.size()) {
-    const int line = static_cast<int>(used_);
-    Row row{cell("resultName", Qt::AlignLeft),
-            cell("resultValue", Qt::AlignRight),
-            cell("resultUnit", Qt::AlignLeft),
-            cell("resultValue", Qt::AlignRight),
-            {}};
-    row.text->setWordWrap(true);
-    row.unit->setContentsMargins(6, 0, 0, 0);  // the grid leaves no space beside the cells that span both columns
-    grid_->addWidget(row.name, line, 0);
-    grid_->addWidget(row.number, line, 1);
-    grid_->addWidget(row.unit, line, 2);
-    grid_->addWidget(row.text, line, 1, 1, 2);
-    for (QLabel* label : {row.number, row.unit, row.text}) {
-      label->installEventFilter(this);
-      label->setCursor(Qt::PointingHandCursor);
-      label->setToolTip(tr("Click to copy"));
-    }
-    rows_.push_back(row);
-  }
-  Row& row = rows_[used_++];
-  row.name->setText(name);
-  row.name->show();
-  return row;
-}
-
 void ResultTable::addRow(const QString& name, const QString& number, const QString& unit, const QString& copy) {
-  Row& row = next(name);
-  row.number->setText(number);
-  row.unit->setText(unit);
-  row.copy = copy;
-  row.number->show();
-  row.unit->show();
-  row.text->hide();
+  rows_.push_back({name, number, unit, {}, copy});
 }
 
 void ResultTable::addText(const QString& name, const QString& text) {
   constexpr int asNarrowAsANumber = 14;
   if (text.size() <= asNarrowAsANumber) return addRow(name, text, {}, text);
-  Row& row = next(name);
-  row.text->setText(text);
-  row.copy = text;
-  row.number->hide();
-  row.unit->hide();
-  row.text->show();
+  rows_.push_back({name, {}, {}, text, text});
 }
 
 void ResultTable::addWords(const QString& text, const char* style) {
@@ -179,44 +110,6 @@ void ResultTable::addWords(const QString& text, const char* style) {
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->addWidget(label);
   sentences_.push_back(label);
-}
-
-const ResultTable::Row* ResultTable::rowOf(const QObject* label) const {
-  for (const Row& row : rows_)
-    if (label == row.number || label == row.unit || label == row.text) return &row;
-  return nullptr;
-}
-
-bool ResultTable::eventFilter(QObject* object, QEvent* event) {
-  const bool release = event->type() == QEvent::MouseButtonRelease;
-  const bool menu = event->type() == QEvent::ContextMenu;
-  const Row* row = release || menu ? rowOf(object) : nullptr;
-  if (!row) return QWidget::eventFilter(object, event);
-  if (menu) {
-    copyMenu(*row, static_cast<QContextMenuEvent*>(event)->globalPos());
-  } else if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) {
-    QApplication::clipboard()->setText(row->copy);
-    emit copied(tr("Copied %1").arg(row->copy));
-  }
-  return true;
-}
-
-void ResultTable::copyMenu(const Row& row, const QPoint& at) {
-  QStringList all;
-  for (std::size_t i = 0; i < used_; ++i)
-    all << QStringLiteral("%1\t%2\t%3")
-               .arg(rows_[i].name->text(), rows_[i].copy, rows_[i].unit->isHidden() ? QString() : rows_[i].unit->text());
-  QMenu menu(this);
-  const auto offer = [&](const QString& title, const QString& text) {
-    menu.addAction(title, this, [this, text] {
-      QApplication::clipboard()->setText(text);
-      emit copied(tr("Copied"));
-    });
-  };
-  offer(tr("Copy value"), row.copy);
-  offer(tr("Copy name and value"), row.name->text() + u'\t' + row.copy);
-  offer(tr("Copy all results"), all.join(u'\n'));
-  menu.exec(at);
 }
 
 }  // namespace blossom::ui

@@ -2,9 +2,9 @@
 #include <QWidget>
 #include <vector>
 
+#include "ui/panel/result_rows.h"
 #include "ui/view/display_cache.h"
 
-class QGridLayout;
 class QLabel;
 class QVBoxLayout;
 
@@ -22,31 +22,16 @@ class ResultTable final : public QWidget {
  signals:
   void copied(const QString& what);
 
- protected:
-  bool eventFilter(QObject*, QEvent*) override;
-
  private:
-  struct Row {
-    QLabel* name;
-    QLabel* number;
-    QLabel* unit;
-    QLabel* text;  ///< instead of number and unit
-    QString copy;
-  };
   void addRow(const QString& name, const QString& number, const QString& unit, const QString& copy);
   void addText(const QString& name, const QString& text);
-  Row& next(const QString& name);
   void addWords(const QString&, const char* style);
-  void makeRows();
-  void showResult(const FeatureView&, const std::vector<std::string>& besides);
-  void showError(const Error&);
-  void copyMenu(const Row&, const QPoint& at);
-  [[nodiscard]] const Row* rowOf(const QObject*) const;
+  void addResult(const FeatureView&, const std::vector<std::string>& besides);
+  void addError(const Error&);
 
-  QGridLayout* grid_;
+  ResultRows* shown_;
   QVBoxLayout* words_;
-  std::vector<Row> rows_;  // kept and filled anew, for results come many times a second while something is dragged
-  std::size_t used_ = 0;
+  std::vector<ResultRow> rows_;  ///< being gathered
   std::vector<QLabel*> sentences_;
 };
 

@@ -1,0 +1,58 @@
+#pragma once
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace blossom::ui {
+
+/// One line of results: a name, and either a number with its unit or words.
+struct ResultRow {
+  QString name, number, unit;
+  QString text;  ///< instead of number and unit
+  QString copy;  ///< what a click on the value copies: all digits
+  [[nodiscard]] QString value() const { return text.isEmpty() ? number : text; }
+};
+
+/// Results as names and values in line, painted by one widget: a label for every cell would take twenty times as long to fill,
+/// and results come many times a second while something is dragged. A click on a value copies it.
+class ResultRows final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ResultRows(QWidget* parent);
+
+  void setRows(std::vector<ResultRow>);
+  [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
+  /// Where the value of a row, with its unit, stands in this widget.
+  [[nodiscard]] QRect valueRect(std::size_t row) const;
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+  [[nodiscard]] int heightForWidth(int width) const override;
+
+ signals:
+  void copied(const QString& what);
+
+ protected:
+  bool event(QEvent*) override;
+  void paintEvent(QPaintEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void leaveEvent(QEvent*) override;
+  void contextMenuEvent(QContextMenuEvent*) override;
+  void changeEvent(QEvent*) override;
+
+ private:
+  void measureColumns();
+  [[nodiscard]] int heightOf(const ResultRow&, int width) const;
+  [[nodiscard]] int valueLeft() const;
+  [[nodiscard]] std::optional<std::size_t> rowAt(QPoint) const;
+  void hover(std::optional<std::size_t>);
+  void copy(const QString& text, const QString& told);
+
+  std::vector<ResultRow> rows_;
+  int names_ = 0, numbers_ = 0, units_ = 0;  ///< widths of the columns
+  std::optional<std::size_t> hovered_;
+};
+
+}  // namespace blossom::ui

@@ -228,7 +228,8 @@ FeatureType pocketFeature() {
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .example("blossom pocket plate.dxf --tool-diameter 6 --depth 10 --stepdown 2.5 -o plate.ngc")
       .example("blossom pocket cover.step --face 4 --tool-diameter 1/8in --depth 3 --entry helix -o cover.ngc")
-      .example("blossom pocket --text Blossom --font \"DejaVu Serif\" --text.height 40 --tool-diameter 3 --depth 2 -o name.ngc")
+      .example(
+          "blossom pocket --text Blossom --font \"DejaVu Serif\" --text.height 40 --tool-diameter 3 --depth 2 -o name.ngc")
       .example("blossom pocket sign.svg --tool-diameter 3 --depth 2 --finish 0.2 --post grbl -o sign.nc")
       .evaluate(pocketOf);
 }

@@ -102,7 +102,7 @@ class FeatureCommand {
     throw UsageError(fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number,
                                  number == "1" ? "" : "s", wanted, given, given == 1 ? "is" : "are"),
                      given > most ? "Several outputs are a comma list: -o a.step,b.stl."
-                                           : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
+                                  : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
                      ErrorCode::InvalidInput);
   }
 

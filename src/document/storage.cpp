@@ -6,9 +6,9 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/zip_archive.h"
 #include "document/assets.h"
 #include "document/document_json.h"
-#include "core/zip_archive.h"
 
 namespace blossom {
 namespace {

@@ -136,8 +136,8 @@ const Format* FormatRegistry::find(std::string_view extensionOrId) const {
 FormatRegistry standardFormats() {
   FormatRegistry registry;
   for (const auto& format :
-       {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, threeMfFormat, xyzFormat, dxfFormat, svgFormat,
-        pdfFormat, psFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
+       {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, threeMfFormat, xyzFormat, dxfFormat,
+        svgFormat, pdfFormat, psFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
     registry.add(format());
   return registry;
 }

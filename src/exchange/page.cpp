@@ -136,6 +136,8 @@ cairo_surface_t* pdfSurface(cairo_write_func_t write, void* closure, double widt
 
 Format pdfFormat() { return pageFormat("pdf", "PDF (a page around the drawing, in its size)", pdfSurface); }
 
-Format psFormat() { return pageFormat("ps", "PostScript (a page around the drawing, in its size)", cairo_ps_surface_create_for_stream); }
+Format psFormat() {
+  return pageFormat("ps", "PostScript (a page around the drawing, in its size)", cairo_ps_surface_create_for_stream);
+}
 
 }  // namespace blossom

@@ -48,14 +48,14 @@ std::string modelText(const Mesh& mesh, const std::string& name, const Progress&
     out += fmt::format("     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", face[0], face[1], face[2]);
   }
   return out +
-         "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\"/>\n </build>\n</model>\n";
+         "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\"/>\n "
+         "</build>\n</model>\n";
 }
 
 void writeThreeMf(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
   const Mesh mesh = meshOf(shape, tessellationOptions(options), progress.part(0, 0.5));
   const std::string model = modelText(triangulated(mesh, progress).first, mesh.name, progress);
-  writeZip(path,
-           {{"[Content_Types].xml", contentTypes}, {"_rels/.rels", relationships}, {"3D/3dmodel.model", model}},
+  writeZip(path, {{"[Content_Types].xml", contentTypes}, {"_rels/.rels", relationships}, {"3D/3dmodel.model", model}},
            progress.part(0.5, 1));
 }
 

@@ -23,7 +23,7 @@ using pugi::xml_node;
 using Placement = Eigen::Transform<double, 3, Eigen::AffineCompact>;
 
 constexpr int deepest = 64;                     ///< components within components
-constexpr std::size_t mostPlaced = 100'000;   ///< objects, each time they are placed
+constexpr std::size_t mostPlaced = 100'000;     ///< objects, each time they are placed
 constexpr std::size_t mostFaces = 100'000'000;  ///< a small file can place one mesh many times
 
 Error damage(const std::string& sentence) {
@@ -172,15 +172,17 @@ class Builder {
       space.erase(0, space.find("/3dmanufacturing") + 1);  // what all have in front tells nothing; not found: nothing erased
       const auto isHarmless = [&](std::string_view name) { return space.find(name) != std::string::npos; };
       if (!isHarmless("/production/") && !isHarmless("/material/") && !isHarmless("/trianglesets/"))
-        warnings_.push_back(fmt::format("It uses an extension of 3MF that Blossom does not read ({}); what that adds is left out.",
-                                        shown(space.empty() ? prefix : std::string_view(space))));
+        warnings_.push_back(
+            fmt::format("It uses an extension of 3MF that Blossom does not read ({}); what that adds is left out.",
+                        shown(space.empty() ? prefix : std::string_view(space))));
     }
   }
 
   /// What a build item or a component refers to, perhaps in another part.
   void placeReferred(const std::string& from, const xml_node& reference, const Placement& outer, double unit, int depth) {
     const std::string_view path = attribute(reference, "path");
-    place(path.empty() ? from : partName(path), attribute(reference, "objectid"), outer * placementOf(reference, unit), depth);
+    place(path.empty() ? from : partName(path), attribute(reference, "objectid"), outer * placementOf(reference, unit),
+          depth);
   }
 
   void place(const std::string& partName, std::string_view id, const Placement& placement, int depth) {
@@ -190,7 +192,8 @@ class Builder {
     progress_.check();
     const ModelPart& part = package_.part(partName);
     const auto object = part.objects.find(id);
-    if (object == part.objects.end()) throw damage(fmt::format("The object {}, which is to be built, is missing.", shown(id)));
+    if (object == part.objects.end())
+      throw damage(fmt::format("The object {}, which is to be built, is missing.", shown(id)));
     if (const std::string_view type = attribute(object->second, "type"); type == "support" || type == "solidsupport")
       return skipped_.add(type);
     for (const xml_node& each : childNamed(object->second, "components").children())
@@ -258,7 +261,8 @@ class Builder {
   Imported finished() {
     if (flat_ > 0)
       warnings_.push_back(fmt::format("{} with two equal corners {} left out.",
-                                      flat_ == 1 ? "A triangle" : fmt::format("{} triangles", flat_), flat_ == 1 ? "is" : "are"));
+                                      flat_ == 1 ? "A triangle" : fmt::format("{} triangles", flat_),
+                                      flat_ == 1 ? "is" : "are"));
     Imported imported = importedMesh(std::move(mesh_), std::move(warnings_));
     imported.entities["object"] = objects_;
     imported.skipped = skipped_.toValue();

@@ -116,8 +116,8 @@ std::vector<Painted> paintedOf(const Shape& shape, const std::string& extension)
 double areaOf(const std::vector<std::array<Vec2, 4>>& loop) {
   double twice = 0;
   for (const auto& [a, b, c, d] : loop)
-    for (const auto& [t, weight] : {std::pair{0.5 - std::sqrt(0.15), 5.0 / 18}, std::pair{0.5, 4.0 / 9},
-                                    std::pair{0.5 + std::sqrt(0.15), 5.0 / 18}}) {
+    for (const auto& [t, weight] :
+         {std::pair{0.5 - std::sqrt(0.15), 5.0 / 18}, std::pair{0.5, 4.0 / 9}, std::pair{0.5 + std::sqrt(0.15), 5.0 / 18}}) {
       const double s = 1 - t;
       const Vec2 p = s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
       const Vec2 v = 3 * (s * s * (b - a) + 2 * s * t * (c - b) + t * t * (d - c));

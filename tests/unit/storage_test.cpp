@@ -6,8 +6,8 @@
 
 #include "core/file.h"
 #include "core/version.h"
-#include "document/json_text.h"
 #include "core/zip_archive.h"
+#include "document/json_text.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -125,8 +125,12 @@ class ThreeMfTest : public QObject {
   }
 
   void unitsBecomeMillimetres() {
-    for (const auto& [unit, size] : {std::pair{"micron", 1e-3}, {"millimeter", 1.0}, {"centimeter", 10.0}, {"inch", 25.4},
-                                     {"foot", 304.8}, {"meter", 1000.0}}) {
+    for (const auto& [unit, size] : {std::pair{"micron", 1e-3},
+                                     {"millimeter", 1.0},
+                                     {"centimeter", 10.0},
+                                     {"inch", 25.4},
+                                     {"foot", 304.8},
+                                     {"meter", 1000.0}}) {
       const Imported read = readModel(model(object(1, cubeMesh), "<item objectid='1' transform='1 0 0 0 1 0 0 0 1 2 0 0'/>",
                                             fmt::format("unit='{}'", unit)));
       COMPARE_NEAR(signedVolume(meshIn(read)), size * size * size, 1e-12 * size * size * size);
@@ -136,10 +140,9 @@ class ThreeMfTest : public QObject {
 
   void everythingStandsInItsPlace() {
     // a pair of cubes, the second mirrored in x; the pair is turned by 90 degrees about z, and moved
-    const std::string pair = object(1, cubeMesh) +
-                             object(2,
-                                    "<components><component objectid='1'/><component objectid='1' "
-                                    "transform='-1 0 0 0 1 0 0 0 1 -3 0 0'/></components>");
+    const std::string pair = object(1, cubeMesh) + object(2,
+                                                          "<components><component objectid='1'/><component objectid='1' "
+                                                          "transform='-1 0 0 0 1 0 0 0 1 -3 0 0'/></components>");
     const Imported read =
         readModel(model(pair, "<item objectid='2' transform='0 1 0 -1 0 0 0 0 1 10 20 30'/><item objectid='1'/>"));
     const Mesh& mesh = meshIn(read);
@@ -157,10 +160,10 @@ class ThreeMfTest : public QObject {
   }
 
   void objectsOfOtherPartsAreFound() {
-    const std::string root = model(
-        object(1, "<components><component objectid='7' p:path='/3D/Objects/One.model'/></components>"),
-        "<item objectid='1'/>",
-        "requiredextensions='p' xmlns:p='http://schemas.microsoft.com/3dmanufacturing/production/2015/06'");
+    const std::string root =
+        model(object(1, "<components><component objectid='7' p:path='/3D/Objects/One.model'/></components>"),
+              "<item objectid='1'/>",
+              "requiredextensions='p' xmlns:p='http://schemas.microsoft.com/3dmanufacturing/production/2015/06'");
     const Imported read = readPackage(
         {{"_rels/.rels", relations}, {"3D/3dmodel.model", root}, {"3D/Objects/one.model", model(object(7, cubeMesh), "")}});
     COMPARE_NEAR(signedVolume(meshIn(read)), 1, 1e-12);
@@ -253,7 +256,8 @@ class ThreeMfTest : public QObject {
   void smallFilesDoNotFillTheMemory() {
     std::string objects = object(1, cubeMesh);
     for (int i = 2; i < 32; ++i)
-      objects += object(i, fmt::format("<components><component objectid='{0}'/><component objectid='{0}'/></components>", i - 1));
+      objects +=
+          object(i, fmt::format("<components><component objectid='{0}'/><component objectid='{0}'/></components>", i - 1));
     VERIFY_ERROR(readModel(model(objects, "<item objectid='31'/>")), ErrorCode::LimitExceeded);
   }
 };

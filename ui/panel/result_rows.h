@@ -13,8 +13,8 @@ struct ResultRow {
   [[nodiscard]] QString value() const { return text.isEmpty() ? number : text; }
 };
 
-/// Results as names and values in line, painted by one widget: a label for every cell would take twenty times as long to fill,
-/// and results come many times a second while something is dragged. A click on a value copies it.
+/// Results as names and values in line, painted by one widget: a label for every cell would take twenty times as long to
+/// fill, and results come many times a second while something is dragged. A click on a value copies it.
 class ResultRows final : public QWidget {
   Q_OBJECT
  public:

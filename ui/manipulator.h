@@ -18,6 +18,9 @@ class vtkProp;
 /// The manipulator half of a plugin exports these; write BLOSSOM_MANIPULATORS(registry) { registry.addOverlay(..); }.
 /// Tools are declared in ui/tool.h.
 #define BLOSSOM_MANIPULATORS(registry)                                                                                  \
+  extern "C" __attribute__((visibility("default"))) std::uint32_t blossomManipulatorLayout() {                          \
+    return ::blossom::ui::manipulatorLayout;                                                                            \
+  }                                                                                                                     \
   extern "C" __attribute__((visibility("default"))) int blossomManipulatorApi() { return ::blossom::pluginApiVersion; } \
   extern "C" __attribute__((visibility("default"))) void blossomRegisterManipulators(                                   \
       ::blossom::ui::ManipulatorRegistry& registry)
@@ -84,5 +87,9 @@ class ManipulatorRegistry {
   std::map<std::string, MakeTool> handles_;
   std::vector<ToolSpec> tools_;
 };
+
+/// See pluginLayout: what the window and a manipulator module hand to one another, on top of that.
+inline constexpr std::uint32_t manipulatorLayout =
+    pluginLayout ^ layoutNumber<ManipulatorRegistry, OverlayContext, ToolSpec, Feature, Look>();
 
 }  // namespace blossom::ui

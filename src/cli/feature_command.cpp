@@ -101,9 +101,15 @@ class FeatureCommand {
                                                    : fmt::format("{} to {}", least, most);
     throw UsageError(fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number,
                                  number == "1" ? "" : "s", wanted, given, given == 1 ? "is" : "are"),
-                     given > most ? "Several outputs are a comma list: -o a.step,b.stl."
-                                  : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
+                     given > most ? hintForTooMany() : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
                      ErrorCode::InvalidInput);
+  }
+
+  [[nodiscard]] std::string hintForTooMany() const {
+    const auto made = made_->given();
+    if (made.empty()) return "Several outputs are a comma list: -o a.step,b.stl.";
+    return fmt::format("--{} makes one of them; leave it out, or one of the others.",
+                       session_.app.registry->at(made.front().second.type)->inputByFlags.asks);
   }
 
   [[nodiscard]] Value parameters() const {

@@ -19,6 +19,14 @@ TessellationOptions tessellationOptions(const Value& options);
 std::vector<ShapeKind> meshableKinds();
 /// @throws Error FormatDamaged when the mesh has no face.
 Imported importedMesh(Mesh, std::vector<std::string> warnings = {});
+/// Calls `write(i)` for every i below `count`, telling how far it is. @throws Error Cancelled.
+template <class Write>
+void writeEach(std::size_t count, const Progress& progress, Write&& write) {
+  for (std::size_t i = 0; i < count; ++i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(count));
+    write(i);
+  }
+}
 /// Text or bytes to a file that the caller made room for. @throws Error FileUnwritable.
 void writeBytes(const std::filesystem::path&, std::string_view);
 

@@ -172,17 +172,18 @@ class ObjReader {
 };
 
 void writeObj(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
-  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress);
+  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress.part(0, 0.4));
   std::string out = "# Blossom\n";
   if (!mesh.name.empty()) out += "o " + mesh.name + "\n";
-  for (const Vec3& p : mesh.points)
+  writeEach(mesh.points.size(), progress.part(0.4, 0.7), [&](std::size_t i) {
+    const Vec3& p = mesh.points[i];
     out += fmt::format("v {} {} {}\n", formatNumber(p.x()), formatNumber(p.y()), formatNumber(p.z()));
-  progress.check();
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+  });
+  writeEach(mesh.faceCount(), progress.part(0.7, 1), [&](std::size_t f) {
     out += 'f';
     for (const int v : mesh.face(f)) out += fmt::format(" {}", v + 1);
     out += '\n';
-  }
+  });
   for (const std::string& tag : mesh.otherTags) out += tag + "\n";
   for (const Crease& c : mesh.creases)
     out += fmt::format("t crease 2/1/0 {} {} {}\n", c.from, c.to, formatNumber(c.sharpness));

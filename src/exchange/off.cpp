@@ -96,16 +96,17 @@ class OffReader {
 };
 
 void writeOff(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
-  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress);
+  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress.part(0, 0.4));
   std::string out = fmt::format("OFF\n{} {} 0\n", mesh.points.size(), mesh.faceCount());
-  for (const Vec3& p : mesh.points)
+  writeEach(mesh.points.size(), progress.part(0.4, 0.7), [&](std::size_t i) {
+    const Vec3& p = mesh.points[i];
     out += fmt::format("{} {} {}\n", formatNumber(p.x()), formatNumber(p.y()), formatNumber(p.z()));
-  progress.check();
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+  });
+  writeEach(mesh.faceCount(), progress.part(0.7, 1), [&](std::size_t f) {
     out += fmt::format("{}", mesh.face(f).size());
     for (const int v : mesh.face(f)) out += fmt::format(" {}", v);
     out += '\n';
-  }
+  });
   writeBytes(path, out);
 }
 

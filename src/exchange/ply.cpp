@@ -313,21 +313,21 @@ class PlyReader {
 };
 
 void writePly(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
-  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress);
+  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress.part(0, 0.4));
   const bool ascii = options.value("ascii", false);
   std::string out = fmt::format(
       "ply\nformat {} 1.0\ncomment Blossom, lengths in mm\nelement vertex {}\nproperty double x\nproperty double "
       "y\nproperty double z\n"
       "element face {}\nproperty list int int vertex_indices\nend_header\n",
       ascii ? "ascii" : "binary_little_endian", mesh.points.size(), mesh.faceCount());
-  for (const Vec3& p : mesh.points) {
+  writeEach(mesh.points.size(), progress.part(0.4, 0.7), [&](std::size_t n) {
+    const Vec3& p = mesh.points[n];
     if (ascii)
       out += fmt::format("{} {} {}\n", formatNumber(p.x()), formatNumber(p.y()), formatNumber(p.z()));
     else
       for (int i = 0; i < 3; ++i) appendLittleEndian(out, p[i]);
-  }
-  progress.check();
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+  });
+  writeEach(mesh.faceCount(), progress.part(0.7, 1), [&](std::size_t f) {
     const auto face = mesh.face(f);
     if (ascii) {
       out += fmt::format("{}", face.size());
@@ -337,7 +337,7 @@ void writePly(const Shape& shape, const std::filesystem::path& path, const Value
       appendLittleEndian(out, static_cast<std::int32_t>(face.size()));
       for (const int v : face) appendLittleEndian(out, static_cast<std::int32_t>(v));
     }
-  }
+  });
   writeBytes(path, out);
 }
 

@@ -163,14 +163,15 @@ Vec3 normalOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   return size > 0 ? Vec3(n / size) : Vec3(0, 0, 0);
 }
 
-std::string binaryStl(const Tessellation& t) {
+std::string binaryStl(const Tessellation& t, const Progress& progress) {
   std::string out = "Blossom STL, lengths in mm";
   out.resize(80, ' ');
   appendLittleEndian(out, static_cast<std::uint32_t>(t.triangles.size()));
   const auto append = [&](const Vec3& p) {
     for (int i = 0; i < 3; ++i) appendLittleEndian(out, static_cast<float>(p[i]));
   };
-  for (const auto& [a, b, c] : t.triangles) {
+  writeEach(t.triangles.size(), progress, [&](std::size_t f) {
+    const auto& [a, b, c] = t.triangles[f];
     const Vec3 &p = t.points[static_cast<std::size_t>(a)], &q = t.points[static_cast<std::size_t>(b)],
                &r = t.points[static_cast<std::size_t>(c)];
     append(normalOf(p, q, r));
@@ -178,30 +179,31 @@ std::string binaryStl(const Tessellation& t) {
     append(q);
     append(r);
     appendLittleEndian(out, std::uint16_t{0});
-  }
+  });
   return out;
 }
 
-std::string textStl(const Tessellation& t) {
+std::string textStl(const Tessellation& t, const Progress& progress) {
   const auto numbers = [](const Vec3& p) {
     return fmt::format("{} {} {}", formatNumber(p.x()), formatNumber(p.y()), formatNumber(p.z()));
   };
   std::string out = "solid blossom\n";
-  for (const auto& triangle : t.triangles) {
+  writeEach(t.triangles.size(), progress, [&](std::size_t f) {
     std::array<Vec3, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = t.points[static_cast<std::size_t>(triangle[i])];
+    for (std::size_t i = 0; i < 3; ++i) p[i] = t.points[static_cast<std::size_t>(t.triangles[f][i])];
     out += fmt::format("facet normal {}\n outer loop\n", numbers(normalOf(p[0], p[1], p[2])));
     for (const Vec3& corner : p) out += fmt::format("  vertex {}\n", numbers(corner));
     out += " endloop\nendfacet\n";
-  }
+  });
   return out + "endsolid blossom\n";
 }
 
 void writeStl(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
-  const Tessellation triangles = tessellate(shape, tessellationOptions(options), progress);
+  const Tessellation triangles = tessellate(shape, tessellationOptions(options), progress.part(0, 0.5));
   if (triangles.triangles.empty())
     throw Error(ErrorCode::OutputNotSupported, "The shape has no faces, so there is nothing to write as STL.");
-  writeBytes(path, options.value("ascii", false) ? textStl(triangles) : binaryStl(triangles));
+  const Progress writing = progress.part(0.5, 1);
+  writeBytes(path, options.value("ascii", false) ? textStl(triangles, writing) : binaryStl(triangles, writing));
 }
 
 }  // namespace

@@ -35,28 +35,30 @@ std::string modelText(const Mesh& mesh, const std::string& name, const Progress&
  <resources>
 )";
   // The type "model" is for closed objects alone (section 4.1).
-  out += fmt::format("  <object id=\"1\" type=\"{}\"", meshTopology(mesh, progress).closed() ? "model" : "surface");
+  out += fmt::format("  <object id=\"1\" type=\"{}\"",
+                     meshTopology(mesh, progress.part(0, 0.2)).closed() ? "model" : "surface");
   if (!name.empty()) out += fmt::format(" name=\"{}\"", escapedXml(name));
   out += ">\n   <mesh>\n    <vertices>\n";
-  for (const Vec3& p : mesh.points)
+  writeEach(mesh.points.size(), progress.part(0.2, 0.5), [&](std::size_t i) {
+    const Vec3& p = mesh.points[i];
     out += fmt::format("     <vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", formatNumber(p.x()), formatNumber(p.y()),
                        formatNumber(p.z()));
+  });
   out += "    </vertices>\n    <triangles>\n";
-  progress.check();
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+  writeEach(mesh.faceCount(), progress.part(0.5, 1), [&](std::size_t f) {
     const auto face = mesh.face(f);
     out += fmt::format("     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", face[0], face[1], face[2]);
-  }
+  });
   return out +
          "    </triangles>\n   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\"/>\n "
          "</build>\n</model>\n";
 }
 
 void writeThreeMf(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
-  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress.part(0, 0.5));
-  const std::string model = modelText(triangulated(mesh, progress).first, mesh.name, progress);
+  const Mesh mesh = meshOf(shape, tessellationOptions(options), progress.part(0, 0.2));
+  const std::string model = modelText(triangulated(mesh, progress.part(0.2, 0.3)).first, mesh.name, progress.part(0.3, 0.7));
   writeZip(path, {{"[Content_Types].xml", contentTypes}, {"_rels/.rels", relationships}, {"3D/3dmodel.model", model}},
-           progress.part(0.5, 1));
+           progress.part(0.7, 1));
 }
 
 }  // namespace

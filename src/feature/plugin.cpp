@@ -42,7 +42,8 @@ const boost::dll::shared_library& loaded(const fs::path& module) {
 
 template <class Function>
 Function& symbol(const boost::dll::shared_library& module, const char* name) {
-  if (!module.has(name)) broken(fmt::format("Its module does not export {}; it was not made with BLOSSOM_PLUGIN.", name));
+  if (!module.has(name))
+    broken(fmt::format("Its module does not export {}; it was not made with BLOSSOM_PLUGIN of this Blossom.", name));
   return module.get<Function>(name);
 }
 
@@ -54,8 +55,11 @@ std::string wrongApi(const PluginManifest& manifest, int api, const char* who) {
 void registerFeatures(const PluginManifest& manifest, Registry& scratch) {
   const auto& module = loaded(manifest.folder / manifest.compute);
   const int api = symbol<int()>(module, "blossomPluginApi")();
-  auto& registerAll = symbol<void(Registry&)>(module, "blossomRegister");
   if (api != pluginApiVersion) broken(wrongApi(manifest, api, "Its module was"));
+  if (symbol<std::uint32_t()>(module, "blossomPluginLayout")() != pluginLayout)
+    broken(fmt::format("Its module was compiled with headers of another Blossom. Compile {} again with those of {}.",
+                       manifest.title, versionText));
+  auto& registerAll = symbol<void(Registry&)>(module, "blossomRegister");
   try {
     registerAll(scratch);
   } catch (const Error&) {

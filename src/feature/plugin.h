@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,12 +10,29 @@
 /// A plugin is a folder with plugin.json, a compute module (no widgets) and, for the window, a manipulator module:
 ///   {"id": "sweep", "title": "Sweep", "version": "0.1.0", "api": 1, "summary": "..", "icon": "sweep",
 ///    "compute": "libblossom_sweep.so", "manipulators": "libblossom_sweep_manipulators.so", "features": ["sweep.sweep"]}
-/// The compute module exports `int blossomPluginApi()` and `void blossomRegister(blossom::Registry&)`: write BLOSSOM_PLUGIN.
-#define BLOSSOM_PLUGIN(registry)                                                                                   \
-  extern "C" __attribute__((visibility("default"))) int blossomPluginApi() { return ::blossom::pluginApiVersion; } \
+/// The compute module exports `int blossomPluginApi()`, `std::uint32_t blossomPluginLayout()` and
+/// `void blossomRegister(blossom::Registry&)`: write BLOSSOM_PLUGIN.
+#define BLOSSOM_PLUGIN(registry)                                                                                            \
+  extern "C" __attribute__((visibility("default"))) int blossomPluginApi() { return ::blossom::pluginApiVersion; }          \
+  extern "C" __attribute__((visibility("default"))) std::uint32_t blossomPluginLayout() { return ::blossom::pluginLayout; } \
   extern "C" __attribute__((visibility("default"))) void blossomRegister(::blossom::Registry& registry)
 
 namespace blossom {
+
+/// A number made of the sizes of types: whoever compiled another of them has another number.
+template <class... Types>
+constexpr std::uint32_t layoutNumber() {
+  std::uint32_t hash = 2166136261U;  // FNV-1a
+  ((hash = (hash ^ static_cast<std::uint32_t>(sizeof(Types))) * 16777619U), ...);
+  return hash;
+}
+
+/// What program and module hand to one another. pluginApiVersion tells of changed meanings; this, which nobody has to
+/// remember to raise, tells that a module was compiled with headers of other types and would write beside them.
+inline constexpr std::uint32_t pluginLayout =
+    layoutNumber<Registry, FeatureType, InputSpec, ChoiceByOutput, InputByFlags, ParameterSpec, Evaluated, Measure, Inputs,
+                 Shape, Shape::Value, Value, Progress, CancelToken, Region, Curves, Curve, Surface, Brep, Mesh, Motion,
+                 Sequence, MedialAxis, Toolpath>();
 
 /// plugin.json, readable before anything is loaded.
 struct PluginManifest {

@@ -25,6 +25,33 @@ class FormatTest : public QObject {
     }
   }
 
+  /// Nine points of ten of a large mesh are written when the user has enough of it: in any format, as text too.
+  void writingAMeshCanBeCancelledOnItsWay() {
+    constexpr int side = 60;
+    Mesh sheet;
+    for (int i = 0; i < side * side; ++i) sheet.points.emplace_back(i % side, i / side, 0.25 * (i % 7));
+    for (int i = 0; i + side + 1 < side * side; ++i)
+      if (i % side != side - 1) sheet.addFace(std::array<int, 4>{i, i + 1, i + side + 1, i + side});
+    for (const char* extension : {"3mf", "obj", "off", "ply", "stl"})
+      for (const bool ascii : {false, true}) {
+        const bool choice = std::string_view(extension) == "ply" || std::string_view(extension) == "stl";
+        if (ascii && !choice) continue;
+        const TemporaryFolder folder;
+        const fs::path file = folder.path() / (std::string("sheet.") + extension);
+        const CancelToken token;
+        double told = 0;
+        const Progress progress(token, [&](double fraction, const std::string&) {
+          QVERIFY(fraction >= told);
+          told = fraction;
+          if (fraction >= 0.6) token.cancel();
+        });
+        VERIFY_ERROR(writeShape(formats(), Shape(sheet), file, choice ? Value{{"ascii", ascii}} : Value::object(), progress),
+                     ErrorCode::Cancelled);
+        QVERIFY2(told < 0.65, extension);
+        QVERIFY2(!fs::exists(file), extension);
+      }
+  }
+
   void refusesWhatIsNotThere() {
     const TemporaryFolder folder;
     VERIFY_ERROR(readShape(formats(), folder.path() / "none.obj"), ErrorCode::FileNotFound);

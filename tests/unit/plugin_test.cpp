@@ -111,6 +111,9 @@ class PluginTest : public QObject {
     QTest::newRow("wrong api") << "wrong_api.so"
                                << ""
                                << "Its module was made for plugin interface 999, and this Blossom has 1.";
+    QTest::newRow("wrong layout") << "wrong_layout.so"
+                                  << ""
+                                  << "Its module was compiled with headers of another Blossom. Compile Probe again";
     QTest::newRow("no symbols") << "no_symbols.so"
                                 << ""
                                 << "Its module does not export blossomPluginApi";

@@ -122,7 +122,9 @@ class PocketCliTest : public QObject {
     const Answer alone = blossom({"pocket", "circle:20", "--font", "DejaVu Sans"});
     QCOMPARE(alone.code, 2);
     QVERIFY(alone.message().find("--font") != std::string::npos && alone.hint().find("--text") != std::string::npos);
-    QCOMPARE(blossom({"pocket", "circle:20", "--text", "O"}).code, 2);  // two parts
+    const Answer two = blossom({"pocket", "circle:20", "--text", "O"});  // two parts
+    QCOMPARE(two.code, 2);
+    QVERIFY2(two.hint().starts_with("--text makes one of them"), two.hint().c_str());
     const Answer font = blossom({"pocket", "--text", "O", "--font", "No Such Font"});
     QVERIFY(font.code == 1 && font.message().find("No Such Font") != std::string::npos);
     QCOMPARE(blossom({"pocket", "--text", "O", "--text.height", "-3"}).code, 2);

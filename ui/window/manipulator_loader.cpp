@@ -25,6 +25,9 @@ void load(ManipulatorRegistry& registry, const PluginManifest& manifest) {
   const int api = module.get<int()>("blossomManipulatorApi")();
   if (api != pluginApiVersion)
     throw Error(ErrorCode::PluginBroken, fmt::format("it was made for interface {}, this is {}", api, pluginApiVersion));
+  if (!module.has("blossomManipulatorLayout") ||
+      module.get<std::uint32_t()>("blossomManipulatorLayout")() != manipulatorLayout)
+    throw Error(ErrorCode::PluginBroken, "it was compiled with headers of another Blossom; compile it again");
   // Registered apart first, so that a module that throws half-way leaves nothing behind.
   ManipulatorRegistry own;
   module.get<void(ManipulatorRegistry&)>("blossomRegisterManipulators")(own);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <ostream>
 
 #include "cli/command_line.h"
 #include "core/parallel.h"
 #include "core/version.h"
+#include "parameter/wording.h"
 
 namespace blossom {
 namespace {
@@ -52,7 +54,18 @@ std::vector<std::string> flagsOf(const CLI::App& app) {
   return names;
 }
 
+/// The names that go on with a hyphen where the word ends: --tool-diameter and --tool-number for --tool; at most four.
+std::vector<std::string> continuing(const std::string& word, const std::vector<std::string>& known) {
+  std::vector<std::string> found;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(found),
+               [&](const std::string& name) { return name.starts_with(word + '-'); });
+  found.resize(std::min<std::size_t>(found.size(), 4));
+  return found;
+}
+
 std::string didYouMean(const std::string& word, const std::vector<std::string>& known, const std::string& otherwise) {
+  if (const auto names = continuing(word, known); !names.empty())
+    return fmt::format("Did you mean {}?", enumerated(names, "or"));
   const std::string near = nearestName(word, known);
   return near.empty() ? otherwise : fmt::format("Did you mean {}?", near);
 }

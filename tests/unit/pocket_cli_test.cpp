@@ -122,6 +122,9 @@ class PocketCliTest : public QObject {
     const Answer alone = blossom({"pocket", "circle:20", "--font", "DejaVu Sans"});
     QCOMPARE(alone.code, 2);
     QVERIFY(alone.message().find("--font") != std::string::npos && alone.hint().find("--text") != std::string::npos);
+    QCOMPARE(blossom({"pocket", "--text", "O", "--tool", "3"}).hint(),
+             std::string("Did you mean --tool-diameter, --tool-corner or --tool-number?"));
+    QCOMPARE(blossom({"minkowski", "circle:1"}).hint(), std::string("Did you mean minkowski-sum or minkowski-difference?"));
     const Answer two = blossom({"pocket", "circle:20", "--text", "O"});  // two parts
     QCOMPARE(two.code, 2);
     QVERIFY2(two.hint().starts_with("--text makes one of them"), two.hint().c_str());

@@ -18,7 +18,7 @@ class ExamplePluginWindowTest : public WindowFixture {
  private slots:
   void initTestCase() {
     setUpOnce();
-    plugin_ = test::buildFolder() / "tests/example-plugin";
+    plugin_ = test::buildFolder() / "tests/installed-plugin";
     QVERIFY2(std::filesystem::exists(plugin_ / "plugin.json"), "the test plugin/example builds the plugin");
   }
   void init() { openWindow({test::buildFolder() / "lib/blossom/plugins", plugin_}); }

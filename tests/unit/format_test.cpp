@@ -25,7 +25,7 @@ class FormatTest : public QObject {
     }
   }
 
-  /// Nine points of ten of a large mesh are written when the user has enough of it: in any format, as text too.
+  /// The user has enough of it while the points or faces are being written: in any format, as text too.
   void writingAMeshCanBeCancelledOnItsWay() {
     constexpr int side = 60;
     Mesh sheet;

@@ -148,6 +148,7 @@ class OutlineToolTest : public QObject {
   void pointsAreDraggedInsertedAndRemoved();
   void aDragGivenUpLeavesNothing();
   void aFeatureThatGoesEndsItsTool();
+  void whatChangesDuringADragIsSeenWhenItEnds();
   void everyHandleMovesItsShape_data();
   void everyHandleMovesItsShape();
   void cornersOfARectangleLeaveTheOppositeOne();
@@ -345,6 +346,28 @@ void OutlineToolTest::aFeatureThatGoesEndsItsTool() {
   Tool& tool = bench.draw(id);
   const QSignalSpy finished(&tool, &Tool::finished);
   bench.undo();
+  QCOMPARE(finished.count(), 1);
+}
+
+void OutlineToolTest::whatChangesDuringADragIsSeenWhenItEnds() {
+  Workbench bench(app_);
+  const FeatureId id = bench.add("modeling.outline", {{"segments", squarePoints()}});
+  Tool& tool = bench.draw(id);
+  drag(tool, {40, 40}, {70, 70});
+  QVERIFY(tool.press(at(70, 70, Qt::LeftButton)));
+  bench.undo();  // the corner is back at (40, 40) while the mouse holds it
+  QVERIFY(key(tool, Qt::Key_Escape));
+  tool.move(at(70, 70));
+  QVERIFY(!tool.press(at(70, 70, Qt::LeftButton)));
+  drag(tool, {40, 40}, {50, 40});
+  COMPARE_NEAR(area(bench.region(id)), 1800, 1e-9);
+
+  const QSignalSpy finished(&tool, &Tool::finished);
+  QVERIFY(tool.press(at(50, 40, Qt::LeftButton)));
+  bench.undo();
+  bench.undo();
+  QCOMPARE(finished.count(), 0);
+  QVERIFY(key(tool, Qt::Key_Escape));
   QCOMPARE(finished.count(), 1);
 }
 

@@ -163,4 +163,20 @@ PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
   return actor;
 }
 
+QColor qtColor(const Color& color, double opacity) {
+  return QColor::fromRgbF(static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue),
+                          static_cast<float>(opacity));
+}
+
+LabelLook labelLook(const Look& look, const Color& color, double pixelRatio) {
+  return {qtColor(color), qtColor(look.backgroundBottom, 0.85), qtColor(color, 0.5), pixelRatio};
+}
+
+std::optional<Vec2> inGround(const Ray& ray) {
+  if (std::abs(ray.direction.z()) < 1e-9) return std::nullopt;
+  const double along = -ray.origin.z() / ray.direction.z();
+  if (along < 0) return std::nullopt;
+  return Vec2((ray.origin + along * ray.direction).head<2>());
+}
+
 }  // namespace blossom::ui

@@ -5,10 +5,13 @@
 #include <QColor>
 #include <QString>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/vector.h"
 #include "geometry/color.h"
+#include "scene/picking.h"
+#include "scene/scene.h"
 
 /// What tools draw over the scene: always in front of it. Widths are in device pixels.
 namespace blossom::ui {
@@ -26,5 +29,12 @@ struct LabelLook {
   double pixelRatio = 1;
 };
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook&);
+
+QColor qtColor(const Color&, double opacity = 1);
+/// Text and border in one colour, on a card of the colour of the background.
+LabelLook labelLook(const Look&, const Color&, double pixelRatio);
+
+/// Where the line of sight meets the plane z = 0; nothing when it runs along it or the plane lies behind the eye.
+std::optional<Vec2> inGround(const Ray&);
 
 }  // namespace blossom::ui

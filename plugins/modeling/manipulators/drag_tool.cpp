@@ -2,52 +2,29 @@
 
 #include <vtkProp.h>
 
-#include <QKeyEvent>
-
 #include "manipulators/tool_paint.h"
+#include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
-DragTool::DragTool(ui::ToolHost& toolHost, FeatureId feature) : Tool(toolHost), feature_(std::move(feature)) {
-  // Until the mouse tells better: grid lines are some twenty pixels apart.
-  millimetresPerPixel_ = toolHost.gridSpacing() / 20;
-  load();
-}
+DragTool::DragTool(ui::ToolHost& toolHost, FeatureId feature) : HandleTool(toolHost, std::move(feature)) { load(); }
 
 void DragTool::load() {
   base_ = host().document();
-  const Feature& feature = base_.at(feature_);
-  parameters_ = completed(host().registry().at(feature.type)->parameters, feature.parameters);
+  const Feature& now = base_.at(feature());
+  parameters_ = completed(host().registry().at(now.type)->parameters, now.parameters);
+  const auto isGone = [this](std::optional<std::size_t> point) { return point && *point >= points(parameters_).size(); };
+  if (isGone(hovered())) forgetHovered();
+  if (isGone(chosen_)) chosen_.reset();
 }
 
 Document DragTool::with(const Value& parameters) const {
-  Feature feature = base_.at(feature_);
-  feature.parameters = parameters;
-  return base_.with(std::move(feature));
+  Feature changed = base_.at(feature());
+  changed.parameters = parameters;
+  return base_.with(std::move(changed));
 }
 
-void DragTool::documentChanged() {
-  if (dragging_ || committing_) return;  // the preview itself
-  if (!host().document().contains(feature_)) {
-    emit finished();
-    return;
-  }
-  load();
-  const std::size_t count = points(parameters_).size();
-  if (hovered_ && *hovered_ >= count) hovered_.reset();
-  if (chosen_ && *chosen_ >= count) chosen_.reset();
-  emit changed();
-}
-
-void DragTool::commit(const Value& parameters, const QString& what) {
-  committing_ = true;  // the host tells of the change before it returns
-  parameters_ = parameters;
-  host().commit(with(parameters), what);
-  committing_ = false;
-  documentChanged();
-}
-
-std::optional<std::size_t> DragTool::under(const ui::ToolEvent& event) const {
-  const auto at = inGround(event.ray);
+std::optional<std::size_t> DragTool::handleUnder(const ui::ToolEvent& event) const {
+  const auto at = ui::inGround(event.ray);
   if (!at) return std::nullopt;
   std::optional<std::size_t> best;
   double distance = gripPixels * event.millimetresPerPixel;
@@ -61,94 +38,58 @@ std::optional<std::size_t> DragTool::under(const ui::ToolEvent& event) const {
 }
 
 bool DragTool::press(const ui::ToolEvent& event) {
-  noteScale(event);
-  if (event.button != Qt::LeftButton) return false;
-  chosen_ = hovered_ = under(event);
-  emit changed();
-  if (!chosen_) return false;
+  if (event.button == Qt::LeftButton && chosen_ != handleUnder(event)) {
+    chosen_ = handleUnder(event);
+    emit changed();
+  }
+  return HandleTool::press(event);
+}
+
+bool DragTool::take(std::size_t handle, const ui::ToolEvent& /*event*/) {
   load();
-  scene_ = snapScene(host(), feature_);
+  scene_ = snapScene(host(), feature());
   before_ = parameters_;
-  dragging_ = true;
-  return true;
+  return handle < points(parameters_).size();
 }
 
 void DragTool::drag(const ui::ToolEvent& event) {
-  const auto at = inGround(event.ray);
+  const auto at = ui::inGround(event.ray);
   if (!at) return;
-  const Point grabbed = points(before_).at(*chosen_);
+  const Point grabbed = points(before_).at(*held());
   const bool free = event.modifiers.testFlag(Qt::ControlModifier);
   SnapQuery query{*at, reachPixels * event.millimetresPerPixel, host().gridSpacing(), grabbed.anchor, {}, {}};
   snap_ = free ? Snap{*at, SnapKind::None, {}} : snapped(scene_, query);
-  const auto next = dragged(before_, *chosen_, snap_->point);
+  const auto next = dragged(before_, *held(), snap_->point);
   if (!next || *next == parameters_) return;
   parameters_ = *next;
-  host().preview(with(parameters_));
+  preview(with(parameters_));
 }
 
-bool DragTool::move(const ui::ToolEvent& event) {
-  noteScale(event);
-  if (dragging_) {
-    drag(event);
-    emit changed();
-    return true;
-  }
-  const auto found = under(event);
-  if (found != hovered_) {
-    hovered_ = found;
-    emit changed();
-  }
-  return hovered_.has_value() && event.button == Qt::NoButton;
+void DragTool::place() {
+  if (parameters_ != before_) commit(parameters_, tr("Move %1").arg(points(before_).at(*held()).what));
 }
 
-bool DragTool::release(const ui::ToolEvent& event) {
-  if (!dragging_ || event.button != Qt::LeftButton) return false;
-  const Value made = parameters_;
-  const QString what = points(before_).at(*chosen_).what;
-  const bool differs = made != before_;
-  endDrag();
-  if (differs) {
-    commit(made, tr("Move %1").arg(what));
-  } else {
-    emit changed();
-  }
-  return true;
-}
-
-void DragTool::endDrag() {
-  dragging_ = false;
+void DragTool::putBack() {
   snap_.reset();
   parameters_ = before_;
-  host().endPreview();
-}
-
-void DragTool::revert() {
-  if (dragging_) endDrag();
-}
-
-bool DragTool::key(const QKeyEvent& event) {
-  if (event.key() != Qt::Key_Escape || !dragging_) return false;
-  endDrag();
-  emit changed();
-  return true;
 }
 
 QString DragTool::idleHint() const { return tr("Drag a handle to change the shape"); }
 
 QString DragTool::hint() const {
-  if (dragging_) {
+  if (held()) {
     const QString caught = snap_ ? snapName(snap_->kind) : QString();
-    return tr("Let go to place %1 · Ctrl: no snapping · Esc takes it back").arg(points(before_).at(*chosen_).what) +
+    return tr("Let go to place %1 · Ctrl: no snapping · Esc takes it back").arg(points(before_).at(*held()).what) +
            (caught.isEmpty() ? QString() : QStringLiteral(" · ") + caught);
   }
-  if (hovered_) return tr("Drag to move %1").arg(points(parameters_).at(*hovered_).what);
+  if (hovered()) return tr("Drag to move %1").arg(points(parameters_).at(*hovered()).what);
   return idleHint();
 }
 
 void DragTool::paint(ToolPaint&, const Value&) const {}
 
 std::vector<vtkSmartPointer<vtkProp>> DragTool::props() const {
-  ToolPaint painter(host().look(), millimetresPerPixel_, host().pixelRatio());
+  ToolPaint painter(host().look(), millimetresPerPixel(), host().pixelRatio());
   paint(painter, parameters_);
   if (snap_) {
     for (const Guide& guide : snap_->guides) painter.guide(guide, snap_->point);
@@ -158,7 +99,7 @@ std::vector<vtkSmartPointer<vtkProp>> DragTool::props() const {
   }
   const std::vector<Point> all = points(parameters_);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const bool lit = k == hovered_ || (k == chosen_);
+    const bool lit = k == hovered() || k == chosen_;
     const Color& color = lit ? painter.look().made : painter.look().control;
     if (all[k].round) {
       painter.ring(all[k].at, color, lit ? 6 : 4.5);

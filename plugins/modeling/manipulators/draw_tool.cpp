@@ -10,6 +10,7 @@
 #include "geometry/planar.h"
 #include "kernel/outline_crossing.h"
 #include "manipulators/tool_paint.h"
+#include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
 namespace {
@@ -42,7 +43,7 @@ void DrawTool::documentChanged() {
 
 void DrawTool::hover(const ui::ToolEvent& event) {
   millimetresPerPixel_ = event.millimetresPerPixel;
-  const auto at = inGround(event.ray);
+  const auto at = ui::inGround(event.ray);
   if (!at) return;
   // Ctrl lets the mouse go where it is.
   const bool free = event.modifiers.testFlag(Qt::ControlModifier);

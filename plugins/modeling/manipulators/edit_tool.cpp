@@ -8,6 +8,7 @@
 #include "features_outline_value.h"
 #include "manipulators/tool_paint.h"
 #include "manipulators/tool_scene.h"
+#include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
 EditTool::EditTool(ui::ToolHost& toolHost, FeatureId feature) : DragTool(toolHost, std::move(feature)) {}
@@ -41,8 +42,8 @@ std::optional<Value> EditTool::dragged(const Value& parameters, std::size_t inde
 }
 
 std::optional<OutlinePlace> EditTool::placeUnder(const ui::ToolEvent& event) const {
-  const auto at = inGround(event.ray);
-  if (!at || under(event)) return std::nullopt;
+  const auto at = ui::inGround(event.ray);
+  if (!at || handleUnder(event)) return std::nullopt;
   auto place = nearestPlace(drawnOutlineOf(parameters()), *at);
   if (!place || place->distance > gripPixels * event.millimetresPerPixel) return std::nullopt;
   return place;
@@ -51,7 +52,7 @@ std::optional<OutlinePlace> EditTool::placeUnder(const ui::ToolEvent& event) con
 bool EditTool::move(const ui::ToolEvent& event) {
   const bool had = place_.has_value();
   refused_ = false;
-  place_ = dragging() ? std::nullopt : placeUnder(event);
+  place_ = held() ? std::nullopt : placeUnder(event);
   const bool taken = DragTool::move(event);
   if (had || place_) emit changed();
   return taken || (place_ && event.button == Qt::NoButton);
@@ -75,7 +76,7 @@ bool EditTool::key(const QKeyEvent& event) {
   }
   const bool removes = event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
   const auto index = chosen() ? chosen() : hovered();
-  if (!removes || dragging() || !index) return false;
+  if (!removes || held() || !index) return false;
   const DrawnOutline outline = drawnOutlineOf(parameters());
   const auto next = without(outline, handlesOf(outline).at(*index));
   refused_ = !next;

@@ -175,10 +175,9 @@ void ToolPaint::snapMarker(const Vec2& at, SnapKind kind) {
 }
 
 void ToolPaint::label(const Vec2& at, const QString& text, const Color& color) {
-  const auto ofQt = [](const Color& c, double opacity) { return QColor::fromRgbF(c.red, c.green, c.blue, opacity); };
-  const ui::LabelLook look{ofQt(color, 1), ofQt(look_.backgroundBottom, 0.85),
-                           ofQt(mixed(look_.grid, look_.backgroundBottom, 0.4), 1), ratio_};
-  props_.push_back(ui::labelProp(text, {at.x(), at.y(), 0}, look));
+  ui::LabelLook card = ui::labelLook(look_, color, ratio_);
+  card.border = ui::qtColor(mixed(look_.grid, look_.backgroundBottom, 0.4));
+  props_.push_back(ui::labelProp(text, {at.x(), at.y(), 0}, card));
 }
 
 }  // namespace blossom::modeling

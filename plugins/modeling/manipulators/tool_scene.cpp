@@ -29,13 +29,6 @@ void addPaths(SnapScene& scene, const std::vector<Path>& paths) {
 
 }  // namespace
 
-std::optional<Vec2> inGround(const Ray& ray) {
-  if (std::abs(ray.direction.z()) < 1e-9) return std::nullopt;
-  const double along = -ray.origin.z() / ray.direction.z();
-  if (along < 0) return std::nullopt;
-  return Vec2((ray.origin + along * ray.direction).head<2>());
-}
-
 SnapScene snapScene(const ui::ToolHost& host, const FeatureId& except) {
   SnapScene scene;
   scene.points.push_back({Vec2::Zero(), SnapKind::Point});

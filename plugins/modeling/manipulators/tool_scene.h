@@ -1,6 +1,5 @@
 #pragma once
 #include <QString>
-#include <optional>
 
 #include "kernel/outline_snap.h"
 #include "ui/tool.h"
@@ -9,9 +8,6 @@ namespace blossom::modeling {
 
 inline constexpr double gripPixels = 8;   ///< how near the mouse takes hold of a point or a curve
 inline constexpr double reachPixels = 9;  ///< how near it snaps
-
-/// Where the line of sight meets the plane z = 0; nothing when it runs along it or the plane lies behind the eye.
-std::optional<Vec2> inGround(const Ray&);
 
 /// Points and curves of all visible features that lie in the plane z = 0, but for one.
 SnapScene snapScene(const ui::ToolHost&, const FeatureId& except);

@@ -2,7 +2,6 @@
 
 #include <vtkProp.h>
 
-#include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,7 +40,7 @@ std::vector<std::vector<Vec3>> netOf(const LivePull& live, Scheme scheme) {
 
 }  // namespace
 
-PullTool::PullTool(ui::ToolHost& toolHost, FeatureId feature) : Tool(toolHost), feature_(std::move(feature)) { load(); }
+PullTool::PullTool(ui::ToolHost& toolHost, FeatureId feature) : HandleTool(toolHost, std::move(feature)) { load(); }
 
 PullTool::~PullTool() { loading_.cancel(); }
 
@@ -52,30 +51,30 @@ void PullTool::load() {
   pulls_.clear();
   options_ = {};
   base_ = Shape();
-  place_ = deformPlace(host(), feature_);
+  place_ = deformPlace(host(), feature());
   if (place_) base_ = host().result(place_->base)->evaluated.shape;
   const Mesh* mesh = base_.get<Mesh>();
-  if (!mesh || mesh->faceCount() > mostFaces) return take({});
+  if (!mesh || mesh->faceCount() > mostFaces) return show({});
   scheme_ = place_->scheme == "loop" ? Scheme::Loop : Scheme::CatmullClark;
   if (!place_->existing.empty()) {
-    const Feature& feature = host().document().at(place_->existing);
-    const Value all = completed(host().registry().at(feature.type)->parameters, feature.parameters);
+    const Feature& deform = host().document().at(place_->existing);
+    const Value all = completed(host().registry().at(deform.type)->parameters, deform.parameters);
     try {
       pulls_ = pullsOf(all.at("pulls").get<std::vector<Value>>());
       options_.lambda = all.at("lambda").get<double>();
       options_.free = ruleOf(all.at("free").get<std::string>());
     } catch (const Error&) {
-      return take({});  // the feature itself says what is wrong with it
+      return show({});  // the feature itself says what is wrong with it
     }
   }
   const bool same = surface_ && &surface_->mesh() == mesh && surface_->scheme == scheme_;
   const auto known = same ? surface_ : nullptr;
   if (mesh->faceCount() <= facesAtOnce || (known && onVertices(*known, pulls_)))
-    return take(loaded(known, base_, scheme_, pulls_, pointsNow(), Progress::none()));
+    return show(loaded(known, base_, scheme_, pulls_, pointsNow(), Progress::none()));
   thread_.start([this, known, base = base_, scheme = scheme_, pulls = pulls_, now = pointsNow(), token = loading_] {
     Loaded made = loaded(known, base, scheme, pulls, now, Progress(token));
     here_.post([this, token, made = std::move(made)] {
-      if (!token.cancelled()) take(made);
+      if (!token.cancelled()) show(made);
     });
   });
 }
@@ -99,30 +98,16 @@ std::vector<Vec3> PullTool::pointsNow() const {
   return moved && moved->points.size() == points.size() ? moved->points : points;
 }
 
-void PullTool::take(Loaded loaded) {
-  if (held_) {  // what is held keeps its number
-    outdated_ = true;
-    return;
-  }
+void PullTool::show(Loaded loaded) {
+  if (held()) return loadLater();
   surface_ = std::move(loaded.first);
   grips_ = std::move(loaded.second);
-  hovered_.reset();
+  forgetHovered();
   emit changed();
 }
 
-void PullTool::documentChanged() {
-  if (working_) return;
-  if (!host().document().contains(feature_)) {
-    emit finished();
-    return;
-  }
-  if (held_)
-    outdated_ = true;
-  else
-    load();
-}
-
-std::optional<std::size_t> PullTool::under(const ui::ToolEvent& event) const {
+std::optional<std::size_t> PullTool::handleUnder(const ui::ToolEvent& event) const {
+  if (!surface_) return std::nullopt;
   const double reach = gripPixels * event.millimetresPerPixel;
   // What the surface hides cannot be taken hold of.
   const double seen =
@@ -138,16 +123,7 @@ std::optional<std::size_t> PullTool::under(const ui::ToolEvent& event) const {
   return best;
 }
 
-bool PullTool::press(const ui::ToolEvent& event) {
-  if (event.button != Qt::LeftButton || !surface_) return false;
-  const auto grip = under(event);
-  if (!grip) return false;
-  begin(*grip, event);
-  emit changed();
-  return true;
-}
-
-void PullTool::begin(std::size_t grip, const ui::ToolEvent& event) {
+bool PullTool::take(std::size_t grip, const ui::ToolEvent& event) {
   std::vector<LivePull::Handle> handles(pulls_.size());
   for (const Grip& each : grips_)
     if (each.pull) handles[*each.pull] = {each.foot, pulls_[*each.pull].to};
@@ -158,8 +134,8 @@ void PullTool::begin(std::size_t grip, const ui::ToolEvent& event) {
   normal_ = across.norm() > 0 ? Vec3(across.normalized()) : Vec3::UnitZ();
   grabbed_ = target_ = handles[moving_].to;
   towards_ = event.ray.direction;
-  held_ = grip;
   makeLive(std::move(handles));
+  return true;
 }
 
 void PullTool::makeLive(std::vector<LivePull::Handle> handles) {
@@ -188,65 +164,26 @@ Vec3 PullTool::dragged(const ui::ToolEvent& event) const {
   return slope > 1e-6 ? Vec3(event.ray.origin + towards_.dot(from) / slope * d) : target_;
 }
 
-bool PullTool::move(const ui::ToolEvent& event) {
-  if (held_) {
-    target_ = dragged(event);
-    if (live_) live_->drag(moving_, target_);
-    emit changed();
-    return true;
-  }
-  const auto found = under(event);
-  if (found != hovered_) {
-    hovered_ = found;
-    emit changed();
-  }
-  return hovered_.has_value() && event.button == Qt::NoButton;
+void PullTool::drag(const ui::ToolEvent& event) {
+  target_ = dragged(event);
+  if (live_) live_->drag(moving_, target_);
 }
 
-bool PullTool::release(const ui::ToolEvent& event) {
-  if (!held_ || event.button != Qt::LeftButton) return false;
-  if ((target_ - grabbed_).norm() > 0)
-    commit();
-  else
-    end();
-  emit changed();
-  return true;
-}
-
-void PullTool::commit() {
+void PullTool::place() {
+  if (target_ == grabbed_) return;
   std::vector<Pull> pulls = pulls_;
-  if (moving_ == pulls.size()) pulls.push_back({grips_[*held_].base, target_});
+  if (moving_ == pulls.size()) pulls.push_back({grips_[*held()].base, target_});
   pulls[moving_].to = target_;
   Value records = Value::array();
   for (const Pull& pull : pulls) records.push_back(recordOf(pull));
   FeatureId id;
-  working_ = true;  // the host tells of the change before it returns
-  Document document = withDeform(host(), host().document(), *place_, {{"pulls", records}}, {}, id);
-  host().commit(std::move(document), tr("Pull a point"));
-  working_ = false;
-  outdated_ = true;
-  end();
-}
-
-void PullTool::end() {
-  held_.reset();
-  live_.reset();
-  if (std::exchange(outdated_, false)) documentChanged();
-}
-
-void PullTool::revert() { end(); }
-
-bool PullTool::key(const QKeyEvent& event) {
-  if (event.key() != Qt::Key_Escape || !held_) return false;
-  end();
-  emit changed();
-  return true;
+  commit(withDeform(host(), host().document(), *place_, {{"pulls", records}}, {}, id), tr("Pull a point"));
 }
 
 QString PullTool::hint() const {
   if (grips_.empty()) return {};  // the view says what it does by itself
-  if (held_) return tr("Let go to pull the point here · Shift: along the normal · Esc takes it back");
-  if (hovered_) return tr("Drag to pull this point of the surface");
+  if (held()) return tr("Let go to pull the point here · Shift: along the normal · Esc takes it back");
+  if (hovered()) return tr("Drag to pull this point of the surface");
   return tr("Drag a point of the smooth surface to pull it");
 }
 
@@ -258,8 +195,8 @@ std::vector<vtkSmartPointer<vtkProp>> PullTool::props() const {
   for (const Grip& grip : grips_)
     if (grip.pull) pulled.push_back(grip.now);
   if (!pulled.empty()) props.push_back(ui::pointsProp(pulled, look.made, 7 * ratio));
-  if (hovered_ && !held_) props.push_back(ui::pointsProp({grips_[*hovered_].now}, look.control, 10 * ratio));
-  if (!held_) return props;
+  if (hovered() && !held()) props.push_back(ui::pointsProp({grips_[*hovered()].now}, look.control, 10 * ratio));
+  if (!held()) return props;
   if (live_) {
     props.push_back(ui::linesProp(netOf(*live_, scheme_), look.made, ratio));
     std::vector<std::vector<Vec3>> cage;

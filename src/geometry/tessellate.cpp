@@ -132,11 +132,29 @@ struct Visitor {
   }
 };
 
+/// Lines cost little: no corner is to be seen in them when the view comes near.
+bool isDrawing(const Shape& shape) {
+  switch (shape.kind()) {
+    case ShapeKind::Region:
+    case ShapeKind::Curves:
+    case ShapeKind::Curve:
+    case ShapeKind::Motion:
+    case ShapeKind::Toolpath:
+      return true;
+    case ShapeKind::Sequence: {
+      const std::vector<Shape>& frames = shape.get<Sequence>()->frames;
+      return !frames.empty() && isDrawing(frames.back());
+    }
+    default:
+      return false;
+  }
+}
+
 TessellationOptions resolved(TessellationOptions options, const Shape& shape) {
   if (!(options.chord >= 0) || !(options.angle > 0))
     throw Error(ErrorCode::InvalidParameter, "The chord and the angle of a tessellation must be positive.");
   const double size = bounds(shape).diagonal();
-  if (options.chord == 0) options.chord = size / 1000;
+  if (options.chord == 0) options.chord = size / (isDrawing(shape) ? 8000 : 1000);
   options.chord = std::max({options.chord, 1e-9 * size, 1e-9});
   return options;
 }

@@ -10,7 +10,9 @@
 namespace blossom {
 
 struct TessellationOptions {
-  double chord = 0.05;  ///< mm, largest distance between the shape and its polygons; 0: 1/1000 of the shape's diagonal
+  /// mm, largest distance between the shape and its polygons; 0: 1/1000 of the shape's diagonal, 1/8000 for planar
+  /// drawings, curves and toolpaths.
+  double chord = 0.05;
   double angle =
       0.3;  ///< radians, largest turn of the normal from vertex to vertex; turns far below the chord may exceed it
 };

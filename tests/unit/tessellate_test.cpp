@@ -212,6 +212,32 @@ class TessellateTest : public QObject {
       QVERIFY(((line.edges[0][i] + line.edges[0][i + 1]) / 2).norm() >= 2 - 0.01);
     VERIFY_ERROR(meshOf(ring), ErrorCode::InvalidInput);
   }
+  void drawingsAreFinerThanSurfacesByThemselves() {
+    const auto worst = [](const Tessellation& t) {
+      double depth = 0;
+      for (const auto& line : t.edges)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+          depth = std::max(depth, 2 - ((line[i] + line[i + 1]) / 2).head<2>().norm());
+      return depth;
+    };
+    const Path ring = circle({0, 0}, 2, 2 * pi);
+    const double size = 4 * std::sqrt(2.0);
+    const TessellationOptions byItself{0, 0.5};
+    const Region disc{{ring}};
+    for (const Shape& shape :
+         {Shape(disc), Shape(Curves{{ring}, FillRule::EvenOdd}), Shape(toCurve(ellipticArc({0, 0}, {2, 0}, 1, 0, 2 * pi))),
+          Shape(Sequence{{disc, disc}, {0, 1}})}) {
+      const Tessellation t = tessellate(shape, byItself);
+      QVERIFY(!t.edges.empty() && worst(t) > 0 && worst(t) <= size / 8000);
+      if (t.triangles.empty()) continue;
+      // The fill has the corners of its outline.
+      double filled = 0;
+      for (std::size_t i = 0; i < t.triangles.size(); ++i) filled += triangleNormal(t, i).z() / 2;
+      COMPARE_NEAR(filled, 4 * pi, 4 * pi * size / 8000);
+    }
+    const Tessellation cylinder = tessellate(Brep(BRepPrimAPI_MakeCylinder(2, 1).Shape()), {0, 3});
+    QVERIFY(worst(cylinder) > size / 8000);
+  }
   void cancelledWorkStops() {
     const CancelToken token;
     token.cancel();

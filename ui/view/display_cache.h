@@ -22,7 +22,7 @@ struct FeatureView {
 /// Remembers the drawings and measures of the last shapes, so that undo shows at once what was shown before. Thread-safe.
 class DisplayCache {
  public:
-  /// @param chord mm that what is drawn may lie from the shape; 0: a thousandth of its size.
+  /// @param chord mm that what is drawn may lie from the shape; 0: as fine as the window shows it (see tessellate.h).
   /// @throws Error Cancelled. A shape that cannot be drawn or measured becomes a view whose result carries the error.
   std::shared_ptr<const FeatureView> view(const std::shared_ptr<const FeatureResult>&, double chord, const Progress&);
 

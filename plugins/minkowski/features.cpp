@@ -91,6 +91,7 @@ FeatureType morphFeature() {
   return feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.")
       .command("morph")
       .icon("morph")
+      .gives({ShapeKind::Region})
       .input({.name = "shape",
               .help = "Control shapes, first to last.",
               .kinds = {ShapeKind::Region},
@@ -141,6 +142,7 @@ FeatureType sumFeature() {
   return sumBuilder("minkowski.minkowski-sum", "Minkowski sum",
                     "Everything that one shape covers while its origin runs over the other.", "The shapes that are added.")
       .icon("minkowski-sum")
+      .gives({ShapeKind::Region})
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
       .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
       .evaluate([](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
@@ -153,6 +155,7 @@ FeatureType differenceFeature() {
                     "All places of the origin for which the second shape stays inside the first.",
                     "A shape, then what is to have room in it.")
       .icon("minkowski-difference")
+      .gives({ShapeKind::Region})
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
       .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
       .evaluate([](const SumParameters& p, const Inputs& inputs, const Progress& progress) {

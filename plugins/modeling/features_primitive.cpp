@@ -43,6 +43,7 @@ FeatureType primitive(FeatureBuilder<P>& builder, TopoDS_Shape (*make)(const P&)
   return builder.parameter("position", static_cast<Vec3 P::*>(&P::position), point(), "Where it stands.")
       .parameter("axis", static_cast<Vec3 P::*>(&P::axis), vector(), "The direction that is up for it.")
       .parameter("turn", static_cast<double P::*>(&P::turn), angle(), "How far it is turned about its axis.")
+      .gives({ShapeKind::Brep})
       .evaluate([make, title](const P& p, const Inputs&, const Progress&) {
         return Evaluated{Brep(make(p), title), Value::object(), {}};
       });

@@ -39,6 +39,7 @@ FeatureType extrudeFeature() {
   return inWorker(
       feature<P>("modeling.extrude", "Extrude", "A solid over an outline, straight or tapered.")
           .icon("extrude")
+          .gives({ShapeKind::Brep})
           .input(profileInput())
           .parameter("height", &P::height, length(), "How far it goes; below 0: the other way.")
           .parameter("back", &P::back, lengthFromZero(), "How far it goes the other way as well.")
@@ -79,6 +80,7 @@ FeatureType revolveFeature() {
   using P = RevolveParameters;
   return feature<P>("modeling.revolve", "Revolve", "A solid that an outline sweeps when it turns about an axis.")
       .icon("revolve")
+      .gives({ShapeKind::Brep})
       .input(profileInput())
       .parameter("axis", &P::axis, vector(), "Direction of the axis; it lies beside the outline.")
       .parameter("point", &P::point, point(), "A point that the axis passes through.")
@@ -128,6 +130,7 @@ FeatureType loftFeature() {
   return inWorker(
       feature<P>("modeling.loft", "Loft", "A solid through two or more outlines.")
           .icon("loft")
+          .gives({ShapeKind::Brep})
           .input(
               {.name = "sections", .help = "Outlines in their order.", .kinds = profileKinds, .least = 2, .most = anyNumber})
           .parameter("ruled", &P::ruled, flag(), "Straight from one section to the next instead of smooth through all.")
@@ -153,6 +156,7 @@ FeatureType pipeFeature() {
   return inWorker(
       feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
           .icon("pipe")
+          .gives({ShapeKind::Brep})
           .input({.name = "profile", .help = "The outline that is moved.", .kinds = profileKinds})
           .input({.name = "path",
                   .help = "The curve that it is moved along.",

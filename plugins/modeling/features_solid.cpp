@@ -51,6 +51,7 @@ FeatureType booleanFeature() {
   return inWorker(
       feature<P>("modeling.boolean", "Boolean", "Solids or regions united, cut from each other or intersected.")
           .icon("boolean")
+          .gives({ShapeKind::Brep, ShapeKind::Region})
           .input({.name = "shapes",
                   .help = "Solids, or regions. Of a difference, the first keeps what the others leave of it.",
                   .kinds = {ShapeKind::Brep, ShapeKind::Region},
@@ -77,8 +78,9 @@ FeatureType filletFeature() {
   return inWorker(
       feature<P>("modeling.fillet", "Fillet", "A solid with rounded edges.")
           .icon("fillet")
+          .gives({ShapeKind::Brep})
           .input(solidInput())
-          .parameter("edges", &P::edges, list(subShape("edge")), "The edges to round; none: all sharp ones.")
+          .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to round.")
           .parameter("radius", &P::radius, positiveLength(), "Radius of the rounding.")
           .example("blossom fillet block.step --radius 3 -o soft.step")
           .example("blossom fillet block.step --edges shape:edge:0,shape:edge:4 --radius 1.5 -o part.step")
@@ -101,8 +103,9 @@ FeatureType chamferFeature() {
   return inWorker(
       feature<P>("modeling.chamfer", "Chamfer", "A solid with edges cut off by flat strips.")
           .icon("chamfer")
+          .gives({ShapeKind::Brep})
           .input(solidInput())
-          .parameter("edges", &P::edges, list(subShape("edge")), "The edges to cut off; none: all sharp ones.")
+          .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to cut off.")
           .parameter("distance", &P::distance, positiveLength(), "Width of the strip on the faces beside the edge.")
           .parameter("second", &P::second, second, "Width on the second of the two faces; 0: as on the first.")
           .example("blossom chamfer block.step --distance 1 -o part.step")
@@ -126,8 +129,9 @@ FeatureType shellFeature() {
   return inWorker(
       feature<P>("modeling.shell", "Shell", "A solid hollowed out to walls of even thickness.")
           .icon("shell")
+          .gives({ShapeKind::Brep})
           .input(solidInput())
-          .parameter("faces", &P::faces, list(subShape("face")), "The faces to open; none: a closed hollow.")
+          .parameter("faces", &P::faces, whenNone(list(subShape("face")), "a closed hollow"), "The faces to open.")
           .parameter("thickness", &P::thickness, positiveLength(), "Thickness of the walls.")
           .parameter("side", &P::side, choice({"inside", "outside"}), "Whether the walls grow into the solid or around it.")
           .example("blossom shell block.step --faces shape:face:5 --thickness 1.5 -o tray.step")

@@ -45,6 +45,7 @@ FeatureType morphFeature() {
       feature<P>("morphology.solid-morph", "Solid morph",
                  "The in-between solids of two solids, whatever their number of holes and corners.")
           .icon("solid-morph")
+          .gives({ShapeKind::Mesh})
           .input({.name = "from", .help = "The solid at t = 0.", .kinds = kinds})
           .input({.name = "to", .help = "The solid at t = 1.", .kinds = kinds})
           .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first solid) to 1 (the second).")

@@ -195,6 +195,7 @@ FeatureType pocketFeature() {
   using P = PocketParameters;
   return feature<P>("pocket.pocket", "Pocket", "A toolpath that clears a part down to a depth, islands left standing.")
       .icon("pocket")
+      .gives({ShapeKind::Toolpath})
       .input(partInput())
       .parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")
       .parameter("depth", &P::depth, positiveLength(), "How deep the pocket is.")

@@ -112,6 +112,7 @@ FeatureType deformFeature() {
                     "A cage whose limit surface or curve is pulled to a target near it; what lies farther off stays.")
       .command("deform")
       .icon("deform")
+      .gives({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
       .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
       .input({.name = "target",
               .help =

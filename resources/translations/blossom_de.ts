@@ -2255,8 +2255,8 @@ Seitwärts ziehen ändert ihn.</translation>
         <translation>Prozessorkerne, mit denen gerechnet wird; 0 nimmt alle.</translation>
     </message>
     <message>
-        <source>How far what is drawn may lie from the shape itself; 0: a thousandth of its size. Results and files are exact whatever it is.</source>
-        <translation>Wie weit das Gezeichnete von der Form selbst abweichen darf; 0: ein Tausendstel ihrer Größe. Ergebnisse und Dateien sind davon unabhängig genau.</translation>
+        <source>How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and files are exact whatever it is.</source>
+        <translation>Wie weit das Gezeichnete von der Form selbst abweichen darf; 0: nach ihrer Größe gewählt. Ergebnisse und Dateien sind davon unabhängig genau.</translation>
     </message>
     <message>
         <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>
@@ -2720,10 +2720,6 @@ Seitwärts ziehen ändert ihn.</translation>
         <translation>In der Ansicht wählen: %1</translation>
     </message>
     <message>
-        <source>none; pick in the view</source>
-        <translation>keine; in der Ansicht wählen</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -2754,6 +2750,10 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Remove all</source>
         <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>%1; pick in the view</source>
+        <translation>%1; in der Ansicht wählen</translation>
     </message>
 </context>
 <context>

@@ -2255,8 +2255,8 @@ Drag sideways to change it.</source>
         <translation>계산에 쓸 프로세서 코어 수입니다. 0이면 모두 씁니다.</translation>
     </message>
     <message>
-        <source>How far what is drawn may lie from the shape itself; 0: a thousandth of its size. Results and files are exact whatever it is.</source>
-        <translation>화면에 그린 것이 실제 형상에서 벗어날 수 있는 거리입니다. 0이면 형상 크기의 1000분의 1입니다. 결과와 파일은 이 값과 상관없이 정확합니다.</translation>
+        <source>How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and files are exact whatever it is.</source>
+        <translation>화면에 그린 것이 실제 형상에서 벗어날 수 있는 거리입니다. 0이면 형상의 크기에 맞추어 정합니다. 결과와 파일은 이 값과 상관없이 정확합니다.</translation>
     </message>
     <message>
         <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>
@@ -2720,10 +2720,6 @@ Drag sideways to change it.</source>
         <translation>보기에서 고르기: %1</translation>
     </message>
     <message>
-        <source>none; pick in the view</source>
-        <translation>없음. 보기에서 고르십시오</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>없음</translation>
     </message>
@@ -2754,6 +2750,10 @@ Drag sideways to change it.</source>
     <message>
         <source>Remove all</source>
         <translation>모두 제거</translation>
+    </message>
+    <message>
+        <source>%1; pick in the view</source>
+        <translation>%1. 보기에서 고르십시오</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include "geometry/kind_names.h"
+
 namespace blossom {
 namespace {
 
@@ -66,11 +68,7 @@ std::string howMany(const InputSpec& spec) {
   return spec.most == anyNumber ? fmt::format("{} or more", spec.least) : fmt::format("{} to {}", spec.least, spec.most);
 }
 
-std::string kindsText(const InputSpec& spec) {
-  std::string text;
-  for (const ShapeKind kind : spec.kinds) text += (text.empty() ? "" : " or ") + std::string(shapeKindName(kind));
-  return text.empty() ? "any shape" : text;
-}
+std::string kindsText(const std::vector<ShapeKind>& kinds) { return kinds.empty() ? "any shape" : kindNames(kinds); }
 
 std::string referencePageName(const std::string& featureId) { return "reference/" + featureId + ".md"; }
 
@@ -81,7 +79,9 @@ std::string referencePage(const FeatureType& type) {
   if (type.inputs.empty()) page += "None: it is made from its parameters alone.\n";
   if (!type.inputs.empty()) page += "| Input | How many | Takes | Meaning |\n|---|---|---|---|\n";
   for (const InputSpec& input : type.inputs)
-    page += fmt::format("| {} | {} | {} | {} |\n", plain(input.name), howMany(input), kindsText(input), plain(input.help));
+    page +=
+        fmt::format("| {} | {} | {} | {} |\n", plain(input.name), howMany(input), kindsText(input.kinds), plain(input.help));
+  page += fmt::format("\n## Result\n\nGives {}.\n", kindsText(type.gives));
   page += "\n## Parameters\n\n";
   if (type.parameters.empty()) page += "None.\n";
   if (!type.parameters.empty()) page += "| Parameter | Takes | Default | Meaning |\n|---|---|---|---|\n";

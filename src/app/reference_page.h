@@ -15,6 +15,6 @@ std::string referencePageName(const std::string& featureId);
 /// "one", "2 or more", "1 to 4".
 std::string howMany(const InputSpec&);
 /// "region or mesh", "any shape".
-std::string kindsText(const InputSpec&);
+std::string kindsText(const std::vector<ShapeKind>&);
 
 }  // namespace blossom

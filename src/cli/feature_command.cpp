@@ -31,7 +31,7 @@ class FeatureCommand {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     parameters_ = std::make_unique<ParameterFlags>(line, *app_, type_->parameters, "", "Parameters");
     made_ = std::make_unique<FlagInputs>(line, *app_, *session_.app.registry, *type_);
-    formats_ = std::make_unique<FormatFlags>(line, *app_, *session_.app.formats, FormatFlags::Writing);
+    formats_ = std::make_unique<FormatFlags>(line, *app_, *session_.app.formats, FormatFlags::Writing, type_->gives);
     setExamples(*app_, type_->examples);
   }
 
@@ -135,7 +135,10 @@ class FeatureCommand {
         plannedOutputs(*session_.app.formats, outputPaths(*session_.app.formats, outputs_), files, formats_.get());
     std::vector<const Format*> used;
     used.reserve(planned.size());
-    for (const Output& output : planned) used.push_back(output.format);
+    for (const Output& output : planned) {
+      used.push_back(output.format);
+      if (output.format && !type_->gives.empty()) refuseUnlessHeld(*output.format, type_->gives);
+    }
     formats_->refuseUnused(used);
     return planned;
   }

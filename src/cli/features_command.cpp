@@ -18,15 +18,21 @@ Value specJson(const ParameterSpec& spec) {
              {"default", spec.fallback}};
   if (spec.least) json[spec.aboveLeast ? "above" : "least"] = *spec.least;
   if (spec.greatest) json["greatest"] = *spec.greatest;
+  if (!spec.noneMeans.empty()) json["none_means"] = spec.noneMeans;
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (!spec.fileTypes.empty()) json["file_types"] = spec.fileTypes;
   for (const ParameterSpec& field : spec.fields) json["fields"].push_back(specJson(field));
   return json;
 }
 
+Value kindsJson(const std::vector<ShapeKind>& kinds) {
+  Value json = Value::array();
+  for (const ShapeKind kind : kinds) json.push_back(shapeKindName(kind));
+  return json;
+}
+
 Value inputJson(const InputSpec& spec) {
-  Value json{{"name", spec.name}, {"help", spec.help}, {"kinds", Value::array()}, {"least", spec.least}};
-  for (const ShapeKind kind : spec.kinds) json["kinds"].push_back(shapeKindName(kind));
+  Value json{{"name", spec.name}, {"help", spec.help}, {"kinds", kindsJson(spec.kinds)}, {"least", spec.least}};
   json["most"] = spec.most == anyNumber ? Value() : Value(spec.most);
   return json;
 }
@@ -37,6 +43,7 @@ Value typeJson(const FeatureType& type) {
   for (const InputSpec& spec : type.inputs) json["inputs"].push_back(inputJson(spec));
   json["parameters"] = Value::array();
   for (const ParameterSpec& spec : type.parameters) json["parameters"].push_back(specJson(spec));
+  json["gives"] = kindsJson(type.gives);
   json["examples"] = type.examples;
   return json;
 }
@@ -45,8 +52,10 @@ void printType(std::ostream& out, const FeatureType& type) {
   out << type.title << "  (" << type.id << ")\n" << type.summary << '\n';
   if (!type.inputs.empty()) out << "\nInputs\n";
   std::vector<std::vector<std::string>> lines;
-  for (const InputSpec& spec : type.inputs) lines.push_back({"  " + spec.name, howMany(spec), kindsText(spec), spec.help});
+  for (const InputSpec& spec : type.inputs)
+    lines.push_back({"  " + spec.name, howMany(spec), kindsText(spec.kinds), spec.help});
   if (!lines.empty()) printTable(out, {"", "", "", ""}, lines);
+  out << "\nGives " << kindsText(type.gives) << ".\n";
   lines.clear();
   for (const ParameterSpec& spec : type.parameters)
     lines.push_back(

@@ -8,11 +8,11 @@
 namespace blossom {
 namespace {
 
-/// The first input of a command that takes the kind.
-std::optional<std::size_t> placeFor(const FeatureType& command, ShapeKind kind) {
+/// The first input of a command that takes what is made.
+std::optional<std::size_t> placeFor(const FeatureType& command, const std::vector<ShapeKind>& made) {
   for (std::size_t i = 0; i < command.inputs.size(); ++i) {
     const auto& kinds = command.inputs[i].kinds;
-    if (kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return i;
+    if (kinds.empty() || std::find_first_of(kinds.begin(), kinds.end(), made.begin(), made.end()) != kinds.end()) return i;
   }
   return std::nullopt;
 }
@@ -45,7 +45,7 @@ Sorted sorted(const FeatureType& source, const CLI::App& app) {
 FlagInputs::FlagInputs(CommandLine& line, CLI::App& app, const Registry& registry, const FeatureType& command) {
   for (const auto& source : registry.types()) {
     const InputByFlags& flags = source->inputByFlags;
-    const auto place = placeFor(command, flags.makes);
+    const auto place = placeFor(command, source->gives);
     if (flags.asks.empty() || !place || !isFree(app, flags.asks)) continue;
     const Sorted specs = sorted(*source, app);
     const std::string group = fmt::format("{} in place of a file", source->title);

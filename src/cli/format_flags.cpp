@@ -23,6 +23,10 @@ std::vector<ParameterSpec> optionsOf(const Format& format, int sides) {
   return specs;
 }
 
+bool canHold(const Format& format, const std::vector<ShapeKind>& kinds) {
+  return kinds.empty() || std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return holds(format, kind); });
+}
+
 /// Options known well enough to be given without their format.
 struct CommonFlag {
   const char *name, *placeholder, *help;
@@ -34,9 +38,10 @@ constexpr std::array<CommonFlag, 2> commonFlags{{
 
 }  // namespace
 
-FormatFlags::FormatFlags(CommandLine& line, CLI::App& app, const FormatRegistry& formats, int sides) {
+FormatFlags::FormatFlags(CommandLine& line, CLI::App& app, const FormatRegistry& formats, int sides,
+                         const std::vector<ShapeKind>& written) {
   for (const Format& format : formats.formats()) {
-    std::vector<ParameterSpec> specs = optionsOf(format, sides);
+    std::vector<ParameterSpec> specs = optionsOf(format, canHold(format, written) ? sides : sides & ~Writing);
     if (!specs.empty())
       entries_.push_back(
           {format.id, format.title, ParameterFlags(line, app, std::move(specs), format.id + ".", "File options")});
@@ -44,8 +49,8 @@ FormatFlags::FormatFlags(CommandLine& line, CLI::App& app, const FormatRegistry&
   if (!(sides & Writing)) return;
   for (const CommonFlag& flag : commonFlags) {
     const std::string name = std::string("--") + flag.name;
-    const bool known = std::any_of(formats.formats().begin(), formats.formats().end(),
-                                   [&](const Format& format) { return named(format.writeOptions, flag.name); });
+    const auto has = [&](const Format& format) { return canHold(format, written) && named(format.writeOptions, flag.name); };
+    const bool known = std::any_of(formats.formats().begin(), formats.formats().end(), has);
     if (!known || app.get_option_no_throw(name)) continue;
     common_.push_back({flag.name, app.add_option(name, flag.help)->type_name(flag.placeholder)->group("File options")});
   }

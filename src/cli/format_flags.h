@@ -11,7 +11,8 @@ namespace blossom {
 class FormatFlags {
  public:
   enum Side { Reading = 1, Writing = 2 };
-  FormatFlags(CommandLine&, CLI::App&, const FormatRegistry&, int sides);
+  /// Of writers, those of the formats that can hold one of `written` (empty: any).
+  FormatFlags(CommandLine&, CLI::App&, const FormatRegistry&, int sides, const std::vector<ShapeKind>& written = {});
 
   /// Values for one side of a format. @throws UsageError.
   [[nodiscard]] Value reading(const Format&) const;

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
 #include "exchange/frames.h"
-#include "parameter/wording.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
@@ -73,17 +73,6 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
   return parts;
 }
 
-void refuseKind(const Output& output, const Shape& shape) {
-  const auto& kinds = output.format->writes;
-  if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return;
-  std::vector<std::string> known;
-  known.reserve(kinds.size());
-  for (const ShapeKind kind : kinds) known.emplace_back(shapeKindName(kind));
-  throw Error(ErrorCode::OutputNotSupported,
-              fmt::format("{} files cannot hold a shape of kind {}.", output.format->title, shapeKindName(shape.kind())),
-              fmt::format("They can hold: {}.", enumerated(known, "or")));
-}
-
 /// Each output as the files that a shape becomes in its format.
 std::vector<Output> spread(const std::vector<Output>& outputs, const Shape& shape) {
   std::vector<Output> files;
@@ -139,7 +128,7 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
                                  const Document& document, const Progress& progress) {
   std::vector<Output> outputs = spread(planned, shape);
   for (const Output& output : outputs)
-    if (output.format) refuseKind(output, *output.shape);
+    if (output.format) refuseUnlessHeld(*output.format, std::array{output.shape->kind()});
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const double count = static_cast<double>(outputs.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);

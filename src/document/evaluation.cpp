@@ -95,8 +95,7 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     const Inputs arranged = arrangedInputs(*type, inputs);
     const Stopwatch watch(result->kernelMs);
     result->evaluated = type->evaluate(parameters, arranged, progress);
-    if (result->evaluated.shape.empty())
-      throw Error(ErrorCode::Internal, fmt::format("{} made nothing and gave no reason.", type->title));
+    checkGiven(*type, result->evaluated.shape);
   });
   if (known) {
     result = std::make_shared<FeatureResult>(*known);

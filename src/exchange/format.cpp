@@ -12,6 +12,7 @@
 #include "exchange/frames.h"
 #include "exchange/sniff.h"
 #include "exchange/text.h"
+#include "geometry/kind_names.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
@@ -30,15 +31,6 @@ std::string extensionList(const FormatRegistry& registry, bool forReading) {
   for (const Format& format : registry.formats()) {
     if (forReading ? !format.read : !format.write) continue;
     list += (list.empty() ? "" : ", ") + format.extensions.front();
-  }
-  return list;
-}
-
-std::string kindList(const std::vector<ShapeKind>& kinds) {
-  std::string list;
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (i > 0) list += i + 1 == kinds.size() ? " or " : ", ";
-    list += shapeKindName(kinds[i]);
   }
   return list;
 }
@@ -123,6 +115,18 @@ Imported guardedRead(const Format& format, const fs::path& path, const Value& op
 
 }  // namespace
 
+bool holds(const Format& format, ShapeKind kind) {
+  return std::find(format.writes.begin(), format.writes.end(), kind) != format.writes.end();
+}
+
+void refuseUnlessHeld(const Format& format, std::span<const ShapeKind> kinds) {
+  if (std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return holds(format, kind); })) return;
+  if (kinds.size() == 1 && kinds.front() == ShapeKind::None)
+    throw Error(ErrorCode::OutputNotSupported, "There is nothing to write.", "Give a shape that is not empty.");
+  throw Error(ErrorCode::OutputNotSupported, fmt::format("{} files cannot hold {}.", format.title, kindNames(kinds, true)),
+              fmt::format("They can hold {}.", kindNames(format.writes, true)));
+}
+
 void FormatRegistry::add(Format format) { formats_.push_back(std::move(format)); }
 
 const Format* FormatRegistry::find(std::string_view extensionOrId) const {
@@ -177,12 +181,7 @@ void writeShape(const FormatRegistry& registry, const Shape& shape, const fs::pa
   const Format& format = formatFor(registry, path, false);
   const Value all = completed(format.writeOptions, options);
   const std::vector<FileOfShape> files = filesOf(format, shape, path, all);
-  for (const ShapeKind kind : kindsInFiles(format, shape, all))
-    if (std::find(format.writes.begin(), format.writes.end(), kind) == format.writes.end())
-      throw Error(ErrorCode::OutputNotSupported,
-                  kind == ShapeKind::None ? fmt::format("There is nothing to write to \"{}\".", path.filename().string())
-                                          : fmt::format("A {} cannot be written as {}.", shapeKindName(kind), format.title),
-                  fmt::format("{} takes {}.", format.title, kindList(format.writes)));
+  for (const ShapeKind kind : kindsInFiles(format, shape, all)) refuseUnlessHeld(format, {&kind, 1});
   for (std::size_t i = 0; i < files.size(); ++i) {
     const double count = static_cast<double>(files.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,11 @@ struct Format {
   std::vector<ShapeKind> writes;  ///< kinds the writer takes; for the message when another comes
   bool zipped = false;            ///< its files are zips
 };
+
+/// Whether its files can hold a shape of the kind; a sequence has files of its frames where they cannot.
+bool holds(const Format&, ShapeKind);
+/// @throws Error OutputNotSupported saying what its files can hold when that is none of `kinds`.
+void refuseUnlessHeld(const Format&, std::span<const ShapeKind> kinds);
 
 class FormatRegistry {
  public:

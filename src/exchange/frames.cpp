@@ -9,7 +9,7 @@ namespace {
 
 bool goesIntoOneFile(const Format& format, const Shape& shape, const Value& options) {
   if (shape.kind() != ShapeKind::Sequence) return true;
-  if (std::find(format.writes.begin(), format.writes.end(), ShapeKind::Sequence) == format.writes.end()) return false;
+  if (!holds(format, ShapeKind::Sequence)) return false;
   const std::string flag(framesInOneFile);
   const bool isChoice = std::any_of(format.writeOptions.begin(), format.writeOptions.end(),
                                     [&](const ParameterSpec& spec) { return spec.name == flag; });

@@ -5,40 +5,16 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "feature/acceptance.h"
 #include "geometry/face_region.h"
+#include "geometry/kind_names.h"
 #include "geometry/planar.h"
 #include "geometry/soundness.h"
 
 namespace blossom {
 namespace {
 
-bool takes(const InputSpec& spec, ShapeKind kind) {
-  return spec.kinds.empty() || std::find(spec.kinds.begin(), spec.kinds.end(), kind) != spec.kinds.end();
-}
-
-bool takesAsRegion(const InputSpec& spec, ShapeKind kind) {
-  return (kind == ShapeKind::Curves || kind == ShapeKind::Brep) && takes(spec, ShapeKind::Region);
-}
-
-bool accepts(const InputSpec& spec, const Shape& shape) {
-  return !shape.empty() && (takes(spec, shape.kind()) || takesAsRegion(spec, shape.kind()));
-}
-
-/// "a mesh", "curves", "nothing".
-std::string withArticle(ShapeKind kind) {
-  std::string name(shapeKindName(kind));
-  if (kind == ShapeKind::None || kind == ShapeKind::Curves) return name;
-  return "a " + name;
-}
-
-std::string acceptedKinds(const InputSpec& spec) {
-  std::string text;
-  for (std::size_t i = 0; i < spec.kinds.size(); ++i) {
-    if (i > 0) text += i + 1 == spec.kinds.size() ? " or " : ", ";
-    text += withArticle(spec.kinds[i]);
-  }
-  return text.empty() ? "any shape" : text;
-}
+std::string acceptedKinds(const InputSpec& spec) { return spec.kinds.empty() ? "any shape" : kindNames(spec.kinds, true); }
 
 [[noreturn]] void throwNotAccepted(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
   throw Error(ErrorCode::InvalidInput,
@@ -56,7 +32,8 @@ void refuseUnsound(const FeatureType& type, const InputSpec& spec, const Shape& 
 }
 
 Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
-  if (takes(spec, shape.kind())) return shape;
+  const auto& kinds = spec.kinds;
+  if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return shape;
   try {
     if (const Brep* faces = shape.get<Brep>()) return toRegion(*faces);
     return toRegion(*shape.get<Curves>());
@@ -111,6 +88,20 @@ Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
   }
   if (next < given.size()) throwWrongNumber(type, given.size());
   return Inputs(std::move(bySpec));
+}
+
+void checkGiven(const FeatureType& type, const Shape& result) {
+  if (result.empty()) throw Error(ErrorCode::Internal, fmt::format("{} made nothing and gave no reason.", type.title));
+  if (type.gives.empty()) return;
+  const auto check = [&](const Shape& shape) {
+    if (std::find(type.gives.begin(), type.gives.end(), shape.kind()) == type.gives.end())
+      throw Error(ErrorCode::Internal, fmt::format("{} made {} and declares that it gives {}.", type.title,
+                                                   withArticle(shape.kind()), kindNames(type.gives, true)));
+  };
+  if (const auto* sequence = result.get<Sequence>())
+    std::for_each(sequence->frames.begin(), sequence->frames.end(), check);
+  else
+    check(result);
 }
 
 Measures measured(const Evaluated& evaluated, const Progress& progress) {

@@ -69,10 +69,9 @@ struct ChoiceByOutput {
   std::vector<std::pair<std::string, std::string>> byExtensions;  ///< {"step iges", "faces"}, ..
 };
 
-/// How commands take this feature, which needs no input itself, as one of theirs by flags alone:
-/// `pocket --text Blossom --font "DejaVu Serif" --text.height 20`.
+/// How commands whose inputs take what this feature gives, while it needs no input itself, take it as one of theirs by flags
+/// alone: `pocket --text Blossom --font "DejaVu Serif" --text.height 20`.
 struct InputByFlags {
-  ShapeKind makes = ShapeKind::Region;  ///< inputs that name this kind, or any, can be made so
   std::string asks;                     ///< the parameter whose flag asks for it; empty: there are no such flags
   std::vector<std::string> plain = {};  ///< parameters whose flags need no prefix; those of all others begin with "ASKS."
 };
@@ -89,6 +88,7 @@ struct FeatureType {
   std::string icon;     ///< name of a file in resources/icons; empty: the plugin's
   std::vector<InputSpec> inputs;
   std::vector<ParameterSpec> parameters;
+  std::vector<ShapeKind> gives;       ///< kinds of its results, or of the frames of a sequence; empty: any
   std::vector<std::string> examples;  ///< command lines for --help
   ChoiceByOutput byOutput = {};
   InputByFlags inputByFlags = {};
@@ -100,6 +100,9 @@ struct FeatureType {
 /// @throws Error InvalidInput such as "The input \"shape\" of Morph takes a region; it got a mesh.", also when there are too
 /// few or too many.
 Inputs arrangedInputs(const FeatureType&, std::span<const Shape> given);
+
+/// @throws Error Internal when it is empty or of a kind that the feature type does not declare to give.
+void checkGiven(const FeatureType&, const Shape& result);
 
 /// Declares a feature type over a plain struct of parameters:
 ///   feature<SweepParameters>("sweep.sweep", "Sweep", "The exact surface ..")
@@ -129,6 +132,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& byOutput(ChoiceByOutput choice) {
     type_.byOutput = std::move(choice);
+    return *this;
+  }
+  FeatureBuilder& gives(std::vector<ShapeKind> kinds) {
+    type_.gives = std::move(kinds);
     return *this;
   }
   FeatureBuilder& inputByFlags(InputByFlags flags) {

@@ -54,6 +54,7 @@ void checkInputByFlags(const std::string& what, const FeatureType& type, const s
   const InputByFlags& flags = type.inputByFlags;
   if (flags.asks.empty()) return;
   if (!type.inputs.empty()) broken(what, "cannot be an input by flags alone, for it takes inputs itself");
+  if (type.gives.empty()) broken(what, "cannot be an input by flags alone, for it does not declare what it gives");
   for (const std::string& name : flags.plain)
     if (!parameters.contains(name)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", name));
   if (!parameters.contains(flags.asks)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", flags.asks));

@@ -81,8 +81,10 @@ std::string label(const ParameterSpec& spec) {
 }
 
 std::string describe(const ParameterSpec& spec) {
-  const std::string range = describeRange(spec);
-  return range.empty() ? describeKind(spec) : fmt::format("{}, {}", describeKind(spec), range);
+  std::string text = describeKind(spec);
+  if (const std::string range = describeRange(spec); !range.empty()) text += ", " + range;
+  if (!spec.noneMeans.empty()) text += "; none: " + spec.noneMeans;
+  return text;
 }
 
 ParameterSpec flag() { return ofKind(ParameterKind::Flag); }
@@ -164,6 +166,11 @@ ParameterSpec record(std::vector<ParameterSpec> fields) {
 
 ParameterSpec optional(ParameterSpec spec) {
   spec.mayBeAbsent = true;
+  return spec;
+}
+
+ParameterSpec whenNone(ParameterSpec spec, std::string means) {
+  spec.noneMeans = std::move(means);
   return spec;
 }
 

@@ -43,6 +43,7 @@ struct ParameterSpec {
   std::vector<ParameterSpec> fields;  ///< of a Record; of a List: exactly one, the element
   std::string fileTypes;              ///< of a File: extensions, "json step"
   bool mayBeAbsent = false;           ///< a null fallback then means "none" instead of "must be given"
+  std::string noneMeans;              ///< what an empty list, or none, stands for: "all sharp edges"
 };
 
 /// "area preserving": the name as a user reads it.
@@ -88,5 +89,7 @@ ParameterSpec subShape(std::string kind);  ///< "face", "edge" or "vertex"
 ParameterSpec list(ParameterSpec element);
 ParameterSpec record(std::vector<ParameterSpec> fields);
 ParameterSpec optional(ParameterSpec);  ///< may be left out although it has no default (a file, a sub-shape)
+/// Says what stands for a list without items, or for none: whenNone(list(subShape("edge")), "all sharp edges").
+ParameterSpec whenNone(ParameterSpec, std::string means);
 
 }  // namespace blossom

@@ -55,6 +55,7 @@ class CliTest : public QObject {
   void numbersReadBackAsTheSameDouble();
   void failuresEndWithOneAndAnErrorObject_data();
   void failuresEndWithOneAndAnErrorObject();
+  void helpListsOptionsOfFormatsThatCanHoldTheResult();
   void nothingIsWrittenAfterAFailure();
   void anOutputNeverReplacesTheInput();
   void namesThatAreNotUtf8();
@@ -228,6 +229,15 @@ void CliTest::failuresEndWithOneAndAnErrorObject() {
   QCOMPARE(plain.out, std::string());
   QVERIFY2(plain.err.find(error.at("message").get<std::string>()) != std::string::npos, plain.err.c_str());
   QCOMPARE(files(), before);
+}
+
+void CliTest::helpListsOptionsOfFormatsThatCanHoldTheResult() {
+  const std::string help = blossom({"pocket", "--help"}).out;  // gives a toolpath
+  for (const char* flag : {"--gcode.post", "--post", "--chord"}) QVERIFY2(help.find(flag) != std::string::npos, flag);
+  for (const char* flag : {"--stl.", "--step.", "--obj."}) QVERIFY2(help.find(flag) == std::string::npos, flag);
+  QCOMPARE(blossom({"pocket", "circle:20", "--stl.ascii", "-o", "a.ngc"}).code, 2);
+  // of a feature that may give anything, all
+  QVERIFY(blossom({"transform", "--help"}).out.find("--stl.") != std::string::npos);
 }
 
 void CliTest::nothingIsWrittenAfterAFailure() {

@@ -284,6 +284,8 @@ class ParameterTest : public QObject {
     QCOMPARE(describe(named("d", positiveLength())), std::string("length in mm, above 0 mm"));
     QCOMPARE(describe(named("t", ratio())), std::string("number, from 0 to 1"));
     QCOMPARE(describe(named("m", choice({"a", "b", "c"}))), std::string("a, b or c"));
+    QCOMPARE(describe(whenNone(list(subShape("edge")), "all sharp edges")),
+             std::string("list; each item: edge as input:edge:number; none: all sharp edges"));
     QCOMPARE(label(named("area-preserving", flag())), std::string("area preserving"));
   }
 

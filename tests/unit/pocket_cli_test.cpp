@@ -99,6 +99,8 @@ class PocketCliTest : public QObject {
     write("air.ngc", "G21\nT1 M6\nS100 M3\nG0 Z5\nG1 X10 Y10 Z2 F100\nZ3\nM2\n");
     refuses({"simulate", "air.ngc", "part.dxf", "--tool-diameter", "3"}, "does not cut below", "zero");
     refuses({"simulate", "air.ngc", "part.dxf"}, "which tool", "--tool-diameter");
+    // before anything is computed: else it would say that the tool does not fit
+    refuses({"pocket", "circle:20", "--tool-diameter", "100", "-o", "part.stl"}, "cannot hold a toolpath", "a mesh");
   }
 
   void aPartIsTextByFlags() {

@@ -15,6 +15,7 @@ struct P {
 FeatureType declared() {
   return feature<P>("example.pipe_fitting", "Fitting <T>", "A part with * and | in its text.")
       .command("fitting")
+      .gives({ShapeKind::Brep, ShapeKind::Mesh})
       .input({"base", "What it sits on.", {ShapeKind::Brep, ShapeKind::Mesh}})
       .input({"others", "Cut off.", {}, 0, anyNumber})
       .parameter("width", &P::width, positiveLength(), "How wide.")
@@ -47,7 +48,7 @@ class ReferencePageTest : public QObject {
 void ReferencePageTest::everythingDeclaredIsThere() {
   const QString page = QString::fromStdString(referencePage(declared()));
   for (const char* part : {"# Fitting", "`fitting`", "`example.pipe_fitting`", "base", "others", "0 or more", "any shape",
-                           "`width`", "above 0", "`10 mm`", "How wide.", "`closed`", "off",
+                           "`width`", "above 0", "`10 mm`", "How wide.", "`closed`", "off", "Gives solid or faces or mesh.",
                            "blossom fitting base [others others..] -o FILE", "blossom fitting base.step -o out.step"})
     QVERIFY2(page.contains(QLatin1String(part)), part);
 }

@@ -1,5 +1,11 @@
 #include "feature/registry.h"
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <gp_Pln.hxx>
+
+#include "feature/acceptance.h"
+#include "geometry/planar.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -121,13 +127,51 @@ class RegistryTest : public QObject {
     refused([](FeatureType& t) { t.parameters[0].name = "no-copies"; });
     refused([](FeatureType& t) { t.parameters[2].choices.clear(); });
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
-    refused([](FeatureType& t) { t.inputByFlags.asks = "words"; });
-    refused([](FeatureType& t) { t.inputByFlags = {.asks = "title", .plain = {"font"}}; });
+    refused([](FeatureType& t) { t.inputByFlags.asks = "title"; });
     refused([](FeatureType& t) {
+      t.gives = {ShapeKind::Mesh};
+      t.inputByFlags.asks = "words";
+    });
+    refused([](FeatureType& t) {
+      t.gives = {ShapeKind::Mesh};
+      t.inputByFlags = {.asks = "title", .plain = {"font"}};
+    });
+    refused([](FeatureType& t) {
+      t.gives = {ShapeKind::Mesh};
       t.inputByFlags.asks = "title";
       t.inputs.push_back({"shape", "", {}});
     });
     QCOMPARE(registry.types().size(), std::size_t{1});
+  }
+
+  void regionsMayComeAsCurvesOrFlatFaces() {
+    const InputSpec region{.name = "profile", .help = "", .kinds = {ShapeKind::Region}};
+    const Brep face(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 3, 0, 2).Shape(), "sheet");
+    const Brep solid(BRepPrimAPI_MakeBox(3, 2, 1).Shape(), "block");
+    QVERIFY(accepts(region, circle()));
+    QVERIFY(accepts(region, face));
+    QVERIFY(!accepts(region, solid));
+    QVERIFY(!accepts(region, Mesh{}));
+    QVERIFY(!accepts(region, Shape()));
+    const Shape given[] = {face};
+    const Inputs arranged = arrangedInputs(withInputs({region}), given);
+    COMPARE_NEAR(area(arranged.get<Region>()), 6, 1e-12);
+    const Shape wrong[] = {solid};
+    QCOMPARE(messageOf([&] { static_cast<void>(arrangedInputs(withInputs({region}), wrong)); }),
+             std::string("The input \"profile\" of Morph takes a region; it got a solid or faces."));
+    QVERIFY(accepts({.name = "any", .help = "", .kinds = {}}, solid));
+  }
+
+  void resultsAreOfTheKindsDeclared() {
+    FeatureType type = thing();
+    checkGiven(type, Mesh{});  // it declares none: any will do
+    VERIFY_ERROR(checkGiven(type, Shape()), ErrorCode::Internal);
+    type.gives = {ShapeKind::Region, ShapeKind::Curves};
+    checkGiven(type, circle());
+    checkGiven(type, Sequence{{circle(), circle()}, {0, 1}});
+    VERIFY_ERROR(checkGiven(type, Sequence{{circle(), Mesh{}}, {0, 1}}), ErrorCode::Internal);
+    QCOMPARE(messageOf([&] { checkGiven(type, Mesh{}); }),
+             std::string("Thing made a mesh and declares that it gives a region or curves."));
   }
 
   void mergingIsAllOrNothing() {

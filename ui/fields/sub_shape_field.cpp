@@ -69,7 +69,8 @@ void SubShapeField::display(const Value&) {
     connect(chip, &Chip::removed, this, [this, i] { remove(i); });
   }
   if (all.empty()) {
-    auto* none = new QLabel(context()->picking ? tr("none; pick in the view") : tr("none"));
+    const QString means = spec().noneMeans.empty() ? tr("none") : qt(spec().noneMeans);
+    auto* none = new QLabel(context()->picking ? tr("%1; pick in the view").arg(means) : means);
     none->setObjectName(QStringLiteral("note"));
     flow_->addWidget(none);
   }

@@ -43,10 +43,7 @@ Value usable(const ParameterSpec& spec, const Value& stored) {
 std::vector<const Format*> formatsFor(const FormatRegistry& formats, const ExportScope& scope) {
   std::vector<const Format*> fitting;
   for (const Format& format : formats.formats()) {
-    const auto takes = [&](ShapeKind kind) {
-      return kind != ShapeKind::None && std::find(format.writes.begin(), format.writes.end(), kind) != format.writes.end();
-    };
-    if (format.write && (takes(scope.kind) || takes(scope.frameKind))) fitting.push_back(&format);
+    if (format.write && (holds(format, scope.kind) || holds(format, scope.frameKind))) fitting.push_back(&format);
   }
   return fitting;
 }

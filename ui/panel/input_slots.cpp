@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "feature/acceptance.h"
 #include "ui/window/session.h"
 
 namespace blossom::ui {
@@ -28,11 +29,8 @@ InputSlots::InputSlots(const Session& session, const Feature& feature, const Fea
 
 bool InputSlots::accepts(std::size_t spec, const FeatureId& id) const {
   const auto view = session_.view(id);
-  const auto& kinds = type_.inputs.at(spec).kinds;
-  if (!view || view->result->evaluated.shape.empty() || kinds.empty()) return true;
-  const ShapeKind kind = view->result->evaluated.shape.kind();
-  const auto takes = [&](ShapeKind wanted) { return std::find(kinds.begin(), kinds.end(), wanted) != kinds.end(); };
-  return takes(kind) || (kind == ShapeKind::Curves && takes(ShapeKind::Region));
+  if (!view || view->result->evaluated.shape.empty()) return true;
+  return blossom::accepts(type_.inputs.at(spec), view->result->evaluated.shape);
 }
 
 bool InputSlots::dependsOnThis(const FeatureId& id) const {

@@ -55,10 +55,9 @@ const std::vector<PreferenceGroup>& preferenceGroups() {
                  Preferences::tr("Which mouse buttons turn, shift and zoom the view.")),
         declared("projection", choice({"perspective", "parallel"}), "perspective",
                  Preferences::tr("Of a document when it is opened.")),
-        declared(
-            "drawing-tolerance", lengthFromZero(), 0.0,
-            Preferences::tr("How far what is drawn may lie from the shape itself; 0: a thousandth of its size. Results and "
-                            "files are exact whatever it is."))}},
+        declared("drawing-tolerance", lengthFromZero(), 0.0,
+                 Preferences::tr("How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and "
+                                 "files are exact whatever it is."))}},
       {Preferences::tr("Work"),
        {declared("length-unit", choice({"mm", "cm", "m", "in", "ft"}), "mm",
                  Preferences::tr("In which lengths are shown, and what a number without a unit means. Files stay in mm.")),

@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <algorithm>
 
+#include "feature/acceptance.h"
 #include "ui/look/text.h"
 #include "ui/window/commands.h"
 #include "ui/window/page.h"
@@ -12,14 +13,6 @@
 namespace blossom::ui {
 
 namespace {
-
-bool accepts(const InputSpec& spec, ShapeKind kind) {
-  if (kind == ShapeKind::None) return false;
-  const auto has = [&](ShapeKind wanted) {
-    return std::find(spec.kinds.begin(), spec.kinds.end(), wanted) != spec.kinds.end();
-  };
-  return spec.kinds.empty() || has(kind) || (kind == ShapeKind::Curves && has(ShapeKind::Region));
-}
 
 QString kindsOf(const InputSpec& spec) {
   QStringList names;
@@ -78,7 +71,7 @@ std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, std::vec
     std::size_t count = 0;
     for (auto it = left.begin(); it != left.end() && count < spec.most;) {
       const auto view = page_->session().view(*it);
-      if (view && accepts(spec, view->result->evaluated.shape.kind())) {
+      if (view && accepts(spec, view->result->evaluated.shape)) {
         taken.push_back(*it);
         it = left.erase(it);
         ++count;

@@ -11,6 +11,7 @@
 #include "ui/look/theme.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/application.h"
+#include "ui/window/guarded_application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/screenshot.h"
 #include "ui/window/stall_watch.h"
@@ -129,11 +130,15 @@ void keepSafe(MainWindow& window) {
   try {
     Recovery::instance().start();
   } catch (const Error& error) {
-    window.page().showError(error);
+    DocumentPage& page = window.page();
+    page.showError(error);
+    // A file that comes up begins with a clean slate.
+    QObject::connect(
+        &page, &DocumentPage::opened, &page, [&page, error] { page.showError(error); }, Qt::SingleShotConnection);
   }
 }
 
-int run() {
+int run(GuardedApplication& application) {
   const Options options = readOptions();
   reached("main");
   ThemeManager::instance().apply(options.theme);
@@ -144,6 +149,8 @@ int run() {
   MainWindow window(std::move(app));
   reached("window made");
   window.resize(options.size);
+  QObject::connect(&application, &GuardedApplication::escaped, &window,
+                   [&window](const Error& error) { window.page().showError(error); });
   tellFirstFrame(window);
   if (!options.files.isEmpty()) window.openFiles(options.files);  // are read while the window comes up
   window.show();
@@ -173,10 +180,10 @@ int main(int argc, char** argv) {
     return 1;
   }
   prepareApplication();
-  QApplication application(argc, argv);
+  GuardedApplication application(argc, argv);
   setUpApplication();
   try {
-    return run();
+    return run(application);
   } catch (const Error& error) {
     std::fprintf(stderr, "blossom-workbench: %s %s\n", error.what(), error.hint().c_str());
     return 1;

@@ -1240,6 +1240,17 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
+    <name>blossom::ui::GuardedApplication</name>
+    <message>
+        <source>Blossom met a fault of its own: %1.</source>
+        <translation>Blossom ist auf einen eigenen Fehler gestoßen: %1.</translation>
+    </message>
+    <message>
+        <source>What you did last may be undone. Save under another name and start Blossom anew.</source>
+        <translation>Der letzte Schritt kann rückgängig gemacht werden. Unter anderem Namen speichern und Blossom neu starten.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::HelpMenu</name>
     <message>
         <source>Help</source>
@@ -1954,6 +1965,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Not saved yet</source>
         <translation>Noch nicht gespeichert</translation>
     </message>
+    <message>
+        <source>%1 is still being written; it is closed then.</source>
+        <translation>%1 wird noch geschrieben; danach wird es geschlossen.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ManualText</name>
@@ -2598,6 +2613,18 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>%1 files, %2</source>
         <translation>%1 Dateien, %2</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1.</source>
+        <translation>Abgebrochen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened here: this document was edited while it was read.</source>
+        <translation>%1 wurde hier nicht geöffnet: Dieses Dokument wurde bearbeitet, während die Datei gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>What was edited is kept. Open it again; it comes in a tab of its own.</source>
+        <translation>Die Bearbeitung bleibt erhalten. Die Datei noch einmal öffnen; sie kommt in einen eigenen Tab.</translation>
     </message>
 </context>
 <context>

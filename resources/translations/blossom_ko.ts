@@ -1240,6 +1240,17 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     </message>
 </context>
 <context>
+    <name>blossom::ui::GuardedApplication</name>
+    <message>
+        <source>Blossom met a fault of its own: %1.</source>
+        <translation>Blossom 내부 오류가 발생했습니다: %1.</translation>
+    </message>
+    <message>
+        <source>What you did last may be undone. Save under another name and start Blossom anew.</source>
+        <translation>마지막 작업은 실행 취소할 수 있습니다. 다른 이름으로 저장하고 Blossom을 다시 시작하십시오.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::HelpMenu</name>
     <message>
         <source>Help</source>
@@ -1954,6 +1965,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>Not saved yet</source>
         <translation>아직 저장하지 않음</translation>
     </message>
+    <message>
+        <source>%1 is still being written; it is closed then.</source>
+        <translation>%1을(를) 아직 쓰는 중입니다. 다 쓰면 닫습니다.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ManualText</name>
@@ -2598,6 +2613,18 @@ Drag sideways to change it.</source>
     <message>
         <source>%1 files, %2</source>
         <translation>파일 %1개, %2</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1.</source>
+        <translation>취소함: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened here: this document was edited while it was read.</source>
+        <translation>%1을(를) 여기서 열지 않았습니다. 읽는 동안 이 문서가 편집되었습니다.</translation>
+    </message>
+    <message>
+        <source>What was edited is kept. Open it again; it comes in a tab of its own.</source>
+        <translation>편집한 내용은 그대로 있습니다. 파일을 다시 열면 새 탭에 열립니다.</translation>
     </message>
 </context>
 <context>

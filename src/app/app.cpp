@@ -10,6 +10,7 @@
 #include "app/literal_feature.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/zip_archive.h"
 #include "exchange/import_feature.h"
 #include "scene/scene.h"
 
@@ -36,7 +37,13 @@ void embed(const ParameterSpec& spec, Value& value, Document& document) {
     for (const ParameterSpec& field : spec.fields)
       if (value.contains(field.name)) embed(field, value[field.name], document);
   } else if (spec.kind == ParameterKind::File && isFileValue(value) && value.value("asset", std::string()).empty()) {
-    auto content = std::make_shared<const std::string>(readFile(value["path"].get<std::string>()));
+    const std::string path = value["path"].get<std::string>();
+    auto content = std::make_shared<const std::string>(readFile(path));
+    if (content->size() > ZipLimits{}.entry)
+      throw Error(ErrorCode::LimitExceeded,
+                  fmt::format("The file {} has {} MB; a document can keep files of at most {} MB.", path,
+                              content->size() >> 20, ZipLimits{}.entry >> 20),
+                  "Divide the file, or make it smaller.");
     const std::string hash = contentHash(*content);
     document = document.withAsset(hash, std::move(content));
     value = Value{{"path", value["path"]}, {"asset", hash}};

@@ -18,13 +18,6 @@ namespace blossom {
 namespace fs = std::filesystem;
 namespace {
 
-void syncToDisk(const fs::path& path, int flags) {
-  const int fd = ::open(path.c_str(), flags);
-  if (fd < 0) return;  // a folder that may not be opened: the rename itself is still atomic
-  ::fsync(fd);
-  ::close(fd);
-}
-
 [[noreturn]] void cannotWrite(const fs::path& target, const std::string& why) {
   throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} cannot be written: {}.", target.string(), why),
               "Check that the folder exists, that you may write there and that the disk is not full.");
@@ -41,6 +34,24 @@ void refuseProtected(const fs::path& target) {
   if ((mode & anyWrite) == fs::perms::none || ::access(target.c_str(), W_OK) != 0)
     throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} is write-protected.", target.string()),
                 "Save under another name, or allow writing to it.");
+}
+
+/// A failing disk may tell only here that what was written did not arrive.
+void syncContent(const fs::path& temporary, const fs::path& target) {
+  const int fd = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) cannotWrite(target, std::strerror(errno));
+  const int why = ::fsync(fd) == 0 ? 0 : errno;
+  ::close(fd);
+  const bool unknownHere = why == EINVAL || why == ENOTSUP || why == ENOSYS;  // the file system has no such thing
+  if (why != 0 && !unknownHere) cannotWrite(target, std::strerror(why));
+}
+
+/// The rename is atomic without it; this makes it last.
+void syncFolder(const fs::path& folder) {
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  ::fsync(fd);
+  ::close(fd);
 }
 
 fs::path folderOf(const fs::path& target) { return target.parent_path().empty() ? fs::path(".") : target.parent_path(); }
@@ -136,9 +147,9 @@ void writeAtomically(const fs::path& given, const std::function<void(const fs::p
   refuseProtected(target);
   TemporaryFile temporary(target);
   write(temporary.path());
-  syncToDisk(temporary.path(), O_RDONLY);
+  syncContent(temporary.path(), target);
   temporary.moveTo(target);
-  syncToDisk(folderOf(target), O_RDONLY | O_DIRECTORY);
+  syncFolder(folderOf(target));
   removeLeftovers(target);
 }
 

@@ -15,7 +15,6 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t mostFeatures = 10000;  // none was ever near; keeps a hostile file from taking quadratic time
 constexpr std::array<std::string_view, 7> featureKeys{"id", "type", "name", "inputs", "parameters", "visible", "suppressed"};
 
 bool isFeatureKey(std::string_view key) {

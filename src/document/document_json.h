@@ -5,6 +5,9 @@
 
 namespace blossom {
 
+/// None was ever near; keeps a hostile file from taking quadratic time.
+inline constexpr std::size_t mostFeatures = 10000;
+
 /// What is wrong with a document being read. Strict: the first problem is the error. Salvaging: problems become warnings.
 class Problems {
  public:

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,10 @@ class History {
   [[nodiscard]] const Document& committed() const { return steps_[place_].document; }  ///< without a preview
   [[nodiscard]] std::string undoText() const;                                          ///< empty when nothing can be undone
   [[nodiscard]] std::string redoText() const;
-  void markSaved();
+  /// Names the committed document for as long as it can be reached.
+  [[nodiscard]] std::uint64_t step() const { return steps_[place_].serial; }
+  void markSaved() { markSaved(step()); }
+  void markSaved(std::uint64_t step);   ///< the file holds what was committed then, wherever undo has gone since
   void markUnsaved();                   ///< no file holds any of its documents
   [[nodiscard]] bool modified() const;  ///< a preview does not count
 
@@ -28,6 +32,7 @@ class History {
   struct Step {
     Document document;
     std::string what;
+    std::uint64_t serial;
   };
   std::vector<Step> steps_;
   std::size_t place_ = 0;

@@ -161,22 +161,32 @@ struct Journal::State {
   }
 
   void write(std::deque<Task>& taken) {
-    try {
-      for (Task& task : taken) {
+    bool all = true;  // one that fails must not take those after it along: the last step is what counts
+    for (Task& task : taken) {
+      all &= tried([&] {
         if (task.act == Act::Record) writer.record(std::move(task.step));
         if (task.act == Act::Snapshot) writer.snapshot();
         if (task.act == Act::Clear) writer.clear();
-      }
-      writer.sync();
-      failing = false;
-      for (const Task& task : taken)
-        if (task.act == Act::Tell) task.then();
+      });
+    }
+    all &= tried([&] { writer.sync(); });
+    if (!all) return;
+    failing = false;
+    for (const Task& task : taken)
+      if (task.act == Act::Tell) task.then();
+  }
+
+  bool tried(const std::function<void()>& work) {
+    try {
+      work();
+      return true;
     } catch (const Error& error) {
       complain(error);
     } catch (const std::exception& error) {  // std::filesystem's own
       complain(Error(ErrorCode::FileUnwritable, std::string("The safety copy cannot be written: ") + error.what() + ".",
                      "Check that the disk is not full."));
     }
+    return false;
   }
 
   void complain(const Error& error) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -50,12 +51,11 @@ class LockFile {
   Lock lock_ = Lock::Unknown;
 };
 
+/// Files of /proc tell no size, so readFile would find them empty.
 std::string bootId() {
-  try {
-    return readFile("/proc/sys/kernel/random/boot_id");
-  } catch (const Error&) {
-    return {};
-  }
+  std::string id;
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), id);
+  return id;
 }
 
 std::string ownerText() { return fmt::format("{} {}", ::getpid(), bootId()); }
@@ -98,16 +98,25 @@ struct RecoveryArea::State {
     const LockFile all(root / "lock", true);
     std::error_code ec;
     for (fs::directory_iterator it(root, ec), end; !ec && it != end; it.increment(ec)) {
-      const fs::path& run = it->path();
-      if (!it->is_directory(ec) || run == own || claimed.contains(run)) continue;
-      auto lock = std::make_unique<LockFile>(ownerFile(run), false);
-      if (lock->lock() == LockFile::Lock::Taken) continue;
-      if (lock->lock() == LockFile::Lock::Unknown && ownerRuns(readFile(ownerFile(run)))) continue;
-      if (holdsDocuments(run))
-        claimed.emplace(run, std::move(lock));
-      else
-        fs::remove_all(run, ec);
+      std::error_code unknown;
+      if (!it->is_directory(unknown) || it->path() == own || claimed.contains(it->path())) continue;
+      try {
+        claim(it->path());
+      } catch (const Error&) {
+        // Of another user, or unreadable: it must not hide the documents of the others.
+      }
     }
+  }
+
+  void claim(const fs::path& run) {
+    auto lock = std::make_unique<LockFile>(ownerFile(run), false);
+    if (lock->lock() == LockFile::Lock::Taken) return;
+    if (lock->lock() == LockFile::Lock::Unknown && ownerRuns(readFile(ownerFile(run)))) return;
+    std::error_code ignored;
+    if (holdsDocuments(run))
+      claimed.emplace(run, std::move(lock));
+    else
+      fs::remove_all(run, ignored);
   }
 
   void tidy(const fs::path& run) {

@@ -65,6 +65,27 @@ Document readContent(const std::string& bytes, Problems& problems) {
   return document;
 }
 
+/// What would be refused on opening must not replace a file that opens.
+void refuseUnreadable(const Document& document, const std::vector<ZipEntry>& entries) {
+  std::uint64_t total = 0, largest = 0;
+  for (const ZipEntry& entry : entries) {
+    total += entry.content.size();
+    largest = std::max<std::uint64_t>(largest, entry.content.size());
+  }
+  const ZipLimits limits;
+  if (largest > limits.entry || total > limits.total)
+    throw Error(
+        ErrorCode::LimitExceeded,
+        fmt::format("A document holds at most {} MB, and {} MB of one file; this one has {} MB, its largest file {} MB.",
+                    limits.total >> 20, limits.entry >> 20, total >> 20, largest >> 20),
+        "Remove imported files that are not needed, or divide the document.");
+  if (document.features().size() > mostFeatures)
+    throw Error(
+        ErrorCode::LimitExceeded,
+        fmt::format("A document holds at most {} features; this one has {}.", mostFeatures, document.features().size()),
+        "Divide the document.");
+}
+
 }  // namespace
 
 void saveDocument(const Document& document, const std::filesystem::path& path, const Progress& progress) {
@@ -72,6 +93,7 @@ void saveDocument(const Document& document, const std::filesystem::path& path, c
   std::vector<ZipEntry> entries{{"mimetype", mimeType, true}, {documentEntry, json, false}};
   for (const auto& hash : namedAssets(document))
     entries.push_back({std::string(assetFolder) + hash, *document.assets().at(hash), false});
+  refuseUnreadable(document, entries);
   writeAtomically(path, [&](const std::filesystem::path& temporary) { writeZip(temporary, entries, progress); });
 }
 

@@ -256,7 +256,8 @@ void RecoveryTest::savedAndClosedNothingIsOffered() {
     bool saved = false;
     session.save(place.file, [&] { saved = true; });
     QTRY_VERIFY(saved);
-    session.commit(Document(), QStringLiteral("Delete A"));  // closed without saving: nobody wants it
+    session.commit(Document(), QStringLiteral("Delete A"));
+    session.abandon();  // closed without saving: nobody wants it
   }
   Recovery::instance().stop();
   QVERIFY(RecoveryArea(place.recovery).lost().empty());

@@ -49,6 +49,23 @@ class HistoryTest : public QObject {
     QCOMPARE(number(history), 5);
   }
 
+  void whatWasSavedIsKnownWhereverUndoHasGone() {
+    History history;
+    history.commit(numbered(1), "One");
+    const auto saved = history.step();
+    history.undo();
+    history.markSaved(saved);  // the file was written meanwhile
+    QVERIFY(history.modified());
+    history.redo();
+    QVERIFY(!history.modified());
+    history.undo();
+    history.commit(numbered(2), "Two");
+    history.markSaved(saved);  // cannot be reached any more
+    QVERIFY(history.modified());
+    history.undo();
+    QVERIFY(history.modified());
+  }
+
   void previewsLeaveNoTrace() {
     History history(numbered(1));
     history.preview(numbered(7));

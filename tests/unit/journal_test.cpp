@@ -85,6 +85,7 @@ class JournalTest : public QObject {
   void snapshotsKeepTheListShort();
   void clearedNothingIsLeft();
   void whatCannotBeWrittenIsToldOnceAndTriedAgain();
+  void aRunThatCannotBeReadHidesNoOther();
   void onlyTheDeadLoseDocuments();
 };
 
@@ -273,6 +274,21 @@ void JournalTest::whatCannotBeWrittenIsToldOnceAndTriedAgain() {
   journal.snapshot();
   journal.settle();
   QCOMPARE(recovered(folder), toJson(document));
+}
+
+void JournalTest::aRunThatCannotBeReadHidesNoOther() {
+  Random random = test::seededRandom();
+  const TemporaryFolder place;
+  const fs::path root = place.path() / "recovery";
+  {
+    RecoveryArea killed(root);
+    Journal(killed.newFolder()).record(edited(Document(), random), "Step", origin());
+  }
+  for (const char* name : {"run-000000", "run-zzzzzz"}) fs::create_directories(root / name / "owner");  // no file to lock
+  RecoveryArea next(root);
+  const auto lost = next.lost();
+  QCOMPARE(lost.size(), std::size_t(1));
+  QCOMPARE(lost.front().summary.lastStep, std::string("Step"));
 }
 
 void JournalTest::onlyTheDeadLoseDocuments() {

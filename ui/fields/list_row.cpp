@@ -3,13 +3,13 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QToolButton>
 #include <cstdlib>
 
 #include "ui/fields/record_field.h"
 #include "ui/look/icons.h"
+#include "ui/look/popup_menu.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {
@@ -116,13 +116,13 @@ void ListRow::setEnds(bool first, bool last) {
 }
 
 void ListRow::showMenu() {
-  QMenu menu(this);
+  QMenu& menu = popupMenu(this);
   menu.addAction(tr("Move up"), this, [this] { emit moveWanted(-1); })->setEnabled(!first_);
   menu.addAction(tr("Move down"), this, [this] { emit moveWanted(1); })->setEnabled(!last_);
   menu.addAction(tr("Copy below"), this, &ListRow::copyWanted);
   menu.addSeparator();
   menu.addAction(tr("Remove"), this, &ListRow::removeWanted);
-  menu.exec(QCursor::pos());
+  menu.popup(QCursor::pos());
 }
 
 // Alt with an arrow moves the item that has the focus.

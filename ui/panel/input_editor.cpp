@@ -3,7 +3,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "ui/fields/field_label.h"
 #include "ui/fields/pick_button.h"
 #include "ui/look/icons.h"
+#include "ui/look/popup_menu.h"
 #include "ui/look/text.h"
 #include "ui/panel/parameter_field.h"
 #include "ui/tool.h"
@@ -151,7 +151,7 @@ void InputEditor::addCandidates(QMenu& menu, std::size_t place) {
 
 void InputEditor::showChipMenu(std::size_t place, const QPoint& at) {
   const auto taken = inputSlots()->of(spec_);
-  QMenu menu(this);
+  QMenu& menu = popupMenu(this);
   addCandidates(menu, place);
   menu.addSeparator();
   menu.addAction(icon(QStringLiteral("pick-feature")), tr("Pick in the view"), this, [this, place] { wantPick(place); });
@@ -169,13 +169,13 @@ void InputEditor::showChipMenu(std::size_t place, const QPoint& at) {
     addMove(tr("Move up"), -1, place > 0);
     addMove(tr("Move down"), 1, place + 1 < taken.size());
   }
-  menu.exec(at);
+  menu.popup(at);
 }
 
 void InputEditor::showAddMenu() {
-  QMenu menu(this);
+  QMenu& menu = popupMenu(this);
   addCandidates(menu, inputSlots()->of(spec_).size());
-  menu.exec(add_->mapToGlobal(QPoint(0, add_->height())));
+  menu.popup(add_->mapToGlobal(QPoint(0, add_->height())));
 }
 
 void InputEditor::take(std::size_t place, const FeatureId& id) {

@@ -5,13 +5,13 @@
 #include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QKeyEvent>
-#include <QMenu>
 #include <QStyle>
 #include <QToolButton>
 
 #include "core/error.h"
 #include "ui/fields/field_label.h"
 #include "ui/look/icons.h"
+#include "ui/look/popup_menu.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
 
@@ -225,7 +225,7 @@ bool ParameterField::event(QEvent* event) {
 }
 
 void ParameterField::contextMenuEvent(QContextMenuEvent* event) {
-  QMenu menu(this);
+  QMenu& menu = popupMenu(this);
   addToMenu(menu);
   const QString text = qt(formatText(spec_, value_, lengthUnit()));
   menu.addAction(tr("Copy value"), this, [text] { QApplication::clipboard()->setText(text); })->setEnabled(!text.isEmpty());
@@ -240,7 +240,7 @@ void ParameterField::contextMenuEvent(QContextMenuEvent* event) {
                    &ParameterField::resetToDefault)
         ->setEnabled(differsFromDefault());
   }
-  menu.exec(event->globalPos());
+  menu.popup(event->globalPos());
 }
 
 QString displayText(const ParameterSpec& spec, const Value& value) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/reference_page.h"
+#include "core/error.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
 #include "ui/panel/input_editor.h"
@@ -132,6 +133,7 @@ void PropertyPanel::rebuild() {
   endPick();
   muteEditors();
   fields_.clear();
+  unshowable_.clear();
   inputs_.clear();
   header_ = nullptr;
   previewed_ = faulty_ = nullptr;
@@ -239,11 +241,29 @@ void PropertyPanel::refreshFields() {
   for (ParameterField* field : fields_) {
     if (field == previewed_) continue;  // what is dragged is ahead of the document
     const auto given = feature.parameters.find(field->spec().name);
-    const Value value = given == feature.parameters.end() || given->is_null() ? field->spec().fallback : *given;
-    // What is being typed, and what is wrong with it, stays until the value really changes.
-    const bool busy = field->editing() || !field->problem().isEmpty();
-    if (!busy || field->value() != value) field->setValue(value);
+    const bool absent = given == feature.parameters.end() || given->is_null();
+    refreshField(*field, absent ? field->spec().fallback : *given);
   }
+}
+
+// A document may hold what a field cannot show, from another version or another hand: the feature's own error stands there
+// then, beside the default.
+void PropertyPanel::refreshField(ParameterField& field, const Value& given) {
+  Value value = given;
+  QString fault;
+  try {
+    if (!value.is_null()) value = checked(field.spec(), given);
+  } catch (const Error& error) {
+    value = field.spec().fallback;
+    fault = sentenceCase(qt(error.message()));
+  }
+  // What is being typed, and what is wrong with it, stays until the value really changes.
+  const bool busy = field.editing() || !field.problem().isEmpty();
+  if (!busy || field.value() != value) field.setValue(value);
+  QString& told = unshowable_[&field];
+  if (fault.isEmpty() && !told.isEmpty() && field.problem() == told) field.setFault({});
+  if (!fault.isEmpty() && field.problem().isEmpty()) field.setFault(fault);
+  told = fault;
 }
 
 void PropertyPanel::refreshResult() {

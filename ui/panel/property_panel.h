@@ -1,6 +1,7 @@
 #pragma once
 #include <QPointer>
 #include <QScrollArea>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -58,6 +59,7 @@ class PropertyPanel : public QScrollArea {
   void connectField(ParameterField*);
   void refreshContext();
   void refreshFields();
+  void refreshField(ParameterField&, const Value& given);
   void refreshResult();
   void showFault();
   void preview(ParameterField*, const Value&);
@@ -75,6 +77,7 @@ class PropertyPanel : public QScrollArea {
   std::shared_ptr<const FeatureType> type_;
   std::shared_ptr<FieldContext> context_;
   std::vector<ParameterField*> fields_;
+  std::map<const ParameterField*, QString> unshowable_;  ///< of those that show the default: what is wrong with the value
   std::vector<InputEditor*> inputs_;
   FeatureHeader* header_ = nullptr;
   QWidget* form_ = nullptr;        // what is made anew for each feature

@@ -4,11 +4,11 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
-#include <QMenu>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
 
+#include "ui/look/popup_menu.h"
 #include "ui/look/theme.h"
 
 namespace blossom::ui {
@@ -146,14 +146,14 @@ void ResultRows::contextMenuEvent(QContextMenuEvent* event) {
   if (!row) return QWidget::contextMenuEvent(event);
   QStringList all;
   for (const ResultRow& each : rows_) all << QStringLiteral("%1\t%2\t%3").arg(each.name, each.copy, each.unit);
-  QMenu menu(this);
+  QMenu& menu = popupMenu(this);
   const auto offer = [&](const QString& title, const QString& text) {
     menu.addAction(title, this, [this, text] { copy(text, tr("Copied")); });
   };
   offer(tr("Copy value"), rows_[*row].copy);
   offer(tr("Copy name and value"), rows_[*row].name + u'\t' + rows_[*row].copy);
   offer(tr("Copy all results"), all.join(u'\n'));
-  menu.exec(event->globalPos());
+  menu.popup(event->globalPos());
 }
 
 }  // namespace blossom::ui

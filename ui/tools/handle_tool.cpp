@@ -1,9 +1,17 @@
 #include "ui/tools/handle_tool.h"
 
 #include <QKeyEvent>
+#include <algorithm>
 #include <utility>
 
 namespace blossom::ui {
+
+namespace {
+
+/// Documents share what is equal. Undone, or joined by an import, during a drag: the drag must not put the old one back.
+bool sameFeatures(const Document& a, const Document& b) { return std::ranges::equal(a.features(), b.features()); }
+
+}  // namespace
 
 // Until the mouse tells better: grid lines are some twenty pixels apart.
 HandleTool::HandleTool(ToolHost& toolHost, FeatureId feature)
@@ -13,6 +21,7 @@ bool HandleTool::press(const ToolEvent& event) {
   noteScale(event);
   if (event.button != Qt::LeftButton) return false;
   const auto found = handleUnder(event);
+  expected_ = host().document();
   if (!found || !take(*found, event)) return false;
   hovered_ = held_ = found;
   emit changed();
@@ -55,24 +64,39 @@ void HandleTool::revert() {
 
 void HandleTool::letGo() {
   putBack();
-  if (std::exchange(previewing_, false)) host().endPreview();
   held_.reset();
+  if (std::exchange(previewing_, false)) host().endPreview();
   if (std::exchange(outdated_, false)) documentChanged();
 }
 
 void HandleTool::documentChanged() {
   if (committing_) return;
-  if (held_) return loadLater();  // most often it is the preview itself
-  if (!host().document().contains(feature_)) {
+  if (held_) {
+    loadLater();  // most often it is the preview itself
+    if (!sameFeatures(host().document(), expected_)) letGo();
+    return;
+  }
+  if (!loaded()) {
     emit finished();
     return;
   }
-  load();
   emit changed();
+}
+
+// Handles of a parameter that is out of range, or of another version, cannot be made; the feature tells why.
+bool HandleTool::loaded() {
+  if (!host().document().contains(feature_)) return false;
+  try {
+    load();
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 void HandleTool::preview(Document document) {
   previewing_ = true;
+  expected_ = document;
   host().preview(std::move(document));
 }
 
@@ -81,6 +105,7 @@ void HandleTool::commit(Document document, const QString& what) {
   committing_ = true;   // the host tells of the change before it returns
   host().commit(std::move(document), what);
   committing_ = false;
+  expected_ = host().document();
   documentChanged();
 }
 

@@ -47,11 +47,13 @@ class HandleTool : public Tool {
 
  private:
   void letGo();
+  bool loaded();
 
   FeatureId feature_;
   std::optional<std::size_t> hovered_, held_;
   bool previewing_ = false, committing_ = false;
   bool outdated_ = false;  ///< the document changed while a handle was held
+  Document expected_;      ///< during a drag: what is there unless somebody else changes it
   double millimetresPerPixel_;
 };
 

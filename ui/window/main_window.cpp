@@ -98,13 +98,21 @@ std::size_t MainWindow::indexOf(const DocumentPage& page) const {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
+  const QAction* saving = commands_.action(QStringLiteral("file.save"));
+  if (!saving->isEnabled() && saving->shortcut() == QKeySequence(event->keyCombination())) {
+    takeTyping();  // the shortcut comes by here while nothing is known to be unsaved
+    if (session().modified()) save(page());
+    return;
+  }
   if (event->key() != Qt::Key_Escape) return QMainWindow::keyPressEvent(event);
   if (page().toolStarted())
     page().endTool();
   else if (errors().isVisible())
     errors().hide();
-  else if (session().evaluating() || session().job().running())
-    session().cancel();
+  else if (session().evaluating())
+    session().cancelEvaluation();  // what is being saved beside it goes on
+  else if (session().job().running())
+    session().job().cancel();
 }
 
 }  // namespace blossom::ui

@@ -1,6 +1,8 @@
 #pragma once
 #include <QMainWindow>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -68,9 +70,14 @@ class MainWindow : public QMainWindow {
   void showStartPage();
   void newDocument();
   // main_window_close.cpp
+  /// Documents whose changes nobody wants, as they were when that was said.
+  using Discarded = std::map<const DocumentPage*, std::uint64_t>;
+  using AfterQuestion = std::function<void(const Discarded&)>;
   /// Calls `go` at once, after saving, or never, as the user decides about the unsaved changes of a document.
-  void guarded(DocumentPage&, std::function<void()> go);
-  void guardedAll(const std::vector<DocumentPage*>&, std::function<void()> go);  ///< the same for several, asked once
+  void guarded(DocumentPage&, const AfterQuestion& go);
+  void guardedAll(const std::vector<DocumentPage*>&, const AfterQuestion& go);  ///< the same for several, asked once
+  /// False when none of them writes a file; else `then` comes when the first has.
+  bool waitsForWriting(const std::vector<DocumentPage*>&, const std::function<void()>& then);
   void saveInTurn(std::vector<DocumentPage*>, std::function<void()> then);
   void closeOthers(std::size_t index);
   // main_window_file_menu.cpp
@@ -92,6 +99,7 @@ class MainWindow : public QMainWindow {
   void chooseAndOpen();
   void chooseAndImport();
   void importFiles(const QStringList& files);
+  void takeTyping();  ///< what stands in a field and was not entered yet counts, too
   void save(DocumentPage&, std::function<void()> then = {});
   void saveAs(DocumentPage&, std::function<void()> then = {});
   void write(DocumentPage&, const QString& file, std::function<void()> then);
@@ -119,7 +127,7 @@ class MainWindow : public QMainWindow {
   QMenu* recentMenu_ = nullptr;
   DocumentPage* startFor_ = nullptr;  // the page that the start page lies over while it is untouched
   ViewCommands* viewCommands_ = nullptr;
-  bool closing_ = false;
+  Discarded discarded_;  // what was answered when the window was to be closed
 };
 
 }  // namespace blossom::ui

@@ -46,7 +46,7 @@ void MainWindow::openFile(const QString& file, bool salvage) {
   for (std::size_t i = 0; i < pages_.size() && !salvage; ++i)
     if (pages_[i]->session().file() == path) return showPage(i);
   if (!sampleFiles().contains(full)) rememberFolder(full);  // nobody saves beside the samples
-  DocumentPage& target = page().untouched() || salvage ? page() : addPage();
+  DocumentPage& target = page().untouched() ? page() : addPage();
   target.session().open(path, salvage);
   refreshStart();
 }
@@ -93,7 +93,13 @@ void MainWindow::importFiles(const QStringList& files) {
   refreshStart();
 }
 
+void MainWindow::takeTyping() {
+  QWidget* const typing = focusWidget();
+  if (typing) typing->clearFocus();
+}
+
 void MainWindow::save(DocumentPage& page, std::function<void()> then) {
+  takeTyping();
   const QString file = qt(page.session().file().string());
   if (file.isEmpty()) return saveAs(page, std::move(then));
   if (!page.session().changedOnDisk() || !QFileInfo::exists(file)) return write(page, file, std::move(then));
@@ -111,6 +117,7 @@ void MainWindow::save(DocumentPage& page, std::function<void()> then) {
 }
 
 void MainWindow::saveAs(DocumentPage& page, std::function<void()> then) {
+  takeTyping();
   const QString suggested = page.session().suggestedName(), name = suggested.isEmpty() ? tr("untitled") : suggested;
   const QString current = qt(page.session().file().parent_path().string());
   QString file = QFileDialog::getSaveFileName(

@@ -88,6 +88,7 @@ void MainWindow::removePage(std::size_t index) {
   const std::unique_ptr<DocumentPage> removed = std::move(pages_[index]);
   pages_.erase(pages_.begin() + static_cast<std::ptrdiff_t>(index));
   removed->disconnect(this);
+  removed->session().abandon();
   if (startFor_ == removed.get()) startFor_ = nullptr;
   if (pages_.empty()) {
     startFor_ = &addPage();

@@ -102,6 +102,7 @@ class DocumentPage : public QObject, public ToolHost {
   void fitWhenFirstShown();
   // page_tools.cpp
   void refreshHandles();
+  void makeHandles(const MakeTool&, const FeatureId&);
   void giveViewItsTool();
   void follow(Tool&);
   void connectPicking();

@@ -99,12 +99,19 @@ void DocumentPage::refreshHandles() {
     ended->revert();  // may change the document, and so come here again
   }
   const MakeTool* make = usable && !handles_ ? manipulators_.handles(document().at(wanted).type) : nullptr;
-  if (make) {
-    handles_ = (*make)(*this, wanted);
-    handled_ = wanted;
-    follow(*handles_);
-  }
+  if (make) makeHandles(*make, wanted);
   giveViewItsTool();
+}
+
+// A feature with a parameter that is out of range, or that a newer plugin wrote, has an error of its own, and no handles.
+void DocumentPage::makeHandles(const MakeTool& make, const FeatureId& wanted) {
+  try {
+    handles_ = make(*this, wanted);
+  } catch (const std::exception&) {
+    return;
+  }
+  handled_ = wanted;
+  follow(*handles_);
 }
 
 }  // namespace blossom::ui

@@ -23,7 +23,6 @@ Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app
 }
 
 Session::~Session() {
-  nothingToKeep();  // whoever closes a document has saved it or does not want it
   displayToken_.cancel();
   evaluator_.cancelBackground();
   evaluator_.waitForBackground();

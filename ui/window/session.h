@@ -41,12 +41,16 @@ class Session : public QObject {
   [[nodiscard]] bool evaluating() const { return evaluating_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool modified() const { return history_.modified(); }
-  [[nodiscard]] QString title() const;          ///< name of the file, or what the document would be called
-  [[nodiscard]] QString suggestedName() const;  ///< without extension
+  [[nodiscard]] bool writing() const { return writing_; }       ///< a file is being saved or exported
+  [[nodiscard]] std::uint64_t edits() const { return edits_; }  ///< grows with everything the user does
+  [[nodiscard]] QString title() const;                          ///< name of the file, or what the document would be called
+  [[nodiscard]] QString suggestedName() const;                  ///< without extension
 
   void commit(Document, const QString& what);
   void preview(Document);
   void endPreview();
+  /// Its unsaved steps are not wanted: their safety copy goes. One that ends without it can be recovered.
+  void abandon();
   void undo();
   void redo();
 
@@ -89,6 +93,8 @@ class Session : public QObject {
   void evaluate();
   void changed();
   void replace(Document, const std::filesystem::path& file, const QString& name);
+  /// False, and told, when the user began something here while the file was read.
+  [[nodiscard]] bool untouchedSince(std::uint64_t edits, const QString& title);
   bool begin(const QString& title, Job::Work, std::function<void()> then, const std::filesystem::path& file,
              std::function<void()> otherwise = {});
   void dropOldViews();
@@ -104,7 +110,8 @@ class Session : public QObject {
   std::shared_ptr<DisplayCache> cache_ = std::make_shared<DisplayCache>();
   std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
   std::uint64_t generation_ = 0;  // of evaluations; late results of older ones are dropped
-  std::uint64_t edits_ = 0;       // tells whether the document changed while it was being saved
+  std::uint64_t edits_ = 0;       // tells whether the document changed while a file was read or written
+  bool writing_ = false;
   bool evaluating_ = false;
   std::optional<StallWatch::Work> watched_;
   FileStamp stamp_;  // of the file when it was opened or saved here

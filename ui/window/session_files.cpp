@@ -48,14 +48,25 @@ bool Session::begin(const QString& title, Job::Work work, std::function<void()> 
       work(progress);
     };
   }
-  job_.start(title, std::move(work),
-             [this, then = std::move(then), file, otherwise = std::move(otherwise)](const std::optional<Error>& error) {
-               if (!error) return then();
-               if (error->code() == ErrorCode::Cancelled) return;
-               emit failed(*error, qt(file.string()));
-               if (otherwise) otherwise();
-             });
+  job_.start(
+      title, std::move(work),
+      [this, title, then = std::move(then), file, otherwise = std::move(otherwise)](const std::optional<Error>& error) {
+        writing_ = false;
+        if (!error) return then();
+        if (error->code() == ErrorCode::Cancelled) return emit noted(tr("Cancelled: %1.").arg(title));
+        emit failed(*error, qt(file.string()));
+        if (otherwise) otherwise();
+      });
   return true;
+}
+
+bool Session::untouchedSince(std::uint64_t edits, const QString& title) {
+  if (edits == edits_) return true;
+  emit failed(Error(ErrorCode::InUse,
+                    tr("%1 was not opened here: this document was edited while it was read.").arg(title).toStdString(),
+                    tr("What was edited is kept. Open it again; it comes in a tab of its own.").toStdString()),
+              {});
+  return false;
 }
 
 void Session::clear() { replace(Document(), {}, {}); }
@@ -63,13 +74,15 @@ void Session::clear() { replace(Document(), {}, {}); }
 void Session::open(const std::filesystem::path& file, bool salvage) {
   auto result = std::make_shared<OpenedDocument>();
   auto stamp = std::make_shared<FileStamp>();
+  const std::uint64_t edits = edits_;
   begin(
       tr("Opening %1").arg(fileName(file)),
       [this, file, salvage, result, stamp](const Progress&) {
         *stamp = FileStamp::of(file);  // before it is read: what comes later counts as a change
         *result = openAny(app_, file, salvage);
       },
-      [this, file, salvage, result, stamp] {
+      [this, file, salvage, result, stamp, edits] {
+        if (!untouchedSince(edits, fileName(file))) return;
         // What was salvaged must not overwrite the damaged file by mistake; other formats have no document of their own yet.
         const bool own = isDocument(file) && !salvage;
         replace(std::move(result->document), own ? file : std::filesystem::path(), qt(file.stem().string()));
@@ -79,11 +92,12 @@ void Session::open(const std::filesystem::path& file, bool salvage) {
       file);
 }
 
-// Those that cannot be read are told together; the others are there.
+// Those that cannot be read are told together; the others are there. What is edited meanwhile stays: the files are read into
+// a document of their own, which joins the one that is there then.
 void Session::import(const std::vector<std::filesystem::path>& files) {
   struct Result {
-    Document document;
-    FeatureId last;
+    Document imported;
+    std::vector<FeatureId> features;
     QStringList problems;
   };
   auto result = std::make_shared<Result>();
@@ -91,12 +105,13 @@ void Session::import(const std::vector<std::filesystem::path>& files) {
       files.size() == 1 ? tr("Import %1").arg(fileName(files.front())) : tr("Import %1 files").arg(files.size());
   begin(
       what,
-      [this, files, result, before = document()](const Progress& progress) {
-        result->document = before;
+      [this, files, result](const Progress& progress) {
         for (std::size_t i = 0; i < files.size(); ++i) {
           progress.report(static_cast<double>(i) / static_cast<double>(files.size()));
           try {
-            result->document = withImported(app_, result->document, files[i], &result->last);
+            FeatureId added;
+            result->imported = withImported(app_, result->imported, files[i], &added);
+            result->features.push_back(added);
           } catch (const Error& error) {
             if (files.size() == 1) throw;
             result->problems << qt(error.message());
@@ -104,9 +119,12 @@ void Session::import(const std::vector<std::filesystem::path>& files) {
         }
       },
       [this, result, what] {
-        if (!result->last.empty()) {
-          commit(std::move(result->document), what);
-          emit featureAdded(qt(result->last));
+        if (!result->features.empty()) {
+          Document joined = history_.committed();
+          FeatureId last;
+          for (const FeatureId& id : result->features) joined = withFeatureOf(app_, joined, result->imported, id, &last);
+          commit(std::move(joined), what);
+          emit featureAdded(qt(last));
         }
         if (!result->problems.isEmpty()) emit warned(result->problems);
       },
@@ -114,28 +132,24 @@ void Session::import(const std::vector<std::filesystem::path>& files) {
 }
 
 void Session::save(const std::filesystem::path& file, std::function<void()> then) {
-  const std::uint64_t edits = edits_;
   auto stamp = std::make_shared<FileStamp>();
-  begin(
+  const bool begun = begin(
       tr("Saving %1").arg(fileName(file)),
       [file, stamp, saved = history_.committed()](const Progress& progress) {
         saveDocument(saved, file, progress);
         *stamp = FileStamp::of(file);
       },
-      [this, file, edits, stamp, then = then ? std::move(then) : removeNothing] {
+      [this, file, step = history_.step(), stamp, then = then ? std::move(then) : removeNothing] {
         file_ = file;
         stamp_ = *stamp;
-        if (edits == edits_) {
-          history_.markSaved();
-          nothingToKeep();
-        } else {
-          keep(qt(history_.undoText()));  // under the new name
-        }
+        history_.markSaved(step);
+        keep(qt(history_.undoText()));  // what was edited meanwhile, under the new name
         emit fileChanged();
         emit noted(tr("Saved as %1.").arg(fileName(file)));
-        if (edits == edits_) then();  // what was edited meanwhile is not saved: nothing may be closed
+        if (!modified()) then();  // what was edited meanwhile is not saved: nothing may be closed
       },
       file, [this] { emit saveFailed(); });
+  writing_ |= begun;
 }
 
 void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::filesystem::path& file, const Value& options) {
@@ -150,7 +164,7 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
     return;
   }
   auto figures = std::make_shared<QString>();
-  begin(
+  writing_ |= begin(
       tr("Exporting %1").arg(fileName(file)),
       [this, file, options, shapes, figures](const Progress& progress) {
         QElapsedTimer clock;
@@ -177,18 +191,18 @@ void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& 
 
 void Session::addFeatureFromFile(const FeatureType& type, const std::filesystem::path& file) {
   struct Result {
-    Document document;
-    FeatureId imported;
+    Document imported;
+    FeatureId feature;
   };
   auto result = std::make_shared<Result>();
   begin(
       tr("Importing %1").arg(fileName(file)),
-      [this, file, result, before = document()](const Progress&) {
-        result->document = withImported(app_, before, file, &result->imported);
-      },
+      [this, file, result](const Progress&) { result->imported = withImported(app_, Document(), file, &result->feature); },
       [this, result, type] {
-        const Feature feature = newFeature(result->document, type, {result->imported});
-        commit(result->document.with(feature), tr("Add %1").arg(qt(type.title)));
+        FeatureId input;
+        const Document joined = withFeatureOf(app_, history_.committed(), result->imported, result->feature, &input);
+        const Feature feature = newFeature(joined, type, {input});
+        commit(joined.with(feature), tr("Add %1").arg(qt(type.title)));
         emit featureAdded(qt(feature.id));
       },
       file);

@@ -6,6 +6,19 @@
 
 namespace blossom::ui {
 
+namespace {
+
+/// As it was when that step was made; another state, which nothing equals, when somebody has written it since.
+FileStamp stampBefore(const std::filesystem::path& file, std::int64_t millisecondsOfStep) {
+  using namespace std::chrono;
+  const FileStamp now = FileStamp::of(file);
+  if (!now.exists) return now;
+  const auto changed = duration_cast<milliseconds>(file_clock::to_sys(now.time).time_since_epoch());
+  return changed.count() > millisecondsOfStep ? FileStamp{} : now;
+}
+
+}  // namespace
+
 QStringList toList(const std::vector<std::string>& sentences) {
   QStringList list;
   for (const std::string& sentence : sentences) list << qt(sentence);
@@ -30,6 +43,8 @@ void Session::nothingToKeep() {
   forgetLost();
 }
 
+void Session::abandon() { nothingToKeep(); }
+
 void Session::forgetLost() {
   if (lostCopy_.empty()) return;
   Recovery::instance().discard(lostCopy_);
@@ -38,13 +53,15 @@ void Session::forgetLost() {
 
 void Session::recover(const LostDocument& lost) {
   auto result = std::make_shared<OpenedDocument>();
+  const std::uint64_t edits = edits_;
   begin(
       tr("Recovering %1").arg(qt(lost.summary.origin.name)),
       [result, folder = lost.folder](const Progress&) { *result = recoverDocument(folder); },
-      [this, result, lost] {
+      [this, result, lost, edits] {
         const JournalOrigin& origin = lost.summary.origin;
+        if (!untouchedSince(edits, qt(origin.name))) return;
         replace(std::move(result->document), origin.file, qt(origin.name));
-        stamp_ = FileStamp::of(origin.file);
+        stamp_ = stampBefore(origin.file, lost.summary.milliseconds);
         history_.markUnsaved();
         lostCopy_ = lost.folder;
         keep(qt(lost.summary.lastStep));

@@ -203,9 +203,14 @@ void UnsavedWorkTest::whatWasDrawnBesideADamagedFileStays() {
 
 void UnsavedWorkTest::closingWaitsForWhatIsWritten() {
   openSaved("first.blossom");
+  window_->session().save(folder_.filePath(QStringLiteral("no such folder/second.blossom")).toStdString());
+  QVERIFY(!window_->close());  // not yet
+  QTRY_VERIFY(window_->errors().isVisible());
+  QCoreApplication::processEvents();
+  QVERIFY(window_->isVisible());  // what went wrong is to be seen
   const QString other = folder_.filePath(QStringLiteral("second.blossom"));
   window_->session().save(other.toStdString());
-  QVERIFY(!window_->close());  // not yet
+  QVERIFY(!window_->close());
   QTRY_VERIFY(!window_->isVisible());
   QCOMPARE(openDocument(other.toStdString()).document.features().size(), std::size_t(1));
 }

@@ -1,6 +1,7 @@
 // Closing documents and the main window without losing what is unsaved.
 #include <QCloseEvent>
 #include <QMessageBox>
+#include <QPointer>
 #include <algorithm>
 
 #include "ui/files/unsaved_dialog.h"
@@ -79,12 +80,16 @@ void MainWindow::closeOthers(std::size_t index) {
   });
 }
 
-// Nothing that is being written is cut off: what was wanted goes on when it is there.
+// Nothing that is being written is cut off: what was wanted goes on when it is there, and not when it failed.
 bool MainWindow::waitsForWriting(const std::vector<DocumentPage*>& pages, const std::function<void()>& then) {
   const auto writing = std::find_if(pages.begin(), pages.end(), [](const auto* each) { return each->session().writing(); });
   if (writing == pages.end()) return false;
   status_->announce(tr("%1 is still being written; it is closed then.").arg((*writing)->session().title()));
-  connect(&(*writing)->session().job(), &Job::finished, this, then,
+  const QPointer<Job> job = &(*writing)->session().job();
+  const auto goOn = [job, then] {
+    if (job && !job->lastError()) then();
+  };
+  connect(job, &Job::finished, this, goOn,
           static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
   return true;
 }

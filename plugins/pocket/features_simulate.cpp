@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/angle.h"
 #include "core/error.h"
 #include "feature_groups.h"
@@ -43,6 +45,23 @@ Vec3 placeOf(const Toolpath& path, const Part& part) {
   return {stock.x() - middle.x(), stock.y() - middle.y(), path.stock.high.z()};
 }
 
+std::string tipText(const Vec3& at) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", at.x(), at.y(), at.z()); }
+
+/// What whoever stands at the machine would want to hear before the start.
+void warnOfMoves(const Toolpath& path, std::vector<std::string>& warnings) {
+  const auto cuts = [](const ToolMove& move) { return move.kind != MoveKind::Rapid; };
+  const auto still = std::find_if(path.moves.begin(), path.moves.end(),
+                                  [&](const ToolMove& move) { return cuts(move) && !(move.feed > 0); });
+  if (still != path.moves.end()) warnings.push_back(fmt::format("A cut without a feed goes to {}.", tipText(still->to)));
+  if (path.stock.empty) return;
+  constexpr double visible = 1e-6;
+  const auto deepest = std::min_element(path.moves.begin(), path.moves.end(),
+                                        [](const ToolMove& a, const ToolMove& b) { return a.to.z() < b.to.z(); });
+  if (deepest != path.moves.end() && deepest->to.z() < path.stock.low.z() - visible)
+    warnings.push_back(fmt::format("The tool goes through the stock, which ends at z = {:.3f}, down to {}.",
+                                   path.stock.low.z(), tipText(deepest->to)));
+}
+
 Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Progress& progress) {
   const Part part = partOf(inputs.of(1)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
   Toolpath path = inputs.get<Toolpath>(0);
@@ -59,7 +78,9 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
   if (result.gouge > visible) {
     const Vec3 at = result.gougeAt + place;
     path.marks.push_back(at);
-    out.stats["gouge_at"] = fmt::format("({:.3f}, {:.3f}, {:.3f})", at.x(), at.y(), at.z());
+    out.stats["gouge_at"] = tipText(at);
+    if (result.gouge > p.tolerance)
+      out.warnings.push_back(fmt::format("The part is gouged by {:.3f} mm at {}.", result.gouge, tipText(at)));
   }
   for (const Vec2& at : result.residueAt) path.marks.emplace_back(at.x() + place.x(), at.y() + place.y(), place.z());
   out.stats["reachable_mm2"] = result.reachable;
@@ -70,6 +91,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
                                        result.rapidsInStock, result.rapidsInStock == 1 ? " runs" : "s run",
                                        result.rapidAt.x() + place.x(), result.rapidAt.y() + place.y(),
                                        result.rapidAt.z() + place.z()));
+  warnOfMoves(path, out.warnings);
   if (!result.residue) out.warnings.emplace_back("The residue of V bits is not measured.");
   out.shape = std::move(path);
   return out;
@@ -90,7 +112,8 @@ FeatureType simulateFeature() {
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Radius of the corners of the tool given.")
       .parameter("depth", &P::depth, lengthFromZero(), "Depth of the part; 0: as deep as the program cuts.")
       .parameter("leave", &P::leave, lengthFromZero(), "What was to stay on the walls.")
-      .parameter("tolerance", &P::tolerance, positiveLength(), "Residue narrower than this does not count.")
+      .parameter("tolerance", &P::tolerance, positiveLength(),
+                 "Residue narrower than this does not count; a deeper gouge is a warning.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .example("blossom simulate plate.ngc --part plate.dxf")

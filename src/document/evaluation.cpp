@@ -68,6 +68,7 @@ Results Evaluation::run(const Progress& progress, const Evaluator::Done& done) {
             : evaluated(feature, outcome,
                         shareOf(progress, from, from + 1.0 / static_cast<double>(features.size()), shownName(feature)));
     outcome.shape = result->evaluated.shape;
+    outcome.warnings = result->evaluated.warnings;
     if (result->error && !outcome.rootError) outcome.rootError = std::make_shared<const Error>(*result->error);
     if (done) done(feature.id, result);
     results.emplace(feature.id, std::move(result));
@@ -90,9 +91,7 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     key = keyOf(feature, keyed);
     known = cache_.find(key);
     if (known) return;
-    std::vector<Shape> inputs;
-    for (const auto& input : feature.inputs) inputs.push_back(outcomes_.at(input).shape);
-    const Inputs arranged = arrangedInputs(*type, inputs);
+    const Inputs arranged = inputsOf(feature, *type);
     const Stopwatch watch(result->kernelMs);
     result->evaluated = type->evaluate(parameters, arranged, progress);
     checkGiven(*type, result->evaluated.shape);
@@ -106,6 +105,23 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
   }
   if (!result->error) outcome.key = key;
   return result;
+}
+
+/// @throws Error of arrangedInputs; what the inputs were warned of may be why they do not fit.
+Inputs Evaluation::inputsOf(const Feature& feature, const FeatureType& type) const {
+  std::vector<Shape> shapes;
+  std::string told;
+  for (const FeatureId& id : feature.inputs) {
+    const Outcome& input = outcomes_.at(id);
+    shapes.push_back(input.shape);
+    for (const std::string& warning : input.warnings)
+      told += fmt::format(" \"{}\": {}", shownName(document_.at(id)), warning);
+  }
+  try {
+    return arrangedInputs(type, shapes);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.message(), error.hint() + told);
+  }
 }
 
 std::shared_ptr<const FeatureResult> Evaluation::passedOn(const Feature& feature, Outcome& outcome) {

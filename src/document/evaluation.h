@@ -19,12 +19,14 @@ class Evaluation {
   struct Outcome {
     std::string key;  ///< of the content; empty when it has no result
     Shape shape;
+    std::vector<std::string> warnings;
     std::shared_ptr<const Error> rootError;  ///< where the failure began
   };
 
   std::shared_ptr<const FeatureResult> evaluated(const Feature&, Outcome&, const Progress&);
   std::shared_ptr<const FeatureResult> passedOn(const Feature&, Outcome&);
   void checkInputs(const Feature&, Outcome&) const;
+  [[nodiscard]] Inputs inputsOf(const Feature&, const FeatureType&) const;
   Value openedFiles(const std::vector<ParameterSpec>&, Value parameters, Value& keyed);
   void openFiles(const ParameterSpec&, Value& parameter, Value& keyed);
   std::string keyOf(const Feature&, const Value& keyed) const;

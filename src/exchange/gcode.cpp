@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/error.h"
 #include "core/file.h"
@@ -10,6 +12,7 @@
 #include "exchange/gcode_program.h"
 #include "exchange/gcode_write.h"
 #include "geometry/planar.h"
+#include "parameter/wording.h"
 
 /// G-code as a format: programs are read as contours or as toolpaths, toolpaths are written.
 namespace blossom {
@@ -29,15 +32,114 @@ Arc2 arcOf(const GcodeMove& move) {
 /// Polylines stand for G5.2 curves in toolpaths within this distance.
 constexpr double nurbsChord = 1e-3;
 
-/// The leading rapids tell where the tool begins: until each of x, y and z was named it may be anywhere.
-std::size_t firstKnown(const GcodeProgram& program) {
-  bool plane = false, height = false;
+/// Where a height is not told, the tool is as high as the program ever takes it.
+double highest(const GcodeProgram& program) {
+  std::optional<double> top;
+  for (const GcodeMove& move : program.moves)
+    if (!move.unknown[2]) top = std::max(top.value_or(move.to.z()), move.to.z());
+  return top.value_or(0);
+}
+
+/// How many leading rapids there are until x and y were both named: until then the tool may be anywhere.
+std::size_t leadingRapids(const GcodeProgram& program) {
   std::size_t i = 0;
-  for (; i < program.moves.size() && program.moves[i].motion == GcodeMotion::Rapid && !(plane && height); ++i) {
-    plane = plane || program.moves[i].inPlane;
-    height = height || program.moves[i].from.z() != program.moves[i].to.z();
-  }
+  while (i < program.moves.size() && program.moves[i].motion == GcodeMotion::Rapid &&
+         (i == 0 || program.moves[i - 1].unknown[0] || program.moves[i - 1].unknown[1]))
+    ++i;
   return i;
+}
+
+/// Controls differ in how they bridge such a difference of an arc's two radii; a spiral is in the middle of it.
+constexpr double roundEnough = 0.005;
+
+class ToolpathMaker {
+ public:
+  explicit ToolpathMaker(const GcodeProgram& program) : program_(program), top_(highest(program)) {}
+
+  Toolpath make() {
+    path_.cutter = program_.cutter;
+    path_.stock = program_.stock;
+    path_.passes = program_.passes;
+    path_.workOffset = program_.workOffset;
+    const std::size_t first = leadingRapids(program_);
+    if (first > 0) begin(program_.moves[first - 1]);
+    for (std::size_t i = first; i < program_.moves.size(); ++i) add(program_.moves[i]);
+    if (path_.moves.empty())
+      throw Error(ErrorCode::FormatDamaged, "The program does not move the tool.", "Check that the file is complete.");
+    return std::move(path_);
+  }
+
+ private:
+  [[nodiscard]] Vec3 endOf(const GcodeMove& move) const {
+    return {move.to.x(), move.to.y(), move.unknown[2] ? top_ : move.to.z()};
+  }
+
+  /// Comes down from above: that rapid may go through material.
+  void begin(const GcodeMove& last) {
+    const Vec3 end = endOf(last);
+    path_.start = at_ = {end.x(), end.y(), top_};
+    if (end.z() < top_) append({MoveKind::Rapid, end, 0, Vec2(Vec2::Zero()), 0});
+  }
+
+  void append(const ToolMove& move) {
+    path_.moves.push_back(move);
+    at_ = move.to;
+  }
+
+  void add(const GcodeMove& move) {
+    const bool round = move.motion == GcodeMotion::Clockwise || move.motion == GcodeMotion::Counterclockwise;
+    ToolMove made;
+    made.to = endOf(move);
+    if (made.to == at_ && !round) return;
+    made.feed = move.motion == GcodeMotion::Rapid ? 0 : move.feed;
+    constexpr double level = 1e-9;
+    made.kind = move.motion == GcodeMotion::Rapid ? MoveKind::Rapid
+                : made.to.z() < at_.z() - level   ? MoveKind::Plunge
+                                                  : MoveKind::Feed;
+    if (move.motion == GcodeMotion::Nurbs) return addCurve(program_.splines[move.spline], made);
+    if (!round) return append(made);
+    made.turn = move.motion == GcodeMotion::Clockwise ? -1 : 1;
+    made.center = move.center;
+    const double begins = (at_.head<2>() - made.center).norm(), ends = (made.to.head<2>() - made.center).norm();
+    if (std::abs(begins - ends) <= roundEnough) return append(made);
+    addSpiral(made);
+  }
+
+  void addCurve(const Spline2& spline, ToolMove made) {
+    for (const Vec2& p : flatten(Segment(spline), nurbsChord)) {
+      made.to = {p.x(), p.y(), made.to.z()};
+      append(made);
+    }
+  }
+
+  void addSpiral(ToolMove made) {
+    const std::vector<Vec3> points = polylineOf(at_, made, nurbsChord);
+    made.turn = 0;
+    made.center = Vec2::Zero();
+    for (const Vec3& p : points) {
+      if (p == at_) continue;
+      made.to = p;
+      append(made);
+    }
+  }
+
+  const GcodeProgram& program_;
+  double top_;
+  Vec3 at_ = Vec3::Zero();
+  Toolpath path_;
+};
+
+/// What is to be known of a program that is read as moves.
+std::vector<std::string> doubtsOf(const GcodeProgram& program) {
+  std::vector<std::string> sentences;
+  for (const std::string& doubt : program.doubts) {
+    sentences.push_back(doubt + ".");
+    sentences.back().front() = static_cast<char>(std::toupper(static_cast<unsigned char>(doubt.front())));
+  }
+  if (!program.notKept.empty())
+    sentences.push_back(
+        fmt::format("A program that is written from it is without its {}.", enumerated(program.notKept, "and")));
+  return sentences;
 }
 
 }  // namespace
@@ -81,38 +183,7 @@ Toolpath toolpathOf(const GcodeProgram& program) {
     throw Error(ErrorCode::FormatDamaged,
                 fmt::format("Line {}: {} cannot be followed.", program.obstacle->first, program.obstacle->second),
                 "Write the program without it, with plain moves in one work offset.");
-  Toolpath path;
-  path.cutter = program.cutter;
-  path.stock = program.stock;
-  path.passes = program.passes;
-  path.workOffset = program.workOffset;
-  const std::size_t first = firstKnown(program);
-  path.start = first > 0 ? program.moves[first - 1].to : Vec3(Vec3::Zero());
-  for (std::size_t i = first; i < program.moves.size(); ++i) {
-    const GcodeMove& move = program.moves[i];
-    const bool round = move.motion == GcodeMotion::Clockwise || move.motion == GcodeMotion::Counterclockwise;
-    if (move.to == move.from && !round) continue;
-    ToolMove made;
-    made.to = move.to;
-    made.feed = move.motion == GcodeMotion::Rapid ? 0 : move.feed;
-    constexpr double level = 1e-9;
-    made.kind = move.motion == GcodeMotion::Rapid     ? MoveKind::Rapid
-                : move.to.z() < move.from.z() - level ? MoveKind::Plunge
-                                                      : MoveKind::Feed;
-    made.turn = !round ? 0 : move.motion == GcodeMotion::Clockwise ? -1 : 1;
-    made.center = round ? move.center : Vec2(Vec2::Zero());
-    if (move.motion == GcodeMotion::Nurbs) {
-      for (const Vec2& p : flatten(Segment(program.splines[move.spline]), nurbsChord)) {
-        made.to = {p.x(), p.y(), move.to.z()};
-        path.moves.push_back(made);
-      }
-      continue;
-    }
-    path.moves.push_back(made);
-  }
-  if (path.moves.empty())
-    throw Error(ErrorCode::FormatDamaged, "The program does not move the tool.", "Check that the file is complete.");
-  return path;
+  return ToolpathMaker(program).make();
 }
 
 Format gcodeFormat() {
@@ -135,6 +206,7 @@ Format gcodeFormat() {
     if (wanted == "auto" && isMachining(program) && program.obstacle)
       imported.warnings.push_back(fmt::format("The program is read as contours: line {} holds {}, which cannot be followed.",
                                               program.obstacle->first, program.obstacle->second));
+    if (whole) imported.warnings = doubtsOf(program);
     imported.shape = whole ? Shape(toolpathOf(program)) : Shape(contoursOf(program));
     for (const auto& [name, count] : program.counts.items()) imported.entities[name] = count;
     imported.skipped = std::move(program.skipped);

@@ -1,16 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bitset>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "core/angle.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "exchange/gcode_codes.h"
+#include "exchange/gcode_comments.h"
 #include "exchange/gcode_program.h"
-#include "exchange/text.h"
 
 /// Reads RS-274 in LinuxCNC's dialect: G0 G1 G2 G3 in the plane G17 and G5.2 NURBS.
 namespace blossom {
@@ -22,22 +24,6 @@ struct Word {
 };
 
 constexpr std::size_t largestLine = 10000;
-constexpr double farthest = 1e7;  ///< mm; no machine is larger, and arcs of such radii are straight to rounding
-
-/// A line without its comments: "(..)" and everything after ";"; what stands in parentheses goes to `comments`.
-std::string withoutComments(std::string_view line, std::vector<std::string>& comments) {
-  std::string kept;
-  int depth = 0;
-  for (const char c : line) {
-    if (depth == 0 && (c == ';' || c == '%')) break;
-    if (c == '(' && depth++ == 0) comments.emplace_back();
-    if (depth > 0 && c != '(' && c != ')') comments.back() += c;
-    if (depth == 0 && c != ' ' && c != '\t' && c != '\r')
-      kept += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    if (c == ')' && depth > 0) --depth;
-  }
-  return kept;
-}
 
 /// Length of a parameter or an expression: "#1", "#<name>", "[#1+2]".
 std::size_t expressionLength(std::string_view text) {
@@ -55,60 +41,6 @@ std::size_t expressionLength(std::string_view text) {
   return at;
 }
 
-/// What Blossom writes into the comments of its programs (see gcode_write.cpp): words and numbers apart by blanks.
-class HeaderComment {
- public:
-  explicit HeaderComment(std::string_view comment) : rest_(comment) {}
-  bool word(std::string_view wanted) { return parse::takeWord(rest_) == wanted; }
-  double number() {
-    const auto value = parse::toNumber(parse::takeWord(rest_));
-    good_ = good_ && value && std::abs(*value) < farthest;
-    return good_ ? *value : 0;
-  }
-  [[nodiscard]] bool good() const { return good_; }
-
- private:
-  std::string_view rest_;
-  bool good_ = true;
-};
-
-void readTool(HeaderComment words, Cutter& cutter) {
-  Cutter read = cutter;
-  if (!words.word("tool") || !words.word("T")) return;
-  read.number = static_cast<int>(words.number());
-  if (!words.word("diameter")) return;
-  read.diameter = words.number();
-  if (!words.word("corner")) return;
-  read.cornerRadius = words.number();
-  if (!words.word("angle")) return;
-  read.vAngle = toRadians(words.number());
-  const bool sane = words.good() && read.diameter > 0 && read.cornerRadius >= 0 && read.cornerRadius <= read.diameter / 2 &&
-                    read.vAngle >= 0 && read.vAngle < fullTurn / 2;
-  if (sane) cutter = read;
-}
-
-void readStock(HeaderComment words, Bounds& stock) {
-  if (!words.word("stock")) return;
-  Vec3 low, high;
-  for (int k = 0; k < 3; ++k) {
-    if (!words.word(std::string_view("XYZ").substr(static_cast<std::size_t>(k), 1))) return;
-    low[k] = words.number();
-    high[k] = words.number();
-  }
-  if (!words.good()) return;
-  stock.add(low);
-  stock.add(high);
-}
-
-void readComment(const std::string& comment, GcodeProgram& program) {
-  const HeaderComment words(comment);
-  readTool(words, program.cutter);
-  readStock(words, program.stock);
-  HeaderComment passes(comment);
-  if (!passes.word("passes")) return;
-  if (const double count = passes.number(); count > 0) program.passes = static_cast<std::size_t>(count);
-}
-
 class GcodeParser {
  public:
   GcodeProgram read(std::string_view text, const Progress& progress) {
@@ -122,6 +54,7 @@ class GcodeParser {
       begin = end + 1;
     }
     finishNurbs();
+    settleSpindle();
     if (program_.counts.empty()) damaged("the file holds no motion (G0, G1, G2, G3 or G5.2)");
     return std::move(program_);
   }
@@ -131,7 +64,13 @@ class GcodeParser {
   struct Block {
     std::optional<double> x, y, z, i, j, radius, weight, order;
     bool unknownZ = false;
-    bool machine = false;  ///< in the machine's coordinates, which a file does not tell
+    bool machine = false;   ///< by way of the machine's coordinates, which a file does not tell
+    bool over = false;      ///< G28, G30: over the place that is named
+    bool dwell = false;     ///< G4
+    bool scaling = false;   ///< G50: with words, no longer the end of scaling
+    bool extended = false;  ///< G54.1: P names the offset
+    [[nodiscard]] bool names(int axis) const { return std::array{x, y, z}[static_cast<std::size_t>(axis)].has_value(); }
+    [[nodiscard]] bool namesAny() const { return x || y || z; }
   };
 
   [[noreturn]] void damaged(const std::string& what) const {
@@ -148,12 +87,17 @@ class GcodeParser {
 
   void readLine(std::string_view raw) {
     if (raw.size() > largestLine) damaged("the line is longer than 10,000 characters");
-    std::vector<std::string> comments;
-    const std::string line = withoutComments(raw, comments);
-    for (const std::string& comment : comments) readComment(comment, program_);
+    const GcodeLine read = withoutComments(raw);
+    for (const std::string& comment : read.comments) readComment(comment, program_);
+    if (read.nested) cannotFollow("a comment within a comment");
+    const std::string& line = read.code;
     if (line.empty()) return;
     if (line.front() == '/') return cannotFollow("a line that may be left out (/)");
-    if (line.front() == '#') return count(program_.skipped, "parameter");
+    if (line.front() == '#') {
+      const auto isSystem = [&] { return line.size() > 4 && line[1] == '5' && line.find('=') >= 5; };
+      if (isSystem()) cannotFollow("a parameter of the control that is set");  // #5221 and its like move the zero
+      return count(program_.skipped, "parameter");
+    }
     const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
     if (line.front() == 'O' && line.size() > 1 && std::all_of(line.begin() + 1, line.end(), isDigit)) return;  // its number
     if (line.front() == 'O') {
@@ -192,45 +136,52 @@ class GcodeParser {
     return found;
   }
 
+  /// Modes come first, wherever they stand: "X1 Y1 G20" goes to one inch.
   void run(const std::vector<Word>& line) {
     Block block;
-    for (const Word& word : line) {
-      switch (word.letter) {
-        case 'G':
-          mode(number(word), block);
-          break;
-        case 'X':
-          block.x = coordinate(word);
-          break;
-        case 'Y':
-          block.y = coordinate(word);
-          break;
-        case 'Z':
-          if (word.value)
-            block.z = coordinate(word);
-          else
-            block.unknownZ = true;
-          break;
-        case 'I':
-          block.i = coordinate(word);
-          break;
-        case 'J':
-          block.j = coordinate(word);
-          break;
-        case 'R':
-          block.radius = coordinate(word);
-          break;
-        case 'P':
-          block.weight = word.value;
-          break;
-        case 'L':
-          block.order = word.value;
-          break;
-        default:
-          setting(word);
-      }
-    }
+    for (const Word& word : line)
+      if (word.letter == 'G') mode(number(word), block);
+    for (const Word& word : line) place(word, block);
+    for (const Word& word : line)
+      if (word.letter == 'M') machine(word.value.value_or(-1));
+    if (block.extended) setWorkOffset(fmt::format("G54.1 P{:g}", block.weight.value_or(1)));
+    if (block.scaling && block.namesAny()) cannotFollow("scaling or a moved zero (G50)");
+    if (block.dwell && block.namesAny()) return cannotFollow("a dwell that is given by an axis (G4)");
     motionOf(block);
+  }
+
+  void place(const Word& word, Block& block) {
+    switch (word.letter) {
+      case 'X':
+        block.x = coordinate(word);
+        break;
+      case 'Y':
+        block.y = coordinate(word);
+        break;
+      case 'Z':
+        if (word.value)
+          block.z = coordinate(word);
+        else
+          block.unknownZ = true;
+        break;
+      case 'I':
+        block.i = coordinate(word);
+        break;
+      case 'J':
+        block.j = coordinate(word);
+        break;
+      case 'R':
+        block.radius = coordinate(word);
+        break;
+      case 'P':
+        block.weight = word.value;
+        break;
+      case 'L':
+        block.order = word.value;
+        break;
+      default:
+        setting(word);
+    }
   }
 
   void setting(const Word& word) {
@@ -239,20 +190,25 @@ class GcodeParser {
         if (word.value) feed_ = *word.value * unit_;
         break;
       case 'S':
-        if (word.value) program_.cutter.spindle = std::max(0.0, *word.value);
+        if (word.value) setSpeed(std::max(0.0, *word.value));
         break;
       case 'T':
         program_.namesTool = true;
-        if (word.value && *word.value >= 0 && *word.value < 1e6) program_.cutter.number = static_cast<int>(*word.value);
-        break;
-      case 'M':
-        machine(word.value.value_or(-1));
+        if (word.value && *word.value >= 0 && *word.value < 1e6) chooseTool(static_cast<int>(*word.value));
         break;
       case 'A':
       case 'B':
       case 'C':
         cannotFollow("a rotary axis");
         break;
+      case 'U':
+      case 'V':
+      case 'W':
+        cannotFollow("an axis beside X, Y and Z");
+        count(program_.skipped, std::string(1, word.letter));
+        break;
+      case 'G':
+      case 'M':
       case 'N':
       case 'H':
       case 'D':
@@ -265,11 +221,58 @@ class GcodeParser {
     }
   }
 
-  void machine(double code) {
-    if (code == 3 || code == 4) program_.turnsSpindle = true;
-    if (code == 6) program_.namesTool = true;
+  void machine(double given) {
+    const int code = given >= 0 && given < 1000 ? static_cast<int>(given) : -1;
+    if (const auto obstacle = obstacleOfMachine(code)) cannotFollow(*obstacle);
+    noteLost(notKept('M', code));
+    if (code == 3 || code == 4) program_.turnsSpindle = turning_ = true;
+    if (code == 5) turning_ = false;
+    if (code == 6) changeTool();
     if (code == 2 || code == 30) ended_ = true;
-    if (code == 98 || code == 99) cannotFollow("a subroutine (M98)");
+  }
+
+  /// T alone may be a tool that is made ready while the one before still cuts.
+  void chooseTool(int number) {
+    if (program_.cut && !changes_ && number != program_.cutter.number) cannotFollow("a second tool");
+    chosen_ = number;
+    if (!program_.cut && !changes_) program_.cutter.number = number;
+  }
+
+  void changeTool() {
+    program_.namesTool = true;
+    const int number = chosen_.value_or(program_.cutter.number);
+    if (program_.cut && number != program_.cutter.number) cannotFollow("a second tool");
+    if (!program_.cut) program_.cutter.number = number;
+    changes_ = true;
+  }
+
+  void setSpeed(double speed) {
+    if (program_.cut && turning_ && speed > 0 && speed != program_.cutter.spindle)
+      noteLost("a change of the spindle's speed (S)");
+    speed_ = speed;
+  }
+
+  /// What the first cut finds counts.
+  void settleSpindle() {
+    if (!program_.cut) program_.cutter.spindle = speed_;
+  }
+
+  void beginCutting() {
+    if (program_.cut) return;
+    program_.cut = true;
+    if (unknown_.any())
+      program_.doubts.push_back(
+          fmt::format("line {} cuts before X, Y and Z were all named; what was not is taken as 0", lineNumber_));
+    program_.cutter.spindle = turning_ || !program_.turnsSpindle ? speed_ : 0;
+    if (program_.turnsSpindle && !turning_)
+      program_.doubts.push_back(fmt::format("line {} cuts while the spindle stands still", lineNumber_));
+    if (turning_ && speed_ == 0)
+      program_.doubts.push_back(fmt::format("line {} cuts before the spindle has a speed (S)", lineNumber_));
+  }
+
+  void noteLost(const std::string& what) {
+    if (!what.empty() && std::find(program_.notKept.begin(), program_.notKept.end(), what) == program_.notKept.end())
+      program_.notKept.push_back(what);
   }
 
   double number(const Word& word) const {
@@ -280,7 +283,7 @@ class GcodeParser {
 
   double coordinate(const Word& word) const {
     const double mm = number(word) * unit_;
-    if (std::abs(mm) > farthest) damaged(fmt::format("the word {} is farther away than 10 km", word.letter));
+    if (std::abs(mm) > farthestInGcode) damaged(fmt::format("the word {} is farther away than 10 km", word.letter));
     return mm;
   }
 
@@ -308,8 +311,20 @@ class GcodeParser {
         break;
       case 280:
       case 300:
+        block.over = block.machine = true;
+        break;
       case 530:
         block.machine = true;
+        break;
+      case 40:
+        block.dwell = true;
+        noteLost(notKept('G', 4));
+        break;
+      case 500:
+        block.scaling = true;
+        break;
+      case 541:
+        block.extended = true;
         break;
       case 180:
       case 190:
@@ -338,15 +353,11 @@ class GcodeParser {
   }
 
   void otherMode(int tenths) {
-    if (tenths == 50 || tenths == 51) return cannotFollow("a spline (G5, G5.1)");
-    if (tenths == 410 || tenths == 420 || tenths == 411 || tenths == 421) return cannotFollow("cutter compensation");
-    if (tenths == 330 || tenths == 760) return cannotFollow("a thread");
-    if (tenths >= 380 && tenths < 390) return cannotFollow("a probe");
-    if (tenths == 100 || tenths == 520 || tenths == 920) return cannotFollow("a moved zero (G10, G52, G92)");
-    if (tenths == 730 || (tenths >= 810 && tenths <= 890)) return cannotFollow("a drilling cycle");
-    if (tenths < 540 || tenths > 593) return;
-    const std::string name =
-        tenths % 10 == 0 ? fmt::format("G{}", tenths / 10) : fmt::format("G{}.{}", tenths / 10, tenths % 10);
+    if (tenths >= 540 && tenths <= 593) return setWorkOffset(modeName(tenths));
+    if (const auto obstacle = obstacleOfMode(tenths)) cannotFollow(*obstacle);
+  }
+
+  void setWorkOffset(const std::string& name) {
     if (!program_.moves.empty() && name != program_.workOffset) cannotFollow("a second work offset");
     program_.workOffset = name;
   }
@@ -363,10 +374,7 @@ class GcodeParser {
 
   void motionOf(const Block& block) {
     const bool plane = block.x || block.y;
-    if (block.machine) {  // somewhere else and back: a path that was begun ends here
-      count(program_.skipped, "machine coordinates");
-      return addMove(GcodeMotion::Rapid, at_, {}, true);
-    }
+    if (block.machine) return overTheMachine(block);
     if (block.unknownZ) cannotFollow("a height that is a parameter or an expression");
     if (motion_ == GcodeMotion::Nurbs) return addNurbs(block, plane);
     const bool centred = plane || block.i || block.j;
@@ -376,14 +384,42 @@ class GcodeParser {
       if (centred) damaged("coordinates without a motion (G0, G1, ..)");
       return cannotFollow("a height without a motion");
     }
+    if (!absolute_) refuseFromNowhere(block);
     const Vec3 to = target(block);
+    for (int axis = 0; axis < 3; ++axis)
+      if (block.names(axis)) unknown_.reset(static_cast<std::size_t>(axis));
     const bool round = motion_ == GcodeMotion::Clockwise || motion_ == GcodeMotion::Counterclockwise;
     if (round && !centred) damaged("an arc needs I, J or R");
+    if (round && (block.weight.value_or(1) != 1 || block.order)) cannotFollow("an arc of several turns (P, L)");
+    if (motion_ != GcodeMotion::Rapid) {
+      if (left_ && unknown_.any()) cannotFollow("a cut from a place that the file does not tell (after G28, G30 or G53)");
+      beginCutting();
+    }
     addMove(motion_, to, round ? center(block, to.head<2>()) : Vec2(0, 0), centred);
   }
 
+  /// To the machine's own places: somewhere else, over the place that is named (G28, G30). A path that was begun ends here.
+  void overTheMachine(const Block& block) {
+    count(program_.skipped, "machine coordinates");
+    if (!block.over && motion_ != GcodeMotion::Rapid && block.namesAny())
+      cannotFollow("a cut in the machine's coordinates (G53)");
+    const Vec3 to = block.over && block.namesAny() ? target(block) : at_;
+    addMove(GcodeMotion::Rapid, to, {}, true);
+    for (int axis = 0; axis < 3; ++axis)
+      if (block.names(axis) || !block.namesAny()) unknown_.set(static_cast<std::size_t>(axis));
+    program_.moves.back().unknown = unknown_;
+    left_ = true;
+  }
+
+  /// By so much from where nobody knows.
+  void refuseFromNowhere(const Block& block) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (block.names(axis) && unknown_.test(static_cast<std::size_t>(axis)))
+        cannotFollow("a relative move (G91) from a place that the file does not tell");
+  }
+
   void addMove(GcodeMotion motion, const Vec3& to, const Vec2& center, bool inPlane) {
-    GcodeMove move{motion, at_, to, center, feed_, 0, lineNumber_, inPlane};
+    GcodeMove move{motion, at_, to, center, feed_, 0, lineNumber_, inPlane, unknown_};
     program_.movesInZ = program_.movesInZ || at_.z() != to.z();
     program_.moves.push_back(move);
     at_ = to;
@@ -449,6 +485,11 @@ class GcodeParser {
   bool ended_ = false;
   Vec3 at_ = Vec3::Zero();
   Vec3 nurbsEnd_ = Vec3::Zero();
+  std::bitset<3> unknown_{0b111};  ///< axes whose place the file does not tell
+  bool left_ = false;              ///< the tool was sent to a place of the machine's
+  bool turning_ = false, changes_ = false;
+  double speed_ = 0;
+  std::optional<int> chosen_;
   int order_ = 3;
   std::vector<Vec3> nurbs_;
   GcodeProgram program_;

@@ -1,4 +1,5 @@
 #pragma once
+#include <bitset>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct GcodeMove {
   std::size_t spline = 0;                       ///< of a G5.2 curve: its place in `splines`
   std::size_t line = 0;                         ///< of the file
   bool inPlane = false;                         ///< X, Y or the centre of an arc is named
+  std::bitset<3> unknown;                       ///< axes whose place the program has not told when the move ends
 };
 
 struct GcodeProgram {
@@ -31,13 +33,15 @@ struct GcodeProgram {
   std::vector<Spline2> splines;
   Value counts = Value::object();   ///< moves by their word
   Value skipped = Value::object();  ///< what is not read
-  bool turnsSpindle = false, namesTool = false, movesInZ = false;
-  Cutter cutter;  ///< from the words T and S and from the comments of programs that Blossom wrote
+  bool turnsSpindle = false, namesTool = false, movesInZ = false, cut = false;
+  Cutter cutter;  ///< as the first cut finds it: from T, M6, S and M3, and from the comments of programs that Blossom wrote
   Bounds stock;   ///< from those comments
   std::size_t passes = 0;
   std::string workOffset = "G54";
   std::optional<std::pair<std::size_t, std::string>>
-      obstacle;  ///< the first line that a toolpath cannot be made of, and why
+      obstacle;                      ///< the first line that a toolpath cannot be made of, and why
+  std::vector<std::string> doubts;   ///< what a toolpath can be made of, and whoever stands at the machine should look at
+  std::vector<std::string> notKept;  ///< "coolant (M8)": what a program that is written anew does not do
 };
 
 /// @throws Error FormatDamaged that names the line, Cancelled.

@@ -120,16 +120,19 @@ class GcodeWriter {
     const auto seconds = static_cast<long long>(std::llround(secondsOf(path_)));
     comment(fmt::format("path {:.0f} mm, time about {} min {} s", lengthOf(path_), seconds / 60, seconds % 60));
     if (path_.gouge && path_.residue)
-      comment(fmt::format("simulated: gouge {:.4f} mm, residue {:.4f} mm2", *path_.gouge, *path_.residue));
+      comment(fmt::format("simulated before rounding to {} mm: gouge {:.4f} mm, residue {:.4f} mm2",
+                          formatNumber(resolution()), *path_.gouge, *path_.residue));
   }
 
   void setup() {
     line(fmt::format("{} {}", inch_ ? "G20" : "G21", post_.modes));
-    if (post_.blendsPath) line(fmt::format("G64 P{}", decimal(ticks(blending))));
+    // In its own digits: rounded to 0 it would allow any corner to be cut.
+    if (post_.blendsPath)
+      line(inch_ ? fmt::format("G64 P{:.6f}", blending / millimetresPerInch) : fmt::format("G64 P{}", blending));
     line(path_.workOffset);
     if (post_.changesTools) line(fmt::format("T{} M6", path_.cutter.number));
     if (post_.offsetsLengths) line(fmt::format("G43 H{}", path_.cutter.number));
-    if (path_.cutter.spindle > 0) line(fmt::format("S{:.0f} M3", path_.cutter.spindle));
+    if (path_.cutter.spindle > 0) line(fmt::format("S{:.0f} M3", std::max(path_.cutter.spindle, 1.0)));
   }
 
   [[nodiscard]] std::int64_t ticks(double mm) const { return std::llround(mm * perMm_); }
@@ -219,7 +222,7 @@ class GcodeWriter {
   }
 
   void asLines(const Vec3& from, const ToolMove& m) {
-    for (const Vec3& p : polylineOf(from, m, std::max(resolution(), 1e-3))) straight("G1", ticks(p), m.feed);
+    for (const Vec3& p : polylineOf(from, m, 1e-3)) straight("G1", ticks(p), m.feed);
   }
 
   const Toolpath& path_;

@@ -75,7 +75,8 @@ class UnsavedWorkTest : public WindowFixture {
   QString drawing() {
     const QString file = folder_.filePath(QStringLiteral("drawing.svg"));
     QFile out(file);
-    if (out.open(QIODevice::WriteOnly)) out.write("<svg xmlns='http://www.w3.org/2000/svg'><rect width='40' height='20'/></svg>");
+    if (out.open(QIODevice::WriteOnly))
+      out.write("<svg xmlns='http://www.w3.org/2000/svg'><rect width='40' height='20'/></svg>");
     return file;
   }
   void typeInto(const char* parameter, const char* typed) {

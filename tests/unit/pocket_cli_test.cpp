@@ -103,6 +103,34 @@ class PocketCliTest : public QObject {
     refuses({"pocket", "circle:20", "--tool-diameter", "100", "-o", "part.stl"}, "cannot hold a toolpath", "a mesh");
   }
 
+  void simulationsTellWhatWouldHurt() {
+    write("plate.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 60' width='100mm' height='60mm'>"
+          "<path d='M0 0H100V60H0Z'/></svg>");
+    const QStringList onPlate{"--part", "plate.svg", "--tool-diameter", "6"};
+    const auto warningsOf = [&](const char* program) {
+      write("it.nc", program);
+      const Answer answer = blossom(QStringList{"simulate", "it.nc"} + onPlate);
+      return answer.json.value("warnings", Value::array()).dump();
+    };
+    const std::string begin = "G21 G90\nT1 M6\nS12000 M3\nG0 Z5\nG0 X50 Y30\n";
+    QCOMPARE(warningsOf((begin + "G1 Z-2 F100\nX60\nG0 Z5\nM2\n").c_str()), std::string("[]"));
+    const auto tells = [&](const std::string& rest, const char* what) {
+      const std::string told = warningsOf((begin + rest + "G0 Z5\nM2\n").c_str());
+      QVERIFY2(told.find(what) != std::string::npos, told.c_str());
+    };
+    tells("G0 Z-2\nG1 X60 F100\n", "rapid runs through material, the first to (50.00, 30.00, -2.00)");
+    tells("G1 Z-2 F100\nX99\n", "The part is gouged by 2.000 mm at");
+    tells("G1 Z-2\nX60 F100\n", "A cut without a feed goes to (50.000, 30.000, -2.000)");
+    tells("M5\nG1 Z-2 F100\n", "cuts while the spindle stands still");
+    tells("(stock X -2 102 Y -2 62 Z -4 0)\nG1 Z-9 F100\n", "through the stock, which ends at z = -4.000");
+    tells("M8\nG1 Z-2 F100\n", "is without its coolant (M8)");
+    write("turned.nc", (begin + "G68 X0 Y0 R10\nG1 Z-2 F100\nX60\nM2\n").c_str());
+    const Answer turned = blossom(QStringList{"simulate", "turned.nc"} + onPlate);
+    QCOMPARE(turned.code, 1);
+    QVERIFY2(turned.hint().find("line 6 holds scaling or rotation (G68)") != std::string::npos, turned.hint().c_str());
+  }
+
   void aPartIsTextByFlags() {
     const QStringList tool{"--tool-diameter", "0.5", "--depth", "1"};
     const Answer written = blossom(QStringList{"pocket", "text:Blossom"} + tool);

@@ -10,9 +10,10 @@ bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
   } catch (const Error& error) {
     emit escaped(error);
   } catch (const std::exception& error) {
-    emit escaped(Error(ErrorCode::Internal,
-                       tr("Blossom met a fault of its own: %1.").arg(QString::fromLocal8Bit(error.what())).toStdString(),
-                       tr("What you did last may be undone. Save under another name and start Blossom anew.").toStdString()));
+    emit escaped(
+        Error(ErrorCode::Internal,
+              tr("Blossom met a fault of its own: %1.").arg(QString::fromLocal8Bit(error.what())).toStdString(),
+              tr("What you did last may be undone. Save under another name and start Blossom anew.").toStdString()));
   }
   return true;
 }

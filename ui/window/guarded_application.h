@@ -5,8 +5,8 @@
 
 namespace blossom::ui {
 
-/// Goes on after an exception that no handler of an event took: ending there would take every unsaved document along. Whoever
-/// listens tells the user.
+/// Goes on after an exception that no handler of an event took: ending there would take every unsaved document along.
+/// Whoever listens tells the user.
 class GuardedApplication : public QApplication {
   Q_OBJECT
  public:

@@ -89,8 +89,7 @@ bool MainWindow::waitsForWriting(const std::vector<DocumentPage*>& pages, const 
   const auto goOn = [job, then] {
     if (job && !job->lastError()) then();
   };
-  connect(job, &Job::finished, this, goOn,
-          static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+  connect(job, &Job::finished, this, goOn, static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
   return true;
 }
 

@@ -1,0 +1,181 @@
+// Programs that are read as a tool's moves: what cannot be followed exactly is refused, and nothing that the tool does is
+// left out.
+#include <numbers>
+#include <regex>
+
+#include "core/file.h"
+#include "exchange/format.h"
+#include "exchange/gcode_program.h"
+#include "exchange/gcode_write.h"
+#include "support/support.h"
+
+using namespace blossom;
+
+namespace {
+
+const std::string head = "G21 G90 G17\nT1 M6\nS12000 M3\n";
+
+GcodeProgram parsed(const std::string& text) { return parseGcode(text, Progress::none()); }
+
+Toolpath pathOf(const std::string& text) { return toolpathOf(parsed(text)); }
+
+/// Why a toolpath cannot be made of it; empty when it can.
+std::string obstacle(const std::string& text) {
+  const GcodeProgram program = parsed(text);
+  return program.obstacle ? program.obstacle->second : std::string();
+}
+
+std::string written(const Toolpath& path, const Value& options = Value::object()) {
+  return gcodeText(path, options, Progress::none());
+}
+
+}  // namespace
+
+class GcodeSafetyTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void whatMayMoveTheToolIsRefused_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("why");
+    const auto row = [](const char* line, const char* why) { QTest::newRow(line) << line << why; };
+    row("G68 X0 Y0 R10", "rotation");
+    row("G51 P2", "scaling");
+    row("G50 X3", "G50");
+    row("G16", "polar");
+    row("G65 P9100 X10 Y10 Z-20", "macro");
+    row("G13 I80", "G13");
+    row("M97 P100", "subroutine");
+    row("M98 P100", "subroutine");
+    row("M150", "M150");
+    row("M70", "M70");
+    row("G43.1 Z-30", "G43.1");
+    row("G4 X60.", "dwell");
+    row("G70", "G70");
+    row("G777", "G777");
+    row("G93", "feed");
+    row("G92 X0", "zero");
+    row("G92.3", "zero");
+    row("G7", "G7");
+    row("G1 W-30", "axis");
+    row("G1 U3", "axis");
+    row("G1 A90", "rotary");
+    row("#5221=30", "parameter");
+    row("G55", "offset");
+    row("G54.1 P2", "offset");
+    row("G53 G1 Z-200", "G53");
+    row("G3 X20 Y10 I0 J10 P2", "turns");
+    row("G81 X1 Y1 Z-3 R1", "drilling");
+    row("T2 M6", "second tool");
+    row("T2", "second tool");
+    row("(ramp (steep) G1 X97 Z-2)", "comment");
+    row("/G1 X90", "left out");
+  }
+
+  void whatMayMoveTheToolIsRefused() {
+    QFETCH(QString, line);
+    QFETCH(QString, why);
+    // M6 has a tool before it; T alone changes the tool where there is no M6
+    const std::string before = line == QStringLiteral("T2") ? "G21 G90 G17\nT1\nS12000 M3\n" : head;
+    const std::string program =
+        before + "G54\nG0 X10 Y10\nG0 Z5\nG1 Z-1 F100\nG1 X20\n" + line.toStdString() + "\nG1 Y20\nG0 Z5\nM2\n";
+    const std::string found = obstacle(program);
+    QVERIFY2(QString::fromStdString(found).contains(why), qPrintable(line + QStringLiteral(": ") + found.c_str()));
+    VERIFY_ERROR(toolpathOf(parsed(program)), ErrorCode::FormatDamaged);
+  }
+
+  void whatLeavesTheWayAloneIsNot() {
+    const char* const lines[] = {"G4 P2",  "M8",  "M9",   "M0",      "M1",      "G64 P0.01", "G61", "G40",  "G49",    "G80", "G94",
+                                 "G43 H1", "G17", "G98",  "G92.1",   "G69",     "G15",       "N30", "T1",   "T1 M6",  "G54", "M5",
+                                 "S9000",  "G97", "O100", "(plain)", "; (a (b", "#<depth>=3", "G8", "M48", "G28 Z0\nG0 Z5"};
+    for (const char* line : lines) {
+      const std::string found =
+          obstacle(head + "G54\nG0 X10 Y10\nG0 Z5\nG1 Z-1 F100\nG1 X20\n" + line + "\nG1 Y20\nG0 Z5\nM2\n");
+      QVERIFY2(found.empty(), (std::string(line) + ": " + found).c_str());
+    }
+  }
+
+  void aRapidIntoTheMaterialIsAMoveLikeOthers() {
+    const Toolpath path = pathOf(head + "G0 X50 Y30\nG0 Z-5\nG1 X60 F300\nG0 Z5\nM30\n");
+    QCOMPARE(path.start, Vec3(50, 30, 5));
+    QCOMPARE(path.moves.front().kind, MoveKind::Rapid);
+    QCOMPARE(path.moves.front().to, Vec3(50, 30, -5));
+    // Height first: it comes down over the place, from as high as the program ever is.
+    const Toolpath across = pathOf(head + "G0 Z-5\nG0 X-50 Y0\nG1 X60 F300\nG0 Z7\nM30\n");
+    QCOMPARE(across.start, Vec3(-50, 0, 7));
+    QCOMPARE(across.moves.front().to, Vec3(-50, 0, -5));
+    // X alone is no place yet.
+    const Toolpath late = pathOf(head + "G0 Z5\nG0 X1\nG0 Y2\nG1 Z-1 F100\nG1 X9\nM2\n");
+    QCOMPARE(late.start, Vec3(1, 2, 5));
+    QCOMPARE(late.moves.size(), std::size_t{2});
+  }
+
+  void fromAPlaceOfTheMachineNothingIsCut() {
+    const std::string begin = head + "G0 X10 Y10 Z5\nG1 Z-1 F100\n";
+    QVERIFY(obstacle(begin + "G53 G0 X0 Y0\nG1 Y40\n").find("does not tell") != std::string::npos);
+    QVERIFY(obstacle(begin + "G28 Z0\nG1 Y40\n").find("does not tell") != std::string::npos);
+    QVERIFY(obstacle(begin + "G91 G28 Z0\nG1 X3\nG90\n").find("does not tell") != std::string::npos);
+    QVERIFY(obstacle(begin + "G0 Z5\nG91 G28 Z0\nG90 G0 X0 Y0\nG0 Z5\nG1 Y40\n").empty());
+    // Over the place that is named, and no longer at the depth it was.
+    const Toolpath path = pathOf(begin + "G28 X5 Y5\nG0 X1 Y1 Z9\nG1 Y40\n");
+    QCOMPARE(path.moves[2].to, Vec3(5, 5, -1));
+    const Toolpath lifted = pathOf(begin + "G91 G28 Z0\nG90\nG0 X60 Y60\nG0 Z9\nG1 Y40\n");
+    for (const ToolMove& move : lifted.moves)
+      if (move.to.x() == 60) QCOMPARE(move.to.z(), 9.0);  // as high as it ever is
+  }
+
+  void modesCountWhereverTheyStand() {
+    const Toolpath path = pathOf(head + "G0 X0 Y0 Z1\nG1 X1 Y1 Z-1 F10 G20\nM2\n");
+    QCOMPARE(path.moves.back().to, Vec3(25.4, 25.4, -25.4));
+    QCOMPARE(path.moves.back().feed, 254.0);
+  }
+
+  void theFirstCutTellsToolAndSpindle() {
+    const std::string cut = "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X5\n";
+    const Toolpath ready = pathOf("G21 G90\nT3 M6\nM3 S8000\n" + cut + "T7\nG1 Y5\nM5 S0\nG0 Z5\nM2\n");
+    QCOMPARE(ready.cutter.number, 3);  // 7 is only made ready
+    QCOMPARE(ready.cutter.spindle, 8000.0);
+    QCOMPARE(pathOf("G21 G90\nT3 M6\nS500\nM3\n" + cut + "M2\n").cutter.spindle, 500.0);
+    QCOMPARE(parsed("G21 G90\nM3\n" + cut).doubts, std::vector<std::string>{"line 4 cuts before the spindle has a speed (S)"});
+    QCOMPARE(parsed("G21 G90\nS100 M3\nM5\n" + cut).doubts,
+             std::vector<std::string>{"line 5 cuts while the spindle stands still"});
+    QVERIFY(parsed(head + cut).doubts.empty());
+    QCOMPARE(parsed("G21 G90\nT1 M6\nS500 M4\nM8\n" + cut + "G4 P1\nM0\nM9\n").notKept,
+             (std::vector<std::string>{"a spindle that turns counter-clockwise (M4)", "coolant (M8)", "dwells (G4)", "stops (M0)"}));
+  }
+
+  void arcsThatMissTheirEndAreSpirals() {
+    // 0.4 mm on a radius of 400: controls take it, and no circle goes through both ends.
+    const Toolpath path = pathOf(head + "G0 X0 Y0 Z1\nG0 X900 Y500\nG1 Z-1 F100\nG3 X500 Y900.4 I-400 J0\nM2\n");
+    std::size_t between = 0;
+    for (const ToolMove& move : path.moves) {
+      QCOMPARE(move.turn, 0);
+      if (move.kind != MoveKind::Feed) continue;
+      const Vec2 from = move.to.head<2>() - Vec2(500, 500);
+      const double share = std::atan2(from.y(), from.x()) / (std::numbers::pi / 2);
+      COMPARE_NEAR(from.norm(), 400 + 0.4 * share, 0.002);
+      ++between;
+    }
+    QVERIFY(between > 50);
+  }
+
+  void blendingIsNeverWithoutALimit() {
+    const Toolpath path = pathOf(head + "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X5\nG0 Z5\nM2\n");
+    for (const char* unit : {"mm", "inch"})
+      for (const int decimals : {2, 3, 4, 6}) {
+        const std::string text = written(path, {{"unit", unit}, {"decimals", decimals}});
+        std::smatch found;
+        QVERIFY(std::regex_search(text, found, std::regex("G64 P([0-9.]+)")));
+        const double mm = std::stod(found[1]) * (std::string(unit) == "inch" ? 25.4 : 1);
+        COMPARE_NEAR(mm, 0.005, 2e-5);
+      }
+  }
+
+  void aSlowSpindleStillTurns() {
+    Toolpath path = pathOf(head + "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X5\nG0 Z5\nM2\n");
+    path.cutter.spindle = 0.4;
+    QVERIFY(written(path).find("S1 M3") != std::string::npos);
+  }
+};
+
+QTEST_GUILESS_MAIN(GcodeSafetyTest)
+#include "gcode_safety_test.moc"

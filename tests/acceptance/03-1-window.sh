@@ -16,6 +16,7 @@ scenario "the tree: rename, isolate, delete, reorder, suppress, search" document
 scenario "the palette; a job is cancelled" palette_test
 scenario "files: open, save, guard, damaged documents" window_files_test
 scenario "tabs, recent documents, write-protected and changed files, recovery bar" documents_test
+scenario "edits during opening, importing and saving; typing; closing; values that do not fit; mistakes" unsaved_work_test
 scenario "50 times kill -9 in the middle of a save and of an edit, recovered" recovery_test
 at_least "  kills" "$(figure recovery_test kills)" 50
 at_least "  of them in the middle of a save" "$(figure recovery_test kills_while_saving)" 1

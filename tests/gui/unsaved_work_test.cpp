@@ -191,7 +191,7 @@ void UnsavedWorkTest::whatWasDrawnBesideADamagedFileStays() {
   QVERIFY(whole.open(QIODevice::ReadWrite) && whole.resize(whole.size() - 30));
   whole.close();
   window_->openFile(file);
-  QTRY_VERIFY(window_->errors().isVisible());
+  QTRY_VERIFY(window_->errors().message().contains(QStringLiteral("cut.blossom")));
   window_->session().commit(withOneMore(Document(), "c"), QStringLiteral("Add"));
   auto* const offer = window_->errors().findChild<QPushButton*>();
   QVERIFY(offer && offer->isVisible());

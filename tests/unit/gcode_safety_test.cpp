@@ -84,9 +84,10 @@ class GcodeSafetyTest : public QObject {
   }
 
   void whatLeavesTheWayAloneIsNot() {
-    const char* const lines[] = {"G4 P2",  "M8",  "M9",   "M0",      "M1",      "G64 P0.01", "G61", "G40",  "G49",    "G80", "G94",
-                                 "G43 H1", "G17", "G98",  "G92.1",   "G69",     "G15",       "N30", "T1",   "T1 M6",  "G54", "M5",
-                                 "S9000",  "G97", "O100", "(plain)", "; (a (b", "#<depth>=3", "G8", "M48", "G28 Z0\nG0 Z5"};
+    const char* const lines[] = {"G4 P2", "M8",      "M9",      "M0",         "M1",  "G64 P0.01", "G61",          "G40",
+                                 "G49",   "G80",     "G94",     "G43 H1",     "G17", "G98",       "G92.1",        "G69",
+                                 "G15",   "N30",     "T1",      "T1 M6",      "G54", "M5",        "S9000",        "G97",
+                                 "O100",  "(plain)", "; (a (b", "#<depth>=3", "G8",  "M48",       "G28 Z0\nG0 Z5"};
     for (const char* line : lines) {
       const std::string found =
           obstacle(head + "G54\nG0 X10 Y10\nG0 Z5\nG1 Z-1 F100\nG1 X20\n" + line + "\nG1 Y20\nG0 Z5\nM2\n");
@@ -135,12 +136,14 @@ class GcodeSafetyTest : public QObject {
     QCOMPARE(ready.cutter.number, 3);  // 7 is only made ready
     QCOMPARE(ready.cutter.spindle, 8000.0);
     QCOMPARE(pathOf("G21 G90\nT3 M6\nS500\nM3\n" + cut + "M2\n").cutter.spindle, 500.0);
-    QCOMPARE(parsed("G21 G90\nM3\n" + cut).doubts, std::vector<std::string>{"line 4 cuts before the spindle has a speed (S)"});
+    QCOMPARE(parsed("G21 G90\nM3\n" + cut).doubts,
+             std::vector<std::string>{"line 4 cuts before the spindle has a speed (S)"});
     QCOMPARE(parsed("G21 G90\nS100 M3\nM5\n" + cut).doubts,
              std::vector<std::string>{"line 5 cuts while the spindle stands still"});
     QVERIFY(parsed(head + cut).doubts.empty());
     QCOMPARE(parsed("G21 G90\nT1 M6\nS500 M4\nM8\n" + cut + "G4 P1\nM0\nM9\n").notKept,
-             (std::vector<std::string>{"a spindle that turns counter-clockwise (M4)", "coolant (M8)", "dwells (G4)", "stops (M0)"}));
+             (std::vector<std::string>{"a spindle that turns counter-clockwise (M4)", "coolant (M8)", "dwells (G4)",
+                                       "stops (M0)"}));
   }
 
   void arcsThatMissTheirEndAreSpirals() {

@@ -10,7 +10,11 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(BLOSSOM_PLUGIN_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/blossom/plugins)
 set(BLOSSOM_PLUGIN_INSTALL_DIR ${CMAKE_INSTALL_LIBDIR}/blossom/plugins)
-set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+# Programs are built with the run path they are installed with: CMake would otherwise pad the one of the build tree with empty
+# entries, and an empty entry is the current folder, from which any library would be loaded. Built libraries lie in lib.
+set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/../lib")
+list(REMOVE_DUPLICATES CMAKE_INSTALL_RPATH)
 
 add_library(blossom_flags INTERFACE)
 add_library(Blossom::flags ALIAS blossom_flags)

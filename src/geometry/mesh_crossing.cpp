@@ -165,4 +165,16 @@ std::optional<MeshCrossing> firstCrossing(const Mesh& mesh, const Progress& prog
   return found;
 }
 
+std::vector<MeshCrossing> crossings(const Mesh& mesh, const Progress& progress) {
+  refuseWhatIsNoPlace(mesh);
+  const std::vector<FaceTriangle> triangles = trianglesWithArea(mesh, progress);
+  const CrossingTree tree(triangles, progress);
+  std::vector<MeshCrossing> found;
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    progress.check();
+    if (const auto here = crossingOf(k, triangles, tree)) found.push_back(*here);
+  }
+  return found;
+}
+
 }  // namespace blossom

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/progress.h"
 #include "core/vector.h"
@@ -21,5 +22,8 @@ struct MeshCrossing {
 /// without area are left out. Open and closed meshes alike. O(n log n) for surfaces that seldom come near themselves.
 /// @throws Error InvalidInput for a face that names no vertex and for coordinates that are no numbers, Cancelled.
 std::optional<MeshCrossing> firstCrossing(const Mesh&, const Progress& = Progress::none());
+
+/// One crossing of each triangle that crosses one behind it, in their order; for judging which of them matter.
+std::vector<MeshCrossing> crossings(const Mesh&, const Progress& = Progress::none());
 
 }  // namespace blossom

@@ -1,0 +1,82 @@
+#include "geometry/self_crossing.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "geometry/bounds.h"
+#include "geometry/brep.h"
+#include "geometry/mesh_crossing.h"
+#include "geometry/tessellate.h"
+#include "geometry/triangle_distance.h"
+
+namespace blossom {
+namespace {
+
+/// Crossings of one tessellation that are looked at closely, evenly chosen: a real one is a curve with many of them.
+constexpr std::size_t crossingsTried = 64;
+
+Triangle3 triangleOf(const Mesh& mesh, std::size_t f) {
+  const auto corner = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(mesh.face(f)[i])]; };
+  return {corner(0), corner(1), corner(2)};
+}
+
+Vec3 normalOf(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
+
+/// The solid angle of a triangle (van Oosterom and Strackee 1983, equation 8).
+double solidAngle(const Triangle3& t, const Vec3& eye) {
+  const Vec3 a = t[0] - eye, b = t[1] - eye, c = t[2] - eye;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+/// How often the surface goes round a point.
+int windingNumber(const Mesh& mesh, const Vec3& point) {
+  double sum = 0;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) sum += solidAngle(triangleOf(mesh, f), point);
+  return static_cast<int>(std::lround(sum / (4 * std::numbers::pi)));
+}
+
+double distanceTo(const Mesh& mesh, const Vec3& point) {
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+    least = std::min(least, (closestOnTriangle(point, triangleOf(mesh, f)) - point).squaredNorm());
+  return std::sqrt(least);
+}
+
+/// Whether a point near the crossing, clear of the surface and of the error of its triangles, is enclosed twice or inside
+/// out. Around a real crossing the winding number is such in one of the four wedges between the two sheets.
+bool isReal(const MeshCrossing& crossing, const Mesh& mesh, double chord, double size, const Progress& progress) {
+  const Vec3 n = normalOf(triangleOf(mesh, crossing.first)), m = normalOf(triangleOf(mesh, crossing.second));
+  const std::array<Vec3, 6> ways{n + m, -n - m, n - m, m - n, n.cross(m).cross(n), n};
+  for (double step = 4 * chord; step < size / 4; step *= 2)
+    for (const Vec3& way : ways) {
+      progress.check();
+      if (!(way.norm() > 1e-3)) continue;
+      const Vec3 beside = crossing.place + step * way.normalized();
+      const int winding = windingNumber(mesh, beside);
+      if (winding != 0 && winding != 1 && distanceTo(mesh, beside) > 2 * chord) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Vec3> selfCrossing(const TopoDS_Shape& solid, const Progress& progress) {
+  const Shape shape{Brep(solid)};
+  const double size = bounds(shape).diagonal();
+  for (const double share : {1e-3, 1e-4, 2e-5}) {
+    const double chord = share * size;
+    const Mesh mesh = meshOf(shape, {.chord = chord, .angle = 0.5}, progress);
+    const auto found = crossings(mesh, progress);
+    if (found.empty()) return {};
+    const std::size_t stride = (found.size() + crossingsTried - 1) / crossingsTried;
+    for (std::size_t k = 0; k < found.size(); k += stride)
+      if (isReal(found[k], mesh, chord, size, progress)) return found[k].place;
+  }
+  return {};
+}
+
+}  // namespace blossom

@@ -1,5 +1,6 @@
 #include "geometry/self_crossing.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <limits>

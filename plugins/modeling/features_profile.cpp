@@ -78,22 +78,23 @@ ParameterSpec turn() {
 
 FeatureType revolveFeature() {
   using P = RevolveParameters;
-  return feature<P>("modeling.revolve", "Revolve", "A solid that an outline sweeps when it turns about an axis.")
-      .icon("revolve")
-      .gives({ShapeKind::Brep})
-      .input(profileInput())
-      .parameter("axis", &P::axis, vector(), "Direction of the axis; it lies beside the outline.")
-      .parameter("point", &P::point, point(), "A point that the axis passes through.")
-      .parameter("angle", &P::angle, turn(), "How far it turns; below 0: the other way.")
-      .parameter("solid", &P::solid, flag(), solidHelp)
-      .parameter("face", &P::face, optional(subShape("face")), faceHelp)
-      .example("blossom revolve profile.svg -o vase.step")
-      .example("blossom revolve profile.dxf --axis 1,0,0 --point 0,-10,0 --angle 270 -o part.step")
-      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-        const TopoDS_Shape profile = profileShape(inputs.of(0)[0], p.face, p.solid);
-        const RevolveOptions options{.point = p.point, .direction = p.axis, .angle = p.angle};
-        return Evaluated{Brep(revolve(profile, options, progress).shape, "Revolution"), Value::object(), {}};
-      });
+  return inWorker(feature<P>("modeling.revolve", "Revolve", "A solid that an outline sweeps when it turns about an axis.")
+                      .icon("revolve")
+                      .gives({ShapeKind::Brep})
+                      .input(profileInput())
+                      .parameter("axis", &P::axis, vector(), "Direction of the axis; it lies beside the outline.")
+                      .parameter("point", &P::point, point(), "A point that the axis passes through.")
+                      .parameter("angle", &P::angle, turn(), "How far it turns; below 0: the other way.")
+                      .parameter("solid", &P::solid, flag(), solidHelp)
+                      .parameter("face", &P::face, optional(subShape("face")), faceHelp)
+                      .example("blossom revolve profile.svg -o vase.step")
+                      .example("blossom revolve profile.dxf --axis 1,0,0 --point 0,-10,0 --angle 270 -o part.step")
+                      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+                        const TopoDS_Shape profile = profileShape(inputs.of(0)[0], p.face, p.solid);
+                        const RevolveOptions options{.point = p.point, .direction = p.axis, .angle = p.angle};
+                        return Evaluated{Brep(revolve(profile, options, progress).shape, "Revolution"), Value::object(), {}};
+                      }),
+                  "for the revolution");
 }
 
 struct LoftParameters {

@@ -6,6 +6,7 @@
 
 #include "document/error_of.h"
 #include "document/storage.h"
+#include "feature/acceptance.h"
 
 namespace blossom {
 namespace {
@@ -88,6 +89,7 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     checkInputs(feature, outcome);
     Value keyed;
     const Value parameters = openedFiles(type->parameters, completed(type->parameters, feature.parameters), keyed);
+    checkNamedInputs(*type, parameters);
     key = keyOf(feature, keyed);
     known = cache_.find(key);
     if (known) return;

@@ -17,7 +17,7 @@ namespace blossom {
 namespace {
 
 /// Crossings of one tessellation that are looked at closely, evenly chosen: a real one is a curve with many of them.
-constexpr std::size_t crossingsTried = 64;
+constexpr std::size_t crossingsTried = 16;
 
 Triangle3 triangleOf(const Mesh& mesh, std::size_t f) {
   const auto corner = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(mesh.face(f)[i])]; };
@@ -52,7 +52,7 @@ double distanceTo(const Mesh& mesh, const Vec3& point) {
 bool isReal(const MeshCrossing& crossing, const Mesh& mesh, double chord, double size, const Progress& progress) {
   const Vec3 n = normalOf(triangleOf(mesh, crossing.first)), m = normalOf(triangleOf(mesh, crossing.second));
   const std::array<Vec3, 6> ways{n + m, -n - m, n - m, m - n, n.cross(m).cross(n), n};
-  for (double step = 4 * chord; step < size / 4; step *= 2)
+  for (double step = 4 * chord; step < size / 4; step *= 4)
     for (const Vec3& way : ways) {
       progress.check();
       if (!(way.norm() > 1e-3)) continue;

@@ -49,6 +49,11 @@ class ModelingCliTest : public QObject {
     QVERIFY(!fs::exists(fs::path(folder_.path().toStdString()) / "f.step"));
     const Answer missing = blossom({"fillet", "box.step", "--edges", "shape:edge:12", "-o", "f.step"});
     QCOMPARE(missing.json["error"]["code"], Value("NotFound"));
+    const Answer stranger = blossom({"fillet", "box.step", "--edges", "nonsense:edge:3", "-o", "f.step"});
+    QCOMPARE(stranger.code, 1);
+    QCOMPARE(stranger.message(), "\"nonsense:edge:3\" names no input of Fillet.");
+    QCOMPARE(stranger.hint(), "Its input is called \"shape\".");
+    QCOMPARE(blossom({"fillet", "box.step", "--edges", "edge:3", "-o", "f.step"}).code, 0);
   }
 
   void everyFeatureExplainsItself() {

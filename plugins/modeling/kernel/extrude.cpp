@@ -19,6 +19,7 @@
 #include "kernel/placement.h"
 #include "kernel/profile.h"
 #include "kernel/shape_parts.h"
+#include "kernel/sound_bodies.h"
 
 namespace blossom::modeling {
 
@@ -34,11 +35,13 @@ TopoDS_Shape moved(const TopoDS_Shape& shape, const gp_Vec& by) {
 
 const char* const mixedMeasures = "The extrusion gives no good solid.";
 
+Complaint tooSteep(double taper) {
+  return {fmt::format("With a taper of {} degrees the sides meet before the full height is reached.", formatNumber(taper)),
+          "Use a smaller taper or height."};
+}
+
 [[noreturn]] void throwTaper(double taper) {
-  throw Error(
-      ErrorCode::Degenerate,
-      fmt::format("With a taper of {} degrees the sides meet before the full height is reached.", formatNumber(taper)),
-      "Use a smaller taper or height.");
+  throw Error(ErrorCode::Degenerate, tooSteep(taper).message, tooSteep(taper).hint);
 }
 
 /// The one direction in which a profile goes.
@@ -133,16 +136,19 @@ ExtrudeResult extrude(const TopoDS_Shape& shape, const ExtrudeOptions& o, const 
   check(o);
   const Profile profile = profileOf(shape);
   return guarded("The outline cannot be extruded.", "It may cross itself, or be too small.", [&] {
-    std::vector<TopoDS_Shape> made;
-    made.reserve(profile.faces.size() + profile.wires.size());
+    std::vector<TopoDS_Shape> solids, made;
     const auto next = [&] {
-      progress.report(static_cast<double>(made.size()) / static_cast<double>(profile.faces.size() + profile.wires.size()),
+      progress.report(static_cast<double>(solids.size() + made.size()) /
+                          static_cast<double>(profile.faces.size() + profile.wires.size()),
                       "Extruding");
     };
     for (const TopoDS_Face& face : profile.faces) {
       next();
-      made.push_back(solidOver(face, o));
+      solids.push_back(solidOver(face, o));
     }
+    // Straight sides over an outline that does not cross itself cannot meet.
+    if (std::abs(o.taper) > 1e-9 && !solids.empty()) solids = {soundBodies(solids, tooSteep(o.taper), progress)};
+    if (!solids.empty()) made.push_back(together(solids));
     for (const TopoDS_Wire& wire : profile.wires) {
       next();
       made.push_back(sheetOver(wire, o));

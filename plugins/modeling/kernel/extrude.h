@@ -14,7 +14,7 @@ struct ExtrudeOptions {
 };
 
 struct ExtrudeResult {
-  TopoDS_Shape shape;  ///< a solid for each face of the profile, or a sheet for each wire
+  TopoDS_Shape shape;  ///< solids over the faces of the profile (united where leaning makes them overlap), sheets over wires
   bool solid = false;
 };
 

@@ -20,6 +20,7 @@
 #include "kernel/guarded.h"
 #include "kernel/profile.h"
 #include "kernel/shape_parts.h"
+#include "kernel/sound_bodies.h"
 
 namespace blossom::modeling {
 
@@ -125,7 +126,9 @@ LoftResult loft(const std::vector<TopoDS_Shape>& shapes, const LoftOptions& o, c
     TopoDS_Shape body = through([](const Section& s) { return s.outline; });
     for (std::size_t k = 0; k < sections.front().holes.size(); ++k)
       body = BRepAlgoAPI_Cut(body, through([k](const Section& s) { return s.holes[k]; })).Shape();
-    return LoftResult{sections.front().holes.empty() ? body : finishedSolid(body, complaint)};
+    if (!o.solid) return LoftResult{body};
+    if (!sections.front().holes.empty()) body = finishedSolid(body, complaint);
+    return LoftResult{soundBodies({body}, complaint, progress)};
   });
 }
 

@@ -22,6 +22,7 @@
 #include "kernel/guarded.h"
 #include "kernel/profile.h"
 #include "kernel/shape_parts.h"
+#include "kernel/sound_bodies.h"
 
 namespace blossom::modeling {
 
@@ -60,6 +61,11 @@ TopoDS_Shape placed(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
 
 class Piper {
  public:
+  static Complaint complaint() {
+    return {"The outline cannot be moved along this path.",
+            "The path may bend more tightly than the outline is wide: use a smaller outline or a wider bend."};
+  }
+
   Piper(TopoDS_Wire path, PipeCorners corners) : path_(std::move(path)), corners_(corners) {}
 
   [[nodiscard]] TopoDS_Shape along(const TopoDS_Wire& outline, bool solid) const {
@@ -88,10 +94,6 @@ class Piper {
   }
 
  private:
-  static Complaint complaint() {
-    return {"The outline cannot be moved along this path.",
-            "The path may bend more tightly than the outline is wide: use a smaller outline or a wider bend."};
-  }
   [[noreturn]] static void fail() { throw Error(ErrorCode::Degenerate, complaint().message, complaint().hint); }
 
   TopoDS_Wire path_;
@@ -135,9 +137,9 @@ PipeResult pipe(const TopoDS_Shape& profileShape, const TopoDS_Shape& pathShape,
     result.solid = !profile.faces.empty();
     const Piper piper(path, o.corners);
     progress.report(0.1, "Moving the outline along the path");
-    std::vector<TopoDS_Shape> made;
-    made.reserve(profile.faces.size() + profile.wires.size());
-    for (const TopoDS_Face& face : profile.faces) made.push_back(piper.along(face, progress));
+    std::vector<TopoDS_Shape> solids, made;
+    for (const TopoDS_Face& face : profile.faces) solids.push_back(piper.along(face, progress));
+    if (!solids.empty()) made.push_back(soundBodies(solids, Piper::complaint(), progress));
     for (const TopoDS_Wire& wire : profile.wires) made.push_back(piper.along(wire, false));
     result.shape = together(made);
     if (const double bend = tightestBend(path); o.place && reachOf(placed(profileShape, path), path) > bend)

@@ -3,29 +3,31 @@
 #include <fmt/format.h>
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
+#include <ElCLib.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Wire.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Lin.hxx>
 
 #include "core/error.h"
 #include "core/tolerance.h"
 #include "core/units.h"
+#include "geometry/closest_points.h"
 #include "kernel/finished_solid.h"
 #include "kernel/guarded.h"
 #include "kernel/placement.h"
 #include "kernel/profile.h"
 #include "kernel/shape_parts.h"
+#include "kernel/sound_bodies.h"
 
 namespace blossom::modeling {
 
 namespace {
-
-[[noreturn]] void throwCrosses() {
-  throw Error(ErrorCode::InvalidInput, "The outline crosses the axis, so the turned shape would cut through itself.",
-              "Move the axis beside the outline, or cut the outline at the axis.");
-}
 
 /// How far a shape reaches to either side of the axis within its plane.
 std::pair<double, double> reach(const TopoDS_Shape& shape, const gp_Ax1& axis, const gp_Dir& normal) {
@@ -38,16 +40,34 @@ std::pair<double, double> reach(const TopoDS_Shape& shape, const gp_Ax1& axis, c
   return {y0, y1};
 }
 
-void checkAxis(const TopoDS_Shape& shape, const gp_Pln& plane, const gp_Ax1& axis) {
+/// Where the outline of a face meets the axis in its plane.
+Vec3 placeOfCrossing(const TopoDS_Face& face, const gp_Ax1& axis, const Progress& progress) {
+  const double size = sizeOf(face) + gp_Lin(axis).Distance(toPoint(representatives(face).front()));
+  const gp_Pnt middle = ElCLib::Value(ElCLib::Parameter(gp_Lin(axis), toPoint(representatives(face).front())), gp_Lin(axis));
+  const gp_Lin line(middle, axis.Direction());
+  return closestPoints(BRepTools::OuterWire(face), BRepBuilderAPI_MakeEdge(line, -size, size).Edge(), progress).first;
+}
+
+/// A turning face moves forward on one side of the axis, or of its shadow in the plane of the face where the axis leans or
+/// stands off, and backward on the other: n.(a x (p - o)) = (n x a).(p - o). On one side of it, no place is swept twice.
+void checkAxis(const TopoDS_Face& face, const gp_Pln& plane, const gp_Ax1& axis, const Progress& progress) {
   const gp_Dir normal = plane.Axis().Direction();
   if (normal.IsParallel(axis.Direction(), 1e-6))
     throw Error(ErrorCode::InvalidInput, "The axis stands square to the outline, so turning it sweeps no space.",
                 "Choose an axis in the plane of the outline.");
-  const bool inPlane = normal.IsNormal(axis.Direction(), 1e-9) && plane.Distance(axis.Location()) < 1e-6;
-  if (!inPlane) return;
-  const auto [low, high] = reach(shape, axis, normal);
+  const gp_Vec direction(axis.Direction()), off(plane.Location(), axis.Location());
+  const gp_Ax1 shadow(axis.Location().Translated(-off.Dot(normal) * gp_Vec(normal)),
+                      gp_Dir(direction - direction.Dot(normal) * gp_Vec(normal)));
+  const auto [low, high] = reach(face, shadow, normal);
   const double tolerance = Tolerance().joining;
-  if (low < -tolerance && high > tolerance) throwCrosses();
+  if (low >= -tolerance || high <= tolerance) return;
+  const Vec3 place = placeOfCrossing(face, shadow, progress);
+  throw Error(
+      ErrorCode::InvalidInput,
+      fmt::format("The outline crosses the axis near ({:.6g}, {:.6g}, {:.6g}), so the turned shape would cut through "
+                  "itself.",
+                  place.x() + 0.0, place.y() + 0.0, place.z() + 0.0),
+      "Move the axis beside the outline, or cut the outline at the axis.");
 }
 
 }  // namespace
@@ -63,14 +83,14 @@ RevolveResult revolve(const TopoDS_Shape& shape, const RevolveOptions& o, const 
     return BRepPrimAPI_MakeRevol(each, axis, toRadians(o.angle)).Shape();
   };
   return guarded("The outline cannot be turned about this axis.", "It may cross itself or the axis.", [&] {
-    std::vector<TopoDS_Shape> made;
-    made.reserve(profile.faces.size() + profile.wires.size());
+    const Complaint complaint{"The turned outline gives no good solid.", "It may cross itself or the axis."};
+    std::vector<TopoDS_Shape> solids, made;
     for (const TopoDS_Face& face : profile.faces) {
       progress.check();
-      checkAxis(face, planeOf(face), axis);
-      made.push_back(
-          finishedSolid(turned(face), {"The turned outline gives no good solid.", "It may cross itself or the axis."}));
+      checkAxis(face, planeOf(face), axis, progress);
+      solids.push_back(finishedSolid(turned(face), complaint));
     }
+    if (!solids.empty()) made.push_back(soundBodies(solids, complaint, progress));
     for (const TopoDS_Wire& wire : profile.wires) {
       progress.check();
       made.push_back(finishedSheet(turned(wire), {"The curve cannot be turned about this axis.", "It may cross the axis."}));

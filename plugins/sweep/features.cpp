@@ -2,10 +2,12 @@
 
 #include "core/units.h"
 #include "feature/plugin.h"
+#include "isolate/isolated.h"
 #include "kernel/cubic_approximation.h"
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
 #include "kernel/validity.h"
+#include "worker/worker.h"
 
 namespace blossom::sweep {
 
@@ -92,26 +94,38 @@ Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& 
   return out;
 }
 
+/// Its address tells which module this is.
+const char anchor = 0;
+
 FeatureType sweepFeature() {
   using P = SweepParameters;
-  return feature<P>("sweep.sweep", "Sweep",
-                    "The exact surface or solid that one point sweeps under a motion in two parameters.")
-      .command("sweep")
-      .gives({ShapeKind::Surface, ShapeKind::Brep})
-      .input({.name = "motion", .help = "A motion: trajectory, orientation and scaling.", .kinds = {ShapeKind::Motion}})
-      .parameter("solid", &P::solid, flag(), "Close the ends of a motion that closes in u and make a solid.")
-      .parameter("mode", &P::mode, choice({"exact", "cubic"}),
-                 "The exact rational surface, or a bicubic one within the tolerance.")
-      .parameter("tolerance", &P::tolerance, positiveLength(),
-                 "Largest deviation of the cubic surface, measured at equal parameters.")
-      .example("blossom sweep propeller.json --solid -o propeller.step")
-      .example("blossom sweep propeller.json --mode cubic --tolerance 0.01 -o propeller.iges")
-      .example("blossom sweep helicoid.json -o helicoid.stl --json")
-      .evaluate(sweep);
+  FeatureType type =
+      feature<P>("sweep.sweep", "Sweep",
+                 "The exact surface or solid that one point sweeps under a motion in two parameters.")
+          .command("sweep")
+          .gives({ShapeKind::Surface, ShapeKind::Brep})
+          .input({.name = "motion", .help = "A motion: trajectory, orientation and scaling.", .kinds = {ShapeKind::Motion}})
+          .parameter("solid", &P::solid, flag(), "Close the ends of a motion that closes in u and make a solid.")
+          .parameter("mode", &P::mode, choice({"exact", "cubic"}),
+                     "The exact rational surface, or a bicubic one within the tolerance.")
+          .parameter("tolerance", &P::tolerance, positiveLength(),
+                     "Largest deviation of the cubic surface, measured at equal parameters.")
+          .example("blossom sweep propeller.json --solid -o propeller.step")
+          .example("blossom sweep propeller.json --mode cubic --tolerance 0.01 -o propeller.iges")
+          .example("blossom sweep helicoid.json -o helicoid.stl --json")
+          .evaluate(sweep);
+  // OCCT builds and meshes the solid: it cannot be cancelled everywhere, and may crash on what crosses itself.
+  return isolated(std::move(type), {.activity = "for the solid of the sweep",
+                                    .module = moduleOf(&anchor),
+                                    .when = [](const Value& parameters, const Inputs&) {
+                                      const auto solid = parameters.find("solid");
+                                      return solid != parameters.end() && solid->get<bool>();
+                                    }});
 }
 
 }  // namespace
 
 }  // namespace blossom::sweep
 
+BLOSSOM_WORKER_CALLS() { blossom::sweep::sweepFeature(); }
 BLOSSOM_PLUGIN(registry) { registry.add(blossom::sweep::sweepFeature()); }

@@ -244,21 +244,24 @@ Motion readMotion(const Node& root, std::vector<std::string>& warnings) {
   const QuaternionAlignment alignment = alignQuaternions(motion);
   if (alignment.flipped > 0)
     warnings.push_back(
-        fmt::format("The signs of {} orientation poles were aligned with their neighbours; the rotations are the same.",
+        fmt::format("The signs of {} orientation poles were aligned with their neighbours: every pole is the same rotation, "
+                    "and from one to the next the motion turns the shorter way.",
                     alignment.flipped));
   if (alignment.opposed > 0)
-    warnings.push_back(
-        fmt::format("Neighbouring orientation poles turn by more than half a turn near orientation.poles[{}][{}]; check "
-                    "orientation.closed_u and the poles there.",
-                    alignment.row, alignment.column));
+    warnings.push_back(fmt::format(
+        "Neighbouring orientation poles turn by more than half a turn near orientation.poles[{}][{}]; {}check "
+        "orientation.closed_u and the poles there.",
+        alignment.row, alignment.column, alignment.flipped > 0 ? "" : "they turn the way that the file's signs say; "));
   if (root.has("edits")) {
     const Node edits = root.at("edits");
     if (!edits.value.is_array()) edits.fail("must be a list");
     if (!edits.value.empty())
-      warnings.push_back(
-          fmt::format("The file's list of edits by dragging (length {}) is not applied by this version; the motion is swept "
-                      "as its poles say.",
-                      edits.value.size()));
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("edits[0] asks for a change of this motion by dragging (the list holds {}), and this version "
+                              "cannot apply such edits.",
+                              edits.value.size()),
+                  "Write the edited poles into orientation and scaling, or take the list out to sweep the motion as its "
+                  "poles say.");
   }
   return motion;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -129,12 +130,47 @@ void countOpposed(const Surface& r, QuaternionAlignment& result) {
     }
 }
 
+/// Cosine of the half-angle from which a turn between neighbours is no longer taken as meant: 135 degrees, three quarters
+/// of a full turn. Signs that were lost leave pairs near 180 degrees, between which the spline nearly vanishes.
+constexpr double hardlyMeant = -0.70710678118654752;
+
+/// The axis of the turn from one quaternion to the next, times the sine of its half-angle and their lengths.
+Vec3 turnBetween(const Vec4& from, const Vec4& to) {
+  const Vec3 a = from.tail<3>(), b = to.tail<3>();
+  return from[0] * b - to[0] * a - a.cross(b);
+}
+
+/// On this line of poles, signs as they stand make sense: no neighbours point away from each other, or all turn the same
+/// way and none too far.
+bool turnsOneWay(const Surface& r, std::size_t start, std::size_t step, std::size_t count) {
+  bool opposed = false, oneWay = true;
+  Vec3 last = Vec3::Zero();
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    const Vec4 &from = r.poles[start + k * step], &to = r.poles[start + (k + 1) * step];
+    const double cosine = from.dot(to), lengths = from.norm() * to.norm();
+    if (cosine < hardlyMeant * lengths) return false;
+    opposed = opposed || cosine < 0;
+    const Vec3 turn = turnBetween(from, to);
+    oneWay = oneWay && turn.dot(last) >= 0;
+    if (turn.norm() > 1e-9 * lengths) last = turn;
+  }
+  return !opposed || oneWay;
+}
+
+bool signsAreMeant(const Surface& r) {
+  for (std::size_t i = 0; i < r.countU(); ++i)
+    if (!turnsOneWay(r, i * r.countV(), 1, r.countV())) return false;
+  for (std::size_t j = 0; j < r.countV(); ++j)
+    if (!turnsOneWay(r, j, r.countV(), r.countU())) return false;
+  return true;
+}
+
 }  // namespace
 
 QuaternionAlignment alignQuaternions(Motion& motion) {
   QuaternionAlignment before, after;
   countOpposed(motion.orientation, before);
-  if (before.opposed == 0) return before;
+  if (before.opposed == 0 || signsAreMeant(motion.orientation)) return before;
   Surface aligned = motion.orientation;
   const std::size_t free =
       aligned.countU() - (motion.closedU == ClosedU::No ? 0 : static_cast<std::size_t>(aligned.degreeU));

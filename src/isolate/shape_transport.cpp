@@ -148,6 +148,26 @@ Mesh readMesh(const fs::path& file) {
   return mesh;
 }
 
+Value saved(const Surface& s) { return Value::array({s.degreeU, s.degreeV, s.knotsU, s.knotsV, lists(s.poles)}); }
+Surface surfaceOf(const Value& v) {
+  return {v.at(0), v.at(1), v.at(2).get<std::vector<double>>(), v.at(3).get<std::vector<double>>(),
+          vectorsOf<Vec4>(v.at(4))};
+}
+Value saved(const Curve& c) { return Value::array({c.degree, c.knots, lists(c.poles)}); }
+Curve curveOf(const Value& v) { return {v.at(0), v.at(1).get<std::vector<double>>(), vectorsOf<Vec4>(v.at(2))}; }
+
+Value saved(const Motion& m) {
+  return {{"trajectory", saved(m.trajectory)},
+          {"orientation", saved(m.orientation)},
+          {"scaling", saved(m.scaling)},
+          {"closed_u", static_cast<int>(m.closedU)},
+          {"point", numbers(m.point)}};
+}
+Motion motionOf(const Value& v) {
+  return {curveOf(v.at("trajectory")), surfaceOf(v.at("orientation")), surfaceOf(v.at("scaling")),
+          static_cast<ClosedU>(v.at("closed_u").get<int>()), vectorOf<Vec3>(v.at("point"))};
+}
+
 Value saved(const Sequence& sequence, const fs::path& folder, const std::string& name) {
   Value frames = Value::array();
   for (std::size_t k = 0; k < sequence.frames.size(); ++k)
@@ -161,7 +181,8 @@ Value saveShape(const Shape& shape, const fs::path& folder, const std::string& n
   if (const auto* region = shape.get<Region>()) return {{"region", saved(region->loops)}};
   if (const auto* curves = shape.get<Curves>())
     return {{"curves", saved(curves->paths)}, {"even_odd", curves->fillRule == FillRule::EvenOdd}};
-  if (const auto* curve = shape.get<Curve>()) return {{"curve", {curve->degree, curve->knots, lists(curve->poles)}}};
+  if (const auto* curve = shape.get<Curve>()) return {{"curve", saved(*curve)}};
+  if (const auto* motion = shape.get<Motion>()) return {{"motion", saved(*motion)}};
   if (const auto* sequence = shape.get<Sequence>()) return saved(*sequence, folder, name);
   if (const auto* mesh = shape.get<Mesh>()) {
     writeMesh(*mesh, folder / (name + ".mesh"));
@@ -181,7 +202,8 @@ Shape loadShape(const Value& value, const fs::path& folder) {
   const Value& v = entry.value();
   if (kind == "region") return Region{pathsOf(v)};
   if (kind == "curves") return Curves{pathsOf(v), value.at("even_odd").get<bool>() ? FillRule::EvenOdd : FillRule::NonZero};
-  if (kind == "curve") return Curve{v.at(0), v.at(1).get<std::vector<double>>(), vectorsOf<Vec4>(v.at(2))};
+  if (kind == "curve") return curveOf(v);
+  if (kind == "motion") return motionOf(v);
   if (kind == "mesh") return readMesh(folder / v.get<std::string>());
   if (kind == "sequence") {
     Sequence sequence;

@@ -6,7 +6,7 @@
 
 namespace blossom {
 
-/// Hands a shape to another process of the same build: regions and curves as JSON, B-reps and meshes as binary files in
+/// Hands a shape to another process of the same build: regions, curves and motions as JSON, B-reps and meshes as binary files in
 /// `folder` whose names start with `name`, sequences as their frames. Names, colours and layers stay behind; numbers are
 /// exact, sub-shapes keep their numbers.
 /// @throws Error InvalidInput for kinds that are not handed over, FileUnwritable.

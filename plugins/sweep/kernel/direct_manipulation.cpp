@@ -1,8 +1,11 @@
 #include "kernel/direct_manipulation.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/error.h"
 #include "geometry/bspline.h"
@@ -12,21 +15,39 @@ namespace blossom::sweep {
 
 namespace {
 
+/// How much each free row weighs at a parameter, with the sign of the periods passed. When fewer rows are free than basis
+/// functions overlap, several of them stand for the same row and add up.
+std::vector<double> sharesOfRows(const BasisTable& u, std::size_t free, double sign) {
+  std::vector<double> shares(free, 0.0);
+  for (std::size_t i = 0; i < u.value.size(); ++i) {
+    std::size_t row = u.first[0] + i;
+    double share = u.value[i];
+    for (; row >= free; row -= free) share *= sign;
+    shares[row] += share;
+  }
+  return shares;
+}
+
 /// Changes the value of a factor at (u, v) by `delta` with the smallest change of its poles.
 /// @param sign of the rows that repeat the first ones; 0: not closed
 void changeAt(Surface& factor, double u, double v, const Vec4& delta, double sign) {
   const BasisTable bu = tabulateBasis(factor.degreeU, factor.knotsU, {&u, 1}),
                    bv = tabulateBasis(factor.degreeV, factor.knotsV, {&v, 1});
   const std::size_t repeated = sign == 0 ? 0 : static_cast<std::size_t>(factor.degreeU), free = factor.countU() - repeated;
+  const std::vector<double> rows = sharesOfRows(bu, free, sign);
   double square = 0;
-  for (const double a : bu.value)
+  for (const double a : rows)
     for (const double b : bv.value) square += a * a * b * b;
-  for (std::size_t i = 0; i < bu.value.size(); ++i)
-    for (std::size_t j = 0; j < bv.value.size(); ++j) {
-      const std::size_t row = bu.first[0] + i;
-      const double share = bu.value[i] * bv.value[j] / square * (row >= free ? sign : 1.0);
-      factor.pole(row >= free ? row - free : row, bv.first[0] + j) += share * delta;
-    }
+  if (!(square > 0))
+    throw Error(
+        ErrorCode::Degenerate,
+        fmt::format("The turns around this closed motion cancel each other at u = {}: no change of its poles reaches "
+                    "that place.",
+                    u),
+        "Give the motion more poles in u.");
+  for (std::size_t i = 0; i < free; ++i)
+    for (std::size_t j = 0; rows[i] != 0 && j < bv.value.size(); ++j)
+      factor.pole(i, bv.first[0] + j) += rows[i] * bv.value[j] / square * delta;
   for (std::size_t i = 0; i < repeated; ++i)
     for (std::size_t j = 0; j < factor.countV(); ++j) factor.pole(free + i, j) = sign * factor.pole(i, j);
 }

@@ -16,6 +16,16 @@ namespace blossom::sweep {
 
 namespace {
 
+constexpr int highestDegree = 25;  // of B-splines in OCCT, STEP and IGES readers
+
+void requireDegree(const char* direction, const ProductKnots& product, const char* sum) {
+  if (product.degree > highestDegree)
+    throw Error(ErrorCode::LimitExceeded,
+                fmt::format("The swept surface would have degree {} in {} ({}); the highest that can be used is {}.",
+                            product.degree, direction, sum, highestDegree),
+                "Lower the degrees of the motion's factors, or take the cubic mode.");
+}
+
 PatchGrid productGrid(const Motion& motion) {
   const Surface &r = motion.orientation, &s = motion.scaling;
   const Curve& t = motion.trajectory;
@@ -95,6 +105,9 @@ bool refineWhereNegative(const Surface& surface, Motion& motion) {
 }  // namespace
 
 ProductResult productSurface(const Motion& motion, const ProductOptions& options, const Progress& progress) {
+  const PatchGrid grid = productGrid(motion);
+  requireDegree("u", grid.u(), "twice that of the orientation and that of the scaling");
+  requireDegree("v", grid.v(), "that of the trajectory, twice that of the orientation and that of the scaling");
   requireNonVanishing(motion.orientation, progress);
   ProductResult result;
   Motion refined = motion;

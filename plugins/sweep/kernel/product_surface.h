@@ -11,7 +11,7 @@ struct ProductOptions {
 struct ProductResult {
   Surface
       surface;  ///< poles (X, Y, Z, W), clamped; scaled by a power of two so that the largest weight is between 1/2 and 1
-  double smallestWeight = 0;  ///< of the poles, over the largest
+  double smallestWeight = 0;  ///< of the poles; the largest is between 1/2 and 1
   int refinements = 0;        ///< how often knots were inserted
 };
 

@@ -1,5 +1,6 @@
 #include "kernel/solid.h"
 
+#include <fmt/format.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -24,6 +25,7 @@
 
 #include "core/error.h"
 #include "geometry/occt.h"
+#include "geometry/self_crossing.h"
 
 namespace blossom::sweep {
 
@@ -48,8 +50,9 @@ bool mergeLines(Surface& surface, std::size_t from, std::size_t to, std::size_t 
     if ((euclidean(a) - euclidean(b)).norm() > same * size || std::abs(b[3] - ratio * a[3]) > same * std::abs(b[3]))
       return false;
   }
-  if (std::abs(ratio - 1) > same) return false;
-  for (std::size_t i = 0; i < count; ++i) surface.poles[to + i * step] = surface.poles[from + i * step];
+  // Quaternions of another length at one end leave their weights in a ratio: the curve is the same, and keeps its ratio.
+  const double kept = std::abs(ratio - 1) > same ? ratio : 1.0;
+  for (std::size_t i = 0; i < count; ++i) surface.poles[to + i * step] = kept * surface.poles[from + i * step];
   return true;
 }
 
@@ -148,6 +151,12 @@ TopoDS_Solid outwardSolid(const TopoDS_Shell& shell) {
   return solid;
 }
 
+/// As many digits as help to find a place.
+double rounded(double x, double size) {
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 3);
+  return std::round(x / unit) * unit + 0.0;
+}
+
 SolidResult build(Surface surface, const Progress& progress) {
   const double size = sizeOf(surface);
   const std::size_t nu = surface.countU(), nv = surface.countV();
@@ -173,6 +182,13 @@ SolidResult build(Surface surface, const Progress& progress) {
   if (!BRep_Tool::IsClosed(shell) || !BRepCheck_Analyzer(result.solid).IsValid() || !(properties.Mass() > 0))
     throw Error(ErrorCode::Degenerate, "The swept surface and its caps do not make a valid solid.",
                 "Look at the surface without --solid: it may cross itself or fold over at an end.");
+  if (const auto place = selfCrossing(result.solid, progress))
+    throw Error(
+        ErrorCode::Degenerate,
+        fmt::format("The swept solid crosses itself near ({:.6g}, {:.6g}, {:.6g}).", rounded(place->x(), size),
+                    rounded(place->y(), size), rounded(place->z(), size)),
+        "Make the sections smaller where the motion bends or turns, or leave out --solid: the surface alone may cross "
+        "itself.");
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "core/error.h"
@@ -12,12 +13,66 @@ namespace blossom::sweep {
 namespace {
 
 constexpr double nearZero = 1e-6;
-constexpr int deepest = 24;  // 2^-24 of a patch: far below nearZero for every slope that matters
 
 struct Patch {
   double u0, u1, v0, v1;
   std::vector<Vec4> poles;  // (degreeU + 1) rows of degreeV + 1
 };
+
+/// The point of the smallest norm in the affine hull of some poles, as weights that add up to 1.
+Eigen::VectorXd affineNearest(const std::vector<Vec4>& poles, const std::vector<std::size_t>& chosen) {
+  const auto n = static_cast<Eigen::Index>(chosen.size());
+  Eigen::MatrixXd system = Eigen::MatrixXd::Ones(n + 1, n + 1);
+  system(n, n) = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      system(i, j) = poles[chosen[static_cast<std::size_t>(i)]].dot(poles[chosen[static_cast<std::size_t>(j)]]);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
+  right[n] = 1;
+  return system.fullPivLu().solve(right).head(n);
+}
+
+std::size_t lowestAlong(const std::vector<Vec4>& poles, const Vec4& direction) {
+  const auto lowest = std::min_element(poles.begin(), poles.end(),
+                                       [&](const Vec4& a, const Vec4& b) { return a.dot(direction) < b.dot(direction); });
+  return static_cast<std::size_t>(lowest - poles.begin());
+}
+
+/// A proof that zero lies outside the convex hull of the poles: a direction along which all of them reach `least`. The
+/// direction is sought by Wolfe's algorithm for the point of the hull that is nearest to zero (Wolfe, Mathematical
+/// Programming 11, 1976); whatever it finds, the comparison alone decides.
+bool hullKeepsAway(const std::vector<Vec4>& poles, double least) {
+  constexpr int mostSteps = 40;
+  std::vector<std::size_t> chosen{0};
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(1);
+  Vec4 nearest = poles[0];
+  for (int step = 0; step < mostSteps; ++step) {
+    if (!(nearest.norm() >= least)) return false;
+    const std::size_t lowest = lowestAlong(poles, nearest);
+    if (poles[lowest].dot(nearest) >= least * nearest.norm()) return true;
+    if (std::find(chosen.begin(), chosen.end(), lowest) != chosen.end()) return false;
+    chosen.push_back(lowest);
+    weights.conservativeResize(weights.size() + 1);
+    weights[weights.size() - 1] = 0;
+    while (true) {
+      const Eigen::VectorXd wanted = affineNearest(poles, chosen);
+      // As far towards the point wanted as the hull reaches; the pole that stops it is given up.
+      double reach = 1;
+      Eigen::Index stopping = -1;
+      for (Eigen::Index i = 0; i < wanted.size(); ++i)
+        if (wanted[i] <= 0 && weights[i] / (weights[i] - wanted[i]) < reach)
+          reach = weights[i] / (weights[i] - wanted[i]), stopping = i;
+      weights += reach * (wanted - weights);
+      if (stopping < 0) break;
+      chosen.erase(chosen.begin() + stopping);
+      weights.segment(stopping, weights.size() - 1 - stopping) = weights.tail(weights.size() - 1 - stopping).eval();
+      weights.conservativeResize(weights.size() - 1);
+    }
+    nearest.setZero();
+    for (std::size_t i = 0; i < chosen.size(); ++i) nearest += weights[static_cast<Eigen::Index>(i)] * poles[chosen[i]];
+  }
+  return false;
+}
 
 class Search {
  public:
@@ -27,32 +82,34 @@ class Search {
         least_(nearZero * scale),
         progress_(progress) {}
 
-  void settle(const Patch& patch, int depth = 0) const {
-    if (keepsToOneSide(patch)) return;
-    if (depth == 0) progress_.check();
+  /// Proves distances of half of what is refused: between the two, patches need not shrink without end.
+  void settle(const Patch& patch) const {
+    progress_.check();
+    if (hullKeepsAway(patch.poles, least_ / 2)) return;
+    const double alongU = spread(patch, true), alongV = spread(patch, false);
     const Vec4& corner = patch.poles.front();
-    if (depth == deepest || corner.norm() < least_)
+    if (corner.norm() < least_ || std::max(alongU, alongV) < least_ / 1000)
       throw Error(
           ErrorCode::Degenerate,
           fmt::format(
               "The orientation of this motion vanishes near u = {:.4g}, v = {:.4g}: a zero quaternion is no rotation.",
               patch.u0, patch.v0),
           "Move the orientation poles around that place so that neighbours turn by less than half a turn.");
-    const auto [left, right] = split(patch, true);
-    for (const Patch& half : {left, right}) {
-      const auto [below, above] = split(half, false);
-      settle(below, depth + 1);
-      settle(above, depth + 1);
-    }
+    // Across a line of near misses one direction alone needs smaller patches.
+    const auto [low, high] = split(patch, alongU >= alongV);
+    settle(low);
+    settle(high);
   }
 
  private:
-  [[nodiscard]] bool keepsToOneSide(const Patch& patch) const {
-    Vec4 mean = Vec4::Zero();
-    for (const Vec4& pole : patch.poles) mean += pole;
-    if (mean.norm() < least_) return false;
-    mean.normalize();
-    return std::all_of(patch.poles.begin(), patch.poles.end(), [&](const Vec4& pole) { return pole.dot(mean) > least_; });
+  /// Largest distance between neighbouring poles in one direction.
+  [[nodiscard]] double spread(const Patch& patch, bool alongU) const {
+    double largest = 0;
+    const std::size_t step = alongU ? columns_ : 1;
+    for (std::size_t i = 0; i < rows_ - (alongU ? 1 : 0); ++i)
+      for (std::size_t j = 0; j < columns_ - (alongU ? 0 : 1); ++j)
+        largest = std::max(largest, (patch.poles[i * columns_ + j + step] - patch.poles[i * columns_ + j]).norm());
+    return largest;
   }
 
   /// De Casteljau's algorithm at the middle.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,7 +11,9 @@
 #include "kernel/pocket_path.h"
 #include "kernel/simulate.h"
 #include "part_input.h"
+#include "pocket_heights.h"
 #include "toolpath_place.h"
+#include "uncut_report.h"
 
 namespace blossom::pocket {
 
@@ -38,6 +41,7 @@ struct PocketParameters {
   WorkOffset workOffset = WorkOffset::G54;
   double tolerance = 0.005;
   SubShapeValue face;
+  FaceIs faceIs = FaceIs::Automatic;
   bool skipOpen = false;
 };
 
@@ -82,31 +86,36 @@ PocketOptions optionsOf(const PocketParameters& p) {
   return o;
 }
 
-/// The stock around the part, its top at z = 0.
-Bounds stockOf(const PocketParameters& p, const Region& region) {
-  const auto [low, high] = boxOf(region);
+/// The stock around the part, or around the solid whose face it is; the path begins to cut at z = 0.
+Bounds stockOf(const PocketParameters& p, const Region& region, const PocketHeights& heights) {
+  auto [low, high] = boxOf(region);
   constexpr double below = 2;  // mm left under the pocket when nothing is said
-  const double thickness = p.stockThickness > 0 ? p.stockThickness : p.depth + below;
-  if (thickness < p.depth)
+  double bottom = -heights.depth - below;
+  if (!heights.box.empty) {
+    low = low.cwiseMin(heights.box.low.head<2>());
+    high = high.cwiseMax(heights.box.high.head<2>());
+    bottom = std::min(heights.bottom, -heights.depth);
+  }
+  if (p.stockThickness > 0) bottom = heights.above - p.stockThickness;
+  if (bottom > -heights.depth)
     throw Error(ErrorCode::InvalidParameter,
-                fmt::format("The stock is {} mm thick, and the pocket would be {} mm deep.", formatNumber(thickness),
-                            formatNumber(p.depth)),
+                fmt::format("The stock is {} mm thick, and the pocket would be {} mm deep.", formatNumber(p.stockThickness),
+                            formatNumber(heights.above + heights.depth)),
                 "Use thicker stock, or 0 for as thick as needed.");
   Bounds stock;
-  stock.add({low.x() - p.stockMargin, low.y() - p.stockMargin, -thickness});
-  stock.add({high.x() + p.stockMargin, high.y() + p.stockMargin, 0});
+  stock.add({low.x() - p.stockMargin, low.y() - p.stockMargin, bottom});
+  stock.add({high.x() + p.stockMargin, high.y() + p.stockMargin, heights.above});
   return stock;
 }
 
-/// From where the drawing has its zero to where the work has it.
-Vec3 toWorkZero(const PocketParameters& p, const Part& part, const Bounds& stock) {
+/// From where the path begins to cut at z = 0 to where the work has its zero.
+Vec3 toWorkZero(const PocketParameters& p, const Part& part, const PocketHeights& heights, const Bounds& stock) {
   Vec3 by = Vec3::Zero();
   if (p.zero == Zero::Corner) by.head<2>() = -stock.low.head<2>();
   if (p.zero == Zero::Center) by.head<2>() = -stock.center().head<2>();
-  if (p.zeroHeight == ZeroHeight::Bottom) by.z() = -stock.low.z();
-  const bool looksUp = part.placing.Form() == gp_Identity || part.placing.Form() == gp_Translation;
-  if (p.zero == Zero::Drawing && p.zeroHeight == ZeroHeight::Top && looksUp)
-    by.z() = part.placing.TranslationPart().Z();  // a face keeps its height
+  by.z() = p.zeroHeight == ZeroHeight::Bottom ? -stock.low.z() : -stock.high.z();
+  if (p.zero == Zero::Drawing && p.zeroHeight == ZeroHeight::Top && part.looksUp)
+    by.z() = part.height - heights.face;  // a face keeps its height
   return by;
 }
 
@@ -124,6 +133,18 @@ void warnOfRidges(const PocketOptions& o, std::vector<std::string>& warnings) {
   if (corner <= 0 || beside <= 0) return;
   const double height = corner - std::sqrt(std::max(0.0, corner * corner - beside * beside));
   warnings.push_back(fmt::format("The tool's round corners leave ridges of {:.3f} mm on the floor between passes.", height));
+}
+
+/// Programs are written up to a kilometre from the work's zero.
+void warnOfDistance(const Toolpath& path, std::vector<std::string>& warnings) {
+  constexpr double farthest = 1e6;
+  double most = 0;
+  for (const ToolMove& move : path.moves) most = std::max(most, move.to.cwiseAbs().maxCoeff());
+  if (most < farthest) return;
+  warnings.push_back(
+      fmt::format("The path lies {:.0f} mm from the work's zero, farther than G-code is written (1,000,000 mm): "
+                  "set the zero to the stock's corner or centre (--zero corner).",
+                  most));
 }
 
 /// Nothing leaves here that was not driven through once.
@@ -151,12 +172,19 @@ void addSimulation(const PocketParameters& p, const Region& region, Toolpath& pa
         fmt::format("{:.3f} mm² that the tool could reach are left; marks show where.", *simulated.residue));
 }
 
-Evaluated pocketOf(const PocketParameters& p, const Inputs& inputs, const Progress& progress) {
-  const Part part = partOf(inputs.of(0)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
-  const PocketOptions options = optionsOf(p);
-  PocketResult made = pocketPath(part.region, options, progress.part(0, 0.6));
+Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Progress& progress) {
+  const Shape& input = inputs.of(0)[0];
+  const Part part = partOf(input, given.face, given.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
   Evaluated out;
   out.warnings = part.warnings;
+  const PocketHeights heights =
+      heightsOf(input, given.face, part, {given.depth, given.faceIs, given.tolerance}, out.warnings, progress.part(0, 0.1));
+  PocketParameters p = given;
+  p.depth = heights.depth;
+  PocketOptions options = optionsOf(p);
+  options.safeHeight += heights.above;
+  PocketResult made = pocketPath(part.region, options, progress.part(0.1, 0.6));
+  refuseHits(made.path, heights, part, p.tolerance, progress);
   warnOfNarrow(made, out.warnings);
   warnOfRidges(options, out.warnings);
   if (made.plunged > 0)
@@ -164,16 +192,21 @@ Evaluated pocketOf(const PocketParameters& p, const Inputs& inputs, const Progre
                                        made.plunged == 1 ? "y has" : "ies have",
                                        p.entry == Entry::Helix ? "helix" : "ramp"));
   Toolpath path = std::move(made.path);
-  addSimulation(p, part.region, path, out, progress.part(0.6, 1));
-  path.stock = stockOf(p, part.region);
+  addSimulation(p, part.region, path, out, progress.part(0.6, 0.9));
+  const double floor = -p.depth + p.leaveFloor;
+  reportUncut(uncutOf(part.region, path, {.floor = floor, .tolerance = 2 * p.tolerance}, progress.part(0.9, 1)), p.leaveWall,
+              floor, path, out);
+  path.stock = stockOf(p, part.region, heights);
   path.workOffset = fmt::format("G{}", 54 + static_cast<int>(p.workOffset));
   out.stats["depths"] = made.depths;
   out.stats["loops"] = made.loops;
   out.stats["spokes"] = made.spokes;
   out.stats["entries"] = made.entries;
   out.stats["moves"] = path.moves.size();
-  const Vec3 by = toWorkZero(p, part, path.stock);
-  out.shape = translated(std::move(path), by);
+  const Vec3 by = toWorkZero(p, part, heights, path.stock);
+  path = translated(std::move(path), by);
+  warnOfDistance(path, out.warnings);
+  out.shape = std::move(path);
   return out;
 }
 
@@ -198,7 +231,7 @@ FeatureType pocketFeature() {
       .gives({ShapeKind::Toolpath})
       .input(partInput())
       .parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")
-      .parameter("depth", &P::depth, positiveLength(), "How deep the pocket is.")
+      .parameter("depth", &P::depth, positiveLength(), "How deep the pocket is; when its floor is picked, the walls tell.")
       .parameter("stepover", &P::stepover, text(), "From pass to pass: a share of the diameter (45%) or a length.")
       .parameter("stepdown", &P::stepdown, lengthFromZero(),
                  "Most that one depth lies below the last; all are evenly deep. 0: half the diameter.")
@@ -213,7 +246,8 @@ FeatureType pocketFeature() {
       .parameter("feed", &P::feed, feedRate(), "Speed of cutting in mm a minute.")
       .parameter("plunge-feed", &P::plungeFeed, feedRate(), "Speed of going down in mm a minute.")
       .parameter("spindle", &P::spindle, number(0, 1e6), "Revolutions a minute; 0: the program does not turn the spindle.")
-      .parameter("safe-height", &P::safeHeight, positiveLength(), "Above the stock, where the tool crosses it.")
+      .parameter("safe-height", &P::safeHeight, positiveLength(),
+                 "Above the stock and all of the solid, where the tool crosses.")
       .parameter("approach", &P::approach, positiveLength(), "Above the material, where rapids down end.")
       .parameter("zero", &P::zero, choice({"drawing", "corner", "center"}),
                  "The work's zero: that of the drawing, or the stock's lower left corner or centre.")
@@ -221,11 +255,14 @@ FeatureType pocketFeature() {
       .parameter("work-offset", &P::workOffset, choice({"G54", "G55", "G56", "G57", "G58", "G59"}),
                  "The memory of the control that holds the work's zero.")
       .parameter("stock-margin", &P::stockMargin, lengthFromZero(), "How far the stock reaches beyond the part.")
-      .parameter("stock-thickness", &P::stockThickness, lengthFromZero(), "0: 2 mm more than the pocket is deep.")
+      .parameter("stock-thickness", &P::stockThickness, lengthFromZero(),
+                 "0: 2 mm more than the pocket is deep, or as thick as the solid.")
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Radius of the end mill's corners.")
       .parameter("tool-number", &P::toolNumber, count(1, 9999), "Place in the tool changer.")
       .parameter("tolerance", &P::tolerance, positiveLength(), "Most that the path may be off.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
+      .parameter("face-is", &P::faceIs, choice({"automatic", "top", "floor"}),
+                 "What the face picked is to the pocket; automatic: its floor when walls rise all around it.")
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .example("blossom pocket plate.dxf --tool-diameter 6 --depth 10 --stepdown 2.5 -o plate.ngc")
       .example("blossom pocket cover.step --face 4 --tool-diameter 1/8in --depth 3 --entry helix -o cover.ngc")

@@ -55,6 +55,8 @@ Part fromFace(const TopoDS_Face& face, const std::string& name) {
   part.region = toRegion({planarCurves(flat).paths, FillRule::EvenOdd});
   part.placing = down.Inverted();
   part.fromFace = true;
+  part.looksUp = frame.Direction().IsEqual(gp::DZ(), 1e-9) && frame.XDirection().IsEqual(gp::DX(), 1e-9);
+  part.height = part.looksUp ? frame.Location().Z() : 0;
   return part;
 }
 

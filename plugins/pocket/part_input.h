@@ -14,6 +14,8 @@ struct Part {
   Region region;
   gp_Trsf placing;  ///< from the plane of the region to where the part stands; identity unless it was a face
   bool fromFace = false;
+  bool looksUp = false;               ///< the face, so that x and y of the region are those of the solid ..
+  double height = 0;                  ///< .. and the face lies at this height
   std::vector<std::string> warnings;  ///< full sentences
 };
 

@@ -1,0 +1,41 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "core/progress.h"
+#include "geometry/region.h"
+#include "geometry/toolpath.h"
+
+namespace blossom::pocket {
+
+struct UncutOptions {
+  double floor = 0;         ///< height of the pocket's floor: what is cut there counts
+  double tolerance = 0.01;  ///< mm: places that lie no farther than this from what is cut are no places of their own
+};
+
+/// A connected place of the part that the tool does not cut.
+struct UncutPlace {
+  double area = 0;                           ///< mm2
+  double depth = 0;                          ///< mm from what is cut to about its farthest point ..
+  Vec2 at = Vec2::Zero();                    ///< .. which lies here
+  std::vector<std::pair<Vec2, Vec2>> hatch;  ///< rows across it, to be drawn
+};
+
+struct Uncut {
+  double area = 0;                 ///< mm2 of the part seen from above that no move at the floor sweeps
+  double within = 0;               ///< mm2, most that the area may be off
+  double partArea = 0;             ///< mm2
+  std::vector<UncutPlace> places;  ///< the largest first
+};
+
+/// What a program leaves of a part, from its moves and the part's outline alone: the part less the union of the tool's full
+/// width along every move at the floor. Nothing of how the moves were planned is asked.
+///
+/// Rows at all heights where a boundary begins, ends or turns cut part and sweeps into strips whose edges are lines and
+/// arcs. In a strip, intervals with the arcs' bulges added and taken away bound the area from both sides; strips are halved
+/// until the two bounds are together. `within` is half of what stays between them, at most about 1e-6 of the part's area.
+/// O(n k) for n moves of which k cross a row.
+/// @throws Error Cancelled.
+Uncut uncutOf(const Region& part, const Toolpath&, const UncutOptions&, const Progress& = Progress::none());
+
+}  // namespace blossom::pocket

@@ -1,0 +1,65 @@
+#include "uncut_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace blossom::pocket {
+
+namespace {
+
+double hatchLength(const Uncut& uncut) {
+  double sum = 0;
+  for (const UncutPlace& place : uncut.places)
+    for (const auto& [from, to] : place.hatch) sum += (to - from).norm();
+  return sum;
+}
+
+/// Dots along the rows of each place, its deepest point first.
+void addDots(const Uncut& uncut, double radius, double floor, std::vector<Vec3>& marks) {
+  constexpr double mostDots = 4000;
+  const double apart = std::max(radius / 4, hatchLength(uncut) / mostDots);
+  for (const UncutPlace& place : uncut.places) {
+    marks.emplace_back(place.at.x(), place.at.y(), floor);
+    for (const auto& [from, to] : place.hatch) {
+      const int steps = static_cast<int>((to - from).norm() / apart);
+      for (int i = 1; i < steps; ++i) {
+        const Vec2 at = from + (to - from) * i / steps;
+        marks.emplace_back(at.x(), at.y(), floor);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void reportUncut(const Uncut& uncut, double leave, double floor, Toolpath& path, Evaluated& out) {
+  const double radius = path.cutter.diameter / 2;
+  out.figures.push_back({"uncut_mm2", uncut.area, MeasureUnit::Area});
+  out.stats["uncut_within_mm2"] = uncut.within;
+  out.stats["uncut_places"] = uncut.places.size();
+  out.stats["part_mm2"] = uncut.partArea;
+  addDots(uncut, radius, floor, path.marks);
+  // In a square corner the tool leaves its radius times sqrt 2 - 1 as seen from what it cuts, a little rounding added.
+  const double corner = 0.42 * radius + 1.42 * leave;
+  double area = 0;
+  std::size_t places = 0;
+  const UncutPlace* largest = nullptr;
+  for (const UncutPlace& place : uncut.places) {
+    if (place.depth <= corner) continue;
+    area += place.area;
+    ++places;
+    if (!largest) largest = &place;
+  }
+  if (!largest) return;
+  out.warnings.push_back(
+      places == 1
+          ? fmt::format("{:.2f} mm² stay uncut near ({:.2f}, {:.2f}), where the tool does not get in; dots show where.",
+                        area, largest->at.x(), largest->at.y())
+          : fmt::format("{:.2f} mm² stay uncut at {} places where the tool does not get in, the largest ({:.2f} mm²) near "
+                        "({:.2f}, {:.2f}); dots show where.",
+                        area, places, largest->area, largest->at.x(), largest->at.y()));
+}
+
+}  // namespace blossom::pocket

@@ -1,0 +1,343 @@
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "geometry/planar.h"
+#include "pocket/kernel/pocket_path.h"
+#include "pocket/kernel/uncut.h"
+#include "support/modeling.h"
+#include "support/planar_parts.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::pocket;
+using namespace blossom::test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Intervals of y.
+using Intervals = std::vector<std::pair<double, double>>;
+
+/// Areas by columns of even width: at each, the sweeps of the moves and the part as intervals of y. Shares nothing with the
+/// kernel: capsules around short lines, columns instead of rows, and no bounds.
+class Columns {
+ public:
+  Columns(const Toolpath& path, double floor) : radius_(path.cutter.diameter / 2) {
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      const Vec3 from = startOf(path, i);
+      if (path.moves[i].kind == MoveKind::Rapid || path.moves[i].to.z() > floor + 1e-9) continue;
+      const std::vector<Vec3> points = from.z() > floor + 1e-9 ? std::vector<Vec3>{path.moves[i].to, path.moves[i].to}
+                                                               : polylineOf(from, path.moves[i], 2e-5);
+      for (std::size_t k = 0; k + 1 < points.size(); ++k) lines_.emplace_back(points[k].head<2>(), points[k + 1].head<2>());
+    }
+    for (const auto& [a, b] : lines_) {
+      low_ = std::min({low_, a.x() - radius_, b.x() - radius_});
+      high_ = std::max({high_, a.x() + radius_, b.x() + radius_});
+    }
+  }
+
+  [[nodiscard]] double cutArea() const {
+    return summed(low_, high_, {}, [&](double x) {
+      double sum = 0;
+      for (const auto& [bottom, top] : united(cutAt(x))) sum += top - bottom;
+      return sum;
+    });
+  }
+
+  /// Of a part of straight lines.
+  [[nodiscard]] double uncutArea(const Region& part, double low, double high) const {
+    std::vector<double> corners;
+    for (const Path& loop : part.loops)
+      for (const Segment& segment : loop.segments) corners.push_back(startPoint(segment).x());
+    return summed(low, high, corners, [&](double x) {
+      const Intervals cut = united(cutAt(x));
+      double sum = 0;
+      for (const auto& [bottom, top] : partAt(part, x)) {
+        sum += top - bottom;
+        for (const auto& [a, b] : cut) sum -= std::max(0.0, std::min(b, top) - std::max(a, bottom));
+      }
+      return sum;
+    });
+  }
+
+ private:
+  /// The middle of columns that end wherever a height may jump: beside level and upright moves, and at corners.
+  template <class Height>
+  [[nodiscard]] double summed(double low, double high, std::vector<double> jumps, const Height& height) const {
+    constexpr double shortPieces = 0.1;  // of arcs: one follows smoothly on the other
+    for (const auto& [a, b] : lines_)
+      if (const double length = (b - a).norm(); length == 0 || length > shortPieces)
+        for (const double x : {a.x() - radius_, a.x() + radius_, b.x() - radius_, b.x() + radius_}) jumps.push_back(x);
+    jumps.push_back(low);
+    jumps.push_back(high);
+    std::sort(jumps.begin(), jumps.end());
+    const double widest = (high - low) / 3000;
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < jumps.size(); ++k) {
+      const double from = std::max(low, jumps[k]), to = std::min(high, jumps[k + 1]);
+      if (!(to > from)) continue;
+      const int columns = static_cast<int>(std::ceil((to - from) / widest));
+      for (int i = 0; i < columns; ++i) sum += height(from + (to - from) * (i + 0.5) / columns) * (to - from) / columns;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] Intervals cutAt(double x) const {
+    Intervals found;
+    for (const auto& [a, b] : lines_) {
+      if (x <= std::min(a.x(), b.x()) - radius_ || x >= std::max(a.x(), b.x()) + radius_) continue;
+      double bottom = 1e300, top = -1e300;
+      const auto take = [&](double y) { bottom = std::min(bottom, y), top = std::max(top, y); };
+      for (const Vec2& p : {a, b})
+        if (const double square = radius_ * radius_ - (x - p.x()) * (x - p.x()); square > 0) {
+          take(p.y() - std::sqrt(square));
+          take(p.y() + std::sqrt(square));
+        }
+      const Vec2 along = b - a;
+      if (along.x() != 0)
+        for (const double side : {-1.0, 1.0}) {
+          const Vec2 shift = side * radius_ * Vec2(-along.y(), along.x()).normalized();
+          const double t = (x - a.x() - shift.x()) / along.x();
+          if (t >= 0 && t <= 1) take(a.y() + shift.y() + t * along.y());
+        }
+      if (top > bottom) found.emplace_back(bottom, top);
+    }
+    return found;
+  }
+
+  static Intervals united(Intervals all) {
+    std::sort(all.begin(), all.end());
+    Intervals out;
+    for (const auto& each : all) {
+      if (!out.empty() && each.first <= out.back().second)
+        out.back().second = std::max(out.back().second, each.second);
+      else
+        out.push_back(each);
+    }
+    return out;
+  }
+
+  static Intervals partAt(const Region& part, double x) {
+    std::vector<double> ys;
+    for (const Path& loop : part.loops)
+      for (const Segment& segment : loop.segments) {
+        const auto& line = std::get<Line2>(segment);
+        if ((line.from.x() < x) == (line.to.x() < x)) continue;
+        ys.push_back(line.from.y() + (x - line.from.x()) / (line.to.x() - line.from.x()) * (line.to.y() - line.from.y()));
+      }
+    std::sort(ys.begin(), ys.end());
+    Intervals out;
+    for (std::size_t i = 0; i + 1 < ys.size(); i += 2) out.emplace_back(ys[i], ys[i + 1]);
+    return out;
+  }
+
+  double radius_, low_ = 1e300, high_ = -1e300;
+  std::vector<std::pair<Vec2, Vec2>> lines_;
+};
+
+/// Two chambers of 30 x 40, joined by a slot of 40 mm.
+Region chambers(double slot) {
+  const double low = 20 - slot / 2, high = 20 + slot / 2;
+  return {{polygonPath({{0, 0},
+                        {30, 0},
+                        {30, low},
+                        {70, low},
+                        {70, 0},
+                        {100, 0},
+                        {100, 40},
+                        {70, 40},
+                        {70, high},
+                        {30, high},
+                        {30, 40},
+                        {0, 40}})}};
+}
+
+Region withArm() { return {{polygonPath({{0, 0}, {40, 0}, {40, 17}, {95, 17}, {95, 22}, {40, 22}, {40, 40}, {0, 40}})}}; }
+
+PocketOptions sixMillimetres() {
+  PocketOptions o;
+  o.cutter.diameter = 6;
+  o.depth = 2;
+  o.stepdown = 2;
+  return o;
+}
+
+double areaOf(const Region& region) {
+  double sum = 0;
+  for (const Path& loop : region.loops) sum += signedArea(loop);
+  return sum;
+}
+
+std::string warningsOf(const Evaluated& made) {
+  std::string all;
+  for (const std::string& warning : made.warnings) all += warning + "\n";
+  return all;
+}
+
+double figureOf(const Evaluated& made, const char* name) {
+  for (const Measure& figure : made.figures)
+    if (figure.name == name) return std::get<double>(figure.value);
+  return std::nan("");
+}
+
+}  // namespace
+
+/// What a program leaves of a part, from its moves alone.
+class PocketUncutTest final : public QObject {
+  Q_OBJECT
+ private slots:
+  void aDiscInARectangle() {
+    Toolpath path;
+    path.cutter.diameter = 6;
+    path.start = {10, 10, 5};
+    path.moves.push_back({MoveKind::Plunge, {10, 10, -1}, 0, {}, 100});
+    const Uncut uncut = uncutOf({{boxPath(0, 0, 40, 20)}}, path, {.floor = -1});
+    COMPARE_NEAR(uncut.area, 800 - 9 * pi, uncut.within + 1e-9);
+    QVERIFY2(uncut.within < 800 * 1e-5, qPrintable(QString::number(uncut.within)));
+    QCOMPARE(uncut.places.size(), std::size_t(1));
+    COMPARE_NEAR(uncut.places[0].area, uncut.area, 1e-3);
+    // what is cut higher up does not count
+    COMPARE_NEAR(uncutOf({{boxPath(0, 0, 40, 20)}}, path, {.floor = -2}).area, 800, 1e-2);
+  }
+
+  /// A full circle around an island of radius 2, in a disc: rings stay within and without.
+  void ringsOfAFullCircle() {
+    Toolpath path;
+    path.cutter.diameter = 4;
+    path.start = {6, 0, -1};
+    path.moves.push_back({MoveKind::Feed, {6, 0, -1}, 1, {0, 0}, 100});
+    const Uncut uncut = uncutOf({{circlePath({0, 0}, 10), circlePath({0, 0}, 2, true)}}, path, {.floor = -1});
+    COMPARE_NEAR(uncut.area, pi * (100 - 64 + 16 - 4), uncut.within + 1e-9);
+    QCOMPARE(uncut.places.size(), std::size_t(2));
+    COMPARE_NEAR(uncut.places[0].area, pi * 36, 1e-3);
+    COMPARE_NEAR(uncut.places[1].area, pi * 12, 1e-3);
+    COMPARE_NEAR(uncut.places[1].depth, 2, 0.01);
+  }
+
+  void roundCornersOfARectangle() {
+    const Region box{{boxPath(0, 0, 60, 20)}};
+    const Uncut uncut = uncutOf(box, pocketPath(box, sixMillimetres()).path, {.floor = -2});
+    COMPARE_NEAR(uncut.area, (4 - pi) * 9, 1e-3);
+    QCOMPARE(uncut.places.size(), std::size_t(4));
+    for (const UncutPlace& place : uncut.places) QVERIFY(place.depth < 0.42 * 3 && place.depth > 0.4 * 3);
+  }
+
+  void randomMovesInRandomParts() {
+    auto random = seededRandom();
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int k = 0; k < 12; ++k) {
+      std::vector<Vec2> corners;
+      for (int i = 0; i < 9; ++i) {
+        const double angle = fullTurn * (i + 0.7 * unit(random)) / 9, r = 15 + 20 * unit(random);
+        corners.emplace_back(r * std::cos(angle), r * std::sin(angle));
+      }
+      const Region part{{polygonPath(corners), boxPath(-3, -2, 4, 3, true)}};
+      Toolpath path;
+      path.cutter.diameter = 2 + 8 * unit(random);
+      path.start = {0, 0, -1};
+      for (int i = 0; i < 25; ++i) {
+        ToolMove move;
+        move.kind = unit(random) < 0.1 ? MoveKind::Rapid : MoveKind::Feed;
+        const Vec2 from = path.moves.empty() ? Vec2(0, 0) : Vec2(path.moves.back().to.head<2>());
+        Vec2 to(60 * unit(random) - 30, 60 * unit(random) - 30);
+        if (unit(random) < 0.2) to.x() = from.x();  // level and upright ones, too
+        if (unit(random) < 0.2) to.y() = from.y();
+        if (unit(random) < 0.6 && move.kind == MoveKind::Feed) {
+          move.turn = unit(random) < 0.5 ? 1 : -1;
+          move.center = from + Vec2(12 * unit(random) - 6, 12 * unit(random) - 6);
+          const double angle = fullTurn * unit(random);
+          to = move.center + (from - move.center).norm() * Vec2(std::cos(angle), std::sin(angle));
+        }
+        move.to = {to.x(), to.y(), -1};
+        path.moves.push_back(move);
+      }
+      const Uncut uncut = uncutOf(part, path, {.floor = -1});
+      const double found = Columns(path, -1).uncutArea(part, -36, 36);
+      QVERIFY(uncut.within <= 1.1e-5 * uncut.partArea);
+      COMPARE_NEAR(uncut.partArea, areaOf(part), 1e-9);
+      COMPARE_NEAR(uncut.area, found, 1e-4 * areaOf(part));
+    }
+  }
+
+  /// Splines are taken as lines; what that may be off is told.
+  void freeFormPartsAreBounded() {
+    const Region part{{wavyPath({0, 0}, 25, 6, 5), wavyPath({2, 1}, 8, 1.5, 3, true)}};
+    const Toolpath path = pocketPath(part, sixMillimetres()).path;
+    const Uncut uncut = uncutOf(part, path, {.floor = -2});
+    QVERIFY(uncut.within <= 2e-5 * uncut.partArea);
+    COMPARE_NEAR(Columns(path, -2).cutArea() + uncut.area, areaOf(part), 1e-4 * areaOf(part));
+  }
+
+  /// The tool is just as wide as the slot, or a little wider or narrower: what is cut and what is told to stay make the
+  /// part.
+  void slotsAboutAsWideAsTheTool() {
+    const double radius = 3;
+    double worst = 0;
+    int open = 0, closed = 0;
+    for (int power = -9; power <= -2; ++power)
+      for (const double sign : {-1.0, 0.0, 1.0}) {
+        const double e = sign * std::pow(10, power);
+        const Region part = chambers(radius * (2 + e));
+        const Toolpath path = pocketPath(part, sixMillimetres()).path;
+        const Uncut uncut = uncutOf(part, path, {.floor = -2, .tolerance = 0.01});
+        const double area = areaOf(part);
+        const double off = std::abs(Columns(path, -2).cutArea() + uncut.area - area) / area;
+        worst = std::max(worst, off);
+        QVERIFY2(off <= 1e-4, qPrintable(QStringLiteral("e %1 off %2").arg(e).arg(off)));
+        const bool told = std::any_of(uncut.places.begin(), uncut.places.end(), [&](const UncutPlace& place) {
+          return place.at.x() > 30 && place.at.x() < 70 && place.area > 0.9 * 40 * radius * 2 - 2 * pi * 9;
+        });
+        (told ? closed : open)++;
+        const double corners = 8 * (1 - pi / 4) * radius * radius;
+        // a slot that is cut leaves the corners alone
+        if (!told) COMPARE_NEAR(uncut.area, corners, 0.02 * area * 1e-2);
+      }
+    QVERIFY(open > 0 && closed > 0);
+    std::printf("figure slots_cut_and_uncut_off %.3g\nfigure slots_cut %d\nfigure slots_told_uncut %d\n", worst, open,
+                closed);
+  }
+
+  void aSlotAsWideAsTheToolIsTold() {
+    const Evaluated slot = made("pocket", {{"tool-diameter", 6}, {"depth", 2}}, {chambers(6)});
+    const Toolpath* path = slot.shape.get<Toolpath>();
+    QVERIFY(path);
+    const double told = figureOf(slot, "uncut_mm2");
+    COMPARE_NEAR(told + Columns(*path, -2).cutArea(), areaOf(chambers(6)), 1e-4 * areaOf(chambers(6)));
+    if (told > 100) {
+      QVERIFY2(warningsOf(slot).find("stay uncut near (") != std::string::npos, warningsOf(slot).c_str());
+      const auto inSlot = [](const Vec3& p) { return p.x() > 33 && p.x() < 67 && p.z() == -2; };
+      QVERIFY(std::count_if(path->marks.begin(), path->marks.end(), inSlot) > 20);
+    }
+    // no word of the round corners of a plain pocket, whose area is told all the same
+    const Evaluated plain = made("pocket", {{"tool-diameter", 6}, {"depth", 2}}, {Region{{boxPath(0, 0, 60, 20)}}});
+    QCOMPARE(warningsOf(plain), std::string());
+    COMPARE_NEAR(figureOf(plain, "uncut_mm2"), (4 - pi) * 9, 1e-3);
+  }
+
+  void aNarrowArmIsTold() {
+    const Evaluated arm = made("pocket", {{"tool-diameter", 6}, {"depth", 2}}, {withArm()});
+    // The tool looks into the arm from the chamber by a segment of its disc.
+    const double segment = 9 * std::asin(2.5 / 3) - 2.5 * std::sqrt(9 - 6.25);
+    const double uncut = 55 * 5 - segment + (4 - pi) * 9;
+    COMPARE_NEAR(figureOf(arm, "uncut_mm2"), uncut, 0.02);
+    QVERIFY2(warningsOf(arm).find("stay uncut near (") != std::string::npos, warningsOf(arm).c_str());
+    const auto inArm = [](const Vec3& p) { return p.x() > 42 && p.y() > 17 && p.y() < 22; };
+    const Toolpath* path = arm.shape.get<Toolpath>();
+    QVERIFY(std::count_if(path->marks.begin(), path->marks.end(), inArm) > 20);
+    std::printf("figure arm_uncut_mm2 %.4f\nfigure arm_uncut_off_mm2 %.2g\n", figureOf(arm, "uncut_mm2"),
+                std::abs(figureOf(arm, "uncut_mm2") - uncut));
+  }
+
+  void itCanBeCancelled() {
+    const Region part = chambers(6.1);
+    const Toolpath path = pocketPath(part, sixMillimetres()).path;
+    CancelToken token;
+    token.cancel();
+    VERIFY_ERROR(uncutOf(part, path, {.floor = -2}, Progress(token)), ErrorCode::Cancelled);
+  }
+};
+
+QTEST_GUILESS_MAIN(PocketUncutTest)
+#include "pocket_uncut_test.moc"

@@ -31,23 +31,31 @@ class ConvertCommand {
 
  private:
   struct Source {
-    Imported imported;
     Document document;
+    Evaluated made;
     double readMs = 0;
   };
 
-  Source readFile(const std::string& text, const std::filesystem::path& file, const Progress& progress) const {
+  /// What is written comes from the very document that a .blossom output gets: the options of the reader are part of it.
+  Source readSource(const std::string& text, const std::filesystem::path& file, const Progress& progress) const {
     const auto start = std::chrono::steady_clock::now();
     Source source;
-    FeatureId id = addInput(session_, source.document, text, source.imported.warnings);
-    if (isDocument(file) || file.empty()) {
-      source.imported.shape = evaluateFor(session_.app, source.document, id, progress)->evaluated.shape;
-    } else {
-      const Format* format = session_.app.formats->find(file.extension().string());
-      source.imported = readShape(*session_.app.formats, file, formats_->reading(*format), progress);
-    }
+    std::vector<std::string> warnings;
+    const FeatureId id = addInput(session_, source.document, text, warnings);
+    if (!isDocument(file) && !file.empty()) giveOptions(source.document, id, file);
+    source.made = evaluateFor(session_.app, source.document, id, progress)->evaluated;
+    source.made.warnings.insert(source.made.warnings.begin(), warnings.begin(), warnings.end());
     source.readMs = millisecondsSince(start);
     return source;
+  }
+
+  void giveOptions(Document& document, const FeatureId& import, const std::filesystem::path& file) const {
+    const Format& format = *session_.app.formats->find(file.extension().string());
+    Value options = formats_->reading(format);
+    if (options.empty()) return;
+    Feature changed = document.at(import);
+    changed.parameters[format.id] = std::move(options);
+    document = document.with(std::move(changed));
   }
 
   int run() {
@@ -68,15 +76,14 @@ class ConvertCommand {
 
     ProgressDisplay display(session_);
     const Progress progress = display.progress();
-    const Source source = readFile(in, file, progress.part(0, 0.5));
+    const Source source = readSource(in, file, progress.part(0, 0.5));
     const auto writing = std::chrono::steady_clock::now();
-    planned = writeOutputs(session_.app, planned, source.imported.shape, source.document, progress.part(0.5, 0.95));
+    planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.5, 0.95));
     Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
-    const Measures measures = measure(source.imported.shape, progress.part(0.95, 1));
-    stats["entities"] = source.imported.entities;
-    stats["skipped"] = source.imported.skipped;
+    const Measures measures = measure(source.made.shape, progress.part(0.95, 1));
+    for (const char* counts : {"entities", "skipped"}) stats[counts] = source.made.stats.value(counts, Value::object());
     stats["total_ms"] = session_.elapsedMs();
-    report(in, planned, measures, stats, source.imported.warnings);
+    report(in, planned, measures, stats, source.made.warnings);
     return 0;
   }
 

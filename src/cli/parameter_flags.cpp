@@ -73,42 +73,50 @@ std::string placeholder(const ParameterSpec& spec) {
 }
 
 ParameterFlags::ParameterFlags(CommandLine& line, CLI::App& app, std::vector<ParameterSpec> specs, const std::string& prefix,
-                               const std::string& group)
-    : specs_(std::move(specs)) {
-  for (const ParameterSpec& spec : specs_) {
-    const std::string name = prefix + spec.name;
-    CLI::Option* option = nullptr;
-    const std::string help = helpText(spec);
-    if (spec.kind == ParameterKind::Flag) {
-      option = app.add_flag(fmt::format("--{0}{1},!--{0}no-{1}", prefix, spec.name), help);
-    } else {
-      option = app.add_option("--" + name, help);
-      option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+                               const std::string& group) {
+  for (const ParameterSpec& spec : specs) {
+    if (spec.kind != ParameterKind::Record || spec.fallback.is_null()) {
+      declare(line, app, spec, "", prefix, group);
+      continue;
     }
-    option->type_name(placeholder(spec))->group(group);
-    if (spec.kind == ParameterKind::Choice) line.choices[option] = spec.choices;
-    options_.push_back(option);
+    for (const ParameterSpec& field : spec.fields) declare(line, app, field, spec.name, prefix + spec.name + '.', group);
   }
+}
+
+void ParameterFlags::declare(CommandLine& line, CLI::App& app, const ParameterSpec& spec, const std::string& record,
+                             const std::string& prefix, const std::string& group) {
+  CLI::Option* option = nullptr;
+  const std::string help = helpText(spec);
+  if (spec.kind == ParameterKind::Flag) {
+    option = app.add_flag(fmt::format("--{0}{1},!--{0}no-{1}", prefix, spec.name), help);
+  } else {
+    option = app.add_option("--" + prefix + spec.name, help);
+    option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+  option->type_name(placeholder(spec))->group(group);
+  if (spec.kind == ParameterKind::Choice) line.choices[option] = spec.choices;
+  entries_.push_back({record, spec, option});
 }
 
 Value ParameterFlags::given() const {
   Value values = Value::object();
-  for (std::size_t i = 0; i < specs_.size(); ++i) {
-    if (options_[i]->count() == 0) continue;
+  for (const Entry& entry : entries_) {
+    if (entry.option->count() == 0) continue;
+    Value& among = entry.record.empty() ? values : values[entry.record];
     try {
-      values[specs_[i].name] = parseText(specs_[i], textOf(specs_[i], *options_[i]));
+      among[entry.spec.name] = parseText(entry.spec, textOf(entry.spec, *entry.option));
     } catch (const UsageError&) {
       throw;
     } catch (const Error& error) {
-      throw UsageError(namingFlag(options_[i]->get_name(), specs_[i].name, error.message()), error.hint(), error.code());
+      throw UsageError(namingFlag(entry.option->get_name(), entry.spec.name, error.message()), error.hint(), error.code());
     }
   }
   return values;
 }
 
 std::string ParameterFlags::firstGiven() const {
-  for (const CLI::Option* option : options_)
-    if (option->count() > 0) return option->get_name();
+  for (const Entry& entry : entries_)
+    if (entry.option->count() > 0) return entry.option->get_name();
   return {};
 }
 

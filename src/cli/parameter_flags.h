@@ -6,7 +6,8 @@
 
 namespace blossom {
 
-/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, every other --name VALUE.
+/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that always is there
+/// --name.field VALUE for each of its fields, every other --name VALUE.
 class ParameterFlags {
  public:
   /// @param prefix stands before every name: "stl." gives --stl.ascii. Names that every
@@ -21,8 +22,15 @@ class ParameterFlags {
   [[nodiscard]] std::string firstGiven() const;
 
  private:
-  std::vector<ParameterSpec> specs_;
-  std::vector<CLI::Option*> options_;
+  struct Entry {
+    std::string record;  ///< that it is a field of; empty: it stands alone
+    ParameterSpec spec;
+    CLI::Option* option;
+  };
+  void declare(CommandLine&, CLI::App&, const ParameterSpec&, const std::string& record, const std::string& prefix,
+               const std::string& group);
+
+  std::vector<Entry> entries_;
 };
 
 /// A message about a parameter as one about its flag: "tolerance must be above 0" becomes "--tolerance must be above 0".

@@ -9,6 +9,8 @@
 #include "cli/output.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
+#include "document/file_access.h"
+#include "document/file_values.h"
 
 namespace blossom {
 namespace {
@@ -25,7 +27,7 @@ class RunCommand {
       : session_(session), app_(line.add("run", "Evaluate all features of a document.", session, [this] { return run(); })) {
     app_.add_option("DOC", file_, "A .blossom document, or any file that Blossom reads.")->type_name("");
     app_.add_option("--set", settings_, "Another value for a parameter of a feature; may be repeated.")
-        ->type_name("FEATURE.PARAMETER=VALUE")
+        ->type_name("FEATURE.PARAMETER[.FIELD]=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app_.add_option("--export,-o,--output", exports_,
@@ -65,27 +67,75 @@ class RunCommand {
         ErrorCode::NotFound);
   }
 
-  /// "sweep-1.tolerance=0.01"
-  Document withSetting(const Document& document, const std::string& text) const {
+  [[nodiscard]] bool names(const Document& document, const std::string& name) const {
+    const auto features = document.features();
+    return std::any_of(features.begin(), features.end(), [&](const auto& each) {
+      const auto type = session_.app.registry->find(each->type);
+      return each->id == name || each->name == name || each->type == name || (type && type->command == name);
+    });
+  }
+
+  /// What stands in front of the = of --set.
+  struct Setting {
+    std::string feature, parameter, field;  ///< of a record; else empty
+  };
+
+  Setting settingOf(const Document& document, const std::string& text) const {
     const auto equals = text.find('=');
     const auto dot = text.substr(0, equals).rfind('.');
     if (equals == std::string::npos || dot == std::string::npos)
       throw UsageError(fmt::format("\"{}\" is not FEATURE.PARAMETER=VALUE.", text),
                        "Write for example --set sweep-1.tolerance=0.01.");
-    Feature changed = featureNamed(document, text.substr(0, dot));
-    const std::string name = text.substr(dot + 1, equals - dot - 1);
+    Setting setting{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), {}};
+    const auto inner = setting.feature.rfind('.');
+    if (inner == std::string::npos || names(document, setting.feature) || !names(document, setting.feature.substr(0, inner)))
+      return setting;
+    return {setting.feature.substr(0, inner), setting.feature.substr(inner + 1), setting.parameter};
+  }
+
+  /// The declaration that a value is read by: of the parameter, or of the field of it that is named.
+  static const ParameterSpec& declared(const FeatureType& type, const Setting& setting) {
+    const auto named = [](const std::vector<ParameterSpec>& specs, const std::string& name) {
+      const auto found = std::find_if(specs.begin(), specs.end(), [&](const auto& each) { return each.name == name; });
+      return found == specs.end() ? nullptr : &*found;
+    };
+    const ParameterSpec* spec = named(type.parameters, setting.parameter);
+    if (!spec) refuseParameter(type, setting.parameter);
+    if (setting.field.empty()) return *spec;
+    const ParameterSpec* field = spec->kind == ParameterKind::Record ? named(spec->fields, setting.field) : nullptr;
+    if (!field) refuseParameter(type, setting.parameter + '.' + setting.field);
+    return *field;
+  }
+
+  /// A file that is typed here begins at the current folder, whatever the document's own begin at, and may be read.
+  static Value typed(const ParameterSpec& spec, const std::string& text, const Document& document) {
+    Value value = parseText(spec, text);
+    eachFile(spec, value, [&](Value& file) {
+      const std::filesystem::path path = std::filesystem::absolute(file.value("path", std::string()));
+      if (document.access()) document.access()->allow(path);
+      file["path"] = path.string();
+    });
+    return value;
+  }
+
+  /// "sweep-1.tolerance=0.01", "import-1.control-points.degree-u=1"
+  Document withSetting(const Document& document, const std::string& text) const {
+    const Setting setting = settingOf(document, text);
+    const std::size_t equals = text.find('=');
+    Feature changed = featureNamed(document, setting.feature);
     const auto type = session_.app.registry->find(changed.type);
     if (!type)
       throw Error(ErrorCode::PluginBroken, fmt::format("The feature type {} is not there.", changed.type),
                   "\"blossom plugins\" lists the plugins that are loaded.");
-    const auto spec =
-        std::find_if(type->parameters.begin(), type->parameters.end(), [&](const auto& each) { return each.name == name; });
-    if (spec == type->parameters.end()) refuseParameter(*type, name);
+    const ParameterSpec& spec = declared(*type, setting);
     try {
-      changed.parameters[name] = parseText(*spec, text.substr(equals + 1));
+      Value& value = changed.parameters[setting.parameter];
+      if (!setting.field.empty() && !value.is_object()) value = Value::object();
+      (setting.field.empty() ? value : value[setting.field]) = typed(spec, text.substr(equals + 1), document);
       (void)completed(type->parameters, changed.parameters);
     } catch (const Error& error) {
-      throw UsageError(namingFlag("--set " + text.substr(0, equals), name, error.message()), error.hint(), error.code());
+      throw UsageError(namingFlag("--set " + text.substr(0, equals), spec.name, error.message()), error.hint(),
+                       error.code());
     }
     return document.with(std::move(changed));
   }

@@ -11,6 +11,8 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/zip_archive.h"
+#include "document/file_access.h"
+#include "document/file_values.h"
 #include "exchange/import_feature.h"
 #include "scene/scene.h"
 
@@ -27,26 +29,52 @@ std::string readableName(const fs::path& file) {
   return Value::parse(Value(name).dump(-1, ' ', false, Value::error_handler_t::replace)).get<std::string>();
 }
 
-bool isFileValue(const Value& value) { return value.is_object() && value.contains("path"); }
+bool isEmbedded(const Value& file) { return !file.value("asset", std::string()).empty(); }
 
-/// The path of a file value becomes an asset; lists and records are searched for more of them.
-void embed(const ParameterSpec& spec, Value& value, Document& document) {
-  if (spec.kind == ParameterKind::List && value.is_array() && !spec.fields.empty()) {
-    for (Value& element : value) embed(spec.fields.front(), element, document);
-  } else if (spec.kind == ParameterKind::Record && value.is_object()) {
-    for (const ParameterSpec& field : spec.fields)
-      if (value.contains(field.name)) embed(field, value[field.name], document);
-  } else if (spec.kind == ParameterKind::File && isFileValue(value) && value.value("asset", std::string()).empty()) {
-    const std::string path = value["path"].get<std::string>();
-    auto content = std::make_shared<const std::string>(readFile(path));
-    if (content->size() > ZipLimits{}.entry)
-      throw Error(ErrorCode::LimitExceeded,
-                  fmt::format("The file {} has {} MB; a document can keep files of at most {} MB.", path,
-                              content->size() >> 20, ZipLimits{}.entry >> 20),
-                  "Divide the file, or make it smaller.");
-    const std::string hash = contentHash(*content);
-    document = document.withAsset(hash, std::move(content));
-    value = Value{{"path", value["path"]}, {"asset", hash}};
+/// The path of a file value becomes an asset.
+void embed(Value& file, Document& document) {
+  const std::string path = file.value("path", std::string());
+  const FileAccess* const access = document.access().get();
+  if (isEmbedded(file) || path.empty() || (access && !access->permits(path))) return;
+  auto content = std::make_shared<const std::string>(readFile(access ? access->opened(path) : fs::path(path)));
+  if (content->size() > ZipLimits{}.entry)
+    throw Error(ErrorCode::LimitExceeded,
+                fmt::format("The file {} has {} MB; a document can keep files of at most {} MB.", path,
+                            content->size() >> 20, ZipLimits{}.entry >> 20),
+                "Divide the file, or make it smaller.");
+  const std::string hash = contentHash(*content);
+  document = document.withAsset(hash, std::move(content));
+  // Where it lay on this machine is nobody else's business.
+  file = Value{{"path", fs::path(path).filename().string()}, {"asset", hash}};
+}
+
+using FileVisit = std::function<void(Value& file, Document&)>;
+
+/// The document with every file value as `visit` leaves it.
+Document withFilesVisited(const App& app, const Document& document, const FileVisit& visit) {
+  Document result = document;
+  for (const auto& each : document.features()) {
+    const auto type = app.registry->find(each->type);
+    if (!type || !holdsFiles(type->parameters)) continue;
+    Feature changed = *each;
+    eachFile(type->parameters, changed.parameters, [&](Value& file) { visit(file, result); });
+    if (!(changed == *each)) result = result.with(std::move(changed));
+  }
+  return result;
+}
+
+/// A file that a feature of `other` names means in `into` the same file, and may be read there only if it might before.
+void settle(Value& file, const Document& other, Document& into) {
+  const FileAccess* const access = other.access().get();
+  const std::string path = file.value("path", std::string());
+  if (!access || path.empty() || other.assets().contains(file.value("asset", std::string()))) return;
+  const fs::path place = access->resolved(path);
+  file["path"] = place.string();
+  if (!access->permits(place)) {
+    if (!into.access()) into = into.withAccess(FileAccess::everywhere());
+    into.access()->refuse(place);
+  } else if (into.access()) {
+    into.access()->allow(place);
   }
 }
 
@@ -98,6 +126,22 @@ fs::path resourceFolder() {
                           installed.string()));
 }
 
+bool isResource(const fs::path& file) {
+  fs::path folder;
+  try {
+    folder = resourceFolder();
+  } catch (const Error&) {
+    return false;  // nothing is installed
+  }
+  return FileAccess::below(folder)->permits(fs::absolute(file));
+}
+
+void refuseResource(const fs::path& written) {
+  if (!isResource(written)) return;
+  throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} belongs to Blossom itself.", written.string()),
+              "Save in a folder of your own.");
+}
+
 bool isDocument(const fs::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -118,7 +162,9 @@ Document withLinked(const App& app, const Document& document, const fs::path& fi
   import.type = importType;
   import.id = document.freshId(commandOf(app, importType));
   import.name = readableName(file);
-  import.parameters["file"] = Value{{"path", file.string()}, { "asset", "" }};
+  const fs::path named = document.access() ? fs::absolute(file) : file;  // whose own paths begin elsewhere
+  if (document.access()) document.access()->allow(named);
+  import.parameters["file"] = Value{{"path", named.string()}, { "asset", "" }};
   if (added) *added = import.id;
   return document.with(std::move(import));
 }
@@ -130,17 +176,27 @@ Document withImported(const App& app, const Document& document, const fs::path& 
   return withFilesEmbedded(app, linked);
 }
 
-Document withFilesEmbedded(const App& app, const Document& document) {
-  Document result = document;
-  for (const auto& each : document.features()) {
-    const auto type = app.registry->find(each->type);
-    if (!type) continue;
-    Feature changed = *each;
-    for (const ParameterSpec& spec : type->parameters)
-      if (changed.parameters.contains(spec.name)) embed(spec, changed.parameters[spec.name], result);
-    if (!(changed == *each)) result = result.with(std::move(changed));
-  }
-  return result;
+Document withFilesEmbedded(const App& app, const Document& document) { return withFilesVisited(app, document, embed); }
+
+Document withFoundFilesEmbedded(const App& app, const Document& document) {
+  return withFilesVisited(app, document, [](Value& file, Document& result) {
+    try {
+      embed(file, result);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::FileNotFound && error.code() != ErrorCode::FileUnreadable) throw;
+    }
+  });
+}
+
+std::vector<fs::path> withheldFiles(const App& app, const Document& document) {
+  std::set<fs::path> withheld;
+  withFilesVisited(app, document, [&](Value& file, Document&) {
+    const fs::path path = file.value("path", std::string());
+    const bool kept = document.assets().contains(file.value("asset", std::string()));
+    if (!kept && !path.empty() && document.access() && !document.access()->permits(path))
+      withheld.insert(document.access()->resolved(path));
+  });
+  return {withheld.begin(), withheld.end()};
 }
 
 Document withFeatureOf(const App& app, const Document& into, const Document& other, const FeatureId& wanted,
@@ -156,6 +212,8 @@ Document withFeatureOf(const App& app, const Document& into, const Document& oth
     if (result.contains(copy.id)) copy.id = result.freshId(commandOf(app, copy.type));
     renamed[each->id] = copy.id;
     for (FeatureId& input : copy.inputs) input = renamed.at(input);
+    if (const auto type = app.registry->find(copy.type))
+      eachFile(type->parameters, copy.parameters, [&](Value& file) { settle(file, other, result); });
     result = result.with(std::move(copy));
   }
   if (added) *added = renamed.at(wanted);

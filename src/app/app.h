@@ -28,6 +28,11 @@ App loadApp(const std::vector<std::filesystem::path>& pluginFolders = pluginSear
 /// @throws Error NotFound naming the places looked at.
 std::filesystem::path resourceFolder();
 
+/// Whether a file belongs to this installation: samples and manual, which nobody's work may replace.
+bool isResource(const std::filesystem::path&);
+/// @throws Error FileUnwritable for a file of this installation.
+void refuseResource(const std::filesystem::path& written);
+
 /// The document with an import feature for `file` added; its content is taken into the document as an asset.
 /// @throws Error FileNotFound, FileUnreadable, FormatUnknown.
 Document withImported(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
@@ -36,11 +41,17 @@ Document withImported(const App&, const Document&, const std::filesystem::path& 
 Document withLinked(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
 
 /// The content of every file that a feature names by its path is taken into the document as an asset, so that the document
-/// can be moved away from its files. @throws Error FileNotFound, FileUnreadable, LimitExceeded.
+/// can be moved away from its files; of the path the name of the file is kept. Files that the document may not read stay
+/// named and are not read. @throws Error FileNotFound, FileUnreadable, LimitExceeded.
 Document withFilesEmbedded(const App&, const Document&);
+/// The same, but files that are not there stay named, too.
+Document withFoundFilesEmbedded(const App&, const Document&);
+
+/// The files outside of its folder that the document names and may not read.
+std::vector<std::filesystem::path> withheldFiles(const App&, const Document&);
 
 /// `into` with the features of `other` added that `wanted` needs, itself included, under free ids; `added` is what `wanted`
-/// is called there. @throws Error NotFound.
+/// is called there. What `other` may not read is not read there either. @throws Error NotFound.
 Document withFeatureOf(const App&, const Document& into, const Document& other, const FeatureId& wanted, FeatureId* added);
 
 /// The feature that a document makes: its last one that is not suppressed.

@@ -88,6 +88,8 @@ CLI::App& CommandLine::add(const std::string& name, const std::string& summary, 
 
 void CommandLine::addDocumentFlags(CLI::App& command, Session& session) {
   command.add_flag("--salvage", session.salvage, "Open what is readable of a damaged document; the rest is a warning.");
+  command.add_flag("--allow-files", session.allowFiles,
+                   "Let documents read the files that they name outside of their own folder.");
 }
 
 const CLI::App* CommandLine::find(const std::string& name) const {

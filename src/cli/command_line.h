@@ -22,7 +22,7 @@ struct CommandLine {
 
   /// A subcommand with the flags that all have (--json, --progress, --threads).
   CLI::App& add(const std::string& name, const std::string& summary, Session&, std::function<int()> run);
-  /// The flags of the commands that open documents (--salvage).
+  /// The flags of the commands that open documents (--salvage, --allow-files).
   static void addDocumentFlags(CLI::App&, Session&);
   /// Keeps what the flags of a command write into alive as long as the grammar.
   void keep(std::shared_ptr<void> owner) { owners.push_back(std::move(owner)); }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "document/file_access.h"
+
 namespace blossom {
 namespace fs = std::filesystem;
 namespace {
@@ -77,7 +79,10 @@ fs::path fileOfInput(const std::string& text) {
 
 OpenedDocument openInput(const Session& session, const fs::path& file) {
   try {
-    return openAny(session.app, file, session.salvage);
+    OpenedDocument opened = openAny(session.app, file, session.salvage);
+    if (session.allowFiles && isDocument(file))
+      opened.document = opened.document.withAccess(FileAccess::everywhere(fs::absolute(file).parent_path()));
+    return opened;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::FormatDamaged || session.salvage || !isDocument(file)) throw;
     throw Error(error.code(), error.message(), salvageHint(session.app, file));

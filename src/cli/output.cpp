@@ -60,6 +60,7 @@ Output planned(const FormatRegistry& formats, const fs::path& path) {
     throw Error(ErrorCode::FormatUnknown, fmt::format("The file {} has no extension that Blossom writes.", path.string()),
                 fmt::format("Blossom writes {}.", writableExtensions(formats)));
   checkPlace(path);
+  refuseResource(path);
   return output;
 }
 

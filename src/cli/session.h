@@ -26,6 +26,7 @@ struct Session {
   bool json = false;           ///< --json: one JSON object on stdout
   bool progressLines = false;  ///< --progress: plain lines also where stderr is no screen
   bool salvage = false;        ///< --salvage: open what is readable of a damaged document
+  bool allowFiles = false;     ///< --allow-files: documents may read files outside of their folder
   int threads = 0;             ///< --threads; 0 leaves it to the machine
 
   [[nodiscard]] double elapsedMs() const;

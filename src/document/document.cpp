@@ -159,6 +159,12 @@ Document Document::withExtra(Value extra) const {
   return result;
 }
 
+Document Document::withAccess(std::shared_ptr<FileAccess> access) const {
+  Document result = *this;
+  result.access_ = std::move(access);
+  return result;
+}
+
 const Feature& Document::at(const FeatureId& id) const {
   const auto found = position(features_, id);
   if (found == features_.end()) throwNotFound(features_, id);

@@ -9,6 +9,7 @@
 
 namespace blossom {
 
+class FileAccess;
 using FeatureId = std::string;  ///< unique in a document: "sweep-1"
 
 /// One step of the model. Its type is kept by id, so that a document survives a missing plugin.
@@ -43,6 +44,8 @@ class Document {
   /// Content of imported files, by hash.
   [[nodiscard]] Document withAsset(std::string hash, std::shared_ptr<const std::string> content) const;
   [[nodiscard]] Document withExtra(Value extra) const;
+  /// Another rule for the files that its parameters name; all versions made from it share the rule.
+  [[nodiscard]] Document withAccess(std::shared_ptr<FileAccess>) const;
 
   /// @throws Error NotFound.
   [[nodiscard]] const Feature& at(const FeatureId&) const;
@@ -53,6 +56,8 @@ class Document {
   [[nodiscard]] std::vector<FeatureId> usersOf(const FeatureId&) const;
   [[nodiscard]] const std::map<std::string, std::shared_ptr<const std::string>>& assets() const { return assets_; }
   [[nodiscard]] const Value& extra() const { return extra_; }
+  /// nullptr: it was made here and reads what it names, relative paths from the current folder.
+  [[nodiscard]] const std::shared_ptr<FileAccess>& access() const { return access_; }
   /// "sweep-2": a free id made from a type's command.
   [[nodiscard]] FeatureId freshId(const std::string& command) const;
 
@@ -60,6 +65,7 @@ class Document {
   std::vector<std::shared_ptr<const Feature>> features_;
   std::map<std::string, std::shared_ptr<const std::string>> assets_;
   Value extra_ = Value::object();
+  std::shared_ptr<FileAccess> access_;
 };
 
 }  // namespace blossom

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "document/file_access.h"
 #include "document/storage.h"
 
 namespace blossom {
@@ -13,11 +14,12 @@ FileSource::Opened FileSource::open(const Value& file, const Document& document)
   const std::string asset = file.value("asset", "");
   if (const auto kept = document.assets().find(asset); !asset.empty() && kept != document.assets().end())
     return {materialised(asset, *kept->second, path.filename()), asset};
-  if (!asset.empty() && !fs::exists(path))
+  const fs::path place = document.access() ? document.access()->opened(path) : path;
+  if (!asset.empty() && !fs::exists(place))
     throw Error(ErrorCode::FileNotFound,
                 fmt::format("The content of {} is missing in the document.", path.filename().string()),
                 "Import the file again.");
-  return {path, hashOf(path)};
+  return {place, hashOf(place)};
 }
 
 fs::path FileSource::materialised(const std::string& hash, const std::string& content, const fs::path& name) {

@@ -18,7 +18,7 @@ class FileSource {
     std::filesystem::path path;  ///< can be read now
     std::string hash;            ///< of the content
   };
-  /// @param file canonical file value {"path", "asset"}
+  /// @param file canonical file value {"path", "asset"}; a path is opened as the access of the document allows
   /// @throws Error FileNotFound, FileUnreadable, FileUnwritable.
   Opened open(const Value& file, const Document&);
 

@@ -9,6 +9,7 @@
 #include "core/zip_archive.h"
 #include "document/assets.h"
 #include "document/document_json.h"
+#include "document/file_access.h"
 
 namespace blossom {
 namespace {
@@ -104,7 +105,8 @@ OpenedDocument openDocument(const std::filesystem::path& path, bool salvage) {
                 bytes.empty() ? "The file is empty." : "A Blossom document is a zip file; this one holds something else.");
   Problems problems(fmt::format("The document {}", path.filename().string()), salvage);
   OpenedDocument opened;
-  opened.document = readContent(bytes, problems);
+  opened.document =
+      readContent(bytes, problems).withAccess(FileAccess::below(std::filesystem::absolute(path).parent_path()));
   opened.warnings = std::move(problems.warnings);
   return opened;
 }

@@ -17,7 +17,7 @@ struct OpenedDocument {
 };
 
 /// @throws Error FileNotFound, FormatTooNew, FormatDamaged; with `salvage`, whatever is readable of a damaged file is
-/// returned with warnings instead.
+/// returned with warnings instead. The document reads no file that lies outside its folder (FileAccess::below).
 OpenedDocument openDocument(const std::filesystem::path&, bool salvage = false);
 
 /// The document as text, as it stands in document.json (pretty-printed, stable order), and back.

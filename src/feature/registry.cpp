@@ -26,7 +26,8 @@ bool isName(std::string_view text, bool dots = false) {
 
 /// Flags that every command has, and the "no-" by which the command line turns a flag off.
 bool isReserved(const std::string& name) {
-  constexpr std::array<std::string_view, 7> common{"help", "json", "output", "progress", "salvage", "threads", "version"};
+  constexpr std::array<std::string_view, 8> common{"allow-files", "help",    "json",    "output",
+                                                   "progress",    "salvage", "threads", "version"};
   return std::find(common.begin(), common.end(), name) != common.end() || name.starts_with("no-");
 }
 

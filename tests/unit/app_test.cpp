@@ -1,5 +1,7 @@
 #include "app/app.h"
 
+#include <fmt/format.h>
+
 #include <QTemporaryDir>
 
 #include "core/file.h"
@@ -20,6 +22,8 @@ class AppTest : public QObject {
   void openAnyTakesDocumentsAndFiles();
   void aMotionFileBecomesASweep();
   void resourcesAreFound();
+  void samplesNameNoFolderOfAMachine();
+  void whatIsTakenInKeepsItsNameAlone();
 
  private:
   [[nodiscard]] std::filesystem::path file(const char* name) const {
@@ -113,6 +117,46 @@ void AppTest::aMotionFileBecomesASweep() {
   QCOMPARE(lastFeature(opened.document).type, std::string("sweep.sweep"));
   const Results results = Evaluator(app_.registry).evaluate(opened.document, Progress::none());
   for (const auto& [id, result] : results) QVERIFY2(!result->error, result->error ? result->error->what() : "");
+}
+
+namespace {
+
+/// Every text in it that is an absolute path.
+void collectAbsolute(const Value& value, std::vector<std::string>& found) {
+  if (const auto* text = value.get_ptr<const std::string*>(); text && text->starts_with('/')) found.push_back(*text);
+  if (value.is_structured())
+    for (const Value& item : value) collectAbsolute(item, found);
+}
+
+}  // namespace
+
+void AppTest::samplesNameNoFolderOfAMachine() {
+  int documents = 0;
+  std::size_t absolute = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(test::sample(""))) {
+    std::vector<std::string> found;
+    if (isDocument(entry.path()))
+      collectAbsolute(Value::parse(toJson(openDocument(entry.path()).document)), found);
+    else if (entry.path().extension() == ".json")
+      collectAbsolute(Value::parse(readFile(entry.path())), found);
+    else
+      continue;
+    ++documents;
+    absolute += found.size();
+    QVERIFY2(found.empty(), (entry.path().filename().string() + ": " + (found.empty() ? "" : found.front())).c_str());
+  }
+  QVERIFY(documents >= 20);
+  fmt::print("figure sample_paths {}\n", absolute);
+}
+
+// What the programs that make the samples take in from a folder of their own.
+void AppTest::whatIsTakenInKeepsItsNameAlone() {
+  FeatureId id;
+  const Document document = withImported(app_, Document(), file("triangle.off"), &id);
+  QCOMPARE(document.at(id).parameters.at("file").at("path"), Value("triangle.off"));
+  std::vector<std::string> found;
+  collectAbsolute(Value::parse(toJson(document)), found);
+  QVERIFY(found.empty());
 }
 
 void AppTest::resourcesAreFound() {

@@ -1,11 +1,13 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QLabel>
+#include <QPushButton>
 
 #include "panel_fixture.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
 #include "ui/panel/result_rows.h"
+#include "ui/tree/document_model.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -24,6 +26,7 @@ class PanelFormTest : public PanelFixture {
   void errorsStandAtTheirField();
   void resultsAreShownAndCopied();
   void valuesGoBackToTheirDefault();
+  void aCancelledFeatureSaysSoAndIsComputed();
 };
 
 void PanelFormTest::everyKindHasAFieldThatFits() {
@@ -139,6 +142,40 @@ void PanelFormTest::resultsAreShownAndCopied() {
   QVERIFY(!warned());
   QTest::keyClick(editor<QCheckBox>("flag"), Qt::Key_Space);
   QTRY_VERIFY(warned());
+}
+
+void PanelFormTest::aCancelledFeatureSaysSoAndIsComputed() {
+  const DocumentModel model(*session_);
+  const auto state = [&] { return model.data(model.indexOf("e"), DocumentModel::StateRole).toString(); };
+  const auto says = [&](const QString& text) {
+    for (const auto* label : panel_->findChildren<QLabel*>(QStringLiteral("note")))
+      if (!label->isHidden() && label->text() == text) return true;
+    return false;
+  };
+  auto* const compute = panel_->findChild<QPushButton*>(QStringLiteral("compute"));
+  QVERIFY(compute && compute->isHidden());
+  gate_.close();
+  const QSignalSpy arrived(session_.get(), &Session::viewChanged);
+  type(editor<QLineEdit>("length"), QStringLiteral("12"));
+  QTRY_VERIFY(gate_.count() > 0);
+  QTRY_COMPARE(arrived.count(), 3);  // what stands before it: a, b and m
+  session_->cancelEvaluation();
+  QVERIFY(!session_->evaluating());
+  QTRY_VERIFY(says(QStringLiteral("Cancelled.")));
+  QVERIFY(!says(QStringLiteral("Computing…")));
+  QVERIFY(!compute->isHidden());
+  QCOMPARE(state(), QStringLiteral("cancelled"));
+  QVERIFY(session_->cancelled("f") && !session_->cancelled("a"));  // what follows it, and what was there before
+  panel_->show(FeatureId("f"));                                    // never shows the figures from before as its own
+  QTRY_VERIFY(says(QStringLiteral("Cancelled.")));
+  panel_->show(FeatureId("e"));
+  gate_.open();
+  compute->click();
+  settle();
+  QTRY_VERIFY(compute->isHidden());
+  QVERIFY(!says(QStringLiteral("Cancelled.")));
+  QVERIFY(!session_->cancelled("e") && state() != QStringLiteral("cancelled"));
+  QVERIFY(!session_->view("e")->result->error);
 }
 
 void PanelFormTest::valuesGoBackToTheirDefault() {

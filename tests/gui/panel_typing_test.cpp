@@ -2,6 +2,7 @@
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
 
 #include "panel_fixture.h"
@@ -19,6 +20,7 @@ class PanelTypingTest : public PanelFixture {
   void init() { openPanel(); }
   void cleanup() { closePanel(); }
   void expressionsAreTyped();
+  void expressionsStayAsTheyWereTyped();
   void aWrongValueIsKeptOut();
   void closingWithSomethingTypedIsHarmless();
   void escapeTakesBackWhatIsTyped();
@@ -31,7 +33,8 @@ class PanelTypingTest : public PanelFixture {
 void PanelTypingTest::expressionsAreTyped() {
   auto* length = editor<QLineEdit>("length");
   oneStep("length", 72.7, [&] { type(length, QStringLiteral("1/2 in + 3*(2 cm)")); });
-  QCOMPARE(length->text(), QStringLiteral("72.7 mm"));
+  QCOMPARE(length->text(), QStringLiteral("1/2 in + 3*(2 cm)"));
+  QCOMPARE(field("length")->findChild<QLabel*>(QStringLiteral("note"))->text(), QStringLiteral("= 72.7 mm"));
   oneStep("angle", parseText(declared("angle", angle()), "pi/4 rad + 1"),
           [&] { type(editor<QLineEdit>("angle"), QStringLiteral("pi/4 rad + 1")); });
   oneStep("number", std::sqrt(2.0), [&] { type(editor<QLineEdit>("number"), QStringLiteral("sqrt(2)")); });
@@ -42,6 +45,46 @@ void PanelTypingTest::expressionsAreTyped() {
     QTest::keyClick(slider, Qt::Key_F2);
     type(slider, QStringLiteral("3/4"));
   });
+}
+
+void PanelTypingTest::expressionsStayAsTheyWereTyped() {
+  auto* length = editor<QLineEdit>("length");
+  const auto inDocument = [&] { return session_->document().at("e").parameters.at("length"); };
+  oneStep("length", 22.0, [&] { type(length, QStringLiteral("12+1cm")); });
+  QCOMPARE(length->text(), QStringLiteral("12+1cm"));
+  QCOMPARE(inDocument(), Value("12+1cm"));
+  // To look at it and to leave it is no edit; another feature and back, and it still stands there.
+  const std::string document = toJson(session_->document());
+  length->setFocus();
+  QTest::keyClick(length, Qt::Key_Return);
+  panel_->show(FeatureId("b"));
+  panel_->show(FeatureId("e"));
+  length = editor<QLineEdit>("length");
+  QCOMPARE(length->text(), QStringLiteral("12+1cm"));
+  QCOMPARE(toJson(session_->document()), document);
+  // The document, saved and opened, evaluates to the same.
+  const Document again = fromJson(document).document;
+  QCOMPARE(completed(everything().parameters, again.at("e").parameters).at("length"), Value(22.0));
+  // The same value written otherwise is an edit, as is the plain number.
+  type(length, QStringLiteral("20+2"));
+  QCOMPARE(inDocument(), Value("20+2"));
+  type(length, QStringLiteral("22"));
+  QCOMPARE(inDocument(), Value(22.0));
+  QCOMPARE(length->text(), QStringLiteral("22 mm"));
+  // A number with its unit is a value, and a step from an expression leads to one.
+  type(length, QStringLiteral("3 cm"));
+  QCOMPARE(inDocument(), Value(30.0));
+  type(length, QStringLiteral("2*5"));
+  QTest::keyClick(length, Qt::Key_Up);
+  QTest::keyRelease(length, Qt::Key_Up);
+  QCOMPARE(inDocument(), Value(11.0));
+  QCOMPARE(length->text(), QStringLiteral("11 mm"));
+  // What is wrong leaves the expression before.
+  type(length, QStringLiteral("2*6"));
+  type(length, QStringLiteral("2*apples"));
+  QTest::keyClick(length, Qt::Key_Escape);
+  QCOMPARE(length->text(), QStringLiteral("2*6"));
+  QCOMPARE(inDocument(), Value("2*6"));
 }
 
 void PanelTypingTest::aWrongValueIsKeptOut() {
@@ -151,8 +194,8 @@ void PanelTypingTest::filesAreDroppedAndWritten() {
   QVERIFY(now("file").is_null());
   drop(good);
   QTRY_VERIFY(!now("file").is_null());
-  QCOMPARE(qt(now("file").at("path").get<std::string>()), good);
-  QVERIFY(!now("file").at("asset").get<std::string>().empty());  // its content is in the document
+  QCOMPARE(qt(now("file").at("path").get<std::string>()), QStringLiteral("motion.json"));  // and not where it lay
+  QVERIFY(!now("file").at("asset").get<std::string>().empty());                            // its content is in the document
   QVERIFY(field("file")->problem().isEmpty());
   QCOMPARE(editor<QLineEdit>("file")->text(), QStringLiteral("motion.json"));
   session_->undo();

@@ -64,9 +64,13 @@ void PanelUnitsTest::lengthsAreShownAndTypedInInches() {
   COMPARE_NEAR(parseLength(shown("length").toStdString()), 10, 1e-11);
   QVERIFY(shown("length").endsWith(QStringLiteral(" in")));
   oneStep("length", 12.7, [&] { type(editor<QLineEdit>("length"), QStringLiteral("1/2")); });
-  QCOMPARE(shown("length"), QStringLiteral("0.5 in"));
+  // An expression stays one; in a document, whose own lengths are in mm, with its unit.
+  QCOMPARE(session_->document().at("e").parameters.at("length"), Value("(1/2) in"));
+  QCOMPARE(shown("length"), QStringLiteral("(1/2) in"));
   oneStep("limit", 101.6, [&] { type(editor<QLineEdit>("limit"), QStringLiteral("max(2, 4)")); });
-  QCOMPARE(shown("limit"), QStringLiteral("4 in"));
+  QCOMPARE(shown("limit"), QStringLiteral("(max(2, 4)) in"));
+  oneStep("length", 12 * 25.4 + 10.0, [&] { type(editor<QLineEdit>("length"), QStringLiteral("12+1cm")); });
+  QCOMPARE(session_->document().at("e").parameters.at("length"), Value("12 in+1cm"));
   // To look at a length and to leave it again is no edit, even if it has more digits than are shown.
   setLength(10.0 / 3);
   const std::string before = toJson(session_->document());

@@ -20,6 +20,7 @@ class TimelineWindowTest : public WindowFixture {
   void playingMovesOnAndPauses();
   void onionSkinShowsTheOthers();
   void theTimelineGoesWithItsSequence();
+  void theTimeOfTheMorphIsThatOfTheFrame();
 
  private:
   [[nodiscard]] QString square(const char* name, int side) const {
@@ -117,6 +118,36 @@ void TimelineWindowTest::theTimelineGoesWithItsSequence() {
   session.undo();
   QTRY_VERIFY(timeline().isVisible());
   QVERIFY(window_->commands().find(QStringLiteral("timeline.play"))->action->isEnabled());
+}
+
+// Frame k of 11 is the shape at t = k / 10.
+void TimelineWindowTest::theTimeOfTheMorphIsThatOfTheFrame() {
+  const ParameterField* t = window_->properties().field(QStringLiteral("t"));
+  QVERIFY(t);
+  for (const int frame : {0, 7, 10}) {
+    slider().setValue(frame);
+    QCOMPARE(t->value(), Value(frame / 10.0));
+  }
+  const auto typeTime = [t, this](const char* typed) {
+    QTest::keyClick(t->findChild<QLineEdit*>(), Qt::Key_Return);
+    edit("t", typed);
+  };
+  const std::string document = toJson(window_->session().document());
+  typeTime("0.808");
+  QCOMPARE(playback().frame(), 8);
+  QCOMPARE(slider().value(), 8);
+  QCOMPARE(t->value(), Value(0.8));
+  COMPARE_NEAR(shownWidth(), 18, 1e-6);
+  QCOMPARE(toJson(window_->session().document()), document);  // to look at a frame is no edit
+  // Without frames t is a parameter again.
+  edit("frames", "0");
+  waitUntilComputed();
+  QTRY_VERIFY(!timeline().isVisible());
+  QTRY_COMPARE(t->value(), Value(0.5));
+  typeTime("0.3");
+  waitUntilComputed();
+  QCOMPARE(window_->session().document().at(last()).parameters.at("t"), Value(0.3));
+  COMPARE_NEAR(shownWidth(), 13, 1e-6);
 }
 
 BLOSSOM_WINDOW_TEST_MAIN(TimelineWindowTest)

@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QToolButton>
 
+#include "ui/files/file_places.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
 
@@ -61,7 +62,8 @@ void FileField::take(const QString& path) {
 
 void FileField::choose() {
   const QString before = value().is_object() ? qt(value().value("path", std::string())) : QString();
-  auto* dialog = new QFileDialog(this, tr("Choose a file"), QFileInfo(before).path());
+  const QString from = QFileInfo(before).isAbsolute() ? QFileInfo(before).path() : lastFolder();
+  auto* dialog = new QFileDialog(this, tr("Choose a file"), from);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   QStringList patterns;

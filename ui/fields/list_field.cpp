@@ -53,6 +53,14 @@ bool ListField::editing() const {
 void ListField::display(const Value& shown) {
   draft_ = shown.is_array() ? shown : Value::array();
   fitRows();
+  given_ = Value();
+}
+
+Value ListField::written() const {
+  Value all = value();
+  for (std::size_t i = 0; all.is_array() && i < std::min(rows_.size(), all.size()); ++i)
+    if (const ParameterField* field = rows_[i]->field(); field && field->value() == all[i]) all[i] = field->written();
+  return all;
 }
 
 void ListField::fitRows() {
@@ -64,6 +72,7 @@ void ListField::fitRows() {
   }
   while (rows_.size() < count) addRow();
   for (std::size_t i = 0; i < count; ++i) {
+    if (given_.is_array() && i < given_.size() && rows_[i]->field()) rows_[i]->field()->setWritten(given_[i]);
     rows_[i]->setValue(draft_[i]);
     rows_[i]->setEnds(i == 0, i + 1 == draft_.size());
   }

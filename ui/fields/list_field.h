@@ -18,6 +18,8 @@ class ListField final : public ParameterField {
  public:
   ListField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;
+  [[nodiscard]] Value written() const override;
+  void setWritten(const Value& given) override { given_ = given; }
   [[nodiscard]] const std::vector<ListRow*>& rows() const { return rows_; }
 
  private:
@@ -34,6 +36,7 @@ class ListField final : public ParameterField {
   [[nodiscard]] std::size_t placeAt(int globalY) const;
 
   Value draft_ = Value::array();  // what is shown; more than the value while an item must still be given
+  Value given_;                   // what the document holds, until the rows know
   std::size_t limit_;
   std::vector<ListRow*> rows_;
   QVBoxLayout* column_;

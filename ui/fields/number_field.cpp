@@ -1,11 +1,13 @@
 #include "ui/fields/number_field.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "ui/fields/field_label.h"
 #include "ui/fields/number_line.h"
 #include "ui/fields/stepping.h"
+#include "ui/fields/typed_expression.h"
 
 namespace blossom::ui {
 
@@ -44,8 +46,10 @@ void NumberField::display(const Value& value) {
   shown_ = value;
   fraction_ = 0;
   caption().cancelScrub();
-  line_->setText(displayText(spec(), value));
+  const bool expressed = comesTo(expression_, value);
+  line_->setText(expressed ? expression_ : displayText(spec(), value));
   line_->setCursorPosition(0);
+  if (expressed) tellResult(expression_);
 }
 
 double NumberField::shownNumber() const {
@@ -82,9 +86,42 @@ void NumberField::scrub(int pixels, Qt::KeyboardModifiers modifiers) {
 
 void NumberField::finish() {
   if (line_->isModified())
-    offerText(line_->text());
+    takeTyped(line_->text());
   else if (!ParameterField::editing() && problem().isEmpty())
     display(value());
+}
+
+// An expression for the same value is an edit, too.
+void NumberField::takeTyped(const QString& text) {
+  const Value before = written();
+  const QString kept = std::exchange(expression_, isExpression(text) ? text.trimmed() : QString());
+  const Value valueBefore = value();
+  offerText(text);
+  if (!problem().isEmpty())
+    expression_ = kept;
+  else if (value() == valueBefore && written() != before)
+    emit edited(value());
+}
+
+bool NumberField::comesTo(const QString& typed, const Value& wanted) const {
+  if (typed.isEmpty() || wanted.is_null()) return false;
+  try {
+    return parseTyped(spec(), typed) == wanted;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+Value NumberField::written() const {
+  if (!comesTo(expression_, value())) return value();
+  const std::string text = documentText(spec(), expression_, value());
+  return text.empty() ? value() : Value(text);
+}
+
+// A document's lengths without a unit are in mm; what another unit here would make something else of is shown as its value.
+void NumberField::setWritten(const Value& given) {
+  if (given == written()) return;
+  expression_ = given.is_string() ? QString::fromStdString(given.get<std::string>()) : QString();
 }
 
 // "= 72.7 mm" under what is typed, as soon as it is more than a number.

@@ -60,6 +60,21 @@ bool RecordField::editing() const {
          std::any_of(fields_.begin(), fields_.end(), [](const ParameterField* field) { return field->editing(); });
 }
 
+Value RecordField::written() const {
+  Value whole = value();
+  if (!whole.is_object()) return whole;
+  for (const ParameterField* field : fields_)
+    if (whole.contains(field->spec().name)) whole[field->spec().name] = field->written();
+  return whole;
+}
+
+void RecordField::setWritten(const Value& given) {
+  for (ParameterField* field : fields_) {
+    const bool there = given.is_object() && given.contains(field->spec().name);
+    field->setWritten(there ? given.at(field->spec().name) : Value());
+  }
+}
+
 void RecordField::showAsItem() {
   hideLabel();
   body_->setProperty("item", true);

@@ -12,6 +12,8 @@ class RecordField final : public ParameterField {
  public:
   RecordField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;
+  [[nodiscard]] Value written() const override;
+  void setWritten(const Value&) override;
   /// Inside of a list the row has the title.
   void showAsItem();
 

@@ -46,6 +46,10 @@ class ParameterField : public QWidget {
   /// Shows a value without telling anyone.
   void setValue(const Value&);
   [[nodiscard]] const Value& value() const { return value_; }
+  /// The value as the document keeps it: an expression stays as it was typed, for all it comes to a plain number.
+  [[nodiscard]] virtual Value written() const { return value_; }
+  /// What the document holds; comes before setValue of what it comes to.
+  virtual void setWritten(const Value&) {}
   /// What is wrong with what was typed, or what the evaluation says of this parameter.
   [[nodiscard]] QString problem() const;
   /// Shown like a wrong value until the value changes; empty: nothing is wrong.

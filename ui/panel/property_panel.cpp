@@ -8,6 +8,7 @@
 
 #include "app/reference_page.h"
 #include "core/error.h"
+#include "exchange/import_feature.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
 #include "ui/panel/input_editor.h"
@@ -47,6 +48,14 @@ bool isAbout(const QString& message, const QString& parameter) {
   return false;
 }
 
+/// An import shows the options of the format that its file has, and not those of the others.
+bool saysAnything(const ParameterSpec& spec, const Feature& feature, const FormatRegistry& formats) {
+  if (feature.type != "exchange.import") return true;
+  const auto file = feature.parameters.find("file");
+  const bool named = file != feature.parameters.end() && file->is_object();
+  return importUses(formats, spec.name, named ? file->value("path", std::string()) : std::string());
+}
+
 }  // namespace
 
 PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
@@ -59,12 +68,20 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   buildColumn();
   connect(&session, &Session::documentChanged, this, [this] { show(shown_); });
   connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
-    if (feature.toStdString() == shown_) return refreshResult();
+    if (feature.toStdString() == shown_) {
+      refreshTimes();
+      return refreshResult();
+    }
     // The kind of another feature's result may tell which inputs it fits.
     for (InputEditor* input : inputs_) input->refresh();
   });
   connect(&session, &Session::evaluationFinished, this, &PropertyPanel::sendPreview);
+  connect(&session, &Session::evaluationStarted, this, [this] {
+    if (result_->showsCancelled()) refreshResult();
+  });
+  connect(&session, &Session::evaluationCancelled, this, &PropertyPanel::refreshResult);
   connect(result_, &ResultTable::copied, this, &PropertyPanel::hint);
+  connect(result_, &ResultTable::computeWanted, &session, &Session::compute);
   rebuild();
 }
 
@@ -206,9 +223,15 @@ void PropertyPanel::addParameters() {
 }
 
 void PropertyPanel::connectField(ParameterField* field) {
-  connect(field, &ParameterField::edited, this, [this, field](const Value& value) { commit(field, value); });
-  connect(field, &ParameterField::previewed, this, [this, field](const Value& value) { preview(field, value); });
-  connect(field, &ParameterField::reverted, this, &PropertyPanel::revert);
+  connect(field, &ParameterField::edited, this, [this, field](const Value& value) {
+    if (!wantTime(*field, value)) commit(field, value);
+  });
+  connect(field, &ParameterField::previewed, this, [this, field](const Value& value) {
+    if (!wantTime(*field, value)) preview(field, value);
+  });
+  connect(field, &ParameterField::reverted, this, [this, field] {
+    if (!wantTime(*field, field->value())) revert();
+  });
   connect(field, &ParameterField::hint, this, &PropertyPanel::hint);
   connect(field, &ParameterField::pickWanted, this, [this, field](ParameterField* from, PickRequest request) {
     const QString name = qt(field->spec().name);
@@ -239,7 +262,8 @@ void PropertyPanel::refreshFields() {
   refreshContext();
   for (InputEditor* input : inputs_) input->refresh();
   for (ParameterField* field : fields_) {
-    if (field == previewed_) continue;  // what is dragged is ahead of the document
+    field->setVisible(saysAnything(field->spec(), feature, *session_.app().formats));
+    if (field == previewed_ || refreshTime(*field)) continue;  // what is dragged is ahead of the document
     const auto given = feature.parameters.find(field->spec().name);
     const bool absent = given == feature.parameters.end() || given->is_null();
     refreshField(*field, absent ? field->spec().fallback : *given);
@@ -259,7 +283,10 @@ void PropertyPanel::refreshField(ParameterField& field, const Value& given) {
   }
   // What is being typed, and what is wrong with it, stays until the value really changes.
   const bool busy = field.editing() || !field.problem().isEmpty();
-  if (!busy || field.value() != value) field.setValue(value);
+  if (!busy || field.value() != value) {
+    field.setWritten(given);
+    field.setValue(value);
+  }
   QString& told = unshowable_[&field];
   if (fault.isEmpty() && !told.isEmpty() && field.problem() == told) field.setFault({});
   if (!fault.isEmpty() && field.problem().isEmpty()) field.setFault(fault);
@@ -267,7 +294,8 @@ void PropertyPanel::refreshField(ParameterField& field, const Value& given) {
 }
 
 void PropertyPanel::refreshResult() {
-  if (shown_.empty()) return;
+  if (shown_.empty() || !session_.document().contains(shown_)) return;
+  if (session_.cancelled(shown_)) return result_->showCancelled();
   std::vector<std::string> besides;  // what is set above need not be told below
   for (const ParameterField* field : fields_) besides.push_back(field->spec().name);
   const auto view = session_.view(shown_);

@@ -40,12 +40,16 @@ class PropertyPanel : public QScrollArea {
   void offerPick(const Pick&);
   /// The view does not pick any more (Esc, another tool).
   void endPick();
+  /// Where the timeline stands. The t of a feature that makes a sequence is the time of the frame that is seen.
+  void setTimeline(int frame, int frames);
 
  signals:
   void hint(const QString&);
   /// The view should pick until pickEnded; each pick goes to offerPick.
   void pickWanted(const blossom::ui::PickRequest&);
   void pickEnded();
+  /// The timeline should stand there: the t of a feature that makes a sequence was changed.
+  void frameWanted(int frame);
   void manualWanted(const QString& page);
 
  private:
@@ -66,6 +70,11 @@ class PropertyPanel : public QScrollArea {
   void sendPreview();
   void commit(ParameterField*, const Value&);
   void takeFiles(ParameterField*, const Document&);
+  // property_panel_time.cpp
+  [[nodiscard]] const std::vector<double>* timesFor(const ParameterField&) const;
+  [[nodiscard]] bool refreshTime(ParameterField&);
+  void refreshTimes();
+  [[nodiscard]] bool wantTime(ParameterField&, const Value& time);
   void revert();
   void rename(const QString&);
   void wantPick(ParameterField*, InputEditor*, PickRequest);
@@ -89,6 +98,8 @@ class PropertyPanel : public QScrollArea {
   std::optional<Value> waiting_;         // its newest value, not yet sent off
   ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
   QString fault_;
+
+  int frame_ = 0, frames_ = 0;  // of the timeline
 
   std::optional<PickRequest> wanted_;
   QPointer<ParameterField> pickingField_;

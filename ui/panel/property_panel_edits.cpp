@@ -1,6 +1,9 @@
 // The part of PropertyPanel that changes the document: previews, edits, files, and what is picked in the view.
 #include <algorithm>
+#include <set>
 
+#include "document/file_access.h"
+#include "document/file_values.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
 #include "ui/panel/input_editor.h"
@@ -22,6 +25,28 @@ bool namesFiles(const ParameterSpec& spec, const Value& value) {
   return std::any_of(spec.fields.begin(), spec.fields.end(), [&](const ParameterSpec& field) {
     return value.contains(field.name) && namesFiles(field, value.at(field.name));
   });
+}
+
+std::set<std::string> pathsIn(const ParameterSpec& spec, Value value) {
+  std::set<std::string> paths;
+  eachFile(spec, value, [&](Value& file) { paths.insert(file.value("path", std::string())); });
+  return paths;
+}
+
+/// What the user has just chosen may be read, whatever else the document names.
+void allowChosen(const ParameterSpec& spec, const Feature& before, const Value& now, const Document& document) {
+  const auto had = before.parameters.find(spec.name);
+  const std::set<std::string> known = pathsIn(spec, had == before.parameters.end() ? Value() : *had);
+  for (const std::string& path : pathsIn(spec, now))
+    if (document.access() && !known.contains(path)) document.access()->allow(path);
+}
+
+/// That parameter alone, so that nothing else is read.
+Document withNothingBut(const Document& document, const FeatureId& id, const std::string& parameter) {
+  Feature alone = document.at(id);
+  alone.inputs.clear();
+  alone.parameters = Value{{parameter, alone.parameters.at(parameter)}};
+  return Document().withAccess(document.access()).with(std::move(alone));
 }
 
 /// One parameter as `other` has it, with the contents that it names.
@@ -62,7 +87,7 @@ void PropertyPanel::sendPreview() {
 void PropertyPanel::commit(ParameterField* field, const Value& value) {
   waiting_.reset();
   previewed_ = nullptr;
-  const Document document = session_.document().with(changed(field->spec().name, value));
+  const Document document = session_.document().with(changed(field->spec().name, field->written()));
   if (namesFiles(field->spec(), value)) return takeFiles(field, document);
   session_.commit(document, tr("Change %1 of %2").arg(qt(label(field->spec())), qt(shownName(document.at(shown_)))));
 }
@@ -73,7 +98,9 @@ void PropertyPanel::takeFiles(ParameterField* field, const Document& document) {
     field->setFault(tr("Another file is still being read or written. Wait for it or cancel it."));
     return;
   }
-  const auto embedded = std::make_shared<Document>(document);
+  allowChosen(field->spec(), session_.document().at(shown_), document.at(shown_).parameters.at(field->spec().name),
+              document);
+  const auto embedded = std::make_shared<Document>(withNothingBut(document, shown_, field->spec().name));
   const QPointer<ParameterField> asking = field;
   session_.job().start(
       tr("Reading the file"),

@@ -1,6 +1,7 @@
 #include "ui/panel/result_table.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -37,21 +38,44 @@ Figure figureOf(const Measure& measure) {
 
 }  // namespace
 
-ResultTable::ResultTable(QWidget* parent) : QWidget(parent), shown_(new ResultRows(this)), words_(new QVBoxLayout) {
+ResultTable::ResultTable(QWidget* parent)
+    : QWidget(parent),
+      shown_(new ResultRows(this)),
+      words_(new QVBoxLayout),
+      compute_(new QPushButton(tr("Compute"), this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   words_->setSpacing(4);
   column->addWidget(shown_);
   column->addLayout(words_);
+  column->addWidget(compute_, 0, Qt::AlignLeft);
+  compute_->setObjectName(QStringLiteral("compute"));
+  compute_->hide();
+  connect(compute_, &QPushButton::clicked, this, &ResultTable::computeWanted);
   connect(shown_, &ResultRows::copied, this, &ResultTable::copied);
 }
 
-void ResultTable::show(const FeatureView* view, const std::vector<std::string>& besides) {
+void ResultTable::clear() {
   for (QLabel* sentence : sentences_) sentence->deleteLater();
   for (QLabel* sentence : sentences_) sentence->hide();
   sentences_.clear();
   rows_.clear();
+  compute_->hide();
+}
+
+void ResultTable::showCancelled() {
+  clear();
+  addWords(tr("Cancelled."), "note");
+  compute_->show();
+  shown_->hide();
+  shown_->setRows({});
+}
+
+bool ResultTable::showsCancelled() const { return !compute_->isHidden(); }
+
+void ResultTable::show(const FeatureView* view, const std::vector<std::string>& besides) {
+  clear();
   if (!view)
     addWords(tr("Computing…"), "note");
   else if (view->result->error)

@@ -6,6 +6,7 @@
 #include "ui/view/display_cache.h"
 
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace blossom::ui {
@@ -18,11 +19,16 @@ class ResultTable final : public QWidget {
   explicit ResultTable(QWidget* parent = nullptr);
   /// @param besides names of figures that stand elsewhere already; nullptr: nothing is known yet.
   void show(const FeatureView*, const std::vector<std::string>& besides);
+  /// In place of a result: it was cancelled, and can be computed.
+  void showCancelled();
+  [[nodiscard]] bool showsCancelled() const;
 
  signals:
   void copied(const QString& what);
+  void computeWanted();
 
  private:
+  void clear();
   void addRow(const QString& name, const QString& number, const QString& unit, const QString& copy);
   void addText(const QString& name, const QString& text);
   void addWords(const QString&, const char* style);
@@ -33,6 +39,7 @@ class ResultTable final : public QWidget {
   QVBoxLayout* words_;
   std::vector<ResultRow> rows_;  ///< being gathered
   std::vector<QLabel*> sentences_;
+  QPushButton* compute_;
 };
 
 }  // namespace blossom::ui

@@ -136,6 +136,7 @@ bool DocumentModel::computing(const Feature& feature) const {
 QString DocumentModel::stateOf(const Feature& feature) const {
   if (feature.suppressed) return tr("suppressed");
   if (computing(feature)) return tr("computing…");
+  if (session_.cancelled(feature.id)) return tr("cancelled");
   const auto view = session_.view(feature.id);
   if (!view) return session_.evaluating() ? tr("computing…") : tr("not computed");
   if (view->result->error) return qt(view->result->error->message());
@@ -144,6 +145,7 @@ QString DocumentModel::stateOf(const Feature& feature) const {
 
 QString DocumentModel::remedyOf(const Feature& feature) const {
   const auto view = session_.view(feature.id);
+  if (session_.cancelled(feature.id) && !feature.suppressed) return tr("Compute it in its properties.");
   if (feature.suppressed || computing(feature) || !view || !view->result->error) return {};
   return qt(view->result->error->hint());
 }

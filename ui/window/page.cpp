@@ -126,6 +126,15 @@ void DocumentPage::connectSession() {
   connect(&session_, &Session::warned, this, [this](const QStringList& sentences) {
     errors_->showNote(tr("Not everything could be read."), sentences.join(u'\n'));
   });
+  connect(&session_, &Session::filesWithheld, this, [this](const QStringList& files) {
+    const QString before = errors_->isHidden() ? QString() : errors_->message() + u'\n' + errors_->hint() + u'\n';
+    errors_->showNote(tr("This document names files outside its folder. They were not read."), before + files.join(u'\n'));
+    errors_->offer(tr("Read them"), [this] { session_.allowFiles(); });
+  });
+  connect(&session_, &Session::evaluationCancelled, this, [this] {
+    errors_->showNote(tr("Computing was cancelled."), tr("What was ready is shown."));
+    errors_->offer(tr("Compute"), [this] { session_.compute(); });
+  });
   connect(&session_, &Session::noted, this, &DocumentPage::announced);
   const Job& job = session_.job();
   connect(&job, &Job::started, this, [this](const QString& title) { emit workChanged(jobKey, title, 0); });
@@ -141,6 +150,10 @@ void DocumentPage::connectSession() {
 void DocumentPage::connectWidgets() {
   connect(&measurements_, &Measurements::changed, this, &DocumentPage::refreshOverlay);
   connect(&playback_, &Playback::moved, this, &DocumentPage::refreshView);
+  const auto tellTime = [this] { properties_->setTimeline(playback_.frame(), playback_.count()); };
+  connect(&playback_, &Playback::moved, this, tellTime);
+  connect(&playback_, &Playback::changed, this, tellTime);
+  connect(properties_, &PropertyPanel::frameWanted, &playback_, &Playback::show);
   connect(&playback_, &Playback::changed, this, &DocumentPage::refreshOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
     if (!fillPanelLater_) showProperties();

@@ -1,7 +1,9 @@
 #include "ui/window/session.h"
 
 #include <QFileInfo>
+#include <algorithm>
 
+#include "document/file_access.h"
 #include "ui/look/text.h"
 #include "ui/settings/preferences.h"
 
@@ -11,9 +13,15 @@ namespace {
 
 double drawingTolerance() { return Preferences::instance().get<double>("drawing-tolerance"); }
 
+/// What the user chooses is taken into the document at once; whatever else a document names was named by somebody.
+Document guarded(Document document, const std::filesystem::path& file) {
+  return document.access() ? document : document.withAccess(FileAccess::below(file.parent_path()));
+}
+
 }  // namespace
 
 Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app)), evaluator_(app_.registry) {
+  history_ = History(guarded({}, {}));
   connect(&autosave_, &QTimer::timeout, this, [this] {
     if (journal_) journal_->snapshot();
   });
@@ -40,9 +48,11 @@ QString Session::title() const {
 }
 
 void Session::commit(Document document, const QString& what) {
+  if (!document.access()) document = document.withAccess(history_.committed().access());
   history_.commit(std::move(document), what.toStdString());
   keep(what);
   changed();
+  tellWithheld();
 }
 
 void Session::preview(Document document) {
@@ -86,6 +96,8 @@ void Session::evaluate() {
   displayToken_ = CancelToken();
   const std::uint64_t generation = ++generation_;
   evaluating_ = true;
+  cut_ = false;
+  arrived_.clear();
   watched_.emplace();
   emit evaluationStarted();
   const auto here = [this, generation](auto function) {
@@ -110,6 +122,7 @@ void Session::evaluate() {
         here([this, id, view] {
           if (!document().contains(id)) return;
           views_[id] = view;
+          arrived_.insert(id);
           emit viewChanged(qt(id));
         });
       },
@@ -133,15 +146,39 @@ void Session::cancelEvaluation() {
   evaluator_.cancelBackground();
   ++generation_;
   evaluating_ = false;
+  cut_ = true;
   watched_.reset();
   emit evaluationCancelled();
   emit evaluationFinished();
   emit noted(tr("Computing was cancelled; what was ready is shown."));
 }
 
+bool Session::cancelled(const FeatureId& id) const { return cut_ && document().contains(id) && !arrived_.contains(id); }
+
+void Session::compute() { evaluate(); }
+
+void Session::tellWithheld() {
+  std::vector<std::filesystem::path> now = withheldFiles(app_, document());
+  const bool news = std::any_of(now.begin(), now.end(), [this](const auto& file) {
+    return std::find(withheld_.begin(), withheld_.end(), file) == withheld_.end();
+  });
+  withheld_ = std::move(now);
+  if (!news) return;
+  QStringList files;
+  for (const std::filesystem::path& file : withheld_) files << qt(file.string());
+  emit filesWithheld(files);
+}
+
+void Session::allowFiles() {
+  for (const std::filesystem::path& file : withheld_) document().access()->allow(file);
+  withheld_.clear();
+  evaluate();
+}
+
 void Session::replace(Document document, const std::filesystem::path& file, const QString& name) {
   name_ = name;
-  history_ = History(std::move(document));
+  history_ = History(guarded(std::move(document), file));
+  withheld_.clear();
   history_.markSaved();
   nothingToKeep();
   views_.clear();

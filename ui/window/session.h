@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "app/app.h"
@@ -72,6 +73,11 @@ class Session : public QObject {
   void addFeatureFromFile(const FeatureType&, const std::filesystem::path&);
   void cancel();  ///< job and evaluation
   void cancelEvaluation();
+  /// Computing was cancelled before it came to this feature; `compute` goes on with it.
+  [[nodiscard]] bool cancelled(const FeatureId&) const;
+  void compute();
+  /// What `filesWithheld` told may be read from here on.
+  void allowFiles();
 
  signals:
   void documentChanged();  ///< another document is shown, by an edit or a file
@@ -87,11 +93,13 @@ class Session : public QObject {
   void unsafe(const blossom::Error&);  ///< unsaved steps cannot be kept against a crash
   void saveFailed();                   ///< after `failed`: the document still has its changes
   void warned(const QStringList& sentences);
-  void noted(const QString& sentence);  ///< something went right
+  void filesWithheld(const QStringList& files);  ///< outside of the document's folder, named by somebody else: not read
+  void noted(const QString& sentence);           ///< something went right
 
  private:
   void evaluate();
   void changed();
+  void tellWithheld();
   void replace(Document, const std::filesystem::path& file, const QString& name);
   /// False, and told, when the user began something here while the file was read.
   [[nodiscard]] bool untouchedSince(std::uint64_t edits, const QString& title);
@@ -109,8 +117,11 @@ class Session : public QObject {
   QString name_;  // of the document while it has no file of its own
   std::shared_ptr<DisplayCache> cache_ = std::make_shared<DisplayCache>();
   std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
-  std::uint64_t generation_ = 0;  // of evaluations; late results of older ones are dropped
-  std::uint64_t edits_ = 0;       // tells whether the document changed while a file was read or written
+  std::set<FeatureId> arrived_;                  // of the last evaluation
+  bool cut_ = false;                             // the last evaluation was cancelled
+  std::vector<std::filesystem::path> withheld_;  // that were told
+  std::uint64_t generation_ = 0;                 // of evaluations; late results of older ones are dropped
+  std::uint64_t edits_ = 0;                      // tells whether the document changed while a file was read or written
   bool writing_ = false;
   bool evaluating_ = false;
   std::optional<StallWatch::Work> watched_;

@@ -84,10 +84,12 @@ void Session::open(const std::filesystem::path& file, bool salvage) {
       [this, file, salvage, result, stamp, edits] {
         if (!untouchedSince(edits, fileName(file))) return;
         // What was salvaged must not overwrite the damaged file by mistake; other formats have no document of their own yet.
-        const bool own = isDocument(file) && !salvage;
+        // Samples are there for everybody: what is made of one is saved elsewhere.
+        const bool own = isDocument(file) && !salvage && !isResource(file);
         replace(std::move(result->document), own ? file : std::filesystem::path(), qt(file.stem().string()));
         stamp_ = *stamp;
         if (!result->warnings.empty()) emit warned(toList(result->warnings));
+        tellWithheld();
       },
       file);
 }
@@ -135,8 +137,9 @@ void Session::save(const std::filesystem::path& file, std::function<void()> then
   auto stamp = std::make_shared<FileStamp>();
   const bool begun = begin(
       tr("Saving %1").arg(fileName(file)),
-      [file, stamp, saved = history_.committed()](const Progress& progress) {
-        saveDocument(saved, file, progress);
+      [this, file, stamp, saved = history_.committed()](const Progress& progress) {
+        refuseResource(file);
+        saveDocument(withFoundFilesEmbedded(app_, saved), file, progress);
         *stamp = FileStamp::of(file);
       },
       [this, file, step = history_.step(), stamp, then = then ? std::move(then) : removeNothing] {
@@ -167,6 +170,7 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
   writing_ |= begin(
       tr("Exporting %1").arg(fileName(file)),
       [this, file, options, shapes, figures](const Progress& progress) {
+        refuseResource(file);
         QElapsedTimer clock;
         clock.start();
         const Shape shape = together(shapes);

@@ -71,6 +71,7 @@ void Session::recover(const LostDocument& lost) {
           emit noted(tr("%1 is as it was after \"%2\".").arg(title(), qt(lost.summary.lastStep)));
         else
           emit warned(toList(result->warnings));
+        tellWithheld();
       },
       {});
 }

@@ -43,6 +43,25 @@ std::vector<Grown> nodesOf(const Region& region, std::size_t level, bool climb) 
   return grown;
 }
 
+double perimeterOf(const Region& region) {
+  double sum = 0;
+  for (const Path& loop : region.loops) sum += length(loop);
+  return sum;
+}
+
+/// The offset with the slots in it that are just twice as wide as the distance: as lines without area they are not part of
+/// an offset, yet a tool goes through them. They are found by taking it next to nothing nearer to the walls.
+Region offsetWithSlots(const ClearanceDiagram& diagram, double distance, const Progress& progress) {
+  // Wider than the diagram's grid tells distances apart, far below what the path may be off.
+  const double tolerance = diagram.tolerance();
+  const double aside = std::clamp(2e-8 * perimeterOf(diagram.region()), tolerance / 500, tolerance / 20);
+  Region region = diagram.offset(distance, Side::Inside, progress);
+  if (distance <= 2 * aside) return region;
+  Region wider = diagram.offset(distance - aside, Side::Inside, progress);
+  constexpr double changes = 1e3;  // times as much as loops grow that only lie further out
+  return perimeterOf(wider) > perimeterOf(region) + changes * aside ? wider : region;
+}
+
 /// The nodes at a distance. Where a corridor is just twice as wide as the distance, the offset is a line and rounding may
 /// tear its loops: then it is taken a little beside, at the walls only away from them.
 std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std::size_t level, bool climb,
@@ -50,8 +69,8 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
   const double nudge = diagram.tolerance() / 4;
   for (const int aside : {0, -1, -2, 2}) {
     try {
-      return nodesOf(diagram.offset(distance + nudge * (level == 0 ? std::abs(aside) : aside), Side::Inside, progress),
-                     level, climb);
+      return nodesOf(offsetWithSlots(diagram, distance + nudge * (level == 0 ? std::abs(aside) : aside), progress), level,
+                     climb);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::InvalidInput) throw;
     }

@@ -105,8 +105,8 @@ class InOrder {
     const Edge end{span.rightLow, span.rightHigh};
     Edge reach{span.leftLow, span.leftHigh};
     double sum = 0;
-    std::size_t next = 0;  // the first cover that begins beyond what is reached
-    double beforeLow = -farAway, beforeHigh = -farAway;
+    std::size_t next = 0;                                         // the first cover that begins beyond what is reached
+    double beforeLow = span.leftLow, beforeHigh = span.leftHigh;  // no cover may end before the interval begins
     while (reach.middle() < end.middle()) {
       for (; next < covers_.size() && covers_[next].leftMiddle() <= reach.middle(); ++next) {
         beforeLow = std::max(beforeLow, covers_[next].rightLow);
@@ -120,7 +120,8 @@ class InOrder {
       const Edge to = last ? end : Edge{covers_[next].leftLow, covers_[next].leftHigh};
       const bool clear = beforeLow <= reach.low + slack_ && beforeHigh <= reach.high + slack_ &&
                          afterLow_[next] >= to.low - slack_ && afterHigh_[next] >= to.high - slack_ &&
-                         to.low >= reach.low - slack_ && to.high >= reach.high - slack_;
+                         to.low >= reach.low - slack_ && to.high >= reach.high - slack_ && to.low <= end.low + slack_ &&
+                         to.high <= end.high + slack_;
       if (!clear) return std::nullopt;
       sum += to.middle() - reach.middle();
       if (last) return sum;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/units.h"
@@ -31,26 +32,75 @@ ParameterSpec distances() {
 
 const char* nameOf(Side side) { return side == Side::Inside ? "inside" : "outside"; }
 
+/// Halfway along a line or an arc.
+Vec2 middleOf(const Segment& segment) {
+  if (const auto* arc = std::get_if<Arc2>(&segment)) {
+    const double angle = arc->start + arc->sweep / 2;
+    return arc->center + arc->radius * Vec2(std::cos(angle), std::sin(angle));
+  }
+  return (startPoint(segment) + endPoint(segment)) / 2;
+}
+
 Error nothingLeft(double distance, double largest) {
+  if (distance < largest * (1 + 1e-9))  // the largest disc just fits: what is left is a point or a line
+    return Error(
+        ErrorCode::InvalidParameter,
+        fmt::format("Nothing with an area is left inside at a distance of {} mm, which is the radius of the largest "
+                    "disc that fits.",
+                    formatNumber(distance)),
+        "Make the distance smaller, or offset to the outside.");
   return Error(ErrorCode::InvalidParameter,
                fmt::format("Nothing is left inside at a distance of {} mm; the largest that fits is {} mm.",
                            formatNumber(distance), formatNumber(largest)),
                "Make the distance smaller, or offset to the outside.");
 }
 
-/// One offset with its figures in the list `offsets` of the stats.
-Region measuredOffset(const ClearanceDiagram& diagram, double distance, Side side, Value& stats, const Progress& progress) {
+/// How far the points of an offset are off its distance, by the nearest places of the curves as drawn.
+struct OffsetCheck {
+  double farthest = 0;  ///< mm
+  Vec2 at = Vec2::Zero();
+  std::size_t points = 0;
+  std::size_t chordJoints = 0;  ///< ends of segments that are not on the curves' own offsets, but as near as chords tell
+};
+
+OffsetCheck checked(const ClearanceDiagram& diagram, const Region& region, double distance, const Progress& progress) {
+  OffsetCheck check;
+  const auto look = [&](const Vec2& p) {
+    const double off = std::abs(std::abs(diagram.clearance(p)) - distance);
+    ++check.points;
+    if (off > check.farthest) check.farthest = off, check.at = p;
+    return off;
+  };
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) {
+      progress.check();
+      if (look(startPoint(segment)) > diagram.tolerance() / 16) ++check.chordJoints;
+      look(middleOf(segment));
+    }
+  return check;
+}
+
+/// One offset with its figures in the list `offsets` of the stats; what is farther off than the tolerance is told.
+Region measuredOffset(const ClearanceDiagram& diagram, double distance, Side side, Evaluated& out,
+                      const Progress& progress) {
   const auto begun = std::chrono::steady_clock::now();
   Region region = diagram.offset(distance, side, progress);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
   double perimeter = 0;
   for (const Path& loop : region.loops) perimeter += length(loop);
-  stats["offsets"].push_back({{"distance", distance},
-                              {"side", nameOf(side)},
-                              {"loops", region.loops.size()},
-                              {"area", area(region)},
-                              {"perimeter", perimeter},
-                              {"ms", took.count()}});
+  const OffsetCheck check = checked(diagram, region, distance, progress);
+  out.stats["offsets"].push_back({{"distance", distance},
+                                  {"side", nameOf(side)},
+                                  {"loops", region.loops.size()},
+                                  {"area", area(region)},
+                                  {"perimeter", perimeter},
+                                  {"checked_points", check.points},
+                                  {"farthest_off_mm", check.farthest},
+                                  {"chord_joints", check.chordJoints},
+                                  {"ms", took.count()}});
+  if (check.farthest > diagram.tolerance() && distance >= diagram.tolerance())
+    out.warnings.push_back(fmt::format("The offset at {} mm {} is {:.2g} mm off its distance near ({:.3f}, {:.3f}).",
+                                       formatNumber(distance), nameOf(side), check.farthest, check.at.x(), check.at.y()));
   return region;
 }
 
@@ -82,8 +132,8 @@ Evaluated offsetOf(const OffsetParameters& p, const Inputs& inputs, const Progre
     const Progress own = progress.part(0.7 + share * double(i), 0.7 + share * double(i + 1));
     Region inside;
     Region outside;
-    if (p.side != Sides::Outside) inside = measuredOffset(diagram, d, Side::Inside, out.stats, own);
-    if (p.side != Sides::Inside) outside = measuredOffset(diagram, d, Side::Outside, out.stats, own);
+    if (p.side != Sides::Outside) inside = measuredOffset(diagram, d, Side::Inside, out, own);
+    if (p.side != Sides::Inside) outside = measuredOffset(diagram, d, Side::Outside, out, own);
     const bool nothing = p.side == Sides::Inside && inside.loops.empty();
     if (nothing && ++empty == p.distance.size()) throw nothingLeft(d, diagram.largestClearance());
     if (nothing || (p.side == Sides::Both && inside.loops.empty()))

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "geometry/planar.h"
+#include "kernel/grid.h"
 
 namespace blossom::pocket {
 
@@ -49,6 +50,52 @@ void checkClosed(const Path& path) {
               "Close the gap in the drawing.");
 }
 
+template <class Kind>
+bool holdsAny(const Region& region) {
+  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& path) {
+    return std::any_of(path.segments.begin(), path.segments.end(),
+                       [](const Segment& segment) { return std::holds_alternative<Kind>(segment); });
+  });
+}
+
+/// Chords as near to their curves as the grid of the diagram is fine would turn at random. What arcs give is exact with any
+/// chords, so theirs are made longer; with splines the tolerance cannot be kept.
+/// @throws Error InvalidParameter.
+double chordOnGrid(const Region& region, double chord, double step, double size) {
+  const double least = 2 * step;
+  if (chord >= least) return chord;
+  if (holdsAny<Spline2>(region)) {
+    constexpr double chordsPerTolerance = 4;
+    throw Error(
+        ErrorCode::InvalidParameter,
+        fmt::format("A tolerance of {:.3g} mm is finer than free-form curves of a part of {:.4g} mm can be told apart.",
+                    chordsPerTolerance * chord, size),
+        fmt::format("Give at least {:.2g} mm.", std::ceil(chordsPerTolerance * least * 1e9) / 1e9));
+  }
+  return holdsAny<Arc2>(region) ? least : chord;
+}
+
+/// The outlines without straight segments shorter than a length; the next one begins where the one before ends.
+Region withoutJogs(const Region& region, double length) {
+  Region smooth = region;
+  for (Path& path : smooth.loops) {
+    std::vector<Segment> kept;
+    for (const Segment& segment : path.segments) {
+      const auto* line = std::get_if<Line2>(&segment);
+      if (line && (line->to - line->from).norm() < length) continue;
+      kept.push_back(segment);
+    }
+    if (kept.size() < 2 || kept.size() == path.segments.size()) continue;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (auto* line = std::get_if<Line2>(&kept[i])) {
+        const Segment& before = kept[(i + kept.size() - 1) % kept.size()];
+        if ((endPoint(before) - line->from).norm() < 4 * length) line->from = endPoint(before);
+      }
+    path.segments = std::move(kept);
+  }
+  return smooth;
+}
+
 }  // namespace
 
 double turnBetween(const Vec2& a, const Vec2& b) { return std::atan2(std::abs(cross(a, b)), a.dot(b)); }
@@ -70,12 +117,27 @@ Boundary::Boundary(const Region& region, double chord, const Progress& progress)
 void Boundary::takeWithoutCrossing(const Region& region, const Progress& progress) {
   // Chords of curves that nearly touch may cross where the curves do not: finer ones tell.
   constexpr int attempts = 3;
+  const double wanted = chord_;
   std::optional<Trouble> trouble;
   for (int attempt = 0; attempt < attempts; ++attempt, chord_ /= 8) {
     take(region, progress);
+    const double chord = attempt == 0 ? chordOnGrid(region, chord_, Grid(middle_, size_, 0).step(), size_) : chord_;
+    if (chord > chord_) {
+      chord_ = chord;
+      take(region, progress);
+    }
     splitWhereTouched(progress);
     trouble = crossing(progress);
     if (!trouble) return;
+  }
+  // Jogs far below the tolerance may look like crossings on the diagram's grid: the outline without them tells.
+  for (const double jog : {wanted / 256, wanted / 16, wanted / 4}) {
+    const Region smooth = withoutJogs(region, jog);
+    if (smooth == region) continue;
+    chord_ = wanted;
+    take(smooth, progress);
+    splitWhereTouched(progress);
+    if (!crossing(progress)) return;
   }
   throw Error(ErrorCode::InvalidInput,
               fmt::format("The outline {} near {}.", trouble->along ? "runs along itself" : "crosses itself",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -38,6 +39,23 @@ void checkTolerance(double tolerance) {
     throw Error(ErrorCode::InvalidParameter, "The tolerance must be a length above 0.", "0.001 mm is usual.");
 }
 
+/// Where the part is just twice as wide as the distance, as in a slot, the offset there is a line without area, and rounding
+/// alone would decide which of its bits belong to it. The least distance from which on none does: the lines of clearance d
+/// are then traced without them.
+double pastFlatPlaces(const Diagram& diagram, double d, Side side, double slack) {
+  const Where wanted = side == Side::Inside ? Where::Inside : Where::Outside;
+  double past = d;
+  for (std::size_t edge = 0; edge < diagram.graph().edges.size() / 2; ++edge) {
+    const EdgeParts& parts = diagram.parts(edge);
+    for (int i = 0; i < parts.count; ++i) {
+      const EdgePart& part = parts.part[static_cast<std::size_t>(i)];
+      const bool flat = std::abs(part.from - d) <= slack && std::abs(part.to - d) <= slack;
+      if (flat && part.where == wanted) past = std::max({past, part.from, part.to});
+    }
+  }
+  return past;
+}
+
 }  // namespace
 
 ClearanceDiagram::ClearanceDiagram(const Region& region, const ClearanceOptions& options, const Progress& progress) {
@@ -63,7 +81,8 @@ Region ClearanceDiagram::offset(double distance, Side side, const Progress& prog
                                                          formatNumber(distance), formatNumber(boundary.size())));
   }
   Region region;
-  for (const TracedLoop& loop : traced(parts_->diagram, distance, side, progress)) {
+  const double past = pastFlatPlaces(parts_->diagram, distance, side, boundary.weld());
+  for (const TracedLoop& loop : traced(parts_->diagram, past, side, progress)) {
     progress.check();
     Path path = loopOnTrueCurves(boundary, loop, {distance, side, parts_->tolerance});
     // Where the distance equals the clearance along a line, rounding may leave a sliver.

@@ -101,6 +101,13 @@ Vec2 Diagram::pointAt(std::size_t edge, int index, double d) const {
   if (bisector.kind == Bisector::Kind::Normal) return bisector.apex + sign * d * bisector.axis;
   if (bisector.kind == Bisector::Kind::Points)
     return bisector.apex + sign * std::sqrt(std::max(0.0, d * d - bisector.least * bisector.least)) * bisector.axis;
+  if (!unbounded && (part.high - bisector.apex).dot(bisector.up) < 0) {
+    // The point lies so nearly on the line of the piece that the diagram's grid has it on the other side: far away from
+    // both, the edge is as good as straight.
+    const Vec2& a = graph_.vertices[graph_.edges[half].origin];
+    const Vec2& b = graph_.vertices[graph_.target(half)];
+    return a + std::clamp((d - part.from) / (part.to - part.from), 0.0, 1.0) * (b - a);
+  }
   const double across = std::sqrt(std::max(0.0, 4 * bisector.least * (d - bisector.least)));
   return bisector.apex + sign * across * bisector.axis + (d - bisector.least) * bisector.up;
 }

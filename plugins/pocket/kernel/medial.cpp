@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "kernel/disc_proof.h"
 #include "kernel/medial_prune.h"
 
 namespace blossom::pocket {
@@ -247,10 +248,13 @@ class AxisMaker {
     }
   }
 
+  /// Certified is a vertex whose disc touches the boundary and is proved to hold nothing of it, on the curves as drawn.
   void certify() {
+    const DiscProof proof(boundary_.region(), tolerance_ / 8, progress_);
     for (MedialVertex& vertex : axis_.vertices) {
       progress_.check();
-      vertex.certified = std::abs(boundary_.nearest(vertex.at).distance - vertex.clearance) <= tolerance_ / 2;
+      vertex.certified = std::abs(boundary_.nearest(vertex.at).distance - vertex.clearance) <= tolerance_ / 2 &&
+                         proof.holdsNothing(vertex.at, vertex.clearance - tolerance_ / 2);
     }
   }
 

@@ -1,3 +1,4 @@
+#include "support/membership.h"
 #include "support/morphology.h"
 #include "support/support.h"
 
@@ -5,33 +6,6 @@ using namespace blossom;
 using namespace blossom::test;
 
 namespace {
-
-/// Whether the segment passes through the triangle, in general position.
-bool pierces(const Vec3& p, const Vec3& q, const std::vector<Vec3>& t) {
-  const auto side = [](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    return (b - a).cross(c - a).dot(d - a) > 0;
-  };
-  if (side(t[0], t[1], t[2], p) == side(t[0], t[1], t[2], q)) return false;
-  const bool first = side(p, q, t[0], t[1]);
-  return side(p, q, t[1], t[2]) == first && side(p, q, t[2], t[0]) == first;
-}
-
-bool cross(const std::vector<Vec3>& s, const std::vector<Vec3>& t) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (pierces(s[k], s[(k + 1) % 3], t) || pierces(t[k], t[(k + 1) % 3], s)) return true;
-  return false;
-}
-
-/// Whether two solids meet: their surfaces cross, or a corner of one lies in the other. Without any sum.
-bool meet(const Mesh& a, const Mesh& b) {
-  for (std::size_t f = 0; f < a.faceCount(); ++f)
-    for (std::size_t g = 0; g < b.faceCount(); ++g)
-      if (cross(facePoints(a, f), facePoints(b, g))) return true;
-  const auto anyHeld = [](const Mesh& solid, const Mesh& other) {
-    return std::any_of(other.points.begin(), other.points.end(), [&](const Vec3& p) { return holds(solid, p); });
-  };
-  return anyHeld(a, b) || anyHeld(b, a);
-}
 
 Mesh randomSolid(std::mt19937_64& random, int kind) {
   switch (kind % 4) {
@@ -103,7 +77,7 @@ class MorphologyMembershipTest : public QObject {
         bool leaves = !holds(a, there.points.front());
         for (std::size_t f = 0; f < a.faceCount() && !leaves; ++f)
           for (std::size_t g = 0; g < there.faceCount() && !leaves; ++g)
-            leaves = cross(facePoints(a, f), facePoints(there, g));
+            leaves = trianglesCross(facePoints(a, f), facePoints(there, g));
         wrong += holds(left, x) == leaves ? 1 : 0;
       }
     }

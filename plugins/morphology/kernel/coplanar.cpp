@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -37,14 +38,12 @@ class Regions {
       if (regionOfFace_[seed] < 0) grow(static_cast<int>(seed));
   }
   [[nodiscard]] const std::vector<int>& ofFace() const { return regionOfFace_; }
-  [[nodiscard]] std::size_t count() const { return normal_.size(); }
-  [[nodiscard]] const Vec3& normal(int region) const { return normal_[at(region)]; }
+  [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
   void grow(int seed) {
-    const int region = static_cast<int>(normal_.size());
+    const int region = static_cast<int>(count_++);
     const Vec3 normal = normals_[at(seed)].normalized(), origin = mesh_.points[at(mesh_.face(at(seed))[0])];
-    normal_.push_back(normal);
     regionOfFace_[at(seed)] = region;
     std::vector<int> open{seed};
     while (!open.empty()) {
@@ -73,7 +72,8 @@ class Regions {
   const Mesh& mesh_;
   double tolerance_;
   std::vector<std::vector<int>> neighbours_;
-  std::vector<Vec3> normals_, normal_;
+  std::vector<Vec3> normals_;
+  std::size_t count_ = 0;
   std::vector<int> regionOfFace_;
 };
 
@@ -196,6 +196,46 @@ double areaOf(const Mesh& mesh, const std::vector<std::array<int, 3>>& triangles
   return sum;
 }
 
+/// Vertices that lie in one place with another: there the surface touches itself, which it must go on doing in common
+/// vertices and edges.
+std::vector<int> touchingPlaces(const Mesh& mesh) {
+  std::map<std::array<double, 3>, std::vector<int>> seen;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Vec3& p = mesh.points[v];
+    seen[{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}].push_back(static_cast<int>(v));
+  }
+  std::vector<int> touching;
+  for (const auto& [place, vertices] : seen)
+    if (vertices.size() > 1) touching.insert(touching.end(), vertices.begin(), vertices.end());
+  return touching;
+}
+
+/// The vertices of the loops that stay, each loop from its lowest on: what is made of them does not depend on the others.
+std::vector<std::vector<int>> thinnedLoops(const std::vector<std::vector<int>>& loops, const std::vector<bool>& stays) {
+  std::vector<std::vector<int>> thinned;
+  for (const auto& loop : loops) {
+    std::vector<int> left;
+    for (const int v : loop)
+      if (stays[at(v)]) left.push_back(v);
+    if (left.size() < 3) continue;
+    std::rotate(left.begin(), std::min_element(left.begin(), left.end()), left.end());
+    thinned.push_back(std::move(left));
+  }
+  std::sort(thinned.begin(), thinned.end());
+  return thinned;
+}
+
+/// Across what the loops enclose together.
+Vec3 normalOf(const Mesh& mesh, const std::vector<std::vector<int>>& loops) {
+  Vec3 sum = Vec3::Zero();
+  for (const auto& loop : loops) {
+    std::vector<Vec3> polygon;
+    for (const int v : loop) polygon.push_back(mesh.points[at(v)]);
+    sum += vectorArea(polygon);
+  }
+  return sum;
+}
+
 using Faces = std::vector<std::vector<int>>;
 
 /// The faces of a region from its thinned loops; false when they would not cover it.
@@ -228,6 +268,7 @@ Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Prog
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) area[at(regionOfFace[f])] += vectorArea(facePoints(mesh, f)).norm();
   for (const Vec3& p : mesh.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   Chains chains(mesh, topology, regionOfFace, options.tolerance);
+  for (const int v : touchingPlaces(mesh)) chains.lock(v);
 
   std::vector<bool> kept(regions.count(), false);  // regions whose triangles stay
   for (bool again = true; again;) {
@@ -238,16 +279,10 @@ Mesh joinedCoplanar(const Mesh& mesh, const CoplanarOptions& options, const Prog
     result.points = mesh.points;
     for (std::size_t r = 0; r < regions.count(); ++r) {
       if (kept[r]) continue;
-      std::vector<std::vector<int>> thinned;
-      for (const auto& loop : loops[r]) {
-        std::vector<int> left;
-        for (const int v : loop)
-          if (stays[at(v)]) left.push_back(v);
-        if (left.size() > 2) thinned.push_back(std::move(left));
-      }
+      const auto thinned = thinnedLoops(loops[r], stays);
       Faces faces;
       const double slack = 1e-9 * area[r] + 10 * options.tolerance * largest;
-      if (facesOf(mesh, thinned, regions.normal(static_cast<int>(r)), area[r], slack, faces)) {
+      if (facesOf(mesh, thinned, normalOf(mesh, thinned), area[r], slack, faces)) {
         for (const auto& face : faces) result.addFace(face);
       } else {
         kept[r] = again = true;

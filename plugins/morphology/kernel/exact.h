@@ -7,6 +7,7 @@
 #include "core/progress.h"
 #include "geometry/box.h"
 #include "geometry/mesh.h"
+#include "kernel/place.h"
 
 /// Solids in exact arithmetic and sums of their convex parts. CGAL stays behind these handles.
 namespace blossom::morphology {
@@ -29,9 +30,9 @@ struct SumCounts {
 };
 
 /// From closed, oriented, manifold triangles that cross nowhere; shells that look inwards are voids. Coordinates are taken
-/// as they are.
-/// @throws Error InvalidInput when a shell touches itself in a point, Cancelled.
-Solid exactSolid(const Mesh& triangles, const Progress&);
+/// as they are. Shells may touch themselves in common vertices and edges.
+/// @throws Error InvalidInput in the words of the subject, Cancelled.
+Solid exactSolid(const Mesh& triangles, const Subject&, const Progress&);
 Solid box(const Bounds&);
 /// nullptr when the points lie in a plane.
 Solid hull(const std::vector<Vec3>& points);
@@ -52,6 +53,9 @@ Parts scaled(const Parts&, double factor, double grid);
 /// The union of a + b over all pairs of pieces, without what has no volume. Pieces that lie side by side are united first;
 /// CGAL's corefinement does it, Nef polyhedra where the surface would touch itself.
 Solid sumOf(const Parts& a, const Parts& b, SumCounts&, const Progress&);
+/// factorA a + factorB b by CGAL::minkowski_sum_3 alone: convex parts as CGAL makes them, united as Nef polyhedra. Faces
+/// that lie in one plane cost it nothing. Factors above 0.
+Solid minkowskiSum(const Solid& a, double factorA, const Solid& b, double factorB, const Progress&);
 /// {x : x + b lies in a for every b of `parts`}, for a convex solid: its planes moved inwards.
 Solid shrunk(const Solid& convex, const Parts& parts, const Progress&);
 /// frame - solid.

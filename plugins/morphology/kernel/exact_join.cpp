@@ -9,6 +9,8 @@
 #include <queue>
 #include <set>
 
+#include "kernel/flatness.h"
+
 namespace blossom::morphology {
 
 namespace {
@@ -130,7 +132,7 @@ bool addsNothing(const Hull& both, const Cell& a, const Cell& b, const HalfSpace
 
 class Joining {
  public:
-  Joining(const PartList& list, double size) : slack_(1e-12 * size) {
+  Joining(const PartList& list, double size) : slack_(joinedPartsFlatness * size) {
     for (const Part& part : list.parts) cells_.push_back(cellOf(part));
     for (std::size_t i = 0; i < cells_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)

@@ -22,31 +22,19 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-/// A shell turned outwards; `inside` tells whether it holds the solid (or a void).
-struct Shell {
-  SurfaceMesh surface;
-  Exact::FT volume;
-  bool inside = true;
-};
-
-std::vector<Shell> shellsOf(const SurfaceMesh& surface) {
+/// Each shell by itself, turned outwards.
+std::vector<NefShell> shellsOf(const SurfaceMesh& surface) {
   SurfaceMesh work = surface;
   std::vector<SurfaceMesh> parts;
   PMP::split_connected_components(work, parts);
-  std::vector<Shell> shells;
+  std::vector<NefShell> shells;
   for (SurfaceMesh& part : parts) {
     part.collect_garbage();
-    Shell shell{std::move(part), 0, true};
-    shell.volume = PMP::volume(shell.surface);
-    if (shell.volume < 0) {
-      PMP::reverse_face_orientations(shell.surface);
-      shell.volume = -shell.volume;
-      shell.inside = false;
-    }
-    shells.push_back(std::move(shell));
+    const Exact::FT volume = PMP::volume(part);
+    const bool inside = volume >= 0;
+    if (!inside) PMP::reverse_face_orientations(part);
+    shells.push_back({nefOf(part), CGAL::abs(volume), inside});
   }
-  // Whatever lies in a shell is smaller than it.
-  std::stable_sort(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) { return a.volume > b.volume; });
   return shells;
 }
 
@@ -107,7 +95,11 @@ void addFacet(const Nef::Halffacet_const_handle& facet, const VertexNumbers& num
   // The plane of a halffacet looks into its volume: seen against it, triangles run outwards.
   Cdt cdt(Projected(-facet->plane().orthogonal_vector()));
   for (auto cycle = facet->facet_cycles_begin(); cycle != facet->facet_cycles_end(); ++cycle) {
-    if (!cycle.is_shalfedge()) continue;  // a vertex that only touches the facet
+    if (!cycle.is_shalfedge()) {  // a vertex that only touches the facet: neighbours share it, so it becomes a corner
+      const auto vertex = Nef::SHalfloop_const_handle { cycle } -> incident_sface()->center_vertex();
+      cdt.insert(vertex->point())->info() = numbers.at(vertex);
+      continue;
+    }
     Nef::SHalfedge_around_facet_const_circulator start(Nef::SHalfedge_const_handle{cycle}), at(start);
     std::vector<Cdt::Vertex_handle> loop;
     CGAL_For_all(at, start) {
@@ -146,20 +138,21 @@ Nef unionOf(const Nef& a, const Nef& b) { return (a + b).regularization(); }
 
 Nef differenceOf(const Nef& a, const Nef& b) { return (a - b).regularization(); }
 
-Nef nefOf(const SolidBody& body) {
-  if (body.nef) return *body.nef;
-  Nef nef(Nef::EMPTY);
-  bool first = true;
-  for (const Shell& shell : shellsOf(body.surface)) {
-    const Nef part(shell.surface);
-    if (first)
-      nef = part;
-    else
-      nef = shell.inside ? unionOf(nef, part) : differenceOf(nef, part);
-    first = false;
-  }
+Nef symmetricDifferenceOf(const Nef& a, const Nef& b) { return (a ^ b).regularization(); }
+
+Nef nefOf(const SurfaceMesh& shell) { return Nef(shell); }
+
+Nef nefOf(std::vector<NefShell> shells) {
+  // Whatever lies in a shell is smaller than it.
+  std::stable_sort(shells.begin(), shells.end(), [](const NefShell& a, const NefShell& b) { return a.volume > b.volume; });
+  if (shells.empty()) return Nef(Nef::EMPTY);
+  Nef nef = shells.front().nef;
+  for (std::size_t k = 1; k < shells.size(); ++k)
+    nef = shells[k].inside ? unionOf(nef, shells[k].nef) : differenceOf(nef, shells[k].nef);
   return nef;
 }
+
+Nef nefOf(const SolidBody& body) { return body.nef ? *body.nef : nefOf(shellsOf(body.surface)); }
 
 Parts convexParts(const Solid& solid, const Progress& progress) {
   if (isConvex(solid)) {

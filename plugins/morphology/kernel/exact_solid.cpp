@@ -3,12 +3,9 @@
 #include <CGAL/convex_hull_3.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "core/error.h"
-#include "core/units.h"
-#include "geometry/mesh_topology.h"
 #include "kernel/exact_types.h"
 
 namespace blossom::morphology {
@@ -17,21 +14,13 @@ namespace {
 
 using Inexact = CGAL::Epick;
 
-constexpr std::array<std::array<int, 3>, 12> boxTriangles{{{0, 2, 3},
-                                                           {0, 3, 1},
-                                                           {4, 5, 7},
-                                                           {4, 7, 6},
-                                                           {0, 1, 5},
-                                                           {0, 5, 4},
-                                                           {2, 6, 7},
-                                                           {2, 7, 3},
-                                                           {0, 4, 6},
-                                                           {0, 6, 2},
-                                                           {1, 3, 7},
-                                                           {1, 7, 5}}};
+const std::vector<std::array<int, 3>> boxTriangles{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                                                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
 
-template <class Faces>
-SurfaceMesh surfaceFrom(const std::vector<Point>& points, const Faces& faces) {
+}  // namespace
+
+SurfaceMesh surfaceFrom(const std::vector<Point>& points, const std::vector<std::array<int, 3>>& faces,
+                        const std::string& subject) {
   SurfaceMesh surface;
   surface.reserve(static_cast<SurfaceMesh::size_type>(points.size()),
                   static_cast<SurfaceMesh::size_type>(points.size() + faces.size()),
@@ -39,32 +28,15 @@ SurfaceMesh surfaceFrom(const std::vector<Point>& points, const Faces& faces) {
   std::vector<SurfaceMesh::Vertex_index> vertices;
   vertices.reserve(points.size());
   for (const Point& p : points) vertices.push_back(surface.add_vertex(p));
-  const auto at = [&](auto index) { return vertices.at(static_cast<std::size_t>(index)); };
+  const auto at = [&](int index) { return vertices.at(static_cast<std::size_t>(index)); };
   for (const auto& face : faces)
     if (surface.add_face(at(face[0]), at(face[1]), at(face[2])) == SurfaceMesh::null_face())
-      throw Error(ErrorCode::InvalidInput, "The faces of the solid do not fit together.", "Repair the mesh.");
+      throw Error(ErrorCode::InvalidInput, fmt::format("The faces of {} do not fit together.", subject), "Repair the mesh.");
+  for (const auto v : surface.vertices())
+    if (surface.is_isolated(v)) surface.remove_vertex(v);
+  surface.collect_garbage();
   return surface;
 }
-
-/// Two vertices of one shell in one place: what lies between them cannot be told from the outside.
-void refuseTouching(const Mesh& mesh, const std::vector<int>& componentOfFace) {
-  std::map<std::array<double, 3>, std::vector<std::pair<int, int>>> seen;  // place: vertex, component
-  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-    for (const int v : mesh.face(f)) {
-      const Vec3& p = mesh.points[static_cast<std::size_t>(v)];
-      auto& here = seen[{p.x(), p.y(), p.z()}];
-      for (const auto& [vertex, component] : here)
-        if (vertex != v && component == componentOfFace[f])
-          throw Error(ErrorCode::InvalidInput,
-                      fmt::format("The solid touches itself at ({}, {}, {}).", formatNumber(p.x()), formatNumber(p.y()),
-                                  formatNumber(p.z())),
-                      "Move the touching parts apart, or let them overlap.");
-      if (std::find(here.begin(), here.end(), std::pair(v, componentOfFace[f])) == here.end())
-        here.emplace_back(v, componentOfFace[f]);
-    }
-}
-
-}  // namespace
 
 SurfaceMesh hullOf(const std::vector<Point>& points) {
   SurfaceMesh surface;
@@ -114,26 +86,12 @@ Solid solidFrom(SurfaceMesh surface) {
   return body;
 }
 
-Solid exactSolid(const Mesh& triangles, const Progress& progress) {
-  refuseTouching(triangles, meshTopology(triangles, progress).componentOfFace);
-  std::vector<std::array<int, 3>> faces;
-  for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
-    const auto face = triangles.face(f);
-    faces.push_back({face[0], face[1], face[2]});
-  }
-  SurfaceMesh surface = surfaceFrom(toPoints(triangles.points), faces);
-  for (const auto v : surface.vertices())
-    if (surface.is_isolated(v)) surface.remove_vertex(v);
-  surface.collect_garbage();
-  return solidFrom(std::move(surface));
-}
-
 Solid box(const Bounds& b) {
   std::vector<Vec3> corners;
   for (int k = 0; k < 8; ++k)
     corners.emplace_back((k & 1 ? b.high : b.low).x(), (k & 2 ? b.high : b.low).y(), (k & 4 ? b.high : b.low).z());
   auto body = std::make_shared<SolidBody>();
-  body->surface = surfaceFrom(toPoints(corners), boxTriangles);
+  body->surface = surfaceFrom(toPoints(corners), boxTriangles, "the box");
   body->convex = true;
   body->gridPoints = corners;
   return body;

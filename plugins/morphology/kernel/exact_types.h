@@ -3,7 +3,9 @@
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,11 +51,25 @@ inline Vec3 toVec3(const Point& p) {
 
 Solid solidFrom(SurfaceMesh);
 Solid solidFrom(Nef);
+/// From corners by number. @throws Error InvalidInput naming the subject.
+SurfaceMesh surfaceFrom(const std::vector<Point>& points, const std::vector<std::array<int, 3>>& faces,
+                        const std::string& subject);
 /// As Nef polyhedron: shells looking inwards are cut out.
 Nef nefOf(const SolidBody&);
+/// Of one shell that looks outwards and touches itself nowhere.
+Nef nefOf(const SurfaceMesh& shell);
+/// What a shell turned outwards encloses, and whether that is of the solid or a void in it.
+struct NefShell {
+  Nef nef;
+  Exact::FT volume;
+  bool inside = true;
+};
+/// Solids united, voids cut out, the larger ones first.
+Nef nefOf(std::vector<NefShell>);
 /// Regularised. Here alone Nef polyhedra are combined: the compiler takes a minute over it.
 Nef unionOf(const Nef&, const Nef&);
 Nef differenceOf(const Nef&, const Nef&);
+Nef symmetricDifferenceOf(const Nef&, const Nef&);
 /// Triangulates the facets of a Nef polyhedron.
 struct Triangles {
   std::vector<Point> points;
@@ -62,8 +78,8 @@ struct Triangles {
 Triangles trianglesOf(const Nef&);
 SurfaceMesh hullOf(const std::vector<Point>&);
 SurfaceMesh hullOf(const std::vector<Vec3>&);
-/// Neighbouring convex parts joined where their union is convex, up to 1e-12 of the size: the decomposition puts up more
-/// walls than it needs. Parts only grow by it.
+/// Neighbouring convex parts joined where their union is nearly convex: the decomposition puts up more
+/// walls than it needs. Parts only grow by it, see joinedPartsFlatness.
 Parts joinedParts(const Parts&, const Progress&);
 bool haveVolume(const std::vector<Point>&);
 

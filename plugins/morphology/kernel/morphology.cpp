@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "kernel/finished.h"
 #include "kernel/prepared.h"
 #include "kernel/stopwatch.h"
 
@@ -46,6 +47,15 @@ class Work {
     return made;
   }
 
+  /// weightA a + weightB b of two solids.
+  [[nodiscard]] Solid nefSum(const Prepared& a, double weightA, const Prepared& b, double weightB, double from, double to) {
+    Stopwatch watch;
+    stats_.way = Way::Nef;
+    Solid made = minkowskiSum(a.solid, weightA, b.solid, weightB, progress_.part(from, to));
+    stats_.sumMs += watch.lap();
+    return made;
+  }
+
   [[nodiscard]] Parts outside(const Solid& solid, const Bounds& frame, double from, double to) {
     Stopwatch watch;
     progress_.report(from, "Taking apart");
@@ -62,7 +72,7 @@ class Work {
     made.bounds = bounds;
     if (isConvex(solid)) return made;
     Operand rounded;
-    rounded.mesh = finished(solid, Vec3::Zero(), progress_.part(from, (from + to) / 2));
+    rounded.mesh = finished(solid, Vec3::Zero(), progress_.part(from, (from + to) / 2)).mesh;
     try {
       made = prepared(rounded, grid, progress_.part((from + to) / 2, to));
     } catch (const Error& error) {
@@ -73,7 +83,9 @@ class Work {
 
   void finish(const Solid& solid, const Vec3& centre, double from, double to) {
     Stopwatch watch;
-    solids_.push_back(finished(solid, centre, progress_.part(from, to)));
+    Finished made = finished(solid, centre, progress_.part(from, to));
+    solids_.push_back(std::move(made.mesh));
+    if (!made.warning.empty()) warn(std::move(made.warning));
     stats_.outputMs += watch.lap();
   }
   void add(Mesh mesh) { solids_.push_back(std::move(mesh)); }
@@ -181,11 +193,18 @@ void refuseFlatSum(const Solid& sum) {
 
 }  // namespace
 
-MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress) {
+MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& progress, Way way) {
+  if (way == Way::Nef) {
+    requireSolid(a);
+    requireSolid(b);
+  }
   Work work(progress);
   const Pair pair = prepare(work, a, b);
-  const Parts partsA = work.apart(pair.a, 0.1, 0.2), partsB = work.apart(pair.b, 0.2, 0.3);
-  const Solid sum = work.sum(partsA, partsB, 0.3, 0.95);
+  const auto byParts = [&] {
+    const Parts partsA = work.apart(pair.a, 0.1, 0.2), partsB = work.apart(pair.b, 0.2, 0.3);
+    return work.sum(partsA, partsB, 0.3, 0.95);
+  };
+  const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1, pair.b, 1, 0.1, 0.95) : byParts();
   refuseFlatSum(sum);
   work.finish(sum, pair.a.centre + pair.b.centre, 0.95, 1);
   return work.result();
@@ -230,15 +249,15 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
   return work.result();
 }
 
-MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights,
-                            const Progress& progress) {
+MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights, const Progress& progress,
+                            Way way) {
   requireSolid(a);
   requireSolid(b);
   Work work(progress);
   const Pair pair = prepare(work, a, b);
   const auto between = [](double w) { return w > 0 && w < 1; };
   Parts partsA, partsB;
-  if (std::any_of(weights.begin(), weights.end(), between)) {
+  if (way == Way::Corefined && std::any_of(weights.begin(), weights.end(), between)) {
     partsA = work.apart(pair.a, 0.1, 0.15);
     partsB = work.apart(pair.b, 0.15, 0.2);
   }
@@ -248,8 +267,9 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
     if (!between(w)) {
       work.finish(w <= 0 ? pair.a.solid : pair.b.solid, w <= 0 ? pair.a.centre : pair.b.centre, from, from + share);
     } else {
-      const Solid sum =
-          work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step), from, from + 0.9 * share);
+      const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1 - w, pair.b, w, from, from + 0.9 * share)
+                                        : work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step),
+                                                   from, from + 0.9 * share);
       work.finish(sum, (1 - w) * pair.a.centre + w * pair.b.centre, from + 0.9 * share, from + share);
     }
     from += share;
@@ -300,10 +320,11 @@ void eachRadius(Work& work, const Operand& a, const GrowOptions& options, const 
 
 }  // namespace
 
-MorphologyResult inflated(const Operand& a, const GrowOptions& options, const Progress& progress) {
+MorphologyResult inflated(const Operand& a, const GrowOptions& options, const Progress& progress, Way way) {
   Work work(progress);
   Parts parts;
   eachRadius(work, a, options, [&](const Prepared& solid, const Prepared& element, const Grid&, double from, double to) {
+    if (way == Way::Nef) return work.nefSum(solid, 1, element, 1, from, to);
     if (!parts) parts = work.apart(solid, from, from + 0.2 * (to - from));
     return work.sum(parts, partsOf(element, Progress::none()), from + 0.2 * (to - from), to);
   });

@@ -10,12 +10,21 @@
 /// Morphology of solids (Liu, Chen, Wan, Zhu, "An Algorithm of 3-D Objects Morphing and Its Implementation Based on
 /// Morphology", sections 2 and 3). Coordinates are true ones: the origin matters, and need not lie in either shape.
 ///
-/// All operations are exact on operands that are rounded to a grid of 2^-44 of their size; only the vertices that come out
-/// are rounded, to doubles. Solids are regular closed sets: what has no volume is left out. With r reflex edges in a solid,
-/// O(r^2) convex parts are added pair by pair and united.
+/// Operands are rounded to a grid of 2^-44 of their size and what follows is computed in exact arithmetic, but for bends too
+/// small to be told from that rounding: see flatness.h for what counts as flat, as straight and as convex. Corners that come
+/// out are rounded to doubles, and whether the faces between them cross is tested exactly afterwards. Solids are regular
+/// closed sets: what has no volume is left out. They may touch themselves in common vertices and edges. With r reflex edges
+/// in a solid, O(r^2) convex parts are added pair by pair and united.
 namespace blossom::morphology {
 
+/// Two ways to the same sum, neither of them always the faster.
+enum class Way {
+  Corefined,  ///< convex parts, joined again where that makes fewer, and united by cutting their surfaces along each other
+  Nef         ///< CGAL::minkowski_sum_3 as it is; refuses operands that are no solids
+};
+
 struct MorphologyStats {
+  Way way = Way::Corefined;            ///< of the last sum
   std::size_t partsA = 0, partsB = 0;  ///< convex parts of both, or of what lies outside the first (difference)
   std::size_t pairs = 0;               ///< of parts that were added
   std::size_t candidates = 0;          ///< facets of the sums of pairs, before they were united
@@ -30,7 +39,7 @@ struct MorphologyResult {
 };
 
 /// A + B = {a + b} (Definition 5). @throws Error InvalidInput, Degenerate when it has no volume, LimitExceeded, Cancelled.
-MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& = Progress::none());
+MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& = Progress::none(), Way = Way::Corefined);
 
 /// {x : x + B inside A}, the complement of (complement of A) + (-B). The paper's Definition 5 erodes by -B; this is the one
 /// that undoes a translation by B. @throws Error as solidSum; Degenerate when nothing is left.
@@ -43,7 +52,7 @@ MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress
 
 /// (1 - w) A + w B for every weight w in 0..1 (Definition 9, w = f(t)); A itself at 0, B itself at 1. Both are solids.
 MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vector<double>& weights,
-                            const Progress& = Progress::none());
+                            const Progress& = Progress::none(), Way = Way::Corefined);
 
 struct GrowOptions {
   std::vector<double> radii{1};  ///< mm, one solid each, not decreasing; 0 gives the solid itself
@@ -52,7 +61,7 @@ struct GrowOptions {
 };
 
 /// A + ball (section 3.2).
-MorphologyResult inflated(const Operand& a, const GrowOptions&, const Progress& = Progress::none());
+MorphologyResult inflated(const Operand& a, const GrowOptions&, const Progress& = Progress::none(), Way = Way::Corefined);
 /// A - ball. The paper writes A + tB here, too; meant is the difference. Ends before the first radius at which nothing is
 /// left, with a warning. @throws Error Degenerate when nothing is left at the first.
 MorphologyResult melted(const Operand& a, const GrowOptions&, const Progress& = Progress::none());

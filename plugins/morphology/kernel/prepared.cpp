@@ -7,8 +7,7 @@
 #include "core/error.h"
 #include "geometry/bounds.h"
 #include "geometry/mesh_topology.h"
-#include "kernel/coplanar.h"
-#include "kernel/manifold.h"
+#include "kernel/flatness.h"
 #include "kernel/solid_check.h"
 
 namespace blossom::morphology {
@@ -39,7 +38,7 @@ bool locallyConvex(const Mesh& mesh, const MeshTopology& topology, double tolera
 /// A solid whose hull adds nothing but rounding is its hull: faces of a tilted box are planes only nearly.
 Solid asConvex(const Mesh& triangles) {
   const MeshTopology topology = meshTopology(triangles);
-  const double size = bounds(triangles).diagonal(), tolerance = 1e-10 * size;
+  const double size = bounds(triangles).diagonal(), tolerance = hullFlatness * size;
   if (topology.components.size() != 1 || topology.components.front().genus() != 0) return nullptr;
   if (!locallyConvex(triangles, topology, tolerance)) return nullptr;
   Solid convex = hull(triangles.points);
@@ -74,24 +73,12 @@ Prepared prepared(const Operand& operand, const Grid& grid, const Progress& prog
   result.warnings = std::move(checked.warnings);
   for (const Vec3& p : checked.triangles.points) result.bounds.add(p);
   result.solid = asConvex(checked.triangles);
-  if (!result.solid) result.solid = exactSolid(checked.triangles, progress);
+  if (!result.solid) result.solid = exactSolid(checked.triangles, {operand.name, result.centre}, progress);
   return result;
 }
 
 Parts partsOf(const Prepared& operand, const Progress& progress) {
   return operand.solid ? convexParts(operand.solid, progress) : operand.pieces;
-}
-
-Mesh finished(const Solid& solid, const Vec3& centre, const Progress& progress) {
-  progress.report(0, "Joining faces");
-  const Mesh triangles = manifoldOf(rounded(solid, Vec3::Zero(), progress), progress);
-  if (!meshTopology(triangles).closed())
-    throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
-  Mesh result =
-      manifoldOf(joinedCoplanar(triangles, {.tolerance = 1e-10 * bounds(triangles).diagonal()}, progress), progress);
-  if (!meshTopology(result).closed()) result = triangles;
-  for (Vec3& p : result.points) p += centre;
-  return result;
 }
 
 }  // namespace blossom::morphology

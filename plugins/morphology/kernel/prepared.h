@@ -30,7 +30,4 @@ Prepared prepared(const Operand&, const Grid&, const Progress&);
 /// Convex parts of a solid, or the pieces that it is.
 Parts partsOf(const Prepared&, const Progress&);
 
-/// The solid as polygons in its own coordinates.
-Mesh finished(const Solid&, const Vec3& centre, const Progress&);
-
 }  // namespace blossom::morphology

@@ -6,12 +6,11 @@
 #include <CGAL/box_intersection_d.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <optional>
 
 #include "core/error.h"
 #include "geometry/mesh_topology.h"
+#include "geometry/triangle_crossing.h"
 
 namespace blossom::morphology {
 
@@ -24,42 +23,10 @@ using Surface = CGAL::Surface_mesh<Point>;
 Point toKernel(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 struct Triangle {
-  std::array<Vec3, 3> at;
+  Triangle3 at;
   int component = 0;
-  [[nodiscard]] Kernel::Triangle_3 exact() const { return {toKernel(at[0]), toKernel(at[1]), toKernel(at[2])}; }
-  [[nodiscard]] Vec3 center() const { return (at[0] + at[1] + at[2]) / 3; }
+  [[nodiscard]] CGAL::Bbox_3 box() const { return toKernel(at[0]).bbox() + toKernel(at[1]).bbox() + toKernel(at[2]).bbox(); }
 };
-
-/// Corners of `a` that lie at corners of `b`, as pairs of indices. By place, since touching surfaces have their own
-/// vertices.
-std::vector<std::pair<std::size_t, std::size_t>> commonCorners(const Triangle& a, const Triangle& b) {
-  std::vector<std::pair<std::size_t, std::size_t>> common;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (a.at[i] == b.at[j]) common.emplace_back(i, j);
-  return common;
-}
-
-Kernel::Segment_3 sideAcross(const Triangle& t, std::size_t corner) {
-  return {toKernel(t.at[(corner + 1) % 3]), toKernel(t.at[(corner + 2) % 3])};
-}
-
-/// Two triangles over one edge cross when they lie in one plane on the same side of it.
-bool foldOver(const Triangle& a, const Triangle& b, std::size_t freeA, std::size_t freeB) {
-  const Point p = toKernel(a.at[(freeA + 1) % 3]), q = toKernel(a.at[(freeA + 2) % 3]);
-  const Point x = toKernel(a.at[freeA]), y = toKernel(b.at[freeB]);
-  return CGAL::coplanar(p, q, x, y) && CGAL::coplanar_orientation(p, q, x, y) == CGAL::POSITIVE;
-}
-
-bool cross(const Triangle& a, const Triangle& b) {
-  const auto common = commonCorners(a, b);
-  if (common.size() >= 3) return true;
-  if (common.empty()) return CGAL::do_intersect(a.exact(), b.exact());
-  if (common.size() == 1)
-    return CGAL::do_intersect(b.exact(), sideAcross(a, common[0].first)) ||
-           CGAL::do_intersect(a.exact(), sideAcross(b, common[0].second));
-  return foldOver(a, b, 3 - common[0].first - common[1].first, 3 - common[0].second - common[1].second);
-}
 
 std::vector<Triangle> trianglesOf(const Mesh& mesh, const std::vector<int>& componentOfFace) {
   std::vector<Triangle> triangles(mesh.faceCount());
@@ -75,7 +42,7 @@ using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Triangl
 std::vector<Box> boxesOf(const std::vector<Triangle>& triangles) {
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
-  for (const Triangle& t : triangles) boxes.emplace_back(t.exact().bbox(), &t);
+  for (const Triangle& t : triangles) boxes.emplace_back(t.box(), &t);
   return boxes;
 }
 
@@ -93,7 +60,7 @@ Crossings crossingsOf(const std::vector<Triangle>& triangles, const Progress& pr
     const Triangle &first = *a.handle(), &second = *b.handle();
     const bool same = first.component == second.component;
     auto& place = same ? found.within : found.between;
-    if (!place && cross(first, second)) place = (first.center() + second.center()) / 2;
+    if (!place) place = crossingElsewhere(first.at, second.at);
   });
   return found;
 }

@@ -1,0 +1,214 @@
+#include "kernel/finished.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "core/error.h"
+#include "geometry/bounds.h"
+#include "geometry/mesh_crossing.h"
+#include "geometry/mesh_topology.h"
+#include "kernel/coplanar.h"
+#include "kernel/flatness.h"
+#include "kernel/in_order.h"
+#include "kernel/manifold.h"
+#include "kernel/plane_triangles.h"
+#include "kernel/self_crossing.h"
+
+namespace blossom::morphology {
+
+namespace {
+
+Mesh movedFrom(Mesh mesh, const Vec3& centre) {
+  for (Vec3& p : mesh.points) p += centre;
+  return mesh;
+}
+
+/// Without corners that repeat the one before, and without ways there and back again.
+std::vector<int> withoutSpikes(std::vector<int> face) {
+  for (std::size_t k = 0; k < face.size() && face.size() > 2;) {
+    const std::size_t n = face.size(), next = (k + 1) % n, after = (k + 2) % n;
+    if (face[k] == face[next]) {
+      face.erase(face.begin() + static_cast<std::ptrdiff_t>(next));
+      k = 0;
+    } else if (face[k] == face[after]) {
+      face.erase(face.begin() + static_cast<std::ptrdiff_t>(std::max(next, after)));
+      face.erase(face.begin() + static_cast<std::ptrdiff_t>(std::min(next, after)));
+      k = 0;
+    } else {
+      ++k;
+    }
+  }
+  return face;
+}
+
+std::vector<int> fromLowestNumber(std::vector<int> face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
+
+/// Faces over shared points: equal places are one vertex, and faces that have lost their area that way are gone, as are two
+/// that lie on each other back to back.
+Mesh collapsed(const Mesh& mesh) {
+  Mesh shared;
+  std::map<std::array<double, 3>, int> numbers;
+  std::vector<int> number;
+  for (const Vec3& p : mesh.points) {
+    const auto [at, fresh] =
+        numbers.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, static_cast<int>(shared.points.size()));
+    if (fresh) shared.points.push_back(p);
+    number.push_back(at->second);
+  }
+  std::map<std::vector<int>, int> balance;  // how often a face turns one way more than the other
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    std::vector<int> face;
+    for (const int v : mesh.face(f)) face.push_back(number[static_cast<std::size_t>(v)]);
+    face = withoutSpikes(std::move(face));
+    if (face.size() < 3) continue;
+    std::vector<int> one = fromLowestNumber(face), other = fromLowestNumber({face.rbegin(), face.rend()});
+    if (one <= other)
+      ++balance[std::move(one)];
+    else
+      --balance[std::move(other)];
+  }
+  for (const auto& [face, times] : balance) {
+    for (int k = 0; k < times; ++k) shared.addFace(face);
+    for (int k = 0; k < -times; ++k) shared.addFace(std::vector<int>(face.rbegin(), face.rend()));
+  }
+  return shared;
+}
+
+/// Corners that follow each other have places of their own.
+bool everyEdgeHasLength(const Mesh& mesh) {
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto corners = facePoints(mesh, f);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      if (corners[k] == corners[(k + 1) % corners.size()]) return false;
+  }
+  return true;
+}
+
+/// The face as triangles between its corners, or as it is where that fails.
+void addSplit(const Mesh& mesh, std::size_t face, Mesh& result) {
+  const std::vector<int> corners(mesh.face(face).begin(), mesh.face(face).end());
+  const auto triangles = trianglesBetween(mesh.points, {corners}, vectorArea(facePoints(mesh, face)));
+  if (triangles.size() != corners.size() - 2) {
+    result.addFace(corners);
+    return;
+  }
+  for (const auto& triangle : triangles) result.addFace(triangle);
+}
+
+template <class Which>
+Mesh withSplit(const Mesh& mesh, const Which& which) {
+  Mesh result;
+  result.points = mesh.points;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+    if (mesh.face(f).size() > 3 && which(f))
+      addSplit(mesh, f, result);
+    else
+      result.addFace(mesh.face(f));
+  return result;
+}
+
+/// Looks at ways to write one surface down until one crosses nowhere.
+class Attempts {
+ public:
+  Attempts(const Vec3& centre, const Progress& progress) : centre_(centre), progress_(progress) {}
+
+  [[nodiscard]] std::optional<Mesh> asIs(const Mesh& mesh) {
+    crossing_.reset();
+    if (mesh.faceCount() == 0 || !meshTopology(mesh).closed()) return std::nullopt;
+    Mesh there = movedFrom(mesh, centre_);
+    if (!everyEdgeHasLength(there)) return std::nullopt;
+    crossing_ = firstCrossing(there, progress_);
+    if (crossing_) return std::nullopt;
+    return there;
+  }
+
+  /// Polygons that cross something are split: their triangles may run otherwise than those their readers make.
+  [[nodiscard]] std::optional<Mesh> withFewerPolygons(Mesh mesh) {
+    constexpr int mostRounds = 8;
+    for (int round = 0; round <= mostRounds; ++round) {
+      if (auto made = asIs(mesh)) return made;
+      if (!crossing_) return std::nullopt;
+      const std::size_t before = mesh.faceCount();
+      const auto isHit = [&](std::size_t f) { return f == crossing_->first || f == crossing_->second; };
+      mesh = withSplit(mesh, [&](std::size_t f) { return round == mostRounds || isHit(f); });
+      if (mesh.faceCount() == before) return std::nullopt;
+    }
+    return asIs(mesh);
+  }
+
+  [[nodiscard]] const std::optional<MeshCrossing>& crossing() const { return crossing_; }
+
+ private:
+  const Vec3& centre_;
+  const Progress& progress_;
+  std::optional<MeshCrossing> crossing_;
+};
+
+/// Corners on a grid, in the user's coordinates.
+Mesh snappedTo(Mesh mesh, const Vec3& centre, double step, const Progress& progress) {
+  for (Vec3& p : mesh.points)
+    for (int k = 0; k < 3; ++k) p[k] = step * std::nearbyint((p[k] + centre[k]) / step) - centre[k];
+  return manifoldOf(collapsed(mesh), progress);
+}
+
+/// Triangles, those without area flipped or collapsed; nothing when that is impossible.
+std::optional<Mesh> mended(const Mesh& mesh, const Progress& progress) {
+  if (mesh.faceCount() == 0 || !meshTopology(mesh).closed()) return std::nullopt;
+  try {
+    return inOrder(manifoldOf(withoutDegenerate(triangulated(mesh, progress).first, {"The result"}), progress));
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::InvalidInput) throw;
+    return std::nullopt;
+  }
+}
+
+std::string movedBySentence(double step) {
+  return fmt::format("Corners have been moved by up to {:.2g} mm, so that rounding makes no faces cross.", step);
+}
+
+}  // namespace
+
+Finished finished(const Mesh& soup, const Vec3& centre, const Progress& progress) {
+  progress.report(0, "Joining faces");
+  const Mesh triangles = inOrder(manifoldOf(soup, progress));
+  if (!meshTopology(triangles).closed())
+    throw Error(ErrorCode::Internal, "The result is not closed.", "Please report the two shapes.");
+  const double size = bounds(triangles).diagonal();
+  const Mesh joined = manifoldOf(joinedCoplanar(triangles, {.tolerance = joinedFacesFlatness * size}, progress), progress);
+  Attempts attempts(centre, progress);
+  if (auto made = attempts.withFewerPolygons(joined)) return {inOrder(*made), {}};
+  std::optional<MeshCrossing> crossing = attempts.crossing();
+  if (auto made = attempts.asIs(triangles)) return {inOrder(*made), {}};
+  const int finest = std::ilogb(std::max(size, centre.cwiseAbs().maxCoeff())) - 51;  // two units in the last place
+  for (int bits = 0; bits <= 16; bits += 2) {
+    const double step = std::ldexp(1, finest + bits);
+    for (const Mesh* form : {&joined, &triangles}) {
+      const Mesh snapped = inOrder(snappedTo(*form, centre, step, progress));
+      if (auto made = attempts.withFewerPolygons(snapped)) return {inOrder(*made), movedBySentence(step)};
+      if (const auto whole = mended(snapped, progress))
+        if (auto made = attempts.asIs(*whole)) return {inOrder(*made), movedBySentence(step)};
+      if (attempts.crossing()) crossing = attempts.crossing();
+    }
+  }
+  throw Error(ErrorCode::Degenerate,
+              crossing
+                  ? fmt::format("With corners rounded to numbers of 16 digits the result crosses itself near {}.",
+                                Subject{}.place(crossing->place))
+                  : fmt::format("With corners rounded to numbers of 16 digits nothing closed is left of the result near {}.",
+                                Subject{}.place(centre)),
+              "Move the shapes nearer to the origin, or leave out details that are too small for their size.");
+}
+
+Finished finished(const Solid& solid, const Vec3& centre, const Progress& progress) {
+  return finished(rounded(solid, Vec3::Zero(), progress), centre, progress);
+}
+
+}  // namespace blossom::morphology

@@ -1,0 +1,126 @@
+#include <array>
+#include <set>
+
+#include "geometry/mesh_crossing.h"
+#include "support/morphology.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::morphology;
+
+namespace {
+
+using Cell = std::array<int, 3>;
+
+/// Solids of unit cells, which touch along edges and in corners wherever cells do.
+std::set<Cell> randomCells(std::mt19937_64& random, int side) {
+  std::bernoulli_distribution filled(0.55);
+  std::set<Cell> cells;
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z)
+        if (filled(random)) cells.insert({x, y, z});
+  if (cells.empty()) cells.insert({0, 0, 0});
+  return cells;
+}
+
+Mesh unitCell() { return cuboid({0, 0, 0}, {1, 1, 1}); }
+
+/// Points plus one cell: a result of our own.
+Mesh solidOfCells(const std::set<Cell>& cells, const Vec3& origin) {
+  Operand corners;
+  corners.form = Operand::Form::Points;
+  for (const auto& [x, y, z] : cells) corners.pieces.push_back({origin + Vec3(x, y, z)});
+  return solidSum(corners, bodyOf(unitCell())).solids.front();
+}
+
+/// The same cells as halves in every direction.
+std::set<Cell> halves(const std::set<Cell>& cells) {
+  std::set<Cell> result;
+  for (const auto& [x, y, z] : cells)
+    for (int k = 0; k < 8; ++k) result.insert({2 * x + (k & 1), 2 * y + ((k >> 1) & 1), 2 * z + ((k >> 2) & 1)});
+  return result;
+}
+
+/// Volume of cells + [0, 1/2]^3, counted.
+double volumeOfSum(const std::set<Cell>& cells) {
+  std::set<Cell> result;
+  for (const auto& [x, y, z] : halves(cells))
+    for (int k = 0; k < 8; ++k) result.insert({x + (k & 1), y + ((k >> 1) & 1), z + ((k >> 2) & 1)});
+  return static_cast<double>(result.size()) / 8;
+}
+
+/// Volume of cells - [0, 1/2]^3, counted: all eight halves that a cube from within a half reaches are there.
+double volumeOfDifference(const std::set<Cell>& cells) {
+  const std::set<Cell> all = halves(cells);
+  const auto stays = [&](const Cell& c) {
+    for (int k = 0; k < 8; ++k)
+      if (!all.contains({c[0] + (k & 1), c[1] + ((k >> 1) & 1), c[2] + ((k >> 2) & 1)})) return false;
+    return true;
+  };
+  return static_cast<double>(std::count_if(all.begin(), all.end(), stays)) / 8;
+}
+
+/// A ring of eight cells without the last corner: its ends touch along the edge at (2, 2).
+std::set<Cell> openRing() { return {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}}; }
+
+std::string refusalOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.message();
+  }
+  return {};
+}
+
+}  // namespace
+
+/// Solids that touch themselves along edges and in corners, as results and as operands.
+class MorphologyTouchingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aResultThatTouchesItselfIsAnOperand() {
+    const Vec3 origin(10, 20, 30);
+    const Mesh ring = solidOfCells(openRing(), origin);
+    COMPARE_NEAR(volumeOf(ring), 7, 1e-12);
+    QVERIFY(!firstCrossing(ring));
+    const Mesh half = cuboid({0, 0, 0}, {0.5, 0.5, 0.5});
+    COMPARE_NEAR(volumeOf(solidSumOf(ring, half)), volumeOfSum(openRing()), 1e-12);
+    COMPARE_NEAR(volumeOf(solidDifferenceOf(ring, half)), volumeOfDifference(openRing()), 1e-12);
+    COMPARE_NEAR(volumeOf(solidSumOf(half, ring)), volumeOfSum(openRing()), 1e-12);
+    COMPARE_NEAR(volumeOf(solidSum(bodyOf(ring), bodyOf(half), Progress::none(), Way::Nef).solids.front()),
+                 volumeOfSum(openRing()), 1e-12);
+    COMPARE_NEAR(volumeOf(solidMorph(bodyOf(ring), bodyOf(half), {0}).solids.front()), 7, 1e-12);
+  }
+
+  void cellsThatTouchAnyhow() {
+    std::mt19937_64 random = seededRandom();
+    const Mesh half = cuboid({0, 0, 0}, {0.5, 0.5, 0.5});
+    for (int k = 0; k < 6; ++k) {
+      const std::set<Cell> cells = randomCells(random, k < 3 ? 2 : 3);
+      const Mesh solid = solidOfCells(cells, {-1, -1, -1});
+      COMPARE_NEAR(volumeOf(solid), static_cast<double>(cells.size()), 1e-12);
+      QVERIFY(!firstCrossing(solid));
+      COMPARE_NEAR(volumeOf(solidSumOf(solid, half)), volumeOfSum(cells), 1e-10);
+      if (volumeOfDifference(cells) > 0)
+        COMPARE_NEAR(volumeOf(solidDifferenceOf(solid, half)), volumeOfDifference(cells), 1e-10);
+    }
+  }
+
+  // What still cannot be used is told by its name and where it is, far from the origin as well.
+  void complaintsNameTheOperandAndThePlace() {
+    const Mesh far = movedBy(together(unitCell(), movedBy(unitCell(), {1, 1, 0.5})), {100, 200, 300});
+    Operand operand = bodyOf(movedBy(prism({{0, 0}, {3, 3}, {3, 0}, {0, 2}}, 0, 1), {100, 200, 300}));
+    operand.name = "The second shape";
+    const std::string crossing = refusalOf([&] { solidSum(bodyOf(unitCell()), operand); });
+    QVERIFY2(crossing.starts_with("The second shape crosses or touches itself near (10"), crossing.c_str());
+    QVERIFY2(crossing.find(", 20") != std::string::npos && crossing.find(", 30") != std::string::npos, crossing.c_str());
+    // Two bodies along a part of an edge count as one.
+    COMPARE_NEAR(volumeOf(solidSumOf(far, cuboid({0, 0, 0}, {0.5, 0.5, 0.5}))), 2 * 1.5 * 1.5 * 1.5 - 0.5 * 0.5 * 1, 1e-9);
+  }
+};
+
+QTEST_APPLESS_MAIN(MorphologyTouchingTest)
+#include "morphology_touching_test.moc"

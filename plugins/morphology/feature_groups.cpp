@@ -11,15 +11,22 @@ namespace {
 const char anchor = 0;
 
 Value statsOf(const MorphologyStats& stats) {
-  return {{"parts_a", stats.partsA},        {"parts_b", stats.partsB},   {"pairs", stats.pairs},
-          {"candidates", stats.candidates}, {"check_ms", stats.checkMs}, {"decompose_ms", stats.decomposeMs},
-          {"sum_ms", stats.sumMs},          {"unite_ms", stats.uniteMs}, {"output_ms", stats.outputMs}};
+  return {{"parts_a", stats.partsA},     {"parts_b", stats.partsB},
+          {"pairs", stats.pairs},        {"candidates", stats.candidates},
+          {"check_ms", stats.checkMs},   {"decompose_ms", stats.decomposeMs},
+          {"sum_ms", stats.sumMs},       {"unite_ms", stats.uniteMs},
+          {"output_ms", stats.outputMs}, {"way", stats.way == Way::Nef ? "nef" : "corefined"}};
 }
 
 }  // namespace
 
 FeatureType inWorker(FeatureType type, std::string activity) {
   return isolated(std::move(type), {.activity = std::move(activity), .module = moduleOf(&anchor)});
+}
+
+FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity) {
+  return isolated(make(Way::Corefined),
+                  {.activity = std::move(activity), .module = moduleOf(&anchor), .rival = make(Way::Nef).evaluate});
 }
 
 Evaluated evaluatedFrom(MorphologyResult result, const std::vector<double>& times) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "feature/registry.h"
 #include "kernel/morphology.h"
 
@@ -11,6 +13,8 @@ void registerGrowth(Registry&);
 
 /// Evaluated in a worker that loads this plugin.
 FeatureType inWorker(FeatureType, std::string activity);
+/// The same type made both ways: as `make` makes it for the first, and beside it for the second when that takes long.
+FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity);
 
 /// The solids as one mesh, or as a sequence over `times` when there are any.
 Evaluated evaluatedFrom(MorphologyResult, const std::vector<double>& times = {});

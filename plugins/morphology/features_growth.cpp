@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "feature_groups.h"
 
 namespace blossom::morphology {
@@ -12,7 +14,7 @@ struct GrowParameters {
   double deviation = 0.05;
 };
 
-using GrowOperation = MorphologyResult (*)(const Operand&, const GrowOptions&, const Progress&);
+using GrowOperation = std::function<MorphologyResult(const Operand&, const GrowOptions&, const Progress&)>;
 
 GrowOptions optionsOf(const GrowParameters& p, const std::vector<double>& times) {
   GrowOptions options{.radii = {p.radius}, .subdivisions = p.subdivisions, .fit = p.fit};
@@ -21,7 +23,7 @@ GrowOptions optionsOf(const GrowParameters& p, const std::vector<double>& times)
   return options;
 }
 
-Evaluated grown(GrowOperation operation, const GrowParameters& p, const Inputs& inputs, const Progress& progress) {
+Evaluated grown(const GrowOperation& operation, const GrowParameters& p, const Inputs& inputs, const Progress& progress) {
   const Operand solid = operandOf(inputs.of(0)[0], {p.deviation, "The solid", true}, progress);
   const std::vector<double> times = frameTimes(p.frames);
   Evaluated out = evaluatedFrom(operation(solid, optionsOf(p, times), progress), times);
@@ -30,11 +32,11 @@ Evaluated grown(GrowOperation operation, const GrowParameters& p, const Inputs& 
 }
 
 struct GrowTexts {
-  const char *id, *title, *summary, *radius, *icon, *activity;
+  const char *id, *title, *summary, *radius, *icon;
   std::vector<const char*> examples;
 };
 
-FeatureType growth(const GrowTexts& texts, GrowOperation operation) {
+FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
   using P = GrowParameters;
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
@@ -49,22 +51,22 @@ FeatureType growth(const GrowTexts& texts, GrowOperation operation) {
                  "Whether the polyhedron for the ball lies within it or around it.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);
   for (const char* example : texts.examples) made.example(example);
-  return inWorker(made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {
+  return made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {
     return grown(operation, p, inputs, progress);
-  }),
-                  texts.activity);
+  });
 }
 
-FeatureType inflateFeature() {
+FeatureType inflateFeature(Way way) {
   return growth({"morphology.inflate",
                  "Inflate",
                  "A solid grown by a ball: every point within the radius of it.",
                  "How far it grows.",
                  "inflate",
-                 "for the inflating",
                  {"blossom inflate part.stl --radius 2 -o grown.stl",
                   "blossom inflate bracket.step --radius 1 --subdivisions 2 --fit circumscribed -o grown.off --json"}},
-                inflated);
+                [way](const Operand& a, const GrowOptions& options, const Progress& progress) {
+                  return inflated(a, options, progress, way);
+                });
 }
 
 FeatureType meltFeature() {
@@ -74,13 +76,14 @@ FeatureType meltFeature() {
        "A solid melted by a ball: every point farther than the radius from its outside.",
        "How deep it melts.",
        "melt",
-       "for the melting",
        {"blossom melt part.stl --radius 2 -o core.stl", "blossom melt ice.step --radius 8 --frames 9 -o frame.obj"}},
-      melted);
+      [](const Operand& a, const GrowOptions& options, const Progress& progress) { return melted(a, options, progress); });
 }
 
 }  // namespace
 
-void registerGrowth(Registry& registry) { registry.addAll(inflateFeature(), meltFeature()); }
+void registerGrowth(Registry& registry) {
+  registry.addAll(inWorkers(inflateFeature, "for the inflating"), inWorker(meltFeature(), "for the melting"));
+}
 
 }  // namespace blossom::morphology

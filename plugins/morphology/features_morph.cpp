@@ -26,45 +26,43 @@ ParameterSpec unitCurve() {
   return spec;
 }
 
-Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress) {
+Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress, Way way) {
   const Operand a = operandOf(inputs.of(0)[0], {p.deviation, "The first solid", true}, progress);
   const Operand b = operandOf(inputs.of(1)[0], {p.deviation, "The second solid", true}, progress);
   const std::vector<double> times = p.frames > 0 ? frameTimes(p.frames) : std::vector<double>{p.t};
   const std::vector<ControlPoint> points = pointsOf(p.curve);
   std::vector<double> weights;
   for (const double t : times) weights.push_back(controlValue(p.control, points, t));
-  Evaluated out = evaluatedFrom(solidMorph(a, b, weights, progress), p.frames > 0 ? times : std::vector<double>());
+  Evaluated out = evaluatedFrom(solidMorph(a, b, weights, progress, way), p.frames > 0 ? times : std::vector<double>());
   out.stats["weights"] = weights;
   return out;
 }
 
-FeatureType morphFeature() {
+FeatureType morphFeature(Way way) {
   using P = MorphParameters;
   const std::vector<ShapeKind> kinds{ShapeKind::Mesh, ShapeKind::Brep};
-  return inWorker(
-      feature<P>("morphology.solid-morph", "Solid morph",
-                 "The in-between solids of two solids, whatever their number of holes and corners.")
-          .icon("solid-morph")
-          .gives({ShapeKind::Mesh})
-          .input({.name = "from", .help = "The solid at t = 0.", .kinds = kinds})
-          .input({.name = "to", .help = "The solid at t = 1.", .kinds = kinds})
-          .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first solid) to 1 (the second).")
-          .parameter("frames", &P::frames, count(0, 1000),
-                     "How many solids of a sequence from 0 to 1; 0 makes the one at t.")
-          .parameter("control", &P::control, choice({"linear", "ease", "ease-in", "ease-out", "curve"}),
-                     "How the share of the second solid grows with t.")
-          .parameter("curve", &P::curve, unitCurve(),
-                     "The share of the second solid at times t, when control is curve; straight between them.")
-          .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
-          .example("blossom solid-morph cube.off star.off --t 0.3 -o between.stl")
-          .example("blossom solid-morph a.step b.step --frames 9 --control ease -o frame.obj")
-          .example("blossom solid-morph a.stl b.stl --frames 5 --control curve --curve 0:0,0.5:0.9,1:1 -o frame.off")
-          .evaluate(morphed),
-      "for the morph");
+  return feature<P>("morphology.solid-morph", "Solid morph",
+                    "The in-between solids of two solids, whatever their number of holes and corners.")
+      .icon("solid-morph")
+      .gives({ShapeKind::Mesh})
+      .input({.name = "from", .help = "The solid at t = 0.", .kinds = kinds})
+      .input({.name = "to", .help = "The solid at t = 1.", .kinds = kinds})
+      .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first solid) to 1 (the second).")
+      .parameter("frames", &P::frames, count(0, 1000), "How many solids of a sequence from 0 to 1; 0 makes the one at t.")
+      .parameter("control", &P::control, choice({"linear", "ease", "ease-in", "ease-out", "curve"}),
+                 "How the share of the second solid grows with t.")
+      .parameter("curve", &P::curve, unitCurve(),
+                 "The share of the second solid at times t, when control is curve; straight between them.")
+      .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
+      .example("blossom solid-morph cube.off star.off --t 0.3 -o between.stl")
+      .example("blossom solid-morph a.step b.step --frames 9 --control ease -o frame.obj")
+      .example("blossom solid-morph a.stl b.stl --frames 5 --control curve --curve 0:0,0.5:0.9,1:1 -o frame.off")
+      .evaluate(
+          [way](const P& p, const Inputs& inputs, const Progress& progress) { return morphed(p, inputs, progress, way); });
 }
 
 }  // namespace
 
-void registerMorph(Registry& registry) { registry.add(morphFeature()); }
+void registerMorph(Registry& registry) { registry.add(inWorkers(morphFeature, "for the morph")); }
 
 }  // namespace blossom::morphology

@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "feature_groups.h"
 
 namespace blossom::morphology {
@@ -12,33 +14,35 @@ struct SumParameters {
   double deviation = 0.05;
 };
 
-using PairOperation = MorphologyResult (*)(const Operand&, const Operand&, const Progress&);
+using PairOperation = std::function<MorphologyResult(const Operand&, const Operand&, const Progress&)>;
 
-Evaluated combined(PairOperation operation, bool solidFirst, const SumParameters& p, const Inputs& inputs,
+Evaluated combined(const PairOperation& operation, bool solidFirst, const SumParameters& p, const Inputs& inputs,
                    const Progress& progress) {
   const Operand a = operandOf(inputs.of(0)[0], {p.deviation, "The first shape", solidFirst}, progress);
   const Operand b = operandOf(inputs.of(1)[0], {p.deviation, "The second shape", false}, progress);
   return evaluatedFrom(operation(a, b, progress));
 }
 
-FeatureType sumFeature() {
+FeatureType sumFeature(Way way) {
   using P = SumParameters;
-  return inWorker(feature<P>("morphology.solid-sum", "Solid sum",
-                             "Everything that one solid covers while its origin runs over the other.")
-                      .icon("solid-sum")
-                      .gives({ShapeKind::Mesh})
-                      .input({.name = "solid", .help = "What is added to.", .kinds = elementKinds})
-                      .input({.name = "element",
-                              .help = "What is added: a solid, a ball, a segment, a flat polygon or points.",
-                              .kinds = elementKinds})
-                      .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
-                      .example("blossom solid-sum part.stl ball:2 -o grown.stl")
-                      .example("blossom solid-sum bracket.step ball:1:2 --deviation 0.1 -o grown.off --json")
-                      .example("blossom solid-sum part.stl segment:0:0:20 -o swept.obj")
-                      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-                        return combined(solidSum, false, p, inputs, progress);
-                      }),
-                  "for the sum");
+  return feature<P>("morphology.solid-sum", "Solid sum",
+                    "Everything that one solid covers while its origin runs over the other.")
+      .icon("solid-sum")
+      .gives({ShapeKind::Mesh})
+      .input({.name = "solid", .help = "What is added to.", .kinds = elementKinds})
+      .input({.name = "element",
+              .help = "What is added: a solid, a ball, a segment, a flat polygon or points.",
+              .kinds = elementKinds})
+      .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
+      .example("blossom solid-sum part.stl ball:2 -o grown.stl")
+      .example("blossom solid-sum bracket.step ball:1:2 --deviation 0.1 -o grown.off --json")
+      .example("blossom solid-sum part.stl segment:0:0:20 -o swept.obj")
+      .evaluate([way](const P& p, const Inputs& inputs, const Progress& progress) {
+        const auto sum = [way](const Operand& a, const Operand& b, const Progress& part) {
+          return solidSum(a, b, part, way);
+        };
+        return combined(sum, false, p, inputs, progress);
+      });
 }
 
 struct PairTexts {
@@ -46,7 +50,7 @@ struct PairTexts {
   std::vector<const char*> examples;
 };
 
-FeatureType melting(const PairTexts& texts, PairOperation operation) {
+FeatureType melting(const PairTexts& texts, const PairOperation& operation) {
   using P = SumParameters;
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
@@ -97,6 +101,8 @@ FeatureType closeFeature() {
 
 }  // namespace
 
-void registerSums(Registry& registry) { registry.addAll(sumFeature(), differenceFeature(), openFeature(), closeFeature()); }
+void registerSums(Registry& registry) {
+  registry.addAll(inWorkers(sumFeature, "for the sum"), differenceFeature(), openFeature(), closeFeature());
+}
 
 }  // namespace blossom::morphology

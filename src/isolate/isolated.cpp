@@ -1,6 +1,9 @@
 #include "isolate/isolated.h"
 
+#include <unistd.h>
+
 #include "core/file.h"
+#include "isolate/race.h"
 #include "isolate/shape_transport.h"
 #include "worker/worker.h"
 
@@ -81,18 +84,38 @@ Shape namedLike(const Shape& made, const FeatureType& type, const Inputs& inputs
   return made;
 }
 
-Evaluated evaluateInWorker(const FeatureType& type, const IsolationOptions& isolation, const Value& parameters,
-                           const Inputs& inputs, const Progress& progress) {
+std::string rivalCall(const FeatureType& type) { return type.id + ":rival"; }
+
+Evaluated evaluateInWorker(const std::string& call, const FeatureType& type, const WorkerOptions& options,
+                           const Value& parameters, const Inputs& inputs, const Progress& progress) {
   const TemporaryFolder folder;
   const Value arguments{{"parameters", parameters}, {"inputs", savedInputs(type, inputs, folder.path())}};
-  const WorkerOptions options{.activity = isolation.activity, .module = isolation.module};
-  const Value answer = runInWorker(type.id, arguments, folder.path(), progress, options);
+  const Value answer = runInWorker(call, arguments, folder.path(), progress, options);
   Evaluated made;
   made.shape = namedLike(loadShape(answer.at("shape"), folder.path()), type, inputs);
   made.stats = answer.at("stats");
   made.warnings = answer.at("warnings").get<std::vector<std::string>>();
   made.figures = figuresOf(answer.at("figures"));
   return made;
+}
+
+std::uintmax_t halfOfTheMemory() {
+  return static_cast<std::uintmax_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uintmax_t>(::sysconf(_SC_PAGESIZE)) / 2;
+}
+
+Evaluated evaluateInWorkers(const FeatureType& type, const IsolationOptions& isolation, const Value& parameters,
+                            const Inputs& inputs, const Progress& progress) {
+  const WorkerOptions options{.activity = isolation.activity, .module = isolation.module};
+  const Attempt own = [&](const Progress& part) {
+    return evaluateInWorker(type.id, type, options, parameters, inputs, part);
+  };
+  if (!isolation.rival) return own(progress);
+  const Attempt other = [&](const Progress& part) {
+    WorkerOptions limited = options;
+    limited.memory = halfOfTheMemory();
+    return evaluateInWorker(rivalCall(type), type, limited, parameters, inputs, part);
+  };
+  return firstOf(own, other, isolation.headStart, progress);
 }
 
 }  // namespace
@@ -102,11 +125,16 @@ FeatureType isolated(FeatureType type, IsolationOptions options) {
   registerWorkerCall(type.id, [direct](const Value& arguments, const fs::path& folder, const Progress& progress) {
     return serve(direct, arguments, folder, progress);
   });
+  if (options.rival)
+    registerWorkerCall(rivalCall(type),
+                       [rival = options.rival](const Value& arguments, const fs::path& folder, const Progress& progress) {
+                         return serve(rival, arguments, folder, progress);
+                       });
   FeatureType made = type;
   made.evaluate = [type = std::move(type), options = std::move(options)](const Value& parameters, const Inputs& inputs,
                                                                          const Progress& progress) {
     if (options.when && !options.when(parameters, inputs)) return type.evaluate(parameters, inputs, progress);
-    return evaluateInWorker(type, options, parameters, inputs, progress);
+    return evaluateInWorkers(type, options, parameters, inputs, progress);
   };
   return made;
 }

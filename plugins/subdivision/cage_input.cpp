@@ -39,35 +39,17 @@ ControlPolygon polygonOfPath(const Curves& curves) {
   return closedUp(std::move(points), curves.paths[0].closed);
 }
 
-}  // namespace
-
-Shape cageOf(const Shape& input) {
-  if (input.kind() != ShapeKind::Region) return input;
-  std::optional<Curves> drawing = drawingOf(input);
-  return drawing ? Shape(std::move(*drawing)) : input;
-}
-
-std::optional<ControlPolygon> polygonOf(const Shape& shape) {
-  if (const auto* curves = shape.get<Curves>()) return polygonOfPath(*curves);
-  const Curve& curve = splineOf(shape);
-  if (curve.degree != 1) return {};
-  std::vector<Vec3> points;
-  for (const Vec4& pole : curve.poles) points.emplace_back(pole.head<3>() / pole.w());
-  return closedUp(std::move(points), false);
-}
-
-Shape shapeOf(const ControlPolygon& polygon, const Shape& like) {
-  std::vector<Vec3> points = polygon.points;
-  if (polygon.closed) points.push_back(points.front());
-  if (const auto* curves = like.get<Curves>()) {
-    Curves result = *curves;
-    Path& path = result.paths.front();
-    path.segments.clear();
-    path.closed = polygon.closed;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      path.segments.push_back(Line2{points[i].head<2>(), points[i + 1].head<2>()});
-    return result;
+/// Whether a drawing can hold the points: z is nothing but rounding.
+bool liesInDrawing(const std::vector<Vec3>& points) {
+  double size = 0, height = 0;
+  for (const Vec3& p : points) {
+    size = std::max(size, (p - points.front()).norm());
+    height = std::max(height, std::abs(p.z()));
   }
+  return height <= 1e-9 * size;
+}
+
+Curve curveThrough(const std::vector<Vec3>& points) {
   Curve curve;
   curve.degree = 1;
   const auto spans = static_cast<double>(points.size() - 1);
@@ -76,6 +58,44 @@ Shape shapeOf(const ControlPolygon& polygon, const Shape& like) {
   for (std::size_t i = 0; i < points.size(); ++i) curve.knots.push_back(static_cast<double>(i) / spans);
   curve.knots.push_back(1);
   return curve;
+}
+
+/// Whether the scheme makes of poles the very curve that has them, as far as a user may expect.
+bool keepsCurve(int degree, Chosen chosen) {
+  return chosen == Chosen::CatmullClark || (chosen == Chosen::Cubic && degree == 3) ||
+         (chosen == Chosen::Quadratic && degree == 2);
+}
+
+}  // namespace
+
+Shape cageOf(const Shape& input) {
+  if (input.kind() != ShapeKind::Region) return input;
+  std::optional<Curves> drawing = drawingOf(input);
+  return drawing ? Shape(std::move(*drawing)) : input;
+}
+
+std::optional<ControlPolygon> polygonOf(const Shape& shape, Chosen chosen) {
+  if (const auto* curves = shape.get<Curves>()) return polygonOfPath(*curves);
+  const Curve& curve = splineOf(shape);
+  if (curve.degree != 1 && keepsCurve(curve.degree, chosen)) return {};
+  std::vector<Vec3> points;
+  for (const Vec4& pole : curve.poles) points.emplace_back(pole.head<3>() / pole.w());
+  return closedUp(std::move(points), false);
+}
+
+Shape shapeOf(const ControlPolygon& polygon, const Shape& like) {
+  std::vector<Vec3> points = polygon.points;
+  if (polygon.closed) points.push_back(points.front());
+  if (const auto* curves = like.get<Curves>(); curves && liesInDrawing(points)) {
+    Curves result = *curves;
+    Path& path = result.paths.front();
+    path.segments.clear();
+    path.closed = polygon.closed;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      path.segments.push_back(Line2{points[i].head<2>(), points[i + 1].head<2>()});
+    return result;
+  }
+  return curveThrough(points);
 }
 
 const Curve& splineOf(const Shape& shape) {

@@ -18,7 +18,7 @@ namespace {
 struct DeformParameters {
   Chosen scheme = Chosen::CatmullClark;
   std::string free = "support";
-  double lambda = 1e-4;
+  double lambda = defaultLambda;
   int iterations = 20;
   int samples = 50;
   std::vector<Value> pulls;
@@ -33,7 +33,7 @@ std::vector<Vec3> polesOf(const Curve& curve) {
   return points;
 }
 
-void addFigures(const DeformResult& result, const Shape& cage, Evaluated& out) {
+void addFigures(const DeformResult& result, const Shape& cage, double lambda, Evaluated& out) {
   const auto length = [](const char* name, double value) { return Measure{name, value, MeasureUnit::Length}; };
   out.figures = {length("rms_before", result.before.rms),
                  length("rms_after", result.after.rms),
@@ -47,6 +47,12 @@ void addFigures(const DeformResult& result, const Shape& cage, Evaluated& out) {
     out.warnings.emplace_back(
         "More than half of the distance is left: the target lies beyond the local range. A wider rule for the free points, "
         "such as rings:1, lets more of the shape follow.");
+  constexpr double far = 4;  // a pull of a bicubic surface moves the vertex under it by 9/4
+  if (result.farthestMove > far * result.before.largest && result.before.largest > 0)
+    out.warnings.push_back(
+        fmt::format("Control point {} moves by {:.3g} mm, although the target lies at most {:.3g} mm off. A larger lambda, "
+                    "such as {:.1g}, keeps it nearer.",
+                    result.farthestPoint + 1, result.farthestMove, result.before.largest, std::max(0.01, 10 * lambda)));
   const double size = bounds(cage).diagonal();
   if (result.before.largest > size)
     out.warnings.push_back(
@@ -66,26 +72,27 @@ Evaluated deformEvaluate(const DeformParameters& p, const Inputs& inputs, const 
   const PresentOptions shown{p.scheme, p.as, 0, p.levels, p.tolerance};
   Evaluated out;
   if (const Mesh* mesh = cage.get<Mesh>()) {
-    checkCage(*mesh, surfaceScheme(p.scheme), progress);
-    const LimitSurface surface(*mesh, surfaceScheme(p.scheme), progress);
-    DeformResult result = deform(surface, mesh->points, samples, options, work);
-    Mesh moved = *mesh;
+    Mesh moved = closedCage(*mesh, p.scheme, out, progress);
+    checkCage(moved, surfaceScheme(p.scheme), progress);
+    const LimitSurface surface(moved, surfaceScheme(p.scheme), progress);
+    DeformResult result = deform(surface, moved.points, samples, options, work);
     moved.points = std::move(result.points);
-    addFigures(result, cage, out);
+    addFigures(result, cage, p.lambda, out);
     present(std::move(moved), shown, out, showing);
-  } else if (auto polygon = polygonOf(cage)) {
+  } else if (auto polygon = polygonOf(cage, p.scheme)) {
+    tellIfPoles(cage, out);
     const CurveScheme scheme = curveScheme(p.scheme);
     DeformResult result = scheme == CurveScheme::FourPoint
                               ? deform(FourPointCurve(*polygon), polygon->points, samples, options, work)
                               : deform(LimitCurve(*polygon, scheme), polygon->points, samples, options, work);
     polygon->points = std::move(result.points);
-    addFigures(result, cage, out);
+    addFigures(result, cage, p.lambda, out);
     present(std::move(*polygon), cage, shown, out, showing);
   } else {
     Curve curve = splineOf(cage);
     const DeformResult result = deform(LimitCurve(curve), polesOf(curve), samples, options, work);
     for (std::size_t i = 0; i < curve.poles.size(); ++i) curve.poles[i].head<3>() = result.points[i];
-    addFigures(result, cage, out);
+    addFigures(result, cage, p.lambda, out);
     present(std::move(curve), shown, out, showing);
   }
   return out;
@@ -124,7 +131,9 @@ FeatureType deformFeature() {
       .parameter("free", &P::free, text(),
                  "Which control points may move: support, paper, or rings:N for the support grown by N rings.")
       .parameter("lambda", &P::lambda, number(0, 1e6),
-                 "How much control points resist being moved; 0 takes the shortest movement that fits best.")
+                 "How much control points resist being moved, those that act little more than others; 0 takes the shortest "
+                 "movement that "
+                 "fits best.")
       .parameter("iterations", &P::iterations, count(1, 1000), "How often closest points are found again, at most.")
       .parameter("samples", &P::samples, count(2, 20000), "How many points are taken along drawn targets.")
       .parameter("pulls", &P::pulls, pullList(), "Single places of the limit shape and where they are to go.")

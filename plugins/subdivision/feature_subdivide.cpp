@@ -20,8 +20,9 @@ Evaluated subdivideEvaluate(const SubdivideParameters& p, const Inputs& inputs, 
   const PresentOptions options{p.scheme, p.as, p.levels, p.levels, p.tolerance};
   if (const Mesh* mesh = cage.get<Mesh>()) {
     out.stats["cage_faces"] = mesh->faceCount();
-    present(*mesh, options, out, progress);
-  } else if (auto polygon = polygonOf(cage)) {
+    present(closedCage(*mesh, p.scheme, out, progress), options, out, progress);
+  } else if (auto polygon = polygonOf(cage, p.scheme)) {
+    tellIfPoles(cage, out);
     out.stats["cage_points"] = polygon->points.size();
     present(std::move(*polygon), cage, options, out, progress);
   } else {

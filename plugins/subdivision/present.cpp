@@ -9,6 +9,7 @@
 #include "faces_brep.h"
 #include "geometry/bspline.h"
 #include "kernel/bspline_faces.h"
+#include "kernel/rims.h"
 #include "kernel/subdivide.h"
 
 namespace blossom::subdivision {
@@ -75,6 +76,22 @@ void present(Mesh cage, const PresentOptions& options, Evaluated& out, const Pro
     return;
   }
   out.shape = subdivide(cage, {.scheme = surfaceScheme(options.scheme), .levels = levels, .limit = limit}, progress).mesh;
+}
+
+Mesh closedCage(const Mesh& mesh, Chosen scheme, Evaluated& out, const Progress& progress) {
+  JoinedRims joined = joinedCage(mesh, surfaceScheme(scheme), progress);
+  if (joined.joined > 0)
+    out.warnings.push_back(fmt::format(
+        "Rims of the cage lie on each other; they were joined at {} vertices, so that the surface is closed there.",
+        joined.joined));
+  return std::move(joined.mesh);
+}
+
+void tellIfPoles(const Shape& cage, Evaluated& out) {
+  if (const auto* curve = cage.get<Curve>(); curve && curve->degree > 1)
+    out.warnings.push_back(
+        fmt::format("The scheme does not make the B-spline curve of degree {} itself; its {} poles are the control polygon.",
+                    curve->degree, curve->poles.size()));
 }
 
 void present(ControlPolygon polygon, const Shape& like, const PresentOptions& options, Evaluated& out,

@@ -25,6 +25,12 @@ struct PresentOptions {
 
 /// Each sets the shape of `out` and tells in its stats and warnings what was made.
 void present(Mesh cage, const PresentOptions&, Evaluated& out, const Progress&);
+/// The mesh with rims that lie on each other joined, and a warning that tells it.
+Mesh closedCage(const Mesh&, Chosen, Evaluated& out, const Progress&);
+
+/// Tells that the poles of a B-spline curve are taken as a control polygon, if they are. @pre `polygonOf` gives one
+void tellIfPoles(const Shape& cage, Evaluated& out);
+
 /// @param like drawn lines or a curve of degree 1
 void present(ControlPolygon, const Shape& like, const PresentOptions&, Evaluated& out, const Progress&);
 void present(Curve, const PresentOptions&, Evaluated& out, const Progress&);

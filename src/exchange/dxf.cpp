@@ -48,7 +48,7 @@ Format dxfFormat() {
   format.extensions = {"dxf"};
   format.read = readDxf;
   format.write = writeDxf;
-  format.writes = {ShapeKind::Curves, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath};
+  format.writes = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath};
   return format;
 }
 

@@ -39,7 +39,9 @@ std::string layerName(const std::string& name) {
 
 class DxfWriter {
  public:
-  DxfWriter(const Curves& curves, const std::filesystem::path& path) : curves_(curves), file_(path.string()) {
+  /// @param inSpace a curve beside them, or none
+  DxfWriter(const Curves& curves, const Curve* inSpace, const std::filesystem::path& path)
+      : curves_(curves), inSpace_(inSpace), file_(path.string()) {
     // Opening by dxflib tells it the version; the writer of ours then writes the same file anew.
     delete dxf_.out(file_.c_str(), DL_Codes::AC1015);
     writer_ = std::make_unique<ExactWriter>(file_.c_str(), DL_Codes::AC1015);
@@ -60,6 +62,7 @@ class DxfWriter {
       if (i % 256 == 0) progress.check();
       path(curves_.paths[i]);
     }
+    if (inSpace_) spaceCurve(*inSpace_);
     writer_->sectionEnd();
     dxf_.writeObjects(*writer_);
     dxf_.writeObjectsEnd(*writer_);
@@ -188,7 +191,43 @@ class DxfWriter {
     for (const Vec3& pole : s.poles) writer_->coord(10, pole.x() / pole.z(), pole.y() / pole.z(), 0);
   }
 
+  /// A curve that need not lie in a plane: straight lines as a polyline in space, others as a spline.
+  void spaceCurve(const Curve& curve) {
+    const bool rational = std::any_of(curve.poles.begin(), curve.poles.end(), [](const Vec4& p) { return p.w() != 1; });
+    if (curve.degree == 1 && !rational) return spacePolyline(curve);
+    begin("SPLINE", "AcDbSpline", {});
+    writer_->dxfInt(70, rational ? 4 : 0);
+    writer_->dxfInt(71, curve.degree);
+    writer_->dxfInt(72, static_cast<int>(curve.knots.size()));
+    writer_->dxfInt(73, static_cast<int>(curve.poles.size()));
+    writer_->dxfInt(74, 0);
+    for (const double knot : curve.knots) writer_->dxfReal(40, knot);
+    if (rational)
+      for (const Vec4& pole : curve.poles) writer_->dxfReal(41, pole.w());
+    for (const Vec4& pole : curve.poles) writer_->coord(10, pole.x() / pole.w(), pole.y() / pole.w(), pole.z() / pole.w());
+  }
+
+  void spacePolyline(const Curve& curve) {
+    constexpr int isClosed = 1, inSpace = 8, vertexInSpace = 32;
+    const bool closed = curve.poles.size() > 2 && curve.poles.front() == curve.poles.back();
+    begin("POLYLINE", "AcDb3dPolyline", {});
+    writer_->dxfInt(66, 1);  // vertices follow
+    writer_->coord(10, 0, 0, 0);
+    writer_->dxfInt(70, inSpace | (closed ? isClosed : 0));
+    for (std::size_t i = 0; i + (closed ? 1 : 0) < curve.poles.size(); ++i) {
+      const Vec4& pole = curve.poles[i];
+      begin("VERTEX", "AcDbVertex", {});
+      writer_->dxfString(100, "AcDb3dPolylineVertex");
+      writer_->coord(10, pole.x(), pole.y(), pole.z());
+      writer_->dxfInt(70, vertexInSpace);
+    }
+    writer_->entity("SEQEND");
+    writer_->dxfString(100, "AcDbEntity");
+    writer_->dxfString(8, "0");
+  }
+
   const Curves& curves_;
+  const Curve* inSpace_;
   std::string file_;
   DL_Dxf dxf_;
   std::unique_ptr<ExactWriter> writer_;
@@ -197,8 +236,9 @@ class DxfWriter {
 }  // namespace
 
 void writeDxf(const Shape& shape, const std::filesystem::path& path, const Value&, const Progress& progress) {
-  const Curves curves = *drawingOf(shape);
-  DxfWriter(curves, path).write(progress);
+  const Curve* inSpace = shape.get<Curve>();
+  const Curves curves = inSpace ? Curves{} : *drawingOf(shape);
+  DxfWriter(curves, inSpace, path).write(progress);
 }
 
 }  // namespace blossom

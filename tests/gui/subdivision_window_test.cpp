@@ -63,6 +63,7 @@ class SubdivisionWindowTest : public WindowFixture {
   void aSurfaceIsPulledToAStrokeAndSaved();
   void aPointIsDraggedAndPutBack();
   void anImportedTargetIsFollowed();
+  void aDrawnOutlineIsPulledInItsPlane();
   void aBrokenCageIsRefusedAndTheDocumentLivesOn();
   void aCageOf5000FacesIsDraggedLive();
 
@@ -320,6 +321,32 @@ void SubdivisionWindowTest::anImportedTargetIsFollowed() {
   edit("free", "paper");
   waitUntilComputed();
   QVERIFY(!window_->session().view(deform)->result->error);
+}
+
+/// A closed outline is a cage like any other, and a stroke over it stays in its plane, seen from wherever.
+void SubdivisionWindowTest::aDrawnOutlineIsPulledInItsPlane() {
+  run("feature.modeling.rectangle");
+  waitUntilComputed();
+  const FeatureId outline = last();
+  QCOMPARE(window_->session().view(outline)->result->evaluated.shape.kind(), ShapeKind::Region);
+  const double width = std::sqrt(measureOf(outline, "area"));
+  window_->view().lookFrom(QStringLiteral("iso"), false);
+  window_->view().fit(false);
+  window_->tree().select(outline);
+  run("feature.subdivision.stroke");
+  QVERIFY(window_->page().toolStarted());
+  for (const double x : {-0.3, 0.0, 0.3}) clickAt(Vec3(x * width, 0.4 * width + 0.1 * width * std::cos(5 * x), 0));
+  QTest::keyClick(&window_->view(), Qt::Key_Return);
+  QTRY_VERIFY(!window_->page().toolStarted());
+  waitUntilComputed();
+  const Feature *stroke = find("subdivision.stroke"), *deform = find("subdivision.deform");
+  QVERIFY(stroke && deform);
+  QCOMPARE(deform->inputs, (std::vector<FeatureId>{outline, stroke->id}));
+  for (const Value& p : stroke->parameters["points"]) QCOMPARE(p[2].get<double>(), 0.0);
+  const auto view = window_->session().view(deform->id);
+  QVERIFY2(!view->result->error, view->result->error ? view->result->error->what() : "");
+  QCOMPARE(view->result->evaluated.shape.kind(), ShapeKind::Curves);
+  QVERIFY(measureOf(deform->id, "rms_after") < 0.5 * measureOf(deform->id, "rms_before"));
 }
 
 void SubdivisionWindowTest::aBrokenCageIsRefusedAndTheDocumentLivesOn() {

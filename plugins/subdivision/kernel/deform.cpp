@@ -58,6 +58,7 @@ class Deformation {
       if (result_.after.rms > lastRms * (1 - smallestFall)) break;
     }
     result_.outsideChange = outsideChange();
+    findFarthest();
     result_.feet = feet_;
     result_.beyondRange = result_.after.rms > result_.before.rms / 2;
     progress_.report(1, "Deforming");
@@ -93,17 +94,8 @@ class Deformation {
 
   void chooseFree() {
     const std::vector<Row> all = rows();
-    if (options_.free.paper && shape_.isCurve()) {
-      result_.freePoints = paperRuleOnCurve(samples_, before_);
-    } else if (options_.free.paper) {
-      std::vector<Vec3> at;
-      for (const Row& row : all) at.push_back(combined(row, before_));
-      result_.freePoints = paperRuleOnSurface(samples_, at, before_);
-    } else {
-      result_.freePoints = grown(supportOf(all), edges_, before_.size(), options_.free.rings);
-    }
-    if (result_.freePoints.empty())
-      throw Error(ErrorCode::InvalidInput, "No control point is left free to move.", "Take fewer rings away.");
+    result_.freePoints = freePoints(options_.free, {samples_, all, found_}, before_, edges_, shape_.isCurve());
+    resistance_ = resistanceOf(all, result_.freePoints);
   }
 
   /// Movements count from where the points were at first, so that the objective is one and the same all the time.
@@ -112,14 +104,24 @@ class Deformation {
     std::vector<Vec3> residuals;
     for (std::size_t i = 0; i < samples_.size(); ++i) residuals.push_back(samples_[i] - combined(all[i], before_));
     const std::vector<Vec3> moved =
-        LeastSquares(all, result_.freePoints, edges_, options_.lambda, progress_).solve(residuals);
+        LeastSquares(all, result_.freePoints, resistance_.shares, edges_, lambda(), progress_).solve(residuals);
     for (std::size_t i = 0; i < moved.size(); ++i) {
       const auto p = static_cast<std::size_t>(result_.freePoints[i]);
       result_.points[p] = before_[p] + moved[i];
     }
-    double sum = options_.lambda * stiffness(moved, result_.freePoints, edges_);
+    double sum = lambda() * stiffness(moved, result_.freePoints, resistance_.shares, edges_);
     for (std::size_t i = 0; i < samples_.size(); ++i) sum += (combined(all[i], result_.points) - samples_[i]).squaredNorm();
     result_.objective.push_back(sum);
+  }
+
+  [[nodiscard]] double lambda() const { return options_.lambda * resistance_.strongest; }
+
+  void findFarthest() {
+    for (const int point : result_.freePoints) {
+      const auto p = static_cast<std::size_t>(point);
+      const double move = (result_.points[p] - before_[p]).norm();
+      if (move > result_.farthestMove) result_.farthestMove = move, result_.farthestPoint = point;
+    }
   }
 
   [[nodiscard]] double outsideChange() const {
@@ -143,6 +145,7 @@ class Deformation {
   FootFinder finder_;
   std::vector<std::pair<int, int>> edges_;
   std::vector<Foot> feet_;
+  Resistance resistance_;  ///< of the free points, by their first feet
   DeformResult result_;
 };
 

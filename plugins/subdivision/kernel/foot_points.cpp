@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "kernel/near_places.h"
 
 namespace blossom::subdivision {
 namespace {
@@ -113,20 +114,19 @@ std::vector<Foot> FootFinder::feet(std::span<const Vec3> samples, std::span<cons
                                    const Progress& progress) const {
   std::vector<Vec3> places(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) places[i] = combined(rows_[i], points);
+  const NearPlaces tree(places);
   std::vector<Foot> feet(samples.size());
   parallelFor(samples.size(), 4, progress, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::pair<double, std::size_t>> nearest(places.size());
+    std::vector<NearPlaces::Near> nearest;
     for (std::size_t s = begin; s < end; ++s) {
       progress.check();
       const Vec3& sample = samples[s];
-      for (std::size_t i = 0; i < places.size(); ++i) nearest[i] = {(places[i] - sample).squaredNorm(), i};
       // A few more than patches wanted, because neighbours lie on the same one.
-      const auto few = static_cast<std::ptrdiff_t>(std::min(nearest.size(), 4 * candidates));
-      std::partial_sort(nearest.begin(), nearest.begin() + few, nearest.end());
+      tree.nearest(sample, 4 * candidates, nearest);
       std::vector<Foot> starts;
       if (!before.empty()) starts.push_back(before[s]);
       std::vector<int> tried;
-      for (auto each = nearest.begin(); each != nearest.begin() + few && tried.size() < candidates; ++each) {
+      for (auto each = nearest.begin(); each != nearest.end() && tried.size() < candidates; ++each) {
         const Foot& start = spread_[each->second];
         if (!shape_.isCurve() && std::find(tried.begin(), tried.end(), start.patch) != tried.end()) continue;
         tried.push_back(start.patch);

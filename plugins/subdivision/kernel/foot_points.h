@@ -12,7 +12,7 @@ class FootFinder {
   FootFinder(const LimitShape&, const Progress&);
 
   /// One foot for each sample. Each of `before`, the feet of the last time (or empty), is improved too, so that no distance
-  /// grows when points did not move. O(samples * patches), in parallel. @throws Error Cancelled.
+  /// grows when points did not move. O((samples + patches) log patches), in parallel. @throws Error Cancelled.
   [[nodiscard]] std::vector<Foot> feet(std::span<const Vec3> samples, std::span<const Vec3> points,
                                        std::span<const Foot> before, const Progress&) const;
 

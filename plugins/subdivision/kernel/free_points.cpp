@@ -146,4 +146,58 @@ std::vector<int> paperRuleOnSurface(std::span<const Vec3> samples, std::span<con
   return sortedOnce(std::move(nearest));
 }
 
+namespace {
+
+std::vector<int> byPapersRule(const Wanted& wanted, std::span<const Vec3> points, bool isCurve) {
+  const std::size_t drawn = wanted.drawn > 0 ? wanted.drawn : wanted.samples.size();
+  const auto samples = wanted.samples.first(drawn);
+  std::vector<int> chosen;
+  if (isCurve) {
+    chosen = paperRuleOnCurve(samples, points);
+  } else {
+    std::vector<Vec3> feet;
+    for (const Row& row : wanted.rows.first(drawn)) feet.push_back(combined(row, points));
+    chosen = paperRuleOnSurface(samples, feet, points);
+  }
+  const std::vector<int> pulled = supportOf(wanted.rows.subspan(drawn));
+  chosen.insert(chosen.end(), pulled.begin(), pulled.end());
+  return sortedOnce(std::move(chosen));
+}
+
+}  // namespace
+
+std::vector<int> freePoints(const FreeRule& rule, const Wanted& wanted, std::span<const Vec3> points,
+                            std::span<const std::pair<int, int>> edges, bool isCurve) {
+  std::vector<int> free =
+      rule.paper ? byPapersRule(wanted, points, isCurve) : grown(supportOf(wanted.rows), edges, points.size(), rule.rings);
+  if (free.empty()) throw Error(ErrorCode::InvalidInput, "No control point is left free to move.", "Take fewer rings away.");
+  return free;
+}
+
+Resistance resistanceOf(std::span<const Row> rows, std::span<const int> free) {
+  constexpr double most = 1e4;
+  constexpr double whole = 0.15;  // sum of squares of all weights of a limit point, at the least, where faces are quads
+  std::vector<double> influence(free.size());
+  double dependence = 0;
+  for (const Row& row : rows) {
+    double ofRow = 0;
+    for (std::size_t k = 0; k < row.indices.size(); ++k) {
+      const auto found = std::lower_bound(free.begin(), free.end(), row.indices[k]);
+      if (found == free.end() || *found != row.indices[k]) continue;
+      const double square = row.weights[k] * row.weights[k];
+      influence[static_cast<std::size_t>(found - free.begin())] += square;
+      ofRow += square;
+    }
+    dependence = std::max(dependence, ofRow);
+  }
+  Resistance resistance{1, std::vector<double>(free.size(), 1.0)};
+  const double strongest = influence.empty() ? 0 : *std::max_element(influence.begin(), influence.end());
+  if (!(strongest > negligible * negligible)) return resistance;
+  const double missing = std::max(1.0, whole / dependence);
+  resistance.strongest = strongest * std::pow(missing, 4);  // what hardly depends on them must not drive them
+  for (std::size_t i = 0; i < free.size(); ++i)
+    if (influence[i] > negligible * negligible) resistance.shares[i] = std::min(most, strongest / influence[i]);
+  return resistance;
+}
+
 }  // namespace blossom::subdivision

@@ -30,4 +30,30 @@ std::vector<int> paperRuleOnCurve(std::span<const Vec3> samples, std::span<const
 std::vector<int> paperRuleOnSurface(std::span<const Vec3> samples, std::span<const Vec3> footPoints,
                                     std::span<const Vec3> points);
 
+/// What the shape is to come to: samples of a target first, then the places that pulls go to.
+struct Wanted {
+  std::span<const Vec3> samples;
+  std::span<const Row> rows;  ///< of their feet
+  std::size_t drawn = 0;      ///< so many samples are of a target
+};
+
+/// The control points that may move. The paper's rule looks at the target alone and adds the support of the pulls beside it;
+/// without a target the places that the pulls go to are one. Sorted, never empty.
+/// @throws Error InvalidInput as above, and when no point is left.
+std::vector<int> freePoints(const FreeRule&, const Wanted&, std::span<const Vec3> points,
+                            std::span<const std::pair<int, int>> edges, bool isCurve);
+
+/// How much free points resist being moved.
+struct Resistance {
+  /// What lambda is relative to: the largest sum of squares of the weights that a free point has in the samples, so that
+  /// twice as many samples change nothing. More where no sample depends on the free points as a sample among points that are
+  /// all free does: the paper's rule may free none but points that hardly act.
+  double strongest = 1;
+  /// Of each free point: 1 for the one that acts most, more for those that act less, as their sum of squares is less. Points
+  /// at the rim of the support, which hardly act, would else run far off for a hair's breadth. 1 for points that do not act
+  /// at all, which nothing but their neighbours moves.
+  std::vector<double> shares;
+};
+Resistance resistanceOf(std::span<const Row> rows, std::span<const int> free);
+
 }  // namespace blossom::subdivision

@@ -39,9 +39,11 @@ Sparse matrixOf(std::span<const Row> rows, std::span<const int> free) {
   return matrix;
 }
 
-Sparse stiffnessMatrix(std::span<const int> free, std::span<const std::pair<int, int>> edges, double lambda) {
+Sparse stiffnessMatrix(std::span<const int> free, std::span<const double> resistance,
+                       std::span<const std::pair<int, int>> edges, double lambda) {
   std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < static_cast<int>(free.size()); ++i) entries.emplace_back(i, i, lambda);
+  for (int i = 0; i < static_cast<int>(free.size()); ++i)
+    entries.emplace_back(i, i, lambda * resistance[static_cast<std::size_t>(i)]);
   const double stiff = lambda * laplacian;
   for (const auto& [from, to] : edges) {
     const int a = columnOf(free, from), b = columnOf(free, to);
@@ -69,14 +71,13 @@ struct LeastSquares::Data {
     if (static_cast<double>(matrix.rows()) * static_cast<double>(matrix.cols()) > largestDense)
       throw Error(ErrorCode::LimitExceeded, "There are too many samples and free points for the shortest solution.",
                   "Give a lambda above 0, such as 1e-6.");
-    // Points at the rim of the support hardly act: without a threshold they would run far off for a hair's breadth.
-    dense.setThreshold(1e-3);
+    dense.setThreshold(1e-12);  // rounding, and nothing else
     dense.compute(Eigen::MatrixXd(matrix));
   }
 };
 
-LeastSquares::LeastSquares(std::span<const Row> rows, std::span<const int> free, std::span<const std::pair<int, int>> edges,
-                           double lambda, const Progress& progress)
+LeastSquares::LeastSquares(std::span<const Row> rows, std::span<const int> free, std::span<const double> resistance,
+                           std::span<const std::pair<int, int>> edges, double lambda, const Progress& progress)
     : data_(std::make_unique<Data>()) {
   data_->matrix = matrixOf(rows, free);
   data_->stiff = lambda > 0;
@@ -85,7 +86,7 @@ LeastSquares::LeastSquares(std::span<const Row> rows, std::span<const int> free,
     data_->factorDense();
     return;
   }
-  Sparse normal = stiffnessMatrix(free, edges, lambda);
+  Sparse normal = stiffnessMatrix(free, resistance, edges, lambda);
   normal += Sparse(data_->matrix.transpose() * data_->matrix);
   data_->normal.compute(normal);
   if (data_->normal.info() != Eigen::Success)
@@ -105,9 +106,10 @@ std::vector<Vec3> LeastSquares::solve(std::span<const Vec3> residuals) const {
   return moved;
 }
 
-double stiffness(std::span<const Vec3> moved, std::span<const int> free, std::span<const std::pair<int, int>> edges) {
+double stiffness(std::span<const Vec3> moved, std::span<const int> free, std::span<const double> resistance,
+                 std::span<const std::pair<int, int>> edges) {
   double sum = 0;
-  for (const Vec3& d : moved) sum += d.squaredNorm();
+  for (std::size_t i = 0; i < moved.size(); ++i) sum += resistance[i] * moved[i].squaredNorm();
   const auto of = [&](int point) -> Vec3 {
     const int column = columnOf(free, point);
     return column < 0 ? Vec3(Vec3::Zero()) : moved[static_cast<std::size_t>(column)];

@@ -8,17 +8,18 @@
 
 namespace blossom::subdivision {
 
-/// How far each free control point moves, so that sum |L d - r|^2 + lambda |D d|^2 is least; |D d|^2 is |d|^2 and a tenth of
-/// the squared differences along edges of the cage, points that are not free standing still. With lambda 0 it is the
-/// shortest d of all that make |L d - r| least, directions that act a thousandth of the strongest left out. Factored once
-/// for x, y, z and every r: while something is dragged, a frame is one back-substitution.
+/// How far each free control point moves, so that sum |L d - r|^2 + lambda |D d|^2 is least; |D d|^2 is the sum of |d_i|^2,
+/// each times the resistance of the point, and a tenth of the squared differences along edges of the cage, points that are
+/// not free standing still. With lambda 0 it is the shortest d of all that make |L d - r| least; directions whose effect is
+/// within rounding of none, 1e-12 of the strongest, are left out. Factored once for x, y, z and every r: while something is
+/// dragged, a frame is one back-substitution.
 class LeastSquares {
  public:
   /// @param rows one for each residual; what they have of points that are not free does not count
-  /// @param free sorted
+  /// @param free sorted  @param resistance one for each free point
   /// @throws Error LimitExceeded when lambda is 0 and the problem is large, Degenerate when there is no solution, Cancelled.
-  LeastSquares(std::span<const Row> rows, std::span<const int> free, std::span<const std::pair<int, int>> edges,
-               double lambda, const Progress&);
+  LeastSquares(std::span<const Row> rows, std::span<const int> free, std::span<const double> resistance,
+               std::span<const std::pair<int, int>> edges, double lambda, const Progress&);
   ~LeastSquares();
   LeastSquares(const LeastSquares&) = delete;
   LeastSquares& operator=(const LeastSquares&) = delete;
@@ -31,6 +32,7 @@ class LeastSquares {
 };
 
 /// |D d|^2, the second term without its factor.
-double stiffness(std::span<const Vec3> moved, std::span<const int> free, std::span<const std::pair<int, int>> edges);
+double stiffness(std::span<const Vec3> moved, std::span<const int> free, std::span<const double> resistance,
+                 std::span<const std::pair<int, int>> edges);
 
 }  // namespace blossom::subdivision

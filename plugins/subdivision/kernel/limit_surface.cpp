@@ -29,6 +29,7 @@ struct LimitSurface::Data {
   std::vector<PatchSurface> surfaces;  ///< one for each face
   std::vector<Patch> patches;
   std::vector<int> firstPatch;  ///< of each face
+  std::size_t made = 0;         ///< faces that have their surface
   Scheme scheme = Scheme::CatmullClark;
 
   [[nodiscard]] const PatchSurface& surface(std::size_t face) const { return surfaces[face]; }
@@ -63,7 +64,11 @@ struct LimitSurface::Data {
   }
 };
 
-LimitSurface::LimitSurface(const Mesh& cage, Scheme scheme, const Progress& progress) : data_(std::make_unique<Data>()) {
+LimitSurface::LimitSurface(const Mesh& cage, Scheme scheme, const Progress& progress)
+    : LimitSurface(cage, scheme, std::vector<bool>(cage.faceCount(), true), progress) {}
+
+LimitSurface::LimitSurface(const Mesh& cage, Scheme scheme, const std::vector<bool>& faces, const Progress& progress)
+    : data_(std::make_unique<Data>()) {
   data_->scheme = scheme;
   data_->refiner = makeRefiner(cage, scheme);
   Bfr::RefinerSurfaceFactory<>::Options options;
@@ -74,8 +79,11 @@ LimitSurface::LimitSurface(const Mesh& cage, Scheme scheme, const Progress& prog
   for (std::size_t f = 0; f < cage.faceCount(); ++f) {
     if (f % 256 == 0) progress.check();
     const int face = static_cast<int>(f);
-    if (!data_->factory->InitVertexSurface(face, &data_->surfaces[f]))
-      throw Error(ErrorCode::InvalidInput, "A face of the cage has no limit surface.", "Look for degenerate faces.");
+    if (faces[f]) {
+      if (!data_->factory->InitVertexSurface(face, &data_->surfaces[f]))
+        throw Error(ErrorCode::InvalidInput, "A face of the cage has no limit surface.", "Look for degenerate faces.");
+      ++data_->made;
+    }
     const std::size_t size = cage.face(f).size();
     data_->firstPatch.push_back(static_cast<int>(data_->patches.size()));
     if (size == whole)
@@ -102,6 +110,7 @@ Row LimitSurface::cornerRow(std::size_t face, std::size_t k) const {
 }
 
 std::size_t LimitSurface::patchCount() const { return data_->patches.size(); }
+std::size_t LimitSurface::madeFaces() const { return data_->made; }
 
 std::vector<int> LimitSurface::controlPoints(int patch) const {
   return Data::indicesOf(data_->surface(static_cast<std::size_t>(data_->patches[static_cast<std::size_t>(patch)].face)));

@@ -15,6 +15,8 @@ class LimitSurface final : public LimitShape {
  public:
   /// @pre `checkCage` accepts the cage; it is not kept. O(n). @throws Error Cancelled.
   LimitSurface(const Mesh& cage, Scheme, const Progress& = Progress::none());
+  /// Of the faces marked alone; the others must not be asked for. O(n), but cheap for faces not marked.
+  LimitSurface(const Mesh& cage, Scheme, const std::vector<bool>& faces, const Progress&);
   ~LimitSurface() override;
   LimitSurface(const LimitSurface&) = delete;
   LimitSurface& operator=(const LimitSurface&) = delete;
@@ -28,6 +30,8 @@ class LimitSurface final : public LimitShape {
   /// Corner k of face f as a foot.
   [[nodiscard]] Foot cornerFoot(std::size_t face, std::size_t k) const;
   [[nodiscard]] std::size_t patchCount() const;
+  /// Faces whose limit surface was made.
+  [[nodiscard]] std::size_t madeFaces() const;
   /// The control points that act on a patch.
   [[nodiscard]] std::vector<int> controlPoints(int patch) const;
   /// The limit point of corner k of face f.

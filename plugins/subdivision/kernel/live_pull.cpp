@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "kernel/free_points.h"
 
 namespace blossom::subdivision {
 namespace {
@@ -13,30 +14,48 @@ constexpr int lattice = 4;  // pieces along a side of a patch
 
 LivePull::LivePull(const LimitSurface& surface, std::span<const Vec3> points, std::vector<Handle> handles,
                    const DeformOptions& options, const Progress& progress)
-    : points_(points.begin(), points.end()), moved_(points_), handles_(std::move(handles)) {
+    : surface_(surface),
+      options_(options),
+      edges_(surface.edges()),
+      points_(points.begin(), points.end()),
+      handles_(std::move(handles)) {
   for (const Handle& handle : handles_) rows_.push_back(surface.row(handle.foot));
-  const auto edges = surface.edges();
-  free_ = grown(supportOf(rows_), edges, points.size(), options.free.rings);
-  if (free_.empty())
-    throw Error(ErrorCode::InvalidInput, "No control point is left free to move.", "Take fewer rings away.");
-  factor_ = std::make_unique<LeastSquares>(rows_, free_, edges, options.lambda, progress);
-  for (std::size_t p = 0; p < surface.patchCount(); ++p) {
-    if (p % 256 == 0) progress.check();
-    const auto patch = static_cast<int>(p);
-    const std::vector<int> acting = surface.controlPoints(patch);
-    if (std::any_of(acting.begin(), acting.end(), [&](int i) { return std::binary_search(free_.begin(), free_.end(), i); }))
-      addPatch(surface, patch);
-  }
-  samples_ = still_;
+  reach(chosenFree(), progress);
   solve();
 }
 
-void LivePull::addPatch(const LimitSurface& surface, int patch) {
-  const bool triangle = surface.domain(patch) == Domain::Triangle;
+std::vector<int> LivePull::chosenFree() const {
+  std::vector<Vec3> to;
+  for (const Handle& handle : handles_) to.push_back(handle.to);
+  return subdivision::freePoints(options_.free, {to, rows_, 0}, points_, edges_, false);
+}
+
+/// What these free points move: the factor, and the patches within reach.
+void LivePull::reach(std::vector<int> free, const Progress& progress) {
+  free_ = std::move(free);
+  const Resistance resistance = resistanceOf(rows_, free_);
+  factor_ = std::make_unique<LeastSquares>(rows_, free_, resistance.shares, edges_, options_.lambda * resistance.strongest,
+                                           progress);
+  moved_ = points_;
+  still_.clear();
+  sampleRows_.clear();
+  triangles_.clear();
+  for (std::size_t p = 0; p < surface_.patchCount(); ++p) {
+    if (p % 256 == 0) progress.check();
+    const auto patch = static_cast<int>(p);
+    const std::vector<int> acting = surface_.controlPoints(patch);
+    if (std::any_of(acting.begin(), acting.end(), [&](int i) { return std::binary_search(free_.begin(), free_.end(), i); }))
+      addPatch(patch);
+  }
+  samples_ = still_;
+}
+
+void LivePull::addPatch(int patch) {
+  const bool triangle = surface_.domain(patch) == Domain::Triangle;
   std::array<std::array<int, lattice + 1>, lattice + 1> number{};
   for (int i = 0; i <= lattice; ++i)
     for (int j = 0; j <= (triangle ? lattice - i : lattice); ++j) {
-      const Row row = surface.row({patch, static_cast<double>(i) / lattice, static_cast<double>(j) / lattice});
+      const Row row = surface_.row({patch, static_cast<double>(i) / lattice, static_cast<double>(j) / lattice});
       number[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = static_cast<int>(still_.size());
       still_.push_back(combined(row, points_));
       Row& acting = sampleRows_.emplace_back();
@@ -56,7 +75,16 @@ void LivePull::addPatch(const LimitSurface& surface, int patch) {
 }
 
 void LivePull::drag(std::size_t k, const Vec3& to) {
-  handles_.at(k).to = to;
+  const Vec3 before = handles_.at(k).to;
+  handles_[k].to = to;
+  if (options_.free.paper) {
+    try {
+      if (std::vector<int> free = chosenFree(); free != free_) reach(std::move(free), Progress::none());
+    } catch (const Error&) {
+      handles_[k].to = before;
+      throw;
+    }
+  }
   solve();
 }
 

@@ -10,7 +10,8 @@ namespace blossom::subdivision {
 
 /// Places of a limit surface that are dragged: feet, free points and factor are found once, then every movement of the mouse
 /// is one back-substitution and a pass over the part of the surface that the free points reach. Moving the pulls to where
-/// `deform` is told to take them gives the points that `deform` gives.
+/// `deform` is told to take them gives the points that `deform` gives. By the paper's rule it depends on where pulls go
+/// which points are free: when that changes, free points and factor are found anew.
 class LivePull {
  public:
   struct Handle {
@@ -18,11 +19,13 @@ class LivePull {
     Vec3 to = Vec3::Zero();
   };
 
-  /// O(patches) to find what is within reach, 5 ms for 5,000 of them. @pre at least one handle. @throws Error as `deform`.
+  /// O(patches) to find what is within reach, 5 ms for 5,000 of them. @pre at least one handle; the surface outlives this.
+  /// @throws Error as `deform`.
   LivePull(const LimitSurface&, std::span<const Vec3> points, std::vector<Handle>, const DeformOptions&,
            const Progress& = Progress::none());
 
   /// Handle k goes there. O(free points^1.5 + samples within reach).
+  /// @throws Error InvalidInput when the paper's rule finds no free point for it; all stays as it was.
   void drag(std::size_t k, const Vec3& to);
 
   /// All control points; those that are not free have every bit they had.
@@ -33,8 +36,14 @@ class LivePull {
   [[nodiscard]] const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
 
  private:
+  [[nodiscard]] std::vector<int> chosenFree() const;
+  void reach(std::vector<int> free, const Progress&);
   void solve();
-  void addPatch(const LimitSurface&, int patch);
+  void addPatch(int patch);
+
+  const LimitSurface& surface_;
+  DeformOptions options_;
+  std::vector<std::pair<int, int>> edges_;
 
   std::vector<Vec3> points_, moved_;
   std::vector<Handle> handles_;

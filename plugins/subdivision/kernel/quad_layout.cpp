@@ -25,11 +25,9 @@ class Layout {
       if (sharp_[h] || twin_[h] < 0) marked_[h] = true;
     for (std::size_t h = 0; h < twin_.size(); ++h)
       if (irregular_[from(h)]) drawLines(h);
-    // Parts without corners, such as a torus, are cut open; every cut marks more edges, so this ends.
-    std::vector<LayoutCell> cells;
-    while (!collect(cells)) cells.clear();
-    return cells;
+    return collect();
   }
+  [[nodiscard]] std::size_t looked() const { return looked_; }
 
  private:
   [[nodiscard]] std::size_t from(std::size_t h) const { return static_cast<std::size_t>(mesh_.faceVertices[h]); }
@@ -94,6 +92,7 @@ class Layout {
       if (twin_[h] < 0) return;
       const auto other = static_cast<std::size_t>(twin_[h]);
       const bool known = marked_[h] && !sharp_[h];
+      if (!marked_[h]) fresh_.insert(fresh_.end(), {h, other});
       marked_[h] = marked_[other] = true;
       if ((known && !first) || irregular_[from(next(h))]) return;
       const long on = straightOn(h);
@@ -123,21 +122,46 @@ class Layout {
     auto operator<=>(const Place&) const = default;
   };
 
-  /// False when a part had to be cut.
-  bool collect(std::vector<LayoutCell>& cells) {
-    std::vector<bool> done(mesh_.faceCount());
-    for (std::size_t f = 0; f < done.size(); ++f) {
+  /// The parts between the marks. Those without corners, such as a torus, are cut open; every cut marks more edges, so this
+  /// ends. A cut may run on into parts that were rectangles already: those alone are looked at again.
+  std::vector<LayoutCell> collect() {
+    part_.assign(mesh_.faceCount(), none);
+    std::map<std::size_t, LayoutCell> cells;  // by their lowest face
+    for (std::size_t f = 0; f < part_.size();) {
       if (f % 256 == 0) progress_.check();
-      if (done[f]) continue;
-      std::map<std::size_t, Place> places;
-      if (!spreadFrom(f, places) || !isRectangle(places)) {
-        cut(places);
-        return false;
+      if (part_[f] != none) {
+        ++f;
+        continue;
       }
-      cells.push_back(cellOf(places));
-      for (const auto& [face, place] : places) done[face] = true;
+      std::map<std::size_t, Place> places;
+      const bool plain = spreadFrom(f, places);
+      looked_ += places.size();
+      if (!plain || !isRectangle(places)) {
+        fresh_.clear();
+        cut(places);
+        f = std::min(f, reopened(cells));
+        continue;
+      }
+      for (const auto& [face, place] : places) part_[face] = f;
+      cells.emplace(f, cellOf(places));
     }
-    return true;
+    std::vector<LayoutCell> all;
+    all.reserve(cells.size());
+    for (auto& [lowest, cell] : cells) all.push_back(std::move(cell));
+    return all;
+  }
+
+  /// Gives up the cells that new marks run through. @returns the lowest face of them.
+  std::size_t reopened(std::map<std::size_t, LayoutCell>& cells) {
+    std::size_t lowest = none;
+    for (const std::size_t h : fresh_) {
+      const std::size_t part = part_[h / 4];
+      if (part == none) continue;
+      for (const PlacedFace& placed : cells.at(part).faces) part_[static_cast<std::size_t>(placed.face)] = none;
+      cells.erase(part);
+      lowest = std::min(lowest, part);
+    }
+    return lowest;
   }
 
   /// Gives every face that is reached without crossing a mark its place; false when one would have two, or two one.
@@ -215,14 +239,24 @@ class Layout {
     return cell;
   }
 
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
   const Mesh& mesh_;
   const Progress& progress_;
   std::vector<long> twin_;
   std::vector<bool> sharp_, marked_, irregular_;
+  std::vector<std::size_t> part_;   ///< of each face the lowest face of its cell
+  std::vector<std::size_t> fresh_;  ///< half-edges that the last cut marked
+  std::size_t looked_ = 0;
 };
 
 }  // namespace
 
-std::vector<LayoutCell> quadLayout(const Mesh& mesh, const Progress& progress) { return Layout(mesh, progress).run(); }
+std::vector<LayoutCell> quadLayout(const Mesh& mesh, const Progress& progress, std::size_t* looked) {
+  Layout layout(mesh, progress);
+  std::vector<LayoutCell> cells = layout.run();
+  if (looked) *looked = layout.looked();
+  return cells;
+}
 
 }  // namespace blossom::subdivision

@@ -28,6 +28,7 @@ struct LayoutCell {
 /// its irregular vertices, which run on until they meet another one or the rim. Irregular vertices are corners of cells
 /// only. O(n log n).
 /// @pre `checkCage` accepts the mesh, all faces are quads, sharp edges have sharpness 10 or more.
-std::vector<LayoutCell> quadLayout(const Mesh&, const Progress& = Progress::none());
+/// @param looked set to how many faces were placed in all, those placed again after a cut counted again
+std::vector<LayoutCell> quadLayout(const Mesh&, const Progress& = Progress::none(), std::size_t* looked = nullptr);
 
 }  // namespace blossom::subdivision

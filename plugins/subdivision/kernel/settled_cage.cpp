@@ -61,11 +61,15 @@ Mesh madeSharp(Mesh quads, std::vector<bool>& touched) {
 /// Largest distance between the limit surfaces of two cages that differ in sharpness alone, on the faces near `touched`.
 double apartAt(const Mesh& soft, const Mesh& hard, const std::vector<bool>& touched, const Progress& progress) {
   constexpr int lattice = 8;
-  const LimitSurface before(soft, Scheme::CatmullClark, progress), after(hard, Scheme::CatmullClark, progress);
+  std::vector<bool> near(soft.faceCount());
+  for (std::size_t f = 0; f < near.size(); ++f) {
+    const auto face = soft.face(f);
+    near[f] = std::any_of(face.begin(), face.end(), [&](int v) { return touched[static_cast<std::size_t>(v)]; });
+  }
+  const LimitSurface before(soft, Scheme::CatmullClark, near, progress), after(hard, Scheme::CatmullClark, near, progress);
   double largest = 0;
   for (std::size_t f = 0; f < soft.faceCount(); ++f) {
-    const auto face = soft.face(f);
-    if (std::none_of(face.begin(), face.end(), [&](int v) { return touched[static_cast<std::size_t>(v)]; })) continue;
+    if (!near[f]) continue;
     progress.check();
     for (int i = 0; i <= lattice; ++i)
       for (int j = 0; j <= lattice; ++j) {

@@ -73,24 +73,44 @@ std::vector<bool> unsettled(const Mesh& mesh, Scheme scheme) {
   return marked;
 }
 
-void moveToLimit(Mesh& mesh, Scheme scheme, const Points& masks, const Progress& progress) {
-  const std::vector<bool> later = unsettled(mesh, scheme);
+/// One face round each vertex that is marked; the limit point is the same seen from any of them.
+std::vector<bool> facesThatTell(const Mesh& mesh, std::vector<bool> vertices) {
+  std::vector<bool> faces(mesh.faceCount());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (const int v : mesh.face(f)) {
+      if (!vertices[static_cast<std::size_t>(v)]) continue;
+      faces[f] = true;
+      vertices[static_cast<std::size_t>(v)] = false;
+    }
+  return faces;
+}
+
+/// @returns how many faces had their limit surface made.
+std::size_t moveToLimit(Mesh& mesh, Scheme scheme, const Points& masks, const Progress& progress) {
+  std::size_t made = 0;
+  std::vector<bool> later = unsettled(mesh, scheme);
   std::vector<Vec3> limit(mesh.points.size());
   for (std::size_t v = 0; v < limit.size(); ++v) limit[v] = masks[v].at;
   if (std::find(later.begin(), later.end(), true) != later.end()) {
-    const LimitSurface surface(mesh, scheme, progress);
+    const std::vector<bool> telling = facesThatTell(mesh, later);
+    const LimitSurface surface(mesh, scheme, telling, progress);
+    made = surface.madeFaces();
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
       const auto face = mesh.face(f);
       if (f % 1024 == 0) progress.check();
+      if (!telling[f]) continue;
       for (std::size_t k = 0; k < face.size(); ++k)
-        if (const auto v = static_cast<std::size_t>(face[k]); later[v])
+        if (const auto v = static_cast<std::size_t>(face[k]); later[v]) {
           limit[v] = combined(surface.cornerRow(f, k), mesh.points);
+          later[v] = false;
+        }
     }
   }
   mesh.points = std::move(limit);
   mesh.creases.clear();  // these are points of the surface, no cage any more
   mesh.corners.clear();
   mesh.otherTags.clear();
+  return made;
 }
 
 }  // namespace
@@ -121,7 +141,7 @@ SubdivideResult subdivide(const Mesh& cage, const SubdivideOptions& options, con
   if (options.limit) {
     Points limit(points.size());
     primvar.Limit(points, limit);
-    moveToLimit(result.mesh, options.scheme, limit, progress);
+    result.limitSurfaces = moveToLimit(result.mesh, options.scheme, limit, progress);
   }
   progress.report(1, "Refining");
   return result;

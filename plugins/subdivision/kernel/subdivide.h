@@ -15,7 +15,8 @@ struct SubdivideOptions {
 };
 
 struct SubdivideResult {
-  Mesh mesh;  ///< carries the sharpness that is left, so that refining it goes on where this stopped
+  Mesh mesh;                      ///< carries the sharpness that is left, so that refining it goes on where this stopped
+  std::size_t limitSurfaces = 0;  ///< faces whose limit surface was needed for limit points without an exact mask
 };
 
 /// The cage refined `levels` times, edges and vertices sharp as its tags say (DeRose, Kass & Truong 1998). Limit points are

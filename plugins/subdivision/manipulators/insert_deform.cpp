@@ -12,7 +12,7 @@ bool isCage(const ui::ToolHost& host, const FeatureId& id) {
   const auto result = host.result(id);
   if (!result || result->error) return false;
   const ShapeKind kind = result->evaluated.shape.kind();
-  return kind == ShapeKind::Mesh || kind == ShapeKind::Curve || kind == ShapeKind::Curves;
+  return kind == ShapeKind::Mesh || kind == ShapeKind::Curve || kind == ShapeKind::Curves || kind == ShapeKind::Region;
 }
 
 Value parameter(const ui::ToolHost& host, const Feature& feature, const char* name) {

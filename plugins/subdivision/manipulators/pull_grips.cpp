@@ -4,12 +4,14 @@
 
 #include "kernel/cage.h"
 #include "kernel/foot_points.h"
+#include "kernel/rims.h"
 
 namespace blossom::subdivision {
 
 std::shared_ptr<const GripSurface> gripSurface(const Shape& cage, Scheme scheme, const Progress& progress) {
   auto made = std::make_shared<GripSurface>();
   made->cage = cage;
+  made->joined = joinedCage(*cage.get<Mesh>(), scheme, progress).mesh;
   made->scheme = scheme;
   const Mesh& mesh = made->mesh();
   checkCage(mesh, scheme, progress);
@@ -45,6 +47,8 @@ bool onVertices(const GripSurface& of, const std::vector<Pull>& pulls) {
 
 std::vector<Grip> gripsOf(const GripSurface& of, const std::vector<Pull>& pulls, std::span<const Vec3> now,
                           const Progress& progress) {
+  // Before the first pull, and while the deformation is computed, the points are those of the cage.
+  if (now.size() != of.mesh().points.size()) now = of.mesh().points;
   std::vector<Grip> grips = of.corners;
   for (std::size_t k = 0; k < grips.size(); ++k) grips[k].now = combined(of.rows[k], now);
   std::vector<std::size_t> between;

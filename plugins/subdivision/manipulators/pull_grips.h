@@ -18,14 +18,15 @@ struct Grip {
 
 /// The limit surface of a cage and what is known of it once and for all.
 struct GripSurface {
-  Shape cage;  ///< keeps the mesh alive
+  Shape cage;   ///< as it was given
+  Mesh joined;  ///< its mesh, rims that lie on each other joined
   Scheme scheme = Scheme::CatmullClark;
   std::unique_ptr<LimitSurface> surface;
   std::vector<Grip> corners;  ///< one for each vertex, where it has not been pulled
   std::vector<Row> rows;      ///< of the corners
   std::vector<std::pair<int, int>> edges;
 
-  [[nodiscard]] const Mesh& mesh() const { return *cage.get<Mesh>(); }
+  [[nodiscard]] const Mesh& mesh() const { return joined; }
 };
 
 /// @pre the cage is a mesh. O(faces). @throws Error InvalidInput, Cancelled.

@@ -67,7 +67,7 @@ void PullTool::load() {
       return show({});  // the feature itself says what is wrong with it
     }
   }
-  const bool same = surface_ && &surface_->mesh() == mesh && surface_->scheme == scheme_;
+  const bool same = surface_ && surface_->cage.get<Mesh>() == mesh && surface_->scheme == scheme_;
   const auto known = same ? surface_ : nullptr;
   if (mesh->faceCount() <= facesAtOnce || (known && onVertices(*known, pulls_)))
     return show(loaded(known, base_, scheme_, pulls_, pointsNow(), Progress::none()));
@@ -95,7 +95,7 @@ std::vector<Vec3> PullTool::pointsNow() const {
   const std::vector<Vec3>& points = base_.get<Mesh>()->points;
   const auto result = place_->existing.empty() ? nullptr : host().result(place_->existing);
   const Mesh* moved = result && !result->error ? result->evaluated.shape.get<Mesh>() : nullptr;
-  return moved && moved->points.size() == points.size() ? moved->points : points;
+  return moved ? moved->points : points;
 }
 
 void PullTool::show(Loaded loaded) {
@@ -144,6 +144,10 @@ void PullTool::makeLive(std::vector<LivePull::Handle> handles) {
   } catch (const Error&) {
     return;  // the feature will tell why it cannot be pulled there
   }
+  findLiveEdges();
+}
+
+void PullTool::findLiveEdges() {
   const std::vector<int>& free = live_->freePoints();
   const auto moves = [&](int point) { return std::binary_search(free.begin(), free.end(), point); };
   liveEdges_.clear();
@@ -166,7 +170,14 @@ Vec3 PullTool::dragged(const ui::ToolEvent& event) const {
 
 void PullTool::drag(const ui::ToolEvent& event) {
   target_ = dragged(event);
-  if (live_) live_->drag(moving_, target_);
+  if (!live_) return;
+  const std::vector<int> free = live_->freePoints();
+  try {
+    live_->drag(moving_, target_);
+  } catch (const Error&) {
+    return;  // the feature will tell why it cannot be pulled there
+  }
+  if (live_->freePoints() != free) findLiveEdges();
 }
 
 void PullTool::place() {

@@ -41,6 +41,7 @@ class PullTool : public ui::HandleTool {
   void putBack() override { live_.reset(); }
   [[nodiscard]] Vec3 dragged(const ui::ToolEvent&) const;
   void makeLive(std::vector<LivePull::Handle>);
+  void findLiveEdges();
 
   std::optional<DeformPlace> place_;
   Shape base_;

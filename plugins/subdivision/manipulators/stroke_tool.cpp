@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <cmath>
 
+#include "geometry/bounds.h"
 #include "geometry/tessellate.h"
 #include "kernel/stroke.h"
 #include "ui/tools/view_props.h"
@@ -20,32 +21,43 @@ constexpr double samePixels = 3;
 StrokeTool::StrokeTool(ui::ToolHost& toolHost) : Tool(toolHost) {
   const std::vector<FeatureId> selected = toolHost.selection();
   if (selected.size() == 1) place_ = deformPlace(toolHost, selected.front());
-  if (place_) shape_ = selected.front();
+  if (!place_) return;
+  shape_ = selected.front();
+  const Bounds extent = bounds(toolHost.result(place_->base)->evaluated.shape);
+  flat_ = !extent.empty && extent.low.z() == 0 && extent.high.z() == 0;
 }
 
-/// Strokes bulge upwards or sideways: the plane stands upright before the viewer, but seen from above it lies.
+/// Strokes bulge upwards or sideways: the plane stands upright before the viewer, but seen from above it lies. What lies
+/// in the drawing plane is followed there, unless that is seen edge-on.
 Vec3 StrokeTool::normal(const ui::ToolEvent& event) const {
   if (axis_) return Vec3::Unit(*axis_);
   const Vec3& d = event.ray.direction;
+  constexpr double edgeOn = 0.1;
+  if (flat_ && std::abs(d.z()) > edgeOn) return Vec3::UnitZ();
   if (std::abs(d.z()) > 0.9) return Vec3::UnitZ();
   return std::abs(d.x()) > std::abs(d.y()) ? Vec3::UnitX() : Vec3::UnitY();
 }
 
 std::optional<Vec3> StrokeTool::placeOf(const ui::ToolEvent& event) const {
+  const Vec3 plane = points_.empty() ? normal(event) : normal_;
+  const bool inDrawing = flat_ && !axis_ && plane == Vec3::UnitZ();
   Vec3 origin = Vec3::Zero();
-  if (!points_.empty()) {
+  if (inDrawing) {
+    // The plane of drawings runs through zero.
+  } else if (!points_.empty()) {
     origin = points_.front();
   } else if (!event.pick.feature.empty()) {
     return event.pick.part.point;
   } else if (const Bounds all = host().extent(); !all.empty) {
     origin = all.center();
   }
-  const Vec3 plane = points_.empty() ? normal(event) : normal_;
   const double slope = plane.dot(event.ray.direction);
   if (std::abs(slope) < 1e-6) return std::nullopt;
   const double along = plane.dot(origin - event.ray.origin) / slope;
   if (along < 0) return std::nullopt;
-  return event.ray.origin + along * event.ray.direction;
+  Vec3 at = event.ray.origin + along * event.ray.direction;
+  if (inDrawing) at.z() = 0;  // without rounding
+  return at;
 }
 
 void StrokeTool::add(const Vec3& p) {

@@ -33,6 +33,7 @@ class StrokeTool : public ui::Tool {
   std::optional<DeformPlace> place_;
   std::vector<Vec3> points_;
   std::optional<Vec3> hovered_;
+  bool flat_ = false;        ///< what is to follow lies in the drawing plane, and so do strokes unless a key says otherwise
   std::optional<int> axis_;  ///< chosen by a key; else the one that looks most towards the viewer
   Vec3 normal_ = Vec3::UnitY();
   double pixel_ = 1;

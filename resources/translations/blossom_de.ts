@@ -2270,8 +2270,8 @@ Seitwärts ziehen ändert ihn.</translation>
         <translation>Prozessorkerne, mit denen gerechnet wird; 0 nimmt alle.</translation>
     </message>
     <message>
-        <source>How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and files are exact whatever it is.</source>
-        <translation>Wie weit das Gezeichnete von der Form selbst abweichen darf; 0: nach ihrer Größe gewählt. Ergebnisse und Dateien sind davon unabhängig genau.</translation>
+        <source>How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and files do not depend on it.</source>
+        <translation>Wie weit das Gezeichnete von der Form selbst abweichen darf; 0: nach ihrer Größe gewählt. Ergebnisse und Dateien hängen nicht davon ab.</translation>
     </message>
     <message>
         <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>

@@ -2270,8 +2270,8 @@ Drag sideways to change it.</source>
         <translation>계산에 쓸 프로세서 코어 수입니다. 0이면 모두 씁니다.</translation>
     </message>
     <message>
-        <source>How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and files are exact whatever it is.</source>
-        <translation>화면에 그린 것이 실제 형상에서 벗어날 수 있는 거리입니다. 0이면 형상의 크기에 맞추어 정합니다. 결과와 파일은 이 값과 상관없이 정확합니다.</translation>
+        <source>How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and files do not depend on it.</source>
+        <translation>화면에 그린 것이 실제 형상에서 벗어날 수 있는 거리입니다. 0이면 형상의 크기에 맞추어 정합니다. 결과와 파일은 이 값의 영향을 받지 않습니다.</translation>
     </message>
     <message>
         <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>

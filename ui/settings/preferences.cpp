@@ -57,7 +57,7 @@ const std::vector<PreferenceGroup>& preferenceGroups() {
                  Preferences::tr("Of a document when it is opened.")),
         declared("drawing-tolerance", lengthFromZero(), 0.0,
                  Preferences::tr("How far what is drawn may lie from the shape itself; 0: chosen by its size. Results and "
-                                 "files are exact whatever it is."))}},
+                                 "files do not depend on it."))}},
       {Preferences::tr("Work"),
        {declared("length-unit", choice({"mm", "cm", "m", "in", "ft"}), "mm",
                  Preferences::tr("In which lengths are shown, and what a number without a unit means. Files stay in mm.")),

@@ -897,6 +897,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Rename %1</source>
         <translation>%1 umbenennen</translation>
     </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>Compute it in its properties.</source>
+        <translation>In seinen Eigenschaften wird es berechnet.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentPage</name>
@@ -919,6 +927,26 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Open what is readable</source>
         <translation>Öffnen, was lesbar ist</translation>
+    </message>
+    <message>
+        <source>This document names files outside its folder. They were not read.</source>
+        <translation>Dieses Dokument nennt Dateien außerhalb seines Ordners. Sie wurden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Read them</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Computing was cancelled.</source>
+        <translation>Die Berechnung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>What was ready is shown.</source>
+        <translation>Was fertig war, wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Berechnen</translation>
     </message>
 </context>
 <context>
@@ -2476,6 +2504,14 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>ms</source>
         <translation>ms</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>

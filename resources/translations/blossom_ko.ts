@@ -897,6 +897,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>Rename %1</source>
         <translation>%1 이름 바꾸기</translation>
     </message>
+    <message>
+        <source>cancelled</source>
+        <translation>취소됨</translation>
+    </message>
+    <message>
+        <source>Compute it in its properties.</source>
+        <translation>속성에서 계산할 수 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentPage</name>
@@ -919,6 +927,26 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Open what is readable</source>
         <translation>읽을 수 있는 것 열기</translation>
+    </message>
+    <message>
+        <source>This document names files outside its folder. They were not read.</source>
+        <translation>이 문서는 폴더 밖의 파일을 가리킵니다. 그 파일은 읽지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Read them</source>
+        <translation>읽기</translation>
+    </message>
+    <message>
+        <source>Computing was cancelled.</source>
+        <translation>계산이 취소되었습니다.</translation>
+    </message>
+    <message>
+        <source>What was ready is shown.</source>
+        <translation>준비된 결과를 표시합니다.</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>계산</translation>
     </message>
 </context>
 <context>
@@ -2476,6 +2504,14 @@ Drag sideways to change it.</source>
     <message>
         <source>ms</source>
         <translation>ms</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>계산</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>취소되었습니다.</translation>
     </message>
 </context>
 <context>

@@ -139,6 +139,15 @@ void TimelineWindowTest::theTimeOfTheMorphIsThatOfTheFrame() {
   QCOMPARE(t->value(), Value(0.8));
   COMPARE_NEAR(shownWidth(), 18, 1e-6);
   QCOMPARE(toJson(window_->session().document()), document);  // to look at a frame is no edit
+  auto* const line = t->findChild<QLineEdit*>();
+  for (const int frame : {9, 10, 10}) {  // a key is a frame, though its own step of 0.01 is less
+    QTest::keyClick(line, Qt::Key_Right);
+    QCOMPARE(playback().frame(), frame);
+    QCOMPARE(t->value(), Value(frame / 10.0));
+  }
+  QTest::keyClick(line, Qt::Key_Left);
+  QCOMPARE(playback().frame(), 9);
+  QCOMPARE(toJson(window_->session().document()), document);
   // Without frames t is a parameter again.
   edit("frames", "0");
   waitUntilComputed();

@@ -227,7 +227,7 @@ void PropertyPanel::connectField(ParameterField* field) {
     if (!wantTime(*field, value)) commit(field, value);
   });
   connect(field, &ParameterField::previewed, this, [this, field](const Value& value) {
-    if (!wantTime(*field, value)) preview(field, value);
+    if (!wantTime(*field, value, true)) preview(field, value);
   });
   connect(field, &ParameterField::reverted, this, [this, field] {
     if (!wantTime(*field, field->value())) revert();

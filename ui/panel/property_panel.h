@@ -74,7 +74,7 @@ class PropertyPanel : public QScrollArea {
   [[nodiscard]] const std::vector<double>* timesFor(const ParameterField&) const;
   [[nodiscard]] bool refreshTime(ParameterField&);
   void refreshTimes();
-  [[nodiscard]] bool wantTime(ParameterField&, const Value& time);
+  [[nodiscard]] bool wantTime(ParameterField&, const Value& time, bool preview = false);
   void revert();
   void rename(const QString&);
   void wantPick(ParameterField*, InputEditor*, PickRequest);
@@ -99,7 +99,8 @@ class PropertyPanel : public QScrollArea {
   ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
   QString fault_;
 
-  int frame_ = 0, frames_ = 0;  // of the timeline
+  int frame_ = 0, frames_ = 0;       // of the timeline
+  std::optional<double> steppedTo_;  // by keys or wheel, until they rest
 
   std::optional<PickRequest> wanted_;
   QPointer<ParameterField> pickingField_;

@@ -1,6 +1,8 @@
 // The part of PropertyPanel that keeps the t of a sequence and the timeline one thing.
+#include <QGuiApplication>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/sequence.h"
 #include "ui/panel/parameter_field.h"
@@ -16,6 +18,12 @@ std::size_t alongside(std::size_t place, std::size_t from, std::size_t to) {
   if (from < 2 || to < 2) return 0;
   return static_cast<std::size_t>(
       std::lround(static_cast<double>(place) * static_cast<double>(to - 1) / static_cast<double>(from - 1)));
+}
+
+std::size_t nearestTo(const std::vector<double>& times, double wanted) {
+  const auto nearest = std::min_element(
+      times.begin(), times.end(), [wanted](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
+  return static_cast<std::size_t>(nearest - times.begin());
 }
 
 }  // namespace
@@ -57,14 +65,21 @@ void PropertyPanel::setTimeline(int frame, int frames) {
   refreshTimes();
 }
 
-/// True when the wish is one for another frame instead of an edit.
-bool PropertyPanel::wantTime(ParameterField& field, const Value& time) {
+/// True when the wish is one for another frame instead of an edit. A step of a key or the wheel is one to the next frame,
+/// however far that is; what is dragged or typed leads to the nearest.
+bool PropertyPanel::wantTime(ParameterField& field, const Value& time, bool preview) {
   const std::vector<double>* times = timesFor(field);
   if (!times || !time.is_number()) return false;
   const double wanted = time.get<double>();
-  const auto nearest = std::min_element(
-      times->begin(), times->end(), [wanted](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
-  const auto place = static_cast<std::size_t>(nearest - times->begin());
+  std::size_t place = alongside(static_cast<std::size_t>(frame_), static_cast<std::size_t>(frames_), times->size());
+  if (preview && QGuiApplication::mouseButtons() == Qt::NoButton) {
+    const double before = steppedTo_.value_or(field.value().get<double>());
+    steppedTo_ = wanted;
+    if (wanted > before) place = std::min(place + 1, times->size() - 1);
+    if (wanted < before) place -= std::min<std::size_t>(place, 1);
+  } else if (!std::exchange(steppedTo_, std::nullopt)) {
+    place = nearestTo(*times, wanted);
+  }
   emit frameWanted(static_cast<int>(alongside(place, times->size(), static_cast<std::size_t>(frames_))));
   refreshTimes();
   return true;

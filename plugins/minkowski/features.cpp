@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "core/error.h"
 #include "feature/plugin.h"
+#include "feature/registry.h"
 #include "geometry/planar.h"
+#include "in_worker.h"
 #include "kernel/morph.h"
 #include "kernel/region_sum.h"
+#include "worker/worker.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -19,15 +24,23 @@ std::vector<Region> regionsOf(const Inputs& inputs) {
   return regions;
 }
 
+std::optional<double> toleranceOf(const Value& given) {
+  return given.is_null() ? std::nullopt : std::optional(given.get<double>());
+}
+
+ParameterSpec toleranceSpec() {
+  return whenNone(optional(positiveLength()), "a 10,000th of each shape's size, at most 0.01 mm");
+}
+
 struct MorphParameters {
   double t = 0.5;
   int frames = 0;
   std::vector<double> blossom;
-  Evaluation evaluation = Evaluation::Explicit;
+  Evaluation evaluation = Evaluation::Automatic;
   bool degreeElevate = false;
   bool areaPreserving = false;
   std::vector<Vec3> offsets;
-  double tolerance = 0.01;
+  Value tolerance;  ///< null: follows the shapes' sizes
 };
 
 /// Where the control shapes were dragged to.
@@ -55,7 +68,7 @@ void refuseTogether(const MorphParameters& p) {
 
 double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static_cast<double>(frame) / (frames - 1); }
 
-Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress& progress) {
+Evaluated morphed(const MorphParameters& p, std::size_t mostWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
   moveShapes(shapes, p.offsets);
@@ -71,7 +84,8 @@ Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress
                              {.evaluation = p.evaluation,
                               .degreeElevate = p.degreeElevate,
                               .areaPreserving = p.areaPreserving,
-                              .tolerance = p.tolerance},
+                              .tolerance = toleranceOf(p.tolerance),
+                              .mostWork = mostWork},
                              progress);
   Evaluated out;
   out.stats["sums"] = result.sums;
@@ -86,7 +100,7 @@ Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress
   return out;
 }
 
-FeatureType morphFeature() {
+FeatureType morphFeature(std::size_t mostWork) {
   using P = MorphParameters;
   return feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.")
       .command("morph")
@@ -101,26 +115,28 @@ FeatureType morphFeature() {
       .parameter("frames", &P::frames, count(0, 10000), "How many shapes of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("blossom", &P::blossom, list(ratio()),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
-      .parameter(
-          "evaluation", &P::evaluation, choice({"recursive", "bottom-up", "explicit", "convex"}),
-          "How the in-betweens are computed; the shape is the same. Convex needs convex control shapes between the ends.")
+      .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
+                 "How the in-betweens are computed; the shape is the same. Automatic takes the way of the fewest sums; "
+                 "convex needs convex control shapes between the ends.")
       .parameter("degree-elevate", &P::degreeElevate, flag(),
                  "Use one control shape more; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.")
       .parameter("offsets", &P::offsets, list(vector()),
                  "How far each control shape is moved from where it was drawn, first to last; those left out stay.")
-      .parameter("tolerance", &P::tolerance, positiveLength(), "Largest distance between a curve and its polygon.")
+      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
       .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
       .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
-      .evaluate(morphed);
+      .evaluate([mostWork](const P& p, const Inputs& inputs, const Progress& progress) {
+        return morphed(p, mostWork, inputs, progress);
+      });
 }
 
 struct SumParameters {
-  double tolerance = 0.01;
+  Value tolerance;  ///< null: follows the shapes' sizes
 };
 
 Evaluated evaluated(RegionSumResult result) {
@@ -134,23 +150,23 @@ FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std:
   using P = SumParameters;
   auto builder = feature<P>(std::move(id), std::move(title), std::move(summary));
   builder.input({.name = "shape", .help = std::move(inputHelp), .kinds = {ShapeKind::Region}, .least = 2, .most = anyNumber})
-      .parameter("tolerance", &P::tolerance, positiveLength(), "Largest distance between a curve and its polygon.");
+      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.");
   return builder;
 }
 
-FeatureType sumFeature() {
+FeatureType sumFeature(std::size_t mostWork) {
   return sumBuilder("minkowski.minkowski-sum", "Minkowski sum",
                     "Everything that one shape covers while its origin runs over the other.", "The shapes that are added.")
       .icon("minkowski-sum")
       .gives({ShapeKind::Region})
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
       .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
-      .evaluate([](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiSum(regionsOf(inputs), {.tolerance = p.tolerance}, progress));
+      .evaluate([mostWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        return evaluated(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), mostWork}, progress));
       });
 }
 
-FeatureType differenceFeature() {
+FeatureType differenceFeature(std::size_t mostWork) {
   return sumBuilder("minkowski.minkowski-difference", "Minkowski difference",
                     "All places of the origin for which the second shape stays inside the first.",
                     "A shape, then what is to have room in it.")
@@ -158,15 +174,22 @@ FeatureType differenceFeature() {
       .gives({ShapeKind::Region})
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
       .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
-      .evaluate([](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiDifference(regionsOf(inputs), {.tolerance = p.tolerance}, progress));
+      .evaluate([mostWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        return evaluated(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), mostWork}, progress));
       });
+}
+
+void registerAll(Registry& registry) {
+  for (const auto& make : {morphFeature, sumFeature, differenceFeature}) registry.add(inWorkerWhenLong(make));
 }
 
 }  // namespace
 }  // namespace blossom::minkowski
 
-BLOSSOM_PLUGIN(registry) {
-  using namespace blossom::minkowski;
-  registry.addAll(morphFeature(), sumFeature(), differenceFeature());
+BLOSSOM_PLUGIN(registry) { blossom::minkowski::registerAll(registry); }
+
+/// The features register their calls when they are made.
+BLOSSOM_WORKER_CALLS() {
+  blossom::Registry registry;
+  blossom::minkowski::registerAll(registry);
 }

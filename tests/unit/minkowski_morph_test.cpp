@@ -121,6 +121,42 @@ class MinkowskiMorphTest : public QObject {
     QVERIFY(sums < table);
   }
 
+  void theAutomaticWayTakesTheFewestSums() {
+    // Every choice of levels has a weight of its own: explicitly 2^15 terms.
+    std::vector<double> different;
+    for (int k = 1; k <= 15; ++k) different.push_back(k / 16.0 + 1e-4 * k * k);
+    const std::vector<std::vector<double>> one{different};
+    const std::vector<bool> hollow(16, false);
+    QCOMPARE(sumsNeeded(Evaluation::Explicit, one, hollow), std::size_t{32'767});
+    QCOMPARE(sumsNeeded(Evaluation::BottomUp, one, hollow), std::size_t{120});
+    QVERIFY(wayOfFewestSums(one, hollow) == Evaluation::BottomUp);
+    QVERIFY(wayOfFewestSums(one, std::vector<bool>(16, true)) == Evaluation::Convex);
+    std::vector<Region> shapes;
+    for (int k = 0; k < 16; ++k) shapes.push_back(regular(3, 5.0 + k));
+    shapes[7] = polygonRegion({{0, 0}, {9, 4}, {0, 8}, {4, 4}});
+    QCOMPARE(morph(shapes, one).sums, std::size_t{120});
+    // What is foreseen is what is counted.
+    std::mt19937_64 random = seededRandom();
+    for (int round = 0; round < 8; ++round) {
+      shapes = hollows(3 + round % 2);
+      if (round % 3 == 0) shapes[1] = regular(5, 7);
+      std::vector<bool> convex(shapes.size(), false);
+      convex[1] = round % 3 == 0;
+      std::vector<std::vector<double>> arguments;
+      for (int k = 0; k < 1 + round % 4; ++k) {
+        std::vector<double>& t = arguments.emplace_back();
+        while (t.size() + 1 < shapes.size()) t.push_back(std::uniform_int_distribution<int>(0, 4)(random) / 4.0);
+      }
+      std::size_t fewest = 1'000'000;
+      for (const Evaluation way : everyWay) {
+        const std::size_t needed = sumsNeeded(way, arguments, convex);
+        QCOMPARE(morph(shapes, arguments, {.evaluation = way}).sums, needed);
+        fewest = std::min(fewest, needed);
+      }
+      if (!(convex[1] && shapes.size() == 3)) QCOMPARE(morph(shapes, arguments).sums, fewest);
+    }
+  }
+
   void theBlossomIsSymmetric() {
     const std::vector<Region> shapes = hollows(3);
     const double wanted = area(one(shapes, {0.2, 0.7}, {.evaluation = Evaluation::Recursive}));

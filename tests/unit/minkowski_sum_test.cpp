@@ -1,3 +1,9 @@
+#include <ctime>
+
+#include "geometry/bspline.h"
+#include "minkowski/kernel/bounding_polyline.h"
+#include "minkowski/kernel/flattening.h"
+#include "minkowski/kernel/nesting.h"
 #include "minkowski/kernel/polygon_sum.h"
 #include "minkowski/kernel/region_sum.h"
 #include "minkowski/kernel/snap_rounding.h"
@@ -265,6 +271,269 @@ class MinkowskiSumTest : public QObject {
     COMPARE_NEAR(area(room), 38 * 38 - 22 * 22 + 10 * 10, 1e-8);
     QCOMPARE(room.loops.size(), std::size_t{3});
     QCOMPARE(components(room).size(), std::size_t{2});
+  }
+
+  /// The room's outline and the grown hole touch in four corners: which loop is in which is no matter of majorities.
+  void loopsThatTouchLieInOneAnotherAsTheyDo() {
+    const auto diamond = [](double r) { return std::vector<Vec2>{{r, 0}, {0, r}, {-r, 0}, {0, -r}}; };
+    const Region part{{rectanglePath({-6, -6}, {6, 6}), reversed(polygonPath(diamond(4)))}};
+    for (const double cutter : {0.5, 0.999, 1.0, 1.001, 1.5}) {
+      const double side = 12 - 2 * cutter, hole = 2 * (4 + cutter) * (4 + cutter);
+      const double beyond = std::max(0.0, 4 + cutter - side / 2);  // the hole's corners outside of the room
+      COMPARE_NEAR(area(differenceOf(part, polygonRegion(diamond(cutter)))), side * side - hole + 4 * beyond * beyond, 1e-9);
+    }
+    // The same the other way round: an island that grows until it touches its hole.
+    const Region island{
+        {rectanglePath({-20, -20}, {20, 20}), reversed(rectanglePath({-6, -6}, {6, 6})), polygonPath(diamond(4))}};
+    COMPARE_NEAR(area(sumOf(island, polygonRegion(diamond(1)))), 42 * 42 - 2 - 100 + 50, 1e-9);
+    COMPARE_NEAR(area(differenceOf(island, polygonRegion(diamond(1)))), 38 * 38 - 14 * 14 + 2 + 2 * 9, 1e-9);
+  }
+
+  /// A ring lies around the hole and the island in it, but must not stick out of the part.
+  void aRingFitsAroundAHoleWithAnIsland() {
+    Region part = frame(50, 5);
+    part.loops.push_back(rectanglePath({-2, -2}, {2, 2}));
+    COMPARE_NEAR(area(differenceOf(part, frame(48, 20))), 4 * 4, 1e-9);
+  }
+
+  /// A sieve with an island in each of 10,000 holes, two of which touch their holes in corners.
+  void loopsByTheThousandLieInOneAnotherAsTheyDo() {
+    for (const bool touching : {false, true}) {
+      Region sieve{{rectanglePath({0, 0}, {1000, 1000})}};
+      for (int x = 0; x < 100; ++x)
+        for (int y = 0; y < 100; ++y) {
+          const Vec2 at(10 * x, 10 * y);
+          sieve.loops.push_back(reversed(rectanglePath(at + Vec2(2, 2), at + Vec2(8, 8))));
+          const double reach = touching && x == y && x < 2 ? 3 : 2;
+          sieve.loops.push_back(polygonPath(
+              {at + Vec2(5 + reach, 5), at + Vec2(5, 5 + reach), at + Vec2(5 - reach, 5), at + Vec2(5, 5 - reach)}));
+        }
+      const Polygons parts = flattened(sieve, {}, "sieve");
+      QCOMPARE(parts.size(), std::size_t{10'001});
+      std::size_t holes = 0;
+      for (const Polygon& part : parts) {
+        QVERIFY(minkowski::signedArea(part.outer) > 0);
+        for (const Loop& hole : part.holes) QVERIFY(minkowski::signedArea(hole) < 0);
+        holes += part.holes.size();
+      }
+      QCOMPARE(holes, std::size_t{10'000});
+      COMPARE_NEAR(minkowski::area(parts), 1e6 - 10'000 * (36 - 8) + (touching ? 2 * 10 : 0), 1e-3);
+    }
+  }
+
+  /// Rings in rings in all places, on few levels of x, so that many begin and end at once.
+  void nestingIsThatOfEachPoint() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_int_distribution<std::int64_t> split(1, 3);
+    std::vector<GridLoop> loops;
+    std::vector<std::optional<std::size_t>> wanted;
+    // Each box holds up to nine smaller ones, apart from one another.
+    const auto fill = [&](const auto& self, GridPoint low, std::int64_t size, std::optional<std::size_t> around) -> void {
+      const std::size_t me = loops.size();
+      GridLoop loop{low, {low.x + size, low.y}, {low.x + size, low.y + size}, {low.x, low.y + size}};
+      if (size % 5 == 0) loop = {{low.x, low.y + size / 2}, {low.x + size / 2, low.y}, {low.x + size, low.y + size}};
+      if (loops.size() % 2 == 1) std::reverse(loop.begin(), loop.end());
+      loops.push_back(loop);
+      wanted.push_back(around);
+      if (size < 400 || size % 5 == 0) return;
+      const std::int64_t count = split(random), step = size / count;
+      for (std::int64_t x = 0; x < count; ++x)
+        for (std::int64_t y = 0; y < count; ++y)
+          if (split(random) > 1) self(self, {low.x + x * step + 20, low.y + y * step + 20}, step - 40 - split(random), me);
+    };
+    for (int k = 0; k < 5; ++k) fill(fill, {k * 100'100, 0}, 100'000 + k, {});
+    QVERIFY(loops.size() > 100);
+    const auto around = loopsAround(loops);
+    for (std::size_t i = 0; i < loops.size(); ++i) QVERIFY(around[i] == wanted[i]);
+  }
+
+  /// Whatever the size and wherever the place: a share of the shape, not so many millimetres.
+  void smallShapesAreDrawnAsFinelyAsLargeOnes() {
+    for (double r = 1e-5; r < 20; r *= 10)
+      for (const Vec2& at : {Vec2(0, 0), Vec2(3e3, -7e3)}) {
+        if (r < 1e-8 * at.norm()) continue;  // the numbers themselves are coarser
+        const double exact = 4 * pi * r * r, made = area(sumOf(circleRegion(r, at), circleRegion(r)));
+        QVERIFY2(made <= exact * (1 + 1e-6) && made >= exact * (1 - 3e-4),
+                 qPrintable(QString::number(made / exact, 'g', 12)));
+      }
+    const Vec2 far(1e6, 1e6);
+    const double s = 1e-3;
+    COMPARE_NEAR(area(sumOf(rectangleRegion(far, far + Vec2(s, s)), circleRegion(s))), (5 + pi) * s * s, 6e-4 * s * s);
+    // Beside a large shape a small one is still what it is.
+    COMPARE_NEAR(area(sumOf(circleRegion(1e-3), polygonRegion({{0, 0}, {100, 0}, {100, 1e-3}, {0, 1e-3}}))),
+                 0.1 + 2e-3 * 100 + 2e-6 + pi * 1e-6, 2e-5);  // the tolerance along 200 mm
+  }
+
+  void aToleranceTooCoarseForTheShapesIsRefused() {
+    const Region speck = circleRegion(1e-3, {5, 7});
+    const auto sumWithin = [&](double tolerance) {
+      return minkowskiSum(std::vector{rectangleRegion({0, 0}, {1, 1}), speck}, {.tolerance = tolerance});
+    };
+    VERIFY_ERROR(sumWithin(0.01), ErrorCode::InvalidParameter);
+    QCOMPARE(QString::fromStdString(messageOf([&] { (void)sumWithin(0.01); })),
+             QString("Shape 2 at (5, 7) is 0.002 mm large; a tolerance of 0.01 mm is too coarse for its curves."));
+    try {
+      (void)sumWithin(0.01);
+    } catch (const Error& error) {
+      QCOMPARE(QString::fromStdString(error.hint()), QString("Give a tolerance of at most 0.0002 mm, or none."));
+    }
+    COMPARE_NEAR(area(sumWithin(0.0002).region), 1 + 4e-3 + pi * 1e-6, 4e-4);
+    // Straight edges are drawn as they are.
+    COMPARE_NEAR(area(minkowskiSum(std::vector(2, rectangleRegion({0, 0}, {1e-3, 1e-3})), {.tolerance = 1}).region), 4e-6,
+                 1e-12);
+  }
+
+  /// No room is told where there is none, and hardly any is lost.
+  void roomIsNeverOverstated() {
+    const auto ellipse = [](double a, double b) {
+      Path path;
+      path.closed = true;
+      path.segments.emplace_back(ellipticArc({0, 0}, {a, 0}, b / a, 0, 2 * pi));
+      return Region{{path}};
+    };
+    VERIFY_ERROR(differenceOf(rectangleRegion({-5, -5}, {5, 5}), circleRegion(5)), ErrorCode::Degenerate);
+    VERIFY_ERROR(differenceOf(rectangleRegion({1, 1}, {11, 11}), circleRegion(5, {3, 2})), ErrorCode::Degenerate);
+    VERIFY_ERROR(differenceOf(rectangleRegion({-5, -4}, {5, 4}), ellipse(5, 4)), ErrorCode::Degenerate);
+    VERIFY_ERROR(differenceOf(circleRegion(5), circleRegion(5)), ErrorCode::Degenerate);
+    const auto isWithin = [](const Region& room, double exact, double perimeter, double tolerance) {
+      const double made = area(room);
+      return made <= exact * (1 + 1e-12) && made >= exact - perimeter * tolerance;
+    };
+    for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-5}) {
+      const auto room = [&](const Region& a, const Region& b) {
+        return minkowskiDifference(std::vector{a, b}, {.tolerance = tolerance}).region;
+      };
+      const Region plate = rectangleRegion({-10, -8}, {10, 8});
+      QVERIFY(isWithin(room(plate, circleRegion(3)), 14 * 10, 48, tolerance));
+      QVERIFY(isWithin(room(plate, ellipse(4, 2.5)), 12 * 11, 46, tolerance));
+      // A round hole, too, is not drawn smaller than it is.
+      Region pierced = plate;
+      pierced.loops.push_back(reversed(circleRegion(2).loops.front()));
+      QVERIFY(isWithin(room(pierced, rectangleRegion({-1, -1}, {1, 1})), 18 * 14 - (4 + 16 + 4 * pi), 64 + 8 + 4 * pi,
+                       tolerance));
+      QVERIFY(isWithin(room(circleRegion(9), circleRegion(2.5)), pi * 6.5 * 6.5, 13 * pi, tolerance));
+    }
+  }
+
+  /// Splines that bend both ways, with weights: every point of the curve is inside of the polyline beside it, or on it.
+  void polylinesBesideCurvesKeepToTheirSide() {
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int shape = 0; shape < 60; ++shape) {
+      const int degree = 2 + shape % 3, pieces = 3 + shape % 4, poles = degree * pieces;
+      std::vector<Vec2> corners = spikyPoints(random, {0, 0}, 10, poles);
+      corners.push_back(corners.front());
+      Path path;
+      path.closed = true;
+      for (int piece = 0; piece < pieces; ++piece) {
+        Spline2 spline{degree, {}, {}};
+        for (int k = 0; k <= degree; ++k) {
+          const double weight = k == 0 || k == degree ? 1 : 0.3 + 2 * unit(random);
+          const Vec2& pole = corners[static_cast<std::size_t>(degree * piece + k)];
+          spline.poles.emplace_back(weight * pole.x(), weight * pole.y(), weight);
+        }
+        spline.knots.assign(static_cast<std::size_t>(degree) + 1, 0.0);
+        spline.knots.insert(spline.knots.end(), static_cast<std::size_t>(degree) + 1, 1.0);
+        path.segments.emplace_back(spline);
+      }
+      for (const double tolerance : {1.0, 1e-2, 1e-4}) {
+        const Path outside = polygonPath(polylineToTheRight(path, tolerance)),
+                   inside = polygonPath(polylineToTheLeft(path, tolerance));
+        for (const Segment& segment : path.segments) {
+          const Curve curve = toCurve(std::get<Spline2>(segment));
+          for (int k = 0; k < 60; ++k) {
+            const Vec2 p = point(curve, unit(random)).head<2>();
+            const auto holds = [&](const Path& loop, bool within) {
+              double nearest = 1e300;
+              for (const Segment& each : loop.segments) {
+                const Line2& line = std::get<Line2>(each);
+                const Vec2 along = line.to - line.from;
+                const double t = along.isZero() ? 0 : std::clamp((p - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+                nearest = std::min(nearest, (p - line.from - t * along).norm());
+              }
+              return nearest < 1e-11 || (nearest <= tolerance && (windingNumber(loop, p) > 0) == within);
+            };
+            QVERIFY(holds(outside, true));
+            QVERIFY(holds(inside, false));
+          }
+        }
+      }
+    }
+  }
+
+  void squaresOfALatticeAreAddedToThemselves() {
+    for (const double step : {1.0, 2.0, 3.0}) {
+      Region squares;
+      for (int x = 0; x < 26; ++x)
+        for (int y = 0; y < 26; ++y)
+          squares.loops.push_back(rectanglePath(step * Vec2(x, y), step * Vec2(x, y) + Vec2(1, 1)));
+      const double wanted = step <= 2 ? (50 * step + 2) * (50 * step + 2) : 51 * 51 * 4;
+      COMPARE_NEAR(area(sumOf(squares, squares)), wanted, 1e-9 * wanted);
+      if (step == 1) COMPARE_NEAR(area(differenceOf(squares, rectangleRegion({0, 0}, {3, 2}))), 23.0 * 24, 1e-8);
+    }
+  }
+
+  /// The bar of a single sum goes from left to right.
+  void aLongSumTellsHowFarItIs() {
+    std::mt19937_64 random = seededRandom();
+    const std::vector<Region> stars{polygonRegion(spikyPoints(random, {0, 0}, 50, 60)),
+                                    polygonRegion(spikyPoints(random, {0, 0}, 40, 60))};
+    std::vector<double> told;
+    const Progress progress({}, [&](double fraction, const std::string&) { told.push_back(fraction); });
+    (void)minkowskiSum(stars, {}, progress);
+    QVERIFY(std::is_sorted(told.begin(), told.end()));
+    QVERIFY2(told.size() > 20, qPrintable(QString::number(told.size())));
+    double last = 0;
+    for (const double fraction : told) {
+      QVERIFY2(fraction - last < 0.2, qPrintable(QString("from %1 to %2").arg(last).arg(fraction)));
+      last = fraction;
+    }
+    QVERIFY(last > 0.8);
+  }
+
+  /// The limit counts work, so that it is met at the same place on every machine, and before the work is done.
+  void workIsForeseen() {
+    std::mt19937_64 random = seededRandom();
+    const std::vector<Region> large{polygonRegion(spikyPoints(random, {0, 0}, 50, 300)),
+                                    polygonRegion(spikyPoints(random, {0, 0}, 40, 300))};
+    int sums = 0;
+    const Progress progress({}, [&](double, const std::string& stage) { sums += stage == "Finding the boundary" ? 1 : 0; });
+    QVERIFY_THROWS_EXCEPTION(TooMuchWork, (void)minkowskiSum(large, {.mostWork = 40'000}, progress));
+    QCOMPARE(sums, 0);
+    const std::vector<Region> small{polygonRegion(spikyPoints(random, {0, 0}, 50, 12)),
+                                    polygonRegion(spikyPoints(random, {0, 0}, 40, 12))};
+    QVERIFY(minkowskiSum(small, {.mostWork = 40'000}).region == minkowskiSum(small).region);
+    QVERIFY_THROWS_EXCEPTION(TooMuchWork, (void)minkowskiSum(small, {.mostWork = 10}));
+    // Convex shapes are merged, however many corners they have.
+    QVERIFY(!minkowskiSum(std::vector{circleRegion(500), circleRegion(300)}, {.tolerance = 1e-6, .mostWork = 0})
+                 .region.loops.empty());
+  }
+
+  /// What the acceptance reads: how long (of computing time) work goes on after it is cancelled, at the worst of many
+  /// places.
+  void cancellingEndsWorkSoon() {
+    std::mt19937_64 random = seededRandom();
+    const std::vector<Region> shapes{polygonRegion(spikyPoints(random, {0, 0}, 50, 60)),
+                                     polygonRegion(spikyPoints(random, {0, 0}, 40, 60))};
+    double worst = 0;
+    for (int stop = 1; stop < 80; stop += 15) {
+      const CancelToken token;
+      std::clock_t cancelled = 0;
+      int reports = 0;
+      const Progress progress(token, [&](double, const std::string&) {
+        if (++reports != stop) return;
+        token.cancel();
+        cancelled = std::clock();
+      });
+      try {
+        (void)minkowskiSum(shapes, {}, progress);
+      } catch (const Error& error) {
+        QCOMPARE(error.code(), ErrorCode::Cancelled);
+        worst = std::max(worst, static_cast<double>(std::clock() - cancelled) / CLOCKS_PER_SEC);
+      }
+    }
+    QVERIFY(worst > 0);
+    qInfo("figure cancel_s %.3f", worst);
   }
 
   void differenceAndSumOpenConvexShapesWithoutLoss() {

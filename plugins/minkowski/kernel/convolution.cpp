@@ -23,20 +23,6 @@ Extent extentOf(const GridLoop& loop) {
   return box;
 }
 
-/// Strictly larger both ways: only then the other set has room inside without filling it.
-bool hasRoom(const GridLoop& hole, const GridLoop& other) {
-  const Extent h = extentOf(hole), o = extentOf(other);
-  const GridPoint room = h.high - h.low, wanted = o.high - o.low;
-  return room.x > wanted.x && room.y > wanted.y;
-}
-
-std::vector<const GridLoop*> loopsThatMatter(const GridPolygon& polygon, const GridPolygon& other) {
-  std::vector<const GridLoop*> loops{&polygon.outer};
-  for (const GridLoop& hole : polygon.holes)
-    if (hasRoom(hole, other.outer)) loops.push_back(&hole);
-  return loops;
-}
-
 /// A corner, turned so that its directions run counter-clockwise from `first` to `last`, by less than half a turn.
 struct Corner {
   GridPoint at, first, last;
@@ -77,11 +63,38 @@ std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop) {
   return edges;
 }
 
+/// Edges that are joined when they become too many: those of a lattice are few.
+class EdgePile {
+ public:
+  explicit EdgePile(const Effort& effort) : effort_(effort) {}
+
+  void add(const CountedEdge& edge) {
+    edges_.push_back(edge);
+    if (edges_.size() < full_) return;
+    joinEqual(edges_);
+    effort_.foresee(static_cast<double>(edges_.size()));
+    if (edges_.size() > mostEdges)
+      throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than three million edges.",
+                  "Raise the tolerance, so that curves get fewer corners.");
+    full_ = std::max(full_, 2 * edges_.size());
+  }
+  std::vector<CountedEdge> joined() && {
+    joinEqual(edges_);
+    effort_.foresee(static_cast<double>(edges_.size()));
+    return std::move(edges_);
+  }
+
+ private:
+  const Effort& effort_;
+  std::vector<CountedEdge> edges_;
+  std::size_t full_ = 100'000;
+};
+
 /// Which end of a corner's range of directions belongs to it: with opposite ends for the two sets, parallel edges pair once.
 enum class Closed { First, Last };
 
-void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed,
-              std::vector<CountedEdge>& out, const Progress& progress) {
+void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, EdgePile& out,
+              const Progress& progress) {
   const auto rangeStart = [&](const GridPoint& direction) {
     return closed == Closed::First
                ? std::lower_bound(edges.begin(), edges.end(), direction,
@@ -92,7 +105,7 @@ void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>&
   for (const Corner& corner : corners) {
     progress.check();
     const auto pair = [&](auto first, auto last) {
-      for (; first != last; ++first) out.push_back({first->from + corner.at, first->to + corner.at, corner.sign});
+      for (; first != last; ++first) out.add({first->from + corner.at, first->to + corner.at, corner.sign});
     };
     const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
     if (before(corner.first, corner.last)) {
@@ -101,10 +114,55 @@ void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>&
       pair(first, edges.end());
       pair(edges.begin(), last);
     }
-    if (out.size() > mostEdges)
-      throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than three million edges.",
-                  "Raise the tolerance, so that curves get fewer corners.");
   }
+}
+
+/// A loop with all that pairing asks for.
+struct LoopSides {
+  std::vector<DirectedEdge> edges;
+  std::vector<Corner> corners;
+  GridPoint size;
+};
+
+LoopSides sidesOf(const GridLoop& loop) {
+  const Extent extent = extentOf(loop);
+  return {edgesByDirection(loop), cornersOf(loop), extent.high - extent.low};
+}
+
+struct PartSides {
+  LoopSides outer;
+  std::vector<LoopSides> holes;
+};
+
+std::vector<PartSides> partsOf(std::span<const GridPolygon> polygons, const Progress& progress) {
+  std::vector<PartSides> parts;
+  parts.reserve(polygons.size());
+  for (const GridPolygon& polygon : polygons) {
+    PartSides& part = parts.emplace_back(PartSides{sidesOf(polygon.outer), {}});
+    for (const GridLoop& hole : polygon.holes) {
+      progress.check();
+      part.holes.push_back(sidesOf(hole));
+    }
+  }
+  return parts;
+}
+
+/// Strictly larger both ways: only then the other set has room inside without filling it.
+bool hasRoom(const LoopSides& hole, const LoopSides& other) {
+  return hole.size.x > other.size.x && hole.size.y > other.size.y;
+}
+
+void pairUp(const LoopSides& a, const LoopSides& b, EdgePile& edges, const Progress& progress) {
+  addPairs(a.edges, b.corners, Closed::First, edges, progress);
+  addPairs(b.edges, a.corners, Closed::Last, edges, progress);
+}
+
+void pairUp(const PartSides& a, const PartSides& b, EdgePile& edges, const Progress& progress) {
+  pairUp(a.outer, b.outer, edges, progress);
+  for (const LoopSides& hole : b.holes)
+    if (hasRoom(hole, a.outer)) pairUp(a.outer, hole, edges, progress);
+  for (const LoopSides& hole : a.holes)
+    if (hasRoom(hole, b.outer)) pairUp(hole, b.outer, edges, progress);
 }
 
 }  // namespace
@@ -127,29 +185,14 @@ void joinEqual(std::vector<CountedEdge>& edges) {
 }
 
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
-                                     const Progress& progress) {
-  struct Side {
-    std::vector<DirectedEdge> edges;
-    std::vector<Corner> corners;
-  };
-  const auto sidesOf = [](const std::vector<const GridLoop*>& loops) {
-    std::vector<Side> sides;
-    sides.reserve(loops.size());
-    for (const GridLoop* loop : loops) sides.push_back({edgesByDirection(*loop), cornersOf(*loop)});
-    return sides;
-  };
-  std::vector<CountedEdge> edges;
-  for (const GridPolygon& partA : a)
-    for (const GridPolygon& partB : b) {
-      const std::vector<Side> sidesB = sidesOf(loopsThatMatter(partB, partA));
-      for (const Side& sideA : sidesOf(loopsThatMatter(partA, partB)))
-        for (const Side& sideB : sidesB) {
-          addPairs(sideA.edges, sideB.corners, Closed::First, edges, progress);
-          addPairs(sideB.edges, sideA.corners, Closed::Last, edges, progress);
-        }
-    }
-  joinEqual(edges);
-  return edges;
+                                     const Progress& progress, const Effort& effort) {
+  const std::vector<PartSides> partsA = partsOf(a, progress), partsB = partsOf(b, progress);
+  EdgePile edges(effort);
+  for (std::size_t i = 0; i < partsA.size(); ++i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(partsA.size()), "Pairing edges");
+    for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);
+  }
+  return std::move(edges).joined();
 }
 
 }  // namespace blossom::minkowski

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "kernel/effort.h"
 #include "kernel/grid.h"
 
 namespace blossom::minkowski {
@@ -22,8 +23,8 @@ void joinEqual(std::vector<CountedEdge>&);
 /// out first (Baram, Fogel, Halperin, Hemmer & Morr 2018, "fill up"): else A meeting x - B could have a hole, which would
 /// count -1. Equal edges are joined, those that cancel left out; every edge runs from the lower to the higher point.
 /// O(n log n + k) for k pairs: the edges of a loop are sorted by direction once.
-/// @throws Error LimitExceeded when there would be more than three million edges; Cancelled.
+/// @throws Error LimitExceeded when there would be more than three million edges; Cancelled; TooMuchWork.
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
-                                     const Progress& = Progress::none());
+                                     const Progress& = Progress::none(), const Effort& = Effort());
 
 }  // namespace blossom::minkowski

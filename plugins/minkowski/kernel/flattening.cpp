@@ -9,7 +9,9 @@
 #include "core/error.h"
 #include "core/tolerance.h"
 #include "geometry/planar.h"
+#include "kernel/bounding_polyline.h"
 #include "kernel/near_pairs.h"
+#include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/winding_faces.h"
 
@@ -18,7 +20,10 @@ namespace {
 
 constexpr double farthest = 1e9;  // mm
 constexpr std::size_t mostCorners = 200'000;
-constexpr double farTooMany = 4e6;  // by the estimate, which is generous
+constexpr double largestTolerance = 0.01;  // mm, where none is given
+constexpr double automaticShare = 1e-4;    // of the shape's size
+constexpr double coarsestShare = 0.05;     // a circle becomes a heptagon there
+constexpr double farTooMany = 4e6;         // by the estimate, which is generous
 
 std::string at(const Vec2& p) { return fmt::format("({:.6g}, {:.6g})", p.x(), p.y()); }
 
@@ -72,11 +77,64 @@ double expectedCorners(const Segment& segment, double tolerance) {
          (1 + std::sqrt(spline->degree * (spline->degree - 1) / 8.0 * bend / tolerance));
 }
 
-Loop cornersOf(const Path& path, double tolerance) {
+/// How large a shape is, and how far from the origin.
+struct ShapeExtent {
+  Vec2 low, high;
+  [[nodiscard]] double size() const { return (high - low).maxCoeff(); }
+  [[nodiscard]] Vec2 middle() const { return (low + high) / 2; }
+  void add(const Vec2& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  void add(const Line2& line) { add(line.from), add(line.to); }
+  void add(const Arc2& arc) {
+    add(arc.center - Vec2::Constant(std::abs(arc.radius)));
+    add(arc.center + Vec2::Constant(std::abs(arc.radius)));
+  }
+  void add(const Spline2& spline) {
+    for (const Vec3& pole : spline.poles)
+      if (pole.z() > 0) add(Vec2(pole.head<2>() / pole.z()));
+  }
+};
+
+ShapeExtent shapeExtentOf(const Region& region) {
+  const Vec2 start = startPoint(region.loops.front());
+  ShapeExtent extent{start, start};
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) std::visit([&](const auto& each) { extent.add(each); }, segment);
+  return extent;
+}
+
+/// What is below this is nothing: a share of the shape, but no less than the rounding of its numbers.
+double confusionOf(const ShapeExtent& extent) {
+  const double rounding = 2e-15 * extent.low.cwiseAbs().cwiseMax(extent.high.cwiseAbs()).maxCoeff();
+  return std::min(Tolerance{}.confusion, std::max(1e-6 * extent.size(), rounding));
+}
+
+bool isCurved(const Region& region) {
+  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
+    return std::any_of(loop.segments.begin(), loop.segments.end(),
+                       [](const Segment& segment) { return !std::holds_alternative<Line2>(segment); });
+  });
+}
+
+double toleranceFor(const Region& region, const ShapeExtent& extent, const FlatteningOptions& options,
+                    const std::string& name) {
+  if (!options.tolerance) return options.share * std::min(largestTolerance, automaticShare * extent.size());
+  const double tolerance = options.share * *options.tolerance, coarsest = coarsestShare * extent.size();
+  if (tolerance > coarsest && isCurved(region))
+    refuse(ErrorCode::InvalidParameter, name,
+           fmt::format("at {} is {:.3g} mm large; a tolerance of {:.3g} mm is too coarse for its curves.",
+                       at(extent.middle()), extent.size(), *options.tolerance),
+           fmt::format("Give a tolerance of at most {:.2g} mm, or none.", 0.99 * coarsest / options.share));
+  return tolerance;
+}
+
+Loop cornersOf(const Path& path, double tolerance, double confusion) {
   Loop loop;
   for (const Vec2& p : flatten(path, tolerance))
     if (loop.empty() || loop.back() != p) loop.push_back(p);
-  while (loop.size() > 1 && (loop.back() - loop.front()).norm() <= Tolerance{}.confusion) loop.pop_back();
+  while (loop.size() > 1 && (loop.back() - loop.front()).norm() <= confusion) loop.pop_back();
   return loop;
 }
 
@@ -102,10 +160,10 @@ bool crossInside(const Edge& a, const Edge& b, Vec2& place) {
          "Correct the outline there; where thin curved parts are drawn too coarsely, lower the tolerance.");
 }
 
-void refuseCrossings(const Polygons& loops, const std::string& name, const Progress& progress) {
+void refuseCrossings(const std::vector<Loop>& loops, const std::string& name, const Progress& progress) {
   std::vector<Edge> edges;
   std::vector<Box2> boxes;
-  for (const auto& [loop, none] : loops)
+  for (const Loop& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Edge& edge = edges.emplace_back(Edge{loop[i], loop[(i + 1) % loop.size()]});
       boxes.push_back({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)});
@@ -119,22 +177,26 @@ void refuseCrossings(const Polygons& loops, const std::string& name, const Progr
 
 /// What passes through corners or along edges, and so crosses nothing inside of two edges: outlines drawn twice, loops that
 /// cross in a corner. Exact, but only looked for where loops touch at all.
-void refuseOverlaps(const Polygons& loops, const std::string& name, const Progress& progress) {
-  const Box2 box = boxOf(loops);
-  const Grid grid{(box.low + box.high) / 2, gridUnit(box.size())};
-  const std::vector<GridPolygon> snappedLoops = snapped(loops, grid);
-  if (isClear(snappedLoops, progress)) return;
-  const auto flaw = misplacedFace(edgesOf(snappedLoops), Tolerance{}.confusion / grid.unit, progress);
+void refuseOverlaps(const Nesting& nesting, double confusion, const std::string& name, const Progress& progress) {
+  if (nesting.clear()) return;
+  const Grid& grid = nesting.grid();
+  const auto flaw = misplacedFace(edgesOf(nesting.snappedLoops()), confusion / grid.unit, progress);
   if (flaw)
     refuse(ErrorCode::InvalidInput, name, fmt::format("crosses itself or overlaps itself at {}.", at(grid.point(*flaw))),
            "Remove what is drawn twice there, or correct the outline.");
 }
 
-void refuseEmptyLoops(const Polygons& loops, const std::string& name) {
-  for (const auto& [loop, none] : loops) {
+void refuseStrayHole(const Nesting& nesting, const std::vector<Loop>& loops, const std::string& name) {
+  if (const auto hole = nesting.strayHole())
+    refuse(ErrorCode::InvalidInput, name, fmt::format("has a hole at {} that is in no outline.", at(loops[*hole].front())),
+           "Draw an outline around it, or remove it.");
+}
+
+void refuseEmptyLoops(const std::vector<Loop>& loops, double confusion, const std::string& name) {
+  for (const Loop& loop : loops) {
     double perimeter = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) perimeter += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-    if (std::abs(signedArea(loop)) <= perimeter * Tolerance{}.confusion)
+    if (std::abs(signedArea(loop)) <= perimeter * confusion)
       refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that encloses nothing.", at(loop.front())),
              "Remove it, or lower the tolerance if it is small.");
   }
@@ -147,20 +209,15 @@ Path closedPath(const Loop& loop) {
   return path;
 }
 
-}  // namespace
-
-Polygons flattened(const Region& region, double tolerance, const std::string& name, const Progress& progress) {
-  if (!(tolerance > 0) || !std::isfinite(tolerance))
-    throw Error(ErrorCode::InvalidParameter, fmt::format("The tolerance must be above 0; it is {}.", tolerance));
-  if (region.loops.empty())
-    refuse(ErrorCode::InvalidInput, name, "is empty: it has no outline.", "Give a shape with an area.");
-  Polygons all;
+std::vector<Loop> cornersOf(const Region& region, double tolerance, double confusion, const std::string& name,
+                            const Progress& progress) {
+  std::vector<Loop> all;
   std::size_t corners = 0;
-  for (std::size_t i = 0; i < region.loops.size(); ++i) {
-    checkLoop(region.loops[i], i + 1, name);
+  for (const Path& path : region.loops) {
+    progress.check();
     double expected = 0;
-    for (const Segment& segment : region.loops[i].segments) expected += expectedCorners(segment, tolerance);
-    Loop loop = expected > farTooMany ? Loop() : cornersOf(region.loops[i], tolerance);
+    for (const Segment& segment : path.segments) expected += expectedCorners(segment, tolerance);
+    Loop loop = expected > farTooMany ? Loop() : cornersOf(path, tolerance, confusion);
     corners += loop.size();
     if (expected > farTooMany || corners > mostCorners)
       refuse(ErrorCode::LimitExceeded, name,
@@ -168,18 +225,48 @@ Polygons flattened(const Region& region, double tolerance, const std::string& na
     if (loop.size() < 3)
       refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that encloses nothing.", at(loop.front())),
              "Remove it, or lower the tolerance if it is small.");
-    all.push_back({std::move(loop), {}});
+    all.push_back(std::move(loop));
   }
-  refuseCrossings(all, name, progress);  // before nesting, which needs loops that do not cross
-  refuseOverlaps(all, name, progress);
-  refuseEmptyLoops(all, name);
+  return all;
+}
 
-  Polygons result;
-  for (const RegionComponent& part : components(toRegion(all))) {
-    Polygon& polygon = result.emplace_back(Polygon{all[part.outer].outer, {}});
-    for (const std::size_t hole : part.holes) polygon.holes.push_back(all[hole].outer);
+std::size_t cornerCount(const std::vector<Loop>& loops) {
+  std::size_t count = 0;
+  for (const Loop& loop : loops) count += loop.size();
+  return count;
+}
+
+/// Where polylines beside the curves cross, they enclose what both of them do, or leave out what both do.
+Polygons flattenedBeside(const Region& region, double tolerance, Side side, const Progress& progress) {
+  std::vector<Loop> loops;
+  for (const Path& path : region.loops) {
+    Loop loop =
+        side == Side::Outside ? polylineToTheRight(path, tolerance, progress) : polylineToTheLeft(path, tolerance, progress);
+    if (loop.size() >= 3) loops.push_back(std::move(loop));
   }
-  return result;
+  return loops.empty() ? Polygons() : Nesting(std::move(loops), progress).polygons(progress);
+}
+
+}  // namespace
+
+Polygons flattened(const Region& region, const FlatteningOptions& options, const std::string& name,
+                   const Progress& progress) {
+  if (options.tolerance && (!(*options.tolerance > 0) || !std::isfinite(*options.tolerance)))
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The tolerance must be above 0; it is {}.", *options.tolerance));
+  if (region.loops.empty())
+    refuse(ErrorCode::InvalidInput, name, "is empty: it has no outline.", "Give a shape with an area.");
+  for (std::size_t i = 0; i < region.loops.size(); ++i) checkLoop(region.loops[i], i + 1, name);
+  const ShapeExtent extent = shapeExtentOf(region);
+  const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
+  const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
+  refuseCrossings(all, name, progress);  // before nesting, which needs loops that do not cross
+  const Nesting nesting(all, progress);
+  if (!nesting.clear() && options.effort) options.effort->spend(2 * cornerCount(all));
+  refuseOverlaps(nesting, confusion, name, progress);
+  refuseEmptyLoops(all, confusion, name);
+  refuseStrayHole(nesting, all, name);
+  if (options.side == Side::Either || !isCurved(region)) return nesting.polygons(progress);
+  return flattenedBeside(region, tolerance, options.side, progress);
 }
 
 Region toRegion(const Polygons& polygons) {

@@ -6,6 +6,7 @@
 namespace blossom::minkowski {
 namespace {
 
+constexpr double crumb = 4;         // grid units within which a corner is straight and a loop is nothing
 constexpr std::int64_t speck = 16;  // units; rounding leaves no shape to what is smaller
 
 GridLoop snapped(const Loop& loop, const Grid& grid) {
@@ -29,6 +30,41 @@ GridLoop outlineOf(const GridLoop& points) {
   if (high.x - low.x > speck || high.y - low.y > speck) return cleaned(points);
   high = {std::max(high.x, low.x + 1), std::max(high.y, low.y + 1)};
   return {low, {high.x, low.y}, high, {low.x, high.y}};
+}
+
+bool straight(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const Vec2 along = c - a;
+  const double reach = along.norm();
+  if (reach <= crumb) return true;  // an antenna, or neighbours that are one point
+  return std::abs(cross(along, Vec2(b - a))) <= crumb * reach && (b - a).dot(along) >= 0 && (c - b).dot(along) >= 0;
+}
+
+/// Without collinear points; empty when nothing of any width is left.
+Loop withoutCrumbs(const Loop& loop) {
+  Loop kept;
+  for (const Vec2& p : loop) {
+    while (kept.size() >= 2 && straight(kept[kept.size() - 2], kept.back(), p)) kept.pop_back();
+    if (kept.empty() || (kept.back() - p).norm() > crumb) kept.push_back(p);
+  }
+  while (kept.size() >= 3) {
+    if (straight(kept[kept.size() - 2], kept.back(), kept.front()))
+      kept.pop_back();
+    else if (straight(kept.back(), kept.front(), kept[1]))
+      kept.erase(kept.begin());
+    else
+      break;
+  }
+  double perimeter = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) perimeter += (kept[(i + 1) % kept.size()] - kept[i]).norm();
+  if (kept.size() < 3 || std::abs(signedArea(kept)) <= crumb * perimeter) return {};
+  return kept;
+}
+
+Loop placed(const Loop& loop, const Grid& grid) {
+  Loop result;
+  result.reserve(loop.size());
+  for (const Vec2& p : withoutCrumbs(loop)) result.push_back(grid.point(p));
+  return result;
 }
 
 }  // namespace
@@ -69,6 +105,18 @@ std::vector<GridPolygon> snapped(const Polygons& polygons, const Grid& grid) {
     if (image.outer.empty()) continue;
     for (const Loop& hole : polygon.holes)
       if (GridLoop loop = cleaned(snapped(hole, grid)); !loop.empty()) image.holes.push_back(std::move(loop));
+    result.push_back(std::move(image));
+  }
+  return result;
+}
+
+Polygons onPlane(const Polygons& polygons, const Grid& grid) {
+  Polygons result;
+  for (const Polygon& polygon : polygons) {
+    Polygon image{placed(polygon.outer, grid), {}};
+    if (image.outer.empty()) continue;
+    for (const Loop& hole : polygon.holes)
+      if (Loop loop = placed(hole, grid); !loop.empty()) image.holes.push_back(std::move(loop));
     result.push_back(std::move(image));
   }
   return result;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <memory>
 #include <optional>
 
 #include "core/error.h"
@@ -16,7 +16,6 @@
 namespace blossom::minkowski {
 namespace {
 
-using Arguments = std::vector<double>;
 constexpr std::size_t mostShapes = 16;
 
 /// (1-t) A + t B, where 0 A is the origin alone.
@@ -39,29 +38,6 @@ Polygons bottomUp(std::vector<Polygons> shapes, std::span<const double> t, Adder
     shapes.pop_back();
   }
   return shapes.front();
-}
-
-/// The weights of A_i in the blossom, the products over all choices of i levels, each with how often it comes: one weight
-/// C(n,i) times where all arguments are equal.
-std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t) {
-  std::vector<std::map<double, std::size_t>> weights(t.size() + 1);
-  std::vector<double> sorted(t.begin(), t.end());
-  std::sort(sorted.begin(), sorted.end());
-  // Choices of equal arguments are interchangeable, so each weight is a power product, the same bits however it comes up.
-  const std::size_t n = sorted.size();
-  for (std::size_t choice = 0; choice < (std::size_t{1} << n); ++choice) {
-    std::map<double, std::pair<int, int>> taken;
-    std::size_t order = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const bool chosen = (choice >> k & 1) != 0;
-      order += chosen ? 1 : 0;
-      ++(chosen ? taken[sorted[k]].first : taken[sorted[k]].second);
-    }
-    double weight = 1;
-    for (const auto& [value, powers] : taken) weight *= std::pow(value, powers.first) * std::pow(1 - value, powers.second);
-    if (weight > 0) ++weights[order][weight];
-  }
-  return weights;
 }
 
 /// The explicit form. Repetitions stay for all frames.
@@ -140,9 +116,10 @@ void check(std::span<const Region> shapes, std::span<const Arguments> arguments)
 class Morph {
  public:
   Morph(std::span<const Region> regions, const MorphOptions& options, const Progress& progress)
-      : regions_(regions), options_(options) {
+      : regions_(regions), options_(options), add_(options.mostWork) {
     for (std::size_t i = 0; i < regions.size(); ++i)
-      shapes_.push_back(flattened(regions[i], options.tolerance, nameOf(i), progress));
+      shapes_.push_back(
+          flattened(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
     if (options.evaluation == Evaluation::Convex) refuseHollows();
     for (const Polygons& shape : shapes_) {
       areas_.push_back(area(shape));
@@ -152,10 +129,21 @@ class Morph {
     expansion_.emplace(shapes_, add_);
   }
 
+  /// Chooses the way where that is left open, and counts the sums that it takes.
+  void prepare(std::span<const Arguments> arguments) {
+    std::vector<Arguments> all;
+    for (const Arguments& t : arguments) all.push_back(elevated(t));
+    std::vector<bool> convex;
+    for (const Polygons& shape : shapes_) convex.push_back(isConvex(shape));
+    if (options_.evaluation == Evaluation::Automatic) options_.evaluation = wayOfFewestSums(all, convex);
+    add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
+  }
+
+  /// @param progress of the whole morph
   Region at(const Arguments& t, const Progress& progress) {
     if (std::all_of(t.begin(), t.end(), [](double level) { return level == 0; })) return regions_.front();
     if (std::all_of(t.begin(), t.end(), [](double level) { return level == 1; })) return regions_.back();
-    Polygons shape = inBetween(shapes_.size() == regions_.size() ? t : diagonal(shapes_.size() - 1, t.front()), progress);
+    Polygons shape = inBetween(elevated(t), progress);
     if (options_.areaPreserving) {
       const Vec2 centre = blended(centres_, t);
       const double factor = std::sqrt(blended(areas_, t) / area(shape));
@@ -185,12 +173,17 @@ class Morph {
   /// A'_i = i/(n+1) A_(i-1) + (1 - i/(n+1)) A_i.
   void elevate(const Progress& progress) {
     for (const Polygons& shape : shapes_) regionsConvex_.push_back(isConvex(shape));
-    std::vector<Polygons> elevated{shapes_.front()};
+    std::vector<Polygons> more{shapes_.front()};
     const double count = static_cast<double>(shapes_.size());
+    add_.plan(shapes_.size() - 1);
     for (std::size_t i = 1; i < shapes_.size(); ++i)
-      elevated.push_back(between(shapes_[i], shapes_[i - 1], static_cast<double>(i) / count, add_, progress));
-    elevated.push_back(shapes_.back());
-    shapes_ = std::move(elevated);
+      more.push_back(between(shapes_[i], shapes_[i - 1], static_cast<double>(i) / count, add_, progress));
+    more.push_back(shapes_.back());
+    shapes_ = std::move(more);
+  }
+
+  [[nodiscard]] Arguments elevated(const Arguments& t) const {
+    return shapes_.size() == regions_.size() ? t : diagonal(shapes_.size() - 1, t.front());
   }
 
   Polygons inBetween(const Arguments& t, const Progress& progress) {
@@ -201,6 +194,7 @@ class Morph {
         return bottomUp(shapes_, t, add_, progress);
       case Evaluation::Convex:
         return convexAt(shapes_, t, add_, progress);
+      case Evaluation::Automatic:  // chosen when it is prepared
       case Evaluation::Explicit:
         break;
     }
@@ -217,6 +211,17 @@ class Morph {
   std::optional<Expansion> expansion_;
 };
 
+/// Reports of a fiftieth each: the sums of many frames have much to tell, and all of it to one bar.
+Progress inSteps(const Progress& progress) {
+  constexpr double step = 0.02;
+  const auto last = std::make_shared<double>(-1.0);  // shared by all parts
+  return Progress(progress.token(), [&progress, last](double fraction, const std::string& stage) {
+    if (std::abs(fraction - *last) < step) return;
+    *last = fraction;
+    progress.report(fraction, stage);
+  });
+}
+
 void refuseUnequal(const std::vector<double>& t) {
   if (std::adjacent_find(t.begin(), t.end(), std::not_equal_to<>()) != t.end())
     throw Error(ErrorCode::InvalidParameter,
@@ -232,11 +237,13 @@ MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<do
                   const MorphOptions& options, const Progress& progress) {
   check(shapes, arguments);
   if (options.degreeElevate) std::for_each(arguments.begin(), arguments.end(), refuseUnequal);
-  Morph evaluation(shapes, options, progress);
+  const Progress steps = inSteps(progress);
+  Morph evaluation(shapes, options, steps);
+  evaluation.prepare(arguments);
   MorphResult result;
-  for (std::size_t k = 0; k < arguments.size(); ++k) {
-    progress.report(static_cast<double>(k) / static_cast<double>(arguments.size()), "Adding shapes");
-    result.regions.push_back(evaluation.at(arguments[k], progress));
+  for (const Arguments& t : arguments) {
+    progress.check();
+    result.regions.push_back(evaluation.at(t, steps));
   }
   result.sums = evaluation.sums();
   result.warnings = evaluation.warnings();

@@ -1,27 +1,23 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/progress.h"
 #include "geometry/region.h"
+#include "kernel/effort.h"
+#include "kernel/evaluation.h"
 
 namespace blossom::minkowski {
 
-/// How an in-between is computed; the shape is the same (up to rounding).
-enum class Evaluation {
-  Recursive,  ///< C_i^r = (1-t) C_i^(r-1) + t C_(i+1)^(r-1), as it stands: 2^n - 1 sums
-  BottomUp,   ///< the same, every intermediate shape once: n (n+1) / 2 sums
-  Explicit,   ///< sum of t^i (1-t)^(n-i) [C(n,i)] A_i: n sums, and the repetitions [k]A once for all frames
-  Convex      ///< [k]A = k A: n sums; only when all control shapes between the first and the last are convex
-};
-
 struct MorphOptions {
-  Evaluation evaluation = Evaluation::Explicit;
-  bool degreeElevate = false;   ///< one control shape more; the morph stays the same when all shapes are convex
-  bool areaPreserving = false;  ///< scale about the centre, so that the area is the blend of the control shapes' areas
-  double tolerance = 1e-2;      ///< mm, between curves and their polygons
+  Evaluation evaluation = Evaluation::Automatic;
+  bool degreeElevate = false;         ///< one control shape more; the morph stays the same when all shapes are convex
+  bool areaPreserving = false;        ///< scale about the centre, so that the area is the blend of the control shapes' areas
+  std::optional<double> tolerance{};  ///< mm, between curves and their polygons; nothing: see FlatteningOptions
+  std::size_t mostWork = Effort::unlimited;  ///< edges and crossings of arrangements
 };
 
 struct MorphResult {
@@ -40,7 +36,7 @@ std::vector<double> diagonal(std::size_t degree, double t);
 /// The blossom is symmetric in its arguments for all evaluations, for shapes that are not convex too.
 /// @throws Error InvalidParameter (fewer than two shapes, a wrong number of arguments, beyond 0..1), InvalidInput naming
 /// the shape and the place (see flattening.h; or a shape that is not convex for Evaluation::Convex), LimitExceeded,
-/// Cancelled.
+/// Cancelled; TooMuchWork.
 MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<double>> arguments, const MorphOptions& = {},
                   const Progress& = Progress::none());
 

@@ -1,7 +1,7 @@
 #pragma once
-#include <algorithm>
-#include <numeric>
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/progress.h"
@@ -9,25 +9,55 @@
 
 namespace blossom::minkowski {
 
+/// Boxes in a balanced tree, halved at the middle of the longer side.
+class BoxTree {
+ public:
+  explicit BoxTree(std::span<const Box2> boxes);
+
+  struct Node {
+    Box2 box;
+    std::size_t first = 0, last = 0;  ///< of `order`
+    std::size_t left = 0, right = 0;  ///< nodes; 0 for a leaf
+    [[nodiscard]] bool isLeaf() const { return left == 0; }
+    [[nodiscard]] std::size_t size() const { return last - first; }
+  };
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> order_;
+};
+
+inline bool comeNear(const Box2& a, const Box2& b, double margin) {
+  return (a.low.array() <= b.high.array() + margin).all() && (b.low.array() <= a.high.array() + margin).all();
+}
+
 /// Calls f(i, j) for all pairs of boxes that come within `margin` of one another, each pair once, until f says false.
-/// Sorted along the axis on which the boxes are shorter; O(n log n + pairs that overlap on it).
+/// O(n log n + k) for k pairs of well-spread boxes.
 template <class F>
 void forEachNearPair(std::span<const Box2> boxes, double margin, const Progress& progress, F f) {
-  Vec2 total = Vec2::Zero();
-  for (const Box2& box : boxes) total += box.size();
-  const int axis = total.x() <= total.y() ? 0 : 1;
-  std::vector<std::size_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return boxes[a].low[axis] < boxes[b].low[axis]; });
-  for (std::size_t k = 0; k < order.size(); ++k) {
+  if (boxes.empty()) return;
+  const BoxTree tree(boxes);
+  const std::vector<BoxTree::Node>& nodes = tree.nodes();
+  const std::vector<std::size_t>& order = tree.order();
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, 0}};
+  while (!open.empty()) {
     progress.check();
-    const Box2& box = boxes[order[k]];
-    for (std::size_t l = k + 1; l < order.size(); ++l) {
-      const Box2& other = boxes[order[l]];
-      if (other.low[axis] > box.high[axis] + margin) break;
-      if (other.low[1 - axis] > box.high[1 - axis] + margin || other.high[1 - axis] < box.low[1 - axis] - margin) continue;
-      if (!f(order[k], order[l])) return;
+    const auto [a, b] = open.back();
+    open.pop_back();
+    const BoxTree::Node &first = nodes[a], &second = nodes[b];
+    if (!comeNear(first.box, second.box, margin)) continue;
+    if (first.isLeaf() && second.isLeaf()) {
+      for (std::size_t k = first.first; k < first.last; ++k)
+        for (std::size_t l = a == b ? k + 1 : second.first; l < second.last; ++l)
+          if (comeNear(boxes[order[k]], boxes[order[l]], margin) && !f(order[k], order[l])) return;
+    } else if (a == b) {
+      open.insert(open.end(), {{first.left, first.left}, {first.right, first.right}, {first.left, first.right}});
+    } else if (second.isLeaf() || (!first.isLeaf() && first.size() >= second.size())) {
+      open.insert(open.end(), {{first.left, b}, {first.right, b}});
+    } else {
+      open.insert(open.end(), {{a, second.left}, {a, second.right}});
     }
   }
 }

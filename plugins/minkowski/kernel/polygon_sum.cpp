@@ -1,64 +1,16 @@
 #include "kernel/polygon_sum.h"
 
 #include <algorithm>
-#include <cmath>
+#include <random>
 
 #include "kernel/convolution.h"
 #include "kernel/grid.h"
+#include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/winding_faces.h"
 
 namespace blossom::minkowski {
 namespace {
-
-constexpr double crumb = 4;  // grid units within which a corner is straight and a loop is nothing
-
-bool straight(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const Vec2 along = c - a;
-  const double reach = along.norm();
-  if (reach <= crumb) return true;  // an antenna, or neighbours that are one point
-  return std::abs(cross(along, Vec2(b - a))) <= crumb * reach && (b - a).dot(along) >= 0 && (c - b).dot(along) >= 0;
-}
-
-/// Without collinear points; empty when nothing of any width is left.
-Loop withoutCrumbs(const Loop& loop) {
-  Loop kept;
-  for (const Vec2& p : loop) {
-    while (kept.size() >= 2 && straight(kept[kept.size() - 2], kept.back(), p)) kept.pop_back();
-    if (kept.empty() || (kept.back() - p).norm() > crumb) kept.push_back(p);
-  }
-  while (kept.size() >= 3) {
-    if (straight(kept[kept.size() - 2], kept.back(), kept.front()))
-      kept.pop_back();
-    else if (straight(kept.back(), kept.front(), kept[1]))
-      kept.erase(kept.begin());
-    else
-      break;
-  }
-  double perimeter = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) perimeter += (kept[(i + 1) % kept.size()] - kept[i]).norm();
-  if (kept.size() < 3 || std::abs(signedArea(kept)) <= crumb * perimeter) return {};
-  return kept;
-}
-
-Loop placed(const Loop& loop, const Grid& grid) {
-  Loop result;
-  result.reserve(loop.size());
-  for (const Vec2& p : withoutCrumbs(loop)) result.push_back(grid.point(p));
-  return result;
-}
-
-Polygons placed(const Polygons& polygons, const Grid& grid) {
-  Polygons result;
-  for (const Polygon& polygon : polygons) {
-    Polygon image{placed(polygon.outer, grid), {}};
-    if (image.outer.empty()) continue;
-    for (const Loop& hole : polygon.holes)
-      if (Loop loop = placed(hole, grid); !loop.empty()) image.holes.push_back(std::move(loop));
-    result.push_back(std::move(image));
-  }
-  return result;
-}
 
 bool isConvex(const std::vector<GridPolygon>& polygons) {
   if (polygons.size() != 1 || !polygons.front().holes.empty()) return false;
@@ -99,60 +51,87 @@ Loop mergedByAngle(const GridLoop& first, const GridLoop& second) {
   return sum;
 }
 
+bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
+
 Loop reversed(const Loop& loop) { return {loop.rbegin(), loop.rend()}; }
 
-/// Loops may touch in points, so the most of the corners decide.
-bool holds(const Loop& outer, const Loop& inner) {
-  const auto within = std::count_if(inner.begin(), inner.end(), [&](const Vec2& p) { return encloses(outer, p); });
-  return 2 * within > static_cast<std::ptrdiff_t>(inner.size());
+/// Both sets on grids of one unit. The sum's origin is the sum of theirs.
+struct Operands {
+  std::vector<GridPolygon> a, b;
+  Grid grid;
+};
+
+Operands snappedTogether(const Polygons& a, const Polygons& b) {
+  const Box2 boxA = boxOf(a), boxB = boxOf(b);
+  const Grid gridA{(boxA.low + boxA.high) / 2, gridUnit(boxA.size().cwiseMax(boxB.size()))};
+  const Grid gridB{(boxB.low + boxB.high) / 2, gridA.unit};
+  return {snapped(a, gridA), snapped(b, gridB), {gridA.origin + gridB.origin, gridA.unit}};
 }
 
-/// The bounded parts of the complement: each hole, without the parts that lie in it.
-Polygons boundedComplement(const Polygons& polygons) {
-  Polygons result;
-  for (const Polygon& polygon : polygons)
-    for (const Loop& hole : polygon.holes) result.push_back({reversed(hole), {}});
-  const std::size_t count = result.size();
-  for (const Polygon& polygon : polygons) {
-    std::size_t owner = count;
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool smaller = owner == count || signedArea(result[i].outer) < signedArea(result[owner].outer);
-      if (smaller && signedArea(result[i].outer) > signedArea(polygon.outer) && holds(result[i].outer, polygon.outer))
-        owner = i;
-    }
-    if (owner < count) result[owner].holes.push_back(reversed(polygon.outer));
+/// About how often edges cross, from pairs taken evenly among all.
+double expectedCrossings(const std::vector<CountedEdge>& edges, const Progress& progress) {
+  constexpr std::size_t samples = 20'000;
+  if (edges.size() < 2) return 0;
+  std::minstd_rand random(1);  // the same pairs for the same edges
+  std::uniform_int_distribution<std::size_t> any(0, edges.size() - 1);
+  std::size_t crossing = 0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    progress.check();
+    const CountedEdge &e = edges[any(random)], &f = edges[any(random)];
+    const GridPoint along = e.to - e.from, across = f.to - f.from;
+    const auto apart = [](const Wide& s, const Wide& t) { return (s < 0) != (t < 0); };
+    if (apart(cross(along, f.from - e.from), cross(along, f.to - e.from)) &&
+        apart(cross(across, e.from - f.from), cross(across, e.to - f.from)))
+      ++crossing;
   }
-  return result;
+  const auto count = static_cast<double>(edges.size());
+  return static_cast<double>(crossing) / samples * count * (count - 1) / 2;
+}
+
+Polygons facesOfSum(const Operands& operands, Inside rule, const Progress& progress, Effort& effort) {
+  const std::vector<CountedEdge> edges =
+      convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort);
+  if (effort.isLimited()) effort.foresee(static_cast<double>(edges.size()) + expectedCrossings(edges, progress));
+  return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.grid);
+}
+
+/// The complement of A within a frame that B, wherever it meets A, does not reach.
+Polygons complement(const Polygons& a, const Polygons& b, const Progress& progress) {
+  const Box2 boxA = boxOf(a), boxB = boxOf(b);
+  const Vec2 reach = 2 * boxB.size() + boxA.size();
+  const Vec2 low = boxA.low - reach, high = boxA.high + reach;
+  std::vector<Loop> loops{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
+  for (const Polygon& polygon : a) {
+    loops.push_back(reversed(polygon.outer));
+    for (const Loop& hole : polygon.holes) loops.push_back(reversed(hole));
+  }
+  return Nesting(std::move(loops), progress).polygons(progress);
 }
 
 }  // namespace
 
-Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress) {
+Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress, Effort& effort) {
   progress.check();
   if (a.empty() || b.empty()) return {};
-  const Box2 boxA = boxOf(a), boxB = boxOf(b);
-  const Grid gridA{(boxA.low + boxA.high) / 2, gridUnit(boxA.size().cwiseMax(boxB.size()))};
-  const Grid gridB{(boxB.low + boxB.high) / 2, gridA.unit};
-  const Grid grid{gridA.origin + gridB.origin, gridA.unit};
-  const std::vector<GridPolygon> snappedA = snapped(a, gridA), snappedB = snapped(b, gridB);
-  if (isConvex(snappedA) && isConvex(snappedB))
-    return placed({{mergedByAngle(snappedA.front().outer, snappedB.front().outer), {}}}, grid);
-  const std::vector<CountedEdge> edges = convolution(untangled(snappedA, progress), untangled(snappedB, progress), progress);
-  return placed(windingFaces(edges, progress), grid);
+  const Operands operands = snappedTogether(a, b);
+  if (isConvex(operands.a) && isConvex(operands.b))
+    return onPlane({{mergedByAngle(operands.a.front().outer, operands.b.front().outer), {}}}, operands.grid);
+  return facesOfSum(operands, Inside::Positive, progress, effort);
 }
 
-Polygons difference(const Polygons& a, const Polygons& b, const Progress& progress) {
+Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress) {
+  Effort unlimited;
+  return sum(a, b, progress, unlimited);
+}
+
+Polygons difference(const Polygons& a, const Polygons& b, const Progress& progress, Effort& effort) {
+  progress.check();
   if (a.empty()) return {};
-  // The complement within a frame that B, wherever it meets A, does not reach.
-  const Box2 boxA = boxOf(a), boxB = boxOf(b);
-  const Vec2 reach = 2 * boxB.size() + boxA.size();
-  const Vec2 low = boxA.low - reach, high = boxA.high + reach;
-  Polygons outside{{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}}};
-  for (const Polygon& polygon : a) {
-    outside.front().holes.push_back(reversed(polygon.outer));
-    for (const Loop& hole : polygon.holes) outside.push_back({reversed(hole), {}});
-  }
-  return boundedComplement(sum(outside, scaled(b, -1), progress));
+  // What the sum leaves out is read off its arrangement, where loops that touch lie in one another as they do.
+  Polygons room = facesOfSum(snappedTogether(complement(a, b, progress), scaled(b, -1)), Inside::Hollow, progress, effort);
+  for (auto& [outer, holes] : room)
+    std::rotate(outer.begin(), std::min_element(outer.begin(), outer.end(), fartherLeft), outer.end());
+  return room;
 }
 
 }  // namespace blossom::minkowski

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/progress.h"
+#include "kernel/effort.h"
 #include "kernel/polygons.h"
 
 namespace blossom::minkowski {
@@ -8,11 +9,13 @@ namespace blossom::minkowski {
 /// extent, the rest is exact; loops come without collinear points and without crumbs of the grid's size. Two convex sets
 /// are merged by the angles of their edges in O(n + m); others are the faces of positive winding number of their
 /// convolution (see convolution.h).
-/// @throws Error LimitExceeded, Cancelled.
+/// @param effort what it may cost; convex sets cost nothing
+/// @throws Error LimitExceeded, Cancelled; TooMuchWork.
+Polygons sum(const Polygons& a, const Polygons& b, const Progress&, Effort& effort);
 Polygons sum(const Polygons& a, const Polygons& b, const Progress& = Progress::none());
 
 /// {p : p + B inside A} = complement of (complement of A) + (-B), regularised: what collapses to lines and points is left
 /// out, and the result may be empty. @pre B is not empty. @throws as sum.
-Polygons difference(const Polygons& a, const Polygons& b, const Progress& = Progress::none());
+Polygons difference(const Polygons& a, const Polygons& b, const Progress&, Effort& effort);
 
 }  // namespace blossom::minkowski

@@ -24,16 +24,6 @@ double signedArea(const Loop& loop) {
   return twice / 2;
 }
 
-bool encloses(const Loop& loop, const Vec2& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
-      odd = !odd;
-  }
-  return odd;
-}
-
 double area(const Polygons& polygons) {
   double sum = 0;
   for (const Polygon& polygon : polygons) {

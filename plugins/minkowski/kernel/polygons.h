@@ -21,8 +21,6 @@ using Polygons = std::vector<Polygon>;
 /// Area to the left of a loop, negative when clockwise.
 double signedArea(const Loop&);
 double area(const Polygons&);
-/// Whether a point is inside of a loop that does not cross itself; undefined on the loop.
-bool encloses(const Loop&, const Vec2&);
 /// Edges of all loops together.
 std::size_t edgeCount(const Polygons&);
 /// s A, about the origin of the document; s below 0 turns by half a turn, 0 is not allowed.

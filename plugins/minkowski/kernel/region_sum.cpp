@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/error.h"
 #include "kernel/flattening.h"
 #include "kernel/polygon_sum.h"
@@ -9,24 +11,35 @@
 namespace blossom::minkowski {
 namespace {
 
-std::vector<Polygons> operands(std::span<const Region> regions, double tolerance, const Progress& progress) {
+/// @param sides where the polygons of the first and of the other shapes may lie
+std::vector<Polygons> operands(std::span<const Region> regions, const RegionSumOptions& options, std::pair<Side, Side> sides,
+                               Effort& effort, const Progress& progress) {
   if (regions.size() < 2)
     throw Error(ErrorCode::InvalidParameter, "A Minkowski sum or difference needs two shapes.", "Give another shape.");
   std::vector<Polygons> result;
   for (std::size_t i = 0; i < regions.size(); ++i)
-    result.push_back(
-        flattened(regions[i], tolerance / static_cast<double>(regions.size()), fmt::format("shape {}", i + 1), progress));
+    result.push_back(flattened(regions[i],
+                               {.tolerance = options.tolerance,
+                                .share = 1.0 / static_cast<double>(regions.size()),
+                                .side = i == 0 ? sides.first : sides.second,
+                                .effort = &effort},
+                               fmt::format("shape {}", i + 1), progress));
   return result;
 }
 
-template <class Operation>
-RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress,
-                       Operation operation) {
-  const std::vector<Polygons> shapes = operands(regions, options.tolerance, progress);
+using Operation = Polygons (*)(const Polygons&, const Polygons&, const Progress&, Effort&);
+
+RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& options, std::pair<Side, Side> sides,
+                       const Progress& progress, Operation operation) {
+  Effort effort(options.mostWork);
+  const std::vector<Polygons> shapes = operands(regions, options, sides, effort, progress);
   Polygons total = shapes.front();
+  const auto count = static_cast<double>(shapes.size() - 1);
   for (std::size_t i = 1; i < shapes.size(); ++i) {
-    progress.report(static_cast<double>(i) / static_cast<double>(shapes.size()), "Adding shapes");
-    total = operation(total, shapes[i], progress);
+    const auto before = static_cast<double>(i - 1);
+    progress.report(before / count, "Adding shapes");
+    effort.expect(shapes.size() - i);
+    total = operation(total, shapes[i], progress.part(before / count, (before + 1) / count), effort);
   }
   return {toRegion(total), shapes.size() - 1};
 }
@@ -34,12 +47,12 @@ RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& 
 }  // namespace
 
 RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
-  return folded(regions, options, progress, sum);
+  return folded(regions, options, {Side::Either, Side::Either}, progress, sum);
 }
 
 RegionSumResult minkowskiDifference(std::span<const Region> regions, const RegionSumOptions& options,
                                     const Progress& progress) {
-  RegionSumResult result = folded(regions, options, progress, difference);
+  RegionSumResult result = folded(regions, options, {Side::Inside, Side::Outside}, progress, difference);
   if (result.region.loops.empty())
     throw Error(ErrorCode::Degenerate, "Nothing is left: shape 1 has no room for the other.",
                 "Make shape 1 larger, or what is taken away smaller.");

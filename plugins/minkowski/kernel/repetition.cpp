@@ -1,12 +1,23 @@
 #include "kernel/repetition.h"
 
+#include <algorithm>
+#include <bit>
 #include <optional>
 
 #include "kernel/polygon_sum.h"
 
 namespace blossom::minkowski {
 
-Polygons Adder::add(const Polygons& a, const Polygons& b, const Progress& progress) { return sum(a, b, progress); }
+Polygons Adder::operator()(const Polygons& a, const Polygons& b, const Progress& progress) {
+  effort_.expect(planned_ > count_ ? planned_ - count_ : 1);
+  const double all = static_cast<double>(std::max(planned_, count_ + 1)), done = static_cast<double>(count_);
+  ++count_;
+  return sum(a, b, progress.part(done / all, (done + 1) / all), effort_);
+}
+
+std::size_t sumsOfRepetition(bool convex, std::size_t k) {
+  return convex || k == 1 ? 0 : static_cast<std::size_t>(std::bit_width(k) - 1 + std::popcount(k) - 1);
+}
 
 Polygons repeated(const Polygons& shape, std::size_t k, Adder& add, const Progress& progress) {
   if (k == 1) return shape;

@@ -8,15 +8,17 @@
 
 namespace blossom::minkowski {
 
-/// Which winding numbers count as inside.
-enum class Inside { Positive, NonZero };
+/// Which winding numbers count as inside. Hollow: those of 0 and below that the edges enclose.
+enum class Inside { Positive, NonZero, Hollow };
 
-/// The set in which closed cycles of edges have a winding number above 0 (or other than 0), in grid coordinates. Crossings
-/// are exact (CGAL's arrangement of segments) and rounded to doubles only at the end. Outer loops counter-clockwise, holes
-/// clockwise; where a boundary touches itself in a point it is split there. O((n + k) log n), k the crossings.
+/// The set in which closed cycles of edges have such winding numbers, in grid coordinates. Crossings are exact (CGAL's
+/// arrangement of segments) and rounded to doubles only at the end; which loops are holes, and of which part, is decided
+/// before that. Outer loops counter-clockwise, holes clockwise; where a boundary touches itself in a point it is split
+/// there. O((n + k) log n), k the crossings.
 /// @pre the edges are the sum of closed cycles, each from the lower to the higher point.
-/// @throws Error LimitExceeded when neighbouring edges meet more than twenty million times; Cancelled; Internal when the
-/// edges are no cycles.
+/// @throws Error LimitExceeded when neighbouring edges meet more than twenty million times; Cancelled; TooMuchWork; Internal
+/// when the edges are no cycles.
+Polygons windingFaces(std::span<const CountedEdge>, const Progress&, Inside, Effort&);
 Polygons windingFaces(std::span<const CountedEdge>, const Progress& = Progress::none(), Inside = Inside::Positive);
 
 /// A corner of a face that is wider than `width` and whose winding number is neither 0 nor 1: where loops that should bound

@@ -20,7 +20,7 @@ Document triangleToStar(const App& app) {
   const auto circle = add(app, document, "circle", "Circle", {{"radius", 18}});
   const auto star = add(app, document, "star", "Star", {{"points", 5}, {"outer", 24}, {"inner", 9}, {"rotation", 90}});
   add(app, document, "morph", "Triangle to star",
-      {{"frames", 49}, {"offsets", places({{-90, -20}, {-50, 45}, {50, 45}, {90, -20}})}},
+      {{"frames", 49}, {"tolerance", 0.01}, {"offsets", places({{-90, -20}, {-50, 45}, {50, 45}, {90, -20}})}},
       {triangle, pentagon, circle, star});
   return document;
 }
@@ -36,7 +36,8 @@ Document phiToFlower(const App& app) {
   const auto whole = add(app, document, "boolean", "Whole flower", {{"operation", "union"}}, {petals, heart});
   const auto middle = add(app, document, "circle", "Middle", {{"radius", 4}});
   const auto flower = add(app, document, "boolean", "Flower", {{"operation", "difference"}}, {whole, middle});
-  add(app, document, "morph", "Phi to flower", {{"frames", 25}, {"offsets", places({{-60, 0}, {60, 0}})}}, {phi, flower});
+  add(app, document, "morph", "Phi to flower",
+      {{"frames", 25}, {"tolerance", 0.01}, {"offsets", places({{-60, 0}, {60, 0}})}}, {phi, flower});
   return document;
 }
 
@@ -47,8 +48,9 @@ Document cutterRoom(const App& app) {
   const auto boss = add(app, document, "star", "Boss", {{"points", 6}, {"outer", 12}, {"inner", 6}});
   const auto pocket = add(app, document, "boolean", "Pocket", {{"operation", "difference"}}, {plate, boss});
   const auto cutter = add(app, document, "circle", "Cutter", {{"radius", 3}});
-  const auto room = add(app, document, "minkowski-difference", "Room for the cutter", Value::object(), {pocket, cutter});
-  add(app, document, "minkowski-sum", "What is cut", Value::object(), {room, cutter});
+  const auto room =
+      add(app, document, "minkowski-difference", "Room for the cutter", {{"tolerance", 0.01}}, {pocket, cutter});
+  add(app, document, "minkowski-sum", "What is cut", {{"tolerance", 0.01}}, {room, cutter});
   return document;
 }
 

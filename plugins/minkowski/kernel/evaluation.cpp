@@ -1,0 +1,116 @@
+#include "kernel/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "kernel/repetition.h"
+
+namespace blossom::minkowski {
+namespace {
+
+std::size_t binomial(std::size_t n, std::size_t k) {
+  std::size_t result = 1;
+  for (std::size_t i = 1; i <= k; ++i) result = result * (n - k + i) / i;
+  return result;
+}
+
+/// Choices of equal arguments are interchangeable, so each weight is a product of powers.
+struct Choice {
+  std::size_t levels = 0;  ///< chosen
+  double weight = 1;
+  std::size_t count = 1;
+};
+
+/// Whether a level needs sums; at 0 and 1 de Casteljau's algorithm takes one of two shapes as it is.
+bool isBlend(double t) { return t != 0 && t != 1; }
+
+std::size_t bottomUpSums(std::span<const double> t) {
+  std::size_t sums = 0;
+  for (std::size_t level = 0; level < t.size(); ++level) sums += isBlend(t[level]) ? t.size() - level : 0;
+  return sums;
+}
+
+std::size_t recursiveSums(std::span<const double> t) {
+  std::size_t sums = 0;
+  for (const double level : t) sums = 2 * sums + (isBlend(level) ? 1 : 0);
+  return sums;
+}
+
+std::size_t convexSums(std::span<const double> t) {
+  const auto weights = weightsOf(t);
+  const auto shapes = std::count_if(weights.begin(), weights.end(), [](const auto& of) { return !of.empty(); });
+  return static_cast<std::size_t>(shapes) - 1;
+}
+
+/// @param known the repetitions that earlier in-betweens made
+std::size_t explicitSums(std::span<const double> t, const std::vector<bool>& convex,
+                         std::set<std::pair<std::size_t, std::size_t>>& known) {
+  std::size_t terms = 0, repetitions = 0;
+  const auto weights = weightsOf(t);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    for (const auto& [weight, count] : weights[i]) {
+      ++terms;
+      if (known.emplace(i, count).second) repetitions += sumsOfRepetition(convex[i], count);
+    }
+  return terms - 1 + repetitions;
+}
+
+}  // namespace
+
+std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t) {
+  std::map<double, std::size_t> multiplicities;
+  for (const double level : t) ++multiplicities[level];
+  std::vector<Choice> choices{{}};
+  for (const auto& [value, times] : multiplicities) {
+    std::vector<Choice> more;
+    more.reserve(choices.size() * (times + 1));
+    for (const Choice& choice : choices)
+      for (std::size_t taken = 0; taken <= times; ++taken) {
+        const double factor =
+            std::pow(value, static_cast<double>(taken)) * std::pow(1 - value, static_cast<double>(times - taken));
+        more.push_back({choice.levels + taken, choice.weight * factor, choice.count * binomial(times, taken)});
+      }
+    choices = std::move(more);
+  }
+  std::vector<std::map<double, std::size_t>> weights(t.size() + 1);
+  for (const Choice& choice : choices)
+    if (choice.weight > 0) weights[choice.levels][choice.weight] += choice.count;
+  return weights;
+}
+
+std::size_t sumsNeeded(Evaluation way, std::span<const Arguments> arguments, const std::vector<bool>& convex) {
+  std::size_t sums = 0;
+  std::set<std::pair<std::size_t, std::size_t>> repetitions;
+  for (const Arguments& t : arguments) {
+    // Both ends are the control shapes themselves.
+    if (std::all_of(t.begin(), t.end(), [&](double level) { return level == t.front() && !isBlend(level); })) continue;
+    switch (way) {
+      case Evaluation::Recursive:
+        sums += recursiveSums(t);
+        break;
+      case Evaluation::BottomUp:
+        sums += bottomUpSums(t);
+        break;
+      case Evaluation::Convex:
+        sums += convexSums(t);
+        break;
+      case Evaluation::Automatic:
+      case Evaluation::Explicit:
+        sums += explicitSums(t, convex, repetitions);
+        break;
+    }
+  }
+  return sums;
+}
+
+Evaluation wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex) {
+  std::vector<Evaluation> ways{Evaluation::Explicit, Evaluation::BottomUp};
+  if (std::all_of(convex.begin() + 1, convex.end() - 1, [](bool each) { return each; })) ways.push_back(Evaluation::Convex);
+  return *std::min_element(ways.begin(), ways.end(), [&](Evaluation a, Evaluation b) {
+    return sumsNeeded(a, arguments, convex) < sumsNeeded(b, arguments, convex);
+  });
+}
+
+}  // namespace blossom::minkowski

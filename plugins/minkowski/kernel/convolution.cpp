@@ -1,6 +1,8 @@
 #include "kernel/convolution.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <tuple>
 
 #include "core/error.h"
@@ -165,6 +167,22 @@ void pairUp(const PartSides& a, const PartSides& b, EdgePile& edges, const Progr
     if (hasRoom(hole, b.outer)) pairUp(hole, b.outer, edges, progress);
 }
 
+/// The line that an edge lies on: its direction without common factors, and how far off the origin it passes.
+struct LineOfEdge {
+  GridPoint along;
+  Wide offset = 0;
+  std::size_t edge = 0;
+};
+
+LineOfEdge lineOf(const CountedEdge& edge, std::size_t number) {
+  const GridPoint by = edge.to - edge.from;
+  const std::int64_t factor = std::gcd(by.x, by.y);
+  const GridPoint along{by.x / factor, by.y / factor};
+  return {along, cross(along, edge.from), number};
+}
+
+bool sameLine(const LineOfEdge& a, const LineOfEdge& b) { return a.along == b.along && a.offset == b.offset; }
+
 }  // namespace
 
 void joinEqual(std::vector<CountedEdge>& edges) {
@@ -182,6 +200,37 @@ void joinEqual(std::vector<CountedEdge>& edges) {
     if (sum.count != 0) edges[kept++] = sum;
   }
   edges.resize(kept);
+}
+
+void joinOverlapping(std::vector<CountedEdge>& edges) {
+  std::vector<LineOfEdge> lines;
+  lines.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) lines.push_back(lineOf(edges[i], i));
+  std::sort(lines.begin(), lines.end(), [&](const LineOfEdge& a, const LineOfEdge& b) {
+    return std::tie(a.along, a.offset, edges[a.edge].from) < std::tie(b.along, b.offset, edges[b.edge].from);
+  });
+  std::vector<CountedEdge> apart;
+  apart.reserve(edges.size());
+  for (std::size_t i = 0; i < lines.size();) {
+    // All that hang together on one line.
+    const std::size_t first = i;
+    GridPoint reached = edges[lines[first].edge].to;
+    for (++i; i < lines.size() && sameLine(lines[first], lines[i]) && edges[lines[i].edge].from < reached; ++i)
+      reached = std::max(reached, edges[lines[i].edge].to);
+    if (i == first + 1) {
+      apart.push_back(edges[lines[first].edge]);
+      continue;
+    }
+    std::map<GridPoint, int> changes;
+    for (std::size_t k = first; k < i; ++k) {
+      changes[edges[lines[k].edge].from] += edges[lines[k].edge].count;
+      changes[edges[lines[k].edge].to] -= edges[lines[k].edge].count;
+    }
+    int count = 0;
+    for (auto from = changes.begin(), to = std::next(from); to != changes.end(); from = to++)
+      if (count += from->second; count != 0) apart.push_back({from->first, to->first, count});
+  }
+  edges = std::move(apart);
 }
 
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,

@@ -17,6 +17,10 @@ struct CountedEdge {
 /// Every edge from its lower to its higher point, equal ones in one, those that cancel left out.
 void joinEqual(std::vector<CountedEdge>&);
 
+/// The same winding numbers from edges that lie over one another nowhere: those of one line are cut at each other's ends
+/// and joined. Exact. @pre as joinEqual leaves them
+void joinOverlapping(std::vector<CountedEdge>&);
+
 /// The convolution of two sets: its winding number at x is the number of components of A meeting x - B, above 0 exactly
 /// inside of A + B. An edge is paired with every vertex of the other set whose turn passes through its direction (convex
 /// +, reflex -), parallel edges once (Guibas, Ramshaw & Stolfi 1983). Holes that the other part cannot get into are left

@@ -252,8 +252,11 @@ Polygons boundaries(Arrangement& arrangement, const Progress& progress) {
   return parts;
 }
 
-void build(Arrangement& arrangement, std::span<const CountedEdge> edges, Inside rule, const Progress& progress,
+void build(Arrangement& arrangement, std::span<const CountedEdge> given, Inside rule, const Progress& progress,
            Effort& effort) {
+  std::vector<CountedEdge> edges(given.begin(), given.end());
+  joinOverlapping(edges);  // CGAL's sweep fails on some that lie over one another
+  if (edges.empty()) return;
   // Else crossings of nearly parallel edges are only right to five digits.
   Kernel::FT::set_relative_precision_of_to_double(1e-15);
   const auto at = [](const GridPoint& p) { return Kernel::Point_2(static_cast<double>(p.x), static_cast<double>(p.y)); };

@@ -30,12 +30,11 @@ qtest "1-4: closed forms, lattices, curves of all kinds, cancel, progress" "$bui
 at_most "4: computing time after a sum is cancelled" "$(figure minkowski_sum_test cancel_s)" 0.2 s
 qtest "4: ways of a morph and the sums that each takes" "$build/tests/bin/minkowski_morph_test"
 
-# 4: 15 different numbers of a blossom; the named ways stay
-triangles=() numbers=
-for k in $(seq 16); do triangles+=("polygon:3:$((4 + k))"); done
-triangles[7]=star:3:9:3
-for k in $(seq 15); do numbers+=$(awk -v k="$k" 'BEGIN { printf "%s%.4f", (k > 1 ? "," : ""), k / 16 + k * k * 1e-4 }'); done
-equal "4: sums for 15 different blossom numbers, automatically" "$(planar morph "${triangles[@]}" --blossom "$numbers" | json sums)" 120
+# 4: different numbers of a blossom; the named ways stay
+equal "4: sums for 15 different blossom numbers, automatically" "$(figure minkowski_morph_test sums_of_15_numbers)" 120
+six=(polygon:3:5 star:3:9:3 polygon:3:7 polygon:4:8 polygon:5:9 polygon:3:10)
+equal "4: the same for five, on the command line" "$(planar morph "${six[@]}" --blossom 0.1,0.25,0.45,0.7,0.9 | json sums)" 15
+equal "4:   and explicitly" "$(planar morph "${six[@]}" --blossom 0.1,0.25,0.45,0.7,0.9 --evaluation explicit | json sums)" 31
 stars=(star:3:20:8 star:4:22:7 star:5:24:9)
 for way in automatic explicit bottom-up recursive; do
   equal "4: sums for seven frames of three stars, $way" "$(planar morph "${stars[@]}" --frames 7 --evaluation $way | json sums)" $([ $way = bottom-up ] || [ $way = recursive ] && echo 15 || echo 11)
@@ -45,10 +44,10 @@ done
 long=(star:120:50:20 star:121:40:10)
 equal "4: a short sum where no helper can start" "$(BLOSSOM_WORKER=/nonexistent planar minkowski-sum star:5:20:8 star:6:20:8 | json kind)" region
 equal "4: a long sum where no helper can start" "$(BLOSSOM_WORKER=/nonexistent planar minkowski-sum "${long[@]}" | json code)" FileNotFound
-planar minkowski-sum "${long[@]}" >/dev/null & pid=$!
+"$bin/blossom" minkowski-sum "${long[@]}" --json >/dev/null 2>&1 & pid=$!
 sleep 1
-started=$(date +%s.%N); kill -INT $pid 2>/dev/null; wait $pid
-at_most "4: a long sum ends after Ctrl+C" "$(awk -v a="$started" -v b="$(date +%s.%N)" 'BEGIN { print b - a }')" 0.5 s
+started=$(date +%s.%N); kill -TERM $pid; wait $pid
+at_most "4: a long sum ends after SIGTERM" "$(awk -v a="$started" -v b="$(date +%s.%N)" 'BEGIN { print b - a }')" 0.5 s
 
 # 4: holes by the thousand
 awk 'BEGIN { print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000mm\" height=\"1000mm\" viewBox=\"0 0 1000 1000\"><path fill-rule=\"evenodd\" d=\"M0 0H1000V1000H0Z"

@@ -61,8 +61,8 @@ Operand latticeStar(std::mt19937_64& random, double reach, int corners) {
       points.emplace_back(std::round(p.x()), std::round(p.y()));
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 3 || points.front() == points.back()) continue;
-    const Operand star = operandOf(polygonRegion(points));
-    if (star.parts.front().outer_boundary().is_simple() && area(star.region) > 1) return star;
+    const Region star = polygonRegion(points);
+    if (area(star) > 1 && ringOf(star.loops.front()).is_simple()) return operandOf(star);
   }
 }
 

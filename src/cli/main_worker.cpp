@@ -4,6 +4,8 @@
 #include "worker/worker.h"
 
 int main() {
+  // A file whose date is given must not differ from one time zone to the next.
+  if (const char* date = std::getenv("SOURCE_DATE_EPOCH"); date && *date) ::setenv("TZ", "UTC", 1);
   blossom::registerExchangeCalls();
   // Not through exit(): taking down what the libraries hold at static lifetime takes time and serves nobody.
   std::_Exit(blossom::workerMain());

@@ -3,6 +3,7 @@
 #include <BinTools.hxx>
 #include <fstream>
 
+#include "exchange/brep_export.h"
 #include "exchange/brep_import.h"
 #include "exchange/occt_io.h"
 #include "exchange/xcaf_write.h"
@@ -26,9 +27,9 @@ bool isBinary(const std::string& path) {
   return head.find("Open CASCADE Topology V") != std::string::npos;
 }
 
-void write(const Shape& shape, const fs::path& path, const Value&, const Progress& progress) {
-  const Brep brep = toBrep(shape);
-  if (brep.shape().IsNull()) throw Error(ErrorCode::InvalidInput, "The shape is empty; there is nothing to write.");
+}  // namespace
+
+void writeBrep(const Brep& brep, const std::string& path, const Value&, const Progress& progress) {
   withOcctErrors(ErrorCode::FileUnwritable, "The shape cannot be written as BREP.", [&] {
     std::ofstream stream(path, std::ios::binary);
     Handle(OcctProgress) watcher = new OcctProgress(progress, "Writing");
@@ -36,12 +37,10 @@ void write(const Shape& shape, const fs::path& path, const Value&, const Progres
     progress.check();
     stream.close();
     if (!stream)
-      throw Error(ErrorCode::FileUnwritable, "The file \"" + path.string() + "\" cannot be written.",
+      throw Error(ErrorCode::FileUnwritable, "The file \"" + path + "\" cannot be written.",
                   "Check the folder and the space left.");
   });
 }
-
-}  // namespace
 
 BrepImport readBrep(const std::string& path, const Progress& progress) {
   return withOcctErrors(ErrorCode::FormatDamaged, "It cannot be understood as BREP.", [&] {
@@ -71,7 +70,9 @@ Format brepFormat() {
   format.read = [](const fs::path& path, const Value&, const Progress& progress) {
     return importBrep("brep.read", path, progress);
   };
-  format.write = write;
+  format.write = [](const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
+    exportBrep("brep.write", toBrep(shape), path, options, progress);
+  };
   format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
                    ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
   return format;

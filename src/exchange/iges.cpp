@@ -9,7 +9,9 @@
 #include <fstream>
 
 #include "core/version.h"
+#include "exchange/brep_export.h"
 #include "exchange/brep_import.h"
+#include "exchange/iges_names.h"
 #include "exchange/occt_io.h"
 #include "exchange/xcaf_read.h"
 #include "exchange/xcaf_write.h"
@@ -32,7 +34,7 @@ void checkComplete(const std::string& path) {
 }
 
 /// As IGESControl_Writer::Write, but with all digits.
-bool print(IGESControl_Writer& writer, const fs::path& path) {
+bool print(IGESControl_Writer& writer, const std::string& path) {
   writer.ComputeModel();
   IGESData_IGESWriter text(writer.Model());
   text.FloatWriter().SetFormat(exactNumber);
@@ -46,8 +48,9 @@ bool print(IGESControl_Writer& writer, const fs::path& path) {
 /// Only B-Rep entities can hold a body; loose faces are left to the trimmed surfaces that every program reads.
 bool holdsSolid(const Brep& brep) { return TopExp_Explorer(brep.shape(), TopAbs_SOLID).More(); }
 
-void write(const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
-  const Brep brep = toBrep(shape);
+}  // namespace
+
+void writeIges(const Brep& brep, const std::string& path, const Value& options, const Progress& progress) {
   const OcctSession session;
   const OcctSetting unit("write.iges.unit", "MM");
   const OcctSetting mode("write.iges.brep.mode", options.value("brep", true) && holdsSolid(brep) ? 1 : 0);
@@ -56,18 +59,19 @@ void write(const Shape& shape, const fs::path& path, const Value& options, const
   const OcctSetting company("write.iges.header.company", "");
   const OcctSetting receiver("write.iges.header.receiver", "");
   withOcctErrors(ErrorCode::FileUnwritable, "The shape cannot be written as IGES.", [&] {
+    const Handle(TDocStd_Document) document = toDocument(brep);
     IGESCAFControl_Writer writer;
+    writer.SetNameMode(Standard_False);
     Handle(OcctProgress) watcher = new OcctProgress(progress, "Writing");
-    const bool transferred = writer.Transfer(toDocument(brep), watcher->Start());
+    const bool transferred = writer.Transfer(document, watcher->Start());
     progress.check();
     if (!transferred) throw Error(ErrorCode::InvalidInput, "The shape holds something that IGES cannot hold.");
+    writeIgesNames(writer, document);
     if (!print(writer, path))
-      throw Error(ErrorCode::FileUnwritable, "The file \"" + path.string() + "\" cannot be written.",
+      throw Error(ErrorCode::FileUnwritable, "The file \"" + path + "\" cannot be written.",
                   "Check the folder and the space left.");
   });
 }
-
-}  // namespace
 
 BrepImport readIges(const std::string& path, const Progress& progress) {
   checkComplete(path);
@@ -98,7 +102,9 @@ Format igesFormat() {
   format.read = [](const fs::path& path, const Value&, const Progress& progress) {
     return importBrep("iges.read", path, progress);
   };
-  format.write = write;
+  format.write = [](const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
+    exportBrep("iges.write", toBrep(shape), path, options, progress);
+  };
   format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
                    ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
   return format;

@@ -9,11 +9,17 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepRepr_RepresentationContext.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
 #include <fstream>
 
 #include "core/version.h"
+#include "exchange/brep_export.h"
 #include "exchange/brep_import.h"
 #include "exchange/occt_io.h"
 #include "exchange/xcaf_read.h"
@@ -77,9 +83,36 @@ void fillHeader(STEPControl_Writer& writer, const Brep& brep) {
   header.SetDescriptionValue(1, text("Blossom model"));
 }
 
+using Presentation = Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation);
+
+/// OCCT lists the colours of parts by the addresses of these, which are others in every process. Here they come in the order
+/// of what they colour.
+Handle(StepData_StepModel) withOrderedColors(const Handle(StepData_StepModel) & model) {
+  std::vector<std::pair<std::pair<int, int>, Presentation>> colors;
+  int firstNumber = model->NbEntities() + 1;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Presentation presentation = Presentation::DownCast(model->Value(i));
+    if (presentation.IsNull()) continue;
+    firstNumber = std::min(firstNumber, i);
+    const Handle(StepVisual_StyledItem) styled =
+        presentation->NbItems() > 0 ? Handle(StepVisual_StyledItem)::DownCast(presentation->ItemsValue(1)) : nullptr;
+    colors.push_back({{model->Number(presentation->ContextOfItems()), styled.IsNull() ? 0 : model->Number(styled->Item())},
+                      presentation});
+  }
+  std::stable_sort(colors.begin(), colors.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const Handle(StepData_StepModel) ordered = new StepData_StepModel;
+  ordered->GetFromAnother(model);
+  ordered->SetProtocol(model->Protocol());
+  for (int i = 1; i < firstNumber; ++i) ordered->AddEntity(model->Value(i));
+  for (const auto& [place, presentation] : colors) ordered->AddWithRefs(presentation);
+  for (int i = firstNumber; i <= model->NbEntities(); ++i)
+    if (!ordered->Contains(model->Value(i))) ordered->AddEntity(model->Value(i));
+  return ordered;
+}
+
 /// As STEPControl_Writer::Write, but with all digits.
-bool print(STEPControl_Writer& writer, const fs::path& path) {
-  StepData_StepWriter text(writer.Model());
+bool print(STEPControl_Writer& writer, const std::string& path) {
+  StepData_StepWriter text(withOrderedColors(writer.Model()));
   text.FloatWriter().SetFormat(exactNumber);
   text.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
   std::ofstream stream(path, std::ios::binary);
@@ -88,8 +121,9 @@ bool print(STEPControl_Writer& writer, const fs::path& path) {
   return printed && stream.good();
 }
 
-void write(const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
-  const Brep brep = toBrep(shape);
+}  // namespace
+
+void writeStep(const Brep& brep, const std::string& path, const Value& options, const Progress& progress) {
   if (options.value("schema", "ap214") == "ap203") requireHostAddress();
   const OcctSession session;
   const OcctSetting unit("write.step.unit", "MM");
@@ -105,12 +139,10 @@ void write(const Shape& shape, const fs::path& path, const Value& options, const
     if (!transferred) throw Error(ErrorCode::InvalidInput, "The shape holds something that STEP cannot hold.");
     fillHeader(writer.ChangeWriter(), brep);
     if (!print(writer.ChangeWriter(), path))
-      throw Error(ErrorCode::FileUnwritable, "The file \"" + path.string() + "\" cannot be written.",
+      throw Error(ErrorCode::FileUnwritable, "The file \"" + path + "\" cannot be written.",
                   "Check the folder and the space left.");
   });
 }
-
-}  // namespace
 
 BrepImport readStep(const std::string& path, const Progress& progress) {
   checkComplete(path);
@@ -145,7 +177,9 @@ Format stepFormat() {
   format.read = [](const fs::path& path, const Value&, const Progress& progress) {
     return importBrep("step.read", path, progress);
   };
-  format.write = write;
+  format.write = [](const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
+    exportBrep("step.write", toBrep(shape), path, options, progress);
+  };
   format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
                    ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
   return format;

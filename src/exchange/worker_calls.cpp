@@ -1,5 +1,6 @@
 #include "exchange/worker_calls.h"
 
+#include "exchange/brep_export.h"
 #include "exchange/brep_import.h"
 
 namespace blossom {
@@ -8,6 +9,9 @@ void registerExchangeCalls() {
   registerBrepReader("step.read", readStep);
   registerBrepReader("iges.read", readIges);
   registerBrepReader("brep.read", readBrep);
+  registerBrepWriter("step.write", writeStep);
+  registerBrepWriter("iges.write", writeIges);
+  registerBrepWriter("brep.write", writeBrep);
 }
 
 }  // namespace blossom

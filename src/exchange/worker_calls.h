@@ -2,7 +2,7 @@
 
 namespace blossom {
 
-/// Makes the readers of STEP, IGES and BREP callable in `blossom-worker`.
+/// Makes the readers and writers of STEP, IGES and BREP callable in `blossom-worker`.
 void registerExchangeCalls();
 
 }  // namespace blossom

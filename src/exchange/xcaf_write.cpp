@@ -4,6 +4,7 @@
 #include <Quantity_Color.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TDataStd_Name.hxx>
+#include <TopExp_Explorer.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -27,6 +28,15 @@ TopoDS_Shape meshShape(const Mesh& mesh) {
                     std::to_string(largestMesh) + ".",
                 "Write it as STL, OBJ or PLY, or simplify it first.");
   return toShape(mesh);
+}
+
+using PartsWithGeometry = std::map<const BrepPart*, std::shared_ptr<const BrepPart>>;
+
+bool hasGeometry(const TopoDS_Shape& shape) {
+  if (shape.IsNull()) return false;
+  for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX})
+    if (TopExp_Explorer(shape, kind).More()) return true;
+  return false;
 }
 
 class DocumentWriter {
@@ -98,6 +108,25 @@ class DocumentWriter {
   std::map<const BrepPart*, int> uses_;
 };
 
+/// Uses of parts that hold something: OCCT's translators look into every part they are given.
+std::vector<BrepInstance> withGeometry(const std::vector<BrepInstance>& uses, PartsWithGeometry& known);
+
+std::shared_ptr<const BrepPart> withGeometry(const std::shared_ptr<const BrepPart>& part, PartsWithGeometry& known) {
+  if (!part) return nullptr;
+  if (const auto found = known.find(part.get()); found != known.end()) return found->second;
+  auto kept = std::make_shared<BrepPart>(*part);
+  kept->children = withGeometry(part->children, known);
+  const bool empty = part->children.empty() ? !hasGeometry(part->shape) : kept->children.empty();
+  return known[part.get()] = empty ? nullptr : kept;
+}
+
+std::vector<BrepInstance> withGeometry(const std::vector<BrepInstance>& uses, PartsWithGeometry& known) {
+  std::vector<BrepInstance> kept;
+  for (const BrepInstance& use : uses)
+    if (auto part = withGeometry(use.part, known)) kept.push_back({use.name, use.color, use.location, std::move(part)});
+  return kept;
+}
+
 struct ToBrep {
   Brep operator()(const Brep& brep) const { return brep; }
   Brep operator()(const Surface& surface) const { return Brep(toFace(surface), "Surface"); }
@@ -118,8 +147,10 @@ struct ToBrep {
 Brep toBrep(const Shape& shape) { return shape.visit(ToBrep()); }
 
 Handle(TDocStd_Document) toDocument(const Brep& brep) {
-  if (brep.shape().IsNull()) throw Error(ErrorCode::InvalidInput, "The shape is empty; there is nothing to write.");
-  return DocumentWriter().write(brep.roots());
+  PartsWithGeometry known;
+  const std::vector<BrepInstance> roots = withGeometry(brep.roots(), known);
+  if (roots.empty()) throw Error(ErrorCode::InvalidInput, "The shape is empty; there is nothing to write.");
+  return DocumentWriter().write(roots);
 }
 
 }  // namespace blossom

@@ -12,7 +12,8 @@ namespace blossom {
 /// throws.
 Brep toBrep(const Shape&);
 
-/// An XCAF document with the structure, names and colours of a Brep; lengths in mm.
+/// An XCAF document with the structure, names and colours of a Brep; lengths in mm. Parts without geometry are left out.
+/// @throws Error InvalidInput when there is no geometry at all.
 Handle(TDocStd_Document) toDocument(const Brep&);
 
 }  // namespace blossom

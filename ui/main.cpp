@@ -1,9 +1,11 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <csignal>
 #include <cstdio>
 
 #include "app/app.h"
 #include "core/error.h"
+#include "core/temporaries.h"
 #include "core/version.h"
 #include "ui/files/recovery.h"
 #include "ui/help/tour.h"
@@ -179,6 +181,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "blossom-workbench: there is no display to open a window on. The command blossom needs none.\n");
     return 1;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an error of writing, told as one
+  removeAbandonedFolders();
   prepareApplication();
   GuardedApplication application(argc, argv);
   setUpApplication();

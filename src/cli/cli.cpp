@@ -17,13 +17,18 @@ namespace {
 
 enum ExitCode { Done = 0, Failed = 1, WrongUse = 2 };
 
-/// CLI11 takes "--name=" for "--name" and would swallow the next word: the empty value becomes a word of its own.
+/// CLI11 takes "--name=" for "--name" and would swallow the next word: the empty value becomes a word of its own. Behind
+/// "--", which CLI11 hands to the wrong command, all words are files, also those that begin with a hyphen.
 std::vector<std::string> wordsOf(int argc, const char* const* argv) {
   std::vector<std::string> words;
   bool flags = true;
   for (int i = 1; i < argc; ++i) {
     std::string word = argv[i];
-    flags = flags && word != "--";
+    if (flags && word == "--") {
+      flags = false;
+      continue;
+    }
+    if (!flags && word.starts_with('-')) word.insert(0, "./");
     if (flags && word.size() > 3 && word.starts_with("--") && word.find('=') == word.size() - 1) {
       words.push_back(word.substr(0, word.size() - 1));
       words.emplace_back();

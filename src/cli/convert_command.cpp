@@ -76,13 +76,15 @@ class ConvertCommand {
 
     ProgressDisplay display(session_);
     const Progress progress = display.progress();
-    const Source source = readSource(in, file, progress.part(0, 0.5));
+    Source source = readSource(in, file, progress.part(0, 0.5));
+    // What cannot be measured is not written either.
+    const Measures measures = measure(source.made.shape, progress.part(0.5, 0.55));
     const auto writing = std::chrono::steady_clock::now();
-    planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.5, 0.95));
+    planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
     Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
-    const Measures measures = measure(source.made.shape, progress.part(0.95, 1));
     for (const char* counts : {"entities", "skipped"}) stats[counts] = source.made.stats.value(counts, Value::object());
     stats["total_ms"] = session_.elapsedMs();
+    addNotes(source.made.warnings, planned);
     report(in, planned, measures, stats, source.made.warnings);
     return 0;
   }

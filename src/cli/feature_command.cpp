@@ -207,6 +207,7 @@ class FeatureCommand {
     if (!planned.empty()) stats["write_ms"] = writeMs;
     stats.update(result->evaluated.stats);
     stats["total_ms"] = session_.elapsedMs();
+    addNotes(warnings, planned);
     report(planned, measures, stats, warnings);
     return 0;
   }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <ostream>
 
 #include "cli/command_line.h"
@@ -89,8 +90,28 @@ class InfoCommand {
     return isDocument(file) && std::filesystem::is_regular_file(file) ? ofDocument(file, progress) : ofFile(file, progress);
   }
 
+  /// One file of several: the others are told of all the same.
+  Info aboutOrWhyNot(const std::string& text, const Progress& progress) const {
+    const auto failure = [&](const Error& error) { return Info{Value{{"file", text}, {"error", toJson(error)}}, {}}; };
+    try {
+      return about(text, progress);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Cancelled) throw;
+      return failure(error);
+    } catch (const std::bad_alloc&) {
+      return failure(Error(ErrorCode::LimitExceeded, fmt::format("There is not enough memory for {}.", text)));
+    }
+  }
+
+  void printFailure(const Value& info) const {
+    std::ostream& err = session_.terminal.err;
+    err << "blossom: " << info.at("error").at("message").get<std::string>() << '\n';
+    if (const auto hint = info.at("error").at("hint").get<std::string>(); !hint.empty()) err << "  " << hint << '\n';
+  }
+
   void print(const Info& all) const {
     const Value& info = all.json;
+    if (info.contains("error")) return printFailure(info);
     std::ostream& out = session_.terminal.out;
     out << info.at("file").get<std::string>() << '\n';
     if (info.contains("features")) printFeatureTable(out, info.at("features"));
@@ -105,16 +126,25 @@ class InfoCommand {
     if (files_.empty()) throw UsageError("info needs a file.", "\"blossom info part.step\" measures what the file holds.");
     ProgressDisplay display(session_);
     const Progress progress = display.progress();
+    if (files_.size() == 1) {
+      const Info info = about(files_.front(), progress);
+      if (session_.json)
+        printJson(session_.terminal.out, info.json);
+      else
+        print(info);
+      return 0;
+    }
     std::vector<Info> all;
-    for (const std::string& file : files_) all.push_back(about(file, progress));
+    for (const std::string& file : files_) all.push_back(aboutOrWhyNot(file, progress));
     if (session_.json) {
       Value objects = Value::array();
       for (const Info& each : all) objects.push_back(each.json);
-      printJson(session_.terminal.out, objects.size() == 1 ? objects[0] : Value{{"files", objects}});
+      printJson(session_.terminal.out, Value{{"files", objects}});
     } else {
       for (const Info& each : all) print(each);
     }
-    return 0;
+    const bool failed = std::any_of(all.begin(), all.end(), [](const Info& each) { return each.json.contains("error"); });
+    return failed ? 1 : 0;
   }
 
   Session& session_;

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "exchange/frames.h"
+#include "exchange/mesh_chord.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
@@ -54,7 +55,8 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 
 Output planned(const FormatRegistry& formats, const fs::path& path) {
   if (path.empty()) throw UsageError("The name of an output is empty.", "Write -o and the name of a file.");
-  Output output{path, nullptr, Value::object(), {}};
+  Output output;
+  output.path = path;
   if (!isDocument(path)) output.format = writableFormat(formats, path);
   if (!isDocument(path) && !output.format)
     throw Error(ErrorCode::FormatUnknown, fmt::format("The file {} has no extension that Blossom writes.", path.string()),
@@ -93,6 +95,15 @@ std::vector<Output> spread(const std::vector<Output>& outputs, const Shape& shap
   return files;
 }
 
+/// Meshes of large shapes do not fill the disk because of a chord that nobody chose.
+void boundChord(Output& output, const Progress& progress) {
+  const auto chord = output.options.find("chord");
+  if (output.chordGiven || chord == output.options.end() || !chord->is_number()) return;
+  const MeshChord bounded = affordableChord(*output.shape, chord->get<double>(), progress);
+  *chord = bounded.chord;
+  output.note = bounded.note;
+}
+
 }  // namespace
 
 std::vector<std::string> outputPaths(const FormatRegistry& formats, const std::vector<std::string>& given) {
@@ -119,7 +130,11 @@ std::vector<Output> plannedOutputs(const FormatRegistry& formats, const std::vec
     for (const Output& other : outputs)
       if (sameFile(other.path, output.path))
         throw UsageError(fmt::format("The output {} is named twice.", path), "Name every file once.");
-    if (flags && output.format) output.options = completed(output.format->writeOptions, flags->writing(*output.format));
+    if (flags && output.format) {
+      const Value given = flags->writing(*output.format);
+      output.chordGiven = given.contains("chord");
+      output.options = completed(output.format->writeOptions, given);
+    }
     outputs.push_back(std::move(output));
   }
   return outputs;
@@ -133,12 +148,19 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const double count = static_cast<double>(outputs.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    if (outputs[i].format)
-      writeShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, part);
-    else
+    if (outputs[i].format) {
+      boundChord(outputs[i], part.part(0, 0.2));
+      writeShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, part.part(0.2, 1));
+    } else {
       saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
+    }
   }
   return outputs;
+}
+
+void addNotes(std::vector<std::string>& warnings, const std::vector<Output>& outputs) {
+  for (const Output& output : outputs)
+    if (!output.note.empty()) warnings.push_back(output.note);
 }
 
 Value pathsJson(const std::vector<Output>& outputs) {

@@ -13,7 +13,9 @@ struct Output {
   std::filesystem::path path;
   const Format* format = nullptr;
   Value options = Value::object();
-  std::optional<Shape> shape;  ///< what was written into it
+  std::optional<Shape> shape{};  ///< what was written into it
+  bool chordGiven = false;       ///< the user has said how fine polygons are to be
+  std::string note{};            ///< a sentence about how it was written; mostly empty
 };
 
 /// The paths of -o: repeated or as a comma list. A comma stays part of a name where what it would split off has no known
@@ -30,6 +32,9 @@ std::vector<Output> plannedOutputs(const FormatRegistry&, const std::vector<std:
 /// several files in formats of one frame (see exchange/frames.h). What one of the formats cannot hold is said before the
 /// first is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
 std::vector<Output> writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
+
+/// Adds what is to be said about how files were written.
+void addNotes(std::vector<std::string>& warnings, const std::vector<Output>&);
 
 /// The paths as --json prints them.
 Value pathsJson(const std::vector<Output>&);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <ostream>
 #include <utility>
 
+#include "core/error.h"
 #include "core/units.h"
 
 namespace blossom {
@@ -84,6 +86,10 @@ std::size_t displayWidth(const std::string& text) {
 
 Value resultJson(const Measures& measures) {
   Value result{{"kind", measures.kind}};
+  for (const Measure& each : measures.values)
+    if (const double* value = std::get_if<double>(&each.value); value && !std::isfinite(*value))
+      throw Error(ErrorCode::LimitExceeded, "The figure \"" + readable(each.name) + "\" is beyond all numbers.",
+                  "The shapes may be too large or too small for it.");
   for (const Measure& each : measures.values) std::visit([&](const auto& value) { result[each.name] = value; }, each.value);
   return result;
 }

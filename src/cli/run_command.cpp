@@ -210,6 +210,7 @@ class RunCommand {
         if (!problem) problem = error;
       }
     }
+    addNotes(opened.warnings, written);
     report(features, opened.warnings, written, problem);
     return problem ? 1 : 0;
   }

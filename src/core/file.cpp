@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/temporaries.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
@@ -72,6 +73,7 @@ class TemporaryFile {
     fd_ = ::mkostemps(pattern.data(), static_cast<int>(suffix.size()), O_CLOEXEC);
     if (fd_ < 0) cannotWrite(target, std::strerror(errno));
     path_ = pattern;
+    noteUnfinishedFile(path_);
     struct stat existing {};
     ::fchmod(fd_, ::stat(target.c_str(), &existing) == 0 ? existing.st_mode & 07777 : 0644);
     ::flock(fd_, LOCK_EX | LOCK_NB);
@@ -79,6 +81,7 @@ class TemporaryFile {
   ~TemporaryFile() {
     std::error_code ignored;
     if (!moved_) fs::remove(path_, ignored);
+    forgetUnfinishedFile(path_);
     ::close(fd_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -97,6 +100,14 @@ class TemporaryFile {
   int fd_ = -1;
   bool moved_ = false;
 };
+
+/// The user knows nothing of the temporary file that a writer complains of.
+Error aboutTarget(const Error& error, const fs::path& temporary, const fs::path& target) {
+  std::string message = error.message();
+  for (std::size_t at; (at = message.find(temporary.string())) != std::string::npos;)
+    message.replace(at, temporary.string().size(), target.string());
+  return Error(error.code(), message, error.hint());
+}
 
 /// What writers of the same target left when they were killed.
 void removeLeftovers(const fs::path& target) {
@@ -146,7 +157,11 @@ void writeAtomically(const fs::path& given, const std::function<void(const fs::p
   const fs::path& target = resolved.empty() ? given : resolved;
   refuseProtected(target);
   TemporaryFile temporary(target);
-  write(temporary.path());
+  try {
+    write(temporary.path());
+  } catch (const Error& error) {
+    throw aboutTarget(error, temporary.path(), target);
+  }
   syncContent(temporary.path(), target);
   temporary.moveTo(target);
   syncFolder(folderOf(target));
@@ -162,15 +177,8 @@ void writeAtomically(const fs::path& target, std::string_view content) {
   });
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "blossom-XXXXXX").string();
-  if (!::mkdtemp(pattern.data())) cannotWrite(pattern, std::strerror(errno));
-  path_ = pattern;
-}
+TemporaryFolder::TemporaryFolder() : path_(makeTemporaryFolder()) {}
 
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
+TemporaryFolder::~TemporaryFolder() { removeTemporaryFolder(path_); }
 
 }  // namespace blossom

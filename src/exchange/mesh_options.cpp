@@ -30,6 +30,9 @@ TessellationOptions tessellationOptions(const Value& options) { return {.chord =
 std::vector<ShapeKind> meshableKinds() { return {ShapeKind::Mesh, ShapeKind::Brep, ShapeKind::Surface, ShapeKind::Region}; }
 
 Imported importedMesh(Mesh mesh, std::vector<std::string> warnings) {
+  if (mesh.faceCount() == 0 && !mesh.points.empty())
+    throw Error(ErrorCode::FormatDamaged, fmt::format("It holds {} points, but no face.", mesh.points.size()),
+                "A cloud of points is read from a file that ends in xyz; a shape needs faces.");
   if (mesh.faceCount() == 0)
     throw Error(ErrorCode::FormatDamaged, "It holds no face.", "The file is damaged or was not written completely.");
   Imported imported;

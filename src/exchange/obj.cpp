@@ -19,13 +19,13 @@ constexpr std::size_t longestStatement = 1 << 20;
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string_view content) : lines_(content) {}
+  ObjReader(std::string_view content, const Progress& progress) : progress_(progress), lines_(content) {}
 
-  Imported read(const Progress& progress) {
+  Imported read() {
     std::string joined;
     std::string_view line;
     while (nextStatement(line, joined)) {
-      if (lines_.number() % 4096 == 0) progress.check();
+      if (lines_.number() % 4096 == 0) progress_.check();
       statement(line);
     }
     checkIndices();
@@ -75,7 +75,10 @@ class ObjReader {
 
   void face(std::string_view rest) {
     corners_.clear();
-    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) corners_.push_back(vertexIndex(word));
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+      if (corners_.size() % 4096 == 0) progress_.check();
+      corners_.push_back(vertexIndex(word));
+    }
     if (corners_.size() < 3)
       throw damaged(lines_.number(), fmt::format("a face needs 3 vertices or more; it has {}.", corners_.size()));
     mesh_.addFace(corners_);
@@ -144,8 +147,10 @@ class ObjReader {
     const auto check = [&](int index, std::size_t line, int base) {
       if (index >= count) throw damaged(line, fmt::format("vertex {} is used, but there are only {}.", index + base, count));
     };
-    for (std::size_t f = 0; f < mesh_.faceCount(); ++f)
+    for (std::size_t f = 0; f < mesh_.faceCount(); ++f) {
+      if (f % 4096 == 0) progress_.check();
       for (const int v : mesh_.face(f)) check(v, faceLines_[f], 1);
+    }
     for (std::size_t i = 0; i < mesh_.creases.size(); ++i) {
       check(mesh_.creases[i].from, creaseLines_[i], 0);
       check(mesh_.creases[i].to, creaseLines_[i], 0);
@@ -163,6 +168,7 @@ class ObjReader {
     return list;
   }
 
+  const Progress& progress_;
   Lines lines_;
   Mesh mesh_;
   std::vector<int> corners_;
@@ -201,7 +207,7 @@ Format objFormat() {
   format.writeOptions = {chordOption()};
   format.read = [](const std::filesystem::path& path, const Value&, const Progress& progress) {
     const std::string content = readFile(path);
-    return ObjReader(content).read(progress);
+    return ObjReader(content, progress).read();
   };
   format.write = writeObj;
   format.writes = meshableKinds();

@@ -14,20 +14,21 @@ using namespace parse;
 
 class OffReader {
  public:
-  explicit OffReader(std::string_view content) : size_(content.size()), lines_(content) {}
+  OffReader(std::string_view content, const Progress& progress)
+      : progress_(progress), size_(content.size()), lines_(content) {}
 
-  Imported read(const Progress& progress) {
+  Imported read() {
     std::string_view line = dataLine("the word OFF");
     header(takeWord(line));
     if (trimmed(line).empty()) line = dataLine("the number of vertices and faces");
     const std::size_t vertices = count(takeWord(line), "vertices"), faces = count(takeWord(line), "faces");
     mesh_.points.reserve(vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
-      if (i % 4096 == 0) progress.check();
+      if (i % 4096 == 0) progress_.check();
       vertex(dataLine(fmt::format("vertex {} of {}", i + 1, vertices)));
     }
     for (std::size_t i = 0; i < faces; ++i) {
-      if (i % 4096 == 0) progress.check();
+      if (i % 4096 == 0) progress_.check();
       face(dataLine(fmt::format("face {} of {}", i + 1, faces)));
     }
     return importedMesh(std::move(mesh_));
@@ -79,6 +80,7 @@ class OffReader {
       throw damaged(lines_.number(), fmt::format("a face needs 3 vertices or more; it says {}.", shown(first)));
     corners_.clear();
     for (int i = 0; i < *count; ++i) {
+      if (i % 4096 == 0) progress_.check();
       const std::string_view word = takeWord(line);
       const std::optional<int> index = toInteger(word);
       if (!index || *index < 0 || static_cast<std::size_t>(*index) >= mesh_.points.size())
@@ -89,6 +91,7 @@ class OffReader {
     mesh_.addFace(corners_);
   }
 
+  const Progress& progress_;
   std::size_t size_;
   Lines lines_;
   Mesh mesh_;
@@ -120,7 +123,7 @@ Format offFormat() {
   format.writeOptions = {chordOption()};
   format.read = [](const std::filesystem::path& path, const Value&, const Progress& progress) {
     const std::string content = readFile(path);
-    return OffReader(content).read(progress);
+    return OffReader(content, progress).read();
   };
   format.write = writeOff;
   format.writes = meshableKinds();

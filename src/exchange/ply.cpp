@@ -214,23 +214,27 @@ class PlyValues {
 
 class PlyReader {
  public:
-  explicit PlyReader(std::string_view content)
-      : header_(PlyHeaderReader(content).read()), values_(content.substr(header_.bytes), header_.encoding) {}
+  PlyReader(std::string_view content, const Progress& progress)
+      : progress_(progress),
+        header_(PlyHeaderReader(content).read()),
+        values_(content.substr(header_.bytes), header_.encoding) {}
 
-  Imported read(const Progress& progress) {
+  Imported read() {
     Value leftOut = Value::object();
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
       if (element.name == "vertex")
-        readVertices(element, progress);
+        readVertices(element);
       else if (element.name == "face")
-        readFaces(element, progress);
+        readFaces(element);
+      else if (element.name == "tristrips")
+        readStrips(element);
       else {
-        passOver(element, progress);
+        passOver(element);
         if (element.count > 0) leftOut[utf8(element.name)] = element.count;
       }
     }
-    for (const int v : mesh_.faceVertices)
+    for (const int v : mesh_.faceVertices)  // may come before their vertices
       if (static_cast<std::size_t>(v) >= mesh_.points.size())
         throw Error(ErrorCode::FormatDamaged,
                     fmt::format("A face uses vertex {}, but there are only {}.", v, mesh_.points.size()));
@@ -248,11 +252,11 @@ class PlyReader {
     throw Error(ErrorCode::FormatDamaged, fmt::format("Its {} has no property \"{}\".", element.name, *names.begin()));
   }
 
-  void readVertices(const PlyElement& element, const Progress& progress) {
+  void readVertices(const PlyElement& element) {
     const std::array<std::size_t, 3> axes{propertyNamed(element, {"x"}, false), propertyNamed(element, {"y"}, false),
                                           propertyNamed(element, {"z"}, false)};
     for (std::size_t n = 0; n < element.count; ++n) {
-      if (n % 8192 == 0) progress.check();
+      if (n % 8192 == 0) progress_.check();
       Vec3 point(0, 0, 0);
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const double value = single(element.properties[i]);
@@ -265,10 +269,10 @@ class PlyReader {
     }
   }
 
-  void readFaces(const PlyElement& element, const Progress& progress) {
+  void readFaces(const PlyElement& element) {
     const std::size_t list = propertyNamed(element, {"vertex_indices", "vertex_index"}, true);
     for (std::size_t n = 0; n < element.count; ++n) {
-      if (n % 8192 == 0) progress.check();
+      if (n % 8192 == 0) progress_.check();
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         if (i == list)
           face(element.properties[i], n);
@@ -284,6 +288,7 @@ class PlyReader {
       throw Error(ErrorCode::FormatDamaged, fmt::format("Face {} has {} vertices; it needs 3 or more.", n, count));
     corners_.clear();
     for (std::size_t i = 0; i < count; ++i) {
+      if (i % 8192 == 0) progress_.check();
       const double index = values_.take(property.type);
       if (!(index >= 0 && index < 2147483647.0))
         throw Error(ErrorCode::FormatDamaged, fmt::format("Face {} has {} for a vertex.", n, index));
@@ -292,9 +297,45 @@ class PlyReader {
     mesh_.addFace(corners_);
   }
 
-  void passOver(const PlyElement& element, const Progress& progress) {
+  void readStrips(const PlyElement& element) {
+    const std::size_t list = propertyNamed(element, {"vertex_indices", "vertex_index"}, true);
+    for (std::size_t n = 0; n < element.count; ++n)
+      for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        if (i == list)
+          strip(element.properties[i], n);
+        else
+          single(element.properties[i]);
+      }
+  }
+
+  /// Every corner from the third on ends a triangle, each turned against the one before; -1 begins anew. Triangles with
+  /// equal corners join two strips and are none.
+  void strip(const PlyProperty& property, std::size_t n) {
+    corners_.clear();
+    for (std::size_t left = values_.takeCount(property), i = 0; i < left; ++i) {
+      if (i % 8192 == 0) progress_.check();
+      const double index = values_.take(property.type);
+      if (!(index >= -1 && index < 2147483647.0))
+        throw Error(ErrorCode::FormatDamaged, fmt::format("Triangle strip {} has {} for a vertex.", n, index));
+      if (index < 0) {
+        corners_.clear();
+        continue;
+      }
+      corners_.push_back(static_cast<int>(index));
+      if (corners_.size() > 2) addStripTriangle(corners_.size() % 2 == 0);
+    }
+  }
+
+  void addStripTriangle(bool turned) {
+    std::array<int, 3> triangle{};
+    std::copy(corners_.end() - 3, corners_.end(), triangle.begin());
+    if (turned) std::swap(triangle[0], triangle[1]);
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) mesh_.addFace(triangle);
+  }
+
+  void passOver(const PlyElement& element) {
     for (std::size_t n = 0; n < element.count; ++n) {
-      if (n % 8192 == 0) progress.check();
+      if (n % 8192 == 0) progress_.check();
       for (const PlyProperty& property : element.properties) single(property);
     }
   }
@@ -302,10 +343,14 @@ class PlyReader {
   /// Value of a property; a list is passed over.
   double single(const PlyProperty& property) {
     if (!property.countType) return values_.take(property.type);
-    for (std::size_t left = values_.takeCount(property); left > 0; --left) values_.take(property.type);
+    for (std::size_t left = values_.takeCount(property); left > 0; --left) {
+      if (left % 8192 == 0) progress_.check();
+      values_.take(property.type);
+    }
     return 0;
   }
 
+  const Progress& progress_;
   PlyHeader header_;
   PlyValues values_;
   Mesh mesh_;
@@ -351,7 +396,7 @@ Format plyFormat() {
   format.writeOptions = {chordOption(), asciiOption()};
   format.read = [](const std::filesystem::path& path, const Value&, const Progress& progress) {
     const std::string content = readFile(path);
-    return PlyReader(content).read(progress);
+    return PlyReader(content, progress).read();
   };
   format.write = writePly;
   format.writes = meshableKinds();

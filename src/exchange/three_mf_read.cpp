@@ -14,12 +14,17 @@
 #include "core/zip_archive.h"
 #include "exchange/mesh_options.h"
 #include "exchange/text.h"
+#include "exchange/three_mf_rules.h"
 
 namespace blossom {
 namespace {
 
 using namespace parse;
 using pugi::xml_node;
+using three_mf::attribute;
+using three_mf::Faults;
+using three_mf::localName;
+using three_mf::partName;
 using Placement = Eigen::Transform<double, 3, Eigen::AffineCompact>;
 
 constexpr int deepest = 64;                     ///< components within components
@@ -30,32 +35,10 @@ Error damage(const std::string& sentence) {
   return Error(ErrorCode::FormatDamaged, sentence, "The file is damaged or was not written completely.");
 }
 
-std::string_view localName(const xml_node& node) {
-  const std::string_view name = node.name();
-  return name.substr(name.find(':') + 1);
-}
-
 xml_node childNamed(const xml_node& parent, std::string_view name) {
   for (const xml_node& child : parent.children())
     if (localName(child) == name) return child;
   return {};
-}
-
-/// An attribute by its name without the prefix that the file chose for its namespace.
-std::string_view attribute(const xml_node& node, std::string_view name) {
-  for (const pugi::xml_attribute& each : node.attributes()) {
-    const std::string_view full = each.name();
-    if (full.substr(full.find(':') + 1) == name) return each.value();
-  }
-  return {};
-}
-
-/// Names of parts are alike in any case; here all begin without a slash.
-std::string partName(std::string_view name) {
-  std::string result(name.substr(name.starts_with('/') ? 1 : 0));
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
 }
 
 double millimetresPerUnit(std::string_view unit) {
@@ -68,7 +51,7 @@ double millimetresPerUnit(std::string_view unit) {
 }
 
 /// Twelve numbers: the rows of a matrix that a row vector is multiplied with (section 3.3). Lengths become mm.
-Placement placementOf(const xml_node& node, double unit) {
+Placement placementOf(const xml_node& node, double unit, Faults& faults) {
   Placement result = Placement::Identity();
   std::string_view rest = attribute(node, "transform");
   if (trimmed(rest).empty()) return result;
@@ -80,6 +63,7 @@ Placement placementOf(const xml_node& node, double unit) {
       result(column, row) = row == 3 ? *value * unit : *value;
     }
   if (result.linear().determinant() == 0) throw damage(fmt::format("The transform {} leaves no volume.", shown(all)));
+  if (result.linear().determinant() < 0) faults.add(fmt::format("the transform {} mirrors", shown(all)));
   return result;
 }
 
@@ -93,42 +77,54 @@ struct ModelPart {
 
 class Package {
  public:
-  explicit Package(const std::string& bytes) {
-    ZipContent content = readZip(bytes, [](std::string_view name) {
+  Package(const std::string& bytes, const Progress& progress) : progress_(progress) {
+    ZipContent content = readZip(bytes, [this](std::string_view name) {
       const std::string part = partName(name);
-      return part.ends_with(".model") || part == "_rels/.rels";
+      if (!parts_.names.insert(part).second) faults_.add(fmt::format("two parts have the name {}", shown(name)));
+      return part.ends_with(".model") || part.ends_with(".rels") || part == "[content_types].xml";
     });
     if (!content.damaged.empty()) throw damage(content.damaged.front());
-    for (auto& [name, text] : content.entries) texts_.insert_or_assign(partName(name), std::move(text));
+    for (auto& [name, text] : content.entries) parts_.texts.insert_or_assign(partName(name), std::move(text));
   }
 
+  /// What is wrong with it and with the models read so far.
+  [[nodiscard]] Faults& faults() { return faults_; }
+
   /// The part that the package's relationships name.
-  [[nodiscard]] std::string rootPart() const {
-    if (const auto relations = texts_.find("_rels/.rels"); relations != texts_.end()) {
-      pugi::xml_document document;
-      check(document.load_buffer(relations->second.data(), relations->second.size()), relations->first);
-      for (const xml_node& each : document.document_element().children())
-        if (attribute(each, "Type").ends_with("/3dmodel")) return partName(attribute(each, "Target"));
-    }
-    if (texts_.contains("3d/3dmodel.model")) return "3d/3dmodel.model";
-    throw Error(ErrorCode::FormatDamaged, "It is a zip, but holds no model of 3MF.", "Export it again as 3MF.");
+  [[nodiscard]] std::string rootPart() {
+    std::string root = namedRoot();
+    checkPackage(parts_, root, faults_);
+    return root;
   }
 
   const ModelPart& part(const std::string& name) {
-    std::unique_ptr<ModelPart>& part = parts_[name];
+    std::unique_ptr<ModelPart>& part = models_[name];
     if (!part) part = load(name);
     return *part;
   }
 
  private:
+  std::string namedRoot() {
+    if (const auto relations = parts_.texts.find("_rels/.rels"); relations != parts_.texts.end()) {
+      pugi::xml_document document;
+      check(document.load_buffer(relations->second.data(), relations->second.size()), relations->first);
+      for (const xml_node& each : document.document_element().children())
+        if (attribute(each, "Type").ends_with("/3dmodel")) return partName(attribute(each, "Target"));
+    }
+    faults_.add("it does not say which of its parts is the model");
+    if (parts_.texts.contains("3d/3dmodel.model")) return "3d/3dmodel.model";
+    throw Error(ErrorCode::FormatDamaged, "It is a zip, but holds no model of 3MF.", "Export it again as 3MF.");
+  }
+
   static void check(const pugi::xml_parse_result& result, const std::string& name) {
     if (!result) throw damage(fmt::format("The XML of its part {} is damaged: {}.", shown(name), result.description()));
   }
 
   std::unique_ptr<ModelPart> load(const std::string& name) {
-    const auto text = texts_.find(name);
-    if (text == texts_.end()) throw damage(fmt::format("Its part {} is missing.", shown(name)));
+    const auto text = parts_.texts.find(name);
+    if (text == parts_.texts.end()) throw damage(fmt::format("Its part {} is missing.", shown(name)));
     auto part = std::make_unique<ModelPart>();
+    three_mf::checkText(text->second, faults_);
     check(part->document.load_buffer_inplace(text->second.data(), text->second.size()), name);
     part->model = part->document.document_element();
     if (localName(part->model) != "model") throw damage(fmt::format("Its part {} is not a model.", shown(name)));
@@ -136,11 +132,15 @@ class Package {
     for (const xml_node& each : childNamed(part->model, "resources").children())
       if (localName(each) == "object" && !part->objects.emplace(attribute(each, "id"), each).second)
         throw damage(fmt::format("The id {} is given to two objects.", shown(attribute(each, "id"))));
+    three_mf::checkMarkup(part->document, progress_, faults_);
+    three_mf::checkResources(part->model, parts_, progress_, faults_);
     return part;
   }
 
-  std::map<std::string, std::string, std::less<>> texts_;  ///< models are parsed in place: they live as long as the nodes
-  std::map<std::string, std::unique_ptr<ModelPart>> parts_;
+  const Progress& progress_;
+  Faults faults_;
+  three_mf::PackageParts parts_;  ///< models are parsed in place: their texts live as long as the nodes
+  std::map<std::string, std::unique_ptr<ModelPart>> models_;
 };
 
 /// Puts what is built into one mesh.
@@ -181,8 +181,8 @@ class Builder {
   /// What a build item or a component refers to, perhaps in another part.
   void placeReferred(const std::string& from, const xml_node& reference, const Placement& outer, double unit, int depth) {
     const std::string_view path = attribute(reference, "path");
-    place(path.empty() ? from : partName(path), attribute(reference, "objectid"), outer * placementOf(reference, unit),
-          depth);
+    place(path.empty() ? from : partName(path), attribute(reference, "objectid"),
+          outer * placementOf(reference, unit, package_.faults()), depth);
   }
 
   void place(const std::string& partName, std::string_view id, const Placement& placement, int depth) {
@@ -259,6 +259,13 @@ class Builder {
   }
 
   Imported finished() {
+    const auto& lattices = skipped_.counts();
+    if (lattices.contains("beamlattice") && mesh_.faceCount() == 0)
+      throw Error(ErrorCode::InvalidInput, "It holds lattices of beams alone, which Blossom does not read.",
+                  "Turn them into triangles in the program that made them.");
+    if (lattices.contains("beamlattice")) warnings_.emplace_back("Lattices of beams are left out.");
+    const auto faults = package_.faults().sentences();
+    warnings_.insert(warnings_.end(), faults.begin(), faults.end());
     if (flat_ > 0)
       warnings_.push_back(fmt::format("{} with two equal corners {} left out.",
                                       flat_ == 1 ? "A triangle" : fmt::format("{} triangles", flat_),
@@ -280,7 +287,7 @@ class Builder {
 }  // namespace
 
 Imported readThreeMf(const std::filesystem::path& path, const Progress& progress) {
-  Package package(readFile(path));
+  Package package(readFile(path), progress);
   return Builder(package, progress).build();
 }
 

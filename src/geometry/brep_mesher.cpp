@@ -29,6 +29,7 @@
 #include "core/parallel.h"
 #include "geometry/grid_mesher.h"
 #include "geometry/occt_progress.h"
+#include "geometry/occt_reason.h"
 
 namespace blossom {
 namespace {
@@ -369,7 +370,7 @@ Tessellation meshShape(const TopoDS_Shape& shape, const TessellationOptions& opt
   try {
     return ShapeMesher(shape, options, progress).run();
   } catch (const Standard_Failure& failure) {
-    throw Error(ErrorCode::Degenerate, std::string("The shape cannot be meshed: ") + failure.GetMessageString() + ".",
+    throw Error(ErrorCode::Degenerate, std::string("The shape cannot be meshed: ") + reasonOf(failure) + ".",
                 "Check the shape; it may come from a damaged file.");
   }
 }

@@ -158,11 +158,13 @@ bool fillsBox(const TopoDS_Face& face, const std::vector<BoundaryCurve>& curves,
 /// Area element and volume of the cone over it, per du dv.
 class Element {
  public:
-  Element(const BRepAdaptor_Surface& surface, const Vec3& reference) : surface_(surface), reference_(reference) {}
+  Element(const BRepAdaptor_Surface& surface, const Vec3& reference, const Progress& progress)
+      : surface_(surface), reference_(reference), progress_(progress) {}
 
   TwoIntegrals operator()(double u, double v) const {
     gp_Pnt p;
     gp_Vec du, dv;
+    progress_.check();
     surface_.D1(u, v, p, du, dv);
     const Vec3 normal = toVec(du.XYZ()).cross(toVec(dv.XYZ()));
     return {normal.norm(), (toVec(p.XYZ()) - reference_).dot(normal) / 3};
@@ -179,6 +181,7 @@ class Element {
  private:
   const BRepAdaptor_Surface& surface_;
   Vec3 reference_;
+  const Progress& progress_;
 };
 
 struct Breaks {
@@ -250,14 +253,14 @@ TwoIntegrals alongBoundary(const Element& element, const Breaks& breaks, const s
 
 }  // namespace
 
-FaceIntegral integrateFace(const TopoDS_Face& face, const Vec3& reference) {
+FaceIntegral integrateFace(const TopoDS_Face& face, const Vec3& reference, const Progress& progress) {
   const BRepAdaptor_Surface surface(face, Standard_False);
   if (surface.GetType() == GeomAbs_Plane) return integratePlanar(face, surface, reference);
   const std::vector<BoundaryCurve> curves = parameterCurves(face);
   Rectangle r = box(curves);
   const bool whole = curves.empty();
   if (whole) r = {surface.FirstUParameter(), surface.LastUParameter(), surface.FirstVParameter(), surface.LastVParameter()};
-  const Element element(surface, reference);
+  const Element element(surface, reference, progress);
   const Breaks breaks = surfaceBreaks(surface, r);
   const TwoIntegrals absolute = absoluteFor(element, breaks, r);
   const TwoIntegrals result = whole || fillsBox(face, curves, r) ? overBox(element, breaks, absolute)

@@ -1,7 +1,9 @@
 #include "geometry/measure.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/error.h"
 #include "geometry/bspline.h"
 #include "geometry/gauss.h"
 #include "geometry/measure_parts.h"
@@ -10,11 +12,12 @@
 namespace blossom {
 namespace {
 
-Measures measureRegion(const Region& region) {
+Measures measureRegion(const Region& region, const Progress& progress) {
   std::size_t outer = 0, lines = 0, arcs = 0, splines = 0;
   double perimeter = 0;
   double total = 0;
   for (const Path& loop : region.loops) {
+    progress.check();
     const double loopArea = signedArea(loop);
     total += loopArea;
     outer += loopArea > 0 ? 1 : 0;
@@ -53,8 +56,9 @@ bool hasPositiveWeights(const Curve& curve) {
   return std::all_of(curve.poles.begin(), curve.poles.end(), [](const Vec4& pole) { return pole.w() > 0; });
 }
 
-double curveLength(const Curve& curve) {
+double curveLength(const Curve& curve, const Progress& progress) {
   const auto speed = [&](double t) {
+    progress.check();
     const std::vector<Vec4> d = derivatives(curve, t, 1);
     const Vec3 point = d[0].head<3>() / d[0].w();
     return ((d[1].head<3>() - d[1].w() * point) / d[0].w()).norm();
@@ -69,9 +73,9 @@ double curveLength(const Curve& curve) {
   return sum;
 }
 
-Measures measureCurve(const Curve& curve) {
+Measures measureCurve(const Curve& curve, const Progress& progress) {
   Measures measures{"curve", {{"degree", std::int64_t{curve.degree}}, count("poles", curve.poles.size())}};
-  if (hasPositiveWeights(curve)) measures.values.push_back({"length", curveLength(curve), MeasureUnit::Length});
+  if (hasPositiveWeights(curve)) measures.values.push_back({"length", curveLength(curve, progress), MeasureUnit::Length});
   return measures;
 }
 
@@ -136,9 +140,9 @@ Measures measureToolpath(const Toolpath& path) {
 struct Visitor {
   const Progress& progress;
   Measures operator()(std::monostate) const { return {"nothing", {}}; }
-  Measures operator()(const Region& region) const { return measureRegion(region); }
+  Measures operator()(const Region& region) const { return measureRegion(region, progress); }
   Measures operator()(const Curves& curves) const { return measureCurves(curves, progress); }
-  Measures operator()(const Curve& curve) const { return measureCurve(curve); }
+  Measures operator()(const Curve& curve) const { return measureCurve(curve, progress); }
   Measures operator()(const Surface& surface) const { return measureSurface(surface, progress); }
   Measures operator()(const Brep& brep) const { return measureBrep(brep, progress); }
   Measures operator()(const Mesh& mesh) const { return measureMesh(mesh, progress); }
@@ -148,11 +152,26 @@ struct Visitor {
   Measures operator()(const Toolpath& path) const { return measureToolpath(path); }
 };
 
+/// A figure that is none would be told as nothing at all.
+void refuseInfinite(const Measures& measures) {
+  for (const Measure& each : measures.values) {
+    const double* value = std::get_if<double>(&each.value);
+    if (!value || std::isfinite(*value)) continue;
+    std::string name = each.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    throw Error(
+        ErrorCode::LimitExceeded, "The " + name + " of the " + measures.kind + " is beyond all numbers.",
+        "Its coordinates are too large, or not those that were meant: look for exponents such as e308, or scale it.");
+  }
+}
+
 }  // namespace
 
 Measures measure(const Shape& shape, const Progress& progress) {
   progress.check();
-  return shape.visit(Visitor{progress});
+  Measures measures = shape.visit(Visitor{progress});
+  refuseInfinite(measures);
+  return measures;
 }
 
 }  // namespace blossom

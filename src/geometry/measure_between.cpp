@@ -14,6 +14,7 @@
 #include "core/tolerance.h"
 #include "geometry/bounds.h"
 #include "geometry/closest_points.h"
+#include "geometry/occt_reason.h"
 #include "geometry/part_form.h"
 #include "geometry/part_relation.h"
 #include "geometry/tessellate.h"
@@ -134,7 +135,7 @@ Measurement measureBetween(const MeasuredPart& a, const MeasuredPart& b, const P
   try {
     return related(a, b, progress);
   } catch (const Standard_Failure& failure) {
-    throw Error(ErrorCode::Degenerate, std::string("The parts cannot be measured: ") + failure.GetMessageString() + ".",
+    throw Error(ErrorCode::Degenerate, std::string("The parts cannot be measured: ") + reasonOf(failure) + ".",
                 "Check the shapes; they may come from a damaged file.");
   }
 }

@@ -21,6 +21,7 @@
 #include "geometry/gauss.h"
 #include "geometry/measure_parts.h"
 #include "geometry/occt.h"
+#include "geometry/occt_reason.h"
 
 namespace blossom {
 namespace {
@@ -89,7 +90,7 @@ std::vector<FaceIntegral> integrals(const std::vector<TopoDS_Shape>& faces, cons
                                     const Progress& progress) {
   std::vector<FaceIntegral> result(faces.size());
   parallelFor(faces.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) result[i] = integrateFace(TopoDS::Face(faces[i]), reference);
+    for (std::size_t i = begin; i < end; ++i) result[i] = integrateFace(TopoDS::Face(faces[i]), reference, progress);
   });
   return result;
 }
@@ -190,7 +191,7 @@ Measures measureBrep(const Brep& brep, const Progress& progress) {
   try {
     return measureShape(brep.shape(), progress);
   } catch (const Standard_Failure& failure) {
-    throw Error(ErrorCode::Degenerate, std::string("The shape cannot be measured: ") + failure.GetMessageString() + ".",
+    throw Error(ErrorCode::Degenerate, std::string("The shape cannot be measured: ") + reasonOf(failure) + ".",
                 "Check the shape; it may come from a damaged file.");
   }
 }

@@ -16,6 +16,7 @@
 #include "geometry/bounds.h"
 #include "geometry/measure_patch.h"
 #include "geometry/mesh_topology.h"
+#include "geometry/occt_reason.h"
 #include "geometry/part_form.h"
 
 namespace blossom {
@@ -207,7 +208,7 @@ Measurement measureOne(const MeasuredPart& part, const Progress& progress) {
   try {
     return measured(part, progress);
   } catch (const Standard_Failure& failure) {
-    throw Error(ErrorCode::Degenerate, std::string("The part cannot be measured: ") + failure.GetMessageString() + ".",
+    throw Error(ErrorCode::Degenerate, std::string("The part cannot be measured: ") + reasonOf(failure) + ".",
                 "Check the shape; it may come from a damaged file.");
   }
 }

@@ -25,7 +25,7 @@ struct FaceIntegral {
 };
 /// Planar faces by Green's formula along their edges, faces over a rectangle of parameters by Gauss quadrature span by span,
 /// others by OCCT's adaptive one.
-FaceIntegral integrateFace(const TopoDS_Face&, const Vec3& reference);
+FaceIntegral integrateFace(const TopoDS_Face&, const Vec3& reference, const Progress&);
 
 inline Measure count(std::string name, std::size_t value) {
   return {std::move(name), static_cast<std::int64_t>(value), MeasureUnit::None};

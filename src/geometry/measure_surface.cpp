@@ -31,6 +31,7 @@ std::vector<Rectangle> spans(const Surface& surface) {
 
 double surfaceArea(const Surface& surface, const Progress& progress) {
   const auto element = [&](double u, double v) {
+    progress.check();
     const SurfaceFrame at = frame(surface, u, v);
     return TwoIntegrals(at.du.cross(at.dv).norm(), 0);
   };

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "geometry/polygon_triangulation.h"
 #include "geometry/union_find.h"
 
 namespace blossom {
@@ -141,7 +142,7 @@ std::pair<Mesh, std::vector<int>> triangulated(const Mesh& mesh, const Progress&
     if (f % 65536 == 0) progress.check();
     const auto face = mesh.face(f);
     if (face.size() < 3) continue;
-    for (const auto& triangle : triangulate(facePoints(mesh, f))) {
+    for (const auto& triangle : triangulate(facePoints(mesh, f), progress)) {
       const std::array<int, 3> vertices{face[static_cast<std::size_t>(triangle[0])],
                                         face[static_cast<std::size_t>(triangle[1])],
                                         face[static_cast<std::size_t>(triangle[2])]};

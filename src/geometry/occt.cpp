@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "geometry/bspline.h"
+#include "geometry/occt_reason.h"
 
 namespace blossom {
 namespace {
@@ -80,8 +81,7 @@ gp_Pnt euclidean(const Vec4& pole) { return {pole.x() / pole.w(), pole.y() / pol
 Vec4 homogeneous(const gp_Pnt& p, double w) { return {p.X() * w, p.Y() * w, p.Z() * w, w}; }
 
 [[noreturn]] void refused(const Standard_Failure& failure) {
-  throw Error(ErrorCode::Degenerate,
-              fmt::format("The geometry kernel refuses the B-spline: {}.", failure.GetMessageString()),
+  throw Error(ErrorCode::Degenerate, fmt::format("The geometry kernel refuses the B-spline: {}.", reasonOf(failure)),
               "Look for knots that nearly coincide and for poles that coincide.");
 }
 

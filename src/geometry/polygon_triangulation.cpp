@@ -1,7 +1,10 @@
+#include "geometry/polygon_triangulation.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/large_polygon.h"
 #include "geometry/mesh_topology.h"
 
 namespace blossom {
@@ -103,10 +106,14 @@ Vec3 vectorArea(std::span<const Vec3> polygon) {
   return sum / 2;
 }
 
-std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon) {
+std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon) { return triangulate(polygon, Progress::none()); }
+
+std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon, const Progress& progress) {
+  constexpr std::size_t large = 256;  // below it the plain clipper is the quicker one
   if (polygon.size() < 3) return {};
   if (polygon.size() == 3) return {{0, 1, 2}};
   if (polygon.size() == 4) return splitQuad(polygon);
+  if (polygon.size() > large) return triangulateLarge(flattened(polygon), progress);
   return EarClipper(flattened(polygon)).run();
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/mesh_topology.h"
+#include "geometry/polygon_triangulation.h"
 #include "geometry/tessellate_parts.h"
 #include "geometry/union_find.h"
 
@@ -97,7 +98,7 @@ class MeshTessellator {
       const auto corner = [&](int k) {
         return pointOfCorner_[static_cast<std::size_t>(mesh_.faceStarts[f]) + static_cast<std::size_t>(k)];
       };
-      for (const auto& [a, b, c] : triangulate(facePoints(mesh_, f))) {
+      for (const auto& [a, b, c] : triangulate(facePoints(mesh_, f), progress_)) {
         result_.triangles.push_back({corner(a), corner(b), corner(c)});
         result_.faceOfTriangle.push_back(static_cast<int>(f));
       }

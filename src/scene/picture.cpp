@@ -5,6 +5,7 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "exchange/mesh_options.h"
 #include "scene/offscreen.h"
 #include "scene/onion_skin.h"
 #include "scene/scene.h"
@@ -121,10 +123,13 @@ void writePng(const Image& image, const std::filesystem::path& path, int channel
     }
   auto writer = vtkSmartPointer<vtkPNGWriter>::New();
   writer->SetInputData(data);
-  writer->SetFileName(path.c_str());
+  writer->WriteToMemoryOn();  // libpng tells of a full disk on stderr, and nobody else
   writer->Write();
-  if (writer->GetErrorCode() != 0)
-    throw Error(ErrorCode::FileUnwritable, fmt::format("The picture could not be written to {}.", path.string()));
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (writer->GetErrorCode() != 0 || !bytes)
+    throw Error(ErrorCode::FileUnwritable, fmt::format("The picture {} could not be made.", path.string()));
+  writeBytes(path,
+             {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())});
 }
 
 }  // namespace

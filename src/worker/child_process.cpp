@@ -11,8 +11,11 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 
 #include "core/error.h"
+#include "worker/worker.h"
 
 namespace blossom {
 
@@ -53,14 +56,40 @@ class SpawnSettings {
   posix_spawnattr_t attributes_;
 };
 
+/// All children there are. Never destroyed: threads may still wait for theirs while the process ends.
+struct Children {
+  std::mutex mutex;
+  std::set<pid_t> running;
+};
+
+Children& children() {
+  static auto& all = *new Children;
+  return all;
+}
+
 }  // namespace
+
+void endAllWorkers() noexcept {
+  Children& all = children();
+  const std::lock_guard lock(all.mutex);
+  for (const pid_t pid : all.running) ::kill(-pid, SIGKILL);
+  // Left as zombies for those who wait for them; gone already when one of these was quicker.
+  siginfo_t ended;
+  for (const pid_t pid : all.running)
+    while (::waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+    }
+}
 
 ChildProcess::ChildProcess(const std::filesystem::path& program) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw Error(ErrorCode::Internal,
                 std::string("No channel to a helper process could be opened: ") + std::strerror(errno) + ".");
+  Children& all = children();
+  std::unique_lock lock(all.mutex);
   const int problem = SpawnSettings(ends[1]).spawn(pid_, program.string());
+  if (problem == 0) all.running.insert(pid_);
+  lock.unlock();
   ::close(ends[1]);
   channel_ = ends[0];
   if (problem == 0) return;
@@ -94,6 +123,12 @@ bool ChildProcess::exchange(std::string& pending, std::string& received, int mil
 
 int ChildProcess::wait() {
   int status = 0;
+  siginfo_t ended;
+  while (::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+  }
+  Children& all = children();
+  const std::lock_guard lock(all.mutex);
+  all.running.erase(pid_);  // before its number can belong to another process
   while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <mutex>
 #include <new>
 
@@ -130,14 +131,21 @@ Value answer(const Value& request, Channel& channel) {
   }
 }
 
+/// What is temporary here lies in the caller's folder, and goes with it whichever way this process ends.
+void keepTemporariesIn(const std::string& folder) {
+  if (!folder.empty()) ::setenv("TMPDIR", folder.c_str(), 1);
+}
+
 }  // namespace
 
 int workerMain() {
+  ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an error of writing, told as one
   Channel channel;
   const Value request = Value::parse(channel.receive(), nullptr, false);
   if (!request.is_object()) return 2;
   dieWithParent(request);
   applyLimits(request);
+  keepTemporariesIn(request.value("folder", ""));
   channel.send(answer(request, channel));
   return 0;
 }

@@ -43,6 +43,10 @@ std::filesystem::path moduleOf(const void* address);
 Value runInWorker(const std::string& name, const Value& arguments, const std::filesystem::path& folder, const Progress&,
                   const WorkerOptions& options = {});
 
+/// Ends every child process of this one, whoever waits for it, and returns when they are gone; for a process that is about
+/// to end itself.
+void endAllWorkers() noexcept;
+
 /// The child's side: serves one call read from stdin, writes progress and result as JSON lines to stdout. What the call
 /// itself prints to stdout is dropped. Returns the exit code.
 ///

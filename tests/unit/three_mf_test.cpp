@@ -41,7 +41,13 @@ std::string object(int id, const std::string& content, const std::string& attrib
   return fmt::format("<object id='{}' {}>{}</object>", id, attributes, content);
 }
 
-Imported readPackage(const std::vector<ZipEntry>& entries) {
+constexpr const char* contentTypes =
+    "<Types xmlns='http://schemas.openxmlformats.org/package/2006/content-types'>"
+    "<Default Extension='rels' ContentType='application/vnd.openxmlformats-package.relationships+xml'/>"
+    "<Default Extension='model' ContentType='application/vnd.ms-package.3dmanufacturing-3dmodel+xml'/></Types>";
+
+Imported readPackage(std::vector<ZipEntry> entries) {
+  entries.push_back({"[Content_Types].xml", contentTypes});
   const TemporaryFolder folder;
   writeZip(folder.path() / "a.3mf", entries, Progress::none());
   return readShape(formats(), folder.path() / "a.3mf");

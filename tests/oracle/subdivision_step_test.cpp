@@ -76,6 +76,7 @@ class SubdivisionStepTest : public QObject {
 
  private slots:
   void initTestCase() {
+    qputenv("BLOSSOM_WORKER", (test::buildFolder() / "bin/blossom-worker").c_str());
     app_ = loadApp({buildFolder() / "lib/blossom/plugins"});
     QVERIFY(app_.registry->find("subdivision.subdivide"));
   }

@@ -54,6 +54,8 @@ class FramesTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() { qputenv("BLOSSOM_WORKER", (buildFolder() / "bin/blossom-worker").c_str()); }
+
   void aFrameAFileWhereTheFormatHoldsOne() {
     for (const std::string extension : {"dxf", "svg", "step"}) {
       const fs::path out = folder() / ("row." + extension);

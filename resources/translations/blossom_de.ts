@@ -446,8 +446,8 @@
         <translation>Ziehen, um diesen Punkt der Fläche zu ziehen</translation>
     </message>
     <message>
-        <source>Drag a point of the smooth surface to pull it</source>
-        <translation>Einen Punkt der glatten Fläche ziehen</translation>
+        <source>Drag a place over a vertex of the cage to pull the smooth surface there</source>
+        <translation>Die glatte Fläche an der Stelle über einem Eckpunkt des Käfigs ziehen</translation>
     </message>
 </context>
 <context>

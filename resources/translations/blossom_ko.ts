@@ -446,8 +446,8 @@
         <translation>끌어서 곡면의 이 점을 당기기</translation>
     </message>
     <message>
-        <source>Drag a point of the smooth surface to pull it</source>
-        <translation>매끄러운 곡면의 점을 끌어 당기기</translation>
+        <source>Drag a place over a vertex of the cage to pull the smooth surface there</source>
+        <translation>케이지 꼭짓점 위의 자리를 끌어 매끄러운 곡면 당기기</translation>
     </message>
 </context>
 <context>

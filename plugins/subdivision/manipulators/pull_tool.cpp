@@ -2,6 +2,7 @@
 
 #include <vtkProp.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -195,7 +196,7 @@ QString PullTool::hint() const {
   if (grips_.empty()) return {};  // the view says what it does by itself
   if (held()) return tr("Let go to pull the point here · Shift: along the normal · Esc takes it back");
   if (hovered()) return tr("Drag to pull this point of the surface");
-  return tr("Drag a point of the smooth surface to pull it");
+  return tr("Drag a place over a vertex of the cage to pull the smooth surface there");
 }
 
 std::vector<vtkSmartPointer<vtkProp>> PullTool::props() const {

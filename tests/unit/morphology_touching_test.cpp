@@ -109,6 +109,17 @@ class MorphologyTouchingTest : public QObject {
     }
   }
 
+  // The ends of a morph are the solids themselves: bodies that overlap, or meet within a face, are one there.
+  void bodiesThatMeetAreOneAtTheEnds() {
+    const Mesh cube = unitCell();
+    const Mesh overlapping = together(cube, movedBy(cube, {0.5, 0.25, 0.125}));
+    const Mesh onAFace = together(cube, tetrahedron({0.5, 0.5, 1}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}));
+    const auto end = [&](const Mesh& solid) { return solidMorph(bodyOf(solid), bodyOf(cube), {0}).solids.front(); };
+    COMPARE_NEAR(volumeOf(end(overlapping)), 2 - 0.5 * 0.75 * 0.875, 1e-12);
+    COMPARE_NEAR(volumeOf(end(onAFace)), 1 + 1.0 / 6, 1e-12);
+    QVERIFY(!firstCrossing(end(overlapping)) && !firstCrossing(end(onAFace)));
+  }
+
   // What still cannot be used is told by its name and where it is, far from the origin as well.
   void complaintsNameTheOperandAndThePlace() {
     const Mesh far = movedBy(together(unitCell(), movedBy(unitCell(), {1, 1, 0.5})), {100, 200, 300});

@@ -9,6 +9,7 @@
 #include "kernel/finished.h"
 #include "kernel/prepared.h"
 #include "kernel/stopwatch.h"
+#include "kernel/united.h"
 
 namespace blossom::morphology {
 
@@ -81,6 +82,10 @@ class Work {
     return made;
   }
 
+  /// The operand as it is, its bodies made one where they meet.
+  void finish(const Prepared& operand, double from, double to) {
+    finish(operand.bodiesMeet ? united(operand.solid) : operand.solid, operand.centre, from, to);
+  }
   void finish(const Solid& solid, const Vec3& centre, double from, double to) {
     Stopwatch watch;
     Finished made = finished(solid, centre, progress_.part(from, to));
@@ -265,7 +270,7 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
   double from = 0.2;
   for (const double w : weights) {
     if (!between(w)) {
-      work.finish(w <= 0 ? pair.a.solid : pair.b.solid, w <= 0 ? pair.a.centre : pair.b.centre, from, from + share);
+      work.finish(w <= 0 ? pair.a : pair.b, from, from + share);
     } else {
       const Solid sum = way == Way::Nef ? work.nefSum(pair.a, 1 - w, pair.b, w, from, from + 0.9 * share)
                                         : work.sum(scaled(partsA, 1 - w, pair.grid.step), scaled(partsB, w, pair.grid.step),
@@ -303,7 +308,7 @@ void eachRadius(Work& work, const Operand& a, const GrowOptions& options, const 
   for (std::size_t k = 0; k < options.radii.size(); ++k, from += share) {
     const double radius = options.radii[k];
     if (!(radius > 0)) {
-      work.finish(solid.solid, solid.centre, from, from + share);
+      work.finish(solid, from, from + share);
       continue;
     }
     Prepared element = prepared(ballOperand(radius, options), grid, Progress::none());

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "geometry/bounds.h"
+#include "geometry/mesh_crossing.h"
 #include "geometry/mesh_topology.h"
 #include "kernel/flatness.h"
 #include "kernel/solid_check.h"
@@ -70,6 +71,8 @@ Prepared prepared(const Operand& operand, const Grid& grid, const Progress& prog
   Mesh mesh = operand.mesh;
   for (Vec3& p : mesh.points) p = local(p);
   CheckedSolid checked = checkedSolid(mesh, {operand.name, result.centre}, progress);
+  // What is left of crossings then lies between bodies, and has a warning.
+  result.bodiesMeet = !checked.warnings.empty() && firstCrossing(checked.triangles, progress);
   result.warnings = std::move(checked.warnings);
   for (const Vec3& p : checked.triangles.points) result.bounds.add(p);
   result.solid = asConvex(checked.triangles);

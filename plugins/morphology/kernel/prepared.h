@@ -10,9 +10,10 @@ namespace blossom::morphology {
 /// An operand on the grid of its operation, about its own centre, so that sums of coordinates are exact in doubles and
 /// places far from the origin cost no digits.
 struct Prepared {
-  Solid solid;    ///< nullptr for thinner shapes
-  Parts pieces;   ///< of thinner shapes
-  Bounds bounds;  ///< about `centre`
+  Solid solid;              ///< nullptr for thinner shapes
+  Parts pieces;             ///< of thinner shapes
+  bool bodiesMeet = false;  ///< bodies of the solid overlap or touch elsewhere than in common vertices and edges
+  Bounds bounds;            ///< about `centre`
   Vec3 centre = Vec3::Zero();
   std::string name;
   std::vector<std::string> warnings;

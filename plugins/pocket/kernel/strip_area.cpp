@@ -105,14 +105,16 @@ class InOrder {
     const Edge end{span.rightLow, span.rightHigh};
     Edge reach{span.leftLow, span.leftHigh};
     double sum = 0;
+    std::vector<std::size_t> begun;                               // covers that may lead on
     std::size_t next = 0;                                         // the first cover that begins beyond what is reached
     double beforeLow = span.leftLow, beforeHigh = span.leftHigh;  // no cover may end before the interval begins
     while (reach.middle() < end.middle()) {
       for (; next < covers_.size() && covers_[next].leftMiddle() <= reach.middle(); ++next) {
         beforeLow = std::max(beforeLow, covers_[next].rightLow);
         beforeHigh = std::max(beforeHigh, covers_[next].rightHigh);
+        begun.push_back(next);
       }
-      if (const auto farther = extended(reach, next)) {
+      if (const auto farther = extended(reach, begun)) {
         reach = *farther;
         continue;
       }
@@ -131,12 +133,14 @@ class InOrder {
     return sum;
   }
 
-  /// The farthest that a cover leads which surely begins before what is reached.
-  [[nodiscard]] std::optional<Edge> extended(const Edge& reach, std::size_t next) const {
+  /// The farthest that a cover leads which surely begins before what is reached. Of those that have begun, it forgets which
+  /// lead no farther.
+  [[nodiscard]] std::optional<Edge> extended(const Edge& reach, std::vector<std::size_t>& begun) const {
+    std::erase_if(begun, [&](std::size_t i) { return covers_[i].rightMiddle() <= reach.middle(); });
     std::optional<Edge> best;
-    for (std::size_t i = 0; i < next; ++i) {
+    for (const std::size_t i : begun) {
       const RunningSpan& c = covers_[i];
-      if (c.rightMiddle() <= (best ? best->middle() : reach.middle())) continue;
+      if (best && c.rightMiddle() <= best->middle()) continue;
       if (c.leftLow <= reach.low + slack_ && c.leftHigh <= reach.high + slack_) best = Edge{c.rightLow, c.rightHigh};
     }
     return best;

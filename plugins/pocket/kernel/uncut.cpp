@@ -157,16 +157,20 @@ class UncutSearch {
     constexpr double share = 2e-6;  // of the part's area, that the bounds may be apart
     const double apart = share * partArea_ / height_;
     const double thinnest = 1e-9 * height_;
+    // Thousands of gaps side by side would take ever so long: then the bounds stay further apart, and `within` tells.
+    constexpr double mostWork = 1e7;  // covers looked at
+    const double height = levels_[i + 1] - levels_[i];
+    auto halvings = 8 + static_cast<std::size_t>(mostWork * height / height_ / static_cast<double>(covers.size() + 1));
     std::vector<std::pair<double, double>> open{{levels_[i], levels_[i + 1]}};
     while (!open.empty()) {
       const auto [a, b] = open.back();
       open.pop_back();
       StripArea area = stripArea(whole, covers, a, b, slack_);
-      if (area.most - area.least <= apart * (b - a) || b - a <= thinnest) {
+      if (area.most - area.least <= apart * (b - a) || b - a <= thinnest || halvings == 0) {
         if (area.most > 0) out.push_back({a, b, std::move(area)});
         continue;
       }
-      if (open.size() % 8 == 7) progress.check();
+      if (--halvings % 64 == 0) progress.check();
       open.emplace_back((a + b) / 2, b);
       open.emplace_back(a, (a + b) / 2);
     }

@@ -33,7 +33,8 @@ struct Uncut {
 ///
 /// Rows at all heights where a boundary begins, ends or turns cut part and sweeps into strips whose edges are lines and
 /// arcs. In a strip, intervals with the arcs' bulges added and taken away bound the area from both sides; strips are halved
-/// until the two bounds are together. `within` is half of what stays between them, at most about 1e-6 of the part's area.
+/// until the two bounds are together. `within` is half of what stays between them, about 1e-6 of the part's area unless
+/// thousands of gaps lie side by side.
 /// O(n k) for n moves of which k cross a row.
 /// @throws Error Cancelled.
 Uncut uncutOf(const Region& part, const Toolpath&, const UncutOptions&, const Progress& = Progress::none());

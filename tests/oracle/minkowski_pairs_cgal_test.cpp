@@ -79,7 +79,7 @@ std::pair<Operand, Operand> randomPair(std::mt19937_64& random, int kind) {
               operandOf(randomCells(random, 2, 2, unit(random)))};
     default: {
       // A frame whose hole is as large as the other, larger, or smaller.
-      const double hole = few(random), size = hole + few(random) - 6;
+      const double hole = few(random), size = hole + few(random) - 5;
       const Region frame{{rectanglePath({-20, -20}, {20, 20}), reversed(rectanglePath({-hole, -hole}, {hole, hole}))}};
       return {operandOf(frame), operandOf(polygonRegion({{size, 0}, {0, hole}, {-size, 0}, {0, -hole}}))};
     }

@@ -76,6 +76,33 @@ class MinkowskiCliTest : public QObject {
       QVERIFY2(blossom({"morph", "rectangle:10:10", "rectangle:20:30", "--t", "0.5", "-o", file}).code == 0, file);
   }
 
+  /// Where no helper process can start, short sums go on and long ones say so; with one they give what the kernel gives.
+  void longSumsRunInTheWorkerAndShortOnesHere() {
+    const QStringList small{"minkowski-sum", "star:5:20:8", "star:6:20:8"},
+        large{"minkowski-sum", "star:20:50:20", "star:21:40:10"};
+    const QByteArray worker = qgetenv("BLOSSOM_WORKER");
+    qputenv("BLOSSOM_WORKER", "/nonexistent");
+    const Answer here = blossom(small), none = blossom(large);
+    worker.isNull() ? qunsetenv("BLOSSOM_WORKER") : qputenv("BLOSSOM_WORKER", worker);
+    QVERIFY2(here.code == 0, here.message().c_str());
+    QCOMPARE(none.code, 1);
+    QCOMPARE(none.json["error"]["code"], Value("FileNotFound"));
+    const Answer apart = blossom(large);
+    QVERIFY2(apart.code == 0, apart.message().c_str());
+    QCOMPARE(sums(apart), 1);
+    QVERIFY(apart.result("area") > 0 && apart.result("components") == 1);
+  }
+
+  /// The numbers and names that documents of earlier versions hold.
+  void oldValuesAreStillTaken() {
+    for (const char* way : {"recursive", "bottom-up", "explicit"})
+      QCOMPARE(blossom({"morph", "star:3:20:8", "circle:9", "--evaluation", way, "--tolerance", "0.01"}).code, 0);
+    const Answer coarse = blossom({"minkowski-sum", "circle:0.001", "circle:0.001", "--tolerance", "0.01"});
+    QCOMPARE(coarse.json["error"]["code"], Value("InvalidParameter"));
+    QVERIFY2(coarse.hint().find("0.0002 mm") != std::string::npos, coarse.hint().c_str());
+    COMPARE_NEAR(blossom({"minkowski-sum", "circle:0.001", "circle:0.001"}).result("area"), 4e-6 * pi, 4e-9);
+  }
+
   void rubbishIsRefusedWithPlaceAndRemedy() {
     const struct {
       const char *name, *drawing, *says;

@@ -8,9 +8,11 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "feature_groups.h"
+#include "gouge_check.h"
 #include "kernel/pocket_path.h"
 #include "kernel/simulate.h"
 #include "part_input.h"
+#include "pocket_advice.h"
 #include "pocket_heights.h"
 #include "toolpath_place.h"
 #include "uncut_report.h"
@@ -147,11 +149,15 @@ void warnOfDistance(const Toolpath& path, std::vector<std::string>& warnings) {
                   most));
 }
 
+SimulationOptions checkOf(const PocketParameters& p) { return {.depth = p.depth - p.leaveFloor, .leave = p.leaveWall}; }
+
+/// The most by which a control may round corners of the way; it counts among the gouges of the simulation.
+double blendingOf(const PocketParameters& p) { return std::min(0.005, p.tolerance); }
+
 /// Nothing leaves here that was not driven through once.
 void addSimulation(const PocketParameters& p, const Region& region, Toolpath& path, Evaluated& out,
                    const Progress& progress) {
-  const SimulationOptions options{.depth = p.depth - p.leaveFloor, .leave = p.leaveWall};
-  const SimulationResult simulated = simulate(path, region, options, progress);
+  const SimulationResult simulated = simulate(path, region, checkOf(p), progress);
   path.gouge = simulated.gouge;
   path.residue = simulated.residue;
   out.stats["reachable_mm2"] = simulated.reachable;
@@ -191,7 +197,9 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
     out.warnings.push_back(fmt::format("{} entr{} no room for a {}: the tool plunges there.", made.plunged,
                                        made.plunged == 1 ? "y has" : "ies have",
                                        p.entry == Entry::Helix ? "helix" : "ramp"));
+  for (std::string& each : adviceOn(optionsOf(p))) out.warnings.push_back(std::move(each));
   Toolpath path = std::move(made.path);
+  path.blending = blendingOf(p);
   addSimulation(p, part.region, path, out, progress.part(0.6, 0.9));
   const double floor = -p.depth + p.leaveFloor;
   reportUncut(uncutOf(part.region, path, {.floor = floor, .tolerance = 2 * p.tolerance}, progress.part(0.9, 1)), p.leaveWall,
@@ -204,6 +212,8 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
   out.stats["entries"] = made.entries;
   out.stats["moves"] = path.moves.size();
   const Vec3 by = toWorkZero(p, part, heights, path.stock);
+  path.task = PocketTask{.depth = p.depth, .leaveWall = p.leaveWall, .leaveFloor = p.leaveFloor};
+  path.gougeOf = gougeOf(part.region, by, checkOf(p));
   path = translated(std::move(path), by);
   warnOfDistance(path, out.warnings);
   out.shape = std::move(path);

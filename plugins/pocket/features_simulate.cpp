@@ -4,9 +4,12 @@
 
 #include "core/angle.h"
 #include "core/error.h"
+#include "core/units.h"
 #include "feature_groups.h"
+#include "gouge_check.h"
 #include "kernel/simulate.h"
 #include "part_input.h"
+#include "pocket_heights.h"
 #include "toolpath_place.h"
 
 namespace blossom::pocket {
@@ -35,64 +38,117 @@ void chooseTool(const SimulateParameters& p, Toolpath& path) {
                 "Give at most half the diameter.");
 }
 
-/// Where the part lies in the work's coordinates: in the middle of the stock under its top, or as drawn when the program
-/// does not know its stock.
-Vec3 placeOf(const Toolpath& path, const Part& part) {
-  if (path.stock.empty) return {0, 0, part.placing.TranslationPart().Z()};
+/// Where the part's drawing has its zero, at the part's top, in the work's coordinates: as the program's head tells; else as
+/// it is drawn. A face of a solid keeps its height; where it is a pocket's floor, the top is where the pocket opens.
+Vec3 placeOf(const Toolpath& path, const Part& part, double face) {
+  if (path.task) return path.task->zero;
+  if (!path.centred) return {0, 0, (part.looksUp ? part.height : part.placing.TranslationPart().Z()) - face};
   const auto [low, high] = boxOf(part.region);
   const Vec2 middle = (low + high) / 2;
   const Vec3 stock = path.stock.center();
   return {stock.x() - middle.x(), stock.y() - middle.y(), path.stock.high.z()};
 }
 
+/// What is given counts, then what the program's head or the part tells; 0 where nobody knows how deep the pocket is.
+SimulationOptions optionsOf(const SimulateParameters& p, const Toolpath& path, const PocketHeights& heights) {
+  SimulationOptions options{.depth = p.depth, .leave = p.leave, .tolerance = p.tolerance};
+  if (options.depth == 0) options.depth = heights.depth;
+  if (!path.task) return options;
+  if (options.depth == 0) options.depth = path.task->depth;
+  if (options.depth > path.task->leaveFloor) options.depth -= path.task->leaveFloor;
+  if (options.leave == 0) options.leave = path.task->leaveWall;
+  return options;
+}
+
 std::string tipText(const Vec3& at) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", at.x(), at.y(), at.z()); }
+
+/// ", line 12" of the program that the move was read from.
+std::string lineText(const Toolpath& path, std::size_t move) {
+  const std::size_t line = path.moves[move].line;
+  return line > 0 ? fmt::format(", line {}", line) : std::string();
+}
+
+void warnOfWalls(const Toolpath& path, const SimulationResult& result, const SimulationOptions& o, const Vec3& place,
+                 std::vector<std::string>& warnings) {
+  if (result.gouge > o.tolerance)
+    warnings.push_back(fmt::format("The part is gouged by {:.3f} mm at {}{}.", result.gouge, tipText(result.gougeAt + place),
+                                   lineText(path, result.gougeMove)));
+  if (result.allowance > o.tolerance)
+    warnings.push_back(fmt::format("{:.3f} mm of the {} mm that were to stay on the walls are cut away{}.", result.allowance,
+                                   formatNumber(o.leave), lineText(path, result.allowanceMove)));
+  if (result.rapidsInStock > 0)
+    warnings.push_back(fmt::format("{} rapid{} through material, the first to ({:.2f}, {:.2f}, {:.2f}){}.",
+                                   result.rapidsInStock, result.rapidsInStock == 1 ? " runs" : "s run",
+                                   result.rapidAt.x() + place.x(), result.rapidAt.y() + place.y(),
+                                   result.rapidAt.z() + place.z(), lineText(path, result.rapidMove)));
+}
+
+void warnOfFloor(const Toolpath& path, const SimulationResult& result, const SimulationOptions& o, const Vec3& place,
+                 std::vector<std::string>& warnings) {
+  const ToolMove& deepest = path.moves[result.deepestMove];
+  const std::string line = lineText(path, result.deepestMove);
+  if (o.depth == 0)
+    warnings.push_back(
+        fmt::format("Neither the part nor the program tells how deep the pocket is: its floor is taken to be where the "
+                    "deepest cut ends, at z = {:.3f}{}. Give the depth (--depth) to have it checked.",
+                    deepest.to.z(), line));
+  else if (result.missing > o.tolerance)
+    warnings.push_back(fmt::format("The floor at z = {:.3f} is not reached: the deepest cut ends at z = {:.3f}{}.",
+                                   place.z() - o.depth, deepest.to.z(), line));
+}
 
 /// What whoever stands at the machine would want to hear before the start.
 void warnOfMoves(const Toolpath& path, std::vector<std::string>& warnings) {
   const auto cuts = [](const ToolMove& move) { return move.kind != MoveKind::Rapid; };
   const auto still = std::find_if(path.moves.begin(), path.moves.end(),
                                   [&](const ToolMove& move) { return cuts(move) && !(move.feed > 0); });
-  if (still != path.moves.end()) warnings.push_back(fmt::format("A cut without a feed goes to {}.", tipText(still->to)));
+  if (still != path.moves.end())
+    warnings.push_back(fmt::format("A cut without a feed goes to {}{}.", tipText(still->to),
+                                   lineText(path, static_cast<std::size_t>(still - path.moves.begin()))));
   if (path.stock.empty) return;
   constexpr double visible = 1e-6;
   const auto deepest = std::min_element(path.moves.begin(), path.moves.end(),
                                         [](const ToolMove& a, const ToolMove& b) { return a.to.z() < b.to.z(); });
   if (deepest != path.moves.end() && deepest->to.z() < path.stock.low.z() - visible)
-    warnings.push_back(fmt::format("The tool goes through the stock, which ends at z = {:.3f}, down to {}.",
-                                   path.stock.low.z(), tipText(deepest->to)));
+    warnings.push_back(fmt::format("The tool goes through the stock, which ends at z = {:.3f}, down to {}{}.",
+                                   path.stock.low.z(), tipText(deepest->to),
+                                   lineText(path, static_cast<std::size_t>(deepest - path.moves.begin()))));
 }
 
 Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Progress& progress) {
   const Part part = partOf(inputs.of(1)[0], p.face, p.skipOpen ? OpenLines::LeaveOut : OpenLines::RefuseForNow);
   Toolpath path = inputs.get<Toolpath>(0);
   chooseTool(p, path);
-  const Vec3 place = placeOf(path, part);
-  const SimulationOptions options{.depth = p.depth, .leave = p.leave, .tolerance = p.tolerance};
+  std::vector<std::string> ofHeights;
+  const PocketHeights heights = path.task ? PocketHeights()
+                                          : heightsOf(inputs.of(1)[0], p.face, part,
+                                                      {.depth = p.depth, .tolerance = p.tolerance}, ofHeights, progress);
+  const Vec3 place = placeOf(path, part, heights.face);
+  const SimulationOptions options = optionsOf(p, path, heights);
   const SimulationResult result = simulate(translated(path, -place), part.region, options, progress);
   path.gouge = result.gouge;
   path.residue = result.residue;
   path.marks.clear();
   Evaluated out;
   out.warnings = part.warnings;
+  if (p.depth > 0) out.warnings.insert(out.warnings.end(), ofHeights.begin(), ofHeights.end());
   constexpr double visible = 1e-6;
   if (result.gouge > visible) {
     const Vec3 at = result.gougeAt + place;
     path.marks.push_back(at);
     out.stats["gouge_at"] = tipText(at);
-    if (result.gouge > p.tolerance)
-      out.warnings.push_back(fmt::format("The part is gouged by {:.3f} mm at {}.", result.gouge, tipText(at)));
   }
+  warnOfWalls(path, result, options, place, out.warnings);
+  warnOfFloor(path, result, options, place, out.warnings);
   for (const Vec2& at : result.residueAt) path.marks.emplace_back(at.x() + place.x(), at.y() + place.y(), place.z());
   out.stats["reachable_mm2"] = result.reachable;
   out.stats["rapids_in_stock"] = result.rapidsInStock;
   out.stats["simulation_resolution_mm"] = result.resolution;
-  if (result.rapidsInStock > 0)
-    out.warnings.push_back(fmt::format("{} rapid{} through material, the first to ({:.2f}, {:.2f}, {:.2f}).",
-                                       result.rapidsInStock, result.rapidsInStock == 1 ? " runs" : "s run",
-                                       result.rapidAt.x() + place.x(), result.rapidAt.y() + place.y(),
-                                       result.rapidAt.z() + place.z()));
+  if (path.cutter.cornerRadius > 0) out.stats["ridge_mm"] = result.ridge;
+  if (path.blending > 0) out.stats["blending_mm"] = path.blending;
   warnOfMoves(path, out.warnings);
   if (!result.residue) out.warnings.emplace_back("The residue of V bits is not measured.");
+  path.gougeOf = gougeOf(part.region, place, options);
   out.shape = std::move(path);
   return out;
 }
@@ -110,8 +166,8 @@ FeatureType simulateFeature() {
       .input(part)
       .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Radius of the corners of the tool given.")
-      .parameter("depth", &P::depth, lengthFromZero(), "Depth of the part; 0: as deep as the program cuts.")
-      .parameter("leave", &P::leave, lengthFromZero(), "What was to stay on the walls.")
+      .parameter("depth", &P::depth, lengthFromZero(), "Depth of the pocket in the part; 0: as the program's head tells.")
+      .parameter("leave", &P::leave, lengthFromZero(), "What was to stay on the walls; 0: as the program's head tells.")
       .parameter("tolerance", &P::tolerance, positiveLength(),
                  "Residue narrower than this does not count; a deeper gouge is a warning.")
       .parameter("face", &P::face, partFace(), partFaceHelp)

@@ -14,6 +14,7 @@ Toolpath translated(Toolpath path, const Vec3& by) {
     path.stock.low += by;
     path.stock.high += by;
   }
+  if (path.task) path.task->zero += by;
   for (Vec3& mark : path.marks) mark += by;
   return path;
 }

@@ -78,10 +78,11 @@ class ConvertCommand {
     const Progress progress = display.progress();
     Source source = readSource(in, file, progress.part(0, 0.5));
     // What cannot be measured is not written either.
-    const Measures measures = measure(source.made.shape, progress.part(0.5, 0.55));
+    Measures measures = measure(source.made.shape, progress.part(0.5, 0.55));
     const auto writing = std::chrono::steady_clock::now();
     planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
     Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
+    tellChecks(planned, measures, source.made.warnings);
     for (const char* counts : {"entities", "skipped"}) stats[counts] = source.made.stats.value(counts, Value::object());
     stats["total_ms"] = session_.elapsedMs();
     addNotes(source.made.warnings, planned);

@@ -202,7 +202,8 @@ class FeatureCommand {
     const auto writing = std::chrono::steady_clock::now();
     planned = writeOutputs(session_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
     const double writeMs = millisecondsSince(writing);
-    const Measures measures = measured(result->evaluated, progress.part(0.95, 1));
+    Measures measures = measured(result->evaluated, progress.part(0.95, 1));
+    tellChecks(planned, measures, warnings);
     Value stats{{"kernel_ms", result->kernelMs}, {"total_ms", 0.0}};
     if (!planned.empty()) stats["write_ms"] = writeMs;
     stats.update(result->evaluated.stats);

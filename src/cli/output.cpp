@@ -150,7 +150,8 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     if (outputs[i].format) {
       boundChord(outputs[i], part.part(0, 0.2));
-      writeShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, part.part(0.2, 1));
+      writeShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, part.part(0.2, 0.7));
+      outputs[i].check = checkWritten(*app.formats, *outputs[i].shape, outputs[i].path, part.part(0.7, 1));
     } else {
       saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
     }
@@ -161,6 +162,16 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
 void addNotes(std::vector<std::string>& warnings, const std::vector<Output>& outputs) {
   for (const Output& output : outputs)
     if (!output.note.empty()) warnings.push_back(output.note);
+}
+
+void tellChecks(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings) {
+  for (const Output& output : written) {
+    if (!output.check) continue;
+    warnings.insert(warnings.end(), output.check->warnings.begin(), output.check->warnings.end());
+    for (Measure& measure : measures.values)
+      if (double* told = std::get_if<double>(&measure.value); told && measure.name == "gouge_mm")
+        *told = std::max(*told, output.check->gouge);
+  }
 }
 
 Value pathsJson(const std::vector<Output>& outputs) {

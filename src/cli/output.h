@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "cli/format_flags.h"
+#include "exchange/written_check.h"
+#include "geometry/measure.h"
 
 namespace blossom {
 
@@ -13,10 +15,14 @@ struct Output {
   std::filesystem::path path;
   const Format* format = nullptr;
   Value options = Value::object();
-  std::optional<Shape> shape{};  ///< what was written into it
-  bool chordGiven = false;       ///< the user has said how fine polygons are to be
-  std::string note{};            ///< a sentence about how it was written; mostly empty
+  std::optional<Shape> shape{};         ///< what was written into it
+  std::optional<WrittenCheck> check{};  ///< of a program: what its file is worth when it is read back
+  bool chordGiven = false;              ///< the user has said how fine polygons are to be
+  std::string note{};                   ///< a sentence about how it was written; mostly empty
 };
+
+/// What the checks of files that were written warn of, and with what they are worth the measures of what they hold.
+void tellChecks(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings);
 
 /// The paths of -o: repeated or as a comma list. A comma stays part of a name where what it would split off has no known
 /// extension.

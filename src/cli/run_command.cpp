@@ -211,6 +211,8 @@ class RunCommand {
       }
     }
     addNotes(opened.warnings, written);
+    Measures none;
+    tellChecks(written, none, opened.warnings);
     report(features, opened.warnings, written, problem);
     return problem ? 1 : 0;
   }

@@ -32,12 +32,14 @@ Arc2 arcOf(const GcodeMove& move) {
 /// Polylines stand for G5.2 curves in toolpaths within this distance.
 constexpr double nurbsChord = 1e-3;
 
-/// Where a height is not told, the tool is as high as the program ever takes it.
+/// Where a height is not told, the tool is as high as the program ever takes it; above its zero in any case, for nobody
+/// starts a program in the material.
 double highest(const GcodeProgram& program) {
-  std::optional<double> top;
+  constexpr double aboveZero = 1;
+  double top = -1;
   for (const GcodeMove& move : program.moves)
-    if (!move.unknown[2]) top = std::max(top.value_or(move.to.z()), move.to.z());
-  return top.value_or(0);
+    if (!move.unknown[2]) top = std::max(top, move.to.z());
+  return top > 0 ? top : aboveZero;
 }
 
 /// How many leading rapids there are until x and y were both named: until then the tool may be anywhere.
@@ -47,6 +49,23 @@ std::size_t leadingRapids(const GcodeProgram& program) {
          (i == 0 || program.moves[i - 1].unknown[0] || program.moves[i - 1].unknown[1]))
     ++i;
   return i;
+}
+
+/// The number of moves without those that end the program at heights of the machine's own.
+std::size_t lastAtWork(const GcodeProgram& program) {
+  std::size_t count = program.moves.size();
+  while (count > 0 && program.moves[count - 1].motion == GcodeMotion::Rapid && program.moves[count - 1].unknown[2]) --count;
+  return count;
+}
+
+/// Programs of earlier Blossoms tell their stock, which lay evenly around the part, and not where the part's zero is; where
+/// the work's zero is that of the drawing both are the same.
+bool isCentred(const GcodeProgram& program) {
+  if (!program.isBlossoms || program.task || program.stock.empty) return false;
+  constexpr double near = 1e-6;
+  const Bounds& stock = program.stock;
+  return stock.low.head<2>().cwiseAbs().maxCoeff() < near || stock.center().head<2>().cwiseAbs().maxCoeff() < near ||
+         std::abs(stock.low.z()) < near;
 }
 
 /// Controls differ in how they bridge such a difference of an arc's two radii; a spiral is in the middle of it.
@@ -61,9 +80,14 @@ class ToolpathMaker {
     path_.stock = program_.stock;
     path_.passes = program_.passes;
     path_.workOffset = program_.workOffset;
-    const std::size_t first = leadingRapids(program_);
+    path_.blending = program_.blending;
+    path_.flood = program_.flood;
+    path_.mist = program_.mist;
+    path_.task = program_.task;
+    path_.centred = isCentred(program_);
+    const std::size_t first = leadingRapids(program_), last = lastAtWork(program_);
     if (first > 0) begin(program_.moves[first - 1]);
-    for (std::size_t i = first; i < program_.moves.size(); ++i) add(program_.moves[i]);
+    for (std::size_t i = first; i < last; ++i) add(program_.moves[i]);
     if (path_.moves.empty())
       throw Error(ErrorCode::FormatDamaged, "The program does not move the tool.", "Check that the file is complete.");
     return std::move(path_);
@@ -78,7 +102,7 @@ class ToolpathMaker {
   void begin(const GcodeMove& last) {
     const Vec3 end = endOf(last);
     path_.start = at_ = {end.x(), end.y(), top_};
-    if (end.z() < top_) append({MoveKind::Rapid, end, 0, Vec2(Vec2::Zero()), 0});
+    if (end.z() < top_) append({.kind = MoveKind::Rapid, .to = end, .line = last.line});
   }
 
   void append(const ToolMove& move) {
@@ -90,6 +114,7 @@ class ToolpathMaker {
     const bool round = move.motion == GcodeMotion::Clockwise || move.motion == GcodeMotion::Counterclockwise;
     ToolMove made;
     made.to = endOf(move);
+    made.line = move.line;
     if (made.to == at_ && !round) return;
     made.feed = move.motion == GcodeMotion::Rapid ? 0 : move.feed;
     constexpr double level = 1e-9;
@@ -129,16 +154,38 @@ class ToolpathMaker {
   Toolpath path_;
 };
 
+std::string sentence(const std::string& doubt) {
+  std::string text = doubt + ".";
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(doubt.front())));
+  return text;
+}
+
 /// What is to be known of a program that is read as moves.
 std::vector<std::string> doubtsOf(const GcodeProgram& program) {
   std::vector<std::string> sentences;
-  for (const std::string& doubt : program.doubts) {
-    sentences.push_back(doubt + ".");
-    sentences.back().front() = static_cast<char>(std::toupper(static_cast<unsigned char>(doubt.front())));
-  }
+  for (const std::string& doubt : program.doubts) sentences.push_back(sentence(doubt));
   if (!program.notKept.empty())
     sentences.push_back(
         fmt::format("A program that is written from it is without its {}.", enumerated(program.notKept, "and")));
+  return sentences;
+}
+
+/// .. and of one that is read as a drawing; `meant` is whether its moves were asked for first.
+std::vector<std::string> drawingDoubtsOf(const GcodeProgram& program, bool meant) {
+  std::vector<std::string> sentences;
+  if (program.unrolled)
+    sentences.push_back(
+        fmt::format("Line {}: {} and other O-words (subroutines, loops, branches) are not run: what stands in them is read "
+                    "once, as it stands.",
+                    program.unrolled->first, program.unrolled->second));
+  const bool told = program.unrolled && program.obstacle && program.obstacle->first == program.unrolled->first;
+  if (program.obstacle && meant)
+    sentences.push_back(fmt::format("The program is read as contours: line {} holds {}, which cannot be followed.",
+                                    program.obstacle->first, program.obstacle->second));
+  else if (program.obstacle && !told)
+    sentences.push_back(
+        fmt::format("Line {} holds {}, which is not followed.", program.obstacle->first, program.obstacle->second));
+  for (const std::string& doubt : program.drawingDoubts) sentences.push_back(sentence(doubt));
   return sentences;
 }
 
@@ -203,10 +250,7 @@ Format gcodeFormat() {
     const std::string wanted = options.value("as", "auto");
     const bool whole = wanted == "toolpath" || (wanted == "auto" && isMachining(program) && !program.obstacle);
     Imported imported;
-    if (wanted == "auto" && isMachining(program) && program.obstacle)
-      imported.warnings.push_back(fmt::format("The program is read as contours: line {} holds {}, which cannot be followed.",
-                                              program.obstacle->first, program.obstacle->second));
-    if (whole) imported.warnings = doubtsOf(program);
+    imported.warnings = whole ? doubtsOf(program) : drawingDoubtsOf(program, wanted == "auto" && isMachining(program));
     imported.shape = whole ? Shape(toolpathOf(program)) : Shape(contoursOf(program));
     for (const auto& [name, count] : program.counts.items()) imported.entities[name] = count;
     imported.skipped = std::move(program.skipped);

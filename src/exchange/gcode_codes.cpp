@@ -52,9 +52,6 @@ std::string notKept(char letter, int code) {
       return fmt::format("stops (M{})", code);
     case 4:
       return "a spindle that turns counter-clockwise (M4)";
-    case 7:
-    case 8:
-      return fmt::format("coolant (M{})", code);
     case 10:
     case 11:
       return "clamps (M10, M11)";

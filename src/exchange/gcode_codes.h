@@ -12,7 +12,7 @@ std::optional<std::string> obstacleOfMode(int tenths);
 /// The same of an M code.
 std::optional<std::string> obstacleOfMachine(int code);
 
-/// "coolant (M8)": what the machine does besides, and a program that is written anew does not; empty for others.
+/// "stops (M0)": what the machine does besides, and a program that is written anew does not; empty for others.
 std::string notKept(char letter, int code);
 
 /// "G92.1"

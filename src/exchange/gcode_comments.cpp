@@ -54,6 +54,24 @@ void readStock(HeaderComment words, Bounds& stock) {
   stock.add(high);
 }
 
+void readTask(HeaderComment words, GcodeProgram& program) {
+  if (!words.word("part")) return;
+  PocketTask task;
+  for (int k = 0; k < 3; ++k) {
+    if (!words.word(std::string_view("XYZ").substr(static_cast<std::size_t>(k), 1))) return;
+    task.zero[k] = words.number();
+  }
+  if (!words.word("depth")) return;
+  task.depth = words.number();
+  if (!words.word("wall")) return;
+  task.leaveWall = words.number();
+  if (!words.word("floor")) return;
+  task.leaveFloor = words.number();
+  const bool sane =
+      words.good() && task.depth > 0 && task.leaveWall >= 0 && task.leaveFloor >= 0 && task.leaveFloor < task.depth;
+  if (sane) program.task = task;
+}
+
 }  // namespace
 
 GcodeLine withoutComments(std::string_view line) {
@@ -75,6 +93,8 @@ void readComment(const std::string& comment, GcodeProgram& program) {
   const HeaderComment words(comment);
   readTool(words, program.cutter);
   readStock(words, program.stock);
+  readTask(words, program);
+  if (comment == "Blossom") program.isBlossoms = true;
   HeaderComment passes(comment);
   if (!passes.word("passes")) return;
   if (const double count = passes.number(); count > 0) program.passes = static_cast<std::size_t>(count);

@@ -20,7 +20,8 @@ struct GcodeLine {
 /// Takes "(..)" and everything after ";" or "%" out of a line.
 GcodeLine withoutComments(std::string_view line);
 
-/// "tool T 1 diameter 6 corner 0 angle 0", "stock X 0 100 Y 0 60 Z -4 0", "passes 3". Others are left alone.
+/// "tool T 1 diameter 6 corner 0 angle 0", "stock X 0 100 Y 0 60 Z -4 0", "passes 3",
+/// "part X 0 Y 0 Z 0 depth 4 wall 0 floor 0". Others are left alone.
 void readComment(const std::string& comment, GcodeProgram&);
 
 }  // namespace blossom

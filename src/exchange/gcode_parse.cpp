@@ -3,43 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
-#include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "core/units.h"
+#include "exchange/gcode_arcs.h"
 #include "exchange/gcode_codes.h"
 #include "exchange/gcode_comments.h"
 #include "exchange/gcode_program.h"
+#include "exchange/gcode_watch.h"
+#include "exchange/gcode_words.h"
 
-/// Reads RS-274 in LinuxCNC's dialect: G0 G1 G2 G3 in the plane G17 and G5.2 NURBS.
+/// Reads RS-274 in LinuxCNC's dialect: G0 G1, G2 and G3 in the planes G17, G18 and G19, and G5.2 NURBS.
 namespace blossom {
 namespace {
 
-struct Word {
-  char letter;
-  std::optional<double> value;  ///< empty for parameters and expressions, which are not evaluated
-};
-
 constexpr std::size_t largestLine = 10000;
-
-/// Length of a parameter or an expression: "#1", "#<name>", "[#1+2]".
-std::size_t expressionLength(std::string_view text) {
-  std::size_t at = 0;
-  int brackets = 0, angles = 0;
-  while (at < text.size()) {
-    const char c = text[at];
-    if (c == '[') ++brackets;
-    if (c == '<') ++angles;
-    if (brackets == 0 && angles == 0 && at > 0 && std::isalpha(static_cast<unsigned char>(c))) break;
-    if (c == ']') --brackets;
-    if (c == '>') --angles;
-    ++at;
-  }
-  return at;
-}
 
 class GcodeParser {
  public:
@@ -47,7 +28,7 @@ class GcodeParser {
     std::size_t begin = 0;
     while (begin < text.size() && !ended_) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
-      ++lineNumber_;
+      watch_.at(++lineNumber_);
       if (lineNumber_ % 4096 == 0)
         progress.report(static_cast<double>(begin) / static_cast<double>(text.size()), "Reading G-code");
       readLine(text.substr(begin, end - begin));
@@ -55,6 +36,7 @@ class GcodeParser {
     }
     finishNurbs();
     settleSpindle();
+    settleDoubts();
     if (program_.counts.empty()) damaged("the file holds no motion (G0, G1, G2, G3 or G5.2)");
     return std::move(program_);
   }
@@ -62,13 +44,17 @@ class GcodeParser {
  private:
   /// What one line says.
   struct Block {
-    std::optional<double> x, y, z, i, j, radius, weight, order;
+    std::optional<double> x, y, z, i, j, k, radius, weight, order;
     bool unknownZ = false;
     bool machine = false;   ///< by way of the machine's coordinates, which a file does not tell
     bool over = false;      ///< G28, G30: over the place that is named
     bool dwell = false;     ///< G4
     bool scaling = false;   ///< G50: with words, no longer the end of scaling
     bool extended = false;  ///< G54.1: P names the offset
+    bool blends = false;    ///< G64
+    bool saysP = false;
+    bool length = false;  ///< G43
+    std::optional<int> lengthNumber;
     [[nodiscard]] bool names(int axis) const { return std::array{x, y, z}[static_cast<std::size_t>(axis)].has_value(); }
     [[nodiscard]] bool namesAny() const { return x || y || z; }
   };
@@ -102,55 +88,34 @@ class GcodeParser {
     if (line.front() == 'O' && line.size() > 1 && std::all_of(line.begin() + 1, line.end(), isDigit)) return;  // its number
     if (line.front() == 'O') {
       cannotFollow("a subroutine or a loop (O)");
+      if (!program_.unrolled) program_.unrolled = {lineNumber_, line.substr(0, 24)};
       return count(program_.skipped, "subroutine");
     }
-    run(words(line));
-  }
-
-  std::vector<Word> words(std::string_view text) {
-    std::vector<Word> found;
-    while (!text.empty()) {
-      const char letter = text.front();
-      text.remove_prefix(1);
-      if (letter == '$' || letter == '^' || letter == '@') {  // spindle numbers and polar words of LinuxCNC
-        double ignored = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
-        text.remove_prefix(error == std::errc{} ? static_cast<std::size_t>(end - text.data()) : 0);
-        if (letter != '$') cannotFollow("polar coordinates");
-        continue;
-      }
-      if (!std::isupper(static_cast<unsigned char>(letter)))
-        damaged(fmt::format("a word starts with '{}'", letter >= ' ' && letter < 127 ? letter : '?'));
-      if (!text.empty() && (text.front() == '#' || text.front() == '[')) {
-        text.remove_prefix(expressionLength(text));
-        found.push_back({letter, std::nullopt});
-        continue;
-      }
-      if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-      double value = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-      if (error != std::errc{} || !std::isfinite(value)) damaged(fmt::format("the word {} has no number", letter));
-      text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-      found.push_back({letter, value});
-    }
-    return found;
+    const GcodeWords said = gcodeWords(line);
+    if (!said.damage.empty()) damaged(said.damage);
+    if (said.polar) cannotFollow("polar coordinates");
+    for (const GcodeWord& word : said.words)
+      if (isLength(word.letter) && word.value) arcs_.number(word.digits, unit_);
+    run(said.words);
   }
 
   /// Modes come first, wherever they stand: "X1 Y1 G20" goes to one inch.
-  void run(const std::vector<Word>& line) {
+  void run(const std::vector<GcodeWord>& line) {
     Block block;
-    for (const Word& word : line)
+    for (const GcodeWord& word : line)
       if (word.letter == 'G') mode(number(word), block);
-    for (const Word& word : line) place(word, block);
-    for (const Word& word : line)
+    for (const GcodeWord& word : line) place(word, block);
+    for (const GcodeWord& word : line)
       if (word.letter == 'M') machine(word.value.value_or(-1));
     if (block.extended) setWorkOffset(fmt::format("G54.1 P{:g}", block.weight.value_or(1)));
     if (block.scaling && block.namesAny()) cannotFollow("scaling or a moved zero (G50)");
     if (block.dwell && block.namesAny()) return cannotFollow("a dwell that is given by an axis (G4)");
+    if (block.dwell) dwell();
+    watchModes(block);
     motionOf(block);
   }
 
-  void place(const Word& word, Block& block) {
+  void place(const GcodeWord& word, Block& block) {
     switch (word.letter) {
       case 'X':
         block.x = coordinate(word);
@@ -173,8 +138,15 @@ class GcodeParser {
       case 'R':
         block.radius = coordinate(word);
         break;
+      case 'K':
+        if (word.value) block.k = coordinate(word);
+        break;
+      case 'H':
+        if (word.value && *word.value >= 0 && *word.value < 1e6) block.lengthNumber = static_cast<int>(*word.value);
+        break;
       case 'P':
         block.weight = word.value;
+        block.saysP = true;
         break;
       case 'L':
         block.order = word.value;
@@ -184,7 +156,7 @@ class GcodeParser {
     }
   }
 
-  void setting(const Word& word) {
+  void setting(const GcodeWord& word) {
     switch (word.letter) {
       case 'F':
         if (word.value) feed_ = *word.value * unit_;
@@ -210,11 +182,9 @@ class GcodeParser {
       case 'G':
       case 'M':
       case 'N':
-      case 'H':
       case 'D':
       case 'Q':
       case 'E':
-      case 'K':
         break;
       default:
         count(program_.skipped, std::string(1, word.letter));
@@ -225,16 +195,57 @@ class GcodeParser {
     const int code = given >= 0 && given < 1000 ? static_cast<int>(given) : -1;
     if (const auto obstacle = obstacleOfMachine(code)) cannotFollow(*obstacle);
     noteLost(notKept('M', code));
-    if (code == 3 || code == 4) program_.turnsSpindle = turning_ = true;
-    if (code == 5) turning_ = false;
+    if (code == 3 || code == 4) {
+      program_.turnsSpindle = turning_ = justStarted_ = true;
+      watch_.spindleTurns();
+    }
+    if (code == 5 || code == 19) {
+      turning_ = false;
+      watch_.spindleStops();
+    }
     if (code == 6) changeTool();
+    if (code >= 7 && code <= 9) cool(code);
     if (code == 2 || code == 30) ended_ = true;
+  }
+
+  /// Coolant that runs from before the first cut to after the last is kept.
+  void cool(int code) {
+    if (code == 7) mist_ = true;
+    if (code == 8) flood_ = true;
+    if (code == 9) mist_ = flood_ = false;
+  }
+  void noteCoolant() {
+    if (program_.cut && (mist_ != program_.mist || flood_ != program_.flood))
+      noteLost("changes of the coolant (M7, M8, M9)");
+  }
+
+  /// The wait for a spindle that was just started is written anew.
+  void dwell() {
+    if (!justStarted_) noteLost(notKept('G', 4));
+  }
+
+  void watchModes(const Block& block) {
+    if (block.length)
+      watch_.lengthFrom(block.lengthNumber);
+    else if (block.lengthNumber)
+      watch_.lengthNumber(*block.lengthNumber);
+    if (!block.blends) return;
+    const bool evaluated = block.weight || !block.saysP;
+    if (evaluated && !(block.weight.value_or(0) > 0)) watch_.blendsWithoutLimit();
+    if (block.weight) program_.blending = std::max(program_.blending, *block.weight * unit_);
+  }
+
+  void settleDoubts() {
+    for (std::string& doubt : watch_.doubts()) program_.doubts.push_back(std::move(doubt));
+    for (std::string& doubt : arcs_.doubts()) program_.doubts.push_back(std::move(doubt));
+    program_.drawingDoubts = watch_.drawingDoubts();
   }
 
   /// T alone may be a tool that is made ready while the one before still cuts.
   void chooseTool(int number) {
     if (program_.cut && !changes_ && number != program_.cutter.number) cannotFollow("a second tool");
     chosen_ = number;
+    watch_.toolMade(number);
     if (!program_.cut && !changes_) program_.cutter.number = number;
   }
 
@@ -244,6 +255,7 @@ class GcodeParser {
     if (program_.cut && number != program_.cutter.number) cannotFollow("a second tool");
     if (!program_.cut) program_.cutter.number = number;
     changes_ = true;
+    watch_.toolChanged();
   }
 
   void setSpeed(double speed) {
@@ -260,12 +272,12 @@ class GcodeParser {
   void beginCutting() {
     if (program_.cut) return;
     program_.cut = true;
+    program_.mist = mist_;
+    program_.flood = flood_;
     if (unknown_.any())
       program_.doubts.push_back(
           fmt::format("line {} cuts before X, Y and Z were all named; what was not is taken as 0", lineNumber_));
     program_.cutter.spindle = turning_ || !program_.turnsSpindle ? speed_ : 0;
-    if (program_.turnsSpindle && !turning_)
-      program_.doubts.push_back(fmt::format("line {} cuts while the spindle stands still", lineNumber_));
     if (turning_ && speed_ == 0)
       program_.doubts.push_back(fmt::format("line {} cuts before the spindle has a speed (S)", lineNumber_));
   }
@@ -275,13 +287,13 @@ class GcodeParser {
       program_.notKept.push_back(what);
   }
 
-  double number(const Word& word) const {
+  double number(const GcodeWord& word) const {
     if (!word.value)
       damaged(fmt::format("the word {} is a parameter or an expression, which is not evaluated here", word.letter));
     return *word.value;
   }
 
-  double coordinate(const Word& word) const {
+  double coordinate(const GcodeWord& word) const {
     const double mm = number(word) * unit_;
     if (std::abs(mm) > farthestInGcode) damaged(fmt::format("the word {} is farther away than 10 km", word.letter));
     return mm;
@@ -318,7 +330,16 @@ class GcodeParser {
         break;
       case 40:
         block.dwell = true;
-        noteLost(notKept('G', 4));
+        break;
+      case 640:
+        block.blends = true;
+        break;
+      case 430:
+      case 440:
+        block.length = true;
+        break;
+      case 490:
+        watch_.noLength();
         break;
       case 500:
         block.scaling = true;
@@ -326,14 +347,22 @@ class GcodeParser {
       case 541:
         block.extended = true;
         break;
+      case 170:
+        normal_ = 2;
+        break;
       case 180:
+        normal_ = 1;
+        break;
       case 190:
-        damaged("arcs in the planes G18 and G19 are not read");
+        normal_ = 0;
+        break;
       case 200:
         unit_ = millimetresPerInch;
+        watch_.unitsSaid();
         break;
       case 210:
         unit_ = 1;
+        watch_.unitsSaid();
         break;
       case 900:
         absolute_ = true;
@@ -358,7 +387,7 @@ class GcodeParser {
   }
 
   void setWorkOffset(const std::string& name) {
-    if (!program_.moves.empty() && name != program_.workOffset) cannotFollow("a second work offset");
+    if (atWork_ && name != program_.workOffset) cannotFollow("a second work offset");
     program_.workOffset = name;
   }
 
@@ -376,8 +405,11 @@ class GcodeParser {
     const bool plane = block.x || block.y;
     if (block.machine) return overTheMachine(block);
     if (block.unknownZ) cannotFollow("a height that is a parameter or an expression");
+    if (block.namesAny() || block.i || block.j) watch_.moves();
     if (motion_ == GcodeMotion::Nurbs) return addNurbs(block, plane);
-    const bool centred = plane || block.i || block.j;
+    const bool round = motion_ == GcodeMotion::Clockwise || motion_ == GcodeMotion::Counterclockwise;
+    const bool upright = round && normal_ != 2;
+    const bool centred = plane || block.i || block.j || (upright && (block.z || block.k));
     if (!centred && !block.z && !block.unknownZ) return;
     countMove();
     if (motion_ == GcodeMotion::None) {
@@ -385,17 +417,53 @@ class GcodeParser {
       return cannotFollow("a height without a motion");
     }
     if (!absolute_) refuseFromNowhere(block);
+    atWork_ = true;
     const Vec3 to = target(block);
     for (int axis = 0; axis < 3; ++axis)
       if (block.names(axis)) unknown_.reset(static_cast<std::size_t>(axis));
-    const bool round = motion_ == GcodeMotion::Clockwise || motion_ == GcodeMotion::Counterclockwise;
     if (round && !centred) damaged("an arc needs I, J or R");
     if (round && (block.weight.value_or(1) != 1 || block.order)) cannotFollow("an arc of several turns (P, L)");
     if (motion_ != GcodeMotion::Rapid) {
       if (left_ && unknown_.any()) cannotFollow("a cut from a place that the file does not tell (after G28, G30 or G53)");
       beginCutting();
+      noteCoolant();
+      watch_.cuts();
     }
-    addMove(motion_, to, round ? center(block, to.head<2>()) : Vec2(0, 0), centred);
+    justStarted_ = justStarted_ && motion_ == GcodeMotion::Rapid;
+    if (upright) return addUprightArc(block, to);
+    const Vec2 middle = round ? center(block, at_.head<2>(), to.head<2>(), {block.i, block.j}) : Vec2(0, 0);
+    if (round)
+      arcs_.arc(lineNumber_, at_.head<2>(), to.head<2>(), middle, motion_ == GcodeMotion::Counterclockwise, !block.radius);
+    else
+      arcs_.straight(at_.head<2>(), to.head<2>());
+    addMove(motion_, to, middle, centred);
+  }
+
+  /// An arc in G18 or G19: as lines, for a tool's moves are round only in plan.
+  void addUprightArc(const Block& block, const Vec3& to) {
+    const int a = (normal_ + 1) % 3, b = (normal_ + 2) % 3;
+    const std::array<std::optional<double>, 3> offsets{block.i, block.j, block.k};
+    const auto index = [](int axis) { return static_cast<std::size_t>(axis); };
+    const auto flat = [&](const Vec3& p) { return Vec2(p[a], p[b]); };
+    const Vec3 from = at_;
+    const Vec2 middle = center(block, flat(from), flat(to), {offsets[index(a)], offsets[index(b)]});
+    arcs_.straight(from.head<2>(), from.head<2>());  // its neighbours lie in another plane
+    arcs_.arc(lineNumber_, flat(from), flat(to), middle, motion_ == GcodeMotion::Counterclockwise, !block.radius);
+    arcs_.straight(from.head<2>(), from.head<2>());
+    ToolMove turn;
+    turn.to = {to[a], to[b], to[normal_]};
+    turn.turn = motion_ == GcodeMotion::Clockwise ? -1 : 1;
+    turn.center = middle;
+    constexpr double chord = 1e-3;
+    const GcodeMotion whole = std::exchange(motion_, GcodeMotion::Line);
+    for (const Vec3& p : polylineOf({from[a], from[b], from[normal_]}, turn, chord)) {
+      Vec3 next = at_;
+      next[a] = p.x();
+      next[b] = p.y();
+      next[normal_] = p.z();
+      if (next != at_) addMove(GcodeMotion::Line, next, {}, true);
+    }
+    motion_ = whole;
   }
 
   /// To the machine's own places: somewhere else, over the place that is named (G28, G30). A path that was begun ends here.
@@ -425,8 +493,11 @@ class GcodeParser {
     at_ = to;
   }
 
-  [[nodiscard]] Vec2 center(const Block& b, const Vec2& to) {
-    const Vec2 from = at_.head<2>();
+  using Offsets = std::pair<std::optional<double>, std::optional<double>>;
+
+  /// Of an arc in its plane, whose first two axes turn counter-clockwise seen from the third.
+  [[nodiscard]] Vec2 center(const Block& b, const Vec2& from, const Vec2& to, const Offsets& offsets) {
+    const auto& [first, second] = offsets;
     const bool clockwise = motion_ == GcodeMotion::Clockwise;
     if (b.radius) {
       const Vec2 chord = to - from;
@@ -436,9 +507,9 @@ class GcodeParser {
       const Vec2 left = Vec2(-chord.y(), chord.x()) / (2 * half);
       return from + chord / 2 + left * height * ((clockwise != (*b.radius < 0)) ? -1 : 1);
     }
-    if (!b.i && !b.j) damaged("an arc needs I, J or R");
-    const Vec2 middle = absoluteCenters_ ? Vec2(b.i.value_or(from.x()), b.j.value_or(from.y()))
-                                         : Vec2(from + Vec2(b.i.value_or(0), b.j.value_or(0)));
+    if (!first && !second) damaged("an arc needs I, J or R");
+    const Vec2 middle = absoluteCenters_ ? Vec2(first.value_or(from.x()), second.value_or(from.y()))
+                                         : Vec2(from + Vec2(first.value_or(0), second.value_or(0)));
     const double radius = (from - middle).norm(), mismatch = std::abs((to - middle).norm() - radius);
     if (radius == 0) damaged("the arc has no radius");
     // What machines refuse: GRBL and LinuxCNC alike.
@@ -478,6 +549,7 @@ class GcodeParser {
   }
 
   GcodeMotion motion_ = GcodeMotion::None;
+  int normal_ = 2;  ///< the axis that the plane of arcs is seen along: 2 is G17
   double unit_ = 1;
   double feed_ = 0;
   bool absolute_ = true;
@@ -486,13 +558,17 @@ class GcodeParser {
   Vec3 at_ = Vec3::Zero();
   Vec3 nurbsEnd_ = Vec3::Zero();
   std::bitset<3> unknown_{0b111};  ///< axes whose place the file does not tell
+  bool atWork_ = false;            ///< it moved to a place in the work's coordinates
   bool left_ = false;              ///< the tool was sent to a place of the machine's
-  bool turning_ = false, changes_ = false;
+  bool turning_ = false, changes_ = false, justStarted_ = false;
+  bool mist_ = false, flood_ = false;
   double speed_ = 0;
   std::optional<int> chosen_;
   int order_ = 3;
   std::vector<Vec3> nurbs_;
   GcodeProgram program_;
+  GcodeWatch watch_;
+  GcodeArcs arcs_;
   std::size_t lineNumber_ = 0;
 };
 

@@ -38,10 +38,16 @@ struct GcodeProgram {
   Bounds stock;   ///< from those comments
   std::size_t passes = 0;
   std::string workOffset = "G54";
+  double blending = 0;               ///< mm, of G64 P
+  bool flood = false, mist = false;  ///< as the first cut finds them
+  std::optional<PocketTask> task;    ///< from the comments of programs that Blossom wrote
+  bool isBlossoms = false;
   std::optional<std::pair<std::size_t, std::string>>
-      obstacle;                      ///< the first line that a toolpath cannot be made of, and why
+      obstacle;  ///< the first line that a toolpath cannot be made of, and why
+  std::optional<std::pair<std::size_t, std::string>> unrolled;  ///< the first O-word, which is not run: its line, and it
+  std::vector<std::string> drawingDoubts;                       ///< of the doubts, those of a drawing as well
   std::vector<std::string> doubts;   ///< what a toolpath can be made of, and whoever stands at the machine should look at
-  std::vector<std::string> notKept;  ///< "coolant (M8)": what a program that is written anew does not do
+  std::vector<std::string> notKept;  ///< "stops (M0)": what a program that is written anew does not do
 };
 
 /// @throws Error FormatDamaged that names the line, Cancelled.

@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/units.h"
+#include "exchange/gcode_program.h"
 
 namespace blossom {
 namespace {
@@ -24,14 +26,18 @@ struct Post {
   bool blendsPath;      ///< G64 P
   bool framed;          ///< "%" and a program number
   bool pointed;         ///< whole numbers need a decimal point: X10.
+  int mostDecimals;     ///< in mm; finer ones are an alarm or cut off by the control
   std::string_view modes, end;
+  std::string_view top;    ///< up to the machine's top, wherever the tool is; empty where the control need not know it
+  std::string_view dwell;  ///< until the spindle has its speed
 };
 
 constexpr std::array<Post, 4> posts{{
-    {"linuxcnc", "LinuxCNC", true, true, true, false, false, "G17 G90 G91.1 G94 G40 G49 G80", "M2"},
-    {"grbl", "GRBL 1.1", false, false, false, false, false, "G17 G90 G91.1 G94 G40", "M2"},
-    {"mach3", "Mach3 and Mach4", true, true, false, false, false, "G17 G90 G91.1 G94 G40 G49 G80", "M30"},
-    {"fanuc", "Fanuc", true, true, false, true, true, "G17 G90 G94 G40 G49 G80", "M30"},
+    {"linuxcnc", "LinuxCNC", true, true, true, false, false, 6, "G17 G90 G91.1 G94 G40 G49 G80", "M2", "G53 G0 Z0", "G4 P2"},
+    {"grbl", "GRBL 1.1", false, false, false, false, false, 6, "G17 G90 G91.1 G94 G40", "M2", "", "G4 P2"},
+    {"mach3", "Mach3 and Mach4", true, true, false, false, false, 6, "G17 G90 G91.1 G94 G40 G49 G80", "M30", "G53 G0 Z0",
+     "G4 P2"},
+    {"fanuc", "Fanuc", true, true, false, true, true, 3, "G17 G90 G94 G40 G49 G80", "M30", "G91 G28 Z0.\nG90", "G4 P2000"},
 }};
 
 const Post& postNamed(const std::string& name) {
@@ -40,8 +46,8 @@ const Post& postNamed(const std::string& name) {
   return *found;
 }
 
-/// LinuxCNC may round corners by so much to keep its speed; mm.
-constexpr double blending = 0.005;
+/// LinuxCNC may round corners by so much to keep its speed, where the toolpath does not say less; mm.
+constexpr double mostBlending = 0.005;
 /// Largest difference of an arc's radius at its two ends that every control takes; mm.
 constexpr double largestMismatch = 0.005;
 /// Arcs of larger radii are straight as far as a control can tell; mm.
@@ -57,7 +63,7 @@ class GcodeWriter {
       : path_(path), post_(postNamed(options.value("post", "linuxcnc"))) {
     inch_ = options.value("unit", "mm") == "inch";
     numbered_ = options.value("line-numbers", false);
-    decimals_ = static_cast<int>(options.value("decimals", 4.0)) + (inch_ ? 1 : 0);
+    decimals_ = std::min(static_cast<int>(options.value("decimals", 4.0)), post_.mostDecimals) + (inch_ ? 1 : 0);
     perMm_ = std::pow(10, decimals_) / (inch_ ? millimetresPerInch : 1);
   }
 
@@ -72,9 +78,12 @@ class GcodeWriter {
         progress.report(static_cast<double>(i) / static_cast<double>(path_.moves.size()), "Writing the program");
       move(startOf(path_, i), path_.moves[i]);
     }
+    retract();
+    if (path_.flood || path_.mist) line("M9");
     if (path_.cutter.spindle > 0) line("M5");
     line(std::string(post_.end));
     if (post_.framed) text_ += "%\n";
+    tellGouge(progress);
     return std::move(text_);
   }
 
@@ -115,24 +124,64 @@ class GcodeWriter {
     if (!stock.empty)
       comment(fmt::format("stock X {} Y {} Z {}", span(stock.low.x(), stock.high.x()), span(stock.low.y(), stock.high.y()),
                           span(stock.low.z(), stock.high.z())));
+    if (path_.task) {
+      const PocketTask& task = *path_.task;
+      comment(fmt::format("part X {} Y {} Z {} depth {} wall {} floor {}", formatNumber(task.zero.x()),
+                          formatNumber(task.zero.y()), formatNumber(task.zero.z()), formatNumber(task.depth),
+                          formatNumber(task.leaveWall), formatNumber(task.leaveFloor)));
+    }
     if (path_.passes > 0) comment(fmt::format("passes {}", path_.passes));
     comment(fmt::format("for {}, work zero {}, all lengths in comments in mm", post_.title, path_.workOffset));
     const auto seconds = static_cast<long long>(std::llround(secondsOf(path_)));
     comment(fmt::format("path {:.0f} mm, time about {} min {} s", lengthOf(path_), seconds / 60, seconds % 60));
-    if (path_.gouge && path_.residue)
-      comment(fmt::format("simulated before rounding to {} mm: gouge {:.4f} mm, residue {:.4f} mm2",
-                          formatNumber(resolution()), *path_.gouge, *path_.residue));
+    if (path_.gouge && path_.residue) measuredAt_ = text_.size();
+  }
+
+  /// The program is measured as it stands, rounding and all, by whoever knows the part.
+  void tellGouge(const Progress& progress) {
+    if (!measuredAt_) return;
+    const std::string residue = fmt::format("residue before rounding {:.4f} mm2", *path_.residue);
+    std::string told = fmt::format("simulated before rounding to {} mm: gouge {:.4f} mm, {}", formatNumber(resolution()),
+                                   *path_.gouge, residue);
+    if (path_.gougeOf) {
+      const double gouge = path_.gougeOf(toolpathOf(parseGcode(text_, Progress::none())), progress.part(0.9, 1));
+      told = fmt::format("simulated as it stands here: gouge {:.4f} mm, {}", gouge, residue);
+    }
+    text_.insert(*measuredAt_, fmt::format("({})\n", told));
   }
 
   void setup() {
     line(fmt::format("{} {}", inch_ ? "G20" : "G21", post_.modes));
     // In its own digits: rounded to 0 it would allow any corner to be cut.
+    const double blending = path_.blending > 0 ? std::min(path_.blending, mostBlending) : mostBlending;
     if (post_.blendsPath)
-      line(inch_ ? fmt::format("G64 P{:.6f}", blending / millimetresPerInch) : fmt::format("G64 P{}", blending));
+      line(inch_ ? fmt::format("G64 P{:.7f}", blending / millimetresPerInch)
+                 : fmt::format("G64 P{}", formatNumber(blending)));
     line(path_.workOffset);
+    toMachineTop();
     if (post_.changesTools) line(fmt::format("T{} M6", path_.cutter.number));
     if (post_.offsetsLengths) line(fmt::format("G43 H{}", path_.cutter.number));
-    if (path_.cutter.spindle > 0) line(fmt::format("S{:.0f} M3", std::max(path_.cutter.spindle, 1.0)));
+    if (path_.cutter.spindle > 0) {
+      line(fmt::format("S{:.0f} M3", std::max(path_.cutter.spindle, 1.0)));
+      line(std::string(post_.dwell));
+    }
+    if (path_.mist) line("M7");
+    if (path_.flood) line("M8");
+  }
+
+  void toMachineTop() {
+    for (std::string_view rest = post_.top; !rest.empty();) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      line(std::string(rest.substr(0, end)));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+
+  /// Out of the work before the spindle stops.
+  void retract() {
+    if (!post_.top.empty()) return toMachineTop();
+    const std::int64_t top = ticks(path_.start.z());
+    if (at_[2] < top) straight("G0", {at_[0], at_[1], top}, 0);
   }
 
   [[nodiscard]] std::int64_t ticks(double mm) const { return std::llround(mm * perMm_); }
@@ -151,11 +200,14 @@ class GcodeWriter {
     return (negative ? "-" : "") + digits;
   }
 
-  /// Height first: where the tool is when the program starts is not known.
+  /// Where the tool is when the program starts is not known: across at the machine's top, then down; where the control need
+  /// not know that height, up to the safe one first.
   void begin(const Vec3& p) {
     at_ = ticks(p);
-    line("G0 Z" + decimal(at_[2]));
-    line("X" + decimal(at_[0]) + " Y" + decimal(at_[1]));
+    const std::string height = "Z" + decimal(at_[2]), place = "X" + decimal(at_[0]) + " Y" + decimal(at_[1]);
+    const bool known = !post_.top.empty();
+    line("G0 " + (known ? place : height));
+    line(known ? height : place);
     motion_ = "G0";
   }
 
@@ -233,6 +285,7 @@ class GcodeWriter {
   int number_ = 0;
   Ticks at_{};
   std::string motion_, feed_, text_;
+  std::optional<std::size_t> measuredAt_;  ///< where the head tells the gouge
 };
 
 }  // namespace
@@ -247,7 +300,7 @@ std::vector<ParameterSpec> gcodeWriteOptions() {
   ParameterSpec decimals = count(2, 6);
   decimals.name = "decimals";
   decimals.fallback = 4;
-  decimals.help = "Places after the point, in inches one more.";
+  decimals.help = "Places after the point, in inches one more; for Fanuc at most 3.";
   ParameterSpec unit = choice({"mm", "inch"});
   unit.name = "unit";
   unit.fallback = "mm";

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/vector.h"
 #include "geometry/box.h"
 #include "geometry/region.h"
@@ -31,8 +33,22 @@ struct ToolMove {
   int turn = 0;  ///< 0: straight; +1 an arc counter-clockwise seen from above, -1 clockwise; a helix when z changes
   Vec2 center = Vec2::Zero();  ///< of the arc
   double feed = 0;             ///< mm a minute; unused by rapids
+  std::size_t line = 0;        ///< of the program that it was read from; 0: it was not
   friend bool operator==(const ToolMove&, const ToolMove&) = default;
 };
+
+/// What a toolpath was made to do, which its moves alone do not tell. In the coordinates of its moves, mm.
+struct PocketTask {
+  Vec3 zero = Vec3::Zero();              ///< where the part's drawing has its zero, at the height of the part's top
+  double depth = 0;                      ///< below the top
+  double leaveWall = 0, leaveFloor = 0;  ///< what is to stay
+  friend bool operator==(const PocketTask&, const PocketTask&) = default;
+};
+
+struct Toolpath;
+/// mm of the deepest cut into the part that a toolpath was made for, by other moves that are to do the same: those of a
+/// program as it was written, rounded and all. @throws Error Cancelled.
+using GougeOf = std::function<double(const Toolpath&, const Progress&)>;
 
 /// The way of a tool through its work, in mm from the work's zero.
 struct Toolpath {
@@ -42,10 +58,15 @@ struct Toolpath {
   double rapidFeed = 5000;  ///< mm a minute, for the estimate of time
   Bounds stock;             ///< may be empty
   std::string workOffset = "G54";
+  double blending = 0;               ///< mm by which the control may round corners of the way to keep its speed
+  bool flood = false, mist = false;  ///< coolant that runs while it cuts
+  std::optional<PocketTask> task;
+  bool centred = false;           ///< read from a program of an earlier Blossom: its part lies in the middle of the stock
   std::size_t passes = 0;         ///< depths it is cut at
   std::optional<double> gouge;    ///< mm, the deepest cut into the part, as simulated
   std::optional<double> residue;  ///< mm2 that the tool could have reached and did not, as simulated
   std::vector<Vec3> marks;        ///< where a simulation found gouge or residue
+  GougeOf gougeOf;                ///< may be empty
 };
 
 /// Where move i begins.

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -37,11 +39,12 @@ inline std::vector<double> numbersIn(const std::string& call) {
 }
 
 /// The canonical calls: STRAIGHT_TRAVERSE(x, y, z, ..), STRAIGHT_FEED(x, y, z, ..), ARC_FEED(x, y, centre x, centre y,
-/// turns, z, ..).
-inline Toolpath toolpathOfCalls(const std::string& log) {
+/// turns, z, ..). A program that begins and ends at the machine's top goes there, across and down before its path begins,
+/// and back up after it.
+inline Toolpath toolpathOfCalls(const std::string& log, bool fromTop) {
   Toolpath path;
+  int leading = fromTop ? 3 : 2;
   double feed = 0, unit = 1;
-  bool begun[2] = {false, false};
   std::istringstream lines(log);
   for (std::string line; std::getline(lines, line);) {
     const auto has = [&](const char* name) { return line.find(name) != std::string::npos; };
@@ -63,15 +66,16 @@ inline Toolpath toolpathOfCalls(const std::string& log) {
     } else {
       move.to = Vec3(v.at(0), v.at(1), v.at(2)) * unit;
     }
-    // The first two rapids bring the tool to where the program begins.
-    if (rapid && !begun[1] && path.moves.empty()) {
-      begun[begun[0] ? 1 : 0] = true;
+    // The first rapids bring the tool to where the program begins.
+    if (rapid && leading > 0 && path.moves.empty()) {
+      --leading;
       path.start = move.to;
       continue;
     }
     if (!arc && move.to.z() < startOf(path, path.moves.size()).z()) move.kind = rapid ? MoveKind::Rapid : MoveKind::Plunge;
     path.moves.push_back(move);
   }
+  if (fromTop && !path.moves.empty() && path.moves.back().kind == MoveKind::Rapid) path.moves.pop_back();
   return path;
 }
 
@@ -89,7 +93,9 @@ inline Interpreted interpret(const std::filesystem::path& program) {
   result.good = process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0 &&
                 calls.find("PROGRAM_END") != std::string::npos;
   result.log = process.readAllStandardError().toStdString() + calls.substr(calls.size() > 600 ? calls.size() - 600 : 0);
-  if (result.good) result.path = toolpathOfCalls(calls);
+  std::ifstream file(program);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (result.good) result.path = toolpathOfCalls(calls, text.find("G53 G0 Z0") != std::string::npos);
   return result;
 }
 

@@ -47,6 +47,9 @@ Toolpath randomPath(std::mt19937_64& random, int count) {
     if (move.to.z() < from.z() && move.kind == MoveKind::Feed) move.kind = MoveKind::Plunge;
     path.moves.push_back(move);
   }
+  // Programs end above the work.
+  const Vec3 last = path.moves.back().to;
+  if (last.z() < path.start.z()) path.moves.push_back({.kind = MoveKind::Rapid, .to = {last.x(), last.y(), path.start.z()}});
   return path;
 }
 
@@ -99,7 +102,7 @@ std::string written(const Toolpath& path, const Value& options) {
 /// What is wrong with a program for GRBL 1.1, by its own list of words, line length and rule for arcs; empty when nothing.
 std::string grblComplaint(const std::string& text) {
   static const std::regex known(
-      R"((?:G(?:0|1|2|3|17|20|21|40|54|55|56|57|58|59|90|91\.1|94)|M(?:2|3|5|30)|[FSN]\d+(?:\.\d{1,3})?|[XYZIJ]-?\d+(?:\.\d+)?))");
+      R"((?:P\d+|G(?:0|1|2|3|4|17|20|21|40|54|55|56|57|58|59|90|91\.1|94)|M(?:2|3|5|30)|[FSN]\d+(?:\.\d{1,3})?|[XYZIJ]-?\d+(?:\.\d+)?))");
   std::istringstream lines(text);
   std::string motion;
   for (std::string line; std::getline(lines, line);) {
@@ -142,7 +145,9 @@ class GcodeProgramTest final : public QObject {
           writeShape(formats(), path, file,
                      {{"post", post}, {"unit", unit}, {"decimals", decimals}, {"line-numbers", true}});
           const Toolpath read = readBack(file);
-          const double resolution = std::pow(10, -decimals) * (std::string(unit) == "inch" ? 2.54 : 1);
+          // Fanuc has three places in mm and four in inches, whatever is asked for.
+          const int places = std::string(post) == "fanuc" ? std::min(decimals, 3) : decimals;
+          const double resolution = std::pow(10, -places) * (std::string(unit) == "inch" ? 2.54 : 1);
           // Chords of demoted arcs lie within the larger of the resolution and a micrometre.
           const double bound = 8 * resolution + 1.2e-3;
           QVERIFY2(deviation(path, read) < bound,
@@ -299,6 +304,43 @@ class GcodeProgramTest final : public QObject {
     QVERIFY(!std::regex_search(fanuc, std::regex(R"([XYZIJ]-?\d+(\s|$))")));  // whole numbers carry a point
     QVERIFY(written(path, {{"post", "grbl"}}).find("M6") == std::string::npos);
     QVERIFY(written(path, {{"post", "linuxcnc"}}).find("G43 H1") != std::string::npos);
+  }
+
+  /// Nobody knows where the tool is when a program starts: across at the machine's top, and back up there before the end.
+  void programsBeginAndEndOutOfTheWork() {
+    auto random = seededRandom();
+    Toolpath path = randomPath(random, 5);
+    for (const auto& [post, top] :
+         {std::pair("linuxcnc", "G53 G0 Z0"), {"mach3", "G53 G0 Z0"}, {"fanuc", "G91 G28 Z0.\nG90"}}) {
+      const std::string text = written(path, {{"post", post}});
+      const std::size_t up = text.find(top), across = text.find("G0 X"), down = text.find("\nZ5"), back = text.rfind(top);
+      QVERIFY2(up < across && across < down && down < back && back < text.find("M5"), text.c_str());
+      QVERIFY2(std::regex_search(text, std::regex("S12000 M3\nG4 P2(000)?\n")), text.c_str());
+    }
+    // GRBL need not know the machine's top: up first.
+    const std::string grbl = written(path, {{"post", "grbl"}});
+    QVERIFY(grbl.find("M3\nG4 P2\nG0 Z5\nX") != std::string::npos);
+    path.moves.push_back({.kind = MoveKind::Plunge, .to = path.moves.back().to - Vec3(0, 0, 9), .feed = 100});
+    QVERIFY(written(path, {{"post", "grbl"}}).find("G0 Z5\nM5\nM2") != std::string::npos);
+    path.flood = true;
+    QVERIFY(std::regex_search(written(path, Value::object()), std::regex("G4 P2\nM8\n[^]*\nG53 G0 Z0\nM9\nM5\nM2\n")));
+  }
+
+  void fanucHasThreePlacesInMillimetresAndFourInInches() {
+    auto random = seededRandom();
+    const Toolpath path = randomPath(random, 200);
+    for (const auto& [unit, places] : {std::pair("mm", 3), {"inch", 4}})
+      for (const int decimals : {3, 4, 6}) {
+        const std::string text = written(path, {{"post", "fanuc"}, {"unit", unit}, {"decimals", decimals}});
+        std::size_t most = 0;
+        const std::regex number("[XYZIJ]-?\\d*\\.(\\d*)");
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), number); it != std::sregex_iterator(); ++it)
+          if (text.rfind('(', static_cast<std::size_t>(it->position())) == std::string::npos ||
+              text.rfind(')', static_cast<std::size_t>(it->position())) >
+                  text.rfind('(', static_cast<std::size_t>(it->position())))
+            most = std::max(most, static_cast<std::size_t>((*it)[1].length()));
+        QCOMPARE(most, static_cast<std::size_t>(places));
+      }
   }
 };
 

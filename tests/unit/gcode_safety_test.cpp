@@ -139,11 +139,101 @@ class GcodeSafetyTest : public QObject {
     QCOMPARE(parsed("G21 G90\nM3\n" + cut).doubts,
              std::vector<std::string>{"line 4 cuts before the spindle has a speed (S)"});
     QCOMPARE(parsed("G21 G90\nS100 M3\nM5\n" + cut).doubts,
-             std::vector<std::string>{"line 5 cuts while the spindle stands still"});
+             std::vector<std::string>{"line 5 cuts while the spindle stands still; line 3 stopped it"});
     QVERIFY(parsed(head + cut).doubts.empty());
     QCOMPARE(parsed("G21 G90\nT1 M6\nS500 M4\nM8\n" + cut + "G4 P1\nM0\nM9\n").notKept,
-             (std::vector<std::string>{"a spindle that turns counter-clockwise (M4)", "coolant (M8)", "dwells (G4)",
-                                       "stops (M0)"}));
+             (std::vector<std::string>{"a spindle that turns counter-clockwise (M4)", "dwells (G4)", "stops (M0)"}));
+    // Coolant that runs from before the first cut to after the last is kept, and so is the wait for the spindle.
+    const std::string cooled = "G21 G90\nT1 M6\nS500 M3\nG4 P2\nM8\n" + cut;
+    QVERIFY(parsed(cooled + "M9\nM5\n").notKept.empty());
+    QVERIFY(written(pathOf(cooled + "M9\nM5\n")).find("\nM8\n") != std::string::npos);
+    QCOMPARE(parsed(cooled + "M9\nG1 X9\n").notKept, std::vector<std::string>{"changes of the coolant (M7, M8, M9)"});
+  }
+
+  /// The line of the only doubt; 0 when there is none.
+  static std::size_t doubted(const std::string& text, const std::string& what) {
+    for (const std::string& doubt : parsed(text).doubts) {
+      std::smatch found;
+      if (doubt.find(what) != std::string::npos && std::regex_search(doubt, found, std::regex("line (\\d+)")))
+        return std::stoul(found[1]);
+    }
+    return 0;
+  }
+
+  void whatACarefulReaderWouldDoubtIsToldWithItsLine() {
+    const std::string cut = "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X5\nG0 Z5\n";
+    const std::string begin = "G21 G90 G17\nT3 M6\n";
+    QCOMPARE(doubted(begin + "G43 H4\nS500 M3\n" + cut, "length"), std::size_t{3});
+    QCOMPARE(doubted(begin + "G43 Z9 H4\nS500 M3\n" + cut, "length"), std::size_t{3});
+    QCOMPARE(doubted("G21 G43 H4\nT3 M6\nS500 M3\n" + cut, "length"), std::size_t{1});
+    for (const char* same : {"G43 H3", "G43", "g43h03", "T5 G43 H3", "G43 H5 G49\nG43 H3", "(G43 H4)"})
+      QCOMPARE(doubted(begin + same + "\nS500 M3\n" + cut, "length"), std::size_t{0});
+    QCOMPARE(doubted("G90\nS500 M3\n" + cut, "millimetres"), std::size_t{3});
+    QCOMPARE(doubted("G90\nS500 M3\nG0 X1\nG21\n" + cut, "millimetres"), std::size_t{3});
+    QCOMPARE(doubted("G90\nG91 G28 Z0\nG90 G20\nS500 M3\n" + cut, "millimetres"), std::size_t{0});
+    QCOMPARE(doubted(begin + "S500 M3\n" + cut + "M5\n" + cut, "stands still"), std::size_t{10});
+    QCOMPARE(doubted(begin + "S500 M3\n" + cut + "M5\nM3\n" + cut, "stands still"), std::size_t{0});
+    QCOMPARE(doubted(begin + "S500\n" + cut + "M3\n" + cut, "stands still"), std::size_t{5});
+    for (const char* bare : {"G64", "N5 g64", "G64 P0", "G61\nG64"})
+      QVERIFY2(doubted(begin + bare + "\nS500 M3\n" + cut, "without a tolerance") >= 3, bare);
+    for (const char* limited : {"G64 P0.01", "G64P.02", "G61", "G64 P0.01 Q0.01"})
+      QCOMPARE(doubted(begin + limited + "\nS500 M3\n" + cut, "without a tolerance"), std::size_t{0});
+    COMPARE_NEAR(pathOf("G20 G90\nG64 P0.001\nS9 M3\n" + cut).blending, 0.0254, 1e-12);
+  }
+
+  void arcsAreDoubtedWhenTheirCentreIsOff() {
+    const std::string begin = "G21 G90 G17\nS500 M3\nG0 X10 Y0 Z5\nG1 Z-1 F100\n";
+    QCOMPARE(doubted(begin + "G3 X0 Y10 I-10.000 J0.05\n", "centre"), std::size_t{5});
+    QCOMPARE(doubted(begin + "G3 X0 Y10 I-10.000 J0.001\n", "centre"), std::size_t{0});  // rounding
+    // A whole circle always meets its end; those around it tell that its centre has slipped.
+    const std::string rings = "G3 X10 Y0 I-10 J0\nG1 X8.5\nG3 X8.5 Y0 I-8.5 J0\nG1 X6.5\n";
+    QCOMPARE(doubted(begin + rings + "G3 X6.5 Y0 I-6.45 J0\n", "centre"), std::size_t{9});
+    QCOMPARE(doubted(begin + rings + "G3 X6.5 Y0 I-6.5 J0\n", "centre"), std::size_t{0});
+  }
+
+  void arcsThatAreSmoothBesideTheirCentreAreDoubted() {
+    // half around the end of a slot: the centre may slip along the middle line, and both ends still meet
+    const std::string begin = "G21 G90 G17\nS500 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX40.000\n";
+    QCOMPARE(doubted(begin + "G3 X40 Y8 I0 J4\nG1 X0\n", "smoothly"), std::size_t{0});
+    QCOMPARE(doubted(begin + "G3 X40 Y8 I-0.05 J4\nG1 X0\n", "smoothly"), std::size_t{6});
+    QCOMPARE(doubted(begin + "G3 X40 Y8 I0.05 J4\nG1 X0\n", "smoothly"), std::size_t{6});
+    // A corner that is meant to be one is none of ours.
+    QCOMPARE(doubted(begin + "G3 X40 Y8 I-1 J4\nG1 X0\n", "smoothly"), std::size_t{0});
+    QCOMPARE(doubted(begin + "G3 X40 Y8 I0.05 J4\nG1 X41 Y30\n", "smoothly"), std::size_t{0});
+  }
+
+  void uprightArcsAreFollowed() {
+    // A quarter down from (10, 0, 5) around (10, 0, 0) in G18, then one in G19; both lie on their circles.
+    const Toolpath path = pathOf("G21 G90 G18\nS500 M3\nG0 X0 Y0 Z5\nG3 X5 Z0 I0 K-5 F100\nG19 G3 Y5 Z5 J0 K5\nM2\n");
+    double low = 9;
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      const Vec3& p = path.moves[i].to;
+      if (path.moves[i].line == 4) COMPARE_NEAR(std::hypot(p.x(), p.z()), 5, 1e-9);
+      if (path.moves[i].line == 5) COMPARE_NEAR(std::hypot(p.y(), p.z() - 5), 5, 1e-9);
+      low = std::min(low, p.z());
+    }
+    QVERIFY(path.moves.size() > 20);
+    COMPARE_NEAR(low, 0, 1e-9);
+    QVERIFY((path.moves.back().to - Vec3(5, 5, 5)).norm() < 1e-9);
+    // in the middle of the first one it lies outwards of the chord
+    const auto half = std::find_if(path.moves.begin(), path.moves.end(), [](const ToolMove& m) { return m.to.x() > 3.5; });
+    QVERIFY(half->to.z() > 3);
+  }
+
+  void loopsThatAreNotRunAreTold() {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "holes.ngc";
+    writeAtomically(file, "G21 G90\n#1=0\no101 while [#1 lt 4]\nG0 X0 Y0\nG1 X5 F100\n#1=[#1+1]\no101 endwhile\nM2\n");
+    for (const char* as : {"auto", "contours"}) {
+      const Imported read = readShape(standardFormats(), file, {{"as", as}});
+      QCOMPARE(read.shape.kind(), ShapeKind::Curves);
+      QCOMPARE(read.warnings.size(), std::size_t{1});
+      QVERIFY2(read.warnings[0].starts_with("Line 3: ") && read.warnings[0].find("once") != std::string::npos,
+               read.warnings[0].c_str());
+    }
+    writeAtomically(file, "G90\nG0 X0 Y0\nG1 X5 F100\nM2\n");
+    const Imported unsaid = readShape(standardFormats(), file);
+    QVERIFY(unsaid.warnings.size() == 1 && unsaid.warnings[0].starts_with("Line 2 moves before G21 or G20"));
   }
 
   void arcsThatMissTheirEndAreSpirals() {

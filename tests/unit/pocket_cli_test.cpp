@@ -107,7 +107,7 @@ class PocketCliTest : public QObject {
     write("plate.svg",
           "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 60' width='100mm' height='60mm'>"
           "<path d='M0 0H100V60H0Z'/></svg>");
-    const QStringList onPlate{"--part", "plate.svg", "--tool-diameter", "6"};
+    const QStringList onPlate{"--part", "plate.svg", "--tool-diameter", "6", "--depth", "2"};
     const auto warningsOf = [&](const char* program) {
       write("it.nc", program);
       const Answer answer = blossom(QStringList{"simulate", "it.nc"} + onPlate);
@@ -124,11 +124,93 @@ class PocketCliTest : public QObject {
     tells("G1 Z-2\nX60 F100\n", "A cut without a feed goes to (50.000, 30.000, -2.000)");
     tells("M5\nG1 Z-2 F100\n", "cuts while the spindle stands still");
     tells("(stock X -2 102 Y -2 62 Z -4 0)\nG1 Z-9 F100\n", "through the stock, which ends at z = -4.000");
-    tells("M8\nG1 Z-2 F100\n", "is without its coolant (M8)");
+    tells("M0\nG1 Z-2 F100\n", "is without its stops (M0)");
+    // and with the line
+    tells("G0 Z-2\nG1 X60 F100\n", "-2.00), line 6.");
+    tells("G1 Z-2 F100\nX99\n", ", line 7.");
+    tells("G1 Z-2\nX60 F100\n", "-2.000), line 6.");
+    tells("G1 Z-2.1 F100\nX60\n", "gouged by 0.100 mm at (50.000, 30.000, -2.100), line 6.");
+    tells("G1 Z-1.9 F100\nX60\n", "floor at z = -2.000 is not reached: the deepest cut ends at z = -1.900, line 6.");
     write("turned.nc", (begin + "G68 X0 Y0 R10\nG1 Z-2 F100\nX60\nM2\n").c_str());
     const Answer turned = blossom(QStringList{"simulate", "turned.nc"} + onPlate);
     QCOMPARE(turned.code, 1);
     QVERIFY2(turned.hint().find("line 6 holds scaling or rotation (G68)") != std::string::npos, turned.hint().c_str());
+  }
+
+  /// Without the depth nothing can be too deep: it comes from the program's head, or is asked for.
+  void theDepthIsThatOfThePocket() {
+    writePart("part.dxf");
+    QCOMPARE(blossom({"pocket", "part.dxf", "--depth", "5", "--leave-floor", "0.5", "-o", "part.ngc"}).code, 0);
+    const auto simulated = [&] { return blossom({"simulate", "part.ngc", "part.dxf"}); };
+    QCOMPARE(simulated().json["warnings"].dump(), std::string("[]"));
+    QVERIFY(simulated().result("gouge_mm") < 1e-3);
+    const std::string text = read("part.ngc");
+    std::string head = text.substr(0, text.find("(part X 0 Y 0 Z 0 depth 5 wall 0 floor 0.5)"));
+    QVERIFY(head.size() < text.size());
+    std::string deeper = text;
+    for (std::size_t at = 0; (at = deeper.find("Z-4.5", at)) != std::string::npos; at += 5) deeper.replace(at, 5, "Z-4.6");
+    write("part.ngc", deeper.c_str());
+    COMPARE_NEAR(simulated().result("gouge_mm"), 0.1, 1e-9);
+    // Without the head nobody knows.
+    write("part.ngc", text.substr(text.find("G21")).c_str());
+    const std::string told = blossom({"simulate", "part.ngc", "part.dxf", "--tool-diameter", "6"}).json["warnings"].dump();
+    QVERIFY2(told.find("tells how deep the pocket is") != std::string::npos && told.find("--depth") != std::string::npos,
+             told.c_str());
+  }
+
+  /// The part lies at its zero, wherever the stock has its middle.
+  void thePartLiesAtItsZero() {
+    write("plate.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 60' width='100mm' height='60mm'>"
+          "<path d='M0 0H100V60H0Z'/></svg>");
+    write("it.nc",
+          "(stock X -5 125 Y -5 65 Z -10 0)\nG21 G90\nT1 M6\nS9000 M3\nG0 X3 Y3 Z5\nG1 Z-2 F100\nX97\nY57\nX3\nY3\n"
+          "G0 Z5\nM2\n");
+    const Answer swept = blossom({"simulate", "it.nc", "plate.svg", "--tool-diameter", "6", "--depth", "2"});
+    COMPARE_NEAR(swept.result("gouge_mm"), 0, 1e-9);
+    QCOMPARE(swept.json["warnings"].dump(), std::string("[]"));
+    // One made for a part elsewhere does not fit, whatever its zero.
+    writePart("part.dxf", {10, 20});
+    writePart("beside.dxf", {10.2, 20});
+    for (const char* zero : {"drawing", "corner", "center"}) {
+      QCOMPARE(blossom({"pocket", "beside.dxf", "--zero", zero, "-o", "beside.ngc"}).code, 0);
+      COMPARE_NEAR(blossom({"simulate", "beside.ngc", "beside.dxf"}).result("gouge_mm"), 0, 1e-3);
+      COMPARE_NEAR(blossom({"simulate", "beside.ngc", "part.dxf"}).result("gouge_mm"), 0.2, 1e-3);
+    }
+  }
+
+  /// What is told is what stands in the file.
+  void theProgramIsMeasuredAsItIsWritten() {
+    writePart("part.dxf", {0.3, 0.7});
+    const Answer coarse =
+        blossom({"pocket", "part.dxf", "--gcode.unit", "inch", "--gcode.decimals", "2", "-o", "coarse.ngc"});
+    QCOMPARE(coarse.code, 0);
+    const double swept = blossom({"simulate", "coarse.ngc", "part.dxf"}).result("gouge_mm");
+    QVERIFY2(swept > 0.002, std::to_string(swept).c_str());  // planned without any
+    COMPARE_NEAR(coarse.result("gouge_mm"), swept, 1e-9);
+    QVERIFY(coarse.json["warnings"].dump().find("--gcode.decimals") != std::string::npos);
+    QVERIFY(read("coarse.ngc").find(QString("as it stands here: gouge %1 mm").arg(swept, 0, 'f', 4).toStdString()) !=
+            std::string::npos);
+    const Answer fine = blossom({"pocket", "part.dxf", "-o", "fine.ngc"});
+    QCOMPARE(fine.json["warnings"].dump(), std::string("[]"));
+    QVERIFY(fine.result("gouge_mm") < 2e-3);
+  }
+
+  void whatIsHardlyMeantIsTold() {
+    writePart("part.dxf");
+    const auto tells = [&](const QStringList& flags, const char* what, const char* remedy) {
+      const Answer made = blossom(QStringList{"pocket", "part.dxf"} + flags);
+      QCOMPARE(made.code, 0);
+      const std::string told = made.json["warnings"].dump();
+      QVERIFY2(told.find(what) != std::string::npos && told.find(remedy) != std::string::npos, told.c_str());
+    };
+    tells({"--depth", "80", "--tool-diameter", "3"}, "80 mm deep, 26.7 times", "at least 16 mm");
+    tells({"--safe-height", "0.001"}, "only 0.001 mm above the stock", "at least 1 mm");
+    tells({"--approach", "0.001"}, "only 0.001 mm above the material", "at least 0.1 mm");
+    tells({"--depth", "20", "--stepdown", "20"}, "Each pass is 20 mm deep", "at most 12 mm");
+    tells({"--plunge-feed", "900"}, "900 mm a minute", "at most 800");
+    tells({"--spindle", "100"}, "8 mm in each turn", "turn faster");
+    QCOMPARE(blossom({"pocket", "part.dxf"}).json["warnings"].dump(), std::string("[]"));
   }
 
   void aPartIsTextByFlags() {
@@ -180,6 +262,10 @@ class PocketCliTest : public QObject {
     QFile file(folder_.filePath(QLatin1String(name)));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(text);
+  }
+  std::string read(const char* name) const {
+    QFile file(folder_.filePath(QLatin1String(name)));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
   }
   /// A plate of 60 x 40 with a round island.
   void writePart(const char* name, const Vec2& at = {0, 0}) const {

@@ -205,8 +205,95 @@ class PocketSimulateTest final : public QObject {
   void rapidsThroughMaterialAreCounted() {
     Toolpath path = along({{3, 3}, {37, 3}}, -1, 6);
     QCOMPARE(simulate(path, rectangle(40, 12)).rapidsInStock, std::size_t(0));
-    path.moves.push_back({.kind = MoveKind::Rapid, .to = {3, 3, -0.5}});  // across, falling, from z = 5
+    path.moves.push_back({.kind = MoveKind::Rapid, .to = {3, 3, -0.5}});  // falling along what was cut
+    QCOMPARE(simulate(path, rectangle(40, 12)).rapidsInStock, std::size_t(0));
+    path.moves.back().to = {3, 9, -0.5};  // across, falling, from z = 5
     QCOMPARE(simulate(path, rectangle(40, 12)).rapidsInStock, std::size_t(1));
+    QCOMPARE(simulate(path, rectangle(40, 12)).rapidMove, path.moves.size() - 1);
+  }
+
+  /// A tenth of a millimetre in material is seen in every direction, and rounding is not.
+  void rapidsRunWhereCutsHaveClearedTheWay() {
+    // a slot of 8 by cutters of 6 at y = 5 and 7, 2 deep, from x = 5 to 35
+    const auto slot = [](const Vec3& rapid, double corner) {
+      Toolpath path = along({{5, 5}, {35, 5}, {35, 7}, {5, 7}}, -2, 6);
+      path.cutter.cornerRadius = corner;
+      path.moves.push_back({.kind = MoveKind::Rapid, .to = {rapid.x(), rapid.y(), 5}});
+      path.moves.push_back({.kind = MoveKind::Rapid, .to = rapid});
+      return simulate(path, rectangle(40, 12)).rapidsInStock;
+    };
+    for (const double corner : {0.0, 1.0, 3.0}) {
+      // between the two ways a ball has left a ridge
+      QCOMPARE(slot({20, 6, -1.999}, corner), std::size_t(corner == 3 ? 1 : 0));
+      for (const Vec3& free : {Vec3(20, 5, -2.01), Vec3(20, 7.01, -1), Vec3(35.01, 6, -1), Vec3(20, 6, -1)})
+        QVERIFY2(slot(free, corner) == 0,
+                 qPrintable(QString("%1: %2 %3 %4").arg(corner).arg(free.x()).arg(free.y()).arg(free.z())));
+      for (const Vec3& hit :
+           {Vec3(20, 6, -2.1), Vec3(20, 7.1, -2), Vec3(20, 4.9, -2), Vec3(4.88, 6, -2), Vec3(20, 11, -0.1)})
+        QVERIFY2(slot(hit, corner) == 1,
+                 qPrintable(QString("%1: %2 %3 %4").arg(corner).arg(hit.x()).arg(hit.y()).arg(hit.z())));
+    }
+    // Beside the stock there is nothing.
+    Toolpath beside = along({{3, 3}, {37, 3}}, -1, 6);
+    beside.moves.push_back({.kind = MoveKind::Rapid, .to = {-20, 3, 5}});
+    beside.moves.push_back({.kind = MoveKind::Rapid, .to = {-20, 3, -1}});
+    QCOMPARE(simulate(beside, rectangle(40, 12)).rapidsInStock, std::size_t(1));
+    beside.stock.add(Vec3(-5, -5, -3));
+    beside.stock.add(Vec3(45, 17, 0));
+    QCOMPARE(simulate(beside, rectangle(40, 12)).rapidsInStock, std::size_t(0));
+    beside.moves.rbegin()[1].to = {-7.9, 3, 5};
+    beside.moves.back().to = {-7.9, 3, -1};
+    QCOMPARE(simulate(beside, rectangle(40, 12)).rapidsInStock, std::size_t(1));
+  }
+
+  /// Ridges between passes of round tools: r - sqrt(r^2 - (step / 2)^2) high.
+  void roundToolsLeaveRidges() {
+    const auto combed = [](double corner, double step) {
+      std::vector<Vec2> ways{{3, 3}, {37, 3}, {37, 9}, {3, 9}};
+      for (double y = 3; y <= 9 + 1e-9; y += step) {
+        const bool back = ways.size() % 4 != 0;
+        ways.emplace_back(back ? 37 : 3, y);
+        ways.emplace_back(back ? 3 : 37, y);
+      }
+      Toolpath path = along(ways, -4, 6);
+      path.cutter.cornerRadius = corner;
+      return simulate(path, rectangle(40, 12));
+    };
+    QCOMPARE(combed(0, 2).ridge, 0.0);
+    COMPARE_NEAR(*combed(0, 2).residue, 0, 1e-9);
+    COMPARE_NEAR(combed(3, 2).ridge, 3 - std::sqrt(8.0), 0.01);
+    COMPARE_NEAR(combed(1, 6).ridge, 1 - std::sqrt(1.0 - 1), 0.01);  // its flat of 4 leaves 1 mm beside each way
+    // At a hundredth above the floor a ball clears sqrt(0.01 * 5.99) beside its way; seven ways leave six strips between.
+    const double clears = std::sqrt(0.01 * 5.99);
+    const double strips = (34 - 2 * clears) * 6 * (1 - 2 * clears);
+    const SimulationResult ball = combed(3, 1);
+    COMPARE_NEAR(*ball.residue, strips, 0.06 * strips);
+    COMPARE_NEAR(ball.ridge, 3 - std::sqrt(9 - 0.25), 0.004);
+  }
+
+  /// A control that may cut corners by a tenth cuts into what stands inside of them.
+  void blendingBelongsToTheGouge() {
+    // around the outside of a block in the middle, at exactly the tool's radius
+    const Region ring{{polygon({{0, 0}, {60, 0}, {60, 60}, {0, 60}}), polygon({{20, 40}, {40, 40}, {40, 20}, {20, 20}})}};
+    Toolpath path = along({{17, 17}, {43, 17}, {43, 43}, {17, 43}, {17, 17}}, -1, 6);
+    COMPARE_NEAR(simulate(path, ring).gouge, 0, 1e-9);
+    // At a sharp corner of the way there is room: it lies sqrt(2) radii from the block's corner.
+    path.blending = 0.1;
+    COMPARE_NEAR(simulate(path, ring).gouge, 0, 1e-9);
+    Toolpath inwards = along({{40, 3}, {57, 3}, {57, 20}}, -1, 6);  // a corner of the pocket: the blend stays inside
+    inwards.blending = 0.1;
+    COMPARE_NEAR(simulate(inwards, ring).gouge, 0, 1e-9);
+    // Around the block's corner in chords of 0.2: their middles cut in by their height, their ends by what the control
+    // takes.
+    std::vector<Vec2> chords{{30, 17}};
+    for (int k = 0; k <= 5; ++k)
+      chords.emplace_back(Vec2(40, 20) + 3 * Vec2(std::cos(0.2 * k - pi / 2), std::sin(0.2 * k - pi / 2)));
+    Toolpath around = along(chords, -1, 6);
+    COMPARE_NEAR(simulate(around, ring).gouge, 3 * (1 - std::cos(0.1)), 1e-4);
+    around.blending = 0.02;
+    COMPARE_NEAR(simulate(around, ring).gouge, 0.02, 1e-4);
+    around.blending = 1;  // no farther than a curve from middle to middle
+    COMPARE_NEAR(simulate(around, ring).gouge, 3 * std::sin(0.1) * std::sin(0.1), 1e-4);
   }
 
   void bullNosesAndVBitsAreNarrowAtTheTip() {

@@ -8,6 +8,13 @@
 
 namespace blossom::pocket {
 
+namespace {
+
+/// Of the tool's radius: a tool that winds down on a smaller circle drills, whatever its way is called.
+constexpr double leastTurn = 0.4;
+
+}  // namespace
+
 double PocketCutter::linked(const Pass::Foot& foot) {
   writer_.straight(foot.point);
   return foot.at;
@@ -29,7 +36,7 @@ double PocketCutter::entered(const Pass& pass) {
   writer_.approach(start, above_);
   const double distance = (above_ - floor_) / std::tan(o_.rampAngle);
   constexpr double mostTurns = 40;
-  const bool room = pass.length() > radius_ / 4 && distance < mostTurns * pass.length();
+  const bool room = pass.length() > fullTurn * leastTurn * radius_ && distance < mostTurns * pass.length();
   if (o_.entry == Entry::Plunge || !room) {
     if (o_.entry != Entry::Plunge) ++result_.plunged;
     writer_.straight(start, floor_);
@@ -43,7 +50,7 @@ bool PocketCutter::helix(const PassNode& node) {
   const auto [middle, clearance] = widest(node);
   const double room = clearance - radius_ - o_.leaveWall - o_.finish;
   const double turn = std::min(0.8 * radius_, room);
-  if (turn < 0.15 * radius_) return false;
+  if (turn < leastTurn * radius_) return false;
   ++result_.entries;
   const double side = o_.climb ? 1 : -1;
   const Stroke there = Stroke::arc(middle, turn, 0, side * fullTurn / 2);

@@ -14,6 +14,12 @@ namespace {
 
 constexpr std::size_t mostPlaces = 64;
 
+/// How far from where it begins a round corner has risen to a height.
+double widthOfCorner(double corner, double height) {
+  const double rest = std::max(0.0, corner - height);
+  return std::sqrt(std::max(0.0, corner * corner - rest * rest));
+}
+
 struct Square {
   Vec2 middle;
   double half;
@@ -23,7 +29,11 @@ struct Square {
 class ResidueSearch {
  public:
   ResidueSearch(const Region& centers, const ResidueProblem& problem, double tolerance)
-      : radius_(problem.radius), tolerance_(tolerance), cut_(problem.cut) {
+      : radius_(problem.radius),
+        clears_(problem.radius - problem.corner + widthOfCorner(problem.corner, problem.tolerance)),
+        corner_(problem.corner),
+        tolerance_(tolerance),
+        cut_(problem.cut) {
     std::vector<Stroke> rim;
     for (const Path& loop : centers.loops) {
       const auto some = strokesOf(loop, tolerance / 10);
@@ -42,15 +52,15 @@ class ResidueSearch {
       open.pop_back();
       if (++looked % 4096 == 0) progress.check();
       const double reach = s.half * std::sqrt(2.0);
-      const double enough = radius_ + tolerance_ + 2 * reach;  // beyond it, all of the square is out of reach
+      const double enough = clears_ + tolerance_ + 2 * reach;  // beyond it, all of the square is out of reach
       const double swept = cut_.nearest(s.middle, enough).distance;
-      if (swept + reach <= radius_ + tolerance_) continue;
+      if (swept + reach <= clears_ + tolerance_) continue;
       const double centre = within_(s.middle) ? 0 : rim_.nearest(s.middle, enough).distance;
-      if (centre - reach > radius_ - tolerance_) continue;
-      const bool all = centre + reach <= radius_ - tolerance_ && swept - reach > radius_ + tolerance_;
+      if (centre - reach > clears_ - tolerance_) continue;
+      const bool all = centre + reach <= clears_ - tolerance_ && swept - reach > clears_ + tolerance_;
       const bool smallest = reach <= tolerance_;
       if (all || smallest) {
-        if (!all && (centre > radius_ - tolerance_ || swept <= radius_ + tolerance_)) continue;
+        if (!all && (centre > clears_ - tolerance_ || swept <= clears_ + tolerance_)) continue;
         found.area += 4 * s.half * s.half;
         mark(found, s.middle);
         continue;
@@ -59,6 +69,32 @@ class ResidueSearch {
         for (const double y : {-0.5, 0.5}) open.push_back({s.middle + s.half * Vec2(x, y), s.half / 2});
     }
     return found;
+  }
+
+  /// mm that round corners leave between the ways of the tool, at most, where its tip may be.
+  [[nodiscard]] double ridge(const Square& whole, const Progress& progress) const {
+    if (!(corner_ > 0) || cut_.empty()) return 0;
+    const double flat = radius_ - corner_;
+    const double fineness = std::max(tolerance_, radius_ / 500);
+    double farthest = 0;
+    std::size_t looked = 0;
+    std::vector<Square> open{whole};
+    while (!open.empty() && farthest < radius_) {
+      const Square s = open.back();
+      open.pop_back();
+      if (++looked % 4096 == 0) progress.check();
+      const double reach = s.half * std::sqrt(2.0);
+      const double away = cut_.nearest(s.middle).distance;
+      if (away + reach <= std::max(flat, farthest + fineness)) continue;
+      const bool in = within_(s.middle);
+      if (!in && rim_.nearest(s.middle).distance > reach) continue;
+      if (in) farthest = std::max(farthest, away);
+      if (reach <= fineness) continue;
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5}) open.push_back({s.middle + s.half * Vec2(x, y), s.half / 2});
+    }
+    const double beside = std::clamp(farthest - flat, 0.0, corner_);
+    return corner_ - std::sqrt(corner_ * corner_ - beside * beside);
   }
 
   /// mm2 that the tool opens of a square. Squares on the rim count by how far their middle lies within: what is off in one
@@ -91,7 +127,9 @@ class ResidueSearch {
   }
 
  private:
-  double radius_, tolerance_;
+  double radius_;  ///< opens
+  double clears_;  ///< .. as wide as it is the tolerance above its tip
+  double corner_, tolerance_;
   StrokeTree cut_, rim_;
   InsideTest within_;
 };
@@ -115,7 +153,9 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   if (centers.loops.empty()) return total;
   // Squares of the last size lie along the rim.
   constexpr double squaresAlong = 12;  // looked at for each length of the tolerance along the rim
-  const double length = perimeter(centers);
+  double length = perimeter(centers);
+  if (problem.corner > 0)
+    for (const Stroke& s : problem.cut) length += 2 * s.length();  // ridges have two sides
   total.resolution = std::max(tolerance, squaresAlong * length / static_cast<double>(problem.cells));
   const ResidueSearch search(centers, problem, total.resolution);
 
@@ -141,6 +181,7 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
       parts[i].reachable = search.opened(square);
     }
   });
+  total.ridge = search.ridge({(low + high) / 2, (high - low).maxCoeff() / 2}, progress);
   for (const Residue& each : parts) {
     total.area += each.area;
     total.reachable += each.reachable;

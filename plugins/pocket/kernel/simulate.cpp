@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "kernel/cleared.h"
 #include "kernel/residue.h"
 #include "kernel/stroke_tree.h"
 #include "kernel/tool_moves.h"
@@ -39,6 +40,12 @@ class Walls {
     tree_ = StrokeTree(std::move(strokes));
   }
 
+  /// How far a tool of this radius cuts beyond the walls with its axis at p; negative within them.
+  [[nodiscard]] double depth(const Vec2& p, double radius) const {
+    const double away = tree_.nearest(p).distance;
+    return radius + (inside_(p) ? -away : away);
+  }
+
   /// How far a tool of this radius cuts beyond the walls on its way, at most, and the share of the way.
   [[nodiscard]] std::pair<double, double> gouge(const Stroke& way, double radius) const {
     constexpr double touching = 1e-9;
@@ -49,11 +56,6 @@ class Walls {
   }
 
  private:
-  [[nodiscard]] double depth(const Vec2& p, double radius) const {
-    const double away = tree_.nearest(p).distance;
-    return radius + (inside_(p) ? -away : away);
-  }
-
   /// A way that leaves the part: the depth changes at most as fast as the tool moves, so intervals that cannot hold the
   /// deepest place are dropped.
   [[nodiscard]] std::pair<double, double> deepest(const Stroke& way, double radius) const {
@@ -81,56 +83,99 @@ class Walls {
   InsideTest inside_;
 };
 
-void measureGouge(const Toolpath& path, const Walls& walls, const SimulationOptions& options, double floor,
-                  SimulationResult& result, const Progress& progress) {
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if (i % 256 == 0) progress.report(static_cast<double>(i) / static_cast<double>(path.moves.size()), "Looking for gouges");
-    const auto move = below(startOf(path, i), path.moves[i], options.top);
-    if (!move) continue;
-    const double low = std::min(move->from.z(), move->to.z());
-    const auto [depth, share] = walls.gouge(move->way, radiusAt(path.cutter, options.top - low));
-    const Vec2 at = move->way.at(share);
-    const auto take = [&](double gouge) {
-      if (gouge <= result.gouge) return;
-      result.gouge = gouge;
-      result.gougeAt = {at.x(), at.y(), low};
-    };
-    take(depth);
-    take(floor - low);
-  }
+/// Where a control may be instead of at the corner between two ways: on its inner side, by the blending at most, and no
+/// farther than a curve reaches that leaves and joins each way at its middle.
+std::optional<Vec2> cutCorner(const Stroke& before, const Stroke& after, double blending) {
+  constexpr double straight = 1e-6;
+  const double shorter = std::min(before.length(), after.length());
+  if (!(blending > 0) || shorter < straight) return std::nullopt;
+  const Vec2 inwards = after.direction(0) - before.direction(1);
+  const double bend = inwards.norm();  // twice the sine of half the angle
+  if (bend < straight) return std::nullopt;
+  return after.from + inwards / bend * std::min(blending, shorter / 2 * bend / 2);
 }
 
-/// A rapid below the stock's top may only run where the tool has cut before at that height or deeper: straight up, or down
-/// again on a way that was cut.
+class GougeSearch {
+ public:
+  GougeSearch(const Toolpath& path, const Walls& walls, const SimulationOptions& options, double floor,
+              SimulationResult& result)
+      : path_(path), walls_(walls), o_(options), floor_(floor), result_(result) {}
+
+  void run(const Progress& progress) {
+    std::optional<MoveBelow> last;
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      if (i % 256 == 0)
+        progress.report(static_cast<double>(i) / static_cast<double>(path_.moves.size()), "Looking for gouges");
+      const auto move = below(startOf(path_, i), path_.moves[i], o_.top);
+      if (move) measure(*move, i);
+      const bool cuts = path_.moves[i].kind != MoveKind::Rapid;
+      if (move && last && cuts && last->to == move->from) corner(*last, *move, i);
+      last = cuts ? move : std::nullopt;
+    }
+  }
+
+ private:
+  void measure(const MoveBelow& move, std::size_t index) {
+    const double low = std::min(move.from.z(), move.to.z());
+    const double radius = radiusAt(path_.cutter, o_.top - low);
+    const auto [depth, share] = walls_.gouge(move.way, radius);
+    const Vec2 at = move.way.at(share);
+    take(depth, {at.x(), at.y(), low}, index);
+    take(floor_ - low, {at.x(), at.y(), low}, index);
+    if (!(o_.leave > 0) || depth > o_.tolerance) return;
+    if (const double into = walls_.gouge(move.way, radius + o_.leave).first; into > result_.allowance) {
+      result_.allowance = into;
+      result_.allowanceMove = index;
+    }
+  }
+
+  void corner(const MoveBelow& before, const MoveBelow& after, std::size_t index) {
+    const auto at = cutCorner(before.way, after.way, path_.blending);
+    if (at)
+      take(walls_.depth(*at, radiusAt(path_.cutter, o_.top - after.from.z())), {at->x(), at->y(), after.from.z()}, index);
+  }
+
+  void take(double gouge, const Vec3& at, std::size_t index) {
+    constexpr double same = 1e-9;  // the first of moves that are alike
+    if (gouge <= result_.gouge + (result_.gouge > 0 ? same : 0)) return;
+    result_.gouge = gouge;
+    result_.gougeAt = at;
+    result_.gougeMove = index;
+  }
+
+  const Toolpath& path_;
+  const Walls& walls_;
+  const SimulationOptions& o_;
+  double floor_;
+  SimulationResult& result_;
+};
+
+/// A rapid below the stock's top may only run where the tool has cut before.
 void countRapidsInStock(const Toolpath& path, double top, SimulationResult& result, const Progress& progress) {
-  constexpr double same = 1e-3;
-  std::vector<MoveBelow> cut;
+  // Where the program tells the part's top, the stock may be higher beside it: the solid that the part is a face of.
+  const double stockTop = path.stock.empty || path.task ? top : std::max(top, path.stock.high.z());
+  Cleared cleared(path.cutter, stockTop, path.stock);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Vec3 from = startOf(path, i);
     const ToolMove& move = path.moves[i];
-    const auto part = below(from, move, top);
-    if (!part) continue;
     if (move.kind != MoveKind::Rapid) {
-      cut.push_back(*part);
+      cleared.cut(from, move);
       continue;
     }
-    progress.check();
-    const bool vertical = (move.to - from).head<2>().norm() < same;
-    if (vertical && move.to.z() >= from.z()) continue;
-    const double low = std::min(part->from.z(), part->to.z());
-    const bool cleared = vertical && std::any_of(cut.begin(), cut.end(), [&](const MoveBelow& c) {
-                           return std::max(c.from.z(), c.to.z()) <= low + same && distance(c.way, part->way.from) < same;
-                         });
-    if (cleared) continue;
-    if (result.rapidsInStock++ == 0) result.rapidAt = move.to;
+    if (!cleared.isHit(from, move, progress)) continue;
+    if (result.rapidsInStock++ > 0) continue;
+    result.rapidAt = move.to;
+    result.rapidMove = i;
   }
 }
 
-double deepestCut(const Toolpath& path, double top) {
+/// The first move that cuts deepest.
+std::size_t deepestMove(const Toolpath& path, double top) {
   double low = top;
-  for (const ToolMove& move : path.moves)
-    if (move.kind != MoveKind::Rapid) low = std::min(low, move.to.z());
-  return low;
+  std::size_t found = path.moves.size();
+  for (std::size_t i = 0; i < path.moves.size(); ++i)
+    if (path.moves[i].kind != MoveKind::Rapid && path.moves[i].to.z() < low) low = path.moves[i].to.z(), found = i;
+  return found;
 }
 
 }  // namespace
@@ -144,18 +189,30 @@ double radiusAt(const Cutter& cutter, double height) {
   return radius - corner + std::sqrt(corner * corner - (corner - height) * (corner - height));
 }
 
+double gougeOnly(const Toolpath& path, const Region& part, const SimulationOptions& options, const Progress& progress) {
+  validate(path, part, options);
+  SimulationResult result;
+  const std::size_t deepest = deepestMove(path, options.top);
+  const double lowest = deepest < path.moves.size() ? path.moves[deepest].to.z() : options.top;
+  const double floor = options.depth > 0 ? options.top - options.depth : lowest;
+  GougeSearch(path, Walls(part, options.tolerance / 500), options, floor, result).run(progress);
+  return result.gouge;
+}
+
 SimulationResult simulate(const Toolpath& path, const Region& part, const SimulationOptions& options,
                           const Progress& progress) {
   validate(path, part, options);
   SimulationResult result;
-  const double lowest = deepestCut(path, options.top);
-  if (!(lowest < options.top))
+  result.deepestMove = deepestMove(path, options.top);
+  if (result.deepestMove == path.moves.size())
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("The program does not cut below the part's top at z = {:.3f} mm.", options.top),
                 "Check where the work's zero lies.");
+  const double lowest = path.moves[result.deepestMove].to.z();
   const double floor = options.depth > 0 ? options.top - options.depth : lowest;
+  result.missing = std::max(0.0, lowest - floor);
   const Walls walls(part, options.tolerance / 500);
-  measureGouge(path, walls, options, floor, result, progress.part(0, 0.3));
+  GougeSearch(path, walls, options, floor, result).run(progress.part(0, 0.3));
   countRapidsInStock(path, options.top, result, progress);
   if (path.cutter.vAngle > 0) return result;
   constexpr double sameHeight = 1e-3;
@@ -173,6 +230,7 @@ SimulationResult simulate(const Toolpath& path, const Region& part, const Simula
     problem.cut.push_back(wayOf(from, path.moves[i]));
   }
   problem.radius = path.cutter.diameter / 2;
+  problem.corner = path.cutter.cornerRadius;
   problem.leave = options.leave;
   problem.tolerance = options.tolerance;
   problem.cells = options.cells;
@@ -181,6 +239,7 @@ SimulationResult simulate(const Toolpath& path, const Region& part, const Simula
   result.residueAt = residue.places;
   result.reachable = residue.reachable;
   result.resolution = residue.resolution;
+  result.ridge = residue.ridge;
   return result;
 }
 

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What whoever stands at the machine should hear of a program before it starts.
+namespace blossom {
+
+/// Follows the modes of the machine that do not move the tool, and doubts what a careful reader would: lengths without
+/// units, a tool's length that is another tool's, a spindle that stands still, corners that may be cut without a limit.
+class GcodeWatch {
+ public:
+  void at(std::size_t line) { line_ = line; }
+
+  void unitsSaid() { unitsSaid_ = true; }
+  void toolMade(int number) { chosen_ = {number, line_}; }  ///< T
+  void toolChanged();                                       ///< M6
+  void lengthFrom(std::optional<int> number);               ///< G43, with H when it is there
+  void lengthNumber(int number);                            ///< H without G43
+  void noLength() { length_.reset(); }                      ///< G49
+  void spindleTurns();
+  void spindleStops();
+  void blendsWithoutLimit();  ///< G64 without P
+
+  void moves();  ///< a motion with lengths
+  void cuts();   ///< .. that is no rapid
+
+  /// "line 12 cuts ..": in the order of their lines, at most a few of a kind.
+  [[nodiscard]] std::vector<std::string> doubts() const;
+  /// Of them those that a drawing of the program has as well.
+  [[nodiscard]] std::vector<std::string> drawingDoubts() const;
+
+ private:
+  using Noted = std::vector<std::pair<std::size_t, std::string>>;
+  struct Numbered {
+    int number = 0;
+    std::size_t line = 0;
+  };
+  static void note(Noted& where, std::size_t line, std::string what);
+  void checkLength();
+
+  std::size_t line_ = 0;
+  bool unitsSaid_ = false, unitsDoubted_ = false;
+  std::optional<Numbered> chosen_, tool_, length_;
+  bool changes_ = false;
+  std::set<std::pair<int, int>> mismatches_;
+  bool turning_ = false, everTurned_ = false, stillDoubted_ = false;
+  std::optional<std::size_t> stopped_;
+  Noted units_, lengths_, still_, corners_;
+};
+
+}  // namespace blossom

@@ -9,7 +9,7 @@ namespace blossom::pocket {
 
 namespace {
 
-constexpr double slack = 1e-4;  // mm; what lies so near to a bound is taken as beyond it
+constexpr double boundSlack = 1e-4;  // mm; what lies so near to a bound is taken as beyond it
 
 /// A piece of the axis within a band of clearances, between two ends that other pieces may share.
 struct AxisPiece {
@@ -21,7 +21,7 @@ struct AxisPiece {
 class Band {
  public:
   Band(double low, double high, double radius, const StrokeTree& next)
-      : low_(low - slack), high_(high + slack), radius_(radius), next_(next) {}
+      : low_(low - boundSlack), high_(high + boundSlack), radius_(radius), next_(next) {}
 
   void add(const MedialAxis& axis) {
     std::vector<bool> met(axis.vertices.size(), false);
@@ -63,7 +63,7 @@ class Band {
   /// Whether something on the lines that end here may be missed by the next pass. `near`: mm to the points asked about too.
   [[nodiscard]] bool isMissed(const Vec3& p, double near) const {
     const double away = next_.nearest(p.head<2>(), 2 * radius_ + near).distance;
-    return away + (p.z() - low_) > radius_ - near - slack;
+    return away + (p.z() - low_) > radius_ - near - boundSlack;
   }
 
   void add(const MedialEdge& edge) {

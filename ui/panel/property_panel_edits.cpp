@@ -87,7 +87,8 @@ void PropertyPanel::sendPreview() {
 void PropertyPanel::commit(ParameterField* field, const Value& value) {
   waiting_.reset();
   previewed_ = nullptr;
-  const Document document = session_.document().with(changed(field->spec().name, field->written()));
+  const Document document =
+      session_.document().with(changed(field->spec().name, field->value() == value ? field->written() : value));
   if (namesFiles(field->spec(), value)) return takeFiles(field, document);
   session_.commit(document, tr("Change %1 of %2").arg(qt(label(field->spec())), qt(shownName(document.at(shown_)))));
 }

@@ -15,7 +15,7 @@ struct Pull {
 };
 
 /// Enough that points which act little stay calm, little enough that a single pull is followed within one percent.
-inline constexpr double defaultLambda = 5e-3;
+inline constexpr double defaultLambda = 2.5e-3;
 
 struct DeformOptions {
   FreeRule free = {};

@@ -191,7 +191,7 @@ void WindowTest::aWrongValueKeepsTheOldOneAndSaysWhy() {
   QTest::keyClick(line, Qt::Key_Return);
   QVERIFY2(tolerance->problem().isEmpty(), qPrintable(tolerance->problem()));
   COMPARE_NEAR(tolerance->value().get<double>(), 6.35, 1e-12);
-  QCOMPARE(line->text(), QStringLiteral("6.35 mm"));
+  QCOMPARE(line->text(), QStringLiteral("1/4 in"));  // what was typed stays
   QVERIFY(window_->session().modified());
 }
 

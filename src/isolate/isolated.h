@@ -19,8 +19,8 @@ struct IsolationOptions {
 };
 
 /// The same feature type, evaluated in a child process: what cannot poll `Progress` can so be cancelled at once, and may
-/// crash without harm. Takes and gives regions, curves, B-reps, meshes, motions and sequences of them; a B-rep made has name and
-/// colour of the first B-rep given.
+/// crash without harm. Takes and gives regions, curves, B-reps, meshes, motions and sequences of them; a B-rep made has name
+/// and colour of the first B-rep given.
 ///
 /// The module that declares it needs BLOSSOM_WORKER_CALLS() { .. } that declares its feature types once more, in the child.
 FeatureType isolated(FeatureType, IsolationOptions);

@@ -58,7 +58,8 @@ class Editor : public QObject {
  private:
   void step() {
     const auto dice = random_() % 20;
-    if (dice == 0 && !session_.job().running())
+    const bool saves = dice == 0 && !session_.job().running();
+    if (saves)
       session_.save(place_.file, [this] { note("saved"); });
     else if (dice == 1)
       session_.undo();
@@ -66,7 +67,7 @@ class Editor : public QObject {
       session_.redo();
     else
       session_.commit(edited(), QStringLiteral("Edit %1").arg(++edits_));
-    if (dice != 0) note("state");
+    if (!saves) note("state");
     QTimer::singleShot(static_cast<int>(random_() % 12), this, &Editor::step);
   }
 

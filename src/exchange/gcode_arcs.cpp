@@ -16,9 +16,18 @@ namespace {
 constexpr double roundedSteps = 4.3;
 /// mm; what controls of any kind take for rounding.
 constexpr double leastMiss = 0.001, mostMiss = 0.0127;
+/// mm; the same where all other arcs of a program are better.
+constexpr double finestMiss = 0.00015;
 constexpr std::size_t mostArcDoubts = 3;
 /// Arcs that stand for free-form curves are shorter, and their centres may lie anywhere.
 constexpr double leastSweep = 0.17 * fullTurn;
+
+/// mm that one wrong number of a centre is taken to be off by.
+constexpr double leastSlip = 0.015, mostSlip = 0.12;
+
+std::string missedSentence(std::size_t line, double begins, double ends) {
+  return fmt::format("line {}: the arc begins {:.4f} mm from its centre and ends {:.4f} mm from it", line, begins, ends);
+}
 
 /// Points by cells of a grid.
 class Cells {
@@ -105,35 +114,67 @@ void GcodeArcs::missedEnds(double step, std::vector<std::pair<std::size_t, std::
   const double allowed = std::clamp(roundedSteps * step, leastMiss, mostMiss);
   for (const Arc& arc : arcs_)
     if (arc.named && std::abs(arc.begins() - arc.ends()) > allowed)
-      found.emplace_back(
-          arc.line, fmt::format("line {}: the arc begins {:.4f} mm from its centre and ends {:.4f} mm from it", arc.line,
-                                arc.begins(), arc.ends()));
+      found.emplace_back(arc.line, missedSentence(arc.line, arc.begins(), arc.ends()));
 }
 
-/// Where the way is smooth at both ends of an arc for one and the same centre, that centre was meant.
-void GcodeArcs::unsmoothArcs(double step, std::vector<std::pair<std::size_t, std::string>>& found) const {
-  constexpr double beside = 0.12, visible = 0.01;  // mm
-  for (const Arc& arc : arcs_) {
-    const Vec2 chord = arc.to - arc.from;
-    const double radius = arc.begins(), bend = chord.norm() / (2 * radius);
-    if (!arc.named || arc.before.length == 0 || arc.after.length == 0 || arc.sweep < leastSweep) continue;
-    const Vec2 first(-arc.before.direction.y(), arc.before.direction.x());
-    const Vec2 last(-arc.after.direction.y(), arc.after.direction.x());
-    const double risesFirst = first.dot(chord), risesLast = -last.dot(chord);
-    constexpr double leastRise = 0.2;
-    const double least = leastRise * chord.norm();
-    const bool whole = chord.norm() < visible;
-    if (whole || std::abs(risesFirst) < least || std::abs(risesLast) < least) continue;
-    const Vec2 fromStart = arc.from + first * (chord.squaredNorm() / (2 * risesFirst));
-    const Vec2 fromEnd = arc.to + last * (chord.squaredNorm() / (2 * risesLast));
-    const double rounding = step * (2 + 3 * radius / std::min(arc.before.length, arc.after.length)) / bend;
-    const double off = (fromStart - arc.center).norm(), apart = (fromStart - fromEnd).norm();
-    if (off <= std::max(visible, 3 * rounding) || off > beside || apart > std::min(off / 4, std::max(0.004, 2 * rounding)))
-      continue;
-    found.emplace_back(arc.line, fmt::format("line {}: the arc would join the moves before and after it smoothly with its "
-                                             "centre at ({:.4f}, {:.4f}), {:.4f} mm beside the one it has",
-                                             arc.line, fromStart.x(), fromStart.y(), off));
+std::vector<GcodeArcs::Trait> GcodeArcs::traits(const Arc& arc, double step) const {
+  const double radius = (arc.begins() + arc.ends()) / 2, corner = step * std::sqrt(0.5);
+  const Vec2 chord = arc.to - arc.from;
+  const Vec2 apart = (arc.from - arc.center) / arc.begins() - (arc.to - arc.center) / arc.ends();
+  std::vector<Trait> found{{arc.begins() - arc.ends(), -apart, corner * (apart.norm() + 2)}};
+  // The direction of a line depends on two rounded places, that of an arc on a place and a centre.
+  const auto smooth = [&](const Joint& joint, const Vec2& end) {
+    if (joint.length == 0) return;
+    const Trait trait{(end - arc.center).dot(joint.direction), -joint.direction, corner * (2 + 3 * radius / joint.length)};
+    if (std::abs(trait.off) <= mostSlip + trait.rounding) found.push_back(trait);
+  };
+  smooth(arc.before, arc.from);
+  smooth(arc.after, arc.to);
+  if (chord.norm() > mostSlip) {  // half a circle
+    const Vec2 aside = Vec2(-chord.y(), chord.x()).normalized();
+    const Trait half{(arc.from - arc.center).dot(aside), -aside, 2 * corner};
+    if (std::abs(half.off) <= std::min(mostSlip + half.rounding, radius / 4)) found.push_back(half);
   }
+  return found;
+}
+
+std::optional<Vec2> GcodeArcs::meantCenter(const Arc& arc, double step) const {
+  constexpr double clearly = 1.2;  // times what rounding explains
+  const std::vector<Trait> all = traits(arc, step);
+  for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1)}) {
+    double top = 0, bottom = 0;
+    for (const Trait& trait : all) {
+      const double slope = trait.slope.dot(axis);
+      top -= trait.off * slope / (trait.rounding * trait.rounding);
+      bottom += slope * slope / (trait.rounding * trait.rounding);
+    }
+    const double slip = bottom > 0 ? top / bottom : 0;
+    if (std::abs(slip) < leastSlip || std::abs(slip) > mostSlip) continue;
+    const auto clear = std::count_if(all.begin(), all.end(), [&](const Trait& t) {
+      return std::abs(t.slope.dot(axis) * slip) > clearly * t.rounding && std::abs(t.off) > clearly * t.rounding;
+    });
+    const bool explained = std::all_of(
+        all.begin(), all.end(), [&](const Trait& t) { return std::abs(t.off + t.slope.dot(axis) * slip) <= t.rounding; });
+    if (clear >= 2 && explained) return arc.center + slip * axis;
+  }
+  return std::nullopt;
+}
+
+/// Where many arcs look like slips, the program is merely not made of smooth ways, or was rounded in some other manner.
+void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::string>>& found) const {
+  std::vector<std::pair<std::size_t, std::string>> missed, moved;
+  for (const Arc& arc : arcs_) {
+    if (!arc.named) continue;
+    if (const Trait ends = traits(arc, step).front(); std::abs(ends.off) > std::max(1.3 * ends.rounding, finestMiss))
+      missed.emplace_back(arc.line, missedSentence(arc.line, arc.begins(), arc.ends()));
+    else if (const std::optional<Vec2> meant = meantCenter(arc, step))
+      moved.emplace_back(arc.line, fmt::format("line {}: the arc would join its neighbours smoothly, or be half a circle, "
+                                               "with its centre at ({:.4f}, {:.4f}), {:.4f} mm beside the one it has",
+                                               arc.line, meant->x(), meant->y(), (*meant - arc.center).norm()));
+  }
+  const std::size_t few = std::max<std::size_t>(2, arcs_.size() / 50);
+  for (const auto& doubts : {missed, moved})
+    if (doubts.size() <= few) found.insert(found.end(), doubts.begin(), doubts.end());
 }
 
 void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found) const {
@@ -175,7 +216,7 @@ std::vector<std::string> GcodeArcs::doubts() const {
   std::vector<std::pair<std::size_t, std::string>> found;
   missedEnds(step(), found);
   strayCenters(step(), found);
-  unsmoothArcs(step(), found);
+  slips(step(), found);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> sentences;
   std::size_t last = 0;

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,8 +23,8 @@ class GcodeArcs {
   void straight(const Vec2& from, const Vec2& to);
 
   /// Arcs whose ends lie at different distances from their centre, more than rounding explains; and arcs whose centre lies
-  /// close beside one that several others share, or beside the one that would make it smooth at both its ends: what a slip
-  /// in a single number leaves where the ends cannot tell.
+  /// close beside one that several others share, or beside one with which the arc joins its neighbours smoothly or is half
+  /// a circle: what a slip in a single number leaves where the ends cannot tell.
   [[nodiscard]] std::vector<std::string> doubts() const;
 
  private:
@@ -45,7 +46,17 @@ class GcodeArcs {
   /// mm of one step in the last place that words of this program use.
   [[nodiscard]] double step() const;
   void missedEnds(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
-  void unsmoothArcs(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
+  /// What holds for an arc as it was meant: ends equally far from the centre, a smooth way at either end, half a circle.
+  struct Trait {
+    double off;       ///< mm by which it does not hold
+    Vec2 slope;       ///< how that changes with the centre
+    double rounding;  ///< mm that rounded numbers explain at most
+  };
+  /// First the ends; of the others those that nearly hold.
+  [[nodiscard]] std::vector<Trait> traits(const Arc&, double step) const;
+  /// The centre for which all of them hold, where it differs in one of its numbers and two of them tell it.
+  [[nodiscard]] std::optional<Vec2> meantCenter(const Arc&, double step) const;
+  void slips(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
   void strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
 
   std::vector<Arc> arcs_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "geometry/large_polygon.h"
@@ -28,12 +29,23 @@ std::vector<Vec2> flattened(std::span<const Vec3> polygon) {
   return result;
 }
 
-/// Both triangles of the diagonal must turn the right way; of two such diagonals the shorter one.
+/// Below this, a distance from an edge may be rounding of the polygon's corners, or stands for nothing.
+double nothing(std::span<const Vec3> polygon) {
+  double largest = 0, extent = 0;
+  for (const Vec3& p : polygon) {
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    extent = std::max(extent, (p - polygon[0]).cwiseAbs().maxCoeff());
+  }
+  return std::max(1e-9 * extent, 16 * std::numeric_limits<double>::epsilon() * largest);
+}
+
+/// Both triangles of the diagonal must turn the right way, and by more than rounding; of two such diagonals the shorter one.
 Triangles splitQuad(std::span<const Vec3> quad) {
   const std::vector<Vec2> p = flattened(quad);
+  const double least = nothing(quad) * std::max((p[0] - p[2]).norm(), (p[1] - p[3]).norm());
   const double first = std::min(turn(p[0], p[1], p[2]), turn(p[0], p[2], p[3]));
   const double second = std::min(turn(p[0], p[1], p[3]), turn(p[1], p[2], p[3]));
-  const bool bothGood = first > 0 && second > 0;
+  const bool bothGood = first > least && second > least;
   const bool shorter = (quad[0] - quad[2]).squaredNorm() <= (quad[1] - quad[3]).squaredNorm();
   if (bothGood ? shorter : first >= second) return {{0, 1, 2}, {0, 2, 3}};
   return {{0, 1, 3}, {1, 2, 3}};
@@ -41,7 +53,9 @@ Triangles splitQuad(std::span<const Vec3> quad) {
 
 class EarClipper {
  public:
-  explicit EarClipper(std::vector<Vec2> points) : points_(std::move(points)), left_(points_.size()) {
+  /// @param nothing a corner so close to an ear hinders it, and an ear so flat is none, as long as there are others
+  EarClipper(std::vector<Vec2> points, double nothing)
+      : points_(std::move(points)), left_(points_.size()), nothing_(nothing) {
     std::iota(left_.begin(), left_.end(), 0);
   }
 
@@ -72,22 +86,25 @@ class EarClipper {
     return turn(at(a), at(b), at(c));
   }
 
-  bool isEar(std::size_t place) const {
+  bool isEar(std::size_t place, double nothing) const {
     const auto ears = corner(place);
     const Vec2 &a = at(ears[0]), &b = at(ears[1]), &c = at(ears[2]);
-    if (turn(a, b, c) <= 0) return false;
+    const double ab = nothing * (b - a).norm(), bc = nothing * (c - b).norm(), ca = nothing * (a - c).norm();
+    if (turn(a, b, c) <= std::max({ab, bc, ca})) return false;
     return std::none_of(left_.begin(), left_.end(), [&](int i) {
       const Vec2& p = at(i);
       if (i == ears[0] || i == ears[1] || i == ears[2] || p == a || p == b || p == c) return false;
-      return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+      return turn(a, b, p) >= -ab && turn(b, c, p) >= -bc && turn(c, a, p) >= -ca;
     });
   }
 
-  /// A polygon that crosses itself may have no ear: then the most convex corner goes.
+  /// Corners in line leave ears enough that are not flat. A polygon that crosses itself may have no ear: then the most
+  /// convex corner goes.
   std::size_t nextEar(std::size_t from) const {
     const std::size_t count = left_.size();
-    for (std::size_t k = 0; k < count; ++k)
-      if (const std::size_t place = (from + k) % count; isEar(place)) return place;
+    for (const double nothing : {nothing_, 0.0})
+      for (std::size_t k = 0; k < count; ++k)
+        if (const std::size_t place = (from + k) % count; isEar(place, nothing)) return place;
     std::size_t best = 0;
     for (std::size_t place = 1; place < count; ++place)
       if (cornerTurn(place) > cornerTurn(best)) best = place;
@@ -96,6 +113,7 @@ class EarClipper {
 
   std::vector<Vec2> points_;
   std::vector<int> left_;
+  double nothing_;
 };
 
 }  // namespace
@@ -114,7 +132,7 @@ std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon, const
   if (polygon.size() == 3) return {{0, 1, 2}};
   if (polygon.size() == 4) return splitQuad(polygon);
   if (polygon.size() > large) return triangulateLarge(flattened(polygon), progress);
-  return EarClipper(flattened(polygon)).run();
+  return EarClipper(flattened(polygon), nothing(polygon)).run();
 }
 
 }  // namespace blossom

@@ -1,6 +1,8 @@
 #pragma once
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -130,15 +132,47 @@ inline std::optional<FaultyProgram> tooDeep(Listing p, std::mt19937_64& random) 
   return FaultyProgram{p.text(), {i + 1}};
 }
 
+/// mm, the farthest that an arc between the same ends moves with its centre.
+inline double arcMovedBy(const ListedMove& move, const Vec2& centre, const Vec2& slip) {
+  const Vec2 first = move.from.head<2>() - centre, last = move.to.head<2>() - centre;
+  const double turn = move.motion == 3 ? 1 : -1;
+  double sweep = turn * std::atan2(cross(first, last), first.dot(last));
+  if (sweep <= 1e-9) sweep += 2 * std::numbers::pi;
+  double farthest = 0;
+  for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}) {
+    const Vec2 p = centre + Eigen::Rotation2Dd(turn * t * sweep) * first;
+    const double radius = (1 - t) * (first - slip).norm() + t * (last - slip).norm();
+    farthest = std::max(farthest, std::abs((p - centre - slip).norm() - radius));
+  }
+  return farthest;
+}
+
+/// The centre of an arc off by 0.05 mm, where that moves the tool by more than programs are rounded to (three places
+/// of mm, four of inches): the centre of a short arc of a large radius may lie anywhere.
 inline std::optional<FaultyProgram> arcCentre(Listing p, std::mt19937_64& random) {
   const auto moves = p.moves();
-  std::vector<std::pair<std::size_t, char>> centres;
-  for (std::size_t i = 0; i < moves.size(); ++i)
-    for (const char letter : {'I', 'J'})
-      if (moves[i].motion > 1 && p.word(i, letter)) centres.emplace_back(i, letter);
+  struct Centre {
+    std::size_t line;
+    char letter;
+    double slip;
+  };
+  std::vector<Centre> centres;
+  bool absolute = false;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    for (const ListedWord& w : wordsOf(p.lines[i])) absolute = absolute || (w.letter == 'G' && w.number == "90.1");
+    if (moves[i].motion < 2) continue;
+    Vec2 centre = absolute ? Vec2(0, 0) : Vec2(moves[i].from.head<2>());
+    for (const int axis : {0, 1})
+      if (const auto word = p.word(i, "IJ"[axis])) centre[axis] += word->value() * moves[i].unit;
+    for (const int axis : {0, 1})
+      for (const double slip : {0.05, -0.05})
+        if (p.word(i, "IJ"[axis]) &&
+            arcMovedBy(moves[i], centre, slip * Vec2::Unit(axis)) > moves[i].unit * (moves[i].unit > 1 ? 1e-4 : 1e-3))
+          centres.push_back({i, "IJ"[axis], slip});
+  }
   if (centres.empty()) return std::nullopt;
-  const auto [i, letter] = centres[random() % centres.size()];
-  p.change(i, letter, (random() % 2 == 0 ? 0.05 : -0.05) / moves[i].unit, placesOf(moves[i].unit));
+  const auto [i, letter, slip] = centres[random() % centres.size()];
+  p.change(i, letter, slip / moves[i].unit, placesOf(moves[i].unit));
   return FaultyProgram{p.text(), {i + 1}};
 }
 

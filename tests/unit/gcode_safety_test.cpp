@@ -199,7 +199,8 @@ class GcodeSafetyTest : public QObject {
     QCOMPARE(doubted(begin + "G3 X40 Y8 I0.05 J4\nG1 X0\n", "smoothly"), std::size_t{6});
     // A corner that is meant to be one is none of ours.
     QCOMPARE(doubted(begin + "G3 X40 Y8 I-1 J4\nG1 X0\n", "smoothly"), std::size_t{0});
-    QCOMPARE(doubted(begin + "G3 X40 Y8 I0.05 J4\nG1 X41 Y30\n", "smoothly"), std::size_t{0});
+    QCOMPARE(doubted(begin + "G3 X40 Y8.5 I0.05 J4.25\nG1 X41 Y30\n", "smoothly"), std::size_t{6});  // but half a circle
+    QCOMPARE(doubted(begin + "G3 X44.05 Y4 I0.05 J4\nG1 X41 Y30\n", "smoothly"), std::size_t{0});
   }
 
   void uprightArcsAreFollowed() {

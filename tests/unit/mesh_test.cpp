@@ -27,6 +27,20 @@ void append(Mesh& mesh, const Mesh& other) {
   }
 }
 
+/// Columns of whole heights side by side, with a corner at every whole place of the outline.
+std::vector<Vec2> columns(Random& random, int count) {
+  std::vector<Vec2> outline;
+  for (int x = 0; x < count; ++x) outline.emplace_back(x, 0);
+  int height = 0;
+  for (int x = count; x > 0; --x) {
+    for (const int next = uniformInt(random, 1, 4); height != next; height += height < next ? 1 : -1)
+      outline.emplace_back(x, height);
+    outline.emplace_back(x, height);
+  }
+  for (; height > 0; --height) outline.emplace_back(0, height);
+  return outline;
+}
+
 /// Star-shaped polygon in a tilted plane, counter-clockwise around `axis`.
 std::vector<Vec3> starPolygon(Random& random, int corners, const Vec3& axis) {
   const Vec3 x = axis.unitOrthogonal(), y = axis.cross(x);
@@ -108,6 +122,23 @@ class MeshTest : public QObject {
       }
       COMPARE_NEAR(signedSum, wanted, 1e-10);
       if (wanted > 1) COMPARE_NEAR(sum, wanted, 1e-9);  // no triangle is turned over
+    }
+  }
+  void cornersInLineMakeNoFlatTriangles() {
+    Random random = seededRandom();
+    // The diagonal between the second and the last corner would run through the third.
+    std::vector<std::vector<Vec2>> outlines{{{-9, 9}, {-7, -7}, {8, 1}, {16, 1}, {16, 0}, {24, 0}, {23, 9}}};
+    for (int k = 0; k < 100; ++k) outlines.push_back(columns(random, uniformInt(random, 1, 12)));
+    for (const std::vector<Vec2>& outline : outlines) {
+      const Vec3 x = Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 0.1, 1)).normalized();
+      const Vec3 y = x.unitOrthogonal(), far(100, -20, 3);
+      std::vector<Vec3> polygon;
+      for (const Vec2& p : outline) polygon.push_back(far + p.x() * x + p.y() * y);
+      for (const auto& [a, b, c] : triangulate(polygon)) {
+        const auto at = [&](int i) { return polygon[static_cast<std::size_t>(i)]; };
+        // Triangles between whole places have at least half an area.
+        QVERIFY(vectorArea(std::vector<Vec3>{at(a), at(b), at(c)}).dot(x.cross(y)) > 0.499);
+      }
     }
   }
   void nonConvexFaceHasItsArea() {

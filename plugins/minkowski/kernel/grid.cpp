@@ -91,7 +91,7 @@ GridLoop cleaned(const GridLoop& loop) {
 }
 
 double gridUnit(const Vec2& largestSize) {
-  constexpr int bits = 39;  // from the middle of a box to its sides, with one bit to spare
+  constexpr int bits = 46;  // from the middle of a box to its sides, with one bit to spare
   int exponent = 0;
   std::frexp(std::max(largestSize.maxCoeff() / 2, 1e-200), &exponent);
   return std::ldexp(1.0, exponent - bits);

@@ -6,7 +6,7 @@
 
 namespace blossom::minkowski {
 
-/// A point of an integer grid, |x| and |y| <= 2^40, so that sums of points are exact and turns fit 128 bits.
+/// A point of an integer grid, |x| and |y| <= 2^47, so that sums of points are exact and turns fit 128 bits.
 struct GridPoint {
   std::int64_t x = 0, y = 0;
   friend auto operator<=>(const GridPoint&, const GridPoint&) = default;

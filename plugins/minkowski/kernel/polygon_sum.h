@@ -5,7 +5,7 @@
 
 namespace blossom::minkowski {
 
-/// A + B = {a + b}, regularised; the empty set when one of them is empty. Both are snapped to a grid of 2^-39 of the larger
+/// A + B = {a + b}, regularised; the empty set when one of them is empty. Both are snapped to a grid of 2^-46 of the larger
 /// extent, the rest is exact; loops come without collinear points and without crumbs of the grid's size. Two convex sets
 /// are merged by the angles of their edges in O(n + m); others are the faces of positive winding number of their
 /// convolution (see convolution.h).

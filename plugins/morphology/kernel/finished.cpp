@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -13,7 +12,6 @@
 #include "geometry/bounds.h"
 #include "geometry/mesh_crossing.h"
 #include "geometry/mesh_topology.h"
-#include "geometry/triangle_distance.h"
 #include "kernel/coplanar.h"
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"
@@ -117,19 +115,6 @@ Mesh withSplit(const Mesh& mesh, const Which& which) {
   return result;
 }
 
-double largestCoordinate(const Mesh& mesh) {
-  double largest = 0;
-  for (const Vec3& p : mesh.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return largest;
-}
-
-bool isOnEdge(const Mesh& mesh, std::size_t face, const Vec3& place, double within) {
-  const auto corners = facePoints(mesh, face);
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    if (closestOnSegments(corners[k], corners[(k + 1) % corners.size()], place, place).distance() <= within) return true;
-  return false;
-}
-
 /// Looks at ways to write one surface down until one crosses nowhere.
 class Attempts {
  public:
@@ -145,26 +130,12 @@ class Attempts {
     return there;
   }
 
-  /// As it is, when faces cross nowhere but where rounding has bent polygons: within the rounding of coordinates from an
-  /// edge of both. No way to cut polygons into triangles is theirs, and slivers along their edges lie in any plane.
-  [[nodiscard]] std::optional<Mesh> butForBentPolygons(const Mesh& mesh) const {
-    const Mesh there = movedFrom(mesh, centre_);
-    const double rounding = 16 * std::numeric_limits<double>::epsilon() * largestCoordinate(there);
-    for (const MeshCrossing& each : crossings(there, progress_)) {
-      if (there.face(each.first).size() == 3 && there.face(each.second).size() == 3) return std::nullopt;
-      if (!isOnEdge(there, each.first, each.place, rounding) || !isOnEdge(there, each.second, each.place, rounding))
-        return std::nullopt;
-    }
-    return there;
-  }
-
   /// Polygons that cross something are split: their triangles may run otherwise than those their readers make.
   [[nodiscard]] std::optional<Mesh> withFewerPolygons(Mesh mesh) {
     constexpr int mostRounds = 8;
     for (int round = 0; round <= mostRounds; ++round) {
       if (auto made = asIs(mesh)) return made;
       if (!crossing_) return std::nullopt;
-      if (auto bent = butForBentPolygons(mesh)) return bent;
       const std::size_t before = mesh.faceCount();
       const auto isHit = [&](std::size_t f) { return f == crossing_->first || f == crossing_->second; };
       mesh = withSplit(mesh, [&](std::size_t f) { return round == mostRounds || isHit(f); });

@@ -34,4 +34,4 @@ qtest() { # what program [environment..]
 # A figure that a test printed as "figure NAME VALUE".
 figure() { grep -ohE "figure $2 [-+0-9.eE]+" "$out/$1.log" | tail -1 | awk '{ print $3 }'; }
 # A key of the JSON object on stdin, found by name (numbers and plain strings).
-json() { grep -oE "\"$1\": *(\"[^\"]*\"|[-+0-9.eE]+|true|false)" | head -1 | sed -E 's/^"[^"]*": *"?//; s/"$//'; }
+json() { grep -oE "\"$1\": *(\"([^\"\\\\]|\\\\.)*\"|[-+0-9.eE]+|true|false)" | head -1 | sed -E 's/^"[^"]*": *"?//; s/"$//'; }

@@ -15,7 +15,7 @@ started=$(date +%s)
 "${enter[@]}" env CCACHE_DISABLE=1 bash -c "cd $folder && ./dev build" >"$out/first-build.log" 2>&1; built=$?
 seconds=$(($(date +%s) - started))
 equal "clean release build with tests, exit code" "$built" 0
-at_most "  its time on $(nproc) cores, packages and no compiler cache included" "$(awk -v s=$seconds 'BEGIN { printf "%.1f", s / 60 }')" 12 min
+at_most "  its time on $(nproc) cores, packages and no compiler cache included" "$(awk -v s=$seconds 'BEGIN { printf "%.1f", s / 60 }')" 15 min
 "${enter[@]}" env CCACHE_DISABLE=1 bash -c "cd $folder && ./dev run" >"$out/first-run.log" 2>&1
 equal "./dev run without a display, exit code" "$?" 0
 made=${BLOSSOM_ACCEPT_ROOT:-}$folder/out

@@ -15,7 +15,7 @@ struct IsolationOptions {
   /// Another way to the same result, tried beside the first in a second child when that takes longer than `headStart`; the
   /// first result wins (see race.h). Empty: none. The second child may take half of the machine's memory.
   FeatureType::Evaluate rival{};
-  double headStart = 0.25;  ///< seconds
+  double headStart = 0.1;  ///< seconds
 };
 
 /// The same feature type, evaluated in a child process: what cannot poll `Progress` can so be cancelled at once, and may

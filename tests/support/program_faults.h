@@ -147,8 +147,8 @@ inline double arcMovedBy(const ListedMove& move, const Vec2& centre, const Vec2&
   return farthest;
 }
 
-/// The centre of an arc off by 0.05 mm, where that moves the tool by more than programs are rounded to (three places
-/// of mm, four of inches): the centre of a short arc of a large radius may lie anywhere.
+/// The centre of an arc off by 0.05 mm, where that moves the tool by more than two steps of what programs are rounded to
+/// (three places of mm, four of inches): the centre of a short arc of a large radius may lie anywhere.
 inline std::optional<FaultyProgram> arcCentre(Listing p, std::mt19937_64& random) {
   const auto moves = p.moves();
   struct Centre {
@@ -167,7 +167,7 @@ inline std::optional<FaultyProgram> arcCentre(Listing p, std::mt19937_64& random
     for (const int axis : {0, 1})
       for (const double slip : {0.05, -0.05})
         if (p.word(i, "IJ"[axis]) &&
-            arcMovedBy(moves[i], centre, slip * Vec2::Unit(axis)) > moves[i].unit * (moves[i].unit > 1 ? 1e-4 : 1e-3))
+            arcMovedBy(moves[i], centre, slip * Vec2::Unit(axis)) > moves[i].unit * (moves[i].unit > 1 ? 2e-4 : 2e-3))
           centres.push_back({i, "IJ"[axis], slip});
   }
   if (centres.empty()) return std::nullopt;

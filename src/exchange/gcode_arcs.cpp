@@ -20,7 +20,7 @@ constexpr double leastMiss = 0.001, mostMiss = 0.0127;
 constexpr double finestMiss = 0.00015;
 constexpr std::size_t mostArcDoubts = 3;
 /// Arcs that stand for free-form curves are shorter, and their centres may lie anywhere.
-constexpr double leastSweep = 0.17 * fullTurn;
+constexpr double longSweep = 0.17 * fullTurn, leastSweep = 0.05 * fullTurn;
 
 /// mm that one wrong number of a centre is taken to be off by.
 constexpr double leastSlip = 0.015, mostSlip = 0.12;
@@ -56,6 +56,7 @@ struct SharedCenter {
   Vec2 at;
   std::size_t arcs = 0;
   std::size_t line = 0;  ///< of the first
+  double sweep = 0;      ///< of the first
 };
 
 }  // namespace
@@ -194,7 +195,7 @@ void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std
       if ((centers[i].at - arc.center).norm() <= same) own = std::min(own, i);
     });
     if (own == centers.size()) {
-      centers.push_back({arc.center, 0, arc.line});
+      centers.push_back({arc.center, 0, arc.line, arc.sweep});
       cells.add(arc.center, own);
     }
     ++centers[own].arcs;
@@ -204,8 +205,11 @@ void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std
     const SharedCenter* near = nullptr;
     cells.around(lone.at, [&](std::size_t i) {
       const SharedCenter& other = centers[i];
-      if (other.arcs >= several && (other.at - lone.at).norm() <= beside && (!near || other.arcs > near->arcs))
-        near = &other;
+      const Vec2 off = other.at - lone.at;
+      const bool oneNumber = std::min(std::abs(off.x()), std::abs(off.y())) <= same;
+      if (other.arcs < several || off.norm() > beside || (lone.sweep < longSweep && !(oneNumber && off.norm() >= leastSlip)))
+        return;
+      if (!near || other.arcs > near->arcs) near = &other;
     });
     if (near)
       found.emplace_back(lone.line,

@@ -162,11 +162,12 @@ std::optional<Vec2> GcodeArcs::meantCenter(const Arc& arc, double step) const {
 }
 
 /// Where many arcs look like slips, the program is merely not made of smooth ways, or was rounded in some other manner.
-void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::string>>& found) const {
+void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::string>>& found, const Progress& progress) const {
   std::vector<std::pair<std::size_t, std::string>> missed, moved;
   std::size_t unsmooth = 0;
   for (const Arc& arc : arcs_) {
     if (!arc.named) continue;
+    progress.check();
     const std::vector<Trait> all = traits(arc, step);
     unsmooth += std::any_of(all.begin() + 1, all.end(), [](const Trait& t) { return std::abs(t.off) > t.rounding; }) ? 1 : 0;
     if (const Trait& ends = all.front(); std::abs(ends.off) > std::max(1.3 * ends.rounding, finestMiss))
@@ -176,19 +177,25 @@ void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::strin
                                                "with its centre at ({:.4f}, {:.4f}), {:.4f} mm beside the one it has",
                                                arc.line, meant->x(), meant->y(), (*meant - arc.center).norm()));
   }
-  const std::size_t few = std::max<std::size_t>(2, arcs_.size() / 50), spoilt = 3;  // arcs whose joints one slip spoils
-  if (unsmooth > spoilt * few) moved.clear();
-  for (const auto& doubts : {missed, moved})
-    if (doubts.size() <= few) found.insert(found.end(), doubts.begin(), doubts.end());
+  const std::size_t few = std::max<std::size_t>(2, arcs_.size() / 50),
+                    mostUnsmooth = std::max<std::size_t>(6, arcs_.size() / 4);
+  if (missed.size() <= few) found.insert(found.end(), missed.begin(), missed.end());
+  if (moved.empty() || unsmooth > mostUnsmooth) return;
+  if (moved.size() > few)
+    moved = {{moved.front().first,
+              fmt::format("{}, as it is with {} of {} arcs", moved.front().second, moved.size(), arcs_.size())}};
+  found.insert(found.end(), moved.begin(), moved.end());
 }
 
-void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found) const {
+void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found,
+                             const Progress& progress) const {
   constexpr double beside = 0.1;
   const double same = std::clamp(3 * step, 0.0005, 0.01);
   constexpr std::size_t several = 2;
   std::vector<SharedCenter> centers;
-  Cells cells(beside);
+  Cells cells(same);
   for (const Arc& arc : arcs_) {
+    progress.check();
     if (!arc.named || arc.sweep < leastSweep) continue;
     std::size_t own = centers.size();
     cells.around(arc.center, [&](std::size_t i) {
@@ -200,15 +207,18 @@ void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std
     }
     ++centers[own].arcs;
   }
+  Cells shared(beside);
+  for (std::size_t i = 0; i < centers.size(); ++i)
+    if (centers[i].arcs >= several) shared.add(centers[i].at, i);
   for (const SharedCenter& lone : centers) {
+    progress.check();
     if (lone.arcs != 1) continue;
     const SharedCenter* near = nullptr;
-    cells.around(lone.at, [&](std::size_t i) {
+    shared.around(lone.at, [&](std::size_t i) {
       const SharedCenter& other = centers[i];
       const Vec2 off = other.at - lone.at;
       const bool oneNumber = std::min(std::abs(off.x()), std::abs(off.y())) <= same;
-      if (other.arcs < several || off.norm() > beside || (lone.sweep < longSweep && !(oneNumber && off.norm() >= leastSlip)))
-        return;
+      if (off.norm() > beside || (lone.sweep < longSweep && !(oneNumber && off.norm() >= leastSlip))) return;
       if (!near || other.arcs > near->arcs) near = &other;
     });
     if (near)
@@ -220,16 +230,22 @@ void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std
   }
 }
 
-std::vector<std::string> GcodeArcs::doubts() const {
+std::vector<std::string> GcodeArcs::doubts(const Progress& progress) const {
   std::vector<std::pair<std::size_t, std::string>> found;
   missedEnds(step(), found);
-  strayCenters(step(), found);
-  slips(step(), found);
+  strayCenters(step(), found, progress);
+  slips(step(), found, progress);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> sentences;
-  std::size_t last = 0;
-  for (const auto& [line, what] : found)
-    if (line != std::exchange(last, line) && sentences.size() < mostArcDoubts) sentences.push_back(what);
+  std::size_t last = 0, more = 0;
+  for (const auto& [line, what] : found) {
+    if (line == std::exchange(last, line)) continue;
+    if (sentences.size() < mostArcDoubts)
+      sentences.push_back(what);
+    else
+      ++more;
+  }
+  if (more > 0) sentences.back() += fmt::format("; so it is with {} more", more);
   return sentences;
 }
 

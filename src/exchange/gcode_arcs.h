@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/progress.h"
 #include "core/vector.h"
 
 /// Whether the arcs of a program are where its author meant them.
@@ -25,7 +26,8 @@ class GcodeArcs {
   /// Arcs whose ends lie at different distances from their centre, more than rounding explains; and arcs whose centre lies
   /// close beside one that several others share, or beside one with which the arc joins its neighbours smoothly or is half
   /// a circle: what a slip in a single number leaves where the ends cannot tell.
-  [[nodiscard]] std::vector<std::string> doubts() const;
+  /// The first three of them, and how many more there are. @throws Error Cancelled.
+  [[nodiscard]] std::vector<std::string> doubts(const Progress&) const;
 
  private:
   /// The direction of the way at a joint, and how long the move is that it belongs to; none: length 0.
@@ -56,8 +58,8 @@ class GcodeArcs {
   [[nodiscard]] std::vector<Trait> traits(const Arc&, double step) const;
   /// The centre for which all of them hold, where it differs in one of its numbers and two of them tell it.
   [[nodiscard]] std::optional<Vec2> meantCenter(const Arc&, double step) const;
-  void slips(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
-  void strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
+  void slips(double step, std::vector<std::pair<std::size_t, std::string>>& found, const Progress&) const;
+  void strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found, const Progress&) const;
 
   std::vector<Arc> arcs_;
   Joint last_;                           ///< of the move before

@@ -36,7 +36,7 @@ class GcodeParser {
     }
     finishNurbs();
     settleSpindle();
-    settleDoubts();
+    settleDoubts(progress);
     if (program_.counts.empty()) damaged("the file holds no motion (G0, G1, G2, G3 or G5.2)");
     return std::move(program_);
   }
@@ -235,9 +235,9 @@ class GcodeParser {
     if (block.weight) program_.blending = std::max(program_.blending, *block.weight * unit_);
   }
 
-  void settleDoubts() {
+  void settleDoubts(const Progress& progress) {
     for (std::string& doubt : watch_.doubts()) program_.doubts.push_back(std::move(doubt));
-    for (std::string& doubt : arcs_.doubts()) program_.doubts.push_back(std::move(doubt));
+    for (std::string& doubt : arcs_.doubts(progress)) program_.doubts.push_back(std::move(doubt));
     program_.drawingDoubts = watch_.drawingDoubts();
   }
 

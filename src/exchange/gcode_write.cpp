@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/units.h"
+#include "exchange/gcode_comments.h"
 #include "exchange/gcode_program.h"
 
 namespace blossom {
@@ -91,19 +92,20 @@ class GcodeWriter {
   void validate() const {
     if (path_.moves.empty())
       throw Error(ErrorCode::InvalidInput, "The toolpath has no moves.", "Make one of a part that the tool fits into.");
-    constexpr double farthest = 1e6;
+    const auto isNear = [](const Vec3& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() < farthestInGcode; };
+    const std::string hint = "Move the part or the work's zero: programs reach 10 km at most.";
+    if (!isNear(path_.start)) throw Error(ErrorCode::InvalidInput, "The toolpath begins too far away.", hint);
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const ToolMove& m = path_.moves[i];
-      const bool finite = m.to.allFinite() && m.center.allFinite() && m.to.cwiseAbs().maxCoeff() < farthest;
-      if (!finite)
-        throw Error(ErrorCode::InvalidInput, fmt::format("Move {} of the toolpath goes to no finite place.", i + 1));
+      const bool centered = m.turn == 0 || m.center.cwiseAbs().maxCoeff() < 2 * farthestInGcode;  // not with NaN
+      if (!isNear(m.to) || !centered)
+        throw Error(ErrorCode::InvalidInput, fmt::format("Move {} of the toolpath goes too far away.", i + 1), hint);
       if (m.kind != MoveKind::Rapid && !(m.feed > 0 && std::isfinite(m.feed)))
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("Move {} of the toolpath, to ({:.3f}, {:.3f}, {:.3f}), cuts without a feed.", i + 1,
                                 m.to.x(), m.to.y(), m.to.z()),
                     "Give a feed above 0.");
     }
-    if (!path_.start.allFinite()) throw Error(ErrorCode::InvalidInput, "The toolpath begins at no finite place.");
   }
 
   void line(const std::string& words) {
@@ -144,7 +146,8 @@ class GcodeWriter {
     std::string told = fmt::format("simulated before rounding to {} mm: gouge {:.4f} mm, {}", formatNumber(resolution()),
                                    *path_.gouge, residue);
     if (path_.gougeOf) {
-      const double gouge = path_.gougeOf(toolpathOf(parseGcode(text_, Progress::none())), progress.part(0.9, 1));
+      const Toolpath read = toolpathOf(parseGcode(text_, progress.part(0.9, 0.92)));
+      const double gouge = path_.gougeOf(read, progress.part(0.92, 1));
       told = fmt::format("simulated as it stands here: gouge {:.4f} mm, {}", gouge, residue);
     }
     text_.insert(*measuredAt_, fmt::format("({})\n", told));

@@ -60,15 +60,16 @@ class PlanarCells {
 
 class LargeClipper {
  public:
-  LargeClipper(const std::vector<Vec2>& corners, const Progress& progress)
-      : points_(corners), progress_(progress), left_(corners.size()), links_(corners.size()) {
+  LargeClipper(const std::vector<Vec2>& corners, double nothing, const Progress& progress)
+      : points_(corners), nothing_(nothing), progress_(progress), left_(corners.size()), links_(corners.size()) {
     const int count = static_cast<int>(corners.size());
     for (int i = 0; i < count; ++i) links_[index(i)] = {(i + count - 1) % count, (i + 1) % count};
     triangles_.reserve(corners.size() - 2);
   }
 
   std::vector<std::array<int, 3>> run() {
-    clipEars();
+    clipEars(nothing_);
+    if (left_ > 3) clipEars(0);
     if (left_ > 3) clipMostConvex();
     int first = cursor_;
     for (int i = links_[index(cursor_)].next; i != cursor_; i = links_[index(i)].next) first = std::min(first, i);
@@ -87,22 +88,30 @@ class LargeClipper {
   bool isClipped(int i) const { return links_[index(i)].next < 0; }
   double turnAt(int i) const { return doubleArea(at(links_[index(i)].previous), at(i), at(links_[index(i)].next)); }
 
-  std::vector<int> reflexCorners() const {
+  /// Straight on or to the right, but for a width of `nothing`.
+  bool isReflex(int i, double nothing) const {
+    const auto [before, after] = links_[index(i)];
+    return !(turnAt(i) > nothing * (at(after) - at(before)).norm());
+  }
+
+  std::vector<int> reflexCorners(double nothing) const {
     std::vector<int> reflex;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i)
-      if (!(turnAt(i) > 0)) reflex.push_back(i);
+      if (isReflex(i, nothing)) reflex.push_back(i);
     return reflex;
   }
 
   /// Of a polygon that does not cross itself, a corner within the ear means that a reflex one is.
-  bool isEar(int i, const PlanarCells& reflex) const {
+  bool isEar(int i, const PlanarCells& reflex, double nothing) const {
     const auto [before, after] = links_[index(i)];
     const Vec2 &a = at(before), &b = at(i), &c = at(after);
-    if (!(doubleArea(a, b, c) > 0)) return false;
-    return !reflex.any(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), [&](int k) {
+    const double ab = nothing * (b - a).norm(), bc = nothing * (c - b).norm(), ca = nothing * (a - c).norm();
+    if (!(doubleArea(a, b, c) > std::max({ab, bc, ca}))) return false;
+    const Vec2 low = a.cwiseMin(b).cwiseMin(c).array() - nothing, high = a.cwiseMax(b).cwiseMax(c).array() + nothing;
+    return !reflex.any(low, high, [&](int k) {
       const Vec2& p = at(k);
-      if (p == a || p == b || p == c || isClipped(k) || turnAt(k) > 0) return false;
-      return doubleArea(a, b, p) >= 0 && doubleArea(b, c, p) >= 0 && doubleArea(c, a, p) >= 0;
+      if (p == a || p == b || p == c || isClipped(k) || !isReflex(k, nothing)) return false;
+      return doubleArea(a, b, p) >= -ab && doubleArea(b, c, p) >= -bc && doubleArea(c, a, p) >= -ca;
     });
   }
 
@@ -116,15 +125,17 @@ class LargeClipper {
   }
 
   /// Round and round until three corners are left or a whole round finds no ear.
-  void clipEars() {
-    const PlanarCells reflex(points_, reflexCorners());
+  void clipEars(double nothing) {
+    const PlanarCells reflex(points_, reflexCorners(nothing));
     for (std::size_t inVain = 0; left_ > 3 && inVain < left_;) {
       progress_.check();
       const int after = links_[index(cursor_)].next;
-      if (isEar(cursor_, reflex)) {
+      if (isEar(cursor_, reflex, nothing)) {
         clip(cursor_);
-        // Going on with the corner after next makes fewer slivers than a fan around one corner.
-        cursor_ = links_[index(after)].next;
+        // Going on with the corner after next makes fewer slivers than a fan around one corner. Along many corners in line
+        // there is none to go on with: each would take a round of its own.
+        const int second = links_[index(after)].next;
+        cursor_ = isReflex(second, nothing) ? after : second;
         inVain = 0;
       } else {
         cursor_ = after;
@@ -160,6 +171,7 @@ class LargeClipper {
   }
 
   const std::vector<Vec2>& points_;
+  double nothing_;
   const Progress& progress_;
   std::size_t left_;
   std::vector<Links> links_;
@@ -169,8 +181,9 @@ class LargeClipper {
 
 }  // namespace
 
-std::vector<std::array<int, 3>> triangulateLarge(const std::vector<Vec2>& corners, const Progress& progress) {
-  return LargeClipper(corners, progress).run();
+std::vector<std::array<int, 3>> triangulateLarge(const std::vector<Vec2>& corners, double nothing,
+                                                 const Progress& progress) {
+  return LargeClipper(corners, nothing, progress).run();
 }
 
 }  // namespace blossom

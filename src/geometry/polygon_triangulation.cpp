@@ -131,7 +131,7 @@ std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon, const
   if (polygon.size() < 3) return {};
   if (polygon.size() == 3) return {{0, 1, 2}};
   if (polygon.size() == 4) return splitQuad(polygon);
-  if (polygon.size() > large) return triangulateLarge(flattened(polygon), progress);
+  if (polygon.size() > large) return triangulateLarge(flattened(polygon), nothing(polygon), progress);
   return EarClipper(flattened(polygon), nothing(polygon)).run();
 }
 

@@ -242,6 +242,15 @@ class GcodeSafetyTest : public QObject {
     QVERIFY(kinked < 3);  // a way with small corners everywhere was made so
   }
 
+  void manySlipsAreToldAtOnce() {
+    // Thirty slots; the ends of six of them begin and end on their circles, 0.05 mm too far out.
+    std::string text = "G21 G90 G17\nS500 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\n";
+    for (int k = 0; k < 30; ++k)
+      text += fmt::format("G1 X40 Y{0}\nG3 X40 Y{1} I{2} J2.5\nG1 X0 Y{1}\nG2 X0 Y{3} I0 J2.5\n", 10 * k, 10 * k + 5,
+                          k % 5 == 2 ? "0.050" : "0", 10 * k + 10);
+    QCOMPARE(doubted(text, "as it is with 6 of 60 arcs"), std::size_t{5 + 4 * 2 + 1});
+  }
+
   void uprightArcsAreFollowed() {
     // A quarter down from (10, 0, 5) around (10, 0, 0) in G18, then one in G19; both lie on their circles.
     const Toolpath path = pathOf("G21 G90 G18\nS500 M3\nG0 X0 Y0 Z5\nG3 X5 Z0 I0 K-5 F100\nG19 G3 Y5 Z5 J0 K5\nM2\n");

@@ -129,6 +129,7 @@ class MeshTest : public QObject {
     // The diagonal between the second and the last corner would run through the third.
     std::vector<std::vector<Vec2>> outlines{{{-9, 9}, {-7, -7}, {8, 1}, {16, 1}, {16, 0}, {24, 0}, {23, 9}}};
     for (int k = 0; k < 100; ++k) outlines.push_back(columns(random, uniformInt(random, 1, 12)));
+    for (const int many : {40, 60, 80, 100, 500}) outlines.push_back(columns(random, many));  // large ones go another way
     for (const std::vector<Vec2>& outline : outlines) {
       const Vec3 x = Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 0.1, 1)).normalized();
       const Vec3 y = x.unitOrthogonal(), far(100, -20, 3);

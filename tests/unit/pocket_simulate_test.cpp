@@ -4,6 +4,7 @@
 #include "geometry/planar.h"
 #include "pocket/kernel/simulate.h"
 #include "pocket/kernel/stroke_tree.h"
+#include "pocket/kernel/walls.h"
 #include "support/planar_parts.h"
 #include "support/support.h"
 
@@ -156,6 +157,36 @@ class PocketSimulateTest final : public QObject {
       path.moves.insert(path.moves.begin() + 1,
                         ToolMove{.kind = MoveKind::Feed, .to = {radius, 0, -1}, .turn = 1, .center = {0, 0}, .feed = 100});
       COMPARE_NEAR(simulate(path, disc(10)).gouge, radius - 7, 1e-9);
+    }
+  }
+
+  void waysAlongAWallAreMeasuredAllTheirLength() {
+    // On the wall for almost a metre, but for a notch early on, whose middle is 2 mm from the part.
+    const Region notched{{polygon({{0, 0}, {10, 0}, {10, 3}, {14, 3}, {14, 0}, {1000, 0}, {1000, 50}, {0, 50}})}};
+    const SimulationResult found = simulate(along({{5, 0}, {995, 0}}, -1, 2), notched, {.depth = 1});
+    COMPARE_NEAR(found.gouge, 3, 1e-4);
+    COMPARE_NEAR(found.gougeAt.x(), 12, 0.01);
+  }
+
+  void waysThatLeaveThePartAgainstSamples() {
+    auto random = seededRandom();
+    const auto unit = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+    for (int k = 0; k < 200; ++k) {
+      const double width = 0.5 + 2 * unit(), height = 0.5 + unit();
+      Region part = k % 2 == 0 ? rectangle(width, height) : disc(width);
+      if (k % 4 < 2) part.loops.push_back(circlePath({width / 2, 0.25}, 0.05 + 0.15 * unit(), true));
+      const Walls walls(part, 1e-6);
+      Stroke way = randomStroke(random);
+      if (k % 8 == 1)
+        way = Stroke::arc({0, 0}, width * (0.5 + unit()), 7 * unit(), 1 + 5 * unit());  // beside the disc's wall
+      const double radius = 0.05 + 0.3 * unit();
+      constexpr int samples = 20'000;
+      double deepest = 0;
+      for (int i = 0; i <= samples; ++i) deepest = std::max(deepest, walls.depth(way.at(double(i) / samples), radius));
+      const double told = walls.gouge(way, radius, Progress::none()).first;
+      const double between = way.length() / samples / 2;
+      QVERIFY2(told >= deepest - 2e-5 && told <= deepest + between + 2e-5,
+               qPrintable(QString("way %1: told %2, sampled %3").arg(k).arg(told, 0, 'g', 9).arg(deepest, 0, 'g', 9)));
     }
   }
 

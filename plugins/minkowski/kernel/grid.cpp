@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace blossom::minkowski {
 namespace {
 
-constexpr double crumb = 4;         // grid units within which a corner is straight and a loop is nothing
+constexpr double least = 4;         // grid units within which a corner is straight and a loop is nothing
 constexpr std::int64_t speck = 16;  // units; rounding leaves no shape to what is smaller
 
 GridLoop snapped(const Loop& loop, const Grid& grid) {
@@ -32,7 +33,7 @@ GridLoop outlineOf(const GridLoop& points) {
   return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
-bool straight(const Vec2& a, const Vec2& b, const Vec2& c) {
+bool straight(const Vec2& a, const Vec2& b, const Vec2& c, double crumb) {
   const Vec2 along = c - a;
   const double reach = along.norm();
   if (reach <= crumb) return true;  // an antenna, or neighbours that are one point
@@ -40,16 +41,16 @@ bool straight(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 /// Without collinear points; empty when nothing of any width is left.
-Loop withoutCrumbs(const Loop& loop) {
+Loop withoutCrumbs(const Loop& loop, double crumb) {
   Loop kept;
   for (const Vec2& p : loop) {
-    while (kept.size() >= 2 && straight(kept[kept.size() - 2], kept.back(), p)) kept.pop_back();
+    while (kept.size() >= 2 && straight(kept[kept.size() - 2], kept.back(), p, crumb)) kept.pop_back();
     if (kept.empty() || (kept.back() - p).norm() > crumb) kept.push_back(p);
   }
   while (kept.size() >= 3) {
-    if (straight(kept[kept.size() - 2], kept.back(), kept.front()))
+    if (straight(kept[kept.size() - 2], kept.back(), kept.front(), crumb))
       kept.pop_back();
-    else if (straight(kept.back(), kept.front(), kept[1]))
+    else if (straight(kept.back(), kept.front(), kept[1], crumb))
       kept.erase(kept.begin());
     else
       break;
@@ -60,10 +61,17 @@ Loop withoutCrumbs(const Loop& loop) {
   return kept;
 }
 
+/// Far from the origin the doubles of the plane lie farther apart than the grid's points.
+double crumbOf(const Loop& loop, const Grid& grid) {
+  double farthest = 0;
+  for (const Vec2& p : loop) farthest = std::max(farthest, grid.point(p).cwiseAbs().maxCoeff());
+  return std::max(least, 2 * std::numeric_limits<double>::epsilon() * farthest / grid.unit);
+}
+
 Loop placed(const Loop& loop, const Grid& grid) {
   Loop result;
   result.reserve(loop.size());
-  for (const Vec2& p : withoutCrumbs(loop)) result.push_back(grid.point(p));
+  for (const Vec2& p : withoutCrumbs(loop, crumbOf(loop, grid))) result.push_back(grid.point(p));
   return result;
 }
 

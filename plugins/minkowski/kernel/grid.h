@@ -43,7 +43,8 @@ double gridUnit(const Vec2& largestSize);
 GridLoop cleaned(const GridLoop&);
 /// Snaps to the nearest grid points. Specks become boxes; slivers and holes that collapse vanish.
 std::vector<GridPolygon> snapped(const Polygons&, const Grid&);
-/// From grid coordinates to where they stand, without collinear points and without crumbs of the grid's size.
+/// From grid coordinates to where they stand, without collinear points and without crumbs of the grid's size, or of two
+/// units in the last place of the coordinates where these are larger.
 Polygons onPlane(const Polygons& inGridUnits, const Grid&);
 
 }  // namespace blossom::minkowski

@@ -20,6 +20,7 @@ double hullBulge(const BezierPiece& piece, const Stroke& chord) {
 
 DiscProof::DiscProof(const Region& region, double bulge, const Progress& progress) {
   constexpr int deepest = 40;  // beyond it, the bulge that is left counts as it is
+  std::size_t halved = 0;
   const auto addBezier = [&](const BezierPiece& whole) {
     std::vector<std::pair<BezierPiece, int>> open{{whole, 0}};
     while (!open.empty()) {
@@ -27,11 +28,11 @@ DiscProof::DiscProof(const Region& region, double bulge, const Progress& progres
       open.pop_back();
       const Stroke chord = Stroke::line(euclidean(piece.front()), euclidean(piece.back()));
       const double off = hullBulge(piece, chord);
-      if (off <= bulge || depth == deepest) {
+      if (!(off > bulge) || depth == deepest) {
         pieces_.push_back({chord, off});
         continue;
       }
-      if (pieces_.size() % 1024 == 0) progress.check();
+      if (++halved % 1024 == 0) progress.check();
       auto [before, after] = halves(piece);
       open.emplace_back(std::move(after), depth + 1);
       open.emplace_back(std::move(before), depth + 1);

@@ -8,8 +8,8 @@
 #include "core/error.h"
 #include "kernel/cleared.h"
 #include "kernel/residue.h"
-#include "kernel/stroke_tree.h"
 #include "kernel/tool_moves.h"
+#include "kernel/walls.h"
 
 namespace blossom::pocket {
 
@@ -26,62 +26,6 @@ void validate(const Toolpath& path, const Region& part, const SimulationOptions&
     if (!path.moves[i].to.allFinite() || !path.moves[i].center.allFinite())
       throw Error(ErrorCode::InvalidInput, fmt::format("Move {} of the toolpath goes to no finite place.", i + 1));
 }
-
-/// Walls as strokes, with what is inside.
-class Walls {
- public:
-  Walls(const Region& part, double chord) {
-    std::vector<Stroke> strokes;
-    for (const Path& loop : part.loops) {
-      const std::vector<Stroke> some = strokesOf(loop, chord);
-      strokes.insert(strokes.end(), some.begin(), some.end());
-    }
-    inside_ = InsideTest(strokes);
-    tree_ = StrokeTree(std::move(strokes));
-  }
-
-  /// How far a tool of this radius cuts beyond the walls with its axis at p; negative within them.
-  [[nodiscard]] double depth(const Vec2& p, double radius) const {
-    const double away = tree_.nearest(p).distance;
-    return radius + (inside_(p) ? -away : away);
-  }
-
-  /// How far a tool of this radius cuts beyond the walls on its way, at most, and the share of the way.
-  [[nodiscard]] std::pair<double, double> gouge(const Stroke& way, double radius) const {
-    constexpr double touching = 1e-9;
-    const bool in = inside_(way.at(0.5));
-    const double away = tree_.nearest(way, in ? radius : 1e300).distance;
-    if (in && away > touching) return {radius - away, 0.5};
-    return deepest(way, radius);
-  }
-
- private:
-  /// A way that leaves the part: the depth changes at most as fast as the tool moves, so intervals that cannot hold the
-  /// deepest place are dropped.
-  [[nodiscard]] std::pair<double, double> deepest(const Stroke& way, double radius) const {
-    constexpr double fineness = 1e-4;
-    constexpr int most = 20000;
-    double best = 0, share = 0;
-    struct Interval {
-      double from, to;
-    };
-    std::vector<Interval> open{{0, 1}};
-    for (int i = 0; i < most && !open.empty(); ++i) {
-      const Interval v = open.back();
-      open.pop_back();
-      const double middle = (v.from + v.to) / 2, half = (v.to - v.from) / 2 * way.length();
-      const double d = depth(way.at(middle), radius);
-      if (d > best) best = d, share = middle;
-      if (half < fineness || d + half < best + fineness) continue;
-      open.push_back({v.from, middle});
-      open.push_back({middle, v.to});
-    }
-    return {best, share};
-  }
-
-  StrokeTree tree_;
-  InsideTest inside_;
-};
 
 /// Where a control may be instead of at the corner between two ways: on its inner side, by the blending at most, and no
 /// farther than a curve reaches that leaves and joins each way at its middle.
@@ -107,7 +51,7 @@ class GougeSearch {
       if (i % 256 == 0)
         progress.report(static_cast<double>(i) / static_cast<double>(path_.moves.size()), "Looking for gouges");
       const auto move = below(startOf(path_, i), path_.moves[i], o_.top);
-      if (move) measure(*move, i);
+      if (move) measure(*move, i, progress);
       const bool cuts = path_.moves[i].kind != MoveKind::Rapid;
       if (move && last && cuts && last->to == move->from) corner(*last, *move, i);
       last = cuts ? move : std::nullopt;
@@ -115,15 +59,15 @@ class GougeSearch {
   }
 
  private:
-  void measure(const MoveBelow& move, std::size_t index) {
+  void measure(const MoveBelow& move, std::size_t index, const Progress& progress) {
     const double low = std::min(move.from.z(), move.to.z());
     const double radius = radiusAt(path_.cutter, o_.top - low);
-    const auto [depth, share] = walls_.gouge(move.way, radius);
+    const auto [depth, share] = walls_.gouge(move.way, radius, progress);
     const Vec2 at = move.way.at(share);
     take(depth, {at.x(), at.y(), low}, index);
     take(floor_ - low, {at.x(), at.y(), low}, index);
     if (!(o_.leave > 0) || depth > o_.tolerance) return;
-    if (const double into = walls_.gouge(move.way, radius + o_.leave).first; into > result_.allowance) {
+    if (const double into = walls_.gouge(move.way, radius + o_.leave, progress).first; into > result_.allowance) {
       result_.allowance = into;
       result_.allowanceMove = index;
     }

@@ -126,16 +126,19 @@ std::vector<GcodeArcs::Trait> GcodeArcs::traits(const Arc& arc, double step) con
   // The direction of a line depends on two rounded places, that of an arc on a place and a centre.
   const auto smooth = [&](const Joint& joint, const Vec2& end) {
     if (joint.length == 0) return;
-    const Trait trait{(end - arc.center).dot(joint.direction), -joint.direction, corner * (2 + 3 * radius / joint.length)};
+    const Trait trait{(end - arc.center).dot(joint.direction), -joint.direction, corner * (2 + 3 * radius / joint.length),
+                      true};
     if (std::abs(trait.off) <= mostSlip + trait.rounding) found.push_back(trait);
   };
   smooth(arc.before, arc.from);
   smooth(arc.after, arc.to);
-  if (chord.norm() > mostSlip) {  // half a circle
-    const Vec2 aside = Vec2(-chord.y(), chord.x()).normalized();
-    const Trait half{(arc.from - arc.center).dot(aside), -aside, 2 * corner};
-    if (std::abs(half.off) <= std::min(mostSlip + half.rounding, radius / 4)) found.push_back(half);
-  }
+  const auto share = [&](const Trait& trait) {  // of a circle, which small ones are near by chance
+    if (std::abs(trait.off) <= std::min(mostSlip + trait.rounding, radius / 8)) found.push_back(trait);
+  };
+  const Vec2 first = arc.from - arc.center, last = arc.to - arc.center;
+  const Vec2 aside = Vec2(-chord.y(), chord.x()).normalized();
+  if (chord.norm() > mostSlip) share({first.dot(aside), -aside, 2 * corner});  // half a circle
+  share({first.dot(last) / radius, -(first + last) / radius, 4 * corner});     // a quarter
   return found;
 }
 
@@ -169,13 +172,15 @@ void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::strin
     if (!arc.named) continue;
     progress.check();
     const std::vector<Trait> all = traits(arc, step);
-    unsmooth += std::any_of(all.begin() + 1, all.end(), [](const Trait& t) { return std::abs(t.off) > t.rounding; }) ? 1 : 0;
+    unsmooth +=
+        std::any_of(all.begin(), all.end(), [](const Trait& t) { return t.joint && std::abs(t.off) > t.rounding; }) ? 1 : 0;
     if (const Trait& ends = all.front(); std::abs(ends.off) > std::max(1.3 * ends.rounding, finestMiss))
       missed.emplace_back(arc.line, missedSentence(arc.line, arc.begins(), arc.ends()));
     else if (const std::optional<Vec2> meant = meantCenter(arc, step))
-      moved.emplace_back(arc.line, fmt::format("line {}: the arc would join its neighbours smoothly, or be half a circle, "
-                                               "with its centre at ({:.4f}, {:.4f}), {:.4f} mm beside the one it has",
-                                               arc.line, meant->x(), meant->y(), (*meant - arc.center).norm()));
+      moved.emplace_back(
+          arc.line, fmt::format("line {}: the arc would join its neighbours smoothly, or be half or a quarter of a circle, "
+                                "with its centre at ({:.4f}, {:.4f}), {:.4f} mm beside the one it has",
+                                arc.line, meant->x(), meant->y(), (*meant - arc.center).norm()));
   }
   const std::size_t few = std::max<std::size_t>(2, arcs_.size() / 50),
                     mostUnsmooth = std::max<std::size_t>(6, arcs_.size() / 4);

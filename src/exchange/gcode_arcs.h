@@ -25,7 +25,7 @@ class GcodeArcs {
 
   /// Arcs whose ends lie at different distances from their centre, more than rounding explains; and arcs whose centre lies
   /// close beside one that several others share, or beside one with which the arc joins its neighbours smoothly or is half
-  /// a circle: what a slip in a single number leaves where the ends cannot tell.
+  /// or a quarter of a circle: what a slip in a single number leaves where the ends cannot tell.
   /// The first three of them, and how many more there are. @throws Error Cancelled.
   [[nodiscard]] std::vector<std::string> doubts(const Progress&) const;
 
@@ -48,11 +48,13 @@ class GcodeArcs {
   /// mm of one step in the last place that words of this program use.
   [[nodiscard]] double step() const;
   void missedEnds(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
-  /// What holds for an arc as it was meant: ends equally far from the centre, a smooth way at either end, half a circle.
+  /// What holds for an arc as it was meant: ends equally far from the centre, a smooth way at either end, half or a quarter
+  /// of a circle.
   struct Trait {
-    double off;       ///< mm by which it does not hold
-    Vec2 slope;       ///< how that changes with the centre
-    double rounding;  ///< mm that rounded numbers explain at most
+    double off;          ///< mm by which it does not hold
+    Vec2 slope;          ///< how that changes with the centre
+    double rounding;     ///< mm that rounded numbers explain at most
+    bool joint = false;  ///< about the way before or after the arc
   };
   /// First the ends; of the others those that nearly hold.
   [[nodiscard]] std::vector<Trait> traits(const Arc&, double step) const;

@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QScreen>
 #include <csignal>
 #include <cstdio>
 
@@ -13,6 +14,7 @@
 #include "ui/look/theme.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/application.h"
+#include "ui/window/first_size.h"
 #include "ui/window/guarded_application.h"
 #include "ui/window/main_window.h"
 #include "ui/window/screenshot.h"
@@ -27,7 +29,7 @@ namespace {
 struct Options {
   QStringList files;
   QString screenshot;
-  QSize size;
+  QSize size;  // empty: as suits the screen
   ThemeChoice theme = ThemeChoice::System;
   bool exitWhenDone = false;
 };
@@ -49,7 +51,7 @@ struct Flags {
                                       QStringLiteral("Write a picture of the window once everything is computed."),
                                       QStringLiteral("PNG")};
   const QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Size of the window."),
-                                QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1440x900")};
+                                QStringLiteral("WIDTHxHEIGHT")};
   const QCommandLineOption theme{
       QStringLiteral("theme"), QStringLiteral("dark or light; otherwise as chosen in the window."), QStringLiteral("NAME")};
   const QCommandLineOption timings{QStringLiteral("print-timings"),
@@ -97,7 +99,7 @@ Options readOptions() {
   Options options;
   options.files = parser.positionalArguments();
   options.screenshot = parser.value(flags.screenshot);
-  options.size = parseSize(parser.value(flags.size));
+  if (parser.isSet(flags.size)) options.size = parseSize(parser.value(flags.size));
   options.exitWhenDone = parser.isSet(flags.leave);
   printTimings(parser.isSet(flags.timings));
   const QString named = parser.value(flags.theme);
@@ -150,7 +152,7 @@ int run(GuardedApplication& application) {
   reached("plugins");
   MainWindow window(std::move(app));
   reached("window made");
-  window.resize(options.size);
+  window.resize(options.size.isEmpty() ? firstSize(application.primaryScreen()->availableSize()) : options.size);
   QObject::connect(&application, &GuardedApplication::escaped, &window,
                    [&window](const Error& error) { window.page().showError(error); });
   tellFirstFrame(window);

@@ -1997,6 +1997,18 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>%1 is still being written; it is closed then.</source>
         <translation>%1 wird noch geschrieben; danach wird es geschlossen.</translation>
     </message>
+    <message>
+        <source>%1 (sample, untitled)</source>
+        <translation>%1 (Beispiel, unbenannt)</translation>
+    </message>
+    <message>
+        <source>%1 (untitled)</source>
+        <translation>%1 (unbenannt)</translation>
+    </message>
+    <message>
+        <source>%1, tab %2</source>
+        <translation>%1, Reiter %2</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ManualText</name>

@@ -1997,6 +1997,18 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>%1 is still being written; it is closed then.</source>
         <translation>%1을(를) 아직 쓰는 중입니다. 다 쓰면 닫습니다.</translation>
     </message>
+    <message>
+        <source>%1 (sample, untitled)</source>
+        <translation>%1 (예제, 제목 없음)</translation>
+    </message>
+    <message>
+        <source>%1 (untitled)</source>
+        <translation>%1 (제목 없음)</translation>
+    </message>
+    <message>
+        <source>%1, tab %2</source>
+        <translation>%1, 탭 %2</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ManualText</name>

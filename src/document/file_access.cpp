@@ -57,11 +57,12 @@ fs::path FileAccess::opened(const fs::path& path) const {
   const fs::path file = resolved(path);
   if (permits(file)) return file;
   const std::string place = folder_.empty() ? "" : fmt::format(" ({})", folder_.string());
-  throw Error(ErrorCode::FileUnreadable,
-              fmt::format("The document names the file {}, which lies outside the document's folder{}; it was not read.",
-                          file.string(), place),
-              "If you trust the document, allow it to read that file (on the command line with --allow-files), or copy the "
-              "file into the document's folder.");
+  throw Error(
+      ErrorCode::FileUnreadable,
+      fmt::format("The document names the file {}, which lies outside the document's folder{}; it was not read.",
+                  file.string(), place),
+      "If you trust the document, allow it to read that file: in the window with the button in the bar above the view, on "
+      "the command line with --allow-files. Or copy the file into the document's folder.");
 }
 
 }  // namespace blossom

@@ -21,6 +21,8 @@ class DocumentFilesWindowTest : public WindowFixture {
   void samplesOpenUntitled();
   void resourcesAreNeverWritten();
   void aStrangersFilesAreReadOnlyWhenAllowed();
+  void aBarThatGoesLeavesTheFocusToTheView_data();
+  void aBarThatGoesLeavesTheFocusToTheView();
   void filesBelowTheDocumentsFolderAreReadAndSaved();
   void anImportShowsTheOptionsOfItsFormat();
 
@@ -97,6 +99,7 @@ void DocumentFilesWindowTest::aStrangersFilesAreReadOnlyWhenAllowed() {
     const auto view = session.view("import-1");
     QVERIFY(view && view->result->error);
     QVERIFY(view->result->error->message().find("outside") != std::string::npos);
+    QVERIFY(view->result->error->hint().find("in the window with the button in the bar") != std::string::npos);
     QVERIFY(!window_->errors().isHidden());
     QVERIFY2(window_->errors().hint().contains(qt(place("secret.off").string())), qPrintable(window_->errors().hint()));
     // Saving does not read it either.
@@ -118,6 +121,33 @@ void DocumentFilesWindowTest::aStrangersFilesAreReadOnlyWhenAllowed() {
     QCOMPARE(openDocument(place("theirs/t.blossom")).document.assets().size(), std::size_t{1});
     session.clear();
   }
+}
+
+void DocumentFilesWindowTest::aBarThatGoesLeavesTheFocusToTheView_data() {
+  QTest::addColumn<QString>("how");
+  for (const char* how : {"pressed", "key", "dismissed", "replaced"}) QTest::newRow(how) << QString::fromLatin1(how);
+}
+
+// A key pressed next is a shortcut of the view, and no name is typed over.
+void DocumentFilesWindowTest::aBarThatGoesLeavesTheFocusToTheView() {
+  QFETCH(QString, how);
+  window_->openFile(qt(writeStranger("../secret.off").string()));
+  QTRY_VERIFY(!window_->session().document().features().empty());
+  waitUntilComputed();
+  QTRY_VERIFY(offered() && offered()->isVisible());
+  offered()->setFocus(Qt::MouseFocusReason);
+  QCOMPARE(QApplication::focusWidget(), offered());
+  if (how == QLatin1String("pressed")) QTest::mouseClick(offered(), Qt::LeftButton);
+  if (how == QLatin1String("key")) QTest::keyClick(offered(), Qt::Key_Space);
+  if (how == QLatin1String("dismissed")) QTest::keyClick(offered(), Qt::Key_Escape);
+  if (how == QLatin1String("replaced")) window_->errors().showNote(QStringLiteral("Something else."), {});
+  QCOMPARE(QApplication::focusWidget(), &window_->view());
+  waitUntilComputed();
+  QCOMPARE(QApplication::focusWidget(), &window_->view());
+  const std::string before = toJson(window_->session().document());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_F);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  QCOMPARE(toJson(window_->session().document()), before);
 }
 
 void DocumentFilesWindowTest::filesBelowTheDocumentsFolderAreReadAndSaved() {

@@ -18,6 +18,7 @@
 #include "ui/files/unsaved_dialog.h"
 #include "ui/look/text.h"
 #include "ui/tree/document_tree.h"
+#include "ui/window/first_size.h"
 #include "window_fixture.h"
 
 using namespace blossom;
@@ -52,6 +53,8 @@ class DocumentsTest : public WindowFixture {
   }
   void tabsAreSwitchedAndClosed();
   void closingTheWindowAsksOnceForAll();
+  void samplesAreSavedOnlyWhenAskedFor();
+  void theFirstWindowFitsTheScreen();
   void aFileChangedByOthersIsNotOverwrittenUnasked();
   void whatCannotBeSavedIsSaidWithAWayOut();
   void recentFilesAreShownAndForgotten();
@@ -142,6 +145,51 @@ void DocumentsTest::closingTheWindowAsksOnceForAll() {
   QCOMPARE(nameIn(0), std::string("Changed"));
   QCOMPARE(nameIn(1), std::string("Saved"));
   QCOMPARE(nameIn(2), std::string("Changed"));
+}
+
+void DocumentsTest::samplesAreSavedOnlyWhenAskedFor() {
+  const QString share = folder_.filePath(QStringLiteral("share"));
+  std::filesystem::create_directories(share.toStdString() + "/samples");
+  for (const char* name : {"share/samples/star.blossom", "own.blossom"}) saved(QLatin1String(name));
+  qputenv("BLOSSOM_RESOURCES", share.toLocal8Bit());
+  openAll({share + QStringLiteral("/samples/star.blossom"), folder_.filePath(QStringLiteral("own.blossom"))});
+  for (int untitled = 0; untitled < 2; ++untitled) run("file.new");
+  for (std::size_t i = 0; i < window_->pageCount(); ++i) {
+    QTRY_VERIFY(!window_->page(i).session().job().running());
+    window_->page(i).session().commit(part("Changed"), QStringLiteral("Change"));
+  }
+  QCOMPARE(window_->page(0).session().fromSample(), true);
+  QCOMPARE(window_->page(1).session().fromSample(), false);
+  QStringList names, ticked;
+  QString button;
+  QTimer::singleShot(0, window_.get(), [&] {
+    auto* question = window_->findChild<UnsavedDialog*>();
+    if (!question) return;
+    for (const QCheckBox* box : question->findChildren<QCheckBox*>()) {
+      names << box->text();
+      if (box->isChecked()) ticked << box->text();
+    }
+    button = question->findChild<QPushButton*>(QStringLiteral("saveChosen"))->text();
+    question->reject();
+  });
+  QVERIFY(!window_->close());
+  qunsetenv("BLOSSOM_RESOURCES");
+  const QStringList wanted{QStringLiteral("star (sample, untitled)"), QStringLiteral("own.blossom"),
+                           QStringLiteral("Untitled, tab 3"), QStringLiteral("Untitled, tab 4")};
+  QCOMPARE(names, wanted);
+  QCOMPARE(ticked, wanted.mid(1));
+  QCOMPARE(button, QStringLiteral("Save 3 of 4"));
+  // Saved under a name of its own, it is a document like others.
+  window_->page(0).session().save(folder_.filePath(QStringLiteral("mine.blossom")).toStdString());
+  QTRY_VERIFY(!window_->page(0).session().job().running());
+  QVERIFY(!window_->page(0).session().fromSample());
+}
+
+void DocumentsTest::theFirstWindowFitsTheScreen() {
+  QCOMPARE(firstSize({2560, 1600}), QSize(1440, 900));
+  const QSize small = firstSize({1280, 800});
+  QVERIFY(small.width() <= 1280 && small.width() > 1200);
+  QVERIFY(small.height() < 800 && small.height() > 700);
 }
 
 void DocumentsTest::aFileChangedByOthersIsNotOverwrittenUnasked() {
@@ -302,13 +350,17 @@ void DocumentsTest::whatACrashLeftIsOffered() {
   QVERIFY(words.join(u'\n').contains(QStringLiteral("wheel.blossom")));
   QVERIFY(words.join(u'\n').contains(QStringLiteral("Change name")));
   for (QPushButton* button : bar->findChildren<QPushButton*>())
-    if (button->text() == QStringLiteral("Recover")) button->click();
+    if (button->text() == QStringLiteral("Recover")) {
+      QTest::mouseClick(button, Qt::LeftButton);
+      break;
+    }
   QTRY_VERIFY(!window_->session().document().features().empty());
   QCOMPARE(window_->session().document().at("a").name, std::string("Unsaved"));
   QVERIFY(window_->session().modified());
   QCOMPARE(qt(window_->session().file().string()), file);
   QTRY_VERIFY(Recovery::instance().lost().empty());
   QTRY_VERIFY(!bar->isVisible());
+  QCOMPARE(QApplication::focusWidget(), &window_->view());  // and not what can be typed over
   // It has a safety copy of its own now.
   const auto copies = [] {
     int found = 0;

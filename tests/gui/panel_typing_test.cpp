@@ -21,6 +21,7 @@ class PanelTypingTest : public PanelFixture {
   void cleanup() { closePanel(); }
   void expressionsAreTyped();
   void expressionsStayAsTheyWereTyped();
+  void expressionsOfCoordinatesStay();
   void aWrongValueIsKeptOut();
   void closingWithSomethingTypedIsHarmless();
   void escapeTakesBackWhatIsTyped();
@@ -85,6 +86,41 @@ void PanelTypingTest::expressionsStayAsTheyWereTyped() {
   QTest::keyClick(length, Qt::Key_Escape);
   QCOMPARE(length->text(), QStringLiteral("2*6"));
   QCOMPARE(inDocument(), Value("2*6"));
+}
+
+void PanelTypingTest::expressionsOfCoordinatesStay() {
+  const auto line = [&](const char* axis) { return field("point")->findChild<QLineEdit*>(QLatin1String(axis)); };
+  const auto inDocument = [&] { return session_->document().at("e").parameters.at("point"); };
+  const Value start = now("point");
+  oneStep("point", Value::array({27.4, start[1], start[2]}), [&] { type(line("x"), QStringLiteral("1in+2")); });
+  QCOMPARE(line("x")->text(), QStringLiteral("1in+2"));
+  QCOMPARE(inDocument(), Value::array({"1in+2", start[1], start[2]}));
+  QCOMPARE(field("point")->findChild<QLabel*>(QStringLiteral("note"))->text(), QStringLiteral("x = 27.4 mm"));
+  // It stays beside others that are typed, when another feature was shown, and when the document was saved.
+  type(line("y"), QStringLiteral("7"));
+  type(line("z"), QStringLiteral("2*4"));
+  QCOMPARE(inDocument(), Value::array({"1in+2", 7.0, "2*4"}));
+  const std::string document = toJson(session_->document());
+  panel_->show(FeatureId("b"));
+  panel_->show(FeatureId("e"));
+  QCOMPARE(line("x")->text(), QStringLiteral("1in+2"));
+  QCOMPARE(line("y")->text(), QStringLiteral("7"));
+  QCOMPARE(line("z")->text(), QStringLiteral("2*4"));
+  line("x")->setFocus();
+  QTest::keyClick(line("x"), Qt::Key_Return);
+  QCOMPARE(toJson(session_->document()), document);
+  QCOMPARE(completed(everything().parameters, fromJson(document).document.at("e").parameters).at("point"),
+           Value::array({27.4, 7.0, 8.0}));
+  // The same value written otherwise is an edit; a step leads to a number; what is wrong leaves what stood there.
+  type(line("z"), QStringLiteral("8"));
+  QCOMPARE(inDocument(), Value::array({"1in+2", 7.0, 8.0}));
+  QTest::keyClick(line("z"), Qt::Key_Up);
+  QTest::keyRelease(line("z"), Qt::Key_Up);
+  QCOMPARE(inDocument(), Value::array({"1in+2", 7.0, 9.0}));
+  type(line("x"), QStringLiteral("1in+pears"));
+  QVERIFY(!field("point")->problem().isEmpty());
+  QTest::keyClick(line("x"), Qt::Key_Escape);
+  QCOMPARE(line("x")->text(), QStringLiteral("1in+2"));
 }
 
 void PanelTypingTest::aWrongValueIsKeptOut() {

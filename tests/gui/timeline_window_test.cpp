@@ -20,6 +20,7 @@ class TimelineWindowTest : public WindowFixture {
   void playingMovesOnAndPauses();
   void onionSkinShowsTheOthers();
   void theTimelineGoesWithItsSequence();
+  void digitsInTheFieldOfTheTimeAreNoShortcuts();
   void theTimeOfTheMorphIsThatOfTheFrame();
 
  private:
@@ -121,6 +122,28 @@ void TimelineWindowTest::theTimelineGoesWithItsSequence() {
 }
 
 // Frame k of 11 is the shape at t = k / 10.
+// After a single click, in which nothing is typed yet: 0 is Home of the view, 3 a side of it, a point the next frame.
+void TimelineWindowTest::digitsInTheFieldOfTheTimeAreNoShortcuts() {
+  auto* const line = window_->properties().field(QStringLiteral("t"))->findChild<QLineEdit*>();
+  const QPoint middle = line->rect().center();
+  for (const char* typed : {"0.3", ".6", "3/10"}) {
+    QTest::mouseClick(line, Qt::LeftButton, {}, middle);
+    QCOMPARE(QApplication::focusWidget(), line);
+    QTest::keyClicks(line, QLatin1String(typed));
+    QCOMPARE(line->text(), QLatin1String(typed));
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(playback().frame(), typed[0] == '.' ? 6 : 3);
+  }
+  for (const Qt::Key key : {Qt::Key_Comma, Qt::Key_Minus}) {
+    QTest::mouseClick(line, Qt::LeftButton, {}, middle);
+    const int before = playback().frame();
+    QTest::keyClick(line, key);
+    QVERIFY(!line->isReadOnly());
+    QCOMPARE(playback().frame(), before);
+    QTest::keyClick(line, Qt::Key_Escape);
+  }
+}
+
 void TimelineWindowTest::theTimeOfTheMorphIsThatOfTheFrame() {
   const ParameterField* t = window_->properties().field(QStringLiteral("t"));
   QVERIFY(t);

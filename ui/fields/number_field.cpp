@@ -46,7 +46,7 @@ void NumberField::display(const Value& value) {
   shown_ = value;
   fraction_ = 0;
   caption().cancelScrub();
-  const bool expressed = comesTo(expression_, value);
+  const bool expressed = typedComesTo(spec(), expression_, value);
   line_->setText(expressed ? expression_ : displayText(spec(), value));
   line_->setCursorPosition(0);
   if (expressed) tellResult(expression_);
@@ -103,20 +103,7 @@ void NumberField::takeTyped(const QString& text) {
     emit edited(value());
 }
 
-bool NumberField::comesTo(const QString& typed, const Value& wanted) const {
-  if (typed.isEmpty() || wanted.is_null()) return false;
-  try {
-    return parseTyped(spec(), typed) == wanted;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-Value NumberField::written() const {
-  if (!comesTo(expression_, value())) return value();
-  const std::string text = documentText(spec(), expression_, value());
-  return text.empty() ? value() : Value(text);
-}
+Value NumberField::written() const { return writtenAs(spec(), expression_, value()); }
 
 // A document's lengths without a unit are in mm; what another unit here would make something else of is shown as its value.
 void NumberField::setWritten(const Value& given) {

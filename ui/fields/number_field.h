@@ -23,7 +23,6 @@ class NumberField final : public ParameterField {
   void finish();
   void takeTyped(const QString&);
   void tellResult(const QString& typed);
-  [[nodiscard]] bool comesTo(const QString& typed, const Value&) const;
   [[nodiscard]] double shownNumber() const;
 
   NumberLine* line_;

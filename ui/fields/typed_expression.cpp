@@ -19,9 +19,9 @@ QString withUnits(QString typed, const QString& unit) {
   return typed.replace(bare, QStringLiteral("\\1 ") + unit);
 }
 
-bool comesTo(const ParameterSpec& spec, const QString& text, const Value& value) {
+bool comesTo(const ParameterSpec& spec, const QString& text, const Value& value, const LengthUnit& unit = {}) {
   try {
-    return parseText(spec, text.toStdString()) == value;
+    return parseText(spec, text.trimmed().toStdString(), unit) == value;
   } catch (const Error&) {
     return false;
   }
@@ -41,6 +41,16 @@ std::string documentText(const ParameterSpec& spec, const QString& typed, const 
   for (const QString& form : forms)
     if (comesTo(spec, form, value)) return form.toStdString();
   return {};
+}
+
+bool typedComesTo(const ParameterSpec& spec, const QString& typed, const Value& value) {
+  return !typed.isEmpty() && !value.is_null() && comesTo(spec, typed, value, lengthUnit());
+}
+
+Value writtenAs(const ParameterSpec& spec, const QString& expression, const Value& value) {
+  if (!typedComesTo(spec, expression, value)) return value;
+  const std::string text = documentText(spec, expression, value);
+  return text.empty() ? value : Value(text);
 }
 
 }  // namespace blossom::ui

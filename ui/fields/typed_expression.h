@@ -14,4 +14,10 @@ namespace blossom::ui {
 /// Empty when none of these comes to exactly that value.
 [[nodiscard]] std::string documentText(const ParameterSpec&, const QString& typed, const Value& value);
 
+/// Whether what was typed, with lengths in the unit preferred, comes to that value.
+[[nodiscard]] bool typedComesTo(const ParameterSpec&, const QString& typed, const Value&);
+
+/// The value as the document keeps it: the expression where one was typed for it, else the value itself.
+[[nodiscard]] Value writtenAs(const ParameterSpec&, const QString& expression, const Value&);
+
 }  // namespace blossom::ui

@@ -12,6 +12,7 @@
 #include "ui/fields/number_line.h"
 #include "ui/fields/pick_button.h"
 #include "ui/fields/stepping.h"
+#include "ui/fields/typed_expression.h"
 #include "ui/look/text.h"
 #include "ui/tool.h"
 
@@ -70,10 +71,31 @@ QString VectorField::plainText(double value) const { return displayText(componen
 
 void VectorField::display(const Value& value) {
   shown_ = value;
+  QStringList results;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const bool there = value.is_array() && value.size() > axis;
-    lines_[axis]->setText(there ? plainText(value[axis].get<double>()) : QString());
+    const bool expressed = there && typedComesTo(component_, expressions_[axis], value[axis]);
+    const QString plain = there ? plainText(value[axis].get<double>()) : QString();
+    lines_[axis]->setText(expressed ? expressions_[axis] : plain);
     lines_[axis]->setCursorPosition(0);
+    if (expressed)
+      results << QStringLiteral("%1 = %2").arg(QLatin1String(axisNames[axis]), displayText(component_, value[axis]));
+  }
+  showNote(results.join(QStringLiteral(", ")));
+}
+
+Value VectorField::written() const {
+  Value all = value();
+  for (std::size_t axis = 0; all.is_array() && axis < all.size(); ++axis)
+    all[axis] = writtenAs(component_, expressions_[axis], all[axis]);
+  return all;
+}
+
+void VectorField::setWritten(const Value& given) {
+  if (given == written()) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool expressed = given.is_array() && given.size() > axis && given[axis].is_string();
+    expressions_[axis] = expressed ? qt(given[axis].get<std::string>()) : QString();
   }
 }
 
@@ -90,14 +112,23 @@ void VectorField::finish(std::size_t axis) {
       std::all_of(lines_.begin(), lines_.end(), [](const NumberLine* line) { return line->text().trimmed().isEmpty(); });
   if (allEmpty && spec().mayBeAbsent) return offer(Value());
   try {
-    ParameterSpec named = component_;
-    named.name = axisNames[axis];
-    Value wanted = value().is_array() ? value() : Value::array({0.0, 0.0, 0.0});
-    wanted[axis] = parseTyped(named, lines_[axis]->text());
-    offer(wanted);
+    takeTyped(axis);
   } catch (const Error& error) {
     showProblem(sentenceCase(qt(error.message())) + tr(" The value before is kept."));
   }
+}
+
+// An expression for the same value is an edit, too.
+void VectorField::takeTyped(std::size_t axis) {
+  const QString typed = lines_[axis]->text().trimmed();
+  ParameterSpec named = component_;
+  named.name = axisNames[axis];
+  Value wanted = value().is_array() ? value() : Value::array({0.0, 0.0, 0.0});
+  wanted[axis] = parseTyped(named, typed);
+  const Value before = written(), valueBefore = value();
+  expressions_[axis] = isExpression(typed) ? typed : QString();
+  offer(wanted);
+  if (value() == valueBefore && written() != before) emit edited(value());
 }
 
 void VectorField::step(std::size_t axis, double steps, Qt::KeyboardModifiers modifiers) {

@@ -16,6 +16,8 @@ class VectorField final : public ParameterField {
  public:
   VectorField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;
+  [[nodiscard]] Value written() const override;
+  void setWritten(const Value&) override;
   bool takePick(const Pick&) override;
   void pickEnded() override;
   void hideLabel() override;
@@ -24,6 +26,7 @@ class VectorField final : public ParameterField {
   void display(const Value&) override;
   void addToMenu(QMenu&) override;
   void finish(std::size_t axis);
+  void takeTyped(std::size_t axis);
   void step(std::size_t axis, double steps, Qt::KeyboardModifiers);
   void togglePick(bool on);
   [[nodiscard]] bool typing() const;
@@ -34,6 +37,7 @@ class VectorField final : public ParameterField {
   std::array<NumberLine*, 3> lines_{};
   QToolButton* pick_ = nullptr;
   Value shown_;
+  std::array<QString, 3> expressions_;  // that the coordinates were typed as; empty: as plain numbers
 };
 
 }  // namespace blossom::ui

@@ -24,7 +24,7 @@ QString timeOf(std::int64_t milliseconds) {
 }  // namespace
 
 RecoveryBar::RecoveryBar(QWidget* parent)
-    : QFrame(parent), message_(new QLabel), rows_(new QVBoxLayout), all_(new QPushButton(tr("Recover all"))) {
+    : PassingBar(parent), message_(new QLabel), rows_(new QVBoxLayout), all_(new QPushButton(tr("Recover all"))) {
   setObjectName(QStringLiteral("errorBar"));
   setProperty("kind", "note");
   message_->setObjectName(QStringLiteral("errorMessage"));
@@ -70,6 +70,7 @@ QWidget* RecoveryBar::row(const LostDocument& lost) {
   recover->setProperty("primary", true);
   auto* discard = new QPushButton(tr("Discard"));
   connect(recover, &QPushButton::clicked, this, [this, lost, made] {
+    freeFocusOf(made);
     made->setEnabled(false);
     emit recoverWanted(lost);
   });
@@ -83,7 +84,8 @@ QWidget* RecoveryBar::row(const LostDocument& lost) {
 
 void RecoveryBar::refresh() {
   while (QLayoutItem* item = rows_->takeAt(0)) {
-    if (item->widget()) item->widget()->deleteLater();
+    freeFocusOf(item->widget());
+    item->widget()->deleteLater();
     delete item;
   }
   const auto& lost = Recovery::instance().lost();

@@ -1,7 +1,6 @@
 #pragma once
-#include <QFrame>
-
 #include "document/recovery_area.h"
+#include "ui/look/passing_bar.h"
 
 class QLabel;
 class QPushButton;
@@ -10,7 +9,7 @@ class QVBoxLayout;
 namespace blossom::ui {
 
 /// Offers, above the documents, what an earlier run left unsaved. Put aside, it is offered again at the next start.
-class RecoveryBar : public QFrame {
+class RecoveryBar : public PassingBar {
   Q_OBJECT
  public:
   explicit RecoveryBar(QWidget* parent = nullptr);

@@ -8,23 +8,23 @@
 
 namespace blossom::ui {
 
-UnsavedDialog::UnsavedDialog(const QStringList& titles, QWidget* parent)
+UnsavedDialog::UnsavedDialog(const std::vector<UnsavedDocument>& documents, QWidget* parent)
     : QDialog(parent), save_(new QPushButton(tr("Save all"))) {
   setObjectName(QStringLiteral("unsavedDialog"));
   setWindowTitle(tr("Unsaved changes"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(22, 20, 22, 18);
   all->setSpacing(10);
-  auto* title = new QLabel(tr("%1 documents have changes that are not saved.").arg(titles.size()));
+  auto* title = new QLabel(tr("%1 documents have changes that are not saved.").arg(documents.size()));
   title->setObjectName(QStringLiteral("featureName"));
   all->addWidget(title);
   auto* note = new QLabel(tr("Those that are ticked are saved; the changes of the others are lost."));
   note->setObjectName(QStringLiteral("note"));
   all->addWidget(note);
   all->addSpacing(4);
-  for (const QString& each : titles) {
-    auto* box = new QCheckBox(each);
-    box->setChecked(true);
+  for (const UnsavedDocument& each : documents) {
+    auto* box = new QCheckBox(QString(each.name).replace(u'&', QStringLiteral("&&")));
+    box->setChecked(each.wanted);
     connect(box, &QCheckBox::toggled, this, &UnsavedDialog::refresh);
     boxes_.push_back(box);
     all->addWidget(box);
@@ -46,6 +46,7 @@ UnsavedDialog::UnsavedDialog(const QStringList& titles, QWidget* parent)
   buttons->addWidget(save_);
   all->addLayout(buttons);
   setMinimumWidth(440);
+  refresh();
 }
 
 std::vector<std::size_t> UnsavedDialog::chosen() const {

@@ -14,7 +14,7 @@
 namespace blossom::ui {
 
 ErrorBar::ErrorBar(QWidget* parent)
-    : QFrame(parent), icon_(new QLabel), message_(new QLabel), hint_(new QLabel), offers_(new QHBoxLayout) {
+    : PassingBar(parent), icon_(new QLabel), message_(new QLabel), hint_(new QLabel), offers_(new QHBoxLayout) {
   setObjectName(QStringLiteral("errorBar"));
   message_->setObjectName(QStringLiteral("errorMessage"));
   hint_->setObjectName(QStringLiteral("errorHint"));
@@ -60,6 +60,7 @@ void ErrorBar::present(const char* kind, const QString& message, const QString& 
   hint_->setText(hint);
   hint_->setVisible(!hint.isEmpty());
   while (QLayoutItem* old = offers_->takeAt(0)) {
+    freeFocusOf(old->widget());
     old->widget()->hide();
     old->widget()->deleteLater();  // it may be the one whose click is being answered
     delete old;

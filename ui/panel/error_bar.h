@@ -1,6 +1,7 @@
 #pragma once
-#include <QFrame>
 #include <functional>
+
+#include "ui/look/passing_bar.h"
 
 class QHBoxLayout;
 class QLabel;
@@ -14,7 +15,7 @@ struct Offer {
 };
 
 /// Says in place what went wrong and what to do about it; nothing waits for it to be read.
-class ErrorBar : public QFrame {
+class ErrorBar : public PassingBar {
   Q_OBJECT
  public:
   explicit ErrorBar(QWidget* parent = nullptr);

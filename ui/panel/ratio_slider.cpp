@@ -21,6 +21,19 @@ int directionOf(int key) {
   return key == Qt::Key_Right || key == Qt::Key_Up ? 1 : 0;
 }
 
+bool asksForTyping(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_F2; }
+
+/// A key by which a number begins.
+bool beginsNumber(const QKeyEvent& event) {
+  if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != Qt::NoModifier) return false;
+  const QString written = event.text();
+  return !written.isEmpty() && (written[0].isDigit() || QStringLiteral(".,-").contains(written[0]));
+}
+
+bool answersKey(const QKeyEvent& event) {
+  return directionOf(event.key()) != 0 || asksForTyping(event.key()) || beginsNumber(event);
+}
+
 }  // namespace
 
 RatioSlider::RatioSlider(QWidget* parent) : QLineEdit(parent) {
@@ -120,15 +133,23 @@ void RatioSlider::mouseDoubleClickEvent(QMouseEvent*) {
   startTyping();
 }
 
+// A line that is read-only claims no keys of its own: what it answers would go to the shortcuts of the view.
+bool RatioSlider::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && isReadOnly() && answersKey(static_cast<const QKeyEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
+  return QLineEdit::event(event);
+}
+
 void RatioSlider::keyPressEvent(QKeyEvent* event) {
   if (!isReadOnly()) return QLineEdit::keyPressEvent(event);
   const double size = event->modifiers().testFlag(Qt::ShiftModifier) ? 0.001 : 0.01;
-  const QString written = event->text();
   if (const int direction = directionOf(event->key()); direction != 0)
     step(direction * size);
-  else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_F2)
+  else if (asksForTyping(event->key()))
     startTyping();
-  else if (!written.isEmpty() && (written[0].isDigit() || written[0] == u'.')) {
+  else if (beginsNumber(*event)) {
     startTyping();
     QLineEdit::keyPressEvent(event);
   } else

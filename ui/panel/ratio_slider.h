@@ -22,6 +22,7 @@ class RatioSlider : public QLineEdit {
   void typed(const QString& text);
 
  protected:
+  bool event(QEvent*) override;
   void paintEvent(QPaintEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;

@@ -76,6 +76,7 @@ void MainWindow::buildLayout() {
   column->setSpacing(0);
   auto* lost = new RecoveryBar;
   connect(lost, &RecoveryBar::recoverWanted, this, &MainWindow::recover);
+  connect(lost, &RecoveryBar::focusFreed, this, [this] { view().setFocus(); });
   column->addWidget(lost);
   column->addWidget(tabs_);
   column->addWidget(canvases_, 1);

@@ -21,6 +21,7 @@ class FeatureMenus;
 class LogAndJobs;
 class StartPage;
 class StatusLine;
+struct UnsavedDocument;
 class ViewCommands;
 
 /// The workbench: open documents as tabs, each with its side and its canvas; commands above, the status line below.
@@ -75,6 +76,7 @@ class MainWindow : public QMainWindow {
   using AfterQuestion = std::function<void(const Discarded&)>;
   /// Calls `go` at once, after saving, or never, as the user decides about the unsaved changes of a document.
   void guarded(DocumentPage&, const AfterQuestion& go);
+  [[nodiscard]] std::vector<UnsavedDocument> unsaved(const std::vector<DocumentPage*>&) const;
   void guardedAll(const std::vector<DocumentPage*>&, const AfterQuestion& go);  ///< the same for several, asked once
   /// False when none of them writes a file; else `then` comes when the first has.
   bool waitsForWriting(const std::vector<DocumentPage*>&, const std::function<void()>& then);

@@ -3,12 +3,24 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <algorithm>
+#include <map>
 
 #include "ui/files/unsaved_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/status_line.h"
 
 namespace blossom::ui {
+
+namespace {
+
+QString listedName(const Session& session) {
+  if (session.fromSample()) return MainWindow::tr("%1 (sample, untitled)").arg(session.title());
+  if (session.file().empty() && !session.suggestedName().isEmpty())
+    return MainWindow::tr("%1 (untitled)").arg(session.title());
+  return session.title();
+}
+
+}  // namespace
 
 void MainWindow::guarded(DocumentPage& page, const AfterQuestion& go) {
   if (!page.session().modified()) return go({});
@@ -35,6 +47,19 @@ void MainWindow::saveInTurn(std::vector<DocumentPage*> pages, std::function<void
   save(*first, [this, pages = std::move(pages), then = std::move(then)] { saveInTurn(pages, then); });
 }
 
+// What was tried out on a sample is seldom meant to stay; it is saved only when asked for.
+std::vector<UnsavedDocument> MainWindow::unsaved(const std::vector<DocumentPage*>& pages) const {
+  std::vector<UnsavedDocument> all;
+  std::map<QString, int> count;
+  for (const DocumentPage* each : pages) {
+    all.push_back({listedName(each->session()), !each->session().fromSample()});
+    ++count[all.back().name];
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (count[all[i].name] > 1) all[i].name = tr("%1, tab %2").arg(all[i].name).arg(indexOf(*pages[i]) + 1);
+  return all;
+}
+
 void MainWindow::guardedAll(const std::vector<DocumentPage*>& pages, const AfterQuestion& go) {
   std::vector<DocumentPage*> modified;
   for (DocumentPage* each : pages)
@@ -44,9 +69,7 @@ void MainWindow::guardedAll(const std::vector<DocumentPage*>& pages, const After
     showPage(indexOf(*modified.front()));  // the question is about what is seen
     return guarded(*modified.front(), go);
   }
-  QStringList titles;
-  for (const DocumentPage* each : modified) titles << each->session().title();
-  UnsavedDialog question(titles, this);
+  UnsavedDialog question(unsaved(modified), this);
   question.exec();
   if (question.answer() == UnsavedDialog::Answer::Cancel) return;
   std::vector<DocumentPage*> chosen;

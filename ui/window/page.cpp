@@ -169,6 +169,7 @@ void DocumentPage::connectWidgets() {
     emit contextMenuWanted(global);
   });
   connect(view_, &ViewWidget::hint, this, &DocumentPage::hint);
+  connect(errors_, &ErrorBar::focusFreed, view_, [this] { view_->setFocus(); });
   connect(view_, &ViewWidget::whereabouts, this, &DocumentPage::whereabouts);
   connect(tree_, &DocumentTree::hint, this, &DocumentPage::hint);
   connect(tree_, &DocumentTree::contextMenuWanted, this, &DocumentPage::contextMenuWanted);

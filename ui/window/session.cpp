@@ -177,6 +177,7 @@ void Session::allowFiles() {
 
 void Session::replace(Document document, const std::filesystem::path& file, const QString& name) {
   name_ = name;
+  sample_ = false;
   history_ = History(guarded(std::move(document), file));
   withheld_.clear();
   history_.markSaved();

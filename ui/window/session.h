@@ -46,6 +46,8 @@ class Session : public QObject {
   [[nodiscard]] std::uint64_t edits() const { return edits_; }  ///< grows with everything the user does
   [[nodiscard]] QString title() const;                          ///< name of the file, or what the document would be called
   [[nodiscard]] QString suggestedName() const;                  ///< without extension
+  /// Begun from a file of the installation and not saved since: it has no file of its own.
+  [[nodiscard]] bool fromSample() const { return sample_ && file_.empty(); }
 
   void commit(Document, const QString& what);
   void preview(Document);
@@ -115,6 +117,7 @@ class Session : public QObject {
   History history_;
   std::filesystem::path file_;
   QString name_;  // of the document while it has no file of its own
+  bool sample_ = false;
   std::shared_ptr<DisplayCache> cache_ = std::make_shared<DisplayCache>();
   std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
   std::set<FeatureId> arrived_;                  // of the last evaluation

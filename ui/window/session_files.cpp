@@ -85,8 +85,9 @@ void Session::open(const std::filesystem::path& file, bool salvage) {
         if (!untouchedSince(edits, fileName(file))) return;
         // What was salvaged must not overwrite the damaged file by mistake; other formats have no document of their own yet.
         // Samples are there for everybody: what is made of one is saved elsewhere.
-        const bool own = isDocument(file) && !salvage && !isResource(file);
+        const bool sample = isResource(file), own = isDocument(file) && !salvage && !sample;
         replace(std::move(result->document), own ? file : std::filesystem::path(), qt(file.stem().string()));
+        sample_ = sample;
         stamp_ = *stamp;
         if (!result->warnings.empty()) emit warned(toList(result->warnings));
         tellWithheld();

@@ -591,6 +591,9 @@ class MinkowskiSumTest : public QObject {
     QVERIFY2(message(open).starts_with("Shape 2 is open: a gap of 1 mm at (0, 1)"), message(open).c_str());
     QVERIFY(message(polygonRegion({{0, 0}, {std::nan(""), 4}, {4, 0}})).find("not numbers, in segment 1 of loop 1") !=
             std::string::npos);
+    // Once either way round, both would cancel out.
+    const Path once = rectanglePath({-5, -5}, {5, 5});
+    QVERIFY(message(Region{{once, reversed(once)}}).find("drawn twice") != std::string::npos);
     // Through a corner, along an edge, drawn twice: nothing crosses inside of two edges.
     for (const Region& bad : {polygonRegion({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}),
                               Region{{rectanglePath({0, 0}, {2, 2}), rectanglePath({0, 0}, {2, 2})}},

@@ -98,6 +98,11 @@ class ModelingExtrudeTest : public QObject {
   }
 
   void aTaperWhoseSidesMeetIsRefused() {
+    Path circle;
+    circle.closed = true;
+    circle.segments.emplace_back(Arc2{{0, 0}, 5, 0, 2 * pi});
+    const Region disc{{circle}};
+    VERIFY_REFUSED(refusal("extrude", {{"height", 6}, {"taper", 45}}, {disc}), ErrorCode::Degenerate, "the sides meet");
     VERIFY_REFUSED(refusal("extrude", {{"height", 100}, {"taper", 10}}, {rectangle(0, 0, 20, 20)}), ErrorCode::Degenerate,
                    "sides meet");
     VERIFY_REFUSED(refusal("extrude", {{"height", 40}, {"taper", 10}}, {slot(10, 5)}), ErrorCode::Degenerate, "sides meet");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "core/error.h"
 #include "core/tolerance.h"
@@ -186,6 +188,19 @@ void refuseOverlaps(const Nesting& nesting, double confusion, const std::string&
            "Remove what is drawn twice there, or correct the outline.");
 }
 
+/// A loop drawn twice, once either way round, would cancel out.
+void refuseTwice(const std::vector<Loop>& loops, const std::string& name) {
+  std::set<std::vector<std::pair<double, double>>> seen;
+  for (const Loop& loop : loops) {
+    std::vector<std::pair<double, double>> corners;
+    for (const Vec2& p : loop) corners.emplace_back(p.x(), p.y());
+    std::sort(corners.begin(), corners.end());
+    if (!seen.insert(std::move(corners)).second)
+      refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that is drawn twice.", at(loop.front())),
+             "Remove one of the two.");
+  }
+}
+
 void refuseStrayHole(const Nesting& nesting, const std::vector<Loop>& loops, const std::string& name) {
   if (const auto hole = nesting.strayHole())
     refuse(ErrorCode::InvalidInput, name, fmt::format("has a hole at {} that is in no outline.", at(loops[*hole].front())),
@@ -263,6 +278,7 @@ Polygons flattened(const Region& region, const FlatteningOptions& options, const
   const Nesting nesting(all, progress);
   if (!nesting.clear() && options.effort) options.effort->spend(2 * cornerCount(all));
   refuseOverlaps(nesting, confusion, name, progress);
+  refuseTwice(all, name);
   refuseEmptyLoops(all, confusion, name);
   refuseStrayHole(nesting, all, name);
   if (options.side == Side::Either || !isCurved(region)) return nesting.polygons(progress);

@@ -63,9 +63,9 @@ Loop withoutCrumbs(const Loop& loop, double crumb) {
 
 /// Far from the origin the doubles of the plane lie farther apart than the grid's points.
 double crumbOf(const Loop& loop, const Grid& grid) {
-  double farthest = 0;
-  for (const Vec2& p : loop) farthest = std::max(farthest, grid.point(p).cwiseAbs().maxCoeff());
-  return std::max(least, 2 * std::numeric_limits<double>::epsilon() * farthest / grid.unit);
+  double reach = 0;
+  for (const Vec2& p : loop) reach = std::max(reach, grid.point(p).cwiseAbs().maxCoeff());
+  return std::max(least, 2 * std::numeric_limits<double>::epsilon() * reach / grid.unit);
 }
 
 Loop placed(const Loop& loop, const Grid& grid) {

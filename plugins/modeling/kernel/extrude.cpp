@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepGProp.hxx>
 #include <BRepOffsetAPI_DraftAngle.hxx>
@@ -10,6 +11,7 @@
 #include <GProp_GProps.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
+#include <gp_Cone.hxx>
 #include <optional>
 
 #include "core/error.h"
@@ -69,6 +71,19 @@ bool isSide(const TopoDS_Face& face, const gp_Pln& base, double height) {
               "Extrude without a taper, or loft between two outlines.");
 }
 
+/// A circle that shrinks to a point goes on beyond it as a second cone, tip to tip with the first.
+bool passesAnApex(const TopoDS_Shape& shape) {
+  for (const TopoDS_Shape& each : partsOf(shape, TopAbs_FACE)) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(each));
+    if (surface.GetType() != GeomAbs_Cone) continue;
+    const gp_Cone cone = surface.Cone();
+    const auto radiusAt = [&](double v) { return cone.RefRadius() + v * std::sin(cone.SemiAngle()); };
+    const double first = radiusAt(surface.FirstVParameter()), last = radiusAt(surface.LastVParameter());
+    if (std::min(first, last) < -smallest && std::max(first, last) > smallest) return true;
+  }
+  return false;
+}
+
 TopoDS_Shape leaning(const TopoDS_Shape& prism, const gp_Pln& base, double height, double taper) {
   BRepOffsetAPI_DraftAngle draft(prism);
   const gp_Dir up = height > 0 ? base.Axis().Direction() : base.Axis().Direction().Reversed();
@@ -79,7 +94,7 @@ TopoDS_Shape leaning(const TopoDS_Shape& prism, const gp_Pln& base, double heigh
     if (!draft.AddDone()) throwFreeForm();
   }
   draft.Build();
-  if (!draft.IsDone() || !isGoodSolid(draft.Shape())) throwTaper(taper);
+  if (!draft.IsDone() || !isGoodSolid(draft.Shape()) || passesAnApex(draft.Shape())) throwTaper(taper);
   return draft.Shape();
 }
 

@@ -30,6 +30,26 @@ void addLineRim(const Vec2& a, const Vec2& b, std::vector<Rim>& rims) {
 
 Vec2 directionOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
+/// Ends of rims that follow one another differ by rounding, up to this.
+double sameHeight(const std::vector<Rim>& rims) {
+  double size = 0;
+  for (const Rim& rim : rims) size = std::max({size, std::abs(rim.low), std::abs(rim.high)});
+  return 1e-14 * (1 + size);
+}
+
+/// An upright rim wherever an odd number of intervals of y, given by their ends, lie on one another.
+void addWalls(double x, std::vector<double>& ends, double same, std::vector<Rim>& rims) {
+  std::sort(ends.begin(), ends.end());
+  const std::size_t first = rims.size();
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+    if (ends[i + 1] - ends[i] <= same) continue;
+    if (rims.size() > first && ends[i] - rims.back().high <= same)
+      rims.back().high = ends[i + 1];
+    else
+      rims.push_back({ends[i], ends[i + 1], {{x, ends[i]}, 0, 0, 1}});
+  }
+}
+
 }  // namespace
 
 double RowCurve::at(double y) const {
@@ -53,25 +73,77 @@ void addRims(const Stroke& stroke, std::vector<Rim>& rims) {
     addLineRim(stroke.from, stroke.to, rims);
 }
 
+double Rim::heightAt(double x) const {
+  double y = curve.through.y();
+  const double aside = x - curve.through.x();
+  if (curve.radius == 0)
+    y += curve.slope == 0 ? 0 : aside / curve.slope;
+  else  // within a quarter of the circle, so all of it lies above or all of it below the centre
+    y += (low + high < 2 * y ? -1 : 1) * std::sqrt(std::max(0.0, (curve.radius - aside) * (curve.radius + aside)));
+  return std::clamp(y, low, high);
+}
+
+SplitRims splitAtHeight(const std::vector<Rim>& rims, double y) {
+  SplitRims split;
+  for (const Rim& rim : rims) {
+    if (rim.low < y) split.before.push_back({rim.low, std::min(rim.high, y), rim.curve});
+    if (rim.high > y) split.after.push_back({std::max(rim.low, y), rim.high, rim.curve});
+  }
+  return split;
+}
+
+SplitRims splitAtLine(const std::vector<Rim>& rims, double x) {
+  SplitRims split;
+  // What lies beyond the line is pushed onto it: every row still crosses an even number of rims.
+  std::vector<double> pushedBack, pushedOn;
+  const auto addBefore = [&](const Rim& rim) {
+    split.before.push_back(rim);
+    pushedOn.insert(pushedOn.end(), {rim.low, rim.high});
+  };
+  const auto addAfter = [&](const Rim& rim) {
+    split.after.push_back(rim);
+    pushedBack.insert(pushedBack.end(), {rim.low, rim.high});
+  };
+  for (const Rim& rim : rims) {
+    const double a = rim.curve.at(rim.low), b = rim.curve.at(rim.high);
+    if (std::max(a, b) <= x) {
+      addBefore(rim);
+    } else if (std::min(a, b) >= x) {
+      addAfter(rim);
+    } else {
+      const double y = rim.heightAt(x);
+      const Rim lower{rim.low, y, rim.curve}, upper{y, rim.high, rim.curve};
+      addBefore(a < x ? lower : upper);
+      addAfter(a < x ? upper : lower);
+    }
+  }
+  const double same = sameHeight(rims);
+  addWalls(x, pushedBack, same, split.before);
+  addWalls(x, pushedOn, same, split.after);
+  return split;
+}
+
 std::vector<Slab> slabsOf(const std::vector<Rim>& rims) {
   std::vector<double> levels;
-  double size = 0;
+  std::vector<const Rim*> waiting, active;
   for (const Rim& rim : rims) {
     levels.push_back(rim.low);
     levels.push_back(rim.high);
-    size = std::max({size, std::abs(rim.low), std::abs(rim.high)});
+    waiting.push_back(&rim);
   }
   std::sort(levels.begin(), levels.end());
-  const double same = 1e-14 * (1 + size);  // ends of rims that follow one another differ by rounding
+  std::sort(waiting.begin(), waiting.end(), [](const Rim* a, const Rim* b) { return a->low > b->low; });
+  const double same = sameHeight(rims);
   std::vector<Slab> slabs;
   std::vector<std::pair<double, const Rim*>> crossed;
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     const double low = levels[i], high = levels[i + 1];
     if (high - low <= same) continue;
     const double middle = (low + high) / 2;
+    for (; !waiting.empty() && waiting.back()->low < middle; waiting.pop_back()) active.push_back(waiting.back());
+    std::erase_if(active, [&](const Rim* rim) { return rim->high <= middle; });
     crossed.clear();
-    for (const Rim& rim : rims)
-      if (rim.low < middle && middle < rim.high) crossed.emplace_back(rim.curve.at(middle), &rim);
+    for (const Rim* rim : active) crossed.emplace_back(rim->curve.at(middle), rim);
     std::sort(crossed.begin(), crossed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t k = 0; k + 1 < crossed.size(); k += 2)
       slabs.push_back({low, high, crossed[k].second->curve, crossed[k + 1].second->curve});

@@ -21,6 +21,9 @@ struct RowCurve {
 struct Rim {
   double low = 0, high = 0;
   RowCurve curve;
+
+  /// The height where it is at x, which it must reach.
+  [[nodiscard]] double heightAt(double x) const;
 };
 
 /// What lies between two heights and two curves: every row crosses it in one interval.
@@ -32,7 +35,16 @@ struct Slab {
 /// The rims of a stroke; one that runs level has none.
 void addRims(const Stroke&, std::vector<Rim>&);
 /// The area that closed boundaries enclose by the even-odd rule, in slabs. The boundaries must not cross.
+/// O(n log n + n k) for n rims of which k cross a row.
 std::vector<Slab> slabsOf(const std::vector<Rim>&);
+
+/// The area that closed boundaries enclose, cut in two.
+struct SplitRims {
+  std::vector<Rim> before, after;  ///< below and above a height, or left and right of an upright line
+};
+SplitRims splitAtHeight(const std::vector<Rim>&, double y);
+/// Upright rims close both parts. O(n log n).
+SplitRims splitAtLine(const std::vector<Rim>&, double x);
 
 /// What a disc sweeps along a stroke without the discs at its ends, and a disc alone.
 std::vector<Slab> sweptSlabs(const Stroke& way, double radius);

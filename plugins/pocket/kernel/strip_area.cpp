@@ -153,6 +153,15 @@ class InOrder {
 
 }  // namespace
 
+std::vector<std::pair<double, double>> gapsAt(const std::vector<const Slab*>& whole, const std::vector<const Slab*>& covers,
+                                              double y) {
+  std::vector<std::pair<double, double>> across, gaps;
+  for (const Slab* slab : covers) across.emplace_back(slab->left.at(y), slab->right.at(y));
+  std::sort(across.begin(), across.end());
+  for (const Slab* slab : whole) addGaps({slab->left.at(y), slab->right.at(y)}, across, gaps);
+  return gaps;
+}
+
 StripArea stripArea(const std::vector<const Slab*>& whole, const std::vector<const Slab*>& covers, double low, double high,
                     double slack) {
   const double height = high - low, middle = (low + high) / 2;
@@ -171,10 +180,7 @@ StripArea stripArea(const std::vector<const Slab*>& whole, const std::vector<con
     area.most = std::min(area.most, height * (*upper + rounding));
     area.least = std::max(area.least, height * std::max(0.0, *lower - rounding));
   }
-  std::vector<std::pair<double, double>> across;
-  for (const Slab* slab : covers) across.emplace_back(slab->left.at(middle), slab->right.at(middle));
-  std::sort(across.begin(), across.end());
-  for (const Slab* slab : whole) addGaps({slab->left.at(middle), slab->right.at(middle)}, across, area.gaps);
+  area.gaps = gapsAt(whole, covers, middle);
   return area;
 }
 

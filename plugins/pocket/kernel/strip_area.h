@@ -25,4 +25,8 @@ struct StripArea {
 StripArea stripArea(const std::vector<const Slab*>& whole, const std::vector<const Slab*>& covers, double low, double high,
                     double slack);
 
+/// The intervals at one height that all slabs given reach.
+std::vector<std::pair<double, double>> gapsAt(const std::vector<const Slab*>& whole, const std::vector<const Slab*>& covers,
+                                              double y);
+
 }  // namespace blossom::pocket

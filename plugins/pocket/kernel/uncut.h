@@ -26,6 +26,7 @@ struct Uncut {
   double within = 0;               ///< mm2, most that the area may be off
   double partArea = 0;             ///< mm2
   std::vector<UncutPlace> places;  ///< the largest first
+  std::size_t steps = 0;           ///< curves looked at, each as often as it was
 };
 
 /// What a program leaves of a part, from its moves and the part's outline alone: the part less the union of the tool's full

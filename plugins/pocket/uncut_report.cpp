@@ -32,15 +32,17 @@ void addDots(const Uncut& uncut, double radius, double floor, std::vector<Vec3>&
   }
 }
 
-}  // namespace
+/// What stays besides deep places, so that the warning and the figures add up; nothing when they are all.
+std::string restOf(const Uncut& uncut, double area, std::size_t places, double leave) {
+  const std::size_t others = uncut.places.size() - places;
+  if (others == 0) return "";
+  return fmt::format(" The other {:.2f} of {:.2f} mm² lie at {} place{}: {}.", uncut.area - area, uncut.area, others,
+                     others == 1 ? "" : "s",
+                     leave > 0 ? "in corners that it rounds, and on the walls as asked" : "in corners that it rounds");
+}
 
-void reportUncut(const Uncut& uncut, double leave, double floor, Toolpath& path, Evaluated& out) {
-  const double radius = path.cutter.diameter / 2;
-  out.figures.push_back({"uncut_mm2", uncut.area, MeasureUnit::Area});
-  out.stats["uncut_within_mm2"] = uncut.within;
-  out.stats["uncut_places"] = uncut.places.size();
-  out.stats["part_mm2"] = uncut.partArea;
-  addDots(uncut, radius, floor, path.marks);
+/// How much stays where the tool does not get in, and that the rest lies in corners.
+void warnOfPlaces(const Uncut& uncut, double radius, double leave, std::vector<std::string>& warnings) {
   // In a square corner the tool leaves its radius times sqrt 2 - 1 as seen from what it cuts, a little rounding added.
   const double corner = 0.42 * radius + 1.42 * leave;
   double area = 0;
@@ -53,13 +55,27 @@ void reportUncut(const Uncut& uncut, double leave, double floor, Toolpath& path,
     if (!largest) largest = &place;
   }
   if (!largest) return;
-  out.warnings.push_back(
-      places == 1
-          ? fmt::format("{:.2f} mm² stay uncut near ({:.2f}, {:.2f}), where the tool does not get in; dots show where.",
-                        area, largest->at.x(), largest->at.y())
-          : fmt::format("{:.2f} mm² stay uncut at {} places where the tool does not get in, the largest ({:.2f} mm²) near "
-                        "({:.2f}, {:.2f}); dots show where.",
-                        area, places, largest->area, largest->at.x(), largest->at.y()));
+  const Vec2& at = largest->at;
+  warnings.push_back(
+      (places == 1
+           ? fmt::format("{:.2f} mm² stay uncut near ({:.2f}, {:.2f}), where the tool does not get in; dots show where.",
+                         area, at.x(), at.y())
+           : fmt::format("{:.2f} mm² stay uncut at {} places where the tool does not get in, the largest ({:.2f} mm²) near "
+                         "({:.2f}, {:.2f}); dots show where.",
+                         area, places, largest->area, at.x(), at.y())) +
+      restOf(uncut, area, places, leave));
+}
+
+}  // namespace
+
+void reportUncut(const Uncut& uncut, double leave, double floor, Toolpath& path, Evaluated& out) {
+  const double radius = path.cutter.diameter / 2;
+  out.figures.push_back({"uncut_mm2", uncut.area, MeasureUnit::Area});
+  out.stats["uncut_within_mm2"] = uncut.within;
+  out.stats["uncut_places"] = uncut.places.size();
+  out.stats["part_mm2"] = uncut.partArea;
+  addDots(uncut, radius, floor, path.marks);
+  warnOfPlaces(uncut, radius, leave, out.warnings);
 }
 
 }  // namespace blossom::pocket

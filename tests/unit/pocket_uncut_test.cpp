@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -201,6 +204,21 @@ double figureOf(const Evaluated& made, const char* name) {
   return std::nan("");
 }
 
+/// Wavy splines in a row, as letters are, into the first few of which a tool 8 mm wide plunges.
+std::pair<Region, Toolpath> discsInWaves(int count, int cut) {
+  Region part;
+  Toolpath path;
+  path.cutter.diameter = 8;
+  path.start = {0, 0, 5};
+  for (int i = 0; i < count; ++i) {
+    part.loops.push_back(wavyPath({30.0 * i, 0}, 11, 2, 5));
+    if (i >= cut) continue;
+    path.moves.push_back({MoveKind::Rapid, {30.0 * i, 0, 5}});
+    path.moves.push_back({MoveKind::Plunge, {30.0 * i, 0, -1}, 0, {}, 100});
+  }
+  return {part, path};
+}
+
 }  // namespace
 
 /// What a program leaves of a part, from its moves alone.
@@ -347,6 +365,10 @@ class PocketUncutTest final : public QObject {
     const double uncut = 55 * 5 - segment + (4 - pi) * 9;
     COMPARE_NEAR(figureOf(arm, "uncut_mm2"), uncut, 0.02);
     QVERIFY2(warningsOf(arm).find("stay uncut near (") != std::string::npos, warningsOf(arm).c_str());
+    // the rest is said to be the four corners, so that the warning and the figure agree
+    const std::string rest = fmt::format("The other {:.2f} of {:.2f} mm² lie at 4 places: in corners that it rounds.",
+                                         (4 - pi) * 9, figureOf(arm, "uncut_mm2"));
+    QVERIFY2(warningsOf(arm).find(rest) != std::string::npos, warningsOf(arm).c_str());
     const auto inArm = [](const Vec3& p) { return p.x() > 42 && p.y() > 17 && p.y() < 22; };
     const Toolpath* path = arm.shape.get<Toolpath>();
     QVERIFY(std::count_if(path->marks.begin(), path->marks.end(), inArm) > 20);
@@ -360,6 +382,44 @@ class PocketUncutTest final : public QObject {
     CancelToken token;
     token.cancel();
     VERIFY_ERROR(uncutOf(part, path, {.floor = -2}, Progress(token)), ErrorCode::Cancelled);
+  }
+
+  /// Parts side by side share all rows; each row once looked at all of them. Four times the parts are to be about four times
+  /// the work.
+  void theWorkGrowsAsThePartDoes() {
+    const auto stepsOf = [](int count) {
+      const auto [part, path] = discsInWaves(count, count);
+      const Uncut uncut = uncutOf(part, path, {.floor = -1});
+      const bool isRight = uncut.places.size() == static_cast<std::size_t>(count) && uncut.within <= 1e-5 * uncut.partArea;
+      return isRight ? static_cast<double>(uncut.steps) : std::nan("");
+    };
+    const double few = stepsOf(8), many = stepsOf(32);
+    QVERIFY2(many < 6 * few, qPrintable(QString("%1 steps for 8, %2 for 32").arg(few).arg(many)));
+  }
+
+  /// Of equal parts some are cut and some not: what is told does not depend on what else lies on the rows.
+  void partsSideBySideAddUp() {
+    const auto [part, path] = discsInWaves(9, 5);
+    const Uncut all = uncutOf(part, path, {.floor = -1});
+    COMPARE_NEAR(all.area, areaOf(part) - 5 * pi * 16, all.within + 1e-9);
+    QCOMPARE(all.places.size(), std::size_t(9));
+    for (std::size_t i = 0; i < 9; ++i) COMPARE_NEAR(all.places[i].area, areaOf(part) / 9 - (i < 4 ? 0 : pi * 16), 1e-2);
+  }
+
+  void itStopsAtEveryStageWhenCancelled() {
+    const auto [part, path] = discsInWaves(16, 16);
+    std::atomic<std::size_t> all = 0;
+    uncutOf(part, path, {.floor = -1}, Progress({}, [&](double, const std::string&) { ++all; }));
+    QVERIFY2(all > 10, qPrintable(QString::number(all)));
+    for (const std::size_t reports : {std::size_t(1), std::size_t(5)}) {
+      CancelToken token;
+      std::atomic<std::size_t> seen = 0;
+      const Progress progress(token, [&](double, const std::string&) {
+        if (++seen >= reports) token.cancel();
+      });
+      VERIFY_ERROR(uncutOf(part, path, {.floor = -1}, progress), ErrorCode::Cancelled);
+      QVERIFY(seen < reports + 8);  // a few threads may be just about to report
+    }
   }
 };
 

@@ -61,7 +61,7 @@ FloorWays floorWays(const Toolpath& path, double floor) {
   return ways;
 }
 
-/// Where a tool's sweep lies, with the boxes around it and within it.
+/// A piece of what the tool sweeps.
 struct Cover {
   Slab slab;
   double left = 0, right = 0;  ///< as far as it reaches anywhere
@@ -109,8 +109,8 @@ class UncutCells {
       cells_.push_back(std::move(cell));
     }
   }
-  std::vector<Cell> cells_;
-  std::size_t steps_ = 0;
+  std::vector<Cell> takeCells() { return std::move(cells_); }
+  [[nodiscard]] std::size_t steps() const { return steps_; }
 
  private:
   static bool isSmall(const Cell& cell) {
@@ -154,6 +154,9 @@ class UncutCells {
     }
     return halves;
   }
+
+  std::vector<Cell> cells_;
+  std::size_t steps_ = 0;
 };
 
 /// A strip whose area is bounded well enough.
@@ -171,7 +174,9 @@ struct Fineness {
   double slack = 0;                ///< what rounding may do to x
   double same = 0;                 ///< heights closer to one another are one
   double apart = 0;                ///< of the rows that are drawn
+  /// The first row not below a height, and whether one is there.
   [[nodiscard]] double rowFrom(double y) const { return apart * std::ceil((y - slack) / apart); }
+  [[nodiscard]] bool isRow(double y) const { return rowFrom(y) - y <= slack; }
 };
 
 /// The strips of a cell from below.
@@ -195,8 +200,8 @@ class CellStrips {
       if (!parts.now.empty()) measure(levels_[i], levels_[i + 1], parts.now, cuts.now);
     }
   }
-  std::vector<Measured> strips_;
-  std::size_t steps_ = 0;
+  std::vector<Measured> takeStrips() { return std::move(strips_); }
+  [[nodiscard]] std::size_t steps() const { return steps_; }
 
  private:
   /// The slabs that span a height which only grows.
@@ -260,22 +265,19 @@ class CellStrips {
 
   void add(double low, double high, StripArea area, const Rows& whole, const Rows& covers) {
     double at = (low + high) / 2;
-    if (isRow(low, fine_)) {
+    if (fine_.isRow(low)) {
       at = fine_.rowFrom(low);
       area.gaps = gapsAt(whole, covers, at);
     }
     strips_.push_back({low, high, at, std::move(area)});
   }
 
- public:
-  static bool isRow(double y, const Fineness& fine) { return fine.rowFrom(y) - y <= fine.slack; }
-
- private:
   const Cell& cell_;
   const Fineness& fine_;
   const Progress& progress_;
-  double work_;
-  std::size_t halved_ = 0;
+  double work_;  ///< that is left
+  std::size_t halved_ = 0, steps_ = 0;
+  std::vector<Measured> strips_;
   std::vector<Slab> whole_;
   std::vector<double> levels_;
 };
@@ -374,7 +376,7 @@ class UncutPlaces {
                gap,
                gap,
                width > 0 ? mean * (gap.second - gap.first) / width : 0,
-               CellStrips::isRow(strip.low, fine_)};
+               fine_.isRow(strip.low)};
       for (const auto& reach : strip.area.reach)
         if (reach.first <= gap.second && gap.first <= reach.second) {
           each.reach.first = std::min(each.reach.first, reach.first);
@@ -452,7 +454,7 @@ class UncutSearch {
     }
     partArea_ = std::abs(partArea_);
     // Splines are taken as lines within this; the area of what lies between is at most chord times perimeter.
-    constexpr double share = 8e-6;
+    constexpr double share = 4e-6;
     chord_ = share * partArea_ / perimeter_;
     Cell whole;
     for (const Path& loop : part.loops) {
@@ -465,19 +467,19 @@ class UncutSearch {
       if (reaches(cover, whole)) whole.covers.push_back(&cover);
     findFineness(whole);
     UncutCells parted(std::move(whole), progress.part(0, 0.1));
-    cells_ = std::move(parted.cells_);
-    steps_ = parted.steps_;
+    cells_ = parted.takeCells();
+    steps_ = parted.steps();
   }
 
   Uncut search(const Progress& progress) {
     double boxes = 0;
     for (const Cell& cell : cells_) boxes += cell.area();
-    constexpr double share = 2e-6;    // of the part's area, that the bounds may be apart
-    constexpr double mostWork = 1e7;  // slabs looked at
+    constexpr double share = 2e-6;  // of the part's area, that the bounds may be apart
     const auto count = static_cast<double>(cells_.size());
     fine_.perBox = share / 2 * partArea_ / boxes;
     fine_.perCell = share / 2 * partArea_ / count;
-    fine_.work = mostWork / count;
+    constexpr double mostWork = 5e8, mostWorkOfCell = 1e5;  // slabs looked at
+    fine_.work = std::min(mostWorkOfCell, mostWork / count);
     std::vector<std::vector<Measured>> strips(cells_.size());
     std::vector<std::size_t> steps(cells_.size());
     std::atomic<std::size_t> done = 0;
@@ -485,8 +487,8 @@ class UncutSearch {
       for (std::size_t i = begin; i < end; ++i) {
         progress.report(0.9 * static_cast<double>(done++) / static_cast<double>(cells_.size()));
         CellStrips found(cells_[i], fine_, progress);
-        strips[i] = std::move(found.strips_);
-        steps[i] = found.steps_;
+        strips[i] = std::move(found.takeStrips());
+        steps[i] = found.steps();
       }
     });
     Uncut uncut;

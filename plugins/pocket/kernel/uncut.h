@@ -32,11 +32,14 @@ struct Uncut {
 /// What a program leaves of a part, from its moves and the part's outline alone: the part less the union of the tool's full
 /// width along every move at the floor. Nothing of how the moves were planned is asked.
 ///
-/// Rows at all heights where a boundary begins, ends or turns cut part and sweeps into strips whose edges are lines and
-/// arcs. In a strip, intervals with the arcs' bulges added and taken away bound the area from both sides; strips are halved
-/// until the two bounds are together. `within` is half of what stays between them, about 1e-6 of the part's area unless
-/// thousands of gaps lie side by side.
-/// O(n k) for n moves of which k cross a row.
+/// The part's box is halved until few curves are in a cell; cells that one sweep hides are left out. In a cell, rows at all
+/// heights where a boundary begins, ends or turns cut part and sweeps into strips whose edges are lines and arcs. In a
+/// strip, intervals with the arcs' bulges added and taken away bound the area from both sides; strips are halved until the
+/// two bounds are together. Cells whose curves lie in one another's way stop at a limit of work, so that the whole does.
+///
+/// `within` is half of what stays between the bounds, about 1e-6 of the part's area as long as no cell meets its limit, and
+/// 4e-6 of it more for splines, which are taken as lines. O(n log n) for n pieces of the part's boundary (of a spline, the
+/// lines) and of the sweeps as long as they lie beside one another; O(n k) where k of them lie on one another.
 /// @throws Error Cancelled.
 Uncut uncutOf(const Region& part, const Toolpath&, const UncutOptions&, const Progress& = Progress::none());
 

@@ -97,8 +97,7 @@ class GcodeWriter {
     if (!isNear(path_.start)) throw Error(ErrorCode::InvalidInput, "The toolpath begins too far away.", hint);
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const ToolMove& m = path_.moves[i];
-      const bool centered = m.turn == 0 || m.center.cwiseAbs().maxCoeff() < 2 * farthestInGcode;  // not with NaN
-      if (!isNear(m.to) || !centered)
+      if (!isNear(m.to) || !m.center.allFinite())
         throw Error(ErrorCode::InvalidInput, fmt::format("Move {} of the toolpath goes too far away.", i + 1), hint);
       if (m.kind != MoveKind::Rapid && !(m.feed > 0 && std::isfinite(m.feed)))
         throw Error(ErrorCode::InvalidInput,
@@ -251,6 +250,7 @@ class GcodeWriter {
 
   /// False when rounding leaves no arc that every control takes.
   bool round(const Vec3& from, const ToolMove& m) {
+    if ((m.center - from.head<2>()).norm() > 2 * largestRadius) return false;  // and may be beyond all ticks
     const Ticks to = ticks(m.to);
     const std::array<std::int64_t, 2> offset{ticks(m.center.x()) - at_[0], ticks(m.center.y()) - at_[1]};
     const auto vector = [&](std::int64_t x, std::int64_t y) {

@@ -97,7 +97,7 @@ class LargeClipper {
   std::vector<int> reflexCorners(double nothing) const {
     std::vector<int> reflex;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i)
-      if (isReflex(i, nothing)) reflex.push_back(i);
+      if (!isClipped(i) && isReflex(i, nothing)) reflex.push_back(i);
     return reflex;
   }
 

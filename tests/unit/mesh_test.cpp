@@ -142,6 +142,24 @@ class MeshTest : public QObject {
       }
     }
   }
+  void needlesAreCutAfterAllElse() {
+    // A large polygon whose needles are thinner than rounding counts, behind corners that are cut off before them.
+    std::vector<Vec3> polygon{{0, -10, 0}, {200, -10, 0}};
+    for (int k = 200; k > 0; --k) {
+      polygon.emplace_back(k - 0.5 + 1e-9, 0, 0);
+      polygon.emplace_back(k - 0.5, 100, 0);
+      polygon.emplace_back(k - 0.5 - 1e-9, 0, 0);
+    }
+    for (const Vec3& p : {Vec3(-50, 0, 0), Vec3(-60, -5, 0), Vec3(-50, -10, 0)}) polygon.push_back(p);
+    const auto triangles = triangulate(polygon);
+    QCOMPARE(triangles.size(), polygon.size() - 2);
+    double area = 0;
+    for (const auto& [a, b, c] : triangles) {
+      const auto at = [&](int i) { return polygon[static_cast<std::size_t>(i)]; };
+      area += vectorArea(std::vector<Vec3>{at(a), at(b), at(c)}).z();
+    }
+    COMPARE_NEAR(area, vectorArea(polygon).z(), 1e-9);
+  }
   void nonConvexFaceHasItsArea() {
     Mesh mesh;
     mesh.points = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {2, 0.5, 0}, {0, 3, 0}};

@@ -3,7 +3,7 @@
 #include "features_outline.h"
 #include "features_outline_value.h"
 #include "geometry/planar.h"
-#include "kernel/outline_crossing.h"
+#include "geometry/outline_crossing.h"
 
 namespace blossom::modeling {
 namespace {

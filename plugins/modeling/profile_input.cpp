@@ -10,7 +10,7 @@
 #include "geometry/planar.h"
 #include "geometry/sub_shape.h"
 #include "kernel/arrange.h"
-#include "kernel/outline_crossing.h"
+#include "geometry/outline_crossing.h"
 #include "kernel/shape_parts.h"
 
 namespace blossom::modeling {

@@ -77,7 +77,7 @@ void checkWeights(const std::vector<Vec4>& poles) {
   }
 }
 
-gp_Pnt euclidean(const Vec4& pole) { return {pole.x() / pole.w(), pole.y() / pole.w(), pole.z() / pole.w()}; }
+gp_Pnt polePoint(const Vec4& pole) { return {pole.x() / pole.w(), pole.y() / pole.w(), pole.z() / pole.w()}; }
 Vec4 homogeneous(const gp_Pnt& p, double w) { return {p.X() * w, p.Y() * w, p.Z() * w, w}; }
 
 [[noreturn]] void refused(const Standard_Failure& failure) {
@@ -96,7 +96,7 @@ Handle(Geom_BSplineCurve) toOcct(const Curve& given) {
   TColStd_Array1OfReal weights(1, count);
   for (int i = 1; i <= count; ++i) {
     const Vec4& pole = curve.poles[static_cast<std::size_t>(i - 1)];
-    poles.SetValue(i, euclidean(pole));
+    poles.SetValue(i, polePoint(pole));
     weights.SetValue(i, pole.w());
   }
   const DistinctKnots knots = distinct(curve.knots, curve.degree);
@@ -120,7 +120,7 @@ Handle(Geom_BSplineSurface) toOcct(const Surface& given) {
   for (int i = 1; i <= countU; ++i) {
     for (int j = 1; j <= countV; ++j) {
       const Vec4& pole = surface.pole(static_cast<std::size_t>(i - 1), static_cast<std::size_t>(j - 1));
-      poles.SetValue(i, j, euclidean(pole));
+      poles.SetValue(i, j, polePoint(pole));
       weights.SetValue(i, j, pole.w());
     }
   }

@@ -1,5 +1,6 @@
 #include "support/modeling.h"
 #include "support/polyhedra.h"
+#include "support/regions.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -90,6 +91,23 @@ class MorphologyRefusalTest : public QObject {
   void thePlaceIsTheOneInTheFile() {
     const Error error = refusal("melt", Value::object(), {open()});
     VERIFY_REFUSED(error, ErrorCode::InvalidInput, "31)");
+  }
+
+  /// Two squares of a drawing: where they lap, the fill rule decides; what is taken is their union, or nothing at all.
+  void drawingsAreTakenAsTheirFillRuleSays() {
+    const auto drawing = [](const Vec2& second, FillRule rule, bool turned) {
+      const Path other = rectanglePath(second, second + Vec2(4, 4));
+      return Shape(Curves{{rectanglePath({0, 0}, {4, 4}), turned ? reversed(other) : other}, rule});
+    };
+    const auto sum = [&](const Shape& flat) { return made("solid-sum", Value::object(), {unitCube(), flat}); };
+    for (const auto rule : {FillRule::EvenOdd, FillRule::NonZero}) {
+      COMPARE_NEAR(volume(sum(drawing({4, 4}, rule, false))), 25 + 25 - 1, 1e-12);    // corner to corner
+      COMPARE_NEAR(volume(sum(drawing({4, 0}, rule, false))), 9 * 5, 1e-12);          // side to side
+      COMPARE_NEAR(volume(sum(drawing({2, 1}, FillRule::NonZero, false))), 25 + 25 - 3 * 4, 1e-12);
+    }
+    for (const Shape& lapped : {drawing({2, 1}, FillRule::EvenOdd, false), drawing({2, 1}, FillRule::NonZero, true)})
+      VERIFY_REFUSED(refusal("solid-sum", Value::object(), {unitCube(), lapped}), ErrorCode::InvalidInput,
+                     "The second shape has outlines that cross near (");
   }
 
   void whatHasNoVolumeIsNoSolid() {

@@ -10,16 +10,6 @@
 namespace blossom::modeling {
 namespace {
 
-/// Is the outline determined by its points?
-bool isSound(const DrawnOutline& outline) {
-  try {
-    (void)toPath(outline);
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 bool OutlineDraft::continuesSpline() const {

@@ -182,4 +182,13 @@ Path toPath(const DrawnOutline& outline) {
   return path;
 }
 
+bool isSound(const DrawnOutline& outline) {
+  try {
+    (void)toPath(outline);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace blossom::modeling

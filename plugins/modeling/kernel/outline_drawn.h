@@ -28,6 +28,8 @@ struct DrawnOutline {
 /// The exact curves: lines, circular arcs, cubic splines. @throws Error InvalidInput naming the segment when it has no
 /// length, an arc is not determined by its points, or a first segment is to be tangent to nothing.
 Path toPath(const DrawnOutline&);
+/// Whether its points determine the outline: toPath throws nothing.
+bool isSound(const DrawnOutline&);
 /// The curve of segment k alone, for a preview that shows what can be shown. @throws as above, for the segments 0..k.
 Segment segmentOf(const DrawnOutline&, std::size_t k);
 /// Unit direction in which a segment leaves its start, or arrives at its end.

@@ -28,15 +28,6 @@ Vec2 carried(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& newA, cons
   return newA + Vec2(c * offset.x() - s * offset.y(), s * offset.x() + c * offset.y());
 }
 
-bool isSound(const DrawnOutline& outline) {
-  try {
-    (void)toPath(outline);
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
 void makeLine(DrawnSegment& segment) { segment = {DrawnKind::Line, segment.to, {}, false}; }
 
 /// What cannot be drawn as it was any more is drawn straight.

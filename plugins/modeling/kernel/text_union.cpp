@@ -13,7 +13,7 @@
 #include "geometry/planar.h"
 #include "geometry/union_find.h"
 #include "kernel/guarded.h"
-#include "kernel/outline_crossing.h"
+#include "geometry/outline_crossing.h"
 
 namespace blossom::modeling {
 namespace {

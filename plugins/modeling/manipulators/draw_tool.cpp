@@ -8,7 +8,7 @@
 #include "core/angle.h"
 #include "features_outline_value.h"
 #include "geometry/planar.h"
-#include "kernel/outline_crossing.h"
+#include "geometry/outline_crossing.h"
 #include "manipulators/tool_paint.h"
 #include "ui/tools/view_props.h"
 

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "geometry/mesh_topology.h"
+#include "geometry/outline_crossing.h"
 #include "geometry/planar.h"
 #include "geometry/tessellate.h"
 #include "kernel/solid_check.h"
@@ -78,6 +79,17 @@ bool isOutline(const Curves& drawing) {
          std::all_of(drawing.paths.begin(), drawing.paths.end(), [](const Path& path) { return path.closed; });
 }
 
+Region enclosed(const Curves& drawing, const std::string& name, const Progress& progress) {
+  Region region = toRegion(drawing);
+  if (const auto place = misfilledCrossing(drawing, region, progress))
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{} has outlines that cross near ({:.6g}, {:.6g}), and its fill rule leaves empty what they have "
+                            "in common.",
+                            name, place->x() + 0.0, place->y() + 0.0),
+                "Move them apart, trim what crosses, or unite them first.");
+  return region;
+}
+
 void refuseUnusable(const Operand& operand, bool solidOnly) {
   for (const auto& piece : operand.pieces)
     for (const Vec3& p : piece)
@@ -105,7 +117,7 @@ Bounds Operand::bounds() const {
 
 Operand operandOf(const Shape& shape, const OperandOptions& options, const Progress& progress) {
   const Curves* drawing = shape.get<Curves>();
-  if (drawing && isOutline(*drawing)) return operandOf(toRegion(*drawing), options, progress);
+  if (drawing && isOutline(*drawing)) return operandOf(enclosed(*drawing, options.name, progress), options, progress);
   Operand out;
   out.name = options.name;
   if (const Mesh* mesh = shape.get<Mesh>())

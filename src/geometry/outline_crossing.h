@@ -4,7 +4,7 @@
 #include "core/progress.h"
 #include "geometry/region.h"
 
-namespace blossom::modeling {
+namespace blossom {
 
 /// Where a path crosses, touches or runs back over itself; nothing when it does not. Lines, arcs and splines are cut into
 /// rational Bézier pieces that cannot cross themselves; pairs whose convex hulls overlap are halved until they are as good
@@ -13,5 +13,8 @@ namespace blossom::modeling {
 std::optional<Vec2> selfCrossing(const Path&, const Progress& = Progress::none());
 /// Where two paths cross or touch.
 std::optional<Vec2> crossing(const Path&, const Path&, const Progress& = Progress::none());
+/// Where closed outlines of a drawing cross so that beside that place its fill rule fills another side than the union of the
+/// region's loops does, which was made of them; nothing where they merely touch.
+std::optional<Vec2> misfilledCrossing(const Curves& drawing, const Region&, const Progress& = Progress::none());
 
-}  // namespace blossom::modeling
+}  // namespace blossom

@@ -1,32 +1,34 @@
-#include "kernel/outline_crossing.h"
+#include "geometry/outline_crossing.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <numeric>
 
 #include "geometry/planar.h"
 #include "geometry/planar_bezier.h"
 
-namespace blossom::modeling {
+namespace blossom {
 namespace {
 
 constexpr double touching = 1e-6;  // mm
-constexpr double straight = 1e-7;  // mm between a piece and its chord
+constexpr double bend = 1e-7;      // mm between a piece and its chord
 
-struct Box {
+struct PieceBox {
   Vec2 least = Vec2::Constant(1e300), most = Vec2::Constant(-1e300);
   void add(const Vec2& p) {
     least = least.cwiseMin(p);
     most = most.cwiseMax(p);
   }
-  [[nodiscard]] bool near(const Box& other) const {
+  [[nodiscard]] bool near(const PieceBox& other) const {
     return ((least - other.most).array() <= touching).all() && ((other.least - most).array() <= touching).all();
   }
 };
 
-Box boxOf(const BezierPiece& piece) {
-  Box box;
+PieceBox boxOf(const BezierPiece& piece) {
+  PieceBox box;
   for (const Vec3& pole : piece) box.add(euclidean(pole));
   return box;
 }
@@ -34,7 +36,7 @@ Box boxOf(const BezierPiece& piece) {
 /// A path in pieces whose control polygons turn by less than half a turn: such a piece does not meet itself.
 struct Piece {
   BezierPiece curve;
-  Box box;
+  PieceBox box;
 };
 
 bool turnsLittle(const BezierPiece& piece) {
@@ -72,7 +74,7 @@ std::vector<Piece> piecesOf(const Path& path) {
   for (const Segment& segment : path.segments)
     for (const BezierPiece& curve : curvesOf(segment)) {
       // The line that closes a rounded end is none: its neighbours follow each other.
-      const Box box = boxOf(curve);
+      const PieceBox box = boxOf(curve);
       if ((box.most - box.least).norm() > touching) addPieces(curve, deepest, pieces);
     }
   return pieces;
@@ -83,7 +85,7 @@ bool isStraight(const BezierPiece& piece) {
   const double reach = along.norm();
   return std::all_of(piece.begin(), piece.end(), [&](const Vec3& pole) {
     const Vec2 offset = euclidean(pole) - from;
-    return reach > 0 ? std::abs(cross(along, offset)) <= straight * reach : offset.norm() <= straight;
+    return reach > 0 ? std::abs(cross(along, offset)) <= bend * reach : offset.norm() <= bend;
   });
 }
 
@@ -100,9 +102,12 @@ struct Joint {
   double reach = 0;
 };
 
+using Counts = std::function<bool(const Vec2&)>;
+
 class Finder {
  public:
-  explicit Finder(std::vector<Joint> joints) : joints_(std::move(joints)) {}
+  /// Places count when `counts` says so; all of them when it is empty.
+  explicit Finder(std::vector<Joint> joints, Counts counts = {}) : joints_(std::move(joints)), counts_(std::move(counts)) {}
 
   std::optional<Vec2> meet(const BezierPiece& a, const BezierPiece& b) const {
     if (!boxOf(a).near(boxOf(b)) || withinJoint(a, b)) return std::nullopt;
@@ -121,7 +126,8 @@ class Finder {
  private:
   [[nodiscard]] bool excused(const Vec2& p) const {
     return std::any_of(joints_.begin(), joints_.end(),
-                       [&](const Joint& joint) { return (p - joint.place).norm() <= joint.reach; });
+                       [&](const Joint& joint) { return (p - joint.place).norm() <= joint.reach; }) ||
+           (counts_ && !counts_(p));
   }
 
   [[nodiscard]] bool withinJoint(const BezierPiece& a, const BezierPiece& b) const {
@@ -149,20 +155,26 @@ class Finder {
   }
 
   std::vector<Joint> joints_;
+  Counts counts_;
 };
 
-double extent(const Piece& piece) { return (piece.box.most - piece.box.least).norm(); }
+double extentOf(const Piece& piece) { return (piece.box.most - piece.box.least).norm(); }
 
 Joint jointAt(const Piece& a, const Piece& b, const Vec3& pole) {
-  return {euclidean(pole), std::max(1e-5, 1e-3 * std::min(extent(a), extent(b)))};
+  return {euclidean(pole), std::max(1e-5, 1e-3 * std::min(extentOf(a), extentOf(b)))};
 }
 
+/// The pieces of one path.
+struct Run {
+  std::size_t begin = 0, size = 0;
+  bool closed = false;
+};
+
 /// Neighbours share an end: piece i + 1 begins where piece i ends.
-std::vector<Joint> jointsOf(const std::vector<Piece>& pieces, std::size_t i, std::size_t j, bool closed) {
+std::vector<Joint> jointsOf(const std::vector<Piece>& pieces, std::size_t i, std::size_t j, const Run& run) {
   std::vector<Joint> joints;
-  const std::size_t n = pieces.size();
   const auto follows = [&](std::size_t first, std::size_t second) {
-    return first + 1 == second || (closed && first + 1 == n && second == 0);
+    return first + 1 == second || (run.closed && first + 1 == run.begin + run.size && second == run.begin);
   };
   if (follows(i, j)) joints.push_back(jointAt(pieces[i], pieces[j], pieces[j].curve.front()));
   if (follows(j, i)) joints.push_back(jointAt(pieces[i], pieces[j], pieces[i].curve.front()));
@@ -171,7 +183,7 @@ std::vector<Joint> jointsOf(const std::vector<Piece>& pieces, std::size_t i, std
 
 /// Calls `meet(i, j)` for all pairs of boxes that come near each other, sweeping in x, until it returns something.
 template <class Meet>
-std::optional<Vec2> sweep(const std::vector<Piece>& pieces, const Progress& progress, Meet meet) {
+std::optional<Vec2> firstOfNearPairs(const std::vector<Piece>& pieces, const Progress& progress, Meet meet) {
   std::vector<std::size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto left = [&](std::size_t k) { return pieces[k].box.least.x(); };
@@ -189,23 +201,63 @@ std::optional<Vec2> sweep(const std::vector<Piece>& pieces, const Progress& prog
   return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<Vec2> selfCrossing(const Path& path, const Progress& progress) {
-  const std::vector<Piece> pieces = piecesOf(path);
-  return sweep(pieces, progress, [&](std::size_t i, std::size_t j) {
-    return Finder(jointsOf(pieces, i, j, path.closed)).meet(pieces[i].curve, pieces[j].curve);
+/// Where two places of the pieces meet that count, pieces of one path only where they are no neighbours' common end.
+std::optional<Vec2> meetingOf(const std::vector<Path>& loops, const Progress& progress, const Counts& counts) {
+  std::vector<Piece> pieces;
+  std::vector<std::size_t> begins, loopOf;
+  for (const Path& loop : loops) {
+    begins.push_back(pieces.size());
+    for (Piece& piece : piecesOf(loop)) pieces.push_back(std::move(piece));
+    loopOf.resize(pieces.size(), begins.size() - 1);
+  }
+  begins.push_back(pieces.size());
+  return firstOfNearPairs(pieces, progress, [&](std::size_t i, std::size_t j) {
+    if (loopOf[i] != loopOf[j]) return Finder({}, counts).meet(pieces[i].curve, pieces[j].curve);
+    const std::size_t begin = begins[loopOf[i]], size = begins[loopOf[i] + 1] - begin;
+    return Finder(jointsOf(pieces, i, j, {begin, size, loops[loopOf[i]].closed}), counts)
+        .meet(pieces[i].curve, pieces[j].curve);
   });
 }
+
+int turnsAround(const std::vector<Path>& loops, const Vec2& p) {
+  int turns = 0;
+  for (const Path& loop : loops) turns += windingNumber(loop, p);
+  return turns;
+}
+
+/// Whether `differs` holds at some place next to p.
+bool anyBeside(const Vec2& p, const Counts& differs) {
+  constexpr int directions = 32;
+  constexpr double away = 10 * touching;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.37) / directions;  // not along the axes
+    if (differs(p + away * Vec2(std::cos(angle), std::sin(angle)))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Vec2> selfCrossing(const Path& path, const Progress& progress) { return meetingOf({path}, progress, {}); }
 
 std::optional<Vec2> crossing(const Path& a, const Path& b, const Progress& progress) {
   std::vector<Piece> pieces = piecesOf(a);
   const std::size_t ofFirst = pieces.size();
   for (Piece& piece : piecesOf(b)) pieces.push_back(std::move(piece));
-  return sweep(pieces, progress, [&](std::size_t i, std::size_t j) -> std::optional<Vec2> {
+  return firstOfNearPairs(pieces, progress, [&](std::size_t i, std::size_t j) -> std::optional<Vec2> {
     if ((i < ofFirst) == (j < ofFirst)) return std::nullopt;
     return Finder({}).meet(pieces[i].curve, pieces[j].curve);
   });
 }
 
-}  // namespace blossom::modeling
+std::optional<Vec2> misfilledCrossing(const Curves& drawing, const Region& region, const Progress& progress) {
+  const std::vector<Path> paths = joined(drawing).paths;
+  const auto differs = [&](const Vec2& p) {
+    const int turns = turnsAround(paths, p);
+    const bool filled = drawing.fillRule == FillRule::EvenOdd ? turns % 2 != 0 : turns != 0;
+    return filled != (turnsAround(region.loops, p) > 0);
+  };
+  return meetingOf(paths, progress, [&](const Vec2& p) { return anyBeside(p, differs); });
+}
+
+}  // namespace blossom

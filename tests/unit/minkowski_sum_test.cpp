@@ -1,13 +1,9 @@
 #include <ctime>
 #include <map>
 
-#include "geometry/bspline.h"
-#include "minkowski/kernel/bounding_polyline.h"
 #include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/nesting.h"
 #include "minkowski/kernel/polygon_sum.h"
 #include "minkowski/kernel/region_sum.h"
-#include "minkowski/kernel/snap_rounding.h"
 #include "minkowski/kernel/winding_faces.h"
 #include "support/regions.h"
 #include "support/support.h"
@@ -230,33 +226,6 @@ class MinkowskiSumTest : public QObject {
       }
   }
 
-  /// A spike that rounding turned inside out for half of its length: there the loop counts -1, and no sum must see that.
-  void tangledLoopsAreUntangled() {
-    constexpr std::int64_t k = 1 << 20;
-    const std::vector<GridPolygon> tangled{{{{0, 0},
-                                             {k, 0},
-                                             {k, k},
-                                             {k / 2 + 4, k},
-                                             {k / 2 - 2, 5 * k / 4},
-                                             {k / 2 - 2, 7 * k / 4},
-                                             {k / 2 + 1, 2 * k},
-                                             {k / 2 - 1, 2 * k},
-                                             {k / 2 + 2, 7 * k / 4},
-                                             {k / 2 + 2, 5 * k / 4},
-                                             {k / 2 - 4, k},
-                                             {0, k}},
-                                            {}}};
-    const std::vector<GridPolygon> small{{{{0, 0}, {k / 4, 0}, {k / 4, k / 4}, {0, k / 4}}, {}}};
-    const auto areaWith = [&](const std::vector<GridPolygon>& loops) {
-      return minkowski::area(windingFaces(convolution(loops, small))) / (double(k) * double(k));
-    };
-    QVERIFY(!isClear(tangled));
-    const std::vector<GridPolygon> plain = untangled(tangled);
-    QVERIFY(!misplacedFace(edgesOf(plain), 0));
-    const double spike = 1.25 * 1.25 + 0.25;  // the square, and the spike without width, both as wide as the small one
-    COMPARE_NEAR(areaWith(plain), spike, 1e-4);
-  }
-
   void farFromTheOriginNothingIsLost() {
     const Region sum =
         sumOf(rectangleRegion({1e6, 1e6}, {1e6 + 1, 1e6 + 1}), polygonRegion({{-3e5, 0}, {-3e5 + 2, 0}, {-3e5 + 1, 1}}));
@@ -331,57 +300,6 @@ class MinkowskiSumTest : public QObject {
     COMPARE_NEAR(area(differenceOf(part, frame(48, 20))), 4 * 4, 1e-9);
   }
 
-  /// A sieve with an island in each of 10,000 holes, two of which touch their holes in corners.
-  void loopsByTheThousandLieInOneAnotherAsTheyDo() {
-    for (const bool touching : {false, true}) {
-      Region sieve{{rectanglePath({0, 0}, {1000, 1000})}};
-      for (int x = 0; x < 100; ++x)
-        for (int y = 0; y < 100; ++y) {
-          const Vec2 at(10 * x, 10 * y);
-          sieve.loops.push_back(reversed(rectanglePath(at + Vec2(2, 2), at + Vec2(8, 8))));
-          const double reach = touching && x == y && x < 2 ? 3 : 2;
-          sieve.loops.push_back(polygonPath(
-              {at + Vec2(5 + reach, 5), at + Vec2(5, 5 + reach), at + Vec2(5 - reach, 5), at + Vec2(5, 5 - reach)}));
-        }
-      const Polygons parts = flattened(sieve, {}, "sieve");
-      QCOMPARE(parts.size(), std::size_t{10'001});
-      std::size_t holes = 0;
-      for (const Polygon& part : parts) {
-        QVERIFY(minkowski::signedArea(part.outer) > 0);
-        for (const Loop& hole : part.holes) QVERIFY(minkowski::signedArea(hole) < 0);
-        holes += part.holes.size();
-      }
-      QCOMPARE(holes, std::size_t{10'000});
-      COMPARE_NEAR(minkowski::area(parts), 1e6 - 10'000 * (36 - 8) + (touching ? 2 * 10 : 0), 1e-3);
-    }
-  }
-
-  /// Rings in rings in all places, on few levels of x, so that many begin and end at once.
-  void nestingIsThatOfEachPoint() {
-    std::mt19937_64 random = seededRandom();
-    std::uniform_int_distribution<std::int64_t> split(1, 3);
-    std::vector<GridLoop> loops;
-    std::vector<std::optional<std::size_t>> wanted;
-    // Each box holds up to nine smaller ones, apart from one another.
-    const auto fill = [&](const auto& self, GridPoint low, std::int64_t size, std::optional<std::size_t> around) -> void {
-      const std::size_t me = loops.size();
-      GridLoop loop{low, {low.x + size, low.y}, {low.x + size, low.y + size}, {low.x, low.y + size}};
-      if (size % 5 == 0) loop = {{low.x, low.y + size / 2}, {low.x + size / 2, low.y}, {low.x + size, low.y + size}};
-      if (loops.size() % 2 == 1) std::reverse(loop.begin(), loop.end());
-      loops.push_back(loop);
-      wanted.push_back(around);
-      if (size < 400 || size % 5 == 0) return;
-      const std::int64_t count = split(random), step = size / count;
-      for (std::int64_t x = 0; x < count; ++x)
-        for (std::int64_t y = 0; y < count; ++y)
-          if (split(random) > 1) self(self, {low.x + x * step + 20, low.y + y * step + 20}, step - 40 - split(random), me);
-    };
-    for (int k = 0; k < 5; ++k) fill(fill, {k * 100'100, 0}, 100'000 + k, {});
-    QVERIFY(loops.size() > 100);
-    const auto around = loopsAround(loops);
-    for (std::size_t i = 0; i < loops.size(); ++i) QVERIFY(around[i] == wanted[i]);
-  }
-
   /// Whatever the size and wherever the place: a share of the shape, not so many millimetres.
   void smallShapesAreDrawnAsFinelyAsLargeOnes() {
     for (double r = 1e-5; r < 20; r *= 10)
@@ -447,52 +365,6 @@ class MinkowskiSumTest : public QObject {
       QVERIFY(isWithin(room(pierced, rectangleRegion({-1, -1}, {1, 1})), 18 * 14 - (4 + 16 + 4 * pi), 64 + 8 + 4 * pi,
                        tolerance));
       QVERIFY(isWithin(room(circleRegion(9), circleRegion(2.5)), pi * 6.5 * 6.5, 13 * pi, tolerance));
-    }
-  }
-
-  /// Splines that bend both ways, with weights: every point of the curve is inside of the polyline beside it, or on it.
-  void polylinesBesideCurvesKeepToTheirSide() {
-    std::mt19937_64 random = seededRandom();
-    std::uniform_real_distribution<double> unit(0, 1);
-    for (int shape = 0; shape < 60; ++shape) {
-      const int degree = 2 + shape % 3, pieces = 3 + shape % 4, poles = degree * pieces;
-      std::vector<Vec2> corners = spikyPoints(random, {0, 0}, 10, poles);
-      corners.push_back(corners.front());
-      Path path;
-      path.closed = true;
-      for (int piece = 0; piece < pieces; ++piece) {
-        Spline2 spline{degree, {}, {}};
-        for (int k = 0; k <= degree; ++k) {
-          const double weight = k == 0 || k == degree ? 1 : 0.3 + 2 * unit(random);
-          const Vec2& pole = corners[static_cast<std::size_t>(degree * piece + k)];
-          spline.poles.emplace_back(weight * pole.x(), weight * pole.y(), weight);
-        }
-        spline.knots.assign(static_cast<std::size_t>(degree) + 1, 0.0);
-        spline.knots.insert(spline.knots.end(), static_cast<std::size_t>(degree) + 1, 1.0);
-        path.segments.emplace_back(spline);
-      }
-      for (const double tolerance : {1.0, 1e-2, 1e-4}) {
-        const Path outside = polygonPath(polylineToTheRight(path, tolerance)),
-                   inside = polygonPath(polylineToTheLeft(path, tolerance));
-        for (const Segment& segment : path.segments) {
-          const Curve curve = toCurve(std::get<Spline2>(segment));
-          for (int k = 0; k < 60; ++k) {
-            const Vec2 p = point(curve, unit(random)).head<2>();
-            const auto holds = [&](const Path& loop, bool within) {
-              double nearest = 1e300;
-              for (const Segment& each : loop.segments) {
-                const Line2& line = std::get<Line2>(each);
-                const Vec2 along = line.to - line.from;
-                const double t = along.isZero() ? 0 : std::clamp((p - line.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-                nearest = std::min(nearest, (p - line.from - t * along).norm());
-              }
-              return nearest < 1e-11 || (nearest <= tolerance && (windingNumber(loop, p) > 0) == within);
-            };
-            QVERIFY(holds(outside, true));
-            QVERIFY(holds(inside, false));
-          }
-        }
-      }
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace blossom::minkowski {
 namespace {
@@ -33,32 +34,68 @@ GridLoop outlineOf(const GridLoop& points) {
   return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
-bool straight(const Vec2& a, const Vec2& b, const Vec2& c, double crumb) {
-  const Vec2 along = c - a;
+/// A corner that is kept, and how far at most the outline that was given strays from the edge that leads to it.
+struct KeptCorner {
+  Vec2 at;
+  double strays = 0;
+};
+
+/// How far the edge a c, which stands for a b c, then strays at most from what was given; nothing when that is more than a
+/// crumb. An antenna, which encloses nothing, counts by its width.
+std::optional<double> withoutCorner(const Vec2& a, const KeptCorner& b, const KeptCorner& c, double crumb) {
+  const Vec2 along = c.at - a;
   const double reach = along.norm();
-  if (reach <= crumb) return true;  // an antenna, or neighbours that are one point
-  return std::abs(cross(along, Vec2(b - a))) <= crumb * reach && (b - a).dot(along) >= 0 && (c - b).dot(along) >= 0;
+  const double before = std::max(b.strays, c.strays);
+  const bool antenna = before + reach <= crumb;
+  if (!antenna && (!((b.at - a).dot(along) >= 0) || !((c.at - b.at).dot(along) >= 0))) return std::nullopt;
+  const double strays = before + (antenna ? reach : std::abs(cross(along, Vec2(b.at - a))) / reach);
+  return strays <= crumb ? std::optional(strays) : std::nullopt;
 }
 
-/// Without collinear points; empty when nothing of any width is left.
-Loop withoutCrumbs(const Loop& loop, double crumb) {
-  Loop kept;
-  for (const Vec2& p : loop) {
-    while (kept.size() >= 2 && straight(kept[kept.size() - 2], kept.back(), p, crumb)) kept.pop_back();
-    if (kept.empty() || (kept.back() - p).norm() > crumb) kept.push_back(p);
+/// Drops the last corners while the edge to `next` can stand for them.
+void dropBefore(KeptCorner& next, std::vector<KeptCorner>& kept, double crumb) {
+  while (kept.size() >= 2) {
+    const auto strays = withoutCorner(kept[kept.size() - 2].at, kept.back(), next, crumb);
+    if (!strays) return;
+    next.strays = *strays;
+    kept.pop_back();
   }
+}
+
+/// The same where the last corner meets the first.
+void dropAtSeam(std::vector<KeptCorner>& kept, double crumb) {
   while (kept.size() >= 3) {
-    if (straight(kept[kept.size() - 2], kept.back(), kept.front(), crumb))
+    if (const auto end = withoutCorner(kept[kept.size() - 2].at, kept.back(), kept.front(), crumb)) {
+      kept.front().strays = *end;
       kept.pop_back();
-    else if (straight(kept.back(), kept.front(), kept[1], crumb))
+    } else if (const auto start = withoutCorner(kept.back().at, kept.front(), kept[1], crumb)) {
+      kept[1].strays = *start;
       kept.erase(kept.begin());
-    else
-      break;
+    } else {
+      return;
+    }
   }
+}
+
+/// Without collinear points and crumbs: but for antennas, what was given stays within a crumb of it. Empty when nothing of
+/// any width is left.
+Loop withoutCrumbs(const Loop& loop, double crumb) {
+  std::vector<KeptCorner> kept;
+  double skipped = 0;  // how far what was skipped lies from the last corner
+  for (const Vec2& p : loop) {
+    KeptCorner next{p, skipped};
+    dropBefore(next, kept, crumb);
+    const double step = kept.empty() ? HUGE_VAL : (kept.back().at - p).norm();
+    if (step > crumb) kept.push_back(next);
+    skipped = step > crumb ? 0 : std::max(next.strays, step);
+  }
+  dropAtSeam(kept, crumb);
+  Loop corners;
+  for (const KeptCorner& corner : kept) corners.push_back(corner.at);
   double perimeter = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) perimeter += (kept[(i + 1) % kept.size()] - kept[i]).norm();
-  if (kept.size() < 3 || std::abs(signedArea(kept)) <= crumb * perimeter) return {};
-  return kept;
+  for (std::size_t i = 0; i < corners.size(); ++i) perimeter += (corners[(i + 1) % corners.size()] - corners[i]).norm();
+  if (corners.size() < 3 || std::abs(signedArea(corners)) <= crumb * perimeter) return {};
+  return corners;
 }
 
 /// Far from the origin the doubles of the plane lie farther apart than the grid's points.

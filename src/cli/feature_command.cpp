@@ -203,12 +203,11 @@ class FeatureCommand {
     planned = writeOutputs(session_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
     const double writeMs = millisecondsSince(writing);
     Measures measures = measured(result->evaluated, progress.part(0.95, 1));
-    tellChecks(planned, measures, warnings);
+    tellReports(planned, measures, warnings);
     Value stats{{"kernel_ms", result->kernelMs}, {"total_ms", 0.0}};
     if (!planned.empty()) stats["write_ms"] = writeMs;
     stats.update(result->evaluated.stats);
     stats["total_ms"] = session_.elapsedMs();
-    addNotes(warnings, planned);
     report(planned, measures, stats, warnings);
     return 0;
   }

@@ -9,7 +9,6 @@
 #include <cstring>
 
 #include "exchange/frames.h"
-#include "exchange/mesh_chord.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
@@ -95,15 +94,6 @@ std::vector<Output> spread(const std::vector<Output>& outputs, const Shape& shap
   return files;
 }
 
-/// Meshes of large shapes do not fill the disk because of a chord that nobody chose.
-void boundChord(Output& output, const Progress& progress) {
-  const auto chord = output.options.find("chord");
-  if (output.chordGiven || chord == output.options.end() || !chord->is_number()) return;
-  const MeshChord bounded = affordableChord(*output.shape, chord->get<double>(), progress);
-  *chord = bounded.chord;
-  output.note = bounded.note;
-}
-
 }  // namespace
 
 std::vector<std::string> outputPaths(const FormatRegistry& formats, const std::vector<std::string>& given) {
@@ -149,9 +139,8 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
     const double count = static_cast<double>(outputs.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     if (outputs[i].format) {
-      boundChord(outputs[i], part.part(0, 0.2));
-      writeShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, part.part(0.2, 0.7));
-      outputs[i].check = checkWritten(*app.formats, *outputs[i].shape, outputs[i].path, part.part(0.7, 1));
+      outputs[i].report = exportShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options,
+                                      outputs[i].chordGiven, part);
     } else {
       saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
     }
@@ -159,18 +148,13 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
   return outputs;
 }
 
-void addNotes(std::vector<std::string>& warnings, const std::vector<Output>& outputs) {
-  for (const Output& output : outputs)
-    if (!output.note.empty()) warnings.push_back(output.note);
-}
-
-void tellChecks(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings) {
+void tellReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings) {
   for (const Output& output : written) {
-    if (!output.check) continue;
-    warnings.insert(warnings.end(), output.check->warnings.begin(), output.check->warnings.end());
+    warnings.insert(warnings.end(), output.report.warnings.begin(), output.report.warnings.end());
+    if (!output.report.gouge) continue;
     for (Measure& measure : measures.values)
       if (double* told = std::get_if<double>(&measure.value); told && measure.name == "gouge_mm")
-        *told = std::max(*told, output.check->gouge);
+        *told = std::max(*told, *output.report.gouge);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/format_flags.h"
-#include "exchange/written_check.h"
+#include "exchange/export_shape.h"
 #include "geometry/measure.h"
 
 namespace blossom {
@@ -15,14 +15,13 @@ struct Output {
   std::filesystem::path path;
   const Format* format = nullptr;
   Value options = Value::object();
-  std::optional<Shape> shape{};         ///< what was written into it
-  std::optional<WrittenCheck> check{};  ///< of a program: what its file is worth when it is read back
-  bool chordGiven = false;              ///< the user has said how fine polygons are to be
-  std::string note{};                   ///< a sentence about how it was written; mostly empty
+  std::optional<Shape> shape{};  ///< what was written into it
+  bool chordGiven = false;       ///< the user has said how fine polygons are to be
+  ExportReport report{};         ///< once it is written
 };
 
-/// What the checks of files that were written warn of, and with what they are worth the measures of what they hold.
-void tellChecks(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings);
+/// What is to be said about files that were written, and with what they are worth the measures of what they hold.
+void tellReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings);
 
 /// The paths of -o: repeated or as a comma list. A comma stays part of a name where what it would split off has no known
 /// extension.
@@ -38,9 +37,6 @@ std::vector<Output> plannedOutputs(const FormatRegistry&, const std::vector<std:
 /// several files in formats of one frame (see exchange/frames.h). What one of the formats cannot hold is said before the
 /// first is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
 std::vector<Output> writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
-
-/// Adds what is to be said about how files were written.
-void addNotes(std::vector<std::string>& warnings, const std::vector<Output>&);
 
 /// The paths as --json prints them.
 Value pathsJson(const std::vector<Output>&);

@@ -210,9 +210,8 @@ class RunCommand {
         if (!problem) problem = error;
       }
     }
-    addNotes(opened.warnings, written);
     Measures none;
-    tellChecks(written, none, opened.warnings);
+    tellReports(written, none, opened.warnings);
     report(features, opened.warnings, written, problem);
     return problem ? 1 : 0;
   }

@@ -163,21 +163,40 @@ Vec3 normalOf(const Vec3& a, const Vec3& b, const Vec3& c) {
   return size > 0 ? Vec3(n / size) : Vec3(0, 0, 0);
 }
 
+using Corners = std::array<std::size_t, 3>;
+
+/// Triangles of which two corners fall together in the numbers of the file enclose nothing and would join what only touches:
+/// their neighbours close the surface without them.
+template <class Number>
+std::vector<Corners> facetsOf(const Tessellation& t) {
+  const auto same = [&](std::size_t a, std::size_t b) {
+    return (t.points[a].cast<Number>().array() == t.points[b].cast<Number>().array()).all();
+  };
+  std::vector<Corners> facets;
+  facets.reserve(t.triangles.size());
+  for (const auto& [a, b, c] : t.triangles) {
+    const Corners f{static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)};
+    if (!same(f[0], f[1]) && !same(f[1], f[2]) && !same(f[2], f[0])) facets.push_back(f);
+  }
+  return facets;
+}
+
 std::string binaryStl(const Tessellation& t, const Progress& progress) {
+  const std::vector<Corners> facets = facetsOf<float>(t);
+  if (facets.empty())
+    throw Error(ErrorCode::OutputNotSupported,
+                "The shape lies so far from the origin for its size that nothing of it is left in the numbers of binary STL.",
+                "Move it to the origin, or write text (--stl.ascii).");
   std::string out = "Blossom STL, lengths in mm";
   out.resize(80, ' ');
-  appendLittleEndian(out, static_cast<std::uint32_t>(t.triangles.size()));
+  appendLittleEndian(out, static_cast<std::uint32_t>(facets.size()));
   const auto append = [&](const Vec3& p) {
     for (int i = 0; i < 3; ++i) appendLittleEndian(out, static_cast<float>(p[i]));
   };
-  writeEach(t.triangles.size(), progress, [&](std::size_t f) {
-    const auto& [a, b, c] = t.triangles[f];
-    const Vec3 &p = t.points[static_cast<std::size_t>(a)], &q = t.points[static_cast<std::size_t>(b)],
-               &r = t.points[static_cast<std::size_t>(c)];
-    append(normalOf(p, q, r));
-    append(p);
-    append(q);
-    append(r);
+  writeEach(facets.size(), progress, [&](std::size_t f) {
+    const auto& [a, b, c] = facets[f];
+    append(normalOf(t.points[a], t.points[b], t.points[c]));
+    for (const std::size_t corner : facets[f]) append(t.points[corner]);
     appendLittleEndian(out, std::uint16_t{0});
   });
   return out;
@@ -187,12 +206,12 @@ std::string textStl(const Tessellation& t, const Progress& progress) {
   const auto numbers = [](const Vec3& p) {
     return fmt::format("{} {} {}", formatNumber(p.x()), formatNumber(p.y()), formatNumber(p.z()));
   };
+  const std::vector<Corners> facets = facetsOf<double>(t);
   std::string out = "solid blossom\n";
-  writeEach(t.triangles.size(), progress, [&](std::size_t f) {
-    std::array<Vec3, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = t.points[static_cast<std::size_t>(t.triangles[f][i])];
-    out += fmt::format("facet normal {}\n outer loop\n", numbers(normalOf(p[0], p[1], p[2])));
-    for (const Vec3& corner : p) out += fmt::format("  vertex {}\n", numbers(corner));
+  writeEach(facets.size(), progress, [&](std::size_t f) {
+    const auto& [a, b, c] = facets[f];
+    out += fmt::format("facet normal {}\n outer loop\n", numbers(normalOf(t.points[a], t.points[b], t.points[c])));
+    for (const std::size_t corner : facets[f]) out += fmt::format("  vertex {}\n", numbers(t.points[corner]));
     out += " endloop\nendfacet\n";
   });
   return out + "endsolid blossom\n";

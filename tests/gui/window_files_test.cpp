@@ -20,6 +20,7 @@ class WindowFilesTest : public WindowFixture {
   void aBrokenFileIsSaidInPlace();
   void aDamagedDocumentOffersWhatIsReadable();
   void exportedPictureIsAPicture();
+  void whatAFileLosesIsSaid();
   void unsavedChangesAreAskedFor();
   void droppedFilesAreOpenedOrAdded();
 };
@@ -95,6 +96,24 @@ void WindowFilesTest::exportedPictureIsAPicture() {
   QCOMPARE(QImage(file).size(), QSize(320, 200));
   // Drawing elsewhere has left the window's own context alone.
   QVERIFY(colored(canvas(), theme().color("made")) > 0.03);
+}
+
+/// A tetrahedron 10 km from the origin: single precision moves its corners by half a millimetre.
+void WindowFilesTest::whatAFileLosesIsSaid() {
+  const QString far = folder_.filePath(QStringLiteral("far.off"));
+  QFile out(far);
+  QVERIFY(out.open(QIODevice::WriteOnly));
+  out.write("OFF\n4 4 0\n10000000 0 0\n10000010 0 0\n10000000 10 0\n10000000 0 10\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  out.close();
+  window_->openFile(far);
+  Session& session = window_->session();
+  QTRY_VERIFY_WITH_TIMEOUT(!session.document().features().empty() && !session.evaluating(), 60000);
+  QSignalSpy warned(&session, &Session::warned);
+  const QString file = folder_.filePath(QStringLiteral("far.stl"));
+  session.exportFeatures({session.document().features().front()->id}, file.toStdString(), Value::object());
+  QTRY_VERIFY(!warned.isEmpty());
+  QVERIFY(warned.front().front().toStringList().front().contains(QStringLiteral("move by up to 0.6 mm")));
+  QVERIFY(QFileInfo(file).size() == 84 + 4 * 50);
 }
 
 void WindowFilesTest::unsavedChangesAreAskedFor() {

@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <cstring>
 
+#include "exchange/export_shape.h"
+#include "geometry/mesh_topology.h"
 #include "support/exchange.h"
 
 using namespace blossom;
@@ -76,6 +78,39 @@ class StlTest : public QObject {
       QCOMPARE(mesh.faceCount(), std::size_t(12));
       QCOMPARE(mesh.points.size(), std::size_t(8));
       COMPARE_NEAR(volume(mesh), 1, 1e-12);
+    }
+  }
+
+  /// A sliver whose corners fall together in single precision leaves no facet that would join what only touches there.
+  void collapsedTrianglesAreLeftOut() {
+    Mesh mesh;
+    for (const double x : {0.0, 1e-12}) mesh.points.emplace_back(x + 100, 0, 0);
+    mesh.points.emplace_back(100, 1, 0);
+    mesh.points.emplace_back(101, 0, 0);
+    mesh.points.emplace_back(100, 0, 1);
+    // A tetrahedron with a corner split in two: six triangles, two of them without width.
+    for (const auto& f : {std::array{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 3, 4}, {0, 4, 2}, {2, 4, 3}}) mesh.addFace(f);
+    COMPARE_NEAR(volume(mesh), 1.0 / 6, 1e-9);
+    const Mesh coarse = *roundTrip(mesh, "stl", {{"ascii", false}}).shape.get<Mesh>();
+    QCOMPARE(coarse.faceCount(), std::size_t(4));
+    QVERIFY(meshTopology(coarse).closed());
+    QCOMPARE(meshTopology(coarse).components.size(), std::size_t(1));
+    COMPARE_NEAR(volume(coarse), 1.0 / 6, 1e-5);
+    QCOMPARE(roundTrip(mesh, "stl", {{"ascii", true}}).shape.get<Mesh>()->faceCount(), std::size_t(6));
+  }
+
+  void shapesFarFromTheOriginAreWarnedOf() {
+    const TemporaryFolder folder;
+    for (const double away : {0.0, 100.0, 1e4, 1e6, 1e7}) {
+      Mesh moved = cube();
+      for (Vec3& p : moved.points) p += away / 7 * Vec3(3, 5, 7);
+      for (const bool ascii : {false, true}) {
+        const fs::path file = folder.path() / "far.stl";
+        const ExportReport report = exportShape(formats(), moved, file, {{"ascii", ascii}}, false);
+        const double error = std::abs(signedVolume(triangulated(*readShape(formats(), file).shape.get<Mesh>()).first) - 1);
+        QCOMPARE(report.warnings.size(), std::size_t(!ascii && away > 1e3 ? 1 : 0));
+        if (report.warnings.empty()) QVERIFY2(error < 1e-4 + 1e-8 * away, qPrintable(QString::number(error)));
+      }
     }
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "document/storage.h"
+#include "exchange/export_shape.h"
 #include "exchange/frames.h"
 #include "geometry/together.h"
 #include "ui/look/text.h"
@@ -17,6 +18,14 @@ namespace {
 void removeNothing() {}
 
 QString fileName(const std::filesystem::path& file) { return qt(file.filename().string()); }
+
+/// Whether the user has changed how fine polygons are to be.
+bool chordChosen(const Format* format, const Value& options) {
+  const auto chord = options.find("chord");
+  if (!format || chord == options.end()) return false;
+  return std::none_of(format->writeOptions.begin(), format->writeOptions.end(),
+                      [&](const ParameterSpec& spec) { return spec.name == "chord" && spec.fallback == *chord; });
+}
 
 Feature newFeature(const Document& document, const FeatureType& type, std::vector<FeatureId> inputs) {
   Feature feature;
@@ -168,15 +177,17 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
     return;
   }
   auto figures = std::make_shared<QString>();
+  auto warnings = std::make_shared<QStringList>();
   writing_ |= begin(
       tr("Exporting %1").arg(fileName(file)),
-      [this, file, options, shapes, figures](const Progress& progress) {
+      [this, file, options, shapes, figures, warnings](const Progress& progress) {
         refuseResource(file);
         QElapsedTimer clock;
         clock.start();
         const Shape shape = together(shapes);
-        writeShape(*app_.formats, shape, file, options, progress);
         const Format* format = app_.formats->find(file.extension().string());
+        const ExportReport report = exportShape(*app_.formats, shape, file, options, chordChosen(format, options), progress);
+        for (const std::string& warning : report.warnings) warnings->append(qt(warning));
         const auto files = filesOf(*format, shape, file, completed(format->writeOptions, options));
         qint64 size = 0;
         for (const FileOfShape& each : files) size += QFileInfo(qt(each.path.string())).size();
@@ -185,7 +196,11 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
                                     .arg(static_cast<double>(clock.elapsed()) / 1000, 0, 'f', 1);
         *figures = files.size() == 1 ? written : tr("%1 files, %2").arg(files.size()).arg(written);
       },
-      [this, file, figures] { emit noted(tr("Exported %1: %2.").arg(fileName(file), *figures)); }, file);
+      [this, file, figures, warnings] {
+        emit noted(tr("Exported %1: %2.").arg(fileName(file), *figures));
+        if (!warnings->isEmpty()) emit warned(*warnings);
+      },
+      file);
 }
 
 void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs) {

@@ -432,6 +432,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::subdivision::CurveTool</name>
+    <message>
+        <source>Pull a point</source>
+        <translation>Einen Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>Let go to pull the curve here · Esc takes it back</source>
+        <translation>Loslassen zieht die Kurve hierher · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point of the curve</source>
+        <translation>Ziehen Sie, um diesen Punkt der Kurve zu ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a place near a control point to pull the smooth curve there</source>
+        <translation>Ziehen Sie eine Stelle bei einem Kontrollpunkt, um die glatte Kurve dorthin zu ziehen</translation>
+    </message>
+</context>
+<context>
     <name>blossom::subdivision::PullTool</name>
     <message>
         <source>Pull a point</source>
@@ -1177,6 +1196,13 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
+    <name>blossom::ui::FaultBar</name>
+    <message>
+        <source>Show the feature</source>
+        <translation>Zum Element</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::FeatureHeader</name>
     <message>
         <source>Name of the feature</source>
@@ -1722,18 +1748,6 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>&amp;Farben</translation>
     </message>
     <message>
-        <source>As the &amp;desktop</source>
-        <translation>Wie die &amp;Arbeitsumgebung</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>&amp;Dunkel</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
@@ -2008,6 +2022,30 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>%1, tab %2</source>
         <translation>%1, Reiter %2</translation>
+    </message>
+    <message>
+        <source>Theme of the &amp;desktop</source>
+        <translation>Farben der &amp;Arbeitsumgebung</translation>
+    </message>
+    <message>
+        <source>The window is dark or light as the desktop is.</source>
+        <translation>Das Fenster ist dunkel oder hell wie die Arbeitsumgebung.</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>&amp;Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>Light letters on dark ground.</source>
+        <translation>Helle Schrift auf dunklem Grund.</translation>
+    </message>
+    <message>
+        <source>&amp;Light theme</source>
+        <translation>&amp;Helle Farben</translation>
+    </message>
+    <message>
+        <source>Dark letters on light ground.</source>
+        <translation>Dunkle Schrift auf hellem Grund.</translation>
     </message>
 </context>
 <context>
@@ -2524,6 +2562,10 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Out of date: computing…</source>
+        <translation>Veraltet: wird berechnet…</translation>
     </message>
 </context>
 <context>

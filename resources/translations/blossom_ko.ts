@@ -432,6 +432,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::subdivision::CurveTool</name>
+    <message>
+        <source>Pull a point</source>
+        <translation>점 당기기</translation>
+    </message>
+    <message>
+        <source>Let go to pull the curve here · Esc takes it back</source>
+        <translation>놓으면 곡선이 여기로 당겨집니다 · Esc는 되돌립니다</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point of the curve</source>
+        <translation>드래그하면 곡선의 이 점을 당깁니다</translation>
+    </message>
+    <message>
+        <source>Drag a place near a control point to pull the smooth curve there</source>
+        <translation>제어점 근처를 드래그하면 매끄러운 곡선이 그곳으로 당겨집니다</translation>
+    </message>
+</context>
+<context>
     <name>blossom::subdivision::PullTool</name>
     <message>
         <source>Pull a point</source>
@@ -1177,6 +1196,13 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     </message>
 </context>
 <context>
+    <name>blossom::ui::FaultBar</name>
+    <message>
+        <source>Show the feature</source>
+        <translation>피처 보기</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::FeatureHeader</name>
     <message>
         <source>Name of the feature</source>
@@ -1722,18 +1748,6 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>테마(&amp;T)</translation>
     </message>
     <message>
-        <source>As the &amp;desktop</source>
-        <translation>데스크톱 설정대로(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>어둡게(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>밝게(&amp;L)</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>도움말(&amp;H)</translation>
     </message>
@@ -2008,6 +2022,30 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>%1, tab %2</source>
         <translation>%1, 탭 %2</translation>
+    </message>
+    <message>
+        <source>Theme of the &amp;desktop</source>
+        <translation>데스크톱 테마(&amp;D)</translation>
+    </message>
+    <message>
+        <source>The window is dark or light as the desktop is.</source>
+        <translation>창이 데스크톱처럼 어둡거나 밝습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>어두운 테마(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light letters on dark ground.</source>
+        <translation>어두운 바탕에 밝은 글자.</translation>
+    </message>
+    <message>
+        <source>&amp;Light theme</source>
+        <translation>밝은 테마(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark letters on light ground.</source>
+        <translation>밝은 바탕에 어두운 글자.</translation>
     </message>
 </context>
 <context>
@@ -2524,6 +2562,10 @@ Drag sideways to change it.</source>
     <message>
         <source>Cancelled.</source>
         <translation>취소되었습니다.</translation>
+    </message>
+    <message>
+        <source>Out of date: computing…</source>
+        <translation>오래된 값: 계산 중…</translation>
     </message>
 </context>
 <context>

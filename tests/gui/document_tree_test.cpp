@@ -8,6 +8,7 @@
 
 #include "support/mouse.h"
 #include "tree_fixture.h"
+#include "ui/panel/fault_bar.h"
 #include "ui/tree/document_clipboard.h"
 #include "ui/tree/document_delegate.h"
 #include "ui/tree/document_edits.h"
@@ -26,7 +27,11 @@ class DocumentTreeTest : public TreeFixture {
     openTestWindow();
     showChain();
   }
-  void cleanup() { window_.reset(); }
+  void cleanup() {
+    letGo_ = true;
+    window_.reset();
+    letGo_ = false;
+  }
   void renamedInPlace();
   void isolatedAndBack();
   void movedWhereItMayStand();
@@ -41,6 +46,8 @@ class DocumentTreeTest : public TreeFixture {
   void pastedIntoAnotherDocument();
   void pastedFromText();
   void failuresSayWhyAndWhatToDo();
+  void failuresAreToldAboveTheView();
+  void whatIsOutOfDateIsDrawnFaintly();
   void eyeHidesAndShows();
   void contextMenuIsMadeOfCommands();
   void commandsSayWhyTheyCannot();
@@ -303,6 +310,104 @@ void DocumentTreeTest::failuresSayWhyAndWhatToDo() {
   const QString tip = failed.data(Qt::ToolTipRole).toString();
   QVERIFY(tip.contains(QStringLiteral("too large")) && tip.contains(QStringLiteral("would fit")));
   QTRY_VERIFY2(window_->tree().visualRect(failed).height() > plain, "the remedy has a line of its own");
+}
+
+void DocumentTreeTest::failuresAreToldAboveTheView() {
+  window_->resize(1024, 700);
+  const FaultBar& bar = window_->page().faults();
+  QVERIFY(bar.isHidden());
+  window_->session().commit(document().with(feature("f", "test.failing", {}, "Pocket")), {});
+  waitUntilComputed();
+  choose({"f"});
+  QTRY_VERIFY(bar.isVisible());
+  QCOMPARE(bar.message(), QStringLiteral("Pocket: The tool of 12 mm is too large."));
+  QCOMPARE(bar.hint(), QStringLiteral("A tool of 4.8 mm would fit."));
+  // All of it is seen, above the view, whatever the panel shows.
+  QCoreApplication::processEvents();
+  QCOMPARE(bar.visibleRegion().boundingRect(), bar.rect());
+  const auto bottom = bar.mapTo(window_.get(), bar.rect().bottomLeft()).y();
+  QVERIFY(bottom < window_->view().mapTo(window_.get(), QPoint()).y());
+  const auto offers = [&] {
+    int shown = 0;
+    for (const auto* button : bar.findChildren<QPushButton*>()) shown += button->isHidden() ? 0 : 1;
+    return shown;
+  };
+  QCOMPARE(offers(), 0);
+
+  // Seen from another feature it offers the way; it goes with the failure, and Esc dismisses it until there is another.
+  choose({"a"});
+  QVERIFY(bar.isVisible());
+  QCOMPARE(offers(), 1);
+  bar.findChild<QPushButton*>()->click();
+  QCOMPARE(window_->tree().current(), FeatureId("f"));
+  QVERIFY(bar.isVisible());
+  QTest::keyClick(&window_->view(), Qt::Key_Escape);
+  QVERIFY(bar.isHidden());
+  Feature other = document().at("a");
+  other.visible = false;
+  window_->session().commit(document().with(other), {});
+  waitUntilComputed();
+  QVERIFY(bar.isHidden());
+  window_->session().commit(document().with(feature("g", "test.failing", {}, "Slot")), {});
+  waitUntilComputed();
+  choose({"g"});
+  QVERIFY(bar.isVisible() && bar.message().startsWith(QStringLiteral("Slot: ")));
+  window_->session().commit(document().without("g").without("f"), {});
+  waitUntilComputed();
+  QVERIFY(bar.isHidden());
+}
+
+/// Mean difference of the pixels, 0 to 255.
+static double contrast(const QImage& a, const QImage& b) {
+  double sum = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+      sum += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue());
+    }
+  return sum / 3 / a.width() / a.height();
+}
+
+void DocumentTreeTest::whatIsOutOfDateIsDrawnFaintly() {
+  Session& session = window_->session();
+  Feature input = feature("a", "test.block"), shown = feature("w", "test.waiting");
+  input.visible = false;
+  letGo_ = true;
+  session.commit(Document::of({input, shown}), QStringLiteral("Begin"));
+  waitUntilComputed();
+  window_->view().fit(false);
+  const QImage ready = canvas();
+  Feature hidden = shown;
+  hidden.visible = false;
+  session.commit(document().with(hidden), QStringLiteral("Hide"));
+  waitUntilComputed();
+  const double whole = contrast(ready, canvas());
+  const QImage empty = canvas();
+  QVERIFY(whole > 1);
+  undo();
+  waitUntilComputed();
+  QCOMPARE(canvas(), ready);
+
+  letGo_ = false;
+  Feature changed = shown;
+  changed.inputs = {"a"};
+  session.commit(document().with(changed), QStringLiteral("Change"));
+  QTRY_VERIFY(session.outdated("w"));
+  QVERIFY(!session.outdated("a"));
+  // Drawn with 3/10, it differs from the ground by less than 51/100 even where two of its sides lie on each other.
+  QVERIFY2(contrast(canvas(), empty) < 0.6 * whole, qPrintable(QString::number(contrast(canvas(), empty) / whole)));
+  QVERIFY(contrast(canvas(), empty) > 0.1 * whole);
+  session.cancelEvaluation();
+  window_->errors().hide();  // the view has the size of before
+  QVERIFY(session.outdated("w"));
+  QTRY_COMPARE(canvas().size(), empty.size());
+  QVERIFY(contrast(canvas(), empty) < 0.6 * whole);
+  letGo_ = true;
+  session.compute();
+  QVERIFY(session.outdated("w"));  // it was waited for before
+  waitUntilComputed();
+  QVERIFY(!session.outdated("w"));
+  QCOMPARE(canvas(), ready);
 }
 
 void DocumentTreeTest::eyeHidesAndShows() {

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QToolButton>
 
 #include "document/journal_files.h"
 #include "document/storage.h"
@@ -52,6 +53,7 @@ class DocumentsTest : public WindowFixture {
     Recovery::instance().stop();
   }
   void tabsAreSwitchedAndClosed();
+  void manyTabsStayReadable();
   void closingTheWindowAsksOnceForAll();
   void samplesAreSavedOnlyWhenAskedFor();
   void theFirstWindowFitsTheScreen();
@@ -111,6 +113,27 @@ void DocumentsTest::tabsAreSwitchedAndClosed() {
   window_->commands().action(QStringLiteral("file.close-others"))->trigger();
   QCOMPARE(window_->pageCount(), std::size_t(1));
   QVERIFY(window_->windowTitle().startsWith(QStringLiteral("b.blossom")));
+}
+
+void DocumentsTest::manyTabsStayReadable() {
+  DocumentTabs tabs;
+  for (int i = 0; i < 12; ++i) tabs.addTab(QStringLiteral("pulled-curve-of-outline-%1.blossom").arg(i));
+  tabs.resize(790, tabs.sizeHint().height());
+  tabs.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&tabs));
+  QCOMPARE(tabs.elideMode(), Qt::ElideRight);
+  for (int i = 0; i < tabs.count(); ++i)
+    QVERIFY2(tabs.tabRect(i).width() >= 140, qPrintable(QString::number(tabs.tabRect(i).width())));
+  int arrows = 0;
+  for (const auto* button : tabs.findChildren<QToolButton*>()) arrows += button->isVisible() ? 1 : 0;
+  QCOMPARE(arrows, 2);
+  // With room for all of it nothing is cut off, and the whole name is told wherever the mouse rests.
+  while (tabs.count() > 2) tabs.removeTab(2);
+  for (int i = 0; i < tabs.count(); ++i)
+    QVERIFY(tabs.tabRect(i).width() > tabs.fontMetrics().horizontalAdvance(tabs.tabText(i)));
+  window_->session().commit(part("Plate"), QStringLiteral("Add"));
+  const auto* shown = window_->findChild<DocumentTabs*>();
+  QVERIFY(shown->tabToolTip(0).startsWith(window_->session().title() + u'\n'));
 }
 
 void DocumentsTest::closingTheWindowAsksOnceForAll() {

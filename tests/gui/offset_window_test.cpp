@@ -155,7 +155,7 @@ void OffsetWindowTest::aTooLargeDistanceSaysWhatFits() {
   waitUntilComputed();
   const auto view = window_->session().view(last());
   QVERIFY(view->result->error);
-  QVERIFY2(view->result->error->message().find("the largest that fits is ") != std::string::npos,
+  QVERIFY2(view->result->error->message().find("the distance must be below ") != std::string::npos,
            view->result->error->what());
   edit("distance", "3 mm");
   waitUntilComputed();

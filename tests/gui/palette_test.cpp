@@ -2,6 +2,8 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -15,6 +17,7 @@
 #include "ui/look/text.h"
 #include "ui/palette/command_palette.h"
 #include "ui/palette/palette_match.h"
+#include "ui/settings/preferences.h"
 #include "ui/window/feature_tool_bar.h"
 #include "ui/window/status_line.h"
 
@@ -36,6 +39,8 @@ class PaletteTest : public TreeFixture {
   void lettersMatchInOrder();
   void everyCommandIsFound();
   void aCommandIsRunByKeys();
+  void themesAreFound();
+  void menusTickWhatIsOn();
   void aFeatureIsAdded();
   void aSampleIsOpened();
   void featuresAndPagesAreFound();
@@ -101,6 +106,68 @@ void PaletteTest::aCommandIsRunByKeys() {
   QTest::keyClick(palette().field(), Qt::Key_Return);
   QVERIFY(palette().isHidden());
   QCOMPARE(window_->view().parallel(), !before);
+}
+
+void PaletteTest::themesAreFound() {
+  openPalette(QStringLiteral("theme"));
+  for (const char* id : {"view.theme-dark", "view.theme-light", "view.theme-system"})
+    QVERIFY2(found().mid(0, 4).contains(QLatin1String(id)), id);
+  for (const auto& [typed, wanted] : {std::pair{"light", "Light"}, std::pair{"dark", "Dark"}}) {
+    palette().dismiss();
+    openPalette(QLatin1String(typed));
+    QCOMPARE(found().value(0), QStringLiteral("view.theme-") + QLatin1String(typed));
+    QTest::keyClick(palette().field(), Qt::Key_Return);
+    QCOMPARE(theme().name, QLatin1String(wanted));
+    QVERIFY(window_->commands().action(QStringLiteral("view.theme-") + QLatin1String(typed))->isChecked());
+  }
+  Preferences::instance().set("theme", "light");
+  QVERIFY(window_->commands().action(QStringLiteral("view.theme-light"))->isChecked());
+  QVERIFY(!window_->commands().action(QStringLiteral("view.theme-dark"))->isChecked());
+  Preferences::instance().set("theme", "dark");
+}
+
+/// What is on is ticked: the picture of its entry changes where the tick stands, and only there.
+void PaletteTest::menusTickWhatIsOn() {
+  const auto action = [&](const char* id) { return window_->commands().action(QLatin1String(id)); };
+  QMenu* menu = nullptr;
+  for (QAction* each : window_->menuBar()->actions())
+    if (each->menu() && each->menu()->actions().contains(action("view.grid"))) menu = each->menu();
+  QVERIFY(menu);
+  menu->popup(window_->mapToGlobal(QPoint(60, 40)));
+  QVERIFY(QTest::qWaitForWindowExposed(menu));
+  for (const char* id : {"view.grid", "view.parallel", "view.jobs", "view.log", "view.shaded-edges", "view.measure",
+                         "view.section", "timeline.onion-skin"}) {
+    QAction* const entry = action(id);
+    QVERIFY2(entry->isCheckable(), id);
+    const bool on = entry->isChecked();
+    const QSignalBlocker quiet(entry);
+    const auto picture = [&](bool checked) {
+      entry->setChecked(checked);
+      return menu->grab(menu->actionGeometry(entry)).toImage();
+    };
+    const QImage without = picture(false), with = picture(true);
+    entry->setChecked(on);
+    int leftmost = with.width(), rightmost = -1;
+    for (int y = 0; y < with.height(); ++y)
+      for (int x = 0; x < with.width(); ++x)
+        if (with.pixel(x, y) != without.pixel(x, y)) leftmost = std::min(leftmost, x), rightmost = std::max(rightmost, x);
+    QVERIFY2(rightmost - leftmost >= 6, id);
+    QVERIFY2(rightmost < 30, id);
+  }
+  menu->hide();
+  // In step with the view, whoever changed it.
+  QVERIFY(action("view.grid")->isChecked());
+  window_->view().setGridVisible(false);
+  window_->view().setParallel(!action("view.parallel")->isChecked());
+  emit menu->aboutToShow();
+  QVERIFY(!action("view.grid")->isChecked());
+  QCOMPARE(action("view.parallel")->isChecked(), window_->view().parallel());
+  run("view.measure");
+  QVERIFY(action("view.measure")->isChecked());
+  run("view.measure");
+  QVERIFY(!action("view.measure")->isChecked());
+  window_->page().playback().setOnionSkin(true);
+  QVERIFY(action("timeline.onion-skin")->isChecked());
 }
 
 void PaletteTest::aFeatureIsAdded() {

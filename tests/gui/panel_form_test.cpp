@@ -4,8 +4,10 @@
 #include <QPushButton>
 
 #include "panel_fixture.h"
+#include "ui/fields/chip.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
+#include "ui/panel/input_editor.h"
 #include "ui/panel/result_rows.h"
 #include "ui/tree/document_model.h"
 
@@ -27,6 +29,8 @@ class PanelFormTest : public PanelFixture {
   void resultsAreShownAndCopied();
   void valuesGoBackToTheirDefault();
   void aCancelledFeatureSaysSoAndIsComputed();
+  void figuresFromBeforeAreGrey();
+  void namesOfInputsAreReadFromTheirBeginning();
 };
 
 void PanelFormTest::everyKindHasAFieldThatFits() {
@@ -142,6 +146,63 @@ void PanelFormTest::resultsAreShownAndCopied() {
   QVERIFY(!warned());
   QTest::keyClick(editor<QCheckBox>("flag"), Qt::Key_Space);
   QTRY_VERIFY(warned());
+}
+
+void PanelFormTest::figuresFromBeforeAreGrey() {
+  auto* const rows = panel_->findChild<ResultRows*>();
+  QTRY_VERIFY(rows->isVisible());
+  const auto saysSo = [&] {
+    for (const auto* label : panel_->findChildren<QLabel*>(QStringLiteral("warning")))
+      if (!label->isHidden() && label->text() == QStringLiteral("Out of date: computing…")) return true;
+    return false;
+  };
+  const auto brightest = [&] {
+    const QImage image = rows->grab().toImage();
+    int value = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) value = std::max(value, qGray(image.pixel(x, y)));
+    return value;
+  };
+  const int fresh = brightest();
+  QVERIFY(!rows->outdated() && !saysSo());
+  gate_.close();
+  type(editor<QLineEdit>("length"), QStringLiteral("12"));
+  QTRY_VERIFY(gate_.count() > 0);
+  QTRY_VERIFY(rows->outdated() && saysSo());
+  // No letter is lighter than the grey of the theme.
+  const int grey = qGray(theme().color("faint").rgb());
+  QVERIFY2(brightest() <= grey + 2 && grey + 2 < fresh, qPrintable(QStringLiteral("%1 %2").arg(grey).arg(fresh)));
+  gate_.open();
+  settle();
+  QTRY_VERIFY(!rows->outdated() && !saysSo());
+  QCOMPARE(brightest(), fresh);
+}
+
+void PanelFormTest::namesOfInputsAreReadFromTheirBeginning() {
+  const QString name = QStringLiteral("Outline of the propeller blade, second one");
+  Chip chip(name);
+  chip.setIconName(QStringLiteral("mesh"));
+  chip.setChevron(true);
+  chip.resize(chip.sizeHint());
+  QCOMPARE(chip.shownText(), name);
+  chip.resize(160, chip.height());
+  const QString shown = chip.shownText();
+  QVERIFY2(shown.endsWith(u'…') && shown.size() > 6 && name.startsWith(shown.chopped(1)), qPrintable(shown));
+
+  // Beside its caption there is no room in a narrow panel; below there is.
+  Feature base = session_->document().at("a");
+  base.name = "Plate of the hull";
+  session_->commit(session_->document().with(base), QStringLiteral("Rename"));
+  settle();
+  panel_->resize(262, 700);
+  const auto readable = [&] {
+    const auto* taken = panel_->input(QStringLiteral("base"))->findChild<Chip*>();
+    for (const auto* each : panel_->input(QStringLiteral("base"))->findChildren<Chip*>())
+      if (!each->isHidden()) taken = each;
+    return taken->shownText() == QStringLiteral("Plate of the hull");
+  };
+  const auto seen = [&] { return panel_->input(QStringLiteral("base"))->findChildren<Chip*>().last()->shownText(); };
+  QTRY_VERIFY2(readable(), qPrintable(seen() + QString::number(panel_->input(QStringLiteral("base"))->width())));
 }
 
 void PanelFormTest::aCancelledFeatureSaysSoAndIsComputed() {

@@ -10,6 +10,7 @@
 
 #include "exchange/format.h"
 #include "geometry/measure.h"
+#include "geometry/planar.h"
 #include "subdivision/kernel/limit_surface.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"
@@ -64,6 +65,8 @@ class SubdivisionWindowTest : public WindowFixture {
   void aPointIsDraggedAndPutBack();
   void anImportedTargetIsFollowed();
   void aDrawnOutlineIsPulledInItsPlane();
+  void theCurveOfAClosedOutlineIsDragged();
+  void theCurveOfAnOpenPolygonIsDragged();
   void aBrokenCageIsRefusedAndTheDocumentLivesOn();
   void aCageOf5000FacesIsDraggedLive();
 
@@ -82,6 +85,8 @@ class SubdivisionWindowTest : public WindowFixture {
   void drag(const Vec3& from, const Vec3& to);
   [[nodiscard]] Value pulls() const;
   [[nodiscard]] Vec3 limitPoint(const FeatureId& of, std::size_t vertex) const;
+  void dragCurve(const FeatureId& polygon, const FeatureId& smooth, std::size_t vertex, const Vec3& by);
+  [[nodiscard]] std::vector<Vec3> polygonOf(const FeatureId&) const;
   [[nodiscard]] const Feature* find(const char* type) const;
   [[nodiscard]] const Mesh& meshOf(const FeatureId& id) const {
     return *window_->session().view(id)->result->evaluated.shape.get<Mesh>();
@@ -347,6 +352,98 @@ void SubdivisionWindowTest::aDrawnOutlineIsPulledInItsPlane() {
   QVERIFY2(!view->result->error, view->result->error ? view->result->error->what() : "");
   QCOMPARE(view->result->evaluated.shape.kind(), ShapeKind::Curves);
   QVERIFY(measureOf(deform->id, "rms_after") < 0.5 * measureOf(deform->id, "rms_before"));
+}
+
+/// The corners of drawn lines or of a curve of degree 1; the first is not repeated at the end.
+std::vector<Vec3> SubdivisionWindowTest::polygonOf(const FeatureId& id) const {
+  const Shape& shape = window_->session().view(id)->result->evaluated.shape;
+  std::vector<Vec3> points;
+  if (const auto* curve = shape.get<Curve>())
+    for (const Vec4& pole : curve->poles) points.emplace_back(pole.head<3>());
+  const auto drawing = drawingOf(shape);
+  if (drawing)
+    for (const Segment& segment : drawing->paths.at(0).segments) {
+      const Vec2 from = startPoint(segment), to = endPoint(segment);
+      if (points.empty()) points.emplace_back(from.x(), from.y(), 0);
+      points.emplace_back(to.x(), to.y(), 0);
+    }
+  if (points.size() > 2 && (points.front() - points.back()).norm() < 1e-9) points.pop_back();
+  return points;
+}
+
+/// A vertex between its neighbours has its limit point at (1, 4, 1)/6 of the three.
+void SubdivisionWindowTest::dragCurve(const FeatureId& polygon, const FeatureId& smooth, std::size_t vertex,
+                                      const Vec3& by) {
+  const auto limit = [&](const std::vector<Vec3>& p) {
+    const std::size_t n = p.size();
+    return Vec3((p[(vertex + n - 1) % n] + 4 * p[vertex] + p[(vertex + 1) % n]) / 6);
+  };
+  const std::vector<Vec3> before = polygonOf(polygon);
+  const Vec3 at = limit(before);
+  window_->tree().select(smooth);
+  window_->view().lookFrom(QStringLiteral("top"), false);
+  window_->view().fit(false);
+  drag(at, at + by);
+  QCOMPARE(pulls().size(), std::size_t(1));
+  const auto place = [](const Value& p) { return Vec3(p[0].get<double>(), p[1].get<double>(), p[2].get<double>()); };
+  const Vec3 to = place(pulls()[0]["to"]);
+  QVERIFY((place(pulls()[0]["at"]) - at).norm() < 1e-9);
+  QCOMPARE(to.z(), 0.0);
+  QVERIFY((screenOf(to) - screenOf(at + by)).manhattanLength() <= 2);
+  const FeatureId pulled =
+      find("subdivision.deform")->inputs == std::vector<FeatureId>{polygon} ? find("subdivision.deform")->id : FeatureId();
+  QVERIFY(!pulled.empty());
+  QVERIFY(!window_->session().view(pulled)->result->error);
+  const std::vector<Vec3> after = polygonOf(pulled);
+  QCOMPARE(after.size(), before.size());
+  QVERIFY2((limit(after) - to).norm() < 0.01 * (to - at).norm(), qPrintable(QString::number((limit(after) - to).norm())));
+  // Only what acts there has moved: the vertex and its two neighbours.
+  QVERIFY(differing(after, before) > 0 && differing(after, before) <= 3);
+  QCOMPARE(window_->page().document().at(smooth).inputs, std::vector<FeatureId>{pulled});
+
+  // The same place again is the same pull.
+  window_->tree().select(smooth);
+  drag(limit(after), limit(after) - by / 2);
+  QCOMPARE(pulls().size(), std::size_t(1));
+  QVERIFY((place(pulls()[0]["to"]) - to).norm() > 0.2 * by.norm());
+  window_->session().undo();
+  window_->session().undo();
+  waitUntilComputed();
+  QCOMPARE(polygonOf(polygon), before);
+}
+
+void SubdivisionWindowTest::theCurveOfAClosedOutlineIsDragged() {
+  run("feature.modeling.rectangle");
+  waitUntilComputed();
+  const FeatureId outline = last();
+  QCOMPARE(window_->session().view(outline)->result->evaluated.shape.kind(), ShapeKind::Region);
+  window_->tree().select(outline);
+  run("feature.subdivision.subdivide");
+  waitUntilComputed();
+  const FeatureId smooth = last();
+  for (const char* scheme : {"catmull-clark", "cubic"}) {
+    window_->tree().select(smooth);
+    choose("scheme", scheme);
+    waitUntilComputed();
+    if (window_->page().document().at(outline).visible) window_->tree().toggleVisible(outline);
+    const double size = std::sqrt(measureOf(outline, "area"));
+    dragCurve(outline, smooth, 2, Vec3(0.2 * size, 0.1 * size, 0));
+  }
+}
+
+void SubdivisionWindowTest::theCurveOfAnOpenPolygonIsDragged() {
+  openAndWait(QString::fromStdString(sample("pulled-curve.blossom").string()));
+  FeatureId smooth;
+  for (const auto& feature : window_->page().document().features())
+    if (feature->name == "Before") smooth = feature->id;
+  QVERIFY(!smooth.empty());
+  const FeatureId polygon = window_->page().document().at(smooth).inputs.front();
+  Document alone = window_->page().document();
+  for (const auto& feature : window_->page().document().features())
+    if (feature->type == "subdivision.deform") alone = alone.without(feature->id);
+  window_->session().commit(alone, QStringLiteral("Leave the polygon"));
+  waitUntilComputed();
+  dragCurve(polygon, smooth, 6, Vec3(2, 9, 0));
 }
 
 void SubdivisionWindowTest::aBrokenCageIsRefusedAndTheDocumentLivesOn() {

@@ -17,6 +17,7 @@ class TimelineWindowTest : public WindowFixture {
   void cleanup() { window_.reset(); }
 
   void scrubbingShowsTheFrame();
+  void aClickOnTheGrooveJumpsThere();
   void playingMovesOnAndPauses();
   void onionSkinShowsTheOthers();
   void theTimelineGoesWithItsSequence();
@@ -73,6 +74,29 @@ void TimelineWindowTest::scrubbingShowsTheFrame() {
   run("timeline.previous");
   run("timeline.previous");
   COMPARE_NEAR(shownWidth(), 12, 1e-6);
+}
+
+/// The handle is 14 pixels wide: frame k of 0..10 stands 7 + k (width - 14) / 10 pixels from the left.
+void TimelineWindowTest::aClickOnTheGrooveJumpsThere() {
+  const auto at = [&](double frame) {
+    return QPoint(qRound(7 + frame * (slider().width() - 14) / 10), slider().height() / 2);
+  };
+  for (const int frame : {9, 2, 10, 0, 5}) {
+    QTest::mouseClick(&slider(), Qt::LeftButton, {}, at(frame + 0.3));
+    QCOMPARE(playback().frame(), frame);
+    COMPARE_NEAR(shownWidth(), 10 + frame, 1e-6);
+  }
+  QTest::mousePress(&slider(), Qt::LeftButton, {}, at(1));
+  QCOMPARE(playback().frame(), 1);
+  for (const int frame : {3, 8, 6}) {
+    test::moveMouse(&slider(), at(frame));
+    QTRY_COMPARE(playback().frame(), frame);
+  }
+  QTest::mouseRelease(&slider(), Qt::LeftButton, {}, at(6));
+  QVERIFY(!slider().isSliderDown());
+  // What takes hold of the handle beside its middle does not move it.
+  QTest::mouseClick(&slider(), Qt::LeftButton, {}, at(6) + QPoint(6, 0));
+  QCOMPARE(playback().frame(), 6);
 }
 
 void TimelineWindowTest::playingMovesOnAndPauses() {

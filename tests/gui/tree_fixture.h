@@ -81,6 +81,7 @@ class TreeFixture : public WindowFixture {
   }
   static FeatureType waiting() {
     return blossom::feature<None>("test.waiting", "Waiting", "Waits until it is let go.")
+        .input({"part", "Anything.", {ShapeKind::Mesh}, 0, anyNumber})
         .evaluate([](const None&, const Inputs&, const Progress& progress) {
           while (!letGo_) progress.report(0.25, "waiting");
           return tetrahedron();

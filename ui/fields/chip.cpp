@@ -33,12 +33,15 @@ void Chip::setChevron(bool on) {
   setCursor(on ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
-QSize Chip::sizeHint() const {
-  const int marks = (icon_.isEmpty() ? 0 : mark + 6) + (removable_ ? mark + 4 : 0) + (chevron_ ? mark + 4 : 0);
-  return {fontMetrics().horizontalAdvance(text_) + marks + 2 * side + 2, height_};
+int Chip::besideText() const {
+  return (icon_.isEmpty() ? 0 : mark + 6) + (removable_ ? mark + 4 : 0) + (chevron_ ? mark + 4 : 0) + 2 * side;
 }
 
+QSize Chip::sizeHint() const { return {fontMetrics().horizontalAdvance(text_) + besideText() + 2, height_}; }
+
 QSize Chip::minimumSizeHint() const { return {48, height_}; }
+
+QString Chip::shownText() const { return fontMetrics().elidedText(text_, Qt::ElideRight, width() - besideText()); }
 
 QRect Chip::crossArea() const {
   return removable_ ? QRect(width() - side - mark, (height() - mark) / 2, mark, mark) : QRect();
@@ -68,7 +71,7 @@ void Chip::paintEvent(QPaintEvent*) {
   }
   painter.setPen(colors.color("text"));
   const QRect words(left, 0, right - left, height());
-  painter.drawText(words, Qt::AlignVCenter, fontMetrics().elidedText(text_, Qt::ElideMiddle, words.width()));
+  painter.drawText(words, Qt::AlignVCenter, shownText());
 }
 
 bool Chip::event(QEvent* event) {

@@ -14,6 +14,7 @@ class Chip final : public QWidget {
   void setRemovable(bool);
   void setChevron(bool);  ///< shows that a click opens something
   [[nodiscard]] const QString& text() const { return text_; }
+  [[nodiscard]] QString shownText() const;  ///< its beginning where there is no room for all of it
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -29,6 +30,7 @@ class Chip final : public QWidget {
 
  private:
   [[nodiscard]] QRect crossArea() const;
+  [[nodiscard]] int besideText() const;  ///< pixels that the text cannot take
   QString text_;
   QString icon_;
   bool removable_ = true;

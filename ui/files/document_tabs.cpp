@@ -6,10 +6,17 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMouseEvent>
+#include <algorithm>
 
 #include "ui/files/show_in_folder.h"
 
 namespace blossom::ui {
+
+namespace {
+
+constexpr int narrowestTab = 150;  // leaves a dozen letters beside the cross
+
+}  // namespace
 
 DocumentTabs::DocumentTabs(QWidget* parent) : QTabBar(parent) {
   setObjectName(QStringLiteral("documentTabs"));
@@ -17,8 +24,15 @@ DocumentTabs::DocumentTabs(QWidget* parent) : QTabBar(parent) {
   setMovable(false);
   setExpanding(false);
   setDrawBase(false);
-  setElideMode(Qt::ElideMiddle);
+  setElideMode(Qt::ElideRight);
+  setUsesScrollButtons(true);
   setFocusPolicy(Qt::NoFocus);
+}
+
+// Qt makes tabs as narrow as a letter or two before it offers to scroll.
+QSize DocumentTabs::minimumTabSizeHint(int index) const {
+  const QSize whole = tabSizeHint(index);
+  return {std::min(whole.width(), narrowestTab), whole.height()};
 }
 
 void DocumentTabs::mousePressEvent(QMouseEvent* event) {

@@ -14,6 +14,7 @@ class DocumentTabs : public QTabBar {
   void saveWanted(int index);
 
  protected:
+  [[nodiscard]] QSize minimumTabSizeHint(int index) const override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
   void contextMenuEvent(QContextMenuEvent*) override;

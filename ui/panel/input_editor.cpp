@@ -21,6 +21,8 @@ namespace blossom::ui {
 
 namespace {
 
+constexpr int betweenColumns = 10;
+
 QString iconOf(const Registry& registry, const Feature& feature) {
   const auto type = registry.find(feature.type);
   return type && !type->icon.empty() ? qt(type->icon) : QStringLiteral("feature");
@@ -44,15 +46,15 @@ InputEditor::InputEditor(Session& session, FeatureId feature, std::shared_ptr<co
       feature_(std::move(feature)),
       type_(std::move(type)),
       spec_(spec),
+      grid_(new QGridLayout(this)),
       chips_(new QVBoxLayout),
       add_(cornerButton(QStringLiteral("plus"), tr("Add an input"))),
       pick_(new PickButton(QStringLiteral("pick-feature"), tr("Pick in the view"))),
       problem_(new QLabel) {
   setObjectName(QStringLiteral("input:") + qt(input().name));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(10);
-  grid->setVerticalSpacing(3);
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(betweenColumns);
+  grid_->setVerticalSpacing(3);
   auto* name = new FieldLabel(sentenceCase(qt(input().name)));
   name->setFixedWidth(labelWidth);
   name->setToolTip(qt(input().help));
@@ -60,25 +62,25 @@ InputEditor::InputEditor(Session& session, FeatureId feature, std::shared_ptr<co
   problem_->setObjectName(QStringLiteral("fieldError"));
   problem_->setWordWrap(true);
   problem_->hide();
-  grid->addWidget(name, 0, 0);
+  grid_->addWidget(name, 0, 0);
   if (input().most == 1) {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(2);
-    line->addLayout(chips_, 1);
-    line->addWidget(add_);
-    line->addWidget(pick_);
-    grid->addLayout(line, 0, 1);
+    line_ = new QHBoxLayout;
+    line_->setSpacing(2);
+    line_->addLayout(chips_, 1);
+    line_->addWidget(add_);
+    line_->addWidget(pick_);
+    grid_->addLayout(line_, 0, 1);
   } else {
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(2);
     buttons->addStretch();
     buttons->addWidget(add_);
     buttons->addWidget(pick_);
-    grid->addLayout(buttons, 0, 1);
-    grid->addLayout(chips_, 1, 0, 1, 2);
+    grid_->addLayout(buttons, 0, 1);
+    grid_->addLayout(chips_, 1, 0, 1, 2);
   }
-  grid->addWidget(problem_, 2, 0, 1, 2);
-  grid->setColumnStretch(1, 1);
+  grid_->addWidget(problem_, 2, 0, 1, 2);
+  grid_->setColumnStretch(1, 1);
   connect(add_, &QToolButton::clicked, this, &InputEditor::showAddMenu);
   connect(pick_, &QToolButton::toggled, this, [this](bool on) {
     const auto slots_ = inputSlots();
@@ -114,6 +116,7 @@ void InputEditor::rebuild(const std::vector<FeatureId>& taken) {
     item->widget()->deleteLater();  // it may be the one that was clicked
     delete item;
   }
+  chipWidth_ = 0;  // layouts leave out what is not shown yet
   for (std::size_t place = 0; place < taken.size(); ++place) addChip(taken[place], place, taken.size());
   if (taken.empty()) {
     auto* none = new QLabel(input().least > 0 ? tr("must be given") : tr("none"));
@@ -121,6 +124,25 @@ void InputEditor::rebuild(const std::vector<FeatureId>& taken) {
     none->setMinimumHeight(24);
     chips_->addWidget(none);
   }
+  placeLine();
+}
+
+// A name that there is no room for beside the caption stands below it.
+void InputEditor::placeLine() {
+  if (!line_) return;
+  int wanted = chipWidth_ + line_->spacing() + pick_->sizeHint().width();
+  if (!add_->isHidden()) wanted += line_->spacing() + add_->sizeHint().width();
+  const bool below = wanted > width() - labelWidth - betweenColumns;
+  if (below == below_) return;
+  below_ = below;
+  grid_->removeItem(line_);
+  line_->setParent(nullptr);  // or it could not be added again
+  grid_->addLayout(line_, below ? 1 : 0, below ? 0 : 1, 1, below ? 2 : 1);
+}
+
+void InputEditor::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeLine();
 }
 
 void InputEditor::addChip(const FeatureId& id, std::size_t place, std::size_t count) {
@@ -130,6 +152,7 @@ void InputEditor::addChip(const FeatureId& id, std::size_t place, std::size_t co
   chip->setRemovable(count > input().least);
   chip->setChevron(true);
   chips_->addWidget(chip);
+  chipWidth_ = std::max(chipWidth_, chip->sizeHint().width());
   connect(chip, &Chip::clicked, this,
           [this, chip, place] { showChipMenu(place, chip->mapToGlobal(QPoint(0, chip->height()))); });
   connect(chip, &Chip::removed, this, [this, place] {

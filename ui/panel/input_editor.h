@@ -6,6 +6,8 @@
 #include "ui/panel/input_slots.h"
 #include "ui/panel/pick_request.h"
 
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 class QToolButton;
@@ -37,11 +39,13 @@ class InputEditor final : public QWidget {
 
  protected:
   void enterEvent(QEnterEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
 
  private:
   [[nodiscard]] const InputSpec& input() const { return type_->inputs.at(spec_); }
   [[nodiscard]] std::optional<InputSlots> inputSlots() const;
   void rebuild(const std::vector<FeatureId>&);
+  void placeLine();
   void addChip(const FeatureId&, std::size_t place, std::size_t count);
   void addCandidates(QMenu&, std::size_t place);
   void showChipMenu(std::size_t place, const QPoint& at);
@@ -56,6 +60,10 @@ class InputEditor final : public QWidget {
   std::size_t spec_;
   std::size_t pickPlace_ = 0;
   QStringList shown_;  // ids and names of the chips
+  QGridLayout* grid_;
+  QHBoxLayout* line_ = nullptr;  // chip and buttons of an input that takes one feature
+  int chipWidth_ = 0;            // of the widest one, with its whole name
+  bool below_ = false;           // the line stands below the caption
   QVBoxLayout* chips_;
   QToolButton* add_;
   QToolButton* pick_;

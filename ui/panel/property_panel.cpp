@@ -79,6 +79,7 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   connect(&session, &Session::evaluationStarted, this, [this] {
     if (result_->showsCancelled()) refreshResult();
   });
+  connect(&session, &Session::evaluationOverdue, this, &PropertyPanel::refreshResult);
   connect(&session, &Session::evaluationCancelled, this, &PropertyPanel::refreshResult);
   connect(result_, &ResultTable::copied, this, &PropertyPanel::hint);
   connect(result_, &ResultTable::computeWanted, &session, &Session::compute);
@@ -299,7 +300,7 @@ void PropertyPanel::refreshResult() {
   std::vector<std::string> besides;  // what is set above need not be told below
   for (const ParameterField* field : fields_) besides.push_back(field->spec().name);
   const auto view = session_.view(shown_);
-  result_->show(view.get(), besides);
+  result_->show(view.get(), besides, session_.outdated(shown_));
   showFault();
 }
 

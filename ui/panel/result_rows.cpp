@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
+#include <utility>
 
 #include "ui/look/popup_menu.h"
 #include "ui/look/theme.h"
@@ -36,6 +37,11 @@ void ResultRows::setRows(std::vector<ResultRow> rows) {
   setAccessibleDescription(spoken.join(u'\n'));
   measureColumns();
   updateGeometry();
+  update();
+}
+
+void ResultRows::setOutdated(bool outdated) {
+  if (outdated == std::exchange(outdated_, outdated)) return;
   update();
 }
 
@@ -79,7 +85,8 @@ QRect ResultRows::valueRect(std::size_t row) const {
 
 void ResultRows::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  const QColor quiet = theme().color("muted"), ordinary = theme().color("text"), active = theme().color("control");
+  const QColor quiet = theme().color(outdated_ ? "faint" : "muted"), ordinary = theme().color(outdated_ ? "faint" : "text"),
+               active = theme().color("control");
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const ResultRow& row = rows_[i];
     const QRect value = valueRect(i);

@@ -21,6 +21,8 @@ class ResultRows final : public QWidget {
   explicit ResultRows(QWidget* parent);
 
   void setRows(std::vector<ResultRow>);
+  void setOutdated(bool);  ///< values in grey
+  [[nodiscard]] bool outdated() const { return outdated_; }
   [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
   /// Where the value of a row, with its unit, stands in this widget.
   [[nodiscard]] QRect valueRect(std::size_t row) const;
@@ -53,6 +55,7 @@ class ResultRows final : public QWidget {
   std::vector<ResultRow> rows_;
   int names_ = 0, numbers_ = 0, units_ = 0;  ///< widths of the columns
   std::optional<std::size_t> hovered_;
+  bool outdated_ = false;
 };
 
 }  // namespace blossom::ui

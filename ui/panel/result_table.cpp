@@ -40,6 +40,7 @@ Figure figureOf(const Measure& measure) {
 
 ResultTable::ResultTable(QWidget* parent)
     : QWidget(parent),
+      late_(new QLabel(tr("Out of date: computing…"), this)),
       shown_(new ResultRows(this)),
       words_(new QVBoxLayout),
       compute_(new QPushButton(tr("Compute"), this)) {
@@ -47,11 +48,15 @@ ResultTable::ResultTable(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(7);
   words_->setSpacing(4);
+  column->addWidget(late_);
   column->addWidget(shown_);
   column->addLayout(words_);
   column->addWidget(compute_, 0, Qt::AlignLeft);
   compute_->setObjectName(QStringLiteral("compute"));
   compute_->hide();
+  late_->setObjectName(QStringLiteral("warning"));
+  late_->setWordWrap(true);
+  late_->hide();
   connect(compute_, &QPushButton::clicked, this, &ResultTable::computeWanted);
   connect(shown_, &ResultRows::copied, this, &ResultTable::copied);
 }
@@ -62,6 +67,7 @@ void ResultTable::clear() {
   sentences_.clear();
   rows_.clear();
   compute_->hide();
+  late_->hide();
 }
 
 void ResultTable::showCancelled() {
@@ -74,14 +80,16 @@ void ResultTable::showCancelled() {
 
 bool ResultTable::showsCancelled() const { return !compute_->isHidden(); }
 
-void ResultTable::show(const FeatureView* view, const std::vector<std::string>& besides) {
+void ResultTable::show(const FeatureView* view, const std::vector<std::string>& besides, bool outdated) {
   clear();
+  late_->setVisible(outdated);
   if (!view)
     addWords(tr("Computing…"), "note");
   else if (view->result->error)
     addError(*view->result->error);
   else
     addResult(*view, besides);
+  shown_->setOutdated(outdated);
   shown_->setVisible(!rows_.empty());
   shown_->setRows(std::move(rows_));
 }

@@ -18,7 +18,8 @@ class ResultTable final : public QWidget {
  public:
   explicit ResultTable(QWidget* parent = nullptr);
   /// @param besides names of figures that stand elsewhere already; nullptr: nothing is known yet.
-  void show(const FeatureView*, const std::vector<std::string>& besides);
+  /// @param outdated it is the result of an older document, and a new one is awaited.
+  void show(const FeatureView*, const std::vector<std::string>& besides, bool outdated = false);
   /// In place of a result: it was cancelled, and can be computed.
   void showCancelled();
   [[nodiscard]] bool showsCancelled() const;
@@ -35,6 +36,7 @@ class ResultTable final : public QWidget {
   void addResult(const FeatureView&, const std::vector<std::string>& besides);
   void addError(const Error&);
 
+  QLabel* late_;  ///< says that the figures are those of before
   ResultRows* shown_;
   QVBoxLayout* words_;
   std::vector<ResultRow> rows_;  ///< being gathered

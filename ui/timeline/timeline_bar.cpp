@@ -4,9 +4,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QToolButton>
 
+#include "ui/fields/groove_slider.h"
 #include "ui/look/icons.h"
 #include "ui/look/theme.h"
 #include "ui/timeline/playback.h"
@@ -39,7 +39,7 @@ TimelineBar::TimelineBar(Playback& playback, QWidget* parent)
       last_(barButton(QStringLiteral("last"), tr("Last frame"))),
       loop_(barButton(QStringLiteral("loop"), tr("Begin anew at the end"), true)),
       onion_(barButton(QStringLiteral("onion-skin"), tr("Onion skin: show the other frames faintly"), true)),
-      slider_(new QSlider(Qt::Horizontal)),
+      slider_(new GrooveSlider),
       frame_(new QLabel),
       pace_(new QComboBox) {
   setObjectName(QStringLiteral("timeline"));

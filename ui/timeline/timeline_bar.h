@@ -3,11 +3,11 @@
 
 class QComboBox;
 class QLabel;
-class QSlider;
 class QToolButton;
 
 namespace blossom::ui {
 
+class GrooveSlider;
 class Playback;
 
 /// Under the view while a sequence is shown: play, scrub, pace, loop and onion skin.
@@ -24,7 +24,7 @@ class TimelineBar : public QWidget {
 
   Playback& playback_;
   QToolButton *first_, *back_, *play_, *forward_, *last_, *loop_, *onion_;
-  QSlider* slider_;
+  GrooveSlider* slider_;
   QLabel* frame_;
   QComboBox* pace_;
 };

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -14,6 +13,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "ui/fields/groove_slider.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
@@ -45,7 +45,7 @@ SectionPanel::SectionPanel(QWidget* view)
     : FloatingPanel(view, Place::Bottom),
       axes_(new QButtonGroup(this)),
       offset_(new QLineEdit),
-      slider_(new QSlider(Qt::Horizontal)),
+      slider_(new GrooveSlider),
       flip_(textButton(tr("Flip"), tr("Cut away the other side (F)"))),
       off_(textButton(tr("Off"), tr("Show everything whole again (Del)"))),
       problem_(new QLabel) {

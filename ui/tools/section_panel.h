@@ -8,10 +8,11 @@ class QAbstractButton;
 class QButtonGroup;
 class QLabel;
 class QLineEdit;
-class QSlider;
 class QToolButton;
 
 namespace blossom::ui {
+
+class GrooveSlider;
 
 /// Direction, offset and side of the section in one row; every control is reached with Tab.
 class SectionPanel : public FloatingPanel {
@@ -33,7 +34,7 @@ class SectionPanel : public FloatingPanel {
 
   QButtonGroup* axes_;
   QLineEdit* offset_;
-  QSlider* slider_;
+  GrooveSlider* slider_;
   QToolButton *flip_, *off_;
   QLabel* problem_;
   std::pair<double, double> range_{0, 1};

@@ -2,6 +2,8 @@
 
 #include <QMimeData>
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
@@ -10,8 +12,6 @@
 namespace blossom::ui {
 
 namespace {
-
-constexpr int patienceMs = 150;
 
 QString iconOfKind(ShapeKind kind) {
   switch (kind) {
@@ -44,24 +44,13 @@ QString iconOfKind(ShapeKind kind) {
 }  // namespace
 
 DocumentModel::DocumentModel(Session& session, QObject* parent) : QAbstractListModel(parent), session_(session) {
-  patience_.setSingleShot(true);
-  patience_.setInterval(patienceMs);
-  connect(&patience_, &QTimer::timeout, this, &DocumentModel::refreshState);
+  connect(&session, &Session::evaluationOverdue, this, &DocumentModel::refreshState);
   connect(&session, &Session::documentChanged, this, &DocumentModel::refresh);
-  connect(&session, &Session::evaluationStarted, this, [this] {
-    arrived_.clear();
-    if (!std::exchange(running_, true)) patience_.start();  // an edit during a drag does not begin the wait anew
-  });
   connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
-    arrived_.insert(feature.toStdString());
     const QModelIndex index = indexOf(feature.toStdString());
     if (index.isValid()) emit dataChanged(index, index);
   });
-  connect(&session, &Session::evaluationFinished, this, [this] {
-    running_ = false;
-    patience_.stop();
-    refreshState();
-  });
+  connect(&session, &Session::evaluationFinished, this, &DocumentModel::refreshState);
   refresh();
 }
 
@@ -129,9 +118,7 @@ QModelIndex DocumentModel::indexOf(const FeatureId& id) const {
   return it == rows_.end() ? QModelIndex() : index(static_cast<int>(it - rows_.begin()));
 }
 
-bool DocumentModel::computing(const Feature& feature) const {
-  return session_.evaluating() && !patience_.isActive() && !feature.suppressed && !arrived_.contains(feature.id);
-}
+bool DocumentModel::computing(const Feature& feature) const { return !feature.suppressed && session_.awaited(feature.id); }
 
 QString DocumentModel::stateOf(const Feature& feature) const {
   if (feature.suppressed) return tr("suppressed");

@@ -1,7 +1,5 @@
 #pragma once
 #include <QAbstractListModel>
-#include <QTimer>
-#include <set>
 #include <vector>
 
 #include "document/document.h"
@@ -54,9 +52,6 @@ class DocumentModel : public QAbstractListModel {
 
   Session& session_;
   std::vector<std::shared_ptr<const Feature>> rows_;
-  std::set<FeatureId> arrived_;  // results of the evaluation under way
-  bool running_ = false;
-  QTimer patience_;  // what is computed at once is not said to be computing
 };
 
 }  // namespace blossom::ui

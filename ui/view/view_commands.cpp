@@ -81,22 +81,24 @@ void ViewCommands::addTools() {
                  "measure",
                  tr("&Measure"),
                  tr("Measure lengths, distances, angles, radii and areas by clicking."),
-                 {QKeySequence(QStringLiteral("M"))}},
+                 {QKeySequence(QStringLiteral("M"))},
+                 true},
                 [this] { page_().startMeasuring(); });
   commands_.add({"view.section",
                  group,
                  "section",
                  tr("&Section"),
                  tr("Cut the model open with a plane that can be dragged."),
-                 {QKeySequence(QStringLiteral("X"))}},
+                 {QKeySequence(QStringLiteral("X"))},
+                 true},
                 [this] { page_().startSection(); });
 }
 
 void ViewCommands::addTimeline() {
   const QString group = tr("Timeline");
-  const auto add = [&](const char* id, const char* icon, const QString& text, const QString& help, const char* key,
-                       auto go) {
-    commands_.add({QLatin1String(id), group, QLatin1String(icon), text, help, {QKeySequence(QLatin1String(key))}},
+  const auto add = [&](const char* id, const char* icon, const QString& text, const QString& help, const char* key, auto go,
+                       bool checkable = false) {
+    commands_.add({QLatin1String(id), group, QLatin1String(icon), text, help, {QKeySequence(QLatin1String(key))}, checkable},
                   [this, go] { go(page_().playback()); });
   };
   add(timelineCommands[0], "play", tr("&Play or pause"), tr("Run through the frames of the sequence shown."), "Shift+Space",
@@ -105,8 +107,9 @@ void ViewCommands::addTimeline() {
       [](Playback& playback) { playback.show(playback.frame() + 1); });
   add(timelineCommands[2], "chevron-left", tr("Pre&vious frame"), tr("Show the frame before."), ",",
       [](Playback& playback) { playback.show(playback.frame() - 1); });
-  add(timelineCommands[3], "onion-skin", tr("&Onion skin"), tr("Show the other frames of the sequence faintly."), "O",
-      [](Playback& playback) { playback.setOnionSkin(!playback.onionSkin()); });
+  add(
+      timelineCommands[3], "onion-skin", tr("&Onion skin"), tr("Show the other frames of the sequence faintly."), "O",
+      [](Playback& playback) { playback.setOnionSkin(!playback.onionSkin()); }, true);
 }
 
 void ViewCommands::addTo(QMenu& view, QMenu& select) {
@@ -122,6 +125,9 @@ void ViewCommands::refresh() {
   for (const char* id : timelineCommands)
     commands_.setEnabled(QLatin1String(id), page_().playback().count() > 1,
                          tr("No sequence is shown: a morph with several frames makes one."));
+  commands_.action(QStringLiteral("timeline.onion-skin"))->setChecked(page_().playback().onionSkin());
+  commands_.action(QStringLiteral("view.measure"))->setChecked(page_().measuring());
+  commands_.action(QStringLiteral("view.section"))->setChecked(page_().section().has_value());
   const ViewWidget& view = page_().view();
   for (const PickModeCommand& each : pickModes)
     commands_.action(QLatin1String(each.id))->setChecked(view.pickMode() == each.mode);

@@ -20,6 +20,8 @@ namespace blossom::ui {
 
 namespace {
 
+constexpr double opacityOutdated = 0.3;
+
 void setColor(vtkActor& actor, const Color& color) { actor.GetProperty()->SetColor(color.red, color.green, color.blue); }
 
 bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
@@ -55,6 +57,7 @@ std::vector<FeatureId> ViewItems::set(const std::vector<ViewItem>& items) {
   for (const ViewItem& item : items) {
     Shown& shown = shown_[item.id];
     shown.role = item.role;
+    shown.outdated = item.outdated;
     const bool same = shown.scene.faces == item.scene.faces && shown.scene.edges == item.scene.edges &&
                       shown.scene.points == item.scene.points;
     if (!same || shown.actors.empty()) {
@@ -214,6 +217,7 @@ void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
   const bool hovered = id == hovered_;
   for (const auto& actor : shown.actors) {
     const ActorRole part = roleOf(actor);
+    actor->GetProperty()->SetOpacity(shown.outdated ? opacityOutdated : 1);
     if (part == ActorRole::Faces) paintFaces(*actor, shown, hovered);
     if (part == ActorRole::Edges) paintEdges(*actor, shown, hovered);
     if (part == ActorRole::Points) actor->GetProperty()->SetPointSize(static_cast<float>(look_.pointSize));

@@ -27,6 +27,7 @@ struct ViewItem {
   FeatureId id;
   SceneData scene;
   ItemRole role = ItemRole::Plain;
+  bool outdated = false;  ///< it is not what the document says now: drawn faintly
 };
 
 /// The shapes in the view: their actors in the renderer, how they are painted, and what a ray meets of them.
@@ -71,6 +72,7 @@ class ViewItems {
   struct Shown {
     SceneData scene;
     ItemRole role = ItemRole::Plain;
+    bool outdated = false;
     std::vector<vtkSmartPointer<vtkActor>> actors;
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming

@@ -43,6 +43,7 @@ class ViewWidget : public QWidget {
   [[nodiscard]] Tool* tool() const { return tool_; }
   void setLook(const Look&);
   void setGridVisible(bool);
+  [[nodiscard]] bool gridVisible() const;
   void setParallel(bool);
   [[nodiscard]] bool parallel() const { return camera_.parallel(); }
   void setDisplayMode(DisplayMode);

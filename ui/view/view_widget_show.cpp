@@ -56,6 +56,8 @@ void ViewWidget::setGridVisible(bool visible) {
   redraw();
 }
 
+bool ViewWidget::gridVisible() const { return grid_.actor()->GetVisibility() != 0; }
+
 void ViewWidget::setParallel(bool parallel) { camera_.setParallel(parallel); }
 
 void ViewWidget::setDisplayMode(DisplayMode mode) {

@@ -29,6 +29,7 @@ QAction* Commands::add(const CommandSpec& spec, std::function<void()> go) {
   if (!spec.icon.isEmpty()) action->setIcon(icon(spec.icon));
   action->setIconText(plainText(spec.text));
   action->setCheckable(spec.checkable);
+  action->setIconVisibleInMenu(!spec.checkable);  // it would stand in the place of the tick
   connect(action, &QAction::triggered, this, std::move(go));
   connect(action, &QAction::hovered, this, [this, id = spec.id] {
     const Command* command = find(id);

@@ -11,7 +11,7 @@
 #include "ui/files/recovery_bar.h"
 #include "ui/files/start_page.h"
 #include "ui/look/text.h"
-#include "ui/panel/error_bar.h"
+#include "ui/panel/fault_bar.h"
 #include "ui/settings/preferences.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/feature_menus.h"
@@ -114,6 +114,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     session().cancelEvaluation();  // what is being saved beside it goes on
   else if (session().job().running())
     session().job().cancel();
+  else
+    page().faults().hide();
 }
 
 }  // namespace blossom::ui

@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   void buildActions();
   void buildEditMenu();
   void buildViewMenu();
+  void buildThemeMenu(QMenu*);
   void buildHelpMenu();
   void buildToolBar();
   void refreshActions();

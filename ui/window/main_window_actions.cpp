@@ -29,6 +29,17 @@
 
 namespace blossom::ui {
 
+namespace {
+
+QString themeCommand(const char* name) { return QStringLiteral("view.theme-") + QLatin1String(name); }
+
+const char* nameOf(ThemeChoice choice) {
+  if (choice == ThemeChoice::System) return "system";
+  return choice == ThemeChoice::Dark ? "dark" : "light";
+}
+
+}  // namespace
+
 QAction* MainWindow::add(QMenu* menu, const CommandSpec& spec, std::function<void()> go) {
   QAction* made = commands_.add(spec, std::move(go));
   menu->addAction(made);
@@ -93,7 +104,6 @@ void MainWindow::buildViewMenu() {
       [this] { view().setParallel(commands_.action("view.parallel")->isChecked()); });
   add(menu, {"view.grid", group, "grid", tr("&Grid"), tr("Show the ground grid."), {tr("G")}, true},
       [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });
-  commands_.action("view.grid")->setChecked(true);
   menu->addSeparator();
   viewCommands_ = new ViewCommands(
       commands_, [this]() -> DocumentPage& { return page(); }, this);
@@ -102,20 +112,21 @@ void MainWindow::buildViewMenu() {
   logAndJobs_ = new LogAndJobs(*this, commands_);
   logAndJobs_->addTo(*menu);
   menu->addSeparator();
-  QMenu* themes = menu->addMenu(icon(QStringLiteral("sun")), tr("&Theme"));
+  buildThemeMenu(menu->addMenu(icon(QStringLiteral("sun")), tr("&Theme")));
+  connect(menu, &QMenu::aboutToShow, this, &MainWindow::refreshActions);  // tools and keys in the view change it, too
+}
+
+void MainWindow::buildThemeMenu(QMenu* menu) {
+  const QString group = tr("View");
   auto* choices = new QActionGroup(this);
-  for (const auto& [text, choice] : {std::pair{tr("As the &desktop"), ThemeChoice::System},
-                                     {tr("&Dark"), ThemeChoice::Dark},
-                                     {tr("&Light"), ThemeChoice::Light}}) {
-    QAction* entry = themes->addAction(text, this, [wanted = choice] {
-      Preferences::instance().set("theme", wanted == ThemeChoice::Dark    ? "dark"
-                                           : wanted == ThemeChoice::Light ? "light"
-                                                                          : "system");
-    });
-    entry->setCheckable(true);
-    entry->setChecked(ThemeManager::instance().choice() == choice);
-    choices->addAction(entry);
-  }
+  const auto offer = [&](const char* name, const QString& text, const QString& help) {
+    choices->addAction(add(menu, {themeCommand(name), group, "sun", text, help, {}, true},
+                           [name] { Preferences::instance().set("theme", name); }));
+  };
+  offer("system", tr("Theme of the &desktop"), tr("The window is dark or light as the desktop is."));
+  offer("dark", tr("&Dark theme"), tr("Light letters on dark ground."));
+  offer("light", tr("&Light theme"), tr("Dark letters on light ground."));
+  connect(&Preferences::instance(), &Preferences::changed, this, &MainWindow::refreshActions);
 }
 
 void MainWindow::buildHelpMenu() {
@@ -162,6 +173,8 @@ void MainWindow::refreshActions() {
   commands_.setEnabled(QStringLiteral("file.save"), something && unsaved,
                        something ? tr("Nothing has changed since it was saved.") : empty);
   commands_.action(QStringLiteral("view.parallel"))->setChecked(view().parallel());
+  commands_.action(QStringLiteral("view.grid"))->setChecked(view().gridVisible());
+  commands_.action(themeCommand(nameOf(ThemeManager::instance().choice())))->setChecked(true);
   viewCommands_->refresh();
 }
 

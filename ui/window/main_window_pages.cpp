@@ -7,6 +7,7 @@
 #include "ui/panel/error_bar.h"
 #include "ui/tree/document_commands.h"
 #include "ui/tree/document_tree.h"
+#include "ui/view/view_commands.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/feature_menus.h"
 #include "ui/window/main_window.h"
@@ -50,7 +51,10 @@ void MainWindow::connectPage(DocumentPage& page) {
     refreshActions();
     refreshStart();
   });
-  connect(sender, &DocumentPage::toolChanged, this, whenShown([this] { refreshStart(); }));
+  connect(sender, &DocumentPage::toolChanged, this, whenShown([this] {
+            refreshStart();
+            viewCommands_->refresh();
+          }));
   connect(sender, &DocumentPage::contextMenuWanted, this,
           whenShown([this](const QPoint& global) { documentCommands_->popup(global); }));
   connect(sender, &DocumentPage::opened, this, [this, sender] {

@@ -35,7 +35,7 @@ void MainWindow::refreshTabs() {
     const int tab = static_cast<int>(i);
     const QString file = qt(shown.file().string());
     tabs_->setTabText(tab, shown.modified() ? shown.title() + QStringLiteral(" •") : shown.title());
-    tabs_->setTabToolTip(tab, file.isEmpty() ? tr("Not saved yet") : file);
+    tabs_->setTabToolTip(tab, shown.title() + u'\n' + (file.isEmpty() ? tr("Not saved yet") : file));
     tabs_->setTabData(tab, file);
   }
   tabs_->setCurrentIndex(static_cast<int>(current_));

@@ -9,7 +9,7 @@
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
 #include "ui/look/units.h"
-#include "ui/panel/error_bar.h"
+#include "ui/panel/fault_bar.h"
 #include "ui/panel/property_panel.h"
 #include "ui/settings/preferences.h"
 #include "ui/timeline/timeline_bar.h"
@@ -40,6 +40,7 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       properties_(new PropertyPanel(session_)),
       view_(new ViewWidget),
       errors_(new ErrorBar),
+      faults_(new FaultBar(session_)),
       timeline_(new TimelineBar(playback_)) {
   buildWidgets();
   connectSession();
@@ -74,6 +75,7 @@ void DocumentPage::buildWidgets() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(errors_);
+  column->addWidget(faults_);
   column->addWidget(view_, 1);
   column->addWidget(timeline_);
   timeline_->hide();
@@ -110,6 +112,7 @@ void DocumentPage::connectSession() {
     if (Tool* const active = tool()) active->documentChanged();
     refreshHandles();
   });
+  connect(&session_, &Session::evaluationOverdue, this, &DocumentPage::refreshView);
   connect(&session_, &Session::evaluationStarted, this, [this] { emit workChanged(evaluationKey, tr("Computing"), 0); });
   connect(&session_, &Session::evaluationProgressed, this, [this](double fraction, const QString& stage) {
     emit workChanged(evaluationKey, stage.isEmpty() ? tr("Computing") : stage, fraction);
@@ -153,10 +156,12 @@ void DocumentPage::connectWidgets() {
   const auto tellTime = [this] { properties_->setTimeline(playback_.frame(), playback_.count()); };
   connect(&playback_, &Playback::moved, this, tellTime);
   connect(&playback_, &Playback::changed, this, tellTime);
+  connect(&playback_, &Playback::changed, this, &DocumentPage::stateChanged);
   connect(properties_, &PropertyPanel::frameWanted, &playback_, &Playback::show);
   connect(&playback_, &Playback::changed, this, &DocumentPage::refreshOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
     if (!fillPanelLater_) showProperties();
+    faults_->setSelected(tree_->selected().empty() ? FeatureId() : tree_->current());
     refreshView();
     refreshOverlay();
     refreshHandles();
@@ -169,7 +174,9 @@ void DocumentPage::connectWidgets() {
     emit contextMenuWanted(global);
   });
   connect(view_, &ViewWidget::hint, this, &DocumentPage::hint);
-  connect(errors_, &ErrorBar::focusFreed, view_, [this] { view_->setFocus(); });
+  for (const ErrorBar* bar : {errors_, static_cast<ErrorBar*>(faults_)})
+    connect(bar, &ErrorBar::focusFreed, view_, [this] { view_->setFocus(); });
+  connect(faults_, &FaultBar::featureWanted, this, [this](const QString& id) { tree_->select(id.toStdString()); });
   connect(view_, &ViewWidget::whereabouts, this, &DocumentPage::whereabouts);
   connect(tree_, &DocumentTree::hint, this, &DocumentPage::hint);
   connect(tree_, &DocumentTree::contextMenuWanted, this, &DocumentPage::contextMenuWanted);
@@ -208,9 +215,7 @@ void DocumentPage::refreshTimeline() {
     const auto view = session_.view(feature->id);
     if (feature->visible && !feature->suppressed && view && view->frames) count = std::max(count, view->frames->size());
   }
-  const bool appeared = (count > 1) != (playback_.count() > 1);
   playback_.setCount(static_cast<int>(count));
-  if (appeared) emit stateChanged();
   timeline_->setVisible(count > 1);
 }
 
@@ -235,7 +240,7 @@ void DocumentPage::refreshView() {
     const ItemRole role = holds(selected, feature->id)   ? ItemRole::Made
                           : holds(controls, feature->id) ? ItemRole::Control
                                                          : ItemRole::Plain;
-    items.push_back({feature->id, sceneNow(*view), role});
+    items.push_back({feature->id, sceneNow(*view), role, session_.outdated(feature->id)});
   }
   view_->setItems(items);
 }

@@ -16,6 +16,7 @@ namespace blossom::ui {
 class DocumentTree;
 class DocumentTreePanel;
 class ErrorBar;
+class FaultBar;
 class PropertyPanel;
 class TimelineBar;
 class ViewWidget;
@@ -35,6 +36,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] DocumentTreePanel& treePanel() { return *treePanel_; }
   [[nodiscard]] PropertyPanel& properties() { return *properties_; }
   [[nodiscard]] ErrorBar& errors() { return *errors_; }
+  [[nodiscard]] FaultBar& faults() { return *faults_; }
   [[nodiscard]] Playback& playback() { return playback_; }  ///< of the sequences that are shown
   [[nodiscard]] QWidget* side() { return side_; }           ///< owned by the page until a window takes it in
   [[nodiscard]] QWidget* canvas() { return canvas_; }       ///< likewise
@@ -50,6 +52,7 @@ class DocumentPage : public QObject, public ToolHost {
   void endTool();
   void startMeasuring();
   void startSection();
+  [[nodiscard]] bool measuring() const;
   /// They stay in the view until they are deleted.
   [[nodiscard]] Measurements& measurements() { return measurements_; }
 
@@ -116,6 +119,7 @@ class DocumentPage : public QObject, public ToolHost {
   PropertyPanel* properties_;
   ViewWidget* view_;
   ErrorBar* errors_;
+  FaultBar* faults_;  // features that fail
   Playback playback_;
   TimelineBar* timeline_;
   QPointer<QWidget> side_, canvas_;

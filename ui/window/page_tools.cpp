@@ -41,13 +41,15 @@ void DocumentPage::start(std::unique_ptr<Tool> started) {
 
 // The same command again puts the tool away.
 void DocumentPage::startMeasuring() {
-  if (dynamic_cast<MeasureTool*>(tool_.get())) return endTool();
+  if (measuring()) return endTool();
   start(std::make_unique<MeasureTool>(*this, measurements_, view_));
 }
 void DocumentPage::startSection() {
   if (dynamic_cast<SectionTool*>(tool_.get())) return endTool();
   start(std::make_unique<SectionTool>(*this, view_));
 }
+
+bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tool_.get()) != nullptr; }
 
 void DocumentPage::connectPicking() {
   connect(view_, &ViewWidget::toolDismissed, this, &DocumentPage::endTool);

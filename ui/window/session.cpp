@@ -11,6 +11,8 @@ namespace blossom::ui {
 
 namespace {
 
+constexpr int patienceMs = 150;
+
 double drawingTolerance() { return Preferences::instance().get<double>("drawing-tolerance"); }
 
 /// What the user chooses is taken into the document at once; whatever else a document names was named by somebody.
@@ -22,6 +24,9 @@ Document guarded(Document document, const std::filesystem::path& file) {
 
 Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app)), evaluator_(app_.registry) {
   history_ = History(guarded({}, {}));
+  patience_.setSingleShot(true);
+  patience_.setInterval(patienceMs);
+  connect(&patience_, &QTimer::timeout, this, &Session::evaluationOverdue);
   connect(&autosave_, &QTimer::timeout, this, [this] {
     if (journal_) journal_->snapshot();
   });
@@ -95,6 +100,7 @@ void Session::evaluate() {
   displayToken_.cancel();
   displayToken_ = CancelToken();
   const std::uint64_t generation = ++generation_;
+  keepWaiting();
   evaluating_ = true;
   cut_ = false;
   arrived_.clear();
@@ -129,6 +135,7 @@ void Session::evaluate() {
       [this, here](const Results&) {
         here([this] {
           evaluating_ = false;
+          patience_.stop();
           emit evaluationFinished();
           if (!evaluating_) watched_.reset();
         });
@@ -146,6 +153,7 @@ void Session::cancelEvaluation() {
   evaluator_.cancelBackground();
   ++generation_;
   evaluating_ = false;
+  patience_.stop();
   cut_ = true;
   watched_.reset();
   emit evaluationCancelled();
@@ -154,6 +162,22 @@ void Session::cancelEvaluation() {
 }
 
 bool Session::cancelled(const FeatureId& id) const { return cut_ && document().contains(id) && !arrived_.contains(id); }
+
+bool Session::awaited(const FeatureId& id) const {
+  const bool due = evaluating_ && document().contains(id) && !arrived_.contains(id);
+  return due && (!patience_.isActive() || late_.contains(id));
+}
+
+/// What is waited for already stays so when an edit begins the evaluation anew, or one that was cancelled goes on.
+void Session::keepWaiting() {
+  std::set<FeatureId> late;
+  for (const auto& feature : document().features())
+    if (awaited(feature->id) || cancelled(feature->id)) late.insert(feature->id);
+  late_ = std::move(late);
+  if (!patience_.isActive()) patience_.start();
+}
+
+bool Session::outdated(const FeatureId& id) const { return views_.contains(id) && (awaited(id) || cancelled(id)); }
 
 void Session::compute() { evaluate(); }
 

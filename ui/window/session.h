@@ -40,6 +40,10 @@ class Session : public QObject {
   /// Newest view of a feature; the one before while a new one is computed; nullptr when there never was one.
   [[nodiscard]] std::shared_ptr<const FeatureView> view(const FeatureId&) const;
   [[nodiscard]] bool evaluating() const { return evaluating_; }
+  /// Its result is being computed, and that takes more than a moment.
+  [[nodiscard]] bool awaited(const FeatureId&) const;
+  /// What is shown of it is that of an older document: it is awaited, or computing was cancelled before it.
+  [[nodiscard]] bool outdated(const FeatureId&) const;
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool modified() const { return history_.modified(); }
   [[nodiscard]] bool writing() const { return writing_; }       ///< a file is being saved or exported
@@ -52,6 +56,7 @@ class Session : public QObject {
   void commit(Document, const QString& what);
   void preview(Document);
   void endPreview();
+  [[nodiscard]] bool previewing() const { return &history_.current() != &history_.committed(); }
   /// Its unsaved steps are not wanted: their safety copy goes. One that ends without it can be recovered.
   void abandon();
   void undo();
@@ -87,6 +92,7 @@ class Session : public QObject {
   void fileChanged();      ///< file name or modified mark
   void viewChanged(const QString& feature);
   void evaluationStarted();
+  void evaluationOverdue();  ///< it takes more than a moment: what has not come yet is awaited
   void evaluationProgressed(double fraction, const QString& stage);
   void evaluationFinished();
   void evaluationCancelled();  ///< followed by evaluationFinished
@@ -100,6 +106,7 @@ class Session : public QObject {
 
  private:
   void evaluate();
+  void keepWaiting();
   void changed();
   void tellWithheld();
   void replace(Document, const std::filesystem::path& file, const QString& name);
@@ -122,6 +129,8 @@ class Session : public QObject {
   std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
   std::set<FeatureId> arrived_;                  // of the last evaluation
   bool cut_ = false;                             // the last evaluation was cancelled
+  std::set<FeatureId> late_;                     // awaited since before the evaluation under way
+  QTimer patience_;                              // what is computed at once is not said to be awaited
   std::vector<std::filesystem::path> withheld_;  // that were told
   std::uint64_t generation_ = 0;                 // of evaluations; late results of older ones are dropped
   std::uint64_t edits_ = 0;                      // tells whether the document changed while a file was read or written

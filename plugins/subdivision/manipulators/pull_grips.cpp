@@ -32,11 +32,12 @@ std::shared_ptr<const GripSurface> gripSurface(const Shape& cage, Scheme scheme,
   return made;
 }
 
-namespace {
-
 bool samePlace(const Vec3& a, const Vec3& b) { return (a - b).norm() <= 1e-9 * (1 + b.norm()); }
 
-}  // namespace
+double distanceTo(const Ray& ray, const Vec3& p) {
+  const Vec3 from = p - ray.origin;
+  return (from - std::max(0.0, from.dot(ray.direction)) * ray.direction).norm();
+}
 
 bool onVertices(const GripSurface& of, const std::vector<Pull>& pulls) {
   return std::all_of(pulls.begin(), pulls.end(), [&](const Pull& pull) {

@@ -5,6 +5,7 @@
 #include "geometry/shape.h"
 #include "kernel/deform.h"
 #include "kernel/limit_surface.h"
+#include "scene/picking.h"
 
 namespace blossom::subdivision {
 
@@ -31,6 +32,12 @@ struct GripSurface {
 
 /// @pre the cage is a mesh. O(faces). @throws Error InvalidInput, Cancelled.
 std::shared_ptr<const GripSurface> gripSurface(const Shape& cage, Scheme, const Progress&);
+
+/// Whether a pull took hold there: the same but for rounding.
+bool samePlace(const Vec3&, const Vec3&);
+
+/// From a point to the nearest one in front of the viewer that is seen under the mouse.
+double distanceTo(const Ray&, const Vec3&);
 
 /// Whether all places lie on limit points of vertices, so that `gripsOf` has nothing to search for.
 bool onVertices(const GripSurface&, const std::vector<Pull>&);

@@ -18,11 +18,6 @@ constexpr double gripPixels = 8;
 constexpr std::size_t mostFaces = 50000;   // of a cage whose points can be dragged live
 constexpr std::size_t facesAtOnce = 1000;  // whose limit surface takes a few milliseconds
 
-double distanceTo(const Ray& ray, const Vec3& p) {
-  const Vec3 from = p - ray.origin;
-  return (from - std::max(0.0, from.dot(ray.direction)) * ray.direction).norm();
-}
-
 /// The surface within reach as a net of lines: seen wherever it goes, and drawn in no time where faces, shaded or
 /// translucent, are not.
 std::vector<std::vector<Vec3>> netOf(const LivePull& live, Scheme scheme) {

@@ -97,6 +97,7 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     const Stopwatch watch(result->kernelMs);
     result->evaluated = type->evaluate(parameters, arranged, progress);
     checkGiven(*type, result->evaluated.shape);
+    refuseInfiniteFigures(result->evaluated);
   });
   if (known) {
     result = std::make_shared<FeatureResult>(*known);

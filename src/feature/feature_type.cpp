@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "feature/acceptance.h"
@@ -102,6 +103,19 @@ void checkGiven(const FeatureType& type, const Shape& result) {
     std::for_each(sequence->frames.begin(), sequence->frames.end(), check);
   else
     check(result);
+}
+
+void refuseInfiniteFigures(const Evaluated& evaluated) {
+  const auto check = [](const std::string& name, double value) {
+    if (!std::isfinite(value))
+      throw Error(ErrorCode::LimitExceeded, fmt::format("The figure \"{}\" is beyond all numbers.", name),
+                  "The shapes may be too large, too small or too far away for it.");
+  };
+  const Value flat = evaluated.stats.flatten();
+  for (const auto& [path, value] : flat.items())
+    if (value.is_number_float()) check(path.substr(1), value.get<double>());
+  for (const Measure& figure : evaluated.figures)
+    if (const double* value = std::get_if<double>(&figure.value)) check(figure.name, *value);
 }
 
 Measures measured(const Evaluated& evaluated, const Progress& progress) {

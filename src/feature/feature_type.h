@@ -36,6 +36,10 @@ struct Evaluated {
   std::vector<Measure> figures = {};
 };
 
+/// A number of the statistics or figures that is none would be told as nothing at all.
+/// @throws Error LimitExceeded that names it.
+void refuseInfiniteFigures(const Evaluated&);
+
 /// The measures of the shape and the figures beside them. @throws Error Cancelled.
 Measures measured(const Evaluated&, const Progress& = Progress::none());
 

@@ -66,6 +66,7 @@ std::vector<Measure> figuresOf(const Value& all) {
 Value serve(const FeatureType::Evaluate& evaluate, const Value& arguments, const fs::path& folder,
             const Progress& progress) {
   const Evaluated made = evaluate(arguments.at("parameters"), loadedInputs(arguments.at("inputs"), folder), progress);
+  refuseInfiniteFigures(made);  // on the way they would become null
   return {{"shape", saveShape(made.shape, folder, "result")},
           {"stats", made.stats},
           {"warnings", made.warnings},

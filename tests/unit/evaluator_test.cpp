@@ -199,6 +199,17 @@ class EvaluatorTest : public QObject {
     QCOMPARE(errorOf("other").code(), ErrorCode::Internal);
   }
 
+  void figuresThatAreNoNumbersAreErrors() {
+    Types types;
+    Evaluator evaluator(types.registry);
+    const Document document = Document().with(sum("a", 1e308)).with(sum("b", 1e308, {"a"}));
+    const Results results = evaluator.evaluate(document, {});
+    QVERIFY(!results.at("a")->error);
+    QVERIFY(results.at("b")->error);
+    QCOMPARE(results.at("b")->error->code(), ErrorCode::LimitExceeded);
+    QVERIFY(results.at("b")->error->message().find("\"sum\"") != std::string::npos);
+  }
+
   void lastingErrorsAreKeptPassingOnesAreTriedAgain() {
     Types types;
     Evaluator evaluator(types.registry);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "core/error.h"
 #include "feature_groups.h"
 #include "in_worker.h"
@@ -113,8 +115,10 @@ double heightOf(const LoftParameters& p, std::size_t index) {
 std::vector<TopoDS_Shape> sectionsOf(const LoftParameters& p, std::span<const Shape> shapes) {
   const bool flat = std::all_of(shapes.begin(), shapes.end(), isDrawnFlat);
   if (!p.heights.empty() && p.heights.size() != shapes.size())
-    throw Error(ErrorCode::InvalidParameter, "The number of heights differs from the number of sections.",
-                "Give one height for each section, or none.");
+    throw Error(
+        ErrorCode::InvalidParameter,
+        fmt::format("The number of heights, {}, differs from the number of sections, {}.", p.heights.size(), shapes.size()),
+        "Give one height for each section, or none.");
   std::vector<TopoDS_Shape> sections;
   sections.reserve(shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) {

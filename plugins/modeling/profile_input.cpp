@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <TopLoc_Location.hxx>
 #include <algorithm>
+#include <gp_Pnt.hxx>
+#include <gp_Trsf.hxx>
 
 #include "core/error.h"
 #include "core/units.h"
 #include "geometry/occt.h"
+#include "geometry/outline_crossing.h"
 #include "geometry/planar.h"
 #include "geometry/sub_shape.h"
 #include "kernel/arrange.h"
-#include "geometry/outline_crossing.h"
 #include "kernel/shape_parts.h"
+#include "wire_outlines.h"
 
 namespace blossom::modeling {
 
@@ -22,23 +26,29 @@ std::string place(const Vec2& p) {
   return fmt::format("({}, {})", rounded(p.x()), rounded(p.y()));
 }
 
-void checkCrossings(const Region& region) {
+/// Where a place of a drawing lies in space; of one in z = 0, the two coordinates it was drawn with.
+std::string place(const Vec2& p, const gp_Trsf& drawing) {
+  const gp_Pnt at = gp_Pnt(p.x(), p.y(), 0).Transformed(drawing);
+  return drawing.Form() == gp_Identity ? place(p) : fmt::format("({:.6g}, {:.6g}, {:.6g})", at.X(), at.Y(), at.Z());
+}
+
+void checkCrossings(const Region& region, const gp_Trsf& drawing) {
   for (std::size_t i = 0; i < region.loops.size(); ++i) {
     if (const auto at = selfCrossing(region.loops[i]))
-      throw Error(ErrorCode::InvalidInput, fmt::format("The outline crosses itself near {}.", place(*at)),
+      throw Error(ErrorCode::InvalidInput, fmt::format("The outline crosses itself near {}.", place(*at, drawing)),
                   "Redraw it there, or trim what crosses.");
     for (std::size_t k = 0; k < i; ++k)
       if (const auto at = crossing(region.loops[i], region.loops[k]))
-        throw Error(ErrorCode::InvalidInput, fmt::format("Two outlines cross near {}.", place(*at)),
+        throw Error(ErrorCode::InvalidInput, fmt::format("Two outlines cross near {}.", place(*at, drawing)),
                     "Move them apart, or unite them first.");
   }
 }
 
-TopoDS_Shape filled(const Region& region) {
+TopoDS_Shape filled(const Region& region, const gp_Trsf& drawing = {}) {
   if (region.loops.empty())
     throw Error(ErrorCode::InvalidInput, "The region is empty.", "Give a region with at least one outline.");
-  checkCrossings(region);
-  return toFaces(region);
+  checkCrossings(region, drawing);
+  return toFaces(region).Moved(TopLoc_Location(drawing));
 }
 
 TopoDS_Shape ofCurves(const Curves& given, bool fill) {
@@ -77,12 +87,28 @@ std::vector<Segment> chordsFor(const std::vector<Segment>& segments) {
   return chords;
 }
 
+/// Wires and edges that close in a plane as faces, as closed paths of a drawing are; the rest as it is.
+TopoDS_Shape withFilledWires(const TopoDS_Shape& shape) {
+  const WireOutlines wires = wireOutlines(shape);
+  if (wires.outlines.empty()) return shape;
+  std::vector<TopoDS_Shape> parts;
+  if (!wires.others.IsNull()) parts.push_back(wires.others);
+  for (const FlatOutlines& each : wires.outlines) parts.push_back(filled(toRegion(each.drawing), each.place));
+  return together(parts);
+}
+
+TopoDS_Shape wiresOf(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> parts = partsOf(shape, TopAbs_WIRE);
+  for (const TopoDS_Shape& edge : looseParts(shape, TopAbs_EDGE, TopAbs_WIRE)) parts.push_back(edge);
+  return together(parts);
+}
+
 TopoDS_Shape ofBrep(const Brep& brep, const SubShapeValue& face, bool fill) {
   if (face.index < 0 && !partsOf(brep.shape(), TopAbs_SOLID).empty())
     throw Error(ErrorCode::InvalidInput, "The input is a solid; which of its faces is meant?",
                 "Choose one of its flat faces.");
   const TopoDS_Shape shape = face.index < 0 ? brep.shape() : faceOf(brep, face.index);
-  return fill ? shape : together(partsOf(shape, TopAbs_WIRE));
+  return fill ? withFilledWires(shape) : wiresOf(shape);
 }
 
 }  // namespace
@@ -94,7 +120,8 @@ TopoDS_Shape profileShape(const Shape& shape, const SubShapeValue& face, bool fi
                 "Leave the face out.");
   if (const auto* region = shape.get<Region>()) return fill ? filled(*region) : toWires(toCurves(*region));
   if (const auto* curves = shape.get<Curves>()) return ofCurves(*curves, fill);
-  return asBrep(shape).shape();
+  const TopoDS_Shape edges = asBrep(shape).shape();
+  return fill ? withFilledWires(edges) : edges;
 }
 
 Shape withoutSplines(const Shape& shape, std::vector<std::string>& warnings) {

@@ -68,13 +68,54 @@ Vec3 normalAt(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_P
   return {0, 0, 1};
 }
 
+enum class Collapsed { No, U, V };
+
+/// Of each node, the parameter that means nothing there: where a surface shrinks to a point, as in the tip of a cone, all
+/// values of the one that runs round it are the same place.
+std::vector<Collapsed> collapsedParameters(const Poly_Triangulation& triangulation, const BRepAdaptor_Surface& surface) {
+  constexpr double nothing = 1e-8;
+  std::vector<Collapsed> collapsed(static_cast<std::size_t>(triangulation.NbNodes()), Collapsed::No);
+  for (int i = 1; i <= triangulation.NbNodes(); ++i) {
+    const gp_Pnt2d uv = triangulation.UVNode(i);
+    gp_Pnt p;
+    gp_Vec du, dv;
+    surface.D1(uv.X(), uv.Y(), p, du, dv);
+    if (du.Magnitude() <= nothing * dv.Magnitude())
+      collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::U;
+    else if (dv.Magnitude() <= nothing * du.Magnitude())
+      collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::V;
+  }
+  return collapsed;
+}
+
+/// The middle of a triangle's parameters. A corner with a collapsed parameter counts in the other one only: the corner in
+/// the tip of a cone has whatever angle the mesher gave it.
+gp_XY middleParameters(const FaceMesh& mesh, const Poly_Triangle& triangle, const std::vector<Collapsed>& collapsed) {
+  gp_XY sum(0, 0);
+  int countU = 0, countV = 0;
+  for (int k = 1; k <= 3; ++k) {
+    const gp_Pnt2d uv = mesh.triangulation->UVNode(triangle.Value(k));
+    const Collapsed here = collapsed[static_cast<std::size_t>(triangle.Value(k) - 1)];
+    if (here != Collapsed::U) {
+      sum.SetX(sum.X() + uv.X());
+      ++countU;
+    }
+    if (here != Collapsed::V) {
+      sum.SetY(sum.Y() + uv.Y());
+      ++countV;
+    }
+  }
+  return {sum.X() / std::max(1, countU), sum.Y() / std::max(1, countV)};
+}
+
 /// Distance from a triangle's plane to the surface point in the middle of its parameters.
-double sag(const FaceMesh& mesh, const BRepAdaptor_Surface& surface, const Poly_Triangle& triangle) {
+double sag(const FaceMesh& mesh, const BRepAdaptor_Surface& surface, const Poly_Triangle& triangle,
+           const std::vector<Collapsed>& collapsed) {
   int a = 0, b = 0, c = 0;
   triangle.Get(a, b, c);
   const Poly_Triangulation& t = *mesh.triangulation;
   const auto at = [&](int i) { return toVec(t.Node(i).Transformed(mesh.location.Transformation()).XYZ()); };
-  const gp_XY middle = (t.UVNode(a).XY() + t.UVNode(b).XY() + t.UVNode(c).XY()) / 3;
+  const gp_XY middle = middleParameters(mesh, triangle, collapsed);
   const Vec3 p = at(a);
   const Vec3 normal = (at(b) - p).cross(at(c) - p);
   if (!(normal.norm() > 0)) return 0;
@@ -159,16 +200,22 @@ class ShapeMesher {
   std::vector<double> largestSags() const {
     std::vector<double> worst(faces_.size());
     parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        if (faces_[f].triangulation.IsNull() || faces_[f].normals) continue;
-        const BRepAdaptor_Surface surface(faces_[f].face, Standard_False);
-        if (surface.GetType() == GeomAbs_Plane) continue;
-        for (int t = 1; t <= faces_[f].triangulation->NbTriangles(); ++t)
-          worst[f] = std::max(worst[f], sag(faces_[f], surface, faces_[f].triangulation->Triangle(t)) -
-                                            BRep_Tool::Tolerance(faces_[f].face));
-      }
+      for (std::size_t f = begin; f < end; ++f)
+        if (!faces_[f].triangulation.IsNull() && !faces_[f].normals) worst[f] = largestSag(faces_[f]);
     });
     return worst;
+  }
+
+  double largestSag(const FaceMesh& mesh) const {
+    const BRepAdaptor_Surface surface(mesh.face, Standard_False);
+    if (surface.GetType() == GeomAbs_Plane) return 0;
+    const std::vector<Collapsed> collapsed = collapsedParameters(*mesh.triangulation, surface);
+    double worst = 0;
+    for (int t = 1; t <= mesh.triangulation->NbTriangles(); ++t) {
+      if (t % 4096 == 0) progress_.check();
+      worst = std::max(worst, sag(mesh, surface, mesh.triangulation->Triangle(t), collapsed));
+    }
+    return std::max(0.0, worst - BRep_Tool::Tolerance(mesh.face));
   }
 
   /// Leaves BRepMesh only the faces that are too coarse; the others keep their triangles, and with them their edges.

@@ -135,15 +135,15 @@ std::vector<FaceTriangle> trianglesWithArea(const Mesh& mesh, const Progress& pr
 
 /// Of triangle `from` with one behind it, the one of the lowest face; then with the lowest triangle.
 std::optional<MeshCrossing> crossingOf(std::size_t from, const std::vector<FaceTriangle>& triangles,
-                                       const CrossingTree& tree) {
+                                       const CrossingTree& tree, const CrossingJudge& counts) {
   std::optional<MeshCrossing> found;
   std::size_t lowest = triangles.size();
   tree.visitBehind(from, [&](std::size_t other) {
     if (other >= lowest) return;
-    if (const auto place = crossingElsewhere(triangles[from].at, triangles[other].at)) {
-      found = MeshCrossing{*place, triangles[from].face, triangles[other].face};
-      lowest = other;
-    }
+    const auto place = crossingElsewhere(triangles[from].at, triangles[other].at);
+    if (!place || !counts(triangles[from].at, triangles[other].at)) return;
+    found = MeshCrossing{*place, triangles[from].face, triangles[other].face};
+    lowest = other;
   });
   return found;
 }
@@ -159,20 +159,20 @@ std::optional<MeshCrossing> firstCrossing(const Mesh& mesh, const Progress& prog
     progress.check();
     // Of a polygon all triangles are looked at before the first crossing is told.
     if (found && triangles[k].face != found->first) break;
-    const auto here = crossingOf(k, triangles, tree);
+    const auto here = crossingOf(k, triangles, tree, [](const Triangle3&, const Triangle3&) { return true; });
     if (here && (!found || here->second < found->second)) found = here;
   }
   return found;
 }
 
-std::vector<MeshCrossing> crossings(const Mesh& mesh, const Progress& progress) {
+std::vector<MeshCrossing> crossings(const Mesh& mesh, const CrossingJudge& counts, const Progress& progress) {
   refuseWhatIsNoPlace(mesh);
   const std::vector<FaceTriangle> triangles = trianglesWithArea(mesh, progress);
   const CrossingTree tree(triangles, progress);
   std::vector<MeshCrossing> found;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     progress.check();
-    if (const auto here = crossingOf(k, triangles, tree)) found.push_back(*here);
+    if (const auto here = crossingOf(k, triangles, tree, counts)) found.push_back(*here);
   }
   return found;
 }

@@ -1,11 +1,13 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "core/progress.h"
 #include "core/vector.h"
 #include "geometry/mesh.h"
+#include "geometry/triangle_distance.h"
 
 namespace blossom {
 
@@ -23,7 +25,10 @@ struct MeshCrossing {
 /// @throws Error InvalidInput for a face that names no vertex and for coordinates that are no numbers, Cancelled.
 std::optional<MeshCrossing> firstCrossing(const Mesh&, const Progress& = Progress::none());
 
-/// One crossing of each triangle that crosses one behind it, in their order; for judging which of them matter.
-std::vector<MeshCrossing> crossings(const Mesh&, const Progress& = Progress::none());
+/// Whether the crossing of two triangles is one that counts.
+using CrossingJudge = std::function<bool(const Triangle3&, const Triangle3&)>;
+
+/// One crossing that counts of each triangle that has any with one behind it, in their order.
+std::vector<MeshCrossing> crossings(const Mesh&, const CrossingJudge&, const Progress& = Progress::none());
 
 }  // namespace blossom

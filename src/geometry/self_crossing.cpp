@@ -18,6 +18,8 @@ namespace {
 
 /// Crossings of one tessellation that are looked at closely, evenly chosen: a real one is a curve with many of them.
 constexpr std::size_t crossingsTried = 16;
+/// Share of the size, far below what the finest tessellation could find.
+constexpr double depthThatIsNone = 1e-8;
 
 Triangle3 triangleOf(const Mesh& mesh, std::size_t f) {
   const auto corner = [&](std::size_t i) { return mesh.points[static_cast<std::size_t>(mesh.face(f)[i])]; };
@@ -31,6 +33,19 @@ double solidAngle(const Triangle3& t, const Vec3& eye) {
   const Vec3 a = t[0] - eye, b = t[1] - eye, c = t[2] - eye;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+/// Whether all that a triangle has in common with the other's plane is one corner, up to a depth that is none. So the tip of
+/// a cone stands on a disc: that is no crossing, and every finer tessellation would show it again.
+bool standsOnACorner(const Triangle3& standing, const Triangle3& ground, double slack) {
+  const Vec3 normal = normalOf(ground);
+  int above = 0, below = 0;
+  for (const Vec3& corner : standing) {
+    const double height = (corner - ground[0]).dot(normal);
+    if (height > slack) ++above;
+    if (height < -slack) ++below;
+  }
+  return above + below == 2 && above * below == 0;
 }
 
 /// How often the surface goes round a point.
@@ -71,7 +86,10 @@ std::optional<Vec3> selfCrossing(const TopoDS_Shape& solid, const Progress& prog
   for (const double share : {1e-3, 1e-4, 2e-5}) {
     const double chord = share * size;
     const Mesh mesh = meshOf(shape, {.chord = chord, .angle = 0.5}, progress);
-    const auto found = crossings(mesh, progress);
+    const auto counts = [slack = depthThatIsNone * size](const Triangle3& a, const Triangle3& b) {
+      return !standsOnACorner(a, b, slack) && !standsOnACorner(b, a, slack);
+    };
+    const auto found = crossings(mesh, counts, progress);
     if (found.empty()) return {};
     const std::size_t stride = (found.size() + crossingsTried - 1) / crossingsTried;
     for (std::size_t k = 0; k < found.size(); k += stride)

@@ -108,6 +108,26 @@ class ModelingExtrudeTest : public QObject {
     VERIFY_REFUSED(refusal("extrude", {{"height", 40}, {"taper", 10}}, {slot(10, 5)}), ErrorCode::Degenerate, "sides meet");
   }
 
+  void aConeMayComeCloseToItsTip() {
+    Path arcs;
+    arcs.closed = true;
+    arcs.segments = {Arc2{{3, 2}, 5, 0, pi}, Arc2{{3, 2}, 5, pi, pi}};
+    const auto frustum = [](double height) { return pi / 3 * (125 - std::pow(5 - height, 3)); };
+    for (const Region& disc : {Region{{circle({3, 2}, 5)}}, Region{{arcs}}})
+      for (const double height : {2.0, 4.9, -4.9, 4.999, 5.0}) {
+        const Evaluated solid = made("extrude", {{"height", height}, {"taper", 45}}, {disc});
+        QVERIFY(isSound(solid));
+        COMPARE_NEAR(volume(solid), frustum(std::abs(height)), 1e-7);
+        COMPARE_NEAR(height > 0 ? bounds(solid.shape).high.z() : bounds(solid.shape).low.z(), height, 1e-6);
+      }
+    const Region disc{{circle({3, 2}, 5)}};
+    const Evaluated both = made("extrude", {{"height", 4.9}, {"back", 2}, {"taper", 45}}, {disc});
+    QVERIFY(isSound(both));
+    COMPARE_NEAR(volume(both), frustum(4.9) + frustum(2), 1e-7);
+    VERIFY_REFUSED(refusal("extrude", {{"height", 6}, {"taper", 45}}, {disc}), ErrorCode::Degenerate,
+                   "They meet at a height of 5 mm, in (3, 2, 5)");
+  }
+
   void openCurvesMakeSheets() {
     const Curves open{{polygon({{0, 0}, {10, 0}, {10, 5}}, false)}, FillRule::EvenOdd};
     const Evaluated sheet = made("extrude", {{"height", 7}}, {open});

@@ -1,5 +1,6 @@
 /// Solids that profiles sweep: what would cut through itself is refused with its place, what overlaps counts once, and what
 /// is merely thin, tight or leaning stays.
+#include "geometry/tessellate.h"
 #include "support/modeling.h"
 
 using namespace blossom;
@@ -71,6 +72,24 @@ class ModelingSoundTest : public QObject {
     COMPARE_NEAR(volume(tube), 2 * pi * 4 * 20, 1e-6);
   }
 
+  void outlinesThatTouchTheAxisCostNoMoreThanThoseBesideIt() {
+    const auto facets = [](const Region& profile, double wanted) {
+      const Evaluated turned = made("revolve", {}, {profile});
+      if (!isSound(turned) || std::abs(volume(turned) - wanted) > 1e-8 * wanted) return std::size_t{0};
+      return meshOf(turned.shape, {.chord = 0.01, .angle = 0.5}).faceCount();
+    };
+    const auto triangle = [](double from) { return Region{{polygon({{from, 0}, {10, 0}, {10, 10}})}}; };
+    const double away = 10 - 0.1;  // Pappus: half away * 10 at a radius of 0.1 + 2/3 away
+    const std::size_t beside = facets(triangle(0.1), away * 10 * pi * (0.1 + away * 2 / 3));
+    const std::size_t touching = facets(triangle(0), 2000 * pi / 3);
+    QVERIFY(beside > 0 && touching > 0);
+    QVERIFY2(touching <= beside + beside / 10, qPrintable(QString("%1, %2").arg(touching).arg(beside)));
+    const std::size_t horn = facets({{circle({5, 5}, 5)}}, 250 * pi * pi);
+    const std::size_t ring = facets({{circle({5.1, 5}, 5)}}, 255 * pi * pi);
+    QVERIFY(ring > 0 && horn > 0);
+    QVERIFY2(horn <= 2 * ring, qPrintable(QString("%1, %2").arg(horn).arg(ring)));
+  }
+
   void ringsThatOverlapAreOne() {
     const Value axis = {{"point", {20, 0, 0}}};
     const Evaluated mirrored = made("revolve", axis, {together({rectangle(10, 0, 15, 5), rectangle(25, 0, 30, 5)})});
@@ -83,6 +102,19 @@ class ModelingSoundTest : public QObject {
     COMPARE_NEAR(volume(apart), pi * (75 * 5 + 45 * 3), 1e-6);
     const Evaluated touching = made("revolve", axis, {together({rectangle(10, 0, 15, 5), rectangle(25, 5, 30, 9)})});
     COMPARE_NEAR(volume(touching), pi * 75 * 9, 1e-6);
+  }
+
+  /// Squares across the axis from each other, at one radius: half of each ring lies in the other.
+  void ringsOfOneRadiusAreOne() {
+    const Region squares = together({rectangle(8, -2, 12, 2), rectangle(-12, 0, -8, 4)});
+    for (const double angle : {360.0, -360.0, 300.0, 200.0, 90.0}) {
+      const Evaluated rings = made("revolve", {{"angle", angle}}, {squares});
+      QVERIFY(isSound(rings));
+      // each square sweeps its angle; what both sweep is counted once
+      const double swept = 2 * 16 * 10 * std::abs(angle) * pi / 180;
+      const double both = 8 * 10 * std::max(0.0, 2 * std::abs(angle) - 360) * pi / 180;
+      COMPARE_NEAR(volume(rings), swept - both, 1e-6);
+    }
   }
 
   void tapersThatOverlapAreUnited() {
@@ -106,6 +138,8 @@ class ModelingSoundTest : public QObject {
                      "cut through itself near (");
       QVERIFY(isSound(made("loft", {{"heights", {0, 10, 20}}, {"ruled", ruled}}, {a, b, a})));
     }
+    VERIFY_REFUSED(refusal("loft", {{"heights", {0, 10}}}, {a, b, a}), ErrorCode::InvalidParameter,
+                   "The number of heights, 2, differs from the number of sections, 3.");
   }
 
   void pipesThroughThemselvesAreRefusedThinOnesNot() {

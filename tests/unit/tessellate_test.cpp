@@ -98,6 +98,18 @@ class TessellateTest : public QObject {
       }
     }
   }
+  /// At the tip the angle about the axis means nothing, so it must not count against the triangles there.
+  void aConeWithItsTipNeedsNoMoreTrianglesThanOneWithoutIt() {
+    const auto slopes = [](double tip) {
+      return Brep(BRepPrimAPI_MakeCone(10, tip, 10 - tip).Shape());  // one slope, as far up as the radius `tip`
+    };
+    for (const double chord : {0.05, 0.01, 0.002}) {
+      const Mesh whole = meshOf(slopes(0), {chord, 0.5}), cut = meshOf(slopes(0.1), {chord, 0.5});
+      QVERIFY2(whole.faceCount() <= cut.faceCount() + cut.faceCount() / 10,
+               qPrintable(QString("%1, %2").arg(whole.faceCount()).arg(cut.faceCount())));
+      COMPARE_NEAR(signedVolume(whole), 1000 * pi / 3, chord * 100 * pi * (1 + std::sqrt(2.0)));
+    }
+  }
   void volumesConverge() {
     const Brep sphere(BRepPrimAPI_MakeSphere(3).Shape());
     const auto error = [&](double chord) { return std::abs(signedVolume(meshOf(sphere, {chord, 1})) / (36 * pi) - 1); };

@@ -7,6 +7,8 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <memory>
 
@@ -88,12 +90,19 @@ class Combiner {
     return solids_ ? finishedSolid(together(parts), complaint()) : finishedSheet(together(parts), complaint());
   }
 
-  /// Of a copy: joining, and the mending after it, change edges that the given shape shares even where they fail.
+  /// Null where OCCT fails, as it does at some seams of rings. Of a copy: joining, and the mending after it, change edges
+  /// that the given shape shares even where they fail.
   [[nodiscard]] TopoDS_Shape simplified(const TopoDS_Shape& shape) const {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape).Shape();
-    ShapeUpgrade_UnifySameDomain unify(copy, Standard_True, Standard_True, Standard_False);
-    unify.Build();
-    return unify.Shape();
+    try {
+      ShapeUpgrade_UnifySameDomain unify(copy, Standard_True, Standard_True, Standard_False);
+      unify.Build();
+      return unify.Shape();
+    } catch (const Standard_OutOfMemory&) {
+      throw;
+    } catch (const Standard_Failure&) {
+      return {};
+    }
   }
 
  private:
@@ -149,7 +158,7 @@ BooleanResult combine(const std::vector<TopoDS_Shape>& shapes, const BooleanOpti
         progress.report(0.9, "Joining faces");
         const TopoDS_Shape simple = combiner.simplified(result.shape);
         // Joining is a convenience: where it spoils the shape, the shape stays as it was.
-        if (!solids || isGoodSolid(simple))
+        if (!simple.IsNull() && (!solids || isGoodSolid(simple)))
           result.shape = combiner.finished(simple);
         else
           result.warnings.emplace_back("Faces of one surface could not be joined; the shape has more faces than it needs.");

@@ -2,16 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepGProp.hxx>
 #include <BRepOffsetAPI_DraftAngle.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Cone.hxx>
+#include <numbers>
 #include <optional>
 
 #include "core/error.h"
@@ -98,8 +103,42 @@ TopoDS_Shape leaning(const TopoDS_Shape& prism, const gp_Pln& base, double heigh
   return draft.Shape();
 }
 
+/// The circle around a disc without holes, which a drawing may make of several arcs.
+std::optional<gp_Circ> circleAround(const TopoDS_Face& face) {
+  if (partsOf(face, TopAbs_WIRE).size() != 1) return {};
+  std::optional<gp_Circ> around;
+  double turned = 0;
+  for (const TopoDS_Shape& each : partsOf(face, TopAbs_EDGE)) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(each));
+    if (curve.GetType() != GeomAbs_Circle) return {};
+    const gp_Circ circle = curve.Circle();
+    if (around && (around->Location().Distance(circle.Location()) > smallest ||
+                   std::abs(around->Radius() - circle.Radius()) > smallest))
+      return {};
+    around = circle;
+    turned += std::abs(curve.LastParameter() - curve.FirstParameter());
+  }
+  return around && std::abs(turned - 2 * std::numbers::pi) < 1e-6 ? around : std::nullopt;
+}
+
+/// Near its tip OCCT loses the end of a cone that it leans from a cylinder, so discs get theirs at once.
+TopoDS_Shape cone(const gp_Circ& base, const gp_Dir& normal, double height, double taper) {
+  const gp_Dir up = height > 0 ? normal : normal.Reversed();
+  const double slope = std::tan(toRadians(taper)), end = base.Radius() - std::abs(height) * slope;
+  if (end < -smallest) {
+    const gp_Pnt tip = base.Location().Translated(gp_Vec(up) * (base.Radius() / slope));
+    throw Error(ErrorCode::Degenerate,
+                fmt::format("{} They meet at a height of {:.6g} mm, in ({:.6g}, {:.6g}, {:.6g}).", tooSteep(taper).message,
+                            base.Radius() / slope, tip.X() + 0.0, tip.Y() + 0.0, tip.Z() + 0.0),
+                tooSteep(taper).hint);
+  }
+  const gp_Ax2 axes(base.Location(), up, base.XAxis().Direction());
+  return BRepPrimAPI_MakeCone(axes, base.Radius(), end > smallest ? end : 0, std::abs(height)).Shape();
+}
+
 /// From the plane of the face by `height` along its normal, leaning.
 TopoDS_Shape tapered(const TopoDS_Face& face, const gp_Pln& plane, double height, double taper) {
+  if (const auto circle = circleAround(face)) return cone(*circle, plane.Axis().Direction(), height, taper);
   const TopoDS_Shape prism = BRepPrimAPI_MakePrism(face, gp_Vec(plane.Axis().Direction()) * height).Shape();
   return guarded("The sides of the extrusion cannot be tapered.", "Use a smaller taper.", [&] {
     return leaning(finishedSolid(prism, {mixedMeasures, ""}), plane, height, taper);

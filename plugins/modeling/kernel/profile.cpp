@@ -8,8 +8,13 @@
 #include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <ShapeAnalysis_FreeBounds.hxx>
+#include <ShapeExtend_WireData.hxx>
+#include <ShapeFix_Wire.hxx>
+#include <TopExp.hxx>
 #include <TopTools_HSequenceOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <gp_Lin.hxx>
 
 #include "core/error.h"
@@ -20,6 +25,21 @@ namespace blossom::modeling {
 
 namespace {
 
+/// Edges of files often meet in two vertices at one place; a wire needs a common one.
+TopoDS_Wire withCommonVertices(const TopoDS_Wire& wire) {
+  ShapeFix_Wire fix;
+  fix.Load(wire);
+  const Handle(ShapeExtend_WireData) edges = fix.WireData();
+  const gp_Pnt start = BRep_Tool::Pnt(TopExp::FirstVertex(edges->Edge(1), Standard_True));
+  const gp_Pnt end = BRep_Tool::Pnt(TopExp::LastVertex(edges->Edge(edges->NbEdges()), Standard_True));
+  fix.ClosedWireMode() = start.Distance(end) <= Tolerance().joining;
+  fix.FixConnected(Tolerance().joining);
+  TopoDS_Wire connected = fix.WireAPIMake();
+  if (connected.IsNull()) return wire;
+  connected.Closed(BRep_Tool::IsClosed(connected));
+  return connected;
+}
+
 std::vector<TopoDS_Wire> joinedEdges(const std::vector<TopoDS_Shape>& edges) {
   Handle(TopTools_HSequenceOfShape) sequence = new TopTools_HSequenceOfShape;
   for (const TopoDS_Shape& edge : edges) sequence->Append(edge);
@@ -27,7 +47,7 @@ std::vector<TopoDS_Wire> joinedEdges(const std::vector<TopoDS_Shape>& edges) {
   ShapeAnalysis_FreeBounds::ConnectEdgesToWires(sequence, Tolerance().joining, Standard_False, wires);
   std::vector<TopoDS_Wire> joined;
   joined.reserve(static_cast<std::size_t>(wires->Length()));
-  for (const TopoDS_Shape& wire : *wires) joined.push_back(TopoDS::Wire(wire));
+  for (const TopoDS_Shape& wire : *wires) joined.push_back(withCommonVertices(TopoDS::Wire(wire)));
   return joined;
 }
 
@@ -53,15 +73,32 @@ bool isStraight(const TopoDS_Wire& wire, gp_Lin& line) {
 
 }  // namespace
 
+std::vector<TopoDS_Wire> looseWires(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Wire> wires;
+  std::vector<TopoDS_Shape> open, edges = looseParts(shape, TopAbs_EDGE, TopAbs_WIRE);
+  for (const TopoDS_Shape& wire : looseParts(shape, TopAbs_WIRE, TopAbs_FACE))
+    if (BRep_Tool::IsClosed(wire))
+      wires.push_back(TopoDS::Wire(wire));
+    else
+      open.push_back(wire);
+  if (open.size() == 1 && edges.empty()) {
+    wires.push_back(TopoDS::Wire(open.front()));
+    return wires;
+  }
+  for (const TopoDS_Shape& wire : open)
+    for (const TopoDS_Shape& edge : looseParts(wire, TopAbs_EDGE, TopAbs_FACE)) edges.push_back(edge);
+  if (edges.empty()) return wires;
+  for (const TopoDS_Wire& wire : joinedEdges(edges)) wires.push_back(wire);
+  return wires;
+}
+
 Profile profileOf(const TopoDS_Shape& shape) {
   Profile profile;
   if (!partsOf(shape, TopAbs_SOLID).empty())
     throw Error(ErrorCode::InvalidInput, "A solid is not an outline that could be swept.",
                 "Choose one of its flat faces, or give a region.");
   for (const TopoDS_Shape& face : partsOf(shape, TopAbs_FACE)) profile.faces.push_back(TopoDS::Face(face));
-  for (const TopoDS_Shape& wire : looseParts(shape, TopAbs_WIRE, TopAbs_FACE)) profile.wires.push_back(TopoDS::Wire(wire));
-  if (const auto edges = looseParts(shape, TopAbs_EDGE, TopAbs_WIRE); !edges.empty())
-    for (const TopoDS_Wire& wire : joinedEdges(edges)) profile.wires.push_back(wire);
+  profile.wires = looseWires(shape);
   if (profile.faces.empty() && profile.wires.empty())
     throw Error(ErrorCode::InvalidInput, "There is no outline to sweep: the input is empty.",
                 "Give a region, curves or a flat face.");
@@ -84,15 +121,22 @@ gp_Pln planeOf(const TopoDS_Face& face) {
   return plane;
 }
 
-gp_Pln planeOf(const TopoDS_Wire& wire) {
-  if (gp_Lin line; isStraight(wire, line)) return planeThrough(line);
+std::optional<gp_Pln> onlyPlaneOf(const TopoDS_Wire& wire) {
+  if (gp_Lin line; isStraight(wire, line)) return {};
   const BRepLib_FindSurface found(wire, Tolerance().joining, Standard_True);
-  if (!found.Found())
-    throw Error(ErrorCode::InvalidInput, "The curve is not flat; an outline must lie in one plane.",
-                "Use it as the path of a pipe, or draw a flat outline.");
+  if (!found.Found()) return {};
   gp_Pln plane = Handle(Geom_Plane)::DownCast(found.Surface())->Pln();
   if (plane.Axis().Direction().Z() < -1e-12) plane.SetAxis(plane.Axis().Reversed());
   return plane;
+}
+
+gp_Pln planeOf(const TopoDS_Wire& wire) {
+  if (gp_Lin line; isStraight(wire, line)) return planeThrough(line);
+  const auto plane = onlyPlaneOf(wire);
+  if (!plane)
+    throw Error(ErrorCode::InvalidInput, "The curve is not flat; an outline must lie in one plane.",
+                "Use it as the path of a pipe, or draw a flat outline.");
+  return *plane;
 }
 
 }  // namespace blossom::modeling

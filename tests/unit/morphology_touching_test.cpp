@@ -98,7 +98,7 @@ class MorphologyTouchingTest : public QObject {
   void cellsThatTouchAnyhow() {
     std::mt19937_64 random = seededRandom();
     const Mesh half = cuboid({0, 0, 0}, {0.5, 0.5, 0.5});
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 20; ++k) {
       const std::set<Cell> cells = randomCells(random, k < 3 ? 2 : 3);
       const Mesh solid = solidOfCells(cells, {-1, -1, -1});
       COMPARE_NEAR(volumeOf(solid), static_cast<double>(cells.size()), 1e-12);
@@ -110,6 +110,26 @@ class MorphologyTouchingTest : public QObject {
   }
 
   // The ends of a morph are the solids themselves: bodies that overlap, or meet within a face, are one there.
+  /// Each cell with all of its six walls, as an assembly of bricks comes from a file.
+  void bricksThatShareWallsAreOneSolid() {
+    std::mt19937_64 random = seededRandom();
+    for (int run = 0; run < 10; ++run) {
+      const std::set<Cell> cells = randomCells(random, 3);
+      Mesh bricks;
+      for (const auto& [x, y, z] : cells) {
+        const Mesh brick = cuboid(Vec3(x, y, z), Vec3(x + 1, y + 1, z + 1));
+        const int first = static_cast<int>(bricks.points.size());
+        bricks.points.insert(bricks.points.end(), brick.points.begin(), brick.points.end());
+        for (std::size_t f = 0; f < brick.faceCount(); ++f) {
+          std::vector<int> face(brick.face(f).begin(), brick.face(f).end());
+          for (int& v : face) v += first;
+          bricks.addFace(face);
+        }
+      }
+      COMPARE_NEAR(volumeOf(solidSumOf(bricks, cuboid({0, 0, 0}, {0.5, 0.5, 0.5}))), volumeOfSum(cells), 1e-9);
+    }
+  }
+
   void bodiesThatMeetAreOneAtTheEnds() {
     const Mesh cube = unitCell();
     const Mesh overlapping = together(cube, movedBy(cube, {0.5, 0.25, 0.125}));

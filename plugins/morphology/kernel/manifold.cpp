@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -107,6 +108,51 @@ Mesh manifoldOf(const Mesh& mesh, const Progress& progress) {
     result.faceVertices[c] = vertex;
   }
   return result;
+}
+
+namespace {
+
+/// Edges of more than two faces, each with the vertex for its middle, which is one of the result's.
+std::map<std::pair<int, int>, int> middlesOfSharedEdges(const Mesh& mesh, std::vector<Vec3>& points) {
+  std::map<std::pair<int, int>, int> middles;
+  for (const auto& [edge, sides] : sidesOf(mesh)) {
+    if (sides.size() <= 2) continue;
+    middles[edge] = static_cast<int>(points.size());
+    const auto at = [&](int v) { return points[static_cast<std::size_t>(v)]; };
+    points.emplace_back((at(edge.first) + at(edge.second)) / 2);
+  }
+  return middles;
+}
+
+/// Cuts a triangle at the first of its edges that has a middle, and what comes of it at the others.
+void addCut(std::array<int, 3> t, const std::map<std::pair<int, int>, int>& middles, Mesh& result) {
+  for (int k = 0; k < 3; ++k) {
+    const auto found = middles.find({std::min(t[0], t[1]), std::max(t[0], t[1])});
+    if (found != middles.end()) {
+      addCut({t[0], found->second, t[2]}, middles, result);
+      addCut({found->second, t[1], t[2]}, middles, result);
+      return;
+    }
+    std::rotate(t.begin(), t.begin() + 1, t.end());
+  }
+  result.addFace(t);
+}
+
+}  // namespace
+
+Mesh manifoldOfTriangles(const Mesh& triangles, const Progress& progress) {
+  Mesh mesh = manifoldOf(triangles, progress);
+  Mesh cut;
+  cut.name = mesh.name;
+  cut.color = mesh.color;
+  cut.points = mesh.points;
+  const auto middles = middlesOfSharedEdges(mesh, cut.points);
+  if (middles.empty()) return mesh;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const auto face = mesh.face(f);
+    addCut({face[0], face[1], face[2]}, middles, cut);
+  }
+  return manifoldOf(cut, progress);
 }
 
 }  // namespace blossom::morphology

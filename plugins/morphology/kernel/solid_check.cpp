@@ -40,6 +40,33 @@ Mesh withSharedPoints(const Mesh& mesh) {
   return result;
 }
 
+/// The vertices of a face from the lowest one on, so that equal faces read alike.
+std::vector<int> fromLowest(std::vector<int> face) {
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  return face;
+}
+
+/// Bodies that share a whole face are one body: the face and its counterpart, which looks back at it, enclose nothing.
+Mesh withoutInnerWalls(const Mesh& mesh) {
+  std::map<std::vector<int>, std::vector<std::size_t>> waiting;  // for their counterparts
+  std::vector<bool> inner(mesh.faceCount());
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    const std::vector<int> face(mesh.face(f).begin(), mesh.face(f).end());
+    const auto back = waiting.find(fromLowest({face.rbegin(), face.rend()}));
+    if (back == waiting.end() || back->second.empty()) {
+      waiting[fromLowest(face)].push_back(f);
+      continue;
+    }
+    inner[f] = inner[back->second.back()] = true;
+    back->second.pop_back();
+  }
+  Mesh result;
+  result.points = mesh.points;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+    if (!inner[f]) result.addFace(mesh.face(f));
+  return result;
+}
+
 void refuseOpen(const Mesh& mesh, const MeshTopology& topology, const Subject& subject) {
   for (const MeshEdge& edge : topology.edges) {
     if (edge.balanced()) continue;
@@ -61,6 +88,11 @@ void refuseOpen(const Mesh& mesh, const MeshTopology& topology, const Subject& s
         fmt::format("{} is not a manifold: {} faces meet in an edge near {}.", subject.name, faces, subject.place(middle)),
         "Remove inner walls and doubled faces.");
   }
+}
+
+Error enclosesNothing(const Subject& subject) {
+  return Error(ErrorCode::InvalidInput, fmt::format("{} encloses no volume.", subject.name),
+               "Choose a solid or a closed mesh.");
 }
 
 double volumeOf(const Mesh& triangles, const MeshTopology& topology, int component) {
@@ -122,13 +154,13 @@ CheckedSolid checkedSolid(const Mesh& mesh, const Subject& subject, const Progre
   if (shared.faceCount() == 0)
     throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: all of its faces are without area.", subject.name),
                 "Choose a solid or a closed mesh.");
-  refuseOpen(shared, meshTopology(shared, progress), subject);
-  CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(shared, progress).first, progress), subject), {}};
-  solid.triangles = manifoldOf(solid.triangles, progress);
+  const Mesh outer = withoutInnerWalls(shared);
+  if (outer.faceCount() == 0) throw enclosesNothing(subject);
+  refuseOpen(outer, meshTopology(outer, progress), subject);
+  CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(outer, progress).first, progress), subject), {}};
+  solid.triangles = manifoldOfTriangles(solid.triangles, progress);
   const double size = bounds(solid.triangles).diagonal();
-  if (std::abs(signedVolume(solid.triangles)) <= 1e-12 * size * size * size)
-    throw Error(ErrorCode::InvalidInput, fmt::format("{} encloses no volume.", subject.name),
-                "Choose a solid or a closed mesh.");
+  if (std::abs(signedVolume(solid.triangles)) <= 1e-12 * size * size * size) throw enclosesNothing(subject);
   turnOutwards(solid, subject);
   refuseCrossing(solid, subject, progress);
   return solid;

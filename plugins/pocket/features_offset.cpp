@@ -49,10 +49,12 @@ Error nothingLeft(double distance, double largest) {
                     "disc that fits.",
                     formatNumber(distance)),
         "Make the distance smaller, or offset to the outside.");
-  return Error(ErrorCode::InvalidParameter,
-               fmt::format("Nothing is left inside at a distance of {} mm; the largest that fits is {} mm.",
-                           formatNumber(distance), formatNumber(largest)),
-               "Make the distance smaller, or offset to the outside.");
+  return Error(
+      ErrorCode::InvalidParameter,
+      fmt::format("Nothing is left inside at a distance of {} mm; the distance must be below {} mm, the radius of the "
+                  "largest disc that fits.",
+                  formatNumber(distance), formatNumber(largest)),
+      "Make the distance smaller, or offset to the outside.");
 }
 
 /// How far the points of an offset are off its distance, by the nearest places of the curves as drawn.

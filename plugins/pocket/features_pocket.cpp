@@ -14,6 +14,7 @@
 #include "part_input.h"
 #include "pocket_advice.h"
 #include "pocket_heights.h"
+#include "residue_report.h"
 #include "toolpath_place.h"
 #include "uncut_report.h"
 
@@ -172,10 +173,7 @@ void addSimulation(const PocketParameters& p, const Region& region, Toolpath& pa
                        : fmt::format("A rapid would run through material to ({:.2f}, {:.2f}).", at.x(), at.y()),
                 "Try a smaller tolerance, and please report the drawing.");
   }
-  for (const Vec2& place : simulated.residueAt) path.marks.emplace_back(place.x(), place.y(), -p.depth + p.leaveFloor);
-  if (simulated.residue && *simulated.residue > 0)
-    out.warnings.push_back(
-        fmt::format("{:.3f} mm² that the tool could reach are left; marks show where.", *simulated.residue));
+  reportResidue(simulated, {0, 0, -p.depth + p.leaveFloor}, path, out);
 }
 
 Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Progress& progress) {

@@ -10,6 +10,7 @@
 #include "kernel/simulate.h"
 #include "part_input.h"
 #include "pocket_heights.h"
+#include "residue_report.h"
 #include "toolpath_place.h"
 
 namespace blossom::pocket {
@@ -140,7 +141,7 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
   }
   warnOfWalls(path, result, options, place, out.warnings);
   warnOfFloor(path, result, options, place, out.warnings);
-  for (const Vec2& at : result.residueAt) path.marks.emplace_back(at.x() + place.x(), at.y() + place.y(), place.z());
+  reportResidue(result, place, path, out);
   out.stats["reachable_mm2"] = result.reachable;
   out.stats["rapids_in_stock"] = result.rapidsInStock;
   out.stats["simulation_resolution_mm"] = result.resolution;

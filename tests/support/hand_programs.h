@@ -119,7 +119,8 @@ inline HandJob rectangleJob(std::mt19937_64& random) {
   job.depth = rounded(uniform(random, 1, 8), 0.25);
   const int levels = 1 + static_cast<int>(random() % 3), turn = random() % 3 == 0 ? -1 : 1;
   const bool ramps = random() % 2 == 0;
-  const double over = 0.4 * job.diameter, widest = (high - low).minCoeff() / 2 - 1;
+  // The innermost way runs between a tenth of the diameter and the radius beside the middle: nothing is left there.
+  const double over = 0.4 * job.diameter, widest = (high - low).minCoeff() / 2 - 0.1 * job.diameter;
   std::vector<double> aways;
   for (double away = radius; away < widest; away += over) aways.insert(aways.begin(), away);
   for (int k = 0; k < levels; ++k) {
@@ -162,7 +163,7 @@ inline HandJob circleJob(std::mt19937_64& random) {
   const int pieces = random() % 2 == 0 ? 2 : 4;
   const bool winds = random() % 2 == 0;
   std::vector<double> radii;
-  for (double r = wall - radius; r > 0.3 * radius; r -= 0.4 * job.diameter) radii.insert(radii.begin(), r);
+  for (double r = wall - radius; r > 0.2 * radius; r -= 0.4 * job.diameter) radii.insert(radii.begin(), r);
   Path path(6);
   for (int k = 0; k < levels; ++k) {
     const double above = -job.depth * k / levels, z = -job.depth * (k + 1) / levels, r = radii.front();

@@ -1,5 +1,6 @@
 #include <QFile>
 #include <QTemporaryDir>
+#include <numbers>
 
 #include "exchange/format.h"
 #include "support/command_line.h"
@@ -78,7 +79,7 @@ class PocketCliTest : public QObject {
       QVERIFY2(answer.message().find(said) != std::string::npos, answer.message().c_str());
       QVERIFY2(answer.hint().find(hint) != std::string::npos, answer.hint().c_str());
     };
-    refuses({"pocket", "rectangle:60:8", "--tool-diameter", "10"}, "does not fit", "7.99 mm");
+    refuses({"pocket", "rectangle:60:8", "--tool-diameter", "10"}, "does not fit", "of 8 mm");
     refuses({"pocket", "part.dxf", "--stepover", "140%"}, "wider than the tool", "100 %");
     refuses({"pocket", "part.dxf", "--stepover", "much"}, "\"much\"", "45%");
     refuses({"pocket", "part.dxf", "--stepover", "nan"}, "nan", "45%");
@@ -114,7 +115,22 @@ class PocketCliTest : public QObject {
       return answer.json.value("warnings", Value::array()).dump();
     };
     const std::string begin = "G21 G90\nT1 M6\nS12000 M3\nG0 Z5\nG0 X50 Y30\n";
-    QCOMPARE(warningsOf((begin + "G1 Z-2 F100\nX60\nG0 Z5\nM2\n").c_str()), std::string("[]"));
+    // Of what a tool of 6 mm opens of the plate, a slot of 10 mm is cut.
+    const Answer slot = [&] {
+      write("slot.nc", (begin + "G1 Z-2 F100\nX60\nG0 Z5\nM2\n").c_str());
+      return blossom(QStringList{"simulate", "slot.nc"} + onPlate);
+    }();
+    QCOMPARE(slot.json["warnings"].size(), std::size_t(1));
+    const std::string left = slot.json["warnings"][0].get<std::string>();
+    const double corners = (4 - std::numbers::pi) * 9, cut = 10 * 6 + std::numbers::pi * 9;
+    COMPARE_NEAR(std::stod(left), 100 * 60 - corners - cut, 5);
+    const std::size_t where = left.find(" near (");
+    QVERIFY2(left.find("that the tool could reach are left") != std::string::npos && where != std::string::npos,
+             left.c_str());
+    double x = 0, y = 0;
+    QCOMPARE(std::sscanf(left.c_str() + where, " near (%lf, %lf)", &x, &y), 2);
+    QVERIFY(x > 0 && x < 100 && y > 0 && y < 60);
+    QVERIFY(std::hypot(x - std::clamp(x, 50.0, 60.0), y - 30) > 3);  // not where it cut
     const auto tells = [&](const std::string& rest, const char* what) {
       const std::string told = warningsOf((begin + rest + "G0 Z5\nM2\n").c_str());
       QVERIFY2(told.find(what) != std::string::npos, told.c_str());
@@ -168,7 +184,8 @@ class PocketCliTest : public QObject {
           "G0 Z5\nM2\n");
     const Answer swept = blossom({"simulate", "it.nc", "plate.svg", "--tool-diameter", "6", "--depth", "2"});
     COMPARE_NEAR(swept.result("gouge_mm"), 0, 1e-9);
-    QCOMPARE(swept.json["warnings"].dump(), std::string("[]"));
+    QCOMPARE(swept.json["warnings"].size(), std::size_t(1));  // only of what lies within the way around
+    COMPARE_NEAR(std::stod(swept.json["warnings"][0].get<std::string>()), 88 * 48, 6);
     // One made for a part elsewhere does not fit, whatever its zero.
     writePart("part.dxf", {10, 20});
     writePart("beside.dxf", {10.2, 20});

@@ -102,9 +102,25 @@ class PocketOffsetEdgesTest final : public QObject {
   void theLargestDistanceIsNamedOnce() {
     const Error none = refusal("offset", {{"distance", {10}}}, {Region{{boxPath(0, 0, 40, 20)}}});
     VERIFY_REFUSED(none, ErrorCode::InvalidParameter, "which is the radius of the largest disc that fits");
-    QVERIFY(none.message().find("the largest that fits is") == std::string::npos);
+    QVERIFY(none.message().find("the distance must be below") == std::string::npos);
     VERIFY_REFUSED(refusal("offset", {{"distance", {10.5}}}, {Region{{boxPath(0, 0, 40, 20)}}}), ErrorCode::InvalidParameter,
-                   "10.5 mm; the largest that fits is 10 mm");
+                   "10.5 mm; the distance must be below 10 mm");
+  }
+
+  /// A little less than what is told leaves something; as much does not.
+  void theDistanceToldIsTheLeastThatLeavesNothing() {
+    for (const Region& part : {Region{{boxPath(0, 0, 40, 20)}}, Region{{circlePath({3, 4}, 7.3)}}, chambersWithSlot(),
+                               Region{{polygonPath({{0, 0}, {30, 0}, {10, 17}})}}, Region{{wavyPath({0, 0}, 12, 2, 5)}}}) {
+      const std::string told = refusal("offset", {{"distance", {100}}}, {part}).message();
+      const std::string before = "must be below ";
+      const std::size_t at = told.find(before);
+      QVERIFY2(at != std::string::npos, told.c_str());
+      const double most = std::stod(told.substr(at + before.size()));
+      QVERIFY(!ClearanceDiagram(part).offset(most * 0.999, Side::Inside).loops.empty());
+      for (const double share : {1.0, 1.001})
+        VERIFY_REFUSED(refusal("offset", {{"distance", {most * share}}}, {part}), ErrorCode::InvalidParameter,
+                       "left inside");
+    }
   }
 
   void gapsBetweenArcs() {

@@ -51,7 +51,7 @@ class PocketOffsetFeatureTest final : public QObject {
     QCOMPARE(rings.stats["offsets"].size(), std::size_t(6));
     COMPARE_NEAR(rings.stats["offsets"][0]["area"].get<double>(), 38 * 18, 1e-9);
     QCOMPARE(rings.warnings.size(), std::size_t(1));
-    QVERIFY2(rings.warnings[0].find("30 mm; the largest that fits is 10 mm") != std::string::npos,
+    QVERIFY2(rings.warnings[0].find("30 mm; the distance must be below 10 mm") != std::string::npos,
              rings.warnings[0].c_str());
   }
   void bothSidesMakeABand() {
@@ -107,7 +107,7 @@ class PocketOffsetFeatureTest final : public QObject {
       for (const Region& region : {Region{}, bow, bad, overlapping}) QVERIFY(!refusal(command, {}, {region}).hint().empty());
     }
     const Error tooFar = refusal("offset", {{"distance", {10.5}}}, {rectangle(0, 0, 40, 20)});
-    VERIFY_REFUSED(tooFar, ErrorCode::InvalidParameter, "10.5 mm; the largest that fits is 10 mm");
+    VERIFY_REFUSED(tooFar, ErrorCode::InvalidParameter, "10.5 mm; the distance must be below 10 mm");
     QVERIFY(!tooFar.hint().empty());
   }
   void figuresTellHowItCameAbout() {

@@ -315,11 +315,134 @@ class PocketPathTest final : public QObject {
       QFAIL("6 mm in a slot of 5");
     } catch (const Error& error) {
       QCOMPARE(error.code(), ErrorCode::InvalidInput);
-      QVERIFY2(error.hint().find("4.99 mm") != std::string::npos || error.hint().find("5.00 mm") != std::string::npos,
-               error.hint().c_str());
+      QVERIFY2(error.hint().find("a diameter of 5 mm") != std::string::npos, error.hint().c_str());
     }
     verifyPath(slot, tool(4.99, 1));
     VERIFY_ERROR(pocketPath(slot, tool(5.01, 1)), ErrorCode::InvalidInput);
+  }
+
+  /// A slot as wide as the tool has no inner offset, yet the tool goes through it.
+  void aSlotJustAsWideAsTheToolIsCutAlongItsMiddle() {
+    auto random = seededRandom();
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const double rounding : {0.0, 1e-13, -1e-13, 1e-9, -1e-9}) {
+      const double turn = pi * unit(random), c = std::cos(turn), s = std::sin(turn);
+      const Vec2 corner(100 * unit(random), 100 * unit(random));
+      const auto place = [&](double x, double y) { return Vec2(corner + Vec2(c * x - s * y, s * x + c * y)); };
+      const Region slot{{polygonPath({place(0, 0), place(40, 0), place(40, 6), place(0, 6)})}};
+      for (const Entry entry : {Entry::Ramp, Entry::Helix, Entry::Plunge}) {
+        PocketOptions o = tool(6 + rounding, 2);
+        o.entry = entry;
+        PocketResult made;
+        verifyPath(slot, o, &made);
+        if (QTest::currentTestFailed()) return;
+        double least = 1e300, most = -1e300;
+        for (const ToolMove& m : made.path.moves) {
+          const Vec2 p = m.to.head<2>() - corner;
+          COMPARE_NEAR(p.dot(Vec2(-s, c)), 3, o.tolerance / 20);
+          least = std::min(least, p.dot(Vec2(c, s)));
+          most = std::max(most, p.dot(Vec2(c, s)));
+        }
+        COMPARE_NEAR(least, 3, o.tolerance);
+        COMPARE_NEAR(most, 37, o.tolerance);
+      }
+    }
+    // with stock to leave it is the room that is left which counts
+    PocketOptions o = tool(5, 2);
+    o.leaveWall = 0.5;
+    verifyPath({{boxPath(0, 0, 40, 6)}}, o);
+  }
+
+  /// In bends the diagram's chords leave the walls, by less than the path may be off.
+  void bentSlotsJustAsWideAsTheToolAreCutAllAlong() {
+    Path half;  // of a ring, its ends square
+    half.closed = true;
+    half.segments = {Line2{{15, 0}, {20, 0}}, Arc2{{0, 0}, 20, 0, pi}, Line2{{-20, 0}, {-15, 0}}, Arc2{{0, 0}, 15, pi, -pi}};
+    for (const Region& bent : {Region{{circlePath({0, 0}, 20), circlePath({0, 0}, 15, true)}}, Region{{half}}}) {
+      PocketResult made;
+      const PocketOptions o = tool(5, 2.5);
+      verifyPath(bent, o, &made);
+      if (QTest::currentTestFailed()) return;
+      double left = 1e300, right = -1e300;
+      for (std::size_t i = 0; i < made.path.moves.size(); ++i)
+        for (const Vec3& p : polylineOf(startOf(made.path, i), made.path.moves[i], 1e-4)) {
+          if (p.z() != -2.5) continue;
+          COMPARE_NEAR(p.head<2>().norm(), 17.5, o.tolerance / 2 + 1e-3);
+          left = std::min(left, p.x());
+          right = std::max(right, p.x());
+        }
+      // to the walls at the ends of the half ring, where the tool's middle stays 2.5 above them
+      const double end = bent.loops.size() == 2 ? 17.5 : std::sqrt(17.5 * 17.5 - 2.5 * 2.5);
+      COMPARE_NEAR(left, -end, 0.02);
+      COMPARE_NEAR(right, end, 0.02);
+    }
+  }
+
+  /// What a refusal says of the largest tool: it cuts, and a thousandth more is refused.
+  void theLargestToolThatFitsIsTold() {
+    const std::vector<Vec2> corner{{0, 0}, {40, 0}, {40, 7.3}, {7.3, 7.3}, {7.3, 30}, {0, 30}};
+    const std::vector<Vec2> lean{{0, 0}, {50, 3}, {47, 31}, {-4, 20}};
+    const std::pair<const char*, Region> parts[] = {
+        {"slot", {{boxPath(0, 0, 40, 6)}}},
+        {"slot in inches", {{boxPath(0, 0, 2 * 25.4, 25.4 / 8)}}},
+        {"slot of a third", {{boxPath(0, 0, 9, 1.0 / 3)}}},
+        {"square", {{boxPath(0, 0, 6, 6)}}},
+        {"disc", {{circlePath({1, 2}, 3)}}},
+        {"corner", {{polygonPath(corner)}}},
+        {"triangle", {{polygonPath({{0, 0}, {30, 0}, {10, 17}})}}},
+        {"leaning", {{polygonPath(lean)}}},
+        {"ring", {{circlePath({0, 0}, 20), circlePath({0, 0}, 15, true)}}},
+        {"beside its middle", {{circlePath({0, 0}, 20), circlePath({1, 0}, 15, true)}}},
+        {"free-form", {{wavyPath({0, 0}, 12, 2, 5)}}},
+        {"far away", {{boxPath(1e5, 2e5, 1e5 + 40, 2e5 + 6)}}},
+        {"tiny", {{boxPath(0, 0, 0.3, 0.08)}}},
+        {"large", {{boxPath(0, 0, 3000, 700), boxPath(100, 100, 2900, 150, true)}}},
+        {"two", {{boxPath(0, 0, 20, 5), boxPath(30, 0, 37, 20)}}}};
+    for (const auto& [name, part] : parts)
+      for (const double leave : {0.0, 0.01}) {
+        const auto cutBy = [&, &region = part](double diameter) {
+          PocketOptions o = tool(diameter, diameter / 4);
+          o.leaveWall = leave;
+          return pocketPath(region, o);
+        };
+        double told = 0;
+        try {
+          (void)cutBy(1e4);
+          QFAIL(name);
+        } catch (const Error& error) {
+          const std::string before = "a diameter of ";
+          const std::size_t at = error.hint().find(before);
+          QVERIFY2(at != std::string::npos, error.what());
+          told = std::stod(error.hint().substr(at + before.size()));
+        }
+        try {
+          const PocketResult made = cutBy(told);
+          QVERIFY2(!made.path.moves.empty(), name);
+          const SimulationResult s = simulate(made.path, part, {.depth = told / 4, .leave = leave});
+          QVERIFY2(s.gouge <= 0.005 + 1e-6, name);
+        } catch (const Error& error) {
+          QFAIL(fmt::format("{}: {} {}", name, error.message(), error.hint()).c_str());
+        }
+        try {
+          (void)cutBy(told * 1.001);
+          QFAIL(fmt::format("{}: {} is not the largest", name, told).c_str());
+        } catch (const Error& error) {
+          QCOMPARE(error.code(), ErrorCode::InvalidInput);
+          QVERIFY2(error.message().find("does not fit") != std::string::npos, error.what());
+        }
+      }
+  }
+
+  /// A hole just as wide as the tool lets it in, yet there is nothing to move along: the words say so.
+  void aHoleAsWideAsTheToolIsRefusedAsSuch() {
+    for (const Region& hole : {Region{{circlePath({4, 5}, 3)}}, Region{{boxPath(1, 2, 7, 8)}}}) {
+      try {
+        (void)pocketPath(hole, tool(6, 1));
+        QFAIL("6 mm in a hole of 6");
+      } catch (const Error& error) {
+        QVERIFY2(error.message().find("(4.00, 5.00) is just as wide") != std::string::npos, error.what());
+      }
+    }
   }
 
   void rubbishIsRefused() {

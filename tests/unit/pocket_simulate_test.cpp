@@ -2,6 +2,7 @@
 
 #include "core/angle.h"
 #include "geometry/planar.h"
+#include "pocket/kernel/inside_test.h"
 #include "pocket/kernel/simulate.h"
 #include "pocket/kernel/stroke_tree.h"
 #include "pocket/kernel/walls.h"
@@ -112,6 +113,33 @@ class PocketSimulateTest final : public QObject {
     for (int k = 0; k < 5000; ++k) {
       const Vec2 p(2 * unit(random), unit(random));
       QCOMPARE(inside(p), windingNumber(path, p) != 0);
+    }
+  }
+
+  /// Letters in a line and in a block: rows that many loops cross.
+  void insideHoldsAmongManyLoops() {
+    auto random = seededRandom();
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (const int columns : {40, 7}) {
+      std::vector<Path> loops;
+      std::vector<Stroke> strokes;
+      for (int k = 0; k < 40; ++k) {
+        const Vec2 at(5 * (k % columns), 5 * (k / columns));
+        for (const Path& loop : {circlePath(at, 1 + unit(random)), boxPath(at.x() - 0.4, at.y() - 0.5, at.x() + 0.3, at.y()),
+                                 wavyPath(at + Vec2(0.2, 0.1), 0.7, 0.2, 3)}) {
+          loops.push_back(loop);
+          for (const Stroke& s : strokesOf(loop, 1e-3)) strokes.push_back(s);
+        }
+      }
+      const InsideTest inside(strokes);
+      const StrokeTree tree(strokes);
+      for (int k = 0; k < 4000; ++k) {
+        const Vec2 p((5 * columns + 4) * unit(random) - 3, (200 / columns + 6) * unit(random) - 3);
+        if (tree.nearest(p).distance < 2e-3) continue;  // the loops are splines, the strokes lines beside them
+        const auto around =
+            std::count_if(loops.begin(), loops.end(), [&](const Path& loop) { return windingNumber(loop, p) != 0; });
+        QCOMPARE(inside(p), around % 2 != 0);
+      }
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "geometry/planar.h"
+#include "kernel/inside_test.h"
 #include "kernel/spokes.h"
 
 namespace blossom::pocket {
@@ -52,14 +53,24 @@ double perimeterOf(const Region& region) {
 /// The offset with the slots in it that are just twice as wide as the distance: as lines without area they are not part of
 /// an offset, yet a tool goes through them. They are found by taking it next to nothing nearer to the walls.
 Region offsetWithSlots(const ClearanceDiagram& diagram, double distance, const Progress& progress) {
-  // Wider than the diagram's grid tells distances apart, far below what the path may be off.
-  const double tolerance = diagram.tolerance();
-  const double aside = std::clamp(2e-8 * perimeterOf(diagram.region()), tolerance / 500, tolerance / 20);
+  const double aside = 2 * slotSlack(diagram);
   Region region = diagram.offset(distance, Side::Inside, progress);
   if (distance <= 2 * aside) return region;
   Region wider = diagram.offset(distance - aside, Side::Inside, progress);
   constexpr double changes = 1e3;  // times as much as loops grow that only lie further out
   return perimeterOf(wider) > perimeterOf(region) + changes * aside ? wider : region;
+}
+
+/// The offset that the first pass runs along. Where the widest place is just as wide as the tool, bent slots need more than
+/// straight ones: the diagram's chords leave their walls.
+Region firstOffset(const ClearanceDiagram& diagram, double distance, const Progress& progress) {
+  Region region = offsetWithSlots(diagram, distance, progress);
+  const double aside = diagram.tolerance() / 2;
+  if (distance < diagram.largestClearance() || distance <= 2 * aside) return region;
+  Region wider = diagram.offset(distance - aside, Side::Inside, progress);
+  constexpr double changes = 20, share = 0.9;  // a hole's loop is shorter; a straight slot is there already
+  const bool isSlot = perimeterOf(wider) > changes * aside && perimeterOf(region) < share * perimeterOf(wider);
+  return isSlot ? wider : region;
 }
 
 /// The nodes at a distance. Where a corridor is just twice as wide as the distance, the offset is a line and rounding may
@@ -69,8 +80,9 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
   const double nudge = diagram.tolerance() / 4;
   for (const int aside : {0, -1, -2, 2}) {
     try {
-      return nodesOf(offsetWithSlots(diagram, distance + nudge * (level == 0 ? std::abs(aside) : aside), progress), level,
-                     climb);
+      return nodesOf(level == 0 ? firstOffset(diagram, distance + nudge * std::abs(aside), progress)
+                                : offsetWithSlots(diagram, distance + nudge * aside, progress),
+                     level, climb);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::InvalidInput) throw;
     }
@@ -80,6 +92,17 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
 }
 
 }  // namespace
+
+double slotSlack(const ClearanceDiagram& diagram) {
+  // Wider than the diagram's grid tells distances apart, far below what the path may be off.
+  const double tolerance = diagram.tolerance();
+  return std::clamp(1e-8 * perimeterOf(diagram.region()), tolerance / 1000, tolerance / 40);
+}
+
+bool hasPass(const ClearanceDiagram& diagram, double distance, const Progress& progress) {
+  return distance <= diagram.largestClearance() + slotSlack(diagram) &&
+         !firstOffset(diagram, distance, progress).loops.empty();
+}
 
 Pass::Pass(const std::vector<Stroke>& strokes) {
   double sum = 0;
@@ -116,7 +139,7 @@ PassTree passTree(const ClearanceDiagram& diagram, const PassOptions& options, c
   const double largest = diagram.largestClearance();
   for (std::size_t level = 0;; ++level) {
     const double distance = options.first + static_cast<double>(level) * options.step;
-    if (distance > largest) break;
+    if (distance > largest + (level == 0 ? slotSlack(diagram) : 0)) break;
     progress.report((distance - options.first) / std::max(largest - options.first, 1e-9), "Laying the passes");
     if (level >= mostLevels)
       throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} passes side by side are needed.", mostLevels),

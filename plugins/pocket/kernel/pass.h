@@ -77,6 +77,13 @@ struct PassOptions {
   bool climb = true;  ///< material to be cut stays on the right
 };
 
+/// mm by which the widest place may be narrower than a first pass asks for: a slot just as wide as the tool, but for
+/// rounding, is cut along its middle.
+double slotSlack(const ClearanceDiagram&);
+
+/// Whether there is any pass at a distance from the walls.
+bool hasPass(const ClearanceDiagram&, double distance, const Progress&);
+
 /// Every point that the tool can open lies within its radius of a pass as long as the step is at most the radius: uphill
 /// from any wall, clearance grows as fast as one walks. At larger steps what may be missed has clearances between a pass
 /// plus the radius and the next pass, on lines that end on the medial axis; spokes along those parts of the axis clear it.

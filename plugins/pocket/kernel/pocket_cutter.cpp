@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/error.h"
+#include "core/units.h"
 #include "geometry/planar.h"
 
 namespace blossom::pocket {
@@ -52,18 +53,40 @@ PassTree PocketCutter::passesFrom(double distance, const Progress& progress) con
   return passTree(diagram_, {.first = distance, .step = o_.stepover, .radius = radius_, .climb = o_.climb}, progress);
 }
 
+double PocketCutter::widestTool() const { return 2 * (diagram_.largestClearance() - o_.leaveWall - o_.finish); }
+
 void PocketCutter::refuseLargeTool() const {
-  if (diagram_.largestClearance() <= radius_ + o_.leaveWall + o_.finish) refuseTool();
+  if (o_.cutter.diameter > widestTool() + 2 * slotSlack(diagram_)) refuseTool();
+}
+
+double PocketCutter::largestThatFits() const {
+  const auto fits = [&](double diameter) { return hasPass(diagram_, diameter / 2 + o_.leaveWall + o_.finish, progress_); };
+  const double widest = widestTool(), written = std::round(widest * 1e6) / 1e6;
+  if (written > 0 && written < o_.cutter.diameter && fits(written)) return written;  // a slot
+  double low = std::max(widest - 8 * o_.tolerance, widest / 2), high = widest;
+  constexpr double smallest = 1e-3;
+  while (low > smallest * widest && !fits(low)) high = low, low /= 2;
+  if (!(low > smallest * widest)) return 0;
+  constexpr double fineness = 1e-4;
+  while (high - low > fineness * low) (fits((low + high) / 2) ? low : high) = (low + high) / 2;
+  const double lastDigit = std::pow(10, std::floor(std::log10(low)) - 4);
+  return std::floor(low / lastDigit) * lastDigit;
 }
 
 [[noreturn]] void PocketCutter::refuseTool() const {
-  const double fits = 2 * (diagram_.largestClearance() - o_.leaveWall - o_.finish);
-  // Rounded down: what is said must fit.
-  const double said = std::floor(fits * 100 - 1e-6) / 100;
+  const Vec2 at = diagram_.largestCenter();
+  const bool justAsWide = o_.cutter.diameter <= widestTool() + 2 * slotSlack(diagram_);
+  const std::string tool = formatNumber(o_.cutter.diameter);
+  const double fits = largestThatFits();
   throw Error(ErrorCode::InvalidInput,
-              fmt::format("A tool of {:.4g} mm does not fit into the part, not even at its widest place ({:.2f}, {:.2f}).",
-                          o_.cutter.diameter, diagram_.largestCenter().x(), diagram_.largestCenter().y()),
-              said > 0 ? fmt::format("The largest tool that fits has a diameter of {:.2f} mm.", said)
+              justAsWide
+                  ? fmt::format("A tool of {} mm does not fit into the part: its widest place ({:.2f}, {:.2f}) is just "
+                                "as wide, and no slot.",
+                                tool, at.x(), at.y())
+                  : fmt::format("A tool of {} mm does not fit into the part, not even at its widest place ({:.2f}, "
+                                "{:.2f}).",
+                                tool, at.x(), at.y()),
+              fits > 0 ? fmt::format("The largest tool that fits has a diameter of {:.12g} mm.", fits)
                        : std::string("No tool fits with so much stock to leave."));
 }
 

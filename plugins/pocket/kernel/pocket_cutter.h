@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/clearance_diagram.h"
+#include "kernel/inside_test.h"
 #include "kernel/path_writer.h"
 #include "kernel/pocket_path.h"
 
@@ -32,6 +33,10 @@ class PocketCutter {
       cutOne();
     }
   }
+  /// Diameter of the tool that just gets into the widest place.
+  [[nodiscard]] double widestTool() const;
+  /// To be told: tried, and within a thousandth.
+  [[nodiscard]] double largestThatFits() const;
   void refuseLargeTool() const;
   [[noreturn]] void refuseTool() const;
   /// Parts of the region that no pass lies in.

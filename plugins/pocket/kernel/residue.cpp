@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "geometry/planar.h"
 #include "kernel/clearance_diagram.h"
+#include "kernel/inside_test.h"
 #include "kernel/stroke_tree.h"
 
 namespace blossom::pocket {
@@ -148,8 +149,14 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   const ClearanceDiagram diagram(part, {.tolerance = tolerance / 4}, progress.part(0, 0.2));
   Residue total;
   total.resolution = tolerance;
-  if (diagram.largestClearance() <= problem.radius + problem.leave) return total;
-  const Region centers = diagram.offset(problem.radius + problem.leave, Side::Inside, progress);
+  const double largest = diagram.largestClearance();
+  const double slack = tolerance / 4;
+  double away = problem.radius + problem.leave;
+  if (away > largest + slack) return total;
+  constexpr double rounding = 1e-9;
+  // It just fits: its centre may be on a line, or at a point.
+  if (away >= largest * (1 - rounding)) away = std::max(largest - slack, largest / 2);
+  const Region centers = diagram.offset(away, Side::Inside, progress);
   if (centers.loops.empty()) return total;
   // Squares of the last size lie along the rim.
   constexpr double squaresAlong = 12;  // looked at for each length of the tolerance along the rim

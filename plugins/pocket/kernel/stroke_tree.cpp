@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
-
-#include "core/angle.h"
 
 namespace blossom::pocket {
 
@@ -81,58 +78,6 @@ StrokeTree::Nearest StrokeTree::nearest(const Vec2& p, double bound) const {
 StrokeTree::Nearest StrokeTree::nearest(const Stroke& wanted, double bound) const {
   const auto [low, high] = wanted.box();
   return search(low, high, bound, [&](const Stroke& s) { return distance(s, wanted); });
-}
-
-InsideTest::InsideTest(const std::vector<Stroke>& strokes) {
-  for (const Stroke& stroke : strokes) {
-    std::vector<double> cuts{0, 1};
-    if (stroke.round)
-      for (const Vec2& top : {Vec2(0, 1), Vec2(0, -1)}) {
-        const double share = stroke.nearestShare(stroke.center + stroke.radius * top);
-        if (share > 0 && share < 1) cuts.push_back(share);
-      }
-    std::sort(cuts.begin(), cuts.end());
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      const Stroke piece = stroke.part(cuts[i], cuts[i + 1]);
-      slopes_.push_back({piece, std::min(piece.from.y(), piece.to.y()), std::max(piece.from.y(), piece.to.y())});
-    }
-  }
-  if (slopes_.empty()) return;
-  bottom_ = slopes_.front().low;
-  double top = slopes_.front().high;
-  for (const Slope& s : slopes_) {
-    bottom_ = std::min(bottom_, s.low);
-    top = std::max(top, s.high);
-  }
-  rows_.resize(std::clamp<std::size_t>(slopes_.size(), 1, 4096));
-  height_ = std::max((top - bottom_) / static_cast<double>(rows_.size()), 1e-12);
-  for (std::size_t i = 0; i < slopes_.size(); ++i)
-    for (std::size_t row = rowOf(slopes_[i].low); row <= rowOf(slopes_[i].high); ++row) rows_[row].push_back(i);
-}
-
-std::size_t InsideTest::rowOf(double y) const {
-  const double row = std::floor((y - bottom_) / height_);
-  return static_cast<std::size_t>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
-}
-
-bool InsideTest::operator()(const Vec2& p) const {
-  if (rows_.empty()) return false;
-  bool inside = false;
-  for (const std::size_t i : rows_[rowOf(p.y())]) {
-    const Slope& slope = slopes_[i];
-    if (p.y() < slope.low || p.y() >= slope.high) continue;  // half open: a vertex counts once
-    const Stroke& s = slope.stroke;
-    double x = 0;
-    if (s.round) {
-      const double dy = p.y() - s.center.y();
-      const double dx = std::sqrt(std::max(0.0, s.radius * s.radius - dy * dy));
-      x = s.center.x() + (s.at(0.5).x() >= s.center.x() ? dx : -dx);
-    } else {
-      x = s.from.x() + (p.y() - s.from.y()) / (s.to.y() - s.from.y()) * (s.to.x() - s.from.x());
-    }
-    if (x > p.x()) inside = !inside;
-  }
-  return inside;
 }
 
 }  // namespace blossom::pocket

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "kernel/stroke.h"
@@ -36,25 +35,6 @@ class StrokeTree {
   std::vector<Stroke> strokes_;
   std::vector<std::size_t> order_;
   std::vector<Node> nodes_;
-};
-
-/// Whether points lie in the area that closed loops of strokes enclose, by the even-odd rule. O(log n + strokes beside).
-class InsideTest {
- public:
-  InsideTest() = default;
-  explicit InsideTest(const std::vector<Stroke>&);
-  [[nodiscard]] bool operator()(const Vec2&) const;
-
- private:
-  /// A piece of a stroke that rises or falls throughout.
-  struct Slope {
-    Stroke stroke;
-    double low, high;
-  };
-  [[nodiscard]] std::size_t rowOf(double y) const;
-  std::vector<Slope> slopes_;
-  std::vector<std::vector<std::size_t>> rows_;
-  double bottom_ = 0, height_ = 0;
 };
 
 }  // namespace blossom::pocket

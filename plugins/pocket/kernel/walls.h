@@ -3,6 +3,7 @@
 
 #include "core/progress.h"
 #include "geometry/region.h"
+#include "kernel/inside_test.h"
 #include "kernel/stroke_tree.h"
 
 namespace blossom::pocket {

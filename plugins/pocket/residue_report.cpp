@@ -1,0 +1,16 @@
+#include "residue_report.h"
+
+#include <fmt/format.h>
+
+namespace blossom::pocket {
+
+void reportResidue(const SimulationResult& result, const Vec3& place, Toolpath& path, Evaluated& out) {
+  for (const Vec2& at : result.residueAt) path.marks.emplace_back(at.x() + place.x(), at.y() + place.y(), place.z());
+  if (!result.residue || !(*result.residue > 0) || result.residueAt.empty()) return;
+  const Vec2 first = result.residueAt.front() + place.head<2>();
+  out.warnings.push_back(
+      fmt::format("{:.3f} mm² that the tool could reach are left{} near ({:.2f}, {:.2f}); marks show where.",
+                  *result.residue, result.residueAt.size() == 1 ? "" : ", the first", first.x(), first.y()));
+}
+
+}  // namespace blossom::pocket

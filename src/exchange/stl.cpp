@@ -181,12 +181,19 @@ std::vector<Corners> facetsOf(const Tessellation& t) {
   return facets;
 }
 
+void refuseNothing(const std::vector<Corners>& facets) {
+  if (facets.empty())
+    throw Error(ErrorCode::OutputNotSupported, "All triangles of the shape are without area, so there is nothing to write.",
+                "Is it as large as it should be?");
+}
+
 std::string binaryStl(const Tessellation& t, const Progress& progress) {
   const std::vector<Corners> facets = facetsOf<float>(t);
-  if (facets.empty())
+  if (facets.empty() && !facetsOf<double>(t).empty())
     throw Error(ErrorCode::OutputNotSupported,
                 "The shape lies so far from the origin for its size that nothing of it is left in the numbers of binary STL.",
                 "Move it to the origin, or write text (--stl.ascii).");
+  refuseNothing(facets);
   std::string out = "Blossom STL, lengths in mm";
   out.resize(80, ' ');
   appendLittleEndian(out, static_cast<std::uint32_t>(facets.size()));
@@ -207,6 +214,7 @@ std::string textStl(const Tessellation& t, const Progress& progress) {
     return fmt::format("{} {} {}", formatNumber(p.x()), formatNumber(p.y()), formatNumber(p.z()));
   };
   const std::vector<Corners> facets = facetsOf<double>(t);
+  refuseNothing(facets);
   std::string out = "solid blossom\n";
   writeEach(facets.size(), progress, [&](std::size_t f) {
     const auto& [a, b, c] = facets[f];

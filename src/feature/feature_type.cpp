@@ -113,7 +113,7 @@ void refuseInfiniteFigures(const Evaluated& evaluated) {
   };
   const Value flat = evaluated.stats.flatten();
   for (const auto& [path, value] : flat.items())
-    if (value.is_number_float()) check(path.substr(1), value.get<double>());
+    if (value.is_number_float()) check(path.empty() ? "stats" : path.substr(1), value.get<double>());
   for (const Measure& figure : evaluated.figures)
     if (const double* value = std::get_if<double>(&figure.value)) check(figure.name, *value);
 }

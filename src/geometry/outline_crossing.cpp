@@ -102,14 +102,22 @@ struct Joint {
   double reach = 0;
 };
 
-using Counts = std::function<bool(const Vec2&)>;
+/// Where two curves meet, and the unit directions in which they pass.
+struct Contact {
+  Vec2 place, along, other;
+  bool steep;  ///< they cross at an angle, not just touch or run side by side
+};
+
+using Counts = std::function<bool(const Contact&)>;
 
 class Finder {
  public:
-  /// Places count when `counts` says so; all of them when it is empty.
-  explicit Finder(std::vector<Joint> joints, Counts counts = {}) : joints_(std::move(joints)), counts_(std::move(counts)) {}
+  /// Contacts count when `counts` says so; all of them when it is empty. Of curves that run side by side it is asked once
+  /// for all within a hundredth of `extent`.
+  explicit Finder(std::vector<Joint> joints, Counts counts = {}, double extent = 0)
+      : joints_(std::move(joints)), counts_(std::move(counts)), extent_(extent) {}
 
-  std::optional<Vec2> meet(const BezierPiece& a, const BezierPiece& b) const {
+  std::optional<Vec2> meet(const BezierPiece& a, const BezierPiece& b) {
     if (!boxOf(a).near(boxOf(b)) || withinJoint(a, b)) return std::nullopt;
     const bool straightA = isStraight(a), straightB = isStraight(b);
     if (straightA && straightB) return chordsMeet(a, b);
@@ -124,10 +132,15 @@ class Finder {
   }
 
  private:
-  [[nodiscard]] bool excused(const Vec2& p) const {
-    return std::any_of(joints_.begin(), joints_.end(),
-                       [&](const Joint& joint) { return (p - joint.place).norm() <= joint.reach; }) ||
-           (counts_ && !counts_(p));
+  [[nodiscard]] bool isMeeting(const Contact& contact) {
+    const auto excuses = [&](const Joint& joint) { return (contact.place - joint.place).norm() <= joint.reach; };
+    if (std::any_of(joints_.begin(), joints_.end(), excuses)) return false;
+    if (!counts_) return true;
+    const auto isNear = [&](const Vec2& refused) { return (contact.place - refused).norm() <= 0.01 * extent_; };
+    if (!contact.steep && std::any_of(refused_.begin(), refused_.end(), isNear)) return false;
+    if (counts_(contact)) return true;
+    if (!contact.steep) refused_.push_back(contact.place);
+    return false;
   }
 
   [[nodiscard]] bool withinJoint(const BezierPiece& a, const BezierPiece& b) const {
@@ -139,23 +152,27 @@ class Finder {
   }
 
   /// Proper crossings first, then ends that lie on the other chord: also what runs back over itself is found by its ends.
-  [[nodiscard]] std::optional<Vec2> chordsMeet(const BezierPiece& a, const BezierPiece& b) const {
+  [[nodiscard]] std::optional<Vec2> chordsMeet(const BezierPiece& a, const BezierPiece& b) {
     const Vec2 a0 = euclidean(a.front()), a1 = euclidean(a.back()), b0 = euclidean(b.front()), b1 = euclidean(b.back());
+    const Vec2 along = (a1 - a0).normalized(), other = (b1 - b0).normalized();
     const double side = cross(a1 - a0, b1 - b0);
     if (side != 0) {
       const double s = cross(b0 - a0, b1 - b0) / side, t = cross(b0 - a0, a1 - a0) / side;
       const Vec2 place = a0 + s * (a1 - a0);
-      if (s >= 0 && s <= 1 && t >= 0 && t <= 1 && !excused(place)) return place;
+      const bool steep = std::abs(cross(along, other)) > 1e-3;
+      if (s >= 0 && s <= 1 && t >= 0 && t <= 1 && isMeeting({place, along, other, steep})) return place;
     }
     for (const Vec2& p : {a0, a1})
-      if ((p - nearest(p, b0, b1)).norm() <= touching && !excused(p)) return p;
+      if ((p - nearest(p, b0, b1)).norm() <= touching && isMeeting({p, along, other, false})) return p;
     for (const Vec2& p : {b0, b1})
-      if ((p - nearest(p, a0, a1)).norm() <= touching && !excused(p)) return p;
+      if ((p - nearest(p, a0, a1)).norm() <= touching && isMeeting({p, along, other, false})) return p;
     return std::nullopt;
   }
 
   std::vector<Joint> joints_;
   Counts counts_;
+  double extent_;
+  std::vector<Vec2> refused_;
 };
 
 double extentOf(const Piece& piece) { return (piece.box.most - piece.box.least).norm(); }
@@ -212,9 +229,10 @@ std::optional<Vec2> meetingOf(const std::vector<Path>& loops, const Progress& pr
   }
   begins.push_back(pieces.size());
   return firstOfNearPairs(pieces, progress, [&](std::size_t i, std::size_t j) {
-    if (loopOf[i] != loopOf[j]) return Finder({}, counts).meet(pieces[i].curve, pieces[j].curve);
+    const double extent = std::min(extentOf(pieces[i]), extentOf(pieces[j]));
+    if (loopOf[i] != loopOf[j]) return Finder({}, counts, extent).meet(pieces[i].curve, pieces[j].curve);
     const std::size_t begin = begins[loopOf[i]], size = begins[loopOf[i] + 1] - begin;
-    return Finder(jointsOf(pieces, i, j, {begin, size, loops[loopOf[i]].closed}), counts)
+    return Finder(jointsOf(pieces, i, j, {begin, size, loops[loopOf[i]].closed}), counts, extent)
         .meet(pieces[i].curve, pieces[j].curve);
   });
 }
@@ -225,15 +243,23 @@ int turnsAround(const std::vector<Path>& loops, const Vec2& p) {
   return turns;
 }
 
-/// Whether `differs` holds at some place next to p.
-bool anyBeside(const Vec2& p, const Counts& differs) {
-  constexpr int directions = 32;
-  constexpr double away = 10 * touching;
-  for (int k = 0; k < directions; ++k) {
-    const double angle = 2 * std::numbers::pi * (k + 0.37) / directions;  // not along the axes
-    if (differs(p + away * Vec2(std::cos(angle), std::sin(angle)))) return true;
+/// Whether `differs` holds at some place next to a contact: between the curves where they cross, however narrow that is, and
+/// all around where they touch.
+bool anyBeside(const Contact& contact, const std::function<bool(const Vec2&)>& differs) {
+  std::vector<Vec2> directions;
+  if (contact.steep) {
+    const Vec2 sum = contact.along + contact.other, difference = contact.along - contact.other;
+    directions = {sum.normalized(), -sum.normalized(), difference.normalized(), -difference.normalized()};
+  } else {
+    constexpr int count = 32;
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.37) / count;  // not along the axes
+      directions.emplace_back(std::cos(angle), std::sin(angle));
+    }
   }
-  return false;
+  constexpr double away = 10 * touching;
+  return std::any_of(directions.begin(), directions.end(),
+                     [&](const Vec2& direction) { return differs(contact.place + away * direction); });
 }
 
 }  // namespace
@@ -257,7 +283,10 @@ std::optional<Vec2> misfilledCrossing(const Curves& drawing, const Region& regio
     const bool filled = drawing.fillRule == FillRule::EvenOdd ? turns % 2 != 0 : turns != 0;
     return filled != (turnsAround(region.loops, p) > 0);
   };
-  return meetingOf(paths, progress, [&](const Vec2& p) { return anyBeside(p, differs); });
+  return meetingOf(paths, progress, [&](const Contact& contact) {
+    progress.check();
+    return anyBeside(contact, differs);
+  });
 }
 
 }  // namespace blossom

@@ -112,7 +112,7 @@ void WindowFilesTest::whatAFileLosesIsSaid() {
   const QString file = folder_.filePath(QStringLiteral("far.stl"));
   session.exportFeatures({session.document().features().front()->id}, file.toStdString(), Value::object());
   QTRY_VERIFY(!warned.isEmpty());
-  QVERIFY(warned.front().front().toStringList().front().contains(QStringLiteral("move by up to 0.6 mm")));
+  QVERIFY(warned.front().front().toStringList().front().contains(QStringLiteral("move by up to 1 mm")));
   QVERIFY(QFileInfo(file).size() == 84 + 4 * 50);
 }
 

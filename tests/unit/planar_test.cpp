@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "geometry/bspline.h"
+#include "geometry/outline_crossing.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -325,6 +326,44 @@ class PlanarTest : public QObject {
     const Path thereAndBack = polygon({{0, 0}, {5, 1}, {9, 0}, {5, 1}});
     COMPARE_NEAR(area(toRegion({{square, thereAndBack}, FillRule::EvenOdd})), 100, 1e-12);
     VERIFY_ERROR(toRegion({{polygon({{0, 0}, {5, 0}})}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
+  }
+
+  /// Where two outlines cross, however shallow, even-odd leaves empty what both enclose; their union does not.
+  void crossingsAgainstTheFillRuleAreFound() {
+    for (const double degrees : {60.0, 4.0, 2.5, 0.5, 0.1}) {
+      const double rise = 495 * std::tan(degrees * pi / 180);
+      for (const double turn : {0.0, 0.3, 1.1}) {
+        const auto turned = [&](const std::vector<Vec2>& points) {
+          std::vector<Vec2> result;
+          for (const Vec2& p : points) result.push_back(Eigen::Rotation2Dd(turn) * p);
+          return polygon(result);
+        };
+        const Path plate = turned({{0, 0}, {1000, 0}, {1000, 500}, {0, 500}}),
+                   lens = turned({{5, 500 + rise / 7}, {500, 500 - 6 * rise / 7}, {995, 500 + rise / 7}, {995, 900}, {5, 900}}),
+                   beside = turned({{0, 500}, {1000, 500}, {800, 900}, {200, 900}});
+        const auto misfilled = [&](const Path& other, FillRule rule) {
+          const Curves drawing{{plate, other}, rule};
+          return misfilledCrossing(drawing, toRegion(drawing)).has_value();
+        };
+        QVERIFY2(misfilled(lens, FillRule::EvenOdd), qPrintable(QString::number(degrees)));
+        // A loop whose inside lies within the other is taken for one within it, and left out: then the union lacks a part.
+        const bool bothTaken = toRegion({{plate, lens}, FillRule::NonZero}).loops.size() == 2;
+        QCOMPARE(misfilled(lens, FillRule::NonZero), !bothTaken);
+        QVERIFY(bothTaken || degrees > 45);
+        QVERIFY(misfilled(reversed(lens), FillRule::NonZero));
+        QVERIFY(!misfilled(beside, FillRule::EvenOdd));
+      }
+    }
+  }
+
+  /// Two shapes on both sides of one long curve touch all along it, which is soon told from crossing.
+  void shapesOnBothSidesOfACurveOnlyTouch() {
+    const Spline2 curve{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{100, 100, 1}, {300, 50, 1}, {600, 350, 1}, {900, 100, 1}}};
+    const auto shape = [&](double y) {
+      return Path{{curve, Line2{{900, 100}, {900, y}}, Line2{{900, y}, {100, y}}, Line2{{100, y}, {100, 100}}}, true, {}, {}};
+    };
+    const Curves apart{{shape(400), shape(-50)}, FillRule::EvenOdd};
+    QVERIFY(!misfilledCrossing(apart, toRegion(apart)));
   }
 };
 

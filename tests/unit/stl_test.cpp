@@ -99,6 +99,16 @@ class StlTest : public QObject {
     QCOMPARE(roundTrip(mesh, "stl", {{"ascii", true}}).shape.get<Mesh>()->faceCount(), std::size_t(6));
   }
 
+  void trianglesWithoutAreaAreNoFile() {
+    Mesh flat;
+    flat.points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
+    flat.addFace(std::array{0, 1, 2});
+    const TemporaryFolder folder;
+    for (const bool ascii : {false, true})
+      VERIFY_ERROR(writeShape(formats(), flat, folder.path() / "flat.stl", {{"ascii", ascii}}),
+                   ErrorCode::OutputNotSupported);
+  }
+
   void shapesFarFromTheOriginAreWarnedOf() {
     const TemporaryFolder folder;
     for (const double away : {0.0, 100.0, 1e4, 1e6, 1e7}) {

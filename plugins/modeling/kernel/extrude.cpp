@@ -127,9 +127,10 @@ TopoDS_Shape cone(const gp_Circ& base, const gp_Dir& normal, double height, doub
   const double slope = std::tan(toRadians(taper)), end = base.Radius() - std::abs(height) * slope;
   if (end < -smallest) {
     const gp_Pnt tip = base.Location().Translated(gp_Vec(up) * (base.Radius() / slope));
+    const auto rounded = [](double v) { return std::round(v * 1e6) / 1e6 + 0.0; };
     throw Error(ErrorCode::Degenerate,
-                fmt::format("{} They meet at a height of {:.6g} mm, in ({:.6g}, {:.6g}, {:.6g}).", tooSteep(taper).message,
-                            base.Radius() / slope, tip.X() + 0.0, tip.Y() + 0.0, tip.Z() + 0.0),
+                fmt::format("{} They meet at a height of {:.9g} mm, in ({:.6g}, {:.6g}, {:.6g}).", tooSteep(taper).message,
+                            base.Radius() / slope, rounded(tip.X()), rounded(tip.Y()), rounded(tip.Z())),
                 tooSteep(taper).hint);
   }
   const gp_Ax2 axes(base.Location(), up, base.XAxis().Direction());
@@ -138,7 +139,9 @@ TopoDS_Shape cone(const gp_Circ& base, const gp_Dir& normal, double height, doub
 
 /// From the plane of the face by `height` along its normal, leaning.
 TopoDS_Shape tapered(const TopoDS_Face& face, const gp_Pln& plane, double height, double taper) {
-  if (const auto circle = circleAround(face)) return cone(*circle, plane.Axis().Direction(), height, taper);
+  const bool leansAtAll = std::abs(height * std::tan(toRadians(taper))) > smallest;
+  if (const auto circle = circleAround(face); circle && leansAtAll)
+    return cone(*circle, plane.Axis().Direction(), height, taper);
   const TopoDS_Shape prism = BRepPrimAPI_MakePrism(face, gp_Vec(plane.Axis().Direction()) * height).Shape();
   return guarded("The sides of the extrusion cannot be tapered.", "Use a smaller taper.", [&] {
     return leaning(finishedSolid(prism, {mixedMeasures, ""}), plane, height, taper);

@@ -932,6 +932,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Berechnen</translation>
     </message>
     <message>
+        <source>The file was written; look at this before you use it.</source>
+        <translation>Die Datei ist geschrieben; lesen Sie dies, bevor Sie sie verwenden.</translation>
+    </message>
+    <message>
         <source>Not everything could be read.</source>
         <translation>Nicht alles war lesbar.</translation>
     </message>

@@ -932,6 +932,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>계산 중</translation>
     </message>
     <message>
+        <source>The file was written; look at this before you use it.</source>
+        <translation>파일을 저장했습니다. 사용하기 전에 다음을 확인하십시오.</translation>
+    </message>
+    <message>
         <source>Not everything could be read.</source>
         <translation>읽지 못한 것이 있습니다.</translation>
     </message>

@@ -108,11 +108,12 @@ void WindowFilesTest::whatAFileLosesIsSaid() {
   window_->openFile(far);
   Session& session = window_->session();
   QTRY_VERIFY_WITH_TIMEOUT(!session.document().features().empty() && !session.evaluating(), 60000);
-  QSignalSpy warned(&session, &Session::warned);
+  QSignalSpy warned(&session, &Session::exportWarned);
   const QString file = folder_.filePath(QStringLiteral("far.stl"));
   session.exportFeatures({session.document().features().front()->id}, file.toStdString(), Value::object());
   QTRY_VERIFY(!warned.isEmpty());
   QVERIFY(warned.front().front().toStringList().front().contains(QStringLiteral("move by up to 1 mm")));
+  QVERIFY(window_->errors().message().startsWith(QStringLiteral("The file was written")));
   QVERIFY(QFileInfo(file).size() == 84 + 4 * 50);
 }
 

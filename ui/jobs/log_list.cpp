@@ -31,9 +31,10 @@ void LogList::watch(DocumentPage& page) {
   });
   connect(&session, &Session::noted, this,
           [this, watched](const QString& sentence) { add(Level::Note, watched->session().title(), sentence); });
-  connect(&session, &Session::warned, this, [this, watched](const QStringList& sentences) {
-    for (const QString& sentence : sentences) add(Level::Warning, watched->session().title(), sentence);
-  });
+  for (const auto signal : {&Session::warned, &Session::exportWarned})
+    connect(&session, signal, this, [this, watched](const QStringList& sentences) {
+      for (const QString& sentence : sentences) add(Level::Warning, watched->session().title(), sentence);
+    });
   connect(&session, &Session::failed, this, [this, watched](const Error& error) { addError(*watched, error); });
   connect(&page.tree(), &DocumentTree::refused, this, [this, watched](const Error& error) { addError(*watched, error); });
   connect(&session, &Session::evaluationFinished, this, [this, watched] { addResults(*watched); });

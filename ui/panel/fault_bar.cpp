@@ -22,7 +22,7 @@ void FaultBar::setSelected(const FeatureId& id) {
 const Feature* FaultBar::failed() const {
   const auto fails = [this](const auto& feature) {
     const auto view = session_.view(feature->id);
-    return !feature->suppressed && view && view->result->error;
+    return !feature->suppressed && !session_.outdated(feature->id) && view && view->result->error;
   };
   const auto features = session_.document().features();
   const auto isSelected = [this](const auto& feature) { return feature->id == selected_; };

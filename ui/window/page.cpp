@@ -129,6 +129,9 @@ void DocumentPage::connectSession() {
   connect(&session_, &Session::warned, this, [this](const QStringList& sentences) {
     errors_->showNote(tr("Not everything could be read."), sentences.join(u'\n'));
   });
+  connect(&session_, &Session::exportWarned, this, [this](const QStringList& sentences) {
+    errors_->showNote(tr("The file was written; look at this before you use it."), sentences.join(u'\n'));
+  });
   connect(&session_, &Session::filesWithheld, this, [this](const QStringList& files) {
     const QString before = errors_->isHidden() ? QString() : errors_->message() + u'\n' + errors_->hint() + u'\n';
     errors_->showNote(tr("This document names files outside its folder. They were not read."), before + files.join(u'\n'));

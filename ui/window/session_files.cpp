@@ -198,7 +198,7 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
       },
       [this, file, figures, warnings] {
         emit noted(tr("Exported %1: %2.").arg(fileName(file), *figures));
-        if (!warnings->isEmpty()) emit warned(*warnings);
+        if (!warnings->isEmpty()) emit exportWarned(*warnings);
       },
       file);
 }

@@ -2,8 +2,8 @@
 
 #include "features_outline.h"
 #include "features_outline_value.h"
-#include "geometry/planar.h"
 #include "geometry/outline_crossing.h"
+#include "geometry/planar.h"
 
 namespace blossom::modeling {
 namespace {

@@ -139,8 +139,8 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
     const double count = static_cast<double>(outputs.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     if (outputs[i].format) {
-      outputs[i].report = exportShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options,
-                                      outputs[i].chordGiven, part);
+      outputs[i].report =
+          exportShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, outputs[i].chordGiven, part);
     } else {
       saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
     }

@@ -21,9 +21,10 @@ std::optional<std::string> roundingOfStl(const Shape& shape, const Value& option
   const double rounding = std::ldexp(reach, -24);
   constexpr double harmless = 1e-5;  // of the size
   if (!(rounding > harmless * box.diagonal())) return std::nullopt;
-  return fmt::format("Binary STL keeps seven digits of a coordinate: as far from the origin as this shape lies ({:.6g} mm), its "
-                     "corners move by up to {:.2g} mm. Move it to the origin, or write text (ascii).",
-                     reach, std::numbers::sqrt3 * rounding);
+  return fmt::format(
+      "Binary STL keeps seven digits of a coordinate: as far from the origin as this shape lies ({:.6g} mm), its "
+      "corners move by up to {:.2g} mm. Move it to the origin, or write text (ascii).",
+      reach, std::numbers::sqrt3 * rounding);
 }
 
 /// Meshes of large shapes do not fill the disk because of a chord that nobody chose.

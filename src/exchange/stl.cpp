@@ -190,9 +190,10 @@ void refuseNothing(const std::vector<Corners>& facets) {
 std::string binaryStl(const Tessellation& t, const Progress& progress) {
   const std::vector<Corners> facets = facetsOf<float>(t);
   if (facets.empty() && !facetsOf<double>(t).empty())
-    throw Error(ErrorCode::OutputNotSupported,
-                "The shape lies so far from the origin for its size that nothing of it is left in the numbers of binary STL.",
-                "Move it to the origin, or write text (--stl.ascii).");
+    throw Error(
+        ErrorCode::OutputNotSupported,
+        "The shape lies so far from the origin for its size that nothing of it is left in the numbers of binary STL.",
+        "Move it to the origin, or write text (--stl.ascii).");
   refuseNothing(facets);
   std::string out = "Blossom STL, lengths in mm";
   out.resize(80, ' ');

@@ -1,6 +1,6 @@
+#include "geometry/outline_crossing.h"
 #include "geometry/planar.h"
 #include "geometry/planar_bezier.h"
-#include "geometry/outline_crossing.h"
 #include "modeling/kernel/outline_drawn.h"
 #include "modeling/kernel/outline_edit.h"
 #include "support/support.h"

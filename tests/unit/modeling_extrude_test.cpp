@@ -123,8 +123,8 @@ class ModelingExtrudeTest : public QObject {
     const Region disc{{circle({3, 2}, 5)}};
     for (const double taper : {1e-10, 1e-8, 1e-6, 1e-4}) {  // hardly leaning at all
       const double top = 5 - 4 * std::tan(taper * pi / 180);
-      COMPARE_NEAR(volume(made("extrude", {{"height", 4}, {"taper", taper}}, {disc})), pi * 4 / 3 * (25 + 5 * top + top * top),
-                   1e-5);
+      COMPARE_NEAR(volume(made("extrude", {{"height", 4}, {"taper", taper}}, {disc})),
+                   pi * 4 / 3 * (25 + 5 * top + top * top), 1e-5);
     }
     const Evaluated both = made("extrude", {{"height", 4.9}, {"back", 2}, {"taper", 45}}, {disc});
     QVERIFY(isSound(both));

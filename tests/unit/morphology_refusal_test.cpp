@@ -101,8 +101,8 @@ class MorphologyRefusalTest : public QObject {
     };
     const auto sum = [&](const Shape& flat) { return made("solid-sum", Value::object(), {unitCube(), flat}); };
     for (const auto rule : {FillRule::EvenOdd, FillRule::NonZero}) {
-      COMPARE_NEAR(volume(sum(drawing({4, 4}, rule, false))), 25 + 25 - 1, 1e-12);    // corner to corner
-      COMPARE_NEAR(volume(sum(drawing({4, 0}, rule, false))), 9 * 5, 1e-12);          // side to side
+      COMPARE_NEAR(volume(sum(drawing({4, 4}, rule, false))), 25 + 25 - 1, 1e-12);  // corner to corner
+      COMPARE_NEAR(volume(sum(drawing({4, 0}, rule, false))), 9 * 5, 1e-12);        // side to side
       COMPARE_NEAR(volume(sum(drawing({2, 1}, FillRule::NonZero, false))), 25 + 25 - 3 * 4, 1e-12);
     }
     for (const Shape& lapped : {drawing({2, 1}, FillRule::EvenOdd, false), drawing({2, 1}, FillRule::NonZero, true)})

@@ -339,7 +339,8 @@ class PlanarTest : public QObject {
           return polygon(result);
         };
         const Path plate = turned({{0, 0}, {1000, 0}, {1000, 500}, {0, 500}}),
-                   lens = turned({{5, 500 + rise / 7}, {500, 500 - 6 * rise / 7}, {995, 500 + rise / 7}, {995, 900}, {5, 900}}),
+                   lens =
+                       turned({{5, 500 + rise / 7}, {500, 500 - 6 * rise / 7}, {995, 500 + rise / 7}, {995, 900}, {5, 900}}),
                    beside = turned({{0, 500}, {1000, 500}, {800, 900}, {200, 900}});
         const auto misfilled = [&](const Path& other, FillRule rule) {
           const Curves drawing{{plate, other}, rule};
@@ -360,7 +361,8 @@ class PlanarTest : public QObject {
   void shapesOnBothSidesOfACurveOnlyTouch() {
     const Spline2 curve{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{100, 100, 1}, {300, 50, 1}, {600, 350, 1}, {900, 100, 1}}};
     const auto shape = [&](double y) {
-      return Path{{curve, Line2{{900, 100}, {900, y}}, Line2{{900, y}, {100, y}}, Line2{{100, y}, {100, 100}}}, true, {}, {}};
+      return Path{
+          {curve, Line2{{900, 100}, {900, y}}, Line2{{900, y}, {100, y}}, Line2{{100, y}, {100, 100}}}, true, {}, {}};
     };
     const Curves apart{{shape(400), shape(-50)}, FillRule::EvenOdd};
     QVERIFY(!misfilledCrossing(apart, toRegion(apart)));

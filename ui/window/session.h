@@ -98,12 +98,12 @@ class Session : public QObject {
   void evaluationCancelled();  ///< followed by evaluationFinished
   void featureAdded(const QString& feature);
   void failed(const blossom::Error&, const QString& file);
-  void unsafe(const blossom::Error&);  ///< unsaved steps cannot be kept against a crash
-  void saveFailed();                   ///< after `failed`: the document still has its changes
+  void unsafe(const blossom::Error&);               ///< unsaved steps cannot be kept against a crash
+  void saveFailed();                                ///< after `failed`: the document still has its changes
   void warned(const QStringList& sentences);        ///< of what was read
   void exportWarned(const QStringList& sentences);  ///< of what was written
-  void filesWithheld(const QStringList& files);  ///< outside of the document's folder, named by somebody else: not read
-  void noted(const QString& sentence);           ///< something went right
+  void filesWithheld(const QStringList& files);     ///< outside of the document's folder, named by somebody else: not read
+  void noted(const QString& sentence);              ///< something went right
 
  private:
   void evaluate();

@@ -8,9 +8,7 @@
 #include "geometry/planar.h"
 
 namespace blossom::modeling {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 bool OutlineDraft::continuesSpline() const {
   return mode_ == DrawnKind::Spline && splineGoesOn_ && !outline_.segments.empty() &&

@@ -10,10 +10,10 @@
 #include "core/error.h"
 #include "geometry/bounds.h"
 #include "geometry/occt.h"
+#include "geometry/outline_crossing.h"
 #include "geometry/planar.h"
 #include "geometry/union_find.h"
 #include "kernel/guarded.h"
-#include "geometry/outline_crossing.h"
 
 namespace blossom::modeling {
 namespace {

@@ -9,8 +9,8 @@ namespace blossom::morphology {
 /// Vertices that no face uses are dropped. Faces must be oriented and run through every edge as often both ways. O(n log n).
 Mesh manifoldOf(const Mesh&, const Progress& = Progress::none());
 
-/// The same for triangles, with new vertices where it needs them: an edge of which both ends hang together otherwise gets one
-/// in its middle, for each of its wedges.
+/// The same for triangles, with new vertices where it needs them: an edge of which both ends hang together otherwise gets
+/// one in its middle, for each of its wedges.
 Mesh manifoldOfTriangles(const Mesh& triangles, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

@@ -82,11 +82,12 @@ bool isOutline(const Curves& drawing) {
 Region enclosed(const Curves& drawing, const std::string& name, const Progress& progress) {
   Region region = toRegion(drawing);
   if (const auto place = misfilledCrossing(drawing, region, progress))
-    throw Error(ErrorCode::InvalidInput,
-                fmt::format("{} has outlines that cross near ({:.6g}, {:.6g}), and its fill rule leaves empty what they have "
-                            "in common.",
-                            name, place->x() + 0.0, place->y() + 0.0),
-                "Move them apart, trim what crosses, or unite them first.");
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("{} has outlines that cross near ({:.6g}, {:.6g}), and its fill rule leaves empty what they have "
+                    "in common.",
+                    name, place->x() + 0.0, place->y() + 0.0),
+        "Move them apart, trim what crosses, or unite them first.");
   return region;
 }
 

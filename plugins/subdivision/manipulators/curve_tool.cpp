@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "kernel/foot_points.h"
 #include "manipulators/pull_grips.h"
+#include "manipulators/pull_marks.h"
 #include "pulls.h"
 #include "ui/tools/view_props.h"
 
@@ -159,10 +160,7 @@ std::vector<Vec3> CurveTool::lineOf(const std::vector<Vec3>& points) const {
 
 void CurveTool::place() {
   if (target_ == grabbed_) return;
-  Value records = Value::array();
-  for (const Pull& pull : moving_) records.push_back(recordOf(pull));
-  FeatureId id;
-  commit(withDeform(host(), host().document(), *place_, {{"pulls", records}}, {}, id), tr("Pull a point"));
+  commit(withPulls(host(), *place_, moving_), tr("Pull a point"));
 }
 
 QString CurveTool::hint() const {
@@ -175,12 +173,11 @@ QString CurveTool::hint() const {
 std::vector<vtkSmartPointer<vtkProp>> CurveTool::props() const {
   const double ratio = host().pixelRatio();
   const Look& look = host().look();
-  std::vector<vtkSmartPointer<vtkProp>> props;
   std::vector<Vec3> pulled;
   for (const Grip& grip : grips_)
     if (grip.pull) pulled.push_back(grip.now);
-  if (!pulled.empty()) props.push_back(ui::pointsProp(pulled, look.made, 7 * ratio));
-  if (hovered() && !held()) props.push_back(ui::pointsProp({grips_[*hovered()].now}, look.control, 10 * ratio));
+  const bool hovers = hovered() && !held();
+  Props props = gripMarks(host(), pulled, hovers ? std::optional(grips_[*hovered()].now) : std::nullopt);
   if (!held()) return props;
   if (!follows_.empty()) {
     std::vector<Vec3> polygon = polygon_;
@@ -188,8 +185,7 @@ std::vector<vtkSmartPointer<vtkProp>> CurveTool::props() const {
     props.push_back(ui::linesProp({polygon}, look.control, 1.2 * ratio));
     props.push_back(ui::linesProp({follows_}, look.made, 2 * ratio));
   }
-  props.push_back(ui::linesProp({{grabbed_, target_}}, look.made, 1.5 * ratio));
-  props.push_back(ui::pointsProp({target_}, look.made, 10 * ratio));
+  addPullMark(host(), grabbed_, target_, props);
   return props;
 }
 

@@ -1,6 +1,7 @@
 #include "manipulators/insert_deform.h"
 
 #include "geometry/mesh.h"
+#include "pulls.h"
 
 namespace blossom::subdivision {
 namespace {
@@ -106,6 +107,13 @@ Document withDeform(const ui::ToolHost& host, Document document, const DeformPla
   }
   smooth.inputs = {id};
   return document.with(std::move(smooth));
+}
+
+Document withPulls(const ui::ToolHost& host, const DeformPlace& place, const std::vector<Pull>& pulls) {
+  Value records = Value::array();
+  for (const Pull& pull : pulls) records.push_back(recordOf(pull));
+  FeatureId id;
+  return withDeform(host, host.document(), place, {{"pulls", records}}, {}, id);
 }
 
 }  // namespace blossom::subdivision

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "kernel/deform.h"
 #include "kernel/scheme.h"
 #include "ui/tool.h"
 
@@ -21,5 +22,7 @@ std::optional<DeformPlace> deformPlace(const ui::ToolHost&, const FeatureId& sel
 /// becomes that of the deformation. Parameters not given stay as they are.
 Document withDeform(const ui::ToolHost&, Document, const DeformPlace&, const Value& parameters,
                     const std::vector<FeatureId>& targets, FeatureId& id);
+/// The document with exactly these pulls at that place.
+Document withPulls(const ui::ToolHost&, const DeformPlace&, const std::vector<Pull>&);
 
 }  // namespace blossom::subdivision

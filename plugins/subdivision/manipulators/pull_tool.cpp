@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "manipulators/pull_marks.h"
 #include "pulls.h"
 #include "ui/tools/view_props.h"
 
@@ -181,10 +182,7 @@ void PullTool::place() {
   std::vector<Pull> pulls = pulls_;
   if (moving_ == pulls.size()) pulls.push_back({grips_[*held()].base, target_});
   pulls[moving_].to = target_;
-  Value records = Value::array();
-  for (const Pull& pull : pulls) records.push_back(recordOf(pull));
-  FeatureId id;
-  commit(withDeform(host(), host().document(), *place_, {{"pulls", records}}, {}, id), tr("Pull a point"));
+  commit(withPulls(host(), *place_, pulls), tr("Pull a point"));
 }
 
 QString PullTool::hint() const {
@@ -197,12 +195,11 @@ QString PullTool::hint() const {
 std::vector<vtkSmartPointer<vtkProp>> PullTool::props() const {
   const double ratio = host().pixelRatio();
   const Look& look = host().look();
-  std::vector<vtkSmartPointer<vtkProp>> props;
   std::vector<Vec3> pulled;
   for (const Grip& grip : grips_)
     if (grip.pull) pulled.push_back(grip.now);
-  if (!pulled.empty()) props.push_back(ui::pointsProp(pulled, look.made, 7 * ratio));
-  if (hovered() && !held()) props.push_back(ui::pointsProp({grips_[*hovered()].now}, look.control, 10 * ratio));
+  const bool hovers = hovered() && !held();
+  Props props = gripMarks(host(), pulled, hovers ? std::optional(grips_[*hovered()].now) : std::nullopt);
   if (!held()) return props;
   if (live_) {
     props.push_back(ui::linesProp(netOf(*live_, scheme_), look.made, ratio));
@@ -211,8 +208,7 @@ std::vector<vtkSmartPointer<vtkProp>> PullTool::props() const {
       cage.push_back({live_->points()[static_cast<std::size_t>(from)], live_->points()[static_cast<std::size_t>(to)]});
     props.push_back(ui::linesProp(cage, look.control, 1.2 * ratio));
   }
-  props.push_back(ui::linesProp({{grabbed_, target_}}, look.made, 1.5 * ratio));
-  props.push_back(ui::pointsProp({target_}, look.made, 10 * ratio));
+  addPullMark(host(), grabbed_, target_, props);
   return props;
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+#include <vtkProp.h>
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <vector>
+
+#include "ui/tool.h"
+
+namespace blossom::subdivision {
+
+using Props = std::vector<vtkSmartPointer<vtkProp>>;
+
+/// Grips as points: those that have been pulled, and the one under the mouse.
+Props gripMarks(const ui::ToolHost&, const std::vector<Vec3>& pulled, const std::optional<Vec3>& hovered);
+/// The way of a pull while it is dragged.
+void addPullMark(const ui::ToolHost&, const Vec3& from, const Vec3& to, Props&);
+
+}  // namespace blossom::subdivision

@@ -60,8 +60,8 @@ squares=$(awk 'BEGIN { for (x = 0; x < 26; x++) for (y = 0; y < 26; y++) printf 
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='26mm' height='26mm' viewBox='0 0 26 26'><path fill-rule='nonzero' d='$squares'/></svg>" >"$out/squares.svg"
 equal "4: 26 x 26 unit squares and themselves: area" "$(planar minkowski-sum "$out/squares.svg" "$out/squares.svg" | json area)" 2704.0
 
-qtest "against CGAL: 2,000 pairs, sums and differences" "$build/tests/bin/minkowski_pairs_cgal_test" BLOSSOM_PLANAR_PAIRS=2000
-pairs() { figure minkowski_pairs_cgal_test "$1"; }
+qtest "against CGAL: 2,000 pairs, sums and differences" "$build/tests/bin/minkowski_cgal_test" BLOSSOM_PLANAR_PAIRS=2000
+pairs() { figure minkowski_cgal_test "$1"; }
 at_least "  pairs" "$(pairs pairs)" 2000
 at_most "  sums: largest relative difference of the areas" "$(pairs sums_worst)" 1e-9
 at_most "  differences: largest relative difference of the areas" "$(pairs differences_worst)" 1e-9

@@ -381,6 +381,48 @@ class PocketSimulateTest final : public QObject {
     cancelled.cancel();
     VERIFY_ERROR(simulate(along({{3, 3}, {37, 3}}, -1, 6), part, {}, Progress(cancelled)), ErrorCode::Cancelled);
   }
+
+  /// Two rooms and between them a slot just as wide as the tool: a program that leaves it out is told so.
+  void aSlotAsWideAsTheToolIsMissedWhenItIsNotCut() {
+    const Region part{{polygon({{0, 0},
+                                {30, 0},
+                                {30, 17},
+                                {70, 17},
+                                {70, 0},
+                                {100, 0},
+                                {100, 40},
+                                {70, 40},
+                                {70, 23},
+                                {30, 23},
+                                {30, 40},
+                                {0, 40}})}};
+    SimulationOptions options;
+    options.depth = 2;
+    options.tolerance = 0.01;
+    const auto rooms = [](bool slot) {
+      Toolpath path;
+      for (const double left : {0.0, 70.0}) {
+        std::vector<Vec2> way;
+        for (double inset = 3; inset < 15; inset += 2)
+          for (const Vec2& corner : {Vec2(inset, inset), Vec2(30 - inset, inset), Vec2(30 - inset, 40 - inset),
+                                     Vec2(inset, 40 - inset), Vec2(inset, inset)})
+            way.emplace_back(left + corner.x(), corner.y());
+        const Toolpath room = along(way, -2, 6);
+        if (path.moves.empty())
+          path = room;
+        else
+          path.moves.insert(path.moves.end(), room.moves.begin(), room.moves.end());
+      }
+      const std::vector<Vec2> through{{20, 20}, {80, 20}};
+      const Toolpath last = along(through, -2, 6);
+      if (slot) path.moves.insert(path.moves.end(), last.moves.begin(), last.moves.end());
+      return path;
+    };
+    const SimulationResult all = simulate(rooms(true), part, options), missed = simulate(rooms(false), part, options);
+    COMPARE_NEAR(all.residue.value(), 0, 0.05);
+    COMPARE_NEAR(missed.residue.value(), 240, 3);  // 40 x 6, less the tolerance at its walls
+    QVERIFY(!missed.residueAt.empty());
+  }
 };
 
 QTEST_GUILESS_MAIN(PocketSimulateTest)

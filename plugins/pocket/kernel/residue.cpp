@@ -7,6 +7,7 @@
 #include "geometry/planar.h"
 #include "kernel/clearance_diagram.h"
 #include "kernel/inside_test.h"
+#include "kernel/pass.h"
 #include "kernel/stroke_tree.h"
 
 namespace blossom::pocket {
@@ -156,6 +157,9 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   constexpr double rounding = 1e-9;
   // It just fits: its centre may be on a line, or at a point.
   if (away >= largest * (1 - rounding)) away = std::max(largest - slack, largest / 2);
+  // Slots just as wide as the tool beside wider places: its centre has no area there, yet it goes through them.
+  else
+    away = std::max(away - slotSlack(diagram), away / 2);
   const Region centers = diagram.offset(away, Side::Inside, progress);
   if (centers.loops.empty()) return total;
   // Squares of the last size lie along the rim.

@@ -8,6 +8,7 @@
 #include <gp_Trsf.hxx>
 
 #include "core/error.h"
+#include "core/place_text.h"
 #include "core/units.h"
 #include "geometry/occt.h"
 #include "geometry/outline_crossing.h"
@@ -29,7 +30,7 @@ std::string place(const Vec2& p) {
 /// Where a place of a drawing lies in space; of one in z = 0, the two coordinates it was drawn with.
 std::string place(const Vec2& p, const gp_Trsf& drawing) {
   const gp_Pnt at = gp_Pnt(p.x(), p.y(), 0).Transformed(drawing);
-  return drawing.Form() == gp_Identity ? place(p) : fmt::format("({:.6g}, {:.6g}, {:.6g})", at.X(), at.Y(), at.Z());
+  return drawing.Form() == gp_Identity ? place(p) : placeText({at.X(), at.Y(), at.Z()});
 }
 
 void checkCrossings(const Region& region, const gp_Trsf& drawing) {

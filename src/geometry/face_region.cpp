@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/place_text.h"
 #include "core/tolerance.h"
 #include "geometry/occt.h"
 #include "geometry/planar.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double levelAngle = 1e-7;  // radians; a face of 1 m then rises by 1e-4 mm
 
-std::string placeOf(const gp_Pnt& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.X(), p.Y(), p.Z()); }
+std::string placeOf(const gp_Pnt& p) { return placeText({p.X(), p.Y(), p.Z()}); }
 
 /// Where a face lies. @throws Error when it is not level.
 double heightOf(const TopoDS_Face& face) {

@@ -131,6 +131,31 @@ class ModelingSoundTest : public QObject {
       }
   }
 
+  /// A rectangle of 20 x 12 leaning by 45 degrees ends in a ridge at 6 mm; two rooms with a neck of 4 mm part at 2 mm.
+  void tapersTellWhereTheirSidesMeet() {
+    const Value steep = {{"height", 10}, {"taper", 45}};
+    const auto isTold = [&](const Region& region, const std::string& height, const std::string& place) {
+      const std::string message = refusal("extrude", steep, {region}).message();
+      qInfo("%s", message.c_str());
+      return message.find("meet at a height of about " + height) != std::string::npos &&
+             message.find(place) != std::string::npos;
+    };
+    QVERIFY(isTold(rectangle(-10, -6, 10, 6), "5.99", ", 0, 5.99"));
+    const Region rooms{{polygon({{0, 0},
+                                 {30, 0},
+                                 {30, 18},
+                                 {70, 18},
+                                 {70, 0},
+                                 {100, 0},
+                                 {100, 40},
+                                 {70, 40},
+                                 {70, 22},
+                                 {30, 22},
+                                 {30, 40},
+                                 {0, 40}})}};
+    QVERIFY(isTold(rooms, "1.99", ", 20, 1.99"));
+  }
+
   void loftsThatTurnBackAreRefused() {
     const Region a = rectangle(-10, -10, 10, 10), b = rectangle(-8, -8, 8, 8);
     for (const bool ruled : {false, true}) {
@@ -144,7 +169,10 @@ class ModelingSoundTest : public QObject {
 
   void pipesThroughThemselvesAreRefusedThinOnesNot() {
     const Region disc{{circle({0, 0}, 8)}}, thin{{circle({0, 0}, 8), circle({0, 0}, 7.999, true)}};
-    VERIFY_REFUSED(refusal("pipe", {}, {disc, arcPath(5, 3)}), ErrorCode::Degenerate, "");
+    VERIFY_REFUSED(refusal("pipe", {}, {disc, arcPath(5, 3)}), ErrorCode::Degenerate, "It would cut through itself near (");
+    const Curves hairpin{{polygon({{0, 0}, {10, 0}, {0, 1}}, false)}, FillRule::EvenOdd};
+    VERIFY_REFUSED(refusal("pipe", {}, {disc, hairpin}), ErrorCode::Degenerate,
+                   "Its sharpest corner, of 174 degrees, is in (10, 0, 0).");
     const Evaluated tube = made("pipe", {}, {thin, arcPath(20, 1.5)});
     QVERIFY(isSound(tube));
     COMPARE_NEAR(volume(tube), pi * (64 - 7.999 * 7.999) * 30, 1e-4);

@@ -7,19 +7,23 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
-#include <BRepLProp_CLProps.hxx>
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax3.hxx>
-#include <limits>
+#include <string>
+#include <vector>
 
+#include "core/angle.h"
 #include "core/error.h"
+#include "core/place_text.h"
 #include "core/units.h"
 #include "kernel/finished_solid.h"
 #include "kernel/guarded.h"
+#include "kernel/path_turns.h"
+#include "kernel/placement.h"
 #include "kernel/profile.h"
 #include "kernel/shape_parts.h"
 #include "kernel/sound_bodies.h"
@@ -59,60 +63,17 @@ TopoDS_Shape placed(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
   return profile.Moved(TopLoc_Location(toStart));
 }
 
-class Piper {
- public:
-  static Complaint complaint() {
-    return {"The outline cannot be moved along this path.",
-            "The path may bend more tightly than the outline is wide: use a smaller outline or a wider bend."};
-  }
+std::string written(const gp_Pnt& p) { return placeText(toVector(p.XYZ())); }
 
-  Piper(TopoDS_Wire path, PipeCorners corners) : path_(std::move(path)), corners_(corners) {}
-
-  [[nodiscard]] TopoDS_Shape along(const TopoDS_Wire& outline, bool solid) const {
-    BRepOffsetAPI_MakePipeShell maker(path_);
-    maker.SetMode(Standard_False);
-    maker.SetTransitionMode(corners_ == PipeCorners::Mitred ? BRepBuilderAPI_RightCorner : BRepBuilderAPI_RoundCorner);
-    maker.Add(outline);
-    if (!maker.IsReady()) fail();
-    maker.Build();
-    if (!maker.IsDone() || (solid && !maker.MakeSolid())) fail();
-    return solid ? finishedSolid(maker.Shape(), complaint()) : finishedSheet(maker.Shape(), complaint());
-  }
-
-  [[nodiscard]] TopoDS_Shape along(const TopoDS_Face& face, const Progress& progress) const {
-    if (!BRep_Tool::IsClosed(BRepTools::OuterWire(face))) fail();
-    const TopoDS_Wire outer = BRepTools::OuterWire(face);
-    TopoDS_Shape body = along(outer, true);
-    bool cut = false;
-    for (const TopoDS_Shape& hole : partsOf(face, TopAbs_WIRE)) {
-      progress.check();
-      if (hole.IsSame(outer)) continue;
-      body = BRepAlgoAPI_Cut(body, along(TopoDS::Wire(hole), true)).Shape();
-      cut = true;
-    }
-    return cut ? finishedSolid(body, complaint()) : body;
-  }
-
- private:
-  [[noreturn]] static void fail() { throw Error(ErrorCode::Degenerate, complaint().message, complaint().hint); }
-
-  TopoDS_Wire path_;
-  PipeCorners corners_;
-};
-
-/// Radius of the tightest bend within the edges of a path.
-double tightestBend(const TopoDS_Wire& path) {
-  double largest = 0;
-  for (const TopoDS_Shape& each : partsOf(path, TopAbs_EDGE)) {
-    const BRepAdaptor_Curve curve(TopoDS::Edge(each));
-    constexpr int samples = 32;
-    for (int i = 0; i <= samples; ++i) {
-      const double t = curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * i / samples;
-      BRepLProp_CLProps properties(curve, t, 2, 1e-9);
-      if (properties.IsTangentDefined()) largest = std::max(largest, properties.Curvature());
-    }
-  }
-  return largest > 0 ? 1 / largest : std::numeric_limits<double>::infinity();
+/// Where to look when no pipe comes of a path: at its corner, unless it bends more tightly than the outline reaches.
+std::string placeToLookAt(const PathTurns& turns, double reach) {
+  constexpr double smooth = 1e-3;
+  if (turns.corner > smooth && turns.radius > reach)
+    return fmt::format(" Its sharpest corner, of {:.3g} degrees, is in {}.", toDegrees(turns.corner),
+                       written(turns.cornerAt));
+  if (std::isfinite(turns.radius))
+    return fmt::format(" Its tightest bend, with a radius of {:.4g} mm, is near {}.", turns.radius, written(turns.bend));
+  return {};
 }
 
 /// Farthest the outline reaches from the path.
@@ -126,27 +87,78 @@ double reachOf(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
   return std::max({std::abs(x0), std::abs(x1), std::abs(y0), std::abs(y1)});
 }
 
+class Piper {
+ public:
+  static Complaint complaint() {
+    return {"The outline cannot be moved along this path.",
+            "The path may bend more tightly than the outline is wide: use a smaller outline or a wider bend."};
+  }
+
+  /// `place` says where the path is most likely at fault.
+  Piper(TopoDS_Wire path, PipeCorners corners, const std::string& place)
+      : path_(std::move(path)), corners_(corners), located_(complaint()) {
+    located_.message += place;
+  }
+
+  [[nodiscard]] TopoDS_Shape along(const TopoDS_Wire& outline, bool solid) const {
+    BRepOffsetAPI_MakePipeShell maker(path_);
+    maker.SetMode(Standard_False);
+    maker.SetTransitionMode(corners_ == PipeCorners::Mitred ? BRepBuilderAPI_RightCorner : BRepBuilderAPI_RoundCorner);
+    maker.Add(outline);
+    if (!maker.IsReady()) fail();
+    maker.Build();
+    if (!maker.IsDone() || (solid && !maker.MakeSolid())) fail();
+    return solid ? finishedSolid(maker.Shape(), located_) : finishedSheet(maker.Shape(), located_);
+  }
+
+  [[nodiscard]] TopoDS_Shape along(const TopoDS_Face& face, const Progress& progress) const {
+    if (!BRep_Tool::IsClosed(BRepTools::OuterWire(face))) fail();
+    const TopoDS_Wire outer = BRepTools::OuterWire(face);
+    TopoDS_Shape body = along(outer, true);
+    bool cut = false;
+    for (const TopoDS_Shape& hole : partsOf(face, TopAbs_WIRE)) {
+      progress.check();
+      if (hole.IsSame(outer)) continue;
+      body = BRepAlgoAPI_Cut(body, along(TopoDS::Wire(hole), true)).Shape();
+      cut = true;
+    }
+    return cut ? finishedSolid(body, located_) : body;
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw Error(ErrorCode::Degenerate, located_.message, located_.hint); }
+
+  TopoDS_Wire path_;
+  PipeCorners corners_;
+  Complaint located_;
+};
+
 }  // namespace
 
 PipeResult pipe(const TopoDS_Shape& profileShape, const TopoDS_Shape& pathShape, const PipeOptions& o,
                 const Progress& progress) {
   const TopoDS_Wire path = onePath(pathShape);
-  return guarded("The outline cannot be moved along this path.", "Simplify the path or make the outline smaller.", [&] {
+  const Complaint complaint{Piper::complaint().message, "Simplify the path or make the outline smaller."};
+  const PathTurns turns = guarded(complaint.message, complaint.hint, [&] { return turnsOf(path); });
+  const double reach =
+      guarded(complaint.message, complaint.hint, [&] { return o.place ? reachOf(placed(profileShape, path), path) : 0; });
+  const std::string place = placeToLookAt(turns, reach);
+  return guarded(complaint.message + place, complaint.hint, [&] {
     const Profile profile = profileOf(o.place ? placed(profileShape, path) : profileShape);
     PipeResult result;
     result.solid = !profile.faces.empty();
-    const Piper piper(path, o.corners);
+    const Piper piper(path, o.corners, place);
     progress.report(0.1, "Moving the outline along the path");
     std::vector<TopoDS_Shape> solids, made;
     for (const TopoDS_Face& face : profile.faces) solids.push_back(piper.along(face, progress));
     if (!solids.empty()) made.push_back(soundBodies(solids, Piper::complaint(), progress));
     for (const TopoDS_Wire& wire : profile.wires) made.push_back(piper.along(wire, false));
     result.shape = together(made);
-    if (const double bend = tightestBend(path); o.place && reachOf(placed(profileShape, path), path) > bend)
-      result.warnings.push_back(fmt::format(
-          "The path bends with a radius of {} mm, less than the outline reaches from it: the pipe may cut through "
-          "itself there.",
-          formatNumber(std::round(bend * 1000) / 1000)));
+    if (o.place && reach > turns.radius)
+      result.warnings.push_back(
+          fmt::format("The path bends with a radius of {} mm near {}, less than the outline reaches from it: the pipe may "
+                      "cut through itself there.",
+                      formatNumber(std::round(turns.radius * 1000) / 1000), written(turns.bend)));
     return result;
   });
 }

@@ -15,6 +15,7 @@
 #include <gp_Lin.hxx>
 
 #include "core/error.h"
+#include "core/place_text.h"
 #include "core/tolerance.h"
 #include "core/units.h"
 #include "geometry/closest_points.h"
@@ -64,9 +65,7 @@ void checkAxis(const TopoDS_Face& face, const gp_Pln& plane, const gp_Ax1& axis,
   const Vec3 place = placeOfCrossing(face, shadow, progress);
   throw Error(
       ErrorCode::InvalidInput,
-      fmt::format("The outline crosses the axis near ({:.6g}, {:.6g}, {:.6g}), so the turned shape would cut through "
-                  "itself.",
-                  place.x() + 0.0, place.y() + 0.0, place.z() + 0.0),
+      fmt::format("The outline crosses the axis near {}, so the turned shape would cut through itself.", placeText(place)),
       "Move the axis beside the outline, or cut the outline at the axis.");
 }
 

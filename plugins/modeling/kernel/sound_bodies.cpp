@@ -11,6 +11,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/place_text.h"
 #include "geometry/occt_progress.h"
 #include "geometry/self_crossing.h"
 #include "geometry/union_find.h"
@@ -24,9 +25,7 @@ void refuseCrossing(const TopoDS_Shape& solid, const Complaint& complaint, const
   const auto place = selfCrossing(solid, progress);
   if (!place) return;
   throw Error(ErrorCode::Degenerate,
-              fmt::format("{} It would cut through itself near ({:.6g}, {:.6g}, {:.6g}).", complaint.message,
-                          place->x() + 0.0, place->y() + 0.0, place->z() + 0.0),
-              complaint.hint);
+              fmt::format("{} It would cut through itself near {}.", complaint.message, placeText(*place)), complaint.hint);
 }
 
 Bnd_Box boxAround(const TopoDS_Shape& solid) {

@@ -47,10 +47,11 @@ std::vector<int> fromLowest(std::vector<int> face) {
 }
 
 /// Bodies that share a whole face are one body: the face and its counterpart, which looks back at it, enclose nothing.
-Mesh withoutInnerWalls(const Mesh& mesh) {
+Mesh withoutInnerWalls(const Mesh& mesh, const Progress& progress) {
   std::map<std::vector<int>, std::vector<std::size_t>> waiting;  // for their counterparts
   std::vector<bool> inner(mesh.faceCount());
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    if (f % 4096 == 0) progress.check();
     const std::vector<int> face(mesh.face(f).begin(), mesh.face(f).end());
     const auto back = waiting.find(fromLowest({face.rbegin(), face.rend()}));
     if (back == waiting.end() || back->second.empty()) {
@@ -154,7 +155,7 @@ CheckedSolid checkedSolid(const Mesh& mesh, const Subject& subject, const Progre
   if (shared.faceCount() == 0)
     throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: all of its faces are without area.", subject.name),
                 "Choose a solid or a closed mesh.");
-  const Mesh outer = withoutInnerWalls(shared);
+  const Mesh outer = withoutInnerWalls(shared, progress);
   if (outer.faceCount() == 0) throw enclosesNothing(subject);
   refuseOpen(outer, meshTopology(outer, progress), subject);
   CheckedSolid solid{withoutDegenerate(manifoldOf(triangulated(outer, progress).first, progress), subject), {}};

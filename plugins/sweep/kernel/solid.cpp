@@ -24,6 +24,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/place_text.h"
 #include "geometry/occt.h"
 #include "geometry/self_crossing.h"
 
@@ -185,8 +186,8 @@ SolidResult build(Surface surface, const Progress& progress) {
   if (const auto place = selfCrossing(result.solid, progress))
     throw Error(
         ErrorCode::Degenerate,
-        fmt::format("The swept solid crosses itself near ({:.6g}, {:.6g}, {:.6g}).", rounded(place->x(), size),
-                    rounded(place->y(), size), rounded(place->z(), size)),
+        fmt::format("The swept solid crosses itself near {}.",
+                    placeText({rounded(place->x(), size), rounded(place->y(), size), rounded(place->z(), size)})),
         "Make the sections smaller where the motion bends or turns, or leave out --solid: the surface alone may cross "
         "itself.");
   return result;

@@ -23,6 +23,7 @@ function(blossom_plugin id)
     list(APPEND modules blossom_${id}_manipulators)
   endif()
 
+  add_dependencies(programs ${modules})
   set(folder ${BLOSSOM_PLUGIN_OUTPUT_DIRECTORY}/${id})
   set_target_properties(${modules} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${folder} INSTALL_RPATH "$ORIGIN/../../..")
   configure_file(plugin.json ${folder}/plugin.json COPYONLY)

@@ -1,4 +1,4 @@
-#include "ui/view/display_cache.h"
+#include "ui/session/display_cache.h"
 
 #include <BRepPrimAPI_MakeSphere.hxx>
 

@@ -1,9 +1,9 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include "ui/fields/parameter_field.h"
 #include "ui/help/manual_pages.h"
 #include "ui/look/text.h"
-#include "ui/panel/parameter_field.h"
 #include "ui/panel/property_panel.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"

@@ -10,6 +10,8 @@
 #include "app/app.h"
 #include "gui/window_fixture.h"
 #include "support/support.h"
+#include "ui/commands/commands.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/help/about_dialog.h"
 #include "ui/help/about_versions.h"
 #include "ui/help/manual_text.h"
@@ -18,14 +20,12 @@
 #include "ui/help/tour_bubble.h"
 #include "ui/look/icons.h"
 #include "ui/look/theme.h"
-#include "ui/panel/parameter_field.h"
 #include "ui/settings/key_recorder.h"
 #include "ui/settings/language.h"
 #include "ui/settings/preferences_dialog.h"
 #include "ui/settings/preferences_form.h"
 #include "ui/settings/shortcut_editor.h"
 #include "ui/window/application.h"
-#include "ui/window/commands.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -1,7 +1,7 @@
 #include <QLineEdit>
 #include <numbers>
 
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/panel/property_panel.h"
 #include "ui/tree/document_tree.h"
 #include "ui/view/view_widget.h"

@@ -7,7 +7,7 @@
 #include "app/app.h"
 #include "geometry/planar.h"
 #include "support/support.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 #include "ui/window/manipulator_loader.h"
 
 using namespace blossom;

@@ -14,10 +14,10 @@
 #include "ui/jobs/log_and_jobs.h"
 #include "ui/jobs/log_list.h"
 #include "ui/jobs/log_panel.h"
+#include "ui/look/preferences.h"
 #include "ui/look/text.h"
 #include "ui/palette/command_palette.h"
 #include "ui/palette/palette_match.h"
-#include "ui/settings/preferences.h"
 #include "ui/window/feature_tool_bar.h"
 #include "ui/window/status_line.h"
 

@@ -2,7 +2,7 @@
 
 #include "panel_fixture.h"
 #include "ui/fields/curve_editor.h"
-#include "ui/panel/ratio_slider.h"
+#include "ui/fields/ratio_slider.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -14,14 +14,14 @@
 #include "support/mouse.h"
 #include "support/support.h"
 #include "ui/fields/field_label.h"
+#include "ui/fields/parameter_field.h"
+#include "ui/look/preferences.h"
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
-#include "ui/panel/parameter_field.h"
 #include "ui/panel/property_panel.h"
-#include "ui/settings/preferences.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
+#include "ui/session/session.h"
 #include "ui/window/application.h"
-#include "ui/window/session.h"
 
 namespace blossom::ui {
 

@@ -12,8 +12,8 @@
 
 #include "document/recovery_area.h"
 #include "support/support.h"
-#include "ui/files/recovery.h"
-#include "ui/window/session.h"
+#include "ui/session/recovery.h"
+#include "ui/session/session.h"
 
 using namespace blossom;
 using namespace blossom::ui;

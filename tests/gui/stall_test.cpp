@@ -4,8 +4,8 @@
 #include "exchange/format.h"
 #include "geometry/mesh.h"
 #include "ui/files/start_page.h"
+#include "ui/thread/stall_watch.h"
 #include "ui/tree/document_tree.h"
-#include "ui/window/stall_watch.h"
 #include "window_fixture.h"
 
 using namespace blossom;

@@ -14,7 +14,7 @@
 #include "subdivision/kernel/limit_surface.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "feature/registry.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::ui {
 

@@ -2,8 +2,8 @@
 #include <QPushButton>
 
 #include "document/storage.h"
-#include "ui/files/recovery.h"
 #include "ui/look/text.h"
+#include "ui/session/recovery.h"
 #include "ui/window/guarded_application.h"
 #include "window_fixture.h"
 

@@ -14,15 +14,15 @@
 #include "app/app.h"
 #include "support/mouse.h"
 #include "support/support.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/files/export_dialog.h"
 #include "ui/look/theme.h"
 #include "ui/panel/error_bar.h"
-#include "ui/panel/parameter_field.h"
 #include "ui/panel/property_panel.h"
+#include "ui/thread/stall_watch.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
-#include "ui/window/stall_watch.h"
 
 namespace blossom::ui {
 

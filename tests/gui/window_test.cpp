@@ -6,10 +6,10 @@
 #include <vtkActor.h>
 #include <vtkProp.h>
 
+#include "ui/fields/parameter_field.h"
+#include "ui/fields/ratio_slider.h"
 #include "ui/look/text.h"
-#include "ui/panel/parameter_field.h"
 #include "ui/panel/property_panel.h"
-#include "ui/panel/ratio_slider.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 

@@ -5,9 +5,9 @@
 #include "document/storage.h"
 #include "ui/look/text.h"
 #include "ui/palette/command_palette.h"
+#include "ui/thread/stall_watch.h"
 #include "ui/tree/document_tree.h"
 #include "ui/view/view_widget.h"
-#include "ui/window/stall_watch.h"
 #include "window_fixture.h"
 
 using namespace blossom;

@@ -2,7 +2,7 @@
 #include <QCoreApplication>
 #include <QPointer>
 
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 
 class QColorDialog;
 class QLineEdit;

@@ -3,7 +3,7 @@
 #include <QPointF>
 #include <vector>
 
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 
 namespace blossom::ui {
 

@@ -7,9 +7,9 @@
 #include <QMimeData>
 #include <QToolButton>
 
-#include "ui/files/file_places.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
+#include "ui/session/file_places.h"
 
 namespace blossom::ui {
 

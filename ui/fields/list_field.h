@@ -2,7 +2,7 @@
 #include <QCoreApplication>
 #include <vector>
 
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 
 class QFrame;
 class QPushButton;

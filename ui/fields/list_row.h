@@ -1,5 +1,5 @@
 #pragma once
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 
 class QHBoxLayout;
 class QLabel;

@@ -5,11 +5,11 @@
 #include "ui/fields/file_field.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/number_field.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/fields/record_field.h"
 #include "ui/fields/simple_fields.h"
 #include "ui/fields/sub_shape_field.h"
 #include "ui/fields/vector_field.h"
-#include "ui/panel/parameter_field.h"
 
 namespace blossom::ui {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <QCoreApplication>
 
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 
 namespace blossom::ui {
 

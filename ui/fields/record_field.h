@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 
 class QCheckBox;
 

@@ -4,9 +4,9 @@
 #include <QEvent>
 #include <QLineEdit>
 
+#include "ui/fields/ratio_slider.h"
 #include "ui/fields/switch_box.h"
 #include "ui/look/text.h"
-#include "ui/panel/ratio_slider.h"
 
 namespace blossom::ui {
 

@@ -10,7 +10,7 @@
 #include "ui/fields/flow_layout.h"
 #include "ui/fields/pick_button.h"
 #include "ui/look/text.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::ui {
 

@@ -14,7 +14,7 @@
 #include "ui/fields/stepping.h"
 #include "ui/fields/typed_expression.h"
 #include "ui/look/text.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::ui {
 

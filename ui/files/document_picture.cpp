@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "scene/scene.h"
 #include "ui/files/sample_pictures.h"
-#include "ui/jobs/background.h"
+#include "ui/thread/background.h"
 
 namespace blossom::ui {
 

@@ -9,8 +9,8 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
-#include "ui/panel/parameter_field.h"
 
 namespace blossom::ui {
 

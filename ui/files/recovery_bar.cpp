@@ -7,9 +7,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/files/recovery.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
+#include "ui/session/recovery.h"
 
 namespace blossom::ui {
 

@@ -3,10 +3,10 @@
 #include <QMenu>
 
 #include "app/reference_page.h"
+#include "ui/commands/commands.h"
 #include "ui/help/about_dialog.h"
 #include "ui/help/manual_window.h"
 #include "ui/look/text.h"
-#include "ui/window/commands.h"
 
 namespace blossom::ui {
 

@@ -11,8 +11,8 @@
 #include "app/app.h"
 #include "app/reference_page.h"
 #include "core/file.h"
+#include "ui/commands/commands.h"
 #include "ui/look/text.h"
-#include "ui/window/commands.h"
 
 namespace blossom::ui {
 

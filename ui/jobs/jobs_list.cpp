@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ui/look/text.h"
-#include "ui/window/page.h"
+#include "ui/page/page.h"
 
 namespace blossom::ui {
 

@@ -10,12 +10,12 @@
 #include <QSettings>
 #include <QToolButton>
 
+#include "ui/commands/commands.h"
 #include "ui/jobs/jobs_list.h"
 #include "ui/jobs/jobs_panel.h"
 #include "ui/jobs/log_list.h"
 #include "ui/jobs/log_panel.h"
 #include "ui/look/icons.h"
-#include "ui/window/commands.h"
 
 namespace blossom::ui {
 

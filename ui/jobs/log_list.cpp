@@ -5,8 +5,8 @@
 
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
+#include "ui/page/page.h"
 #include "ui/tree/document_tree.h"
-#include "ui/window/page.h"
 
 namespace blossom::ui {
 

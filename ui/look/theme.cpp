@@ -13,7 +13,7 @@
 #include "parameter/value.h"
 #include "ui/look/desktop_colors.h"
 #include "ui/look/icons.h"
-#include "ui/settings/preferences.h"
+#include "ui/look/preferences.h"
 
 namespace blossom::ui {
 

@@ -1,7 +1,7 @@
 #include "ui/look/units.h"
 
+#include "ui/look/preferences.h"
 #include "ui/look/text.h"
-#include "ui/settings/preferences.h"
 
 namespace blossom::ui {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ui/look/text.h"
-#include "ui/window/session.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

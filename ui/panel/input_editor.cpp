@@ -9,13 +9,13 @@
 
 #include "ui/fields/chip.h"
 #include "ui/fields/field_label.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/fields/pick_button.h"
 #include "ui/look/icons.h"
 #include "ui/look/popup_menu.h"
 #include "ui/look/text.h"
-#include "ui/panel/parameter_field.h"
-#include "ui/tool.h"
-#include "ui/window/session.h"
+#include "ui/plugin/tool.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "feature/feature_type.h"
+#include "ui/fields/pick_request.h"
 #include "ui/panel/input_slots.h"
-#include "ui/panel/pick_request.h"
 
 class QGridLayout;
 class QHBoxLayout;

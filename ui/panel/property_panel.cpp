@@ -9,14 +9,14 @@
 #include "app/reference_page.h"
 #include "core/error.h"
 #include "exchange/import_feature.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
 #include "ui/panel/input_editor.h"
 #include "ui/panel/input_slots.h"
-#include "ui/panel/parameter_field.h"
 #include "ui/panel/result_table.h"
-#include "ui/tool.h"
-#include "ui/window/session.h"
+#include "ui/plugin/tool.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

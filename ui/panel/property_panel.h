@@ -7,7 +7,7 @@
 
 #include "document/document.h"
 #include "feature/feature_type.h"
-#include "ui/panel/pick_request.h"
+#include "ui/fields/pick_request.h"
 
 class QVBoxLayout;
 

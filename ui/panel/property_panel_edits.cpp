@@ -4,13 +4,13 @@
 
 #include "document/file_access.h"
 #include "document/file_values.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
 #include "ui/panel/input_editor.h"
-#include "ui/panel/parameter_field.h"
 #include "ui/panel/property_panel.h"
-#include "ui/tool.h"
-#include "ui/window/session.h"
+#include "ui/plugin/tool.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

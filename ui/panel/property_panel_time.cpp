@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "geometry/sequence.h"
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/panel/property_panel.h"
-#include "ui/window/session.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

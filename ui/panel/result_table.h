@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ui/panel/result_rows.h"
-#include "ui/view/display_cache.h"
+#include "ui/session/display_cache.h"
 
 class QLabel;
 class QPushButton;

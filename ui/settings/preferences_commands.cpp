@@ -2,8 +2,8 @@
 
 #include <QMenu>
 
+#include "ui/commands/commands.h"
 #include "ui/settings/preferences_dialog.h"
-#include "ui/window/commands.h"
 
 namespace blossom::ui {
 

@@ -7,7 +7,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 #include "ui/settings/preferences_form.h"
 #include "ui/settings/shortcut_editor.h"
 

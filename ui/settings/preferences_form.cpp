@@ -3,8 +3,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
-#include "ui/panel/parameter_field.h"
 
 namespace blossom::ui {
 

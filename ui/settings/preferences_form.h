@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/settings/preferences.h"
+#include "ui/look/preferences.h"
 
 namespace blossom::ui {
 

@@ -9,9 +9,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "ui/commands/commands.h"
 #include "ui/look/icons.h"
 #include "ui/settings/key_recorder.h"
-#include "ui/window/commands.h"
 
 namespace blossom::ui {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::ui {
 

@@ -2,7 +2,7 @@
 #include <QPointer>
 #include <optional>
 
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 #include "ui/tools/measurements.h"
 
 namespace blossom::ui {

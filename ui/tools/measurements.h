@@ -11,9 +11,9 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "geometry/measure_between.h"
-#include "ui/jobs/background.h"
-#include "ui/jobs/mailbox.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
+#include "ui/thread/background.h"
+#include "ui/thread/mailbox.h"
 
 namespace blossom::ui {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "ui/panel/pick_request.h"
-#include "ui/tool.h"
+#include "ui/fields/pick_request.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::ui {
 

@@ -2,7 +2,7 @@
 #include <QPointer>
 #include <optional>
 
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 #include "ui/tools/section_plane.h"
 
 namespace blossom::ui {

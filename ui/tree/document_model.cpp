@@ -7,7 +7,7 @@
 
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
-#include "ui/window/session.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

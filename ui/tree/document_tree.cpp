@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "ui/look/text.h"
+#include "ui/session/session.h"
 #include "ui/tree/document_delegate.h"
 #include "ui/tree/document_edits.h"
 #include "ui/tree/document_model.h"
-#include "ui/window/session.h"
 
 namespace blossom::ui {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "ui/look/text.h"
+#include "ui/session/session.h"
 #include "ui/tree/document_clipboard.h"
 #include "ui/tree/document_edits.h"
 #include "ui/tree/document_model.h"
 #include "ui/tree/document_tree.h"
-#include "ui/window/session.h"
 
 namespace blossom::ui {
 

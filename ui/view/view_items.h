@@ -10,7 +10,7 @@
 #include "geometry/bounds.h"
 #include "scene/picking.h"
 #include "scene/scene.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 class vtkCamera;
 class vtkPlane;

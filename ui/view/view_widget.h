@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 #include "ui/view/camera_control.h"
 #include "ui/view/ground_grid.h"
 #include "ui/view/smoothing.h"

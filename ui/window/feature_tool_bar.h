@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/window/feature_menus.h"
+#include "ui/page/feature_menus.h"
 
 class QFrame;
 class QToolButton;

@@ -10,11 +10,11 @@
 #include "ui/files/document_tabs.h"
 #include "ui/files/recovery_bar.h"
 #include "ui/files/start_page.h"
+#include "ui/look/preferences.h"
 #include "ui/look/text.h"
+#include "ui/page/feature_menus.h"
 #include "ui/panel/fault_bar.h"
-#include "ui/settings/preferences.h"
 #include "ui/view/view_widget.h"
-#include "ui/window/feature_menus.h"
 #include "ui/window/manipulator_loader.h"
 #include "ui/window/status_line.h"
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "ui/manipulator.h"
-#include "ui/window/commands.h"
-#include "ui/window/page.h"
+#include "ui/commands/commands.h"
+#include "ui/page/page.h"
+#include "ui/plugin/manipulator.h"
 
 class QStackedWidget;
 

@@ -5,8 +5,8 @@
 
 #include "geometry/together.h"
 #include "ui/files/export_dialog.h"
-#include "ui/files/file_places.h"
 #include "ui/look/text.h"
+#include "ui/session/file_places.h"
 #include "ui/tree/document_tree.h"
 #include "ui/window/main_window.h"
 

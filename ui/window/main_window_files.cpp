@@ -5,12 +5,12 @@
 #include <QPushButton>
 
 #include "ui/files/document_picture.h"
-#include "ui/files/file_places.h"
 #include "ui/files/recent_files.h"
 #include "ui/files/start_page.h"
 #include "ui/look/text.h"
+#include "ui/page/feature_menus.h"
 #include "ui/panel/error_bar.h"
-#include "ui/window/feature_menus.h"
+#include "ui/session/file_places.h"
 #include "ui/window/main_window.h"
 
 namespace blossom::ui {

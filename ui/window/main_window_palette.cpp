@@ -7,8 +7,8 @@
 #include "ui/jobs/jobs_list.h"
 #include "ui/jobs/log_and_jobs.h"
 #include "ui/palette/command_palette.h"
-#include "ui/palette/palette_sources.h"
 #include "ui/window/main_window.h"
+#include "ui/window/palette_sources.h"
 #include "ui/window/status_line.h"
 
 namespace blossom::ui {

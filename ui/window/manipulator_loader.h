@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "feature/plugin.h"
-#include "ui/manipulator.h"
+#include "ui/plugin/manipulator.h"
 
 namespace blossom::ui {
 

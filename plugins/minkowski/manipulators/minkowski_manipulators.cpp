@@ -1,5 +1,5 @@
 #include "manipulators/morph_tool.h"
-#include "ui/manipulator.h"
+#include "ui/plugin/manipulator.h"
 
 BLOSSOM_MANIPULATORS(registry) {
   registry.addHandles("minkowski.morph", [](blossom::ui::ToolHost& host, const blossom::FeatureId& id) {

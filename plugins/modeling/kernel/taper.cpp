@@ -188,7 +188,8 @@ Complaint tooSteep(double taper) {
           "Use a smaller taper or height."};
 }
 
-TopoDS_Shape taperedSolid(const TopoDS_Face& face, const gp_Pln& plane, double height, double taper, const Progress& progress) {
+TopoDS_Shape taperedSolid(const TopoDS_Face& face, const gp_Pln& plane, double height, double taper,
+                          const Progress& progress) {
   const bool leansAtAll = std::abs(height * std::tan(toRadians(taper))) > negligible;
   if (const auto circle = circleAround(face); circle && leansAtAll)
     return cone(*circle, plane.Axis().Direction(), height, taper);

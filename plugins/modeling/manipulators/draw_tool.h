@@ -1,7 +1,7 @@
 #pragma once
 #include "kernel/outline_draft.h"
 #include "manipulators/tool_scene.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::modeling {
 

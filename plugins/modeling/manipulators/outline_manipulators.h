@@ -1,5 +1,5 @@
 #pragma once
-#include "ui/manipulator.h"
+#include "ui/plugin/manipulator.h"
 
 namespace blossom::modeling {
 

@@ -2,7 +2,7 @@
 #include <QString>
 
 #include "kernel/outline_snap.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::modeling {
 

@@ -1,5 +1,5 @@
 #include "manipulators/radius_tool.h"
-#include "ui/manipulator.h"
+#include "ui/plugin/manipulator.h"
 
 BLOSSOM_MANIPULATORS(registry) {
   using blossom::morphology::RadiusTool;

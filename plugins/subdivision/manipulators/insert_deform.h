@@ -3,7 +3,7 @@
 
 #include "kernel/deform.h"
 #include "kernel/scheme.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::subdivision {
 

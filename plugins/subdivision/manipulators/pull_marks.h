@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::subdivision {
 

@@ -5,8 +5,8 @@
 #include "kernel/live_pull.h"
 #include "manipulators/insert_deform.h"
 #include "manipulators/pull_grips.h"
-#include "ui/jobs/background.h"
-#include "ui/jobs/mailbox.h"
+#include "ui/thread/background.h"
+#include "ui/thread/mailbox.h"
 #include "ui/tools/handle_tool.h"
 
 namespace blossom::subdivision {

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "manipulators/insert_deform.h"
-#include "ui/tool.h"
+#include "ui/plugin/tool.h"
 
 namespace blossom::subdivision {
 

@@ -9,7 +9,7 @@
 
 #include "geometry/bspline.h"
 #include "geometry/motion.h"
-#include "ui/manipulator.h"
+#include "ui/plugin/manipulator.h"
 
 namespace blossom::sweep {
 

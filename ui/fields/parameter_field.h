@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "parameter/parameter.h"
-#include "ui/panel/pick_request.h"
+#include "ui/fields/pick_request.h"
 
 class QLabel;
 class QGridLayout;

@@ -1,12 +1,12 @@
-#include "ui/view/view_commands.h"
+#include "ui/page/view_commands.h"
 
 #include <QMenu>
 #include <algorithm>
 #include <array>
 
+#include "ui/commands/commands.h"
+#include "ui/page/page.h"
 #include "ui/view/view_widget.h"
-#include "ui/window/commands.h"
-#include "ui/window/page.h"
 
 namespace blossom::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/files/file_places.h"
+#include "ui/session/file_places.h"
 
 #include <QFileInfo>
 #include <QSettings>

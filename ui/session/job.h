@@ -7,9 +7,9 @@
 
 #include "core/error.h"
 #include "core/progress.h"
-#include "ui/jobs/background.h"
-#include "ui/jobs/mailbox.h"
-#include "ui/window/stall_watch.h"
+#include "ui/thread/background.h"
+#include "ui/thread/mailbox.h"
+#include "ui/thread/stall_watch.h"
 
 namespace blossom::ui {
 

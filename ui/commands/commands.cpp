@@ -1,4 +1,4 @@
-#include "ui/window/commands.h"
+#include "ui/commands/commands.h"
 
 #include <QRegularExpression>
 #include <QSettings>

@@ -1,4 +1,4 @@
-#include "ui/window/page.h"
+#include "ui/page/page.h"
 
 #include <QLabel>
 #include <QSplitter>
@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "scene/onion_skin.h"
+#include "ui/look/preferences.h"
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
 #include "ui/look/units.h"
 #include "ui/panel/fault_bar.h"
 #include "ui/panel/property_panel.h"
-#include "ui/settings/preferences.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/document_tree_panel.h"

@@ -1,8 +1,8 @@
 // The part of Session that loses nothing: safety copies of unsaved steps, what a crash left, and files that others write.
-#include "ui/files/recovery.h"
+#include "ui/look/preferences.h"
 #include "ui/look/text.h"
-#include "ui/settings/preferences.h"
-#include "ui/window/session.h"
+#include "ui/session/recovery.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

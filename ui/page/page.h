@@ -3,11 +3,11 @@
 #include <QPointer>
 #include <memory>
 
-#include "ui/manipulator.h"
+#include "ui/plugin/manipulator.h"
+#include "ui/plugin/tool.h"
+#include "ui/session/session.h"
 #include "ui/timeline/playback.h"
-#include "ui/tool.h"
 #include "ui/tools/measurements.h"
-#include "ui/window/session.h"
 
 class QWidget;
 

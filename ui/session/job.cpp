@@ -1,4 +1,4 @@
-#include "ui/jobs/job.h"
+#include "ui/session/job.h"
 
 namespace blossom::ui {
 

@@ -1,17 +1,17 @@
-#include "ui/tree/document_commands.h"
+#include "ui/page/document_commands.h"
 
 #include <QMenu>
 #include <QPointer>
 
 #include "geometry/bounds.h"
+#include "ui/commands/commands.h"
 #include "ui/look/text.h"
+#include "ui/page/feature_menus.h"
+#include "ui/page/page.h"
 #include "ui/tree/document_edits.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/document_tree_panel.h"
 #include "ui/view/view_widget.h"
-#include "ui/window/commands.h"
-#include "ui/window/feature_menus.h"
-#include "ui/window/page.h"
 
 namespace blossom::ui {
 

@@ -1,11 +1,11 @@
-#include "ui/window/session.h"
+#include "ui/session/session.h"
 
 #include <QFileInfo>
 #include <algorithm>
 
 #include "document/file_access.h"
+#include "ui/look/preferences.h"
 #include "ui/look/text.h"
-#include "ui/settings/preferences.h"
 
 namespace blossom::ui {
 

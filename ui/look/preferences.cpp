@@ -1,4 +1,4 @@
-#include "ui/settings/preferences.h"
+#include "ui/look/preferences.h"
 
 #include <QSettings>
 

@@ -1,4 +1,4 @@
-#include "ui/jobs/mailbox.h"
+#include "ui/thread/mailbox.h"
 
 #include <QCoreApplication>
 #include <QEvent>

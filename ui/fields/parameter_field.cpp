@@ -1,4 +1,4 @@
-#include "ui/panel/parameter_field.h"
+#include "ui/fields/parameter_field.h"
 
 #include <QApplication>
 #include <QClipboard>

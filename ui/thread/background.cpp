@@ -1,4 +1,4 @@
-#include "ui/jobs/background.h"
+#include "ui/thread/background.h"
 
 #include "core/thread_rank.h"
 

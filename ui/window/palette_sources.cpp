@@ -1,4 +1,4 @@
-#include "ui/palette/palette_sources.h"
+#include "ui/window/palette_sources.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -8,15 +8,15 @@
 #include <QWidget>
 #include <memory>
 
+#include "ui/commands/commands.h"
 #include "ui/files/recent_files.h"
 #include "ui/files/start_page.h"
 #include "ui/help/manual_pages.h"
 #include "ui/look/text.h"
+#include "ui/page/feature_menus.h"
+#include "ui/page/page.h"
 #include "ui/tree/document_model.h"
 #include "ui/tree/document_tree.h"
-#include "ui/window/commands.h"
-#include "ui/window/feature_menus.h"
-#include "ui/window/page.h"
 
 namespace blossom::ui {
 

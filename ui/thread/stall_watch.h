@@ -2,7 +2,7 @@
 #include <atomic>
 #include <thread>
 
-#include "ui/jobs/mailbox.h"
+#include "ui/thread/mailbox.h"
 
 namespace blossom::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/window/feature_menus.h"
+#include "ui/page/feature_menus.h"
 
 #include <QFileDialog>
 #include <QMenu>
@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "feature/acceptance.h"
+#include "ui/commands/commands.h"
 #include "ui/look/text.h"
-#include "ui/window/commands.h"
-#include "ui/window/page.h"
+#include "ui/page/page.h"
 
 namespace blossom::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/panel/ratio_slider.h"
+#include "ui/fields/ratio_slider.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

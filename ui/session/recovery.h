@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "document/recovery_area.h"
-#include "ui/jobs/job.h"
+#include "ui/session/job.h"
 
 namespace blossom::ui {
 

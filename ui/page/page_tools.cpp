@@ -1,11 +1,11 @@
 // Tools of a page: one that the user has started, or the handles of the selected feature.
 #include "ui/look/text.h"
+#include "ui/page/page.h"
 #include "ui/panel/property_panel.h"
 #include "ui/tools/measure_tool.h"
 #include "ui/tools/pick_tool.h"
 #include "ui/tools/section_tool.h"
 #include "ui/view/view_widget.h"
-#include "ui/window/page.h"
 
 namespace blossom::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/window/stall_watch.h"
+#include "ui/thread/stall_watch.h"
 
 #include <pthread.h>
 #include <time.h>

@@ -16,7 +16,7 @@
 class vtkProp;
 
 /// The manipulator half of a plugin exports these; write BLOSSOM_MANIPULATORS(registry) { registry.addOverlay(..); }.
-/// Tools are declared in ui/tool.h.
+/// Tools are declared in ui/plugin/tool.h.
 #define BLOSSOM_MANIPULATORS(registry)                                                                                  \
   extern "C" __attribute__((visibility("default"))) std::uint32_t blossomManipulatorLayout() {                          \
     return ::blossom::ui::manipulatorLayout;                                                                            \

@@ -1,8 +1,8 @@
-#include "ui/files/recovery.h"
+#include "ui/session/recovery.h"
 
 #include <QStandardPaths>
 
-#include "ui/settings/preferences.h"
+#include "ui/look/preferences.h"
 
 namespace blossom::ui {
 

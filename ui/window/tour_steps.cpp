@@ -1,4 +1,4 @@
-#include "ui/help/tour_steps.h"
+#include "ui/window/tour_steps.h"
 
 #include <QKeySequence>
 

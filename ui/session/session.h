@@ -14,10 +14,10 @@
 #include "document/history.h"
 #include "document/journal.h"
 #include "document/recovery_area.h"
-#include "ui/files/file_stamp.h"
-#include "ui/jobs/job.h"
-#include "ui/jobs/mailbox.h"
-#include "ui/view/display_cache.h"
+#include "ui/session/display_cache.h"
+#include "ui/session/file_stamp.h"
+#include "ui/session/job.h"
+#include "ui/thread/mailbox.h"
 
 namespace blossom::ui {
 

@@ -9,7 +9,7 @@
 #include "exchange/frames.h"
 #include "geometry/together.h"
 #include "ui/look/text.h"
-#include "ui/window/session.h"
+#include "ui/session/session.h"
 
 namespace blossom::ui {
 

@@ -30,10 +30,11 @@ if(BLOSSOM_SANITIZE)
 endif()
 
 # blossom_room(NAME PUBLIC libs.. PRIVATE libs.. PCH headers..)
-# A room is a shared library made of every .cpp in its folder; its headers are included as "NAME/header.h".
+# A room is a shared library made of every .cpp in its folder and the folders in it; headers are included as "NAME/header.h" or
+# "NAME/folder/header.h".
 function(blossom_room name)
   cmake_parse_arguments(ROOM "" "" "PUBLIC;PRIVATE;PCH" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
   list(FILTER sources EXCLUDE REGEX "/main(_[a-z]+)?\\.cpp$")
   add_library(blossom_${name} SHARED ${sources})
   add_library(Blossom::${name} ALIAS blossom_${name})

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "feature/plugin.h"
 #include "feature/registry.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "in_worker.h"
 #include "kernel/morph.h"
 #include "kernel/region_sum.h"

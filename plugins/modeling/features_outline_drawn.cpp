@@ -2,8 +2,8 @@
 
 #include "features_outline.h"
 #include "features_outline_value.h"
-#include "geometry/outline_crossing.h"
-#include "geometry/planar.h"
+#include "geometry/planar/outline_crossing.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::modeling {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 #include "parameter/binding.h"
 
 namespace blossom::modeling {

@@ -6,8 +6,8 @@
 #include <gp_Pln.hxx>
 
 #include "core/tolerance.h"
-#include "geometry/occt.h"
-#include "geometry/planar.h"
+#include "geometry/occt/occt.h"
+#include "geometry/planar/planar.h"
 #include "kernel/profile.h"
 #include "kernel/shape_parts.h"
 

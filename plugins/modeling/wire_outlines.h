@@ -3,7 +3,7 @@
 #include <gp_Trsf.hxx>
 #include <vector>
 
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::modeling {
 

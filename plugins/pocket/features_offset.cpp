@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "feature_groups.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/offset.h"
 #include "part_input.h"
 

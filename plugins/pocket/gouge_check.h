@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/toolpath.h"
+#include "geometry/shape/toolpath.h"
 #include "kernel/simulate.h"
 
 namespace blossom::pocket {

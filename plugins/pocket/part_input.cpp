@@ -12,9 +12,9 @@
 #include <gp_Pln.hxx>
 
 #include "core/error.h"
-#include "geometry/occt.h"
-#include "geometry/planar.h"
-#include "geometry/sub_shape.h"
+#include "geometry/occt/occt.h"
+#include "geometry/occt/sub_shape.h"
+#include "geometry/planar/planar.h"
 #include "kernel/boundary.h"
 
 namespace blossom::pocket {

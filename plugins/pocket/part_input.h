@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "feature/feature_type.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::pocket {
 

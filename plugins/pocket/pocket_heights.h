@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/box.h"
+#include "geometry/values/box.h"
 #include "kernel/obstacle.h"
 #include "part_input.h"
 

@@ -12,8 +12,8 @@
 #include <limits>
 #include <set>
 
-#include "geometry/sub_shape.h"
-#include "geometry/tessellate.h"
+#include "geometry/occt/sub_shape.h"
+#include "geometry/tessellate/tessellate.h"
 
 namespace blossom::pocket {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/progress.h"
-#include "geometry/box.h"
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
+#include "geometry/values/box.h"
 #include "kernel/obstacle.h"
 
 namespace blossom::pocket {

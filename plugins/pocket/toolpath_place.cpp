@@ -1,6 +1,6 @@
 #include "toolpath_place.h"
 
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 
 namespace blossom::pocket {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "geometry/region.h"
-#include "geometry/toolpath.h"
+#include "geometry/planar/region.h"
+#include "geometry/shape/toolpath.h"
 
 namespace blossom::pocket {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "feature/feature_type.h"
-#include "geometry/toolpath.h"
+#include "geometry/shape/toolpath.h"
 #include "kernel/uncut.h"
 
 namespace blossom::pocket {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 
 namespace blossom::subdivision {
 namespace {

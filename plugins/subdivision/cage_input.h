@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 #include "kernel/limit_curve.h"
 #include "scheme_choice.h"
 

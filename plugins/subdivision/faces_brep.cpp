@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "geometry/occt.h"
-#include "geometry/occt_progress.h"
+#include "geometry/occt/occt.h"
+#include "geometry/occt/occt_progress.h"
 
 namespace blossom::subdivision {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/brep.h"
-#include "geometry/surface.h"
+#include "geometry/bspline/surface.h"
+#include "geometry/shape/brep.h"
 
 namespace blossom::subdivision {
 

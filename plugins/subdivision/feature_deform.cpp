@@ -3,7 +3,7 @@
 #include "cage_input.h"
 #include "core/error.h"
 #include "feature_types.h"
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/cage.h"
 #include "kernel/deform.h"
 #include "kernel/four_point.h"

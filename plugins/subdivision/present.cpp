@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "faces_brep.h"
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 #include "kernel/bspline_faces.h"
 #include "kernel/rims.h"
 #include "kernel/subdivide.h"

@@ -13,7 +13,7 @@
 #include "core/zip_archive.h"
 #include "document/file_access.h"
 #include "document/file_values.h"
-#include "exchange/import_feature.h"
+#include "exchange/format/import_feature.h"
 #include "scene/scene.h"
 
 namespace blossom {

@@ -7,7 +7,7 @@
 #include "document/document.h"
 #include "document/evaluator.h"
 #include "document/storage.h"
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "feature/plugin.h"
 #include "feature/registry.h"
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "geometry/kind_names.h"
+#include "geometry/shape/kind_names.h"
 
 namespace blossom {
 namespace {

@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "exchange/worker_calls.h"
+#include "exchange/cad/worker_calls.h"
 #include "worker/worker.h"
 
 int main() {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "exchange/frames.h"
+#include "exchange/format/frames.h"
 
 namespace blossom {
 namespace fs = std::filesystem;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/format_flags.h"
-#include "exchange/export_shape.h"
-#include "geometry/measure.h"
+#include "exchange/format/export_shape.h"
+#include "geometry/measure/measure.h"
 
 namespace blossom {
 
@@ -34,8 +34,8 @@ std::vector<Output> plannedOutputs(const FormatRegistry&, const std::vector<std:
                                    const std::vector<std::filesystem::path>& inputs, const FormatFlags* flags);
 
 /// Writes a shape (and, for .blossom files, the document that made it with all its files inside). A sequence becomes
-/// several files in formats of one frame (see exchange/frames.h). What one of the formats cannot hold is said before the
-/// first is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
+/// several files in formats of one frame (see exchange/format/frames.h). What one of the formats cannot hold is said before
+/// the first is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
 std::vector<Output> writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
 
 /// The paths as --json prints them.

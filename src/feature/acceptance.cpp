@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "geometry/brep.h"
+#include "geometry/shape/brep.h"
 #include "parameter/wording.h"
 
 namespace blossom {

@@ -7,10 +7,10 @@
 
 #include "core/error.h"
 #include "feature/acceptance.h"
-#include "geometry/face_region.h"
-#include "geometry/kind_names.h"
-#include "geometry/planar.h"
-#include "geometry/soundness.h"
+#include "geometry/occt/face_region.h"
+#include "geometry/planar/planar.h"
+#include "geometry/shape/kind_names.h"
+#include "geometry/shape/soundness.h"
 
 namespace blossom {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/measure.h"
-#include "geometry/shape.h"
+#include "geometry/measure/measure.h"
+#include "geometry/shape/shape.h"
 #include "parameter/binding.h"
 #include "parameter/parameter.h"
 

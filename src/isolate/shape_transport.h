@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
 
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 #include "parameter/value.h"
 
 namespace blossom {

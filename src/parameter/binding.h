@@ -20,7 +20,7 @@ struct FileValue {
 /// A face, edge or vertex of an input, as a SubShape parameter names it.
 struct SubShapeValue {
   std::string input;  ///< name of the input spec that it belongs to
-  int index = -1;     ///< see geometry/sub_shape.h; -1: none
+  int index = -1;     ///< see geometry/occt/sub_shape.h; -1: none
   friend bool operator==(const SubShapeValue&, const SubShapeValue&) = default;
 };
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "geometry/sub_shape.h"
+#include "geometry/occt/sub_shape.h"
 #include "scene/scene.h"
 
 namespace blossom {
@@ -22,7 +22,7 @@ struct CutPlane {
   [[nodiscard]] double height(const Vec3& p) const { return normal.dot(p) - offset; }  ///< above 0: cut away
 };
 
-/// A part of a shape that was met by a ray. `index` counts as sub-shape parameters do: see geometry/sub_shape.h.
+/// A part of a shape that was met by a ray. `index` counts as sub-shape parameters do: see geometry/occt/sub_shape.h.
 struct SubPick {
   SubShapeKind kind = SubShapeKind::Whole;
   int index = -1;

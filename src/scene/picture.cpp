@@ -13,7 +13,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "exchange/mesh_options.h"
+#include "exchange/format/mesh_options.h"
 #include "scene/offscreen.h"
 #include "scene/onion_skin.h"
 #include "scene/scene.h"

@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "core/error.h"
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "scene/scene.h"
 
 namespace blossom {

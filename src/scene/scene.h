@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/color.h"
-#include "geometry/shape.h"
-#include "geometry/tessellate.h"
+#include "geometry/shape/shape.h"
+#include "geometry/tessellate/tessellate.h"
+#include "geometry/values/color.h"
 
 #include <nlohmann/json_fwd.hpp>
 // A vtkSmartPointer can only be copied where its type is complete.

@@ -12,8 +12,8 @@
 #include <cstdlib>
 
 #include "core/file.h"
-#include "exchange/format.h"
-#include "geometry/occt.h"
+#include "exchange/format/format.h"
+#include "geometry/occt/occt.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -4,9 +4,9 @@
 #include <optional>
 #include <random>
 
-#include "geometry/bspline.h"
-#include "geometry/patch_polynomial.h"
-#include "geometry/product.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/bspline/patch_polynomial.h"
+#include "geometry/bspline/product.h"
 
 /// The product surface of a two-parameter motion, r and s bicubic over 8 x 8 spans, t cubic over 8 (degree 9 x 12), with all
 /// components general. Beside it, to judge it by: evaluating the factors at the Greville abscissae, which a collocation

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/occt.h"
+#include "geometry/occt/occt.h"
 #include "sweep/kernel/motion_grid.h"
 #include "sweep/kernel/product_surface.h"
 

@@ -13,7 +13,7 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
-#include "geometry/measure.h"
+#include "geometry/measure/measure.h"
 #include "support/exchange.h"
 #include "support/solids.h"
 

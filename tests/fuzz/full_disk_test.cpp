@@ -3,7 +3,7 @@
 #include <sys/resource.h>
 
 #include "core/file.h"
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "support/modeling.h"
 #include "support/solids.h"
 

@@ -10,10 +10,10 @@
 #include <map>
 
 #include "core/zip_archive.h"
-#include "exchange/finite.h"
+#include "exchange/format/finite.h"
 #include "fuzz/mutations.h"
-#include "geometry/brep.h"
-#include "geometry/occt.h"
+#include "geometry/occt/occt.h"
+#include "geometry/shape/brep.h"
 #include "support/exchange.h"
 
 using namespace blossom;

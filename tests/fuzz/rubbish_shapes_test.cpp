@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "document/evaluator.h"
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "support/modeling.h"
 #include "support/solids.h"
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "document/storage.h"
-#include "exchange/format.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/planar/planar.h"
 #include "ui/timeline/playback.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"

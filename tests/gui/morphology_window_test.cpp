@@ -3,7 +3,7 @@
 #include <QFile>
 #include <QSlider>
 
-#include "geometry/measure.h"
+#include "geometry/measure/measure.h"
 #include "support/polyhedra.h"
 #include "ui/tree/document_edits.h"
 #include "ui/tree/document_tree.h"

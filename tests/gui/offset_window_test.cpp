@@ -6,8 +6,8 @@
 #include <array>
 
 #include "document/storage.h"
-#include "exchange/format.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/planar/planar.h"
 #include "support/true_distance.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"

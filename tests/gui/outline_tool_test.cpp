@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/app.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "support/support.h"
 #include "ui/plugin/tool.h"
 #include "ui/window/manipulator_loader.h"

@@ -3,8 +3,8 @@
 #include <QFile>
 #include <QMimeData>
 
-#include "exchange/format.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/simulate.h"
 #include "support/planar_parts.h"
 #include "support/rs274.h"

@@ -1,8 +1,8 @@
 // How long the window's thread does not answer while jobs run. Prints figures; what they have to be is for others to say.
 #include <QPushButton>
 
-#include "exchange/format.h"
-#include "geometry/mesh.h"
+#include "exchange/format/format.h"
+#include "geometry/mesh/mesh.h"
 #include "ui/files/start_page.h"
 #include "ui/thread/stall_watch.h"
 #include "ui/tree/document_tree.h"

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "exchange/format.h"
-#include "geometry/measure.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/measure/measure.h"
+#include "geometry/planar/planar.h"
 #include "subdivision/kernel/limit_surface.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"

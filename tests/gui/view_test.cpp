@@ -5,8 +5,8 @@
 #include <QWheelEvent>
 #include <algorithm>
 
-#include "geometry/brep.h"
-#include "geometry/sub_shape.h"
+#include "geometry/occt/sub_shape.h"
+#include "geometry/shape/brep.h"
 #include "support/mouse.h"
 #include "support/support.h"
 #include "ui/look/theme.h"

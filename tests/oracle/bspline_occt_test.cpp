@@ -6,7 +6,7 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 #include "support/splines.h"
 #include "support/support.h"
 

@@ -1,4 +1,4 @@
-#include "geometry/measure_between.h"
+#include "geometry/measure/measure_between.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -18,9 +18,9 @@
 #include <numbers>
 #include <thread>
 
-#include "geometry/planar.h"
-#include "geometry/tessellate.h"
-#include "geometry/triangle_distance.h"
+#include "geometry/mesh/triangle_distance.h"
+#include "geometry/planar/planar.h"
+#include "geometry/tessellate/tessellate.h"
 #include "support/solids.h"
 #include "support/support.h"
 

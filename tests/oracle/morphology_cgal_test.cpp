@@ -7,7 +7,7 @@
 
 #include <QElapsedTimer>
 
-#include "geometry/mesh_crossing.h"
+#include "geometry/mesh/mesh_crossing.h"
 #include "support/gears.h"
 #include "support/membership.h"
 #include "support/modeling.h"

@@ -4,8 +4,8 @@
 #include <regex>
 
 #include "core/file.h"
-#include "exchange/format.h"
-#include "exchange/gcode_write.h"
+#include "exchange/format/format.h"
+#include "exchange/gcode/gcode_write.h"
 #include "support/hand_programs.h"
 #include "support/modeling.h"
 #include "support/program_faults.h"

@@ -1,8 +1,8 @@
 #include <chrono>
 #include <filesystem>
 
-#include "exchange/format.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/boundary.h"
 #include "pocket/kernel/clearance_diagram.h"
 #include "support/medial_checks.h"

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "core/file.h"
-#include "exchange/format.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/clearance_diagram.h"
 #include "pocket/kernel/pocket_path.h"
 #include "support/planar_parts.h"

@@ -1,10 +1,10 @@
-#include "geometry/product.h"
+#include "geometry/bspline/product.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
-#include "geometry/patch_polynomial.h"
+#include "geometry/bspline/patch_polynomial.h"
 #include "support/splines.h"
 #include "support/support.h"
 

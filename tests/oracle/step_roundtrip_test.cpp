@@ -22,9 +22,9 @@
 #include <numbers>
 
 #include "core/file.h"
-#include "exchange/format.h"
-#include "geometry/bspline.h"
-#include "geometry/occt.h"
+#include "exchange/format/format.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/occt/occt.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -2,7 +2,7 @@
 #include <cstring>
 #include <limits>
 
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_topology.h"
 #include "subdivision/kernel/deform.h"
 #include "subdivision/kernel/limit_surface.h"
 #include "subdivision/kernel/subdivide.h"

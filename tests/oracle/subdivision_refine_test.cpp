@@ -1,6 +1,6 @@
 #include <map>
 
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"
 #include "support/support.h"

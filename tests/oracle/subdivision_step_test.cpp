@@ -10,8 +10,8 @@
 #include <TopoDS.hxx>
 
 #include "app/app.h"
-#include "exchange/format.h"
-#include "geometry/mesh_topology.h"
+#include "exchange/format/format.h"
+#include "geometry/mesh/mesh_topology.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"
 #include "support/support.h"

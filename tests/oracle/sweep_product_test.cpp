@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/motion_grid.h"

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 /// Cages for the tests of subdivision.
 namespace blossom::test {

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "geometry/planar.h"
-#include "geometry/region.h"
+#include "geometry/planar/planar.h"
+#include "geometry/planar/region.h"
 
 /// Planar regions as CGAL's exact polygons, and CGAL's own Minkowski sums of them: the peer of ours. It takes a minute to
 /// compile, so one test includes it.

@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "geometry/medial_axis.h"
+#include "geometry/planar/medial_axis.h"
 #include "support/true_distance.h"
 
 namespace blossom::test {

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "app/app.h"
-#include "geometry/bounds.h"
-#include "geometry/measure.h"
-#include "geometry/planar.h"
+#include "geometry/measure/measure.h"
+#include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 #include "support/support.h"
 
 /// Feature types of the plugin modeling, called as the evaluator calls them.

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/motion.h"
+#include "geometry/shape/motion.h"
 #include "support/splines.h"
 
 /// Random two-parameter motions whose quaternions stay away from zero.

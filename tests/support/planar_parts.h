@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/angle.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 /// Parts with closed forms, and free-form ones, for pockets.
 namespace blossom::test {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "geometry/box.h"
-#include "geometry/mesh.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/values/box.h"
 
 /// Polyhedra with known measures, and measures computed without any sum.
 namespace blossom::test {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/region.h"
-#include "geometry/toolpath.h"
+#include "geometry/planar/region.h"
+#include "geometry/shape/toolpath.h"
 
 /// What a round tool can open of a part and what it swept, on a raster, and how near its centre came to the walls, by brute
 /// force over the true curves. Shares nothing with the kernel that makes paths: its own evaluation of curves, its own

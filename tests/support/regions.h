@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::test {
 

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "geometry/toolpath.h"
+#include "geometry/shape/toolpath.h"
 
 /// LinuxCNC's own interpreter as an oracle: it runs a program and prints what the machine would do, from which a toolpath
 /// is made here without a line of our own reader.

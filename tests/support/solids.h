@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/bspline.h"
-#include "geometry/measure.h"
-#include "geometry/mesh.h"
-#include "geometry/occt.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/measure/measure.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/occt/occt.h"
 
 /// Shapes with closed forms, and their measures by name.
 namespace blossom::test {

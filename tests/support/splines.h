@@ -3,8 +3,8 @@
 #include <random>
 #include <vector>
 
-#include "geometry/curve.h"
-#include "geometry/surface.h"
+#include "geometry/bspline/curve.h"
+#include "geometry/bspline/surface.h"
 
 /// Random B-splines: any degree, knots of any multiplicity, clamped and unclamped.
 namespace blossom::test {

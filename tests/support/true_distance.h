@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/angle.h"
-#include "geometry/planar.h"
-#include "geometry/planar_bezier.h"
+#include "geometry/planar/planar.h"
+#include "geometry/planar/planar_bezier.h"
 
 namespace blossom::test {
 

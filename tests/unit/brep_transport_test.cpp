@@ -1,4 +1,4 @@
-#include "exchange/brep_transport.h"
+#include "exchange/cad/brep_transport.h"
 
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>

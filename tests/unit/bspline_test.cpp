@@ -1,9 +1,9 @@
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 
 #include <limits>
 #include <numbers>
 
-#include "geometry/product.h"
+#include "geometry/bspline/product.h"
 #include "support/splines.h"
 #include "support/support.h"
 

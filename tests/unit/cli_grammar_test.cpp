@@ -5,7 +5,7 @@
 #include "app/literal_feature.h"
 #include "cli/cli.h"
 #include "core/file.h"
-#include "exchange/import_feature.h"
+#include "exchange/format/import_feature.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -1,4 +1,4 @@
-#include "geometry/color.h"
+#include "geometry/values/color.h"
 
 #include "support/support.h"
 

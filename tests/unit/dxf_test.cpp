@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "geometry/bspline.h"
-#include "geometry/planar.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/planar/planar.h"
 #include "support/exchange.h"
 
 using namespace blossom;

@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "document/document_json.h"
-#include "geometry/measure.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/polygon_triangulation.h"
+#include "geometry/measure/measure.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/mesh/polygon_triangulation.h"
 #include "support/exchange.h"
 
 using namespace blossom;

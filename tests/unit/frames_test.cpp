@@ -3,8 +3,8 @@
 #include <QXmlStreamReader>
 #include <map>
 
-#include "exchange/frames.h"
-#include "geometry/planar.h"
+#include "exchange/format/frames.h"
+#include "geometry/planar/planar.h"
 #include "support/regions.h"
 #include "support/support.h"
 

@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "core/file.h"
-#include "exchange/format.h"
-#include "geometry/measure.h"
+#include "exchange/format/format.h"
+#include "geometry/measure/measure.h"
 #include "support/rs274.h"
 #include "support/support.h"
 

@@ -5,9 +5,9 @@
 #include <regex>
 
 #include "core/file.h"
-#include "exchange/format.h"
-#include "exchange/gcode_program.h"
-#include "exchange/gcode_write.h"
+#include "exchange/format/format.h"
+#include "exchange/gcode/gcode_program.h"
+#include "exchange/gcode/gcode_write.h"
 #include "support/splines.h"
 #include "support/support.h"
 

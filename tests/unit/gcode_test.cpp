@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "exchange/format.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/planar/planar.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -1,8 +1,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <optional>
 
-#include "geometry/mesh_crossing.h"
-#include "geometry/triangle_distance.h"
+#include "geometry/mesh/mesh_crossing.h"
+#include "geometry/mesh/triangle_distance.h"
 #include "support/polyhedra.h"
 #include "support/solids.h"
 #include "support/support.h"

@@ -1,4 +1,4 @@
-#include "geometry/measure.h"
+#include "geometry/measure/measure.h"
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -11,8 +11,8 @@
 #include <gp_Ax2.hxx>
 #include <numbers>
 
-#include "geometry/bounds.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 #include "support/solids.h"
 #include "support/support.h"
 

@@ -1,11 +1,11 @@
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "geometry/mesh_topology.h"
-#include "geometry/point_merge.h"
-#include "geometry/tessellate.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/point_merge.h"
+#include "geometry/tessellate/tessellate.h"
 #include "support/solids.h"
 #include "support/splines.h"
 #include "support/support.h"

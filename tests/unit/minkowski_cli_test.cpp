@@ -1,8 +1,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
-#include "exchange/format.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/planar/planar.h"
 #include "support/command_line.h"
 #include "support/modeling.h"
 

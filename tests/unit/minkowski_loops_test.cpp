@@ -1,4 +1,4 @@
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 #include "minkowski/kernel/bounding_polyline.h"
 #include "minkowski/kernel/flattening.h"
 #include "minkowski/kernel/nesting.h"

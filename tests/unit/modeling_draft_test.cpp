@@ -1,4 +1,4 @@
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "modeling/kernel/outline_draft.h"
 #include "support/support.h"
 

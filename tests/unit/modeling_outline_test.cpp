@@ -1,6 +1,6 @@
 #include "app/app.h"
-#include "geometry/measure.h"
-#include "geometry/planar.h"
+#include "geometry/measure/measure.h"
+#include "geometry/planar/planar.h"
 #include "support/support.h"
 
 using namespace blossom;

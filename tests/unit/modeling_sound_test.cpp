@@ -1,6 +1,6 @@
 /// Solids that profiles sweep: what would cut through itself is refused with its place, what overlaps counts once, and what
 /// is merely thin, tight or leaning stays.
-#include "geometry/tessellate.h"
+#include "geometry/tessellate/tessellate.h"
 #include "support/modeling.h"
 
 using namespace blossom;

@@ -1,6 +1,6 @@
 #include "app/app.h"
-#include "geometry/bounds.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 #include "modeling/kernel/text_outline.h"
 #include "modeling/kernel/text_union.h"
 #include "support/support.h"

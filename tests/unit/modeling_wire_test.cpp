@@ -9,7 +9,7 @@
 #include <gp_Circ.hxx>
 #include <gp_Trsf.hxx>
 
-#include "geometry/brep.h"
+#include "geometry/shape/brep.h"
 #include "support/command_line.h"
 #include "support/modeling.h"
 

@@ -1,4 +1,4 @@
-#include "geometry/mesh_crossing.h"
+#include "geometry/mesh/mesh_crossing.h"
 #include "morphology/kernel/finished.h"
 #include "support/morphology.h"
 #include "support/support.h"

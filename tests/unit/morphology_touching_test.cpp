@@ -1,7 +1,7 @@
 #include <array>
 #include <set>
 
-#include "geometry/mesh_crossing.h"
+#include "geometry/mesh/mesh_crossing.h"
 #include "support/morphology.h"
 #include "support/support.h"
 

@@ -1,4 +1,4 @@
-#include "geometry/occt.h"
+#include "geometry/occt/occt.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -14,7 +14,7 @@
 #include <TopoDS_Wire.hxx>
 #include <numbers>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "support/solids.h"
 #include "support/splines.h"
 #include "support/support.h"

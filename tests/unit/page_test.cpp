@@ -6,7 +6,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "support/exchange.h"
 
 using namespace blossom;

@@ -11,9 +11,9 @@
 #include <TopoDS.hxx>
 #include <numbers>
 
-#include "geometry/brep.h"
-#include "geometry/sub_shape.h"
-#include "geometry/tessellate.h"
+#include "geometry/occt/sub_shape.h"
+#include "geometry/shape/brep.h"
+#include "geometry/tessellate/tessellate.h"
 #include "scene/picking.h"
 #include "support/support.h"
 

@@ -1,7 +1,7 @@
 #include "core/file.h"
-#include "exchange/format.h"
-#include "geometry/bspline.h"
-#include "geometry/planar.h"
+#include "exchange/format/format.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/planar/planar.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -1,10 +1,10 @@
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 #include <algorithm>
 #include <numbers>
 
-#include "geometry/bspline.h"
-#include "geometry/outline_crossing.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/planar/outline_crossing.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -2,7 +2,7 @@
 #include <QTemporaryDir>
 #include <numbers>
 
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "support/command_line.h"
 #include "support/modeling.h"
 #include "support/planar_parts.h"

@@ -2,7 +2,7 @@
 #include <numbers>
 #include <vector>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/clearance_diagram.h"
 #include "support/medial_checks.h"
 #include "support/planar_parts.h"

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/clearance_diagram.h"
 #include "pocket/kernel/disc_proof.h"
 #include "support/modeling.h"

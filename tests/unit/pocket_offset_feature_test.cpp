@@ -1,7 +1,7 @@
 #include <numbers>
 
 #include "document/evaluator.h"
-#include "geometry/medial_axis.h"
+#include "geometry/planar/medial_axis.h"
 #include "support/modeling.h"
 #include "support/support.h"
 

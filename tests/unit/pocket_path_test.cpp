@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/clearance_diagram.h"
 #include "pocket/kernel/pocket_path.h"
 #include "pocket/kernel/simulate.h"

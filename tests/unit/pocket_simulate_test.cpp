@@ -1,7 +1,7 @@
 #include <numbers>
 
 #include "core/angle.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/inside_test.h"
 #include "pocket/kernel/simulate.h"
 #include "pocket/kernel/stroke_tree.h"

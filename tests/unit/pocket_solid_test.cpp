@@ -2,9 +2,9 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "geometry/bounds.h"
-#include "geometry/measure.h"
-#include "geometry/sub_shape.h"
+#include "geometry/measure/measure.h"
+#include "geometry/occt/sub_shape.h"
+#include "geometry/shape/bounds.h"
 #include "support/modeling.h"
 #include "support/support.h"
 

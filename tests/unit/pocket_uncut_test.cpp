@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "pocket/kernel/pocket_path.h"
 #include "pocket/kernel/uncut.h"
 #include "support/modeling.h"

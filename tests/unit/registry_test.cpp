@@ -5,7 +5,7 @@
 #include <gp_Pln.hxx>
 
 #include "feature/acceptance.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "support/support.h"
 
 using namespace blossom;

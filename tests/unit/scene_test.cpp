@@ -9,7 +9,7 @@
 #include <vtkPolyData.h>
 
 #include "core/file.h"
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 #include "support/support.h"

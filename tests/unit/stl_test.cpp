@@ -1,8 +1,8 @@
 #include <Eigen/Geometry>
 #include <cstring>
 
-#include "exchange/export_shape.h"
-#include "geometry/mesh_topology.h"
+#include "exchange/format/export_shape.h"
+#include "geometry/mesh/mesh_topology.h"
 #include "support/exchange.h"
 
 using namespace blossom;

@@ -2,7 +2,7 @@
 #include <memory>
 #include <numbers>
 
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 #include "subdivision/kernel/deform.h"
 #include "subdivision/kernel/four_point.h"
 #include "subdivision/kernel/limit_curve.h"

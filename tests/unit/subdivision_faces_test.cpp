@@ -6,9 +6,9 @@
 #include <numbers>
 #include <set>
 
-#include "geometry/bspline.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/occt.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/occt/occt.h"
 #include "subdivision/kernel/bspline_faces.h"
 #include "subdivision/kernel/quad_layout.h"
 #include "subdivision/kernel/subdivide.h"

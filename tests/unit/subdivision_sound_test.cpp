@@ -2,8 +2,8 @@
 #include <limits>
 #include <numeric>
 
-#include "geometry/bspline.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/mesh/mesh_topology.h"
 #include "subdivision/kernel/cage.h"
 #include "subdivision/kernel/deform.h"
 #include "subdivision/kernel/foot_points.h"

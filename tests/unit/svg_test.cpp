@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 #include <numbers>
 
-#include "exchange/svg_path.h"
-#include "geometry/bspline.h"
-#include "geometry/planar.h"
+#include "exchange/svg/svg_path.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/planar/planar.h"
 #include "support/exchange.h"
 
 using namespace blossom;

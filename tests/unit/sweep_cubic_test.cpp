@@ -1,5 +1,5 @@
-#include "exchange/format.h"
-#include "geometry/bspline.h"
+#include "exchange/format/format.h"
+#include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"

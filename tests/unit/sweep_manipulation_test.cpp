@@ -1,8 +1,8 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "exchange/format.h"
-#include "geometry/bspline.h"
+#include "exchange/format/format.h"
+#include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/direct_manipulation.h"

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "exchange/format.h"
-#include "geometry/measure.h"
+#include "exchange/format/format.h"
+#include "geometry/measure/measure.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"

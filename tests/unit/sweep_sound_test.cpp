@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "core/file.h"
-#include "exchange/format.h"
-#include "geometry/bspline.h"
-#include "geometry/measure.h"
+#include "exchange/format/format.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/measure/measure.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"

@@ -1,5 +1,5 @@
 // Faces that are rectangles of B-spline surfaces: structured grids, and how they meet the faces around them.
-#include "geometry/grid_mesher.h"
+#include "geometry/tessellate/grid_mesher.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
@@ -14,9 +14,9 @@
 #include <TopoDS_Compound.hxx>
 #include <numbers>
 
-#include "exchange/format.h"
-#include "geometry/grid_face.h"
-#include "geometry/mesh_topology.h"
+#include "exchange/format/format.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/occt/grid_face.h"
 #include "support/exchange.h"
 #include "support/solids.h"
 #include "support/support.h"

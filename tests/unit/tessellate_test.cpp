@@ -1,4 +1,4 @@
-#include "geometry/tessellate.h"
+#include "geometry/tessellate/tessellate.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -14,8 +14,8 @@
 #include <gp_Ax2.hxx>
 #include <numbers>
 
-#include "geometry/mesh_topology.h"
-#include "geometry/planar.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/planar/planar.h"
 #include "support/solids.h"
 #include "support/splines.h"
 #include "support/support.h"

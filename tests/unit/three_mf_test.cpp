@@ -1,10 +1,10 @@
 #include <QXmlStreamReader>
 
 #include "core/zip_archive.h"
-#include "geometry/brep.h"
-#include "geometry/measure.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/occt.h"
+#include "geometry/measure/measure.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/occt/occt.h"
+#include "geometry/shape/brep.h"
 #include "support/exchange.h"
 
 using namespace blossom;

@@ -1,9 +1,9 @@
-#include "geometry/together.h"
+#include "geometry/occt/together.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 
-#include "geometry/measure.h"
+#include "geometry/measure/measure.h"
 #include "support/support.h"
 
 using namespace blossom;

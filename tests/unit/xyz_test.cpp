@@ -1,4 +1,4 @@
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "support/exchange.h"
 #include "support/support.h"
 

@@ -2,7 +2,7 @@
 #include <QString>
 #include <vector>
 
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 
 namespace blossom::ui {
 

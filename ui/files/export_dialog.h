@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "document/document.h"
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 
 class QComboBox;
 class QLabel;

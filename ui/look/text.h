@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/measure.h"
+#include "geometry/measure/measure.h"
 #include "parameter/value.h"
 
 namespace blossom::ui {

@@ -3,7 +3,7 @@
 #include <QMenu>
 #include <QPointer>
 
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "ui/commands/commands.h"
 #include "ui/look/text.h"
 #include "ui/page/feature_menus.h"

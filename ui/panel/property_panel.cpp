@@ -8,7 +8,7 @@
 
 #include "app/reference_page.h"
 #include "core/error.h"
-#include "exchange/import_feature.h"
+#include "exchange/format/import_feature.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/sequence.h"
+#include "geometry/shape/sequence.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/panel/property_panel.h"
 #include "ui/session/session.h"

@@ -12,7 +12,7 @@
 #include "core/units.h"
 #include "document/document.h"
 #include "document/evaluator.h"
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "scene/picking.h"
 #include "scene/scene.h"
 

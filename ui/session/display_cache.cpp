@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "document/error_of.h"
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "scene/picking.h"
 
 namespace blossom::ui {

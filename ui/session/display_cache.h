@@ -6,7 +6,7 @@
 
 #include "core/progress.h"
 #include "document/evaluator.h"
-#include "geometry/measure.h"
+#include "geometry/measure/measure.h"
 #include "scene/scene.h"
 
 namespace blossom::ui {

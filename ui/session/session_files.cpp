@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "document/storage.h"
-#include "exchange/export_shape.h"
-#include "exchange/frames.h"
-#include "geometry/together.h"
+#include "exchange/format/export_shape.h"
+#include "exchange/format/frames.h"
+#include "geometry/occt/together.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "core/progress.h"
-#include "geometry/measure_between.h"
+#include "geometry/measure/measure_between.h"
 #include "ui/plugin/tool.h"
 #include "ui/thread/background.h"
 #include "ui/thread/mailbox.h"

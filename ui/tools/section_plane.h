@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "scene/picking.h"
 
 namespace blossom::ui {

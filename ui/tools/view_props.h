@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "geometry/color.h"
+#include "geometry/values/color.h"
 #include "scene/picking.h"
 #include "scene/scene.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "document/document.h"
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "scene/picking.h"
 #include "scene/scene.h"
 #include "ui/plugin/tool.h"

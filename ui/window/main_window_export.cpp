@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "geometry/together.h"
+#include "geometry/occt/together.h"
 #include "ui/files/export_dialog.h"
 #include "ui/look/text.h"
 #include "ui/session/file_places.h"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/planar.h"
-#include "geometry/planar_bezier.h"
+#include "geometry/planar/planar.h"
+#include "geometry/planar/planar_bezier.h"
 
 namespace blossom::minkowski {
 namespace {

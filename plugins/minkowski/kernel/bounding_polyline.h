@@ -1,6 +1,6 @@
 #pragma once
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/polygons.h"
 
 namespace blossom::minkowski {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::minkowski {
 namespace {

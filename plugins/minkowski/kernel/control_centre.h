@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/polygons.h"
 
 namespace blossom::minkowski {

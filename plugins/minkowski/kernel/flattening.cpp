@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "core/tolerance.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/bounding_polyline.h"
 #include "kernel/near_pairs.h"
 #include "kernel/nesting.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/effort.h"
 #include "kernel/polygons.h"
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/control_centre.h"
 #include "kernel/flattening.h"
 #include "kernel/repetition.h"

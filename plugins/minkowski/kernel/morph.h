@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/effort.h"
 #include "kernel/evaluation.h"
 

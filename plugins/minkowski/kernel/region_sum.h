@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/effort.h"
 
 namespace blossom::minkowski {

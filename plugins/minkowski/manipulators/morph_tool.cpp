@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "feature/registry.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/control_centre.h"
 #include "ui/tools/view_props.h"
 

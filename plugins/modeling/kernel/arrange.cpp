@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "geometry/bounds.h"
-#include "geometry/occt.h"
-#include "geometry/planar.h"
+#include "geometry/occt/occt.h"
+#include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/boolean.h"
 #include "kernel/guarded.h"
 #include "kernel/shape_parts.h"

@@ -23,7 +23,7 @@ struct BlendWords {
 /// One attempt with OCCT; it may throw Standard_Failure or give null when it fails.
 using BlendAttempt = std::function<TopoDS_Shape(const TopoDS_Shape&, const std::vector<TopoDS_Edge>&, double size)>;
 
-/// Edges by number (geometry/sub_shape.h); none means every edge where two faces meet at an angle.
+/// Edges by number (geometry/occt/sub_shape.h); none means every edge where two faces meet at an angle.
 /// @throws Error NotFound for a number that does not exist; InvalidInput for an edge that has no two faces, is smooth, or
 /// cannot take the size, with the largest size that would work; Cancelled.
 BlendResult blend(const TopoDS_Shape&, const std::vector<int>& edges, double size, const BlendWords&, const BlendAttempt&,

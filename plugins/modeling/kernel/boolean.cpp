@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "core/error.h"
-#include "geometry/occt_progress.h"
+#include "geometry/occt/occt_progress.h"
 #include "kernel/finished_solid.h"
 #include "kernel/guarded.h"
 #include "kernel/shape_parts.h"

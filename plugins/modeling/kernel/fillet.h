@@ -5,7 +5,7 @@ namespace blossom::modeling {
 
 struct FilletOptions {
   double radius = 2;
-  std::vector<int> edges;  ///< numbers (geometry/sub_shape.h); none: all sharp edges
+  std::vector<int> edges;  ///< numbers (geometry/occt/sub_shape.h); none: all sharp edges
 };
 using FilletResult = BlendResult;
 

@@ -5,7 +5,7 @@
 
 #include "core/angle.h"
 #include "core/error.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::modeling {
 namespace {}  // namespace

@@ -7,9 +7,9 @@
 
 #include "core/error.h"
 #include "core/tolerance.h"
-#include "geometry/interpolate.h"
-#include "geometry/planar.h"
-#include "geometry/planar_bezier.h"
+#include "geometry/planar/interpolate.h"
+#include "geometry/planar/planar.h"
+#include "geometry/planar/planar_bezier.h"
 
 namespace blossom::modeling {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::modeling {
 

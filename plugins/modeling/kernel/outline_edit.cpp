@@ -5,8 +5,8 @@
 
 #include "core/angle.h"
 #include "core/error.h"
-#include "geometry/planar.h"
-#include "geometry/planar_bezier.h"
+#include "geometry/planar/planar.h"
+#include "geometry/planar/planar_bezier.h"
 
 namespace blossom::modeling {
 namespace {

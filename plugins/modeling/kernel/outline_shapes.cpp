@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::modeling {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 /// Exact outlines of everyday shapes: straight sides are lines, round ones arcs, ellipses rational quadratic splines. Angles
 /// are in radians, counter-clockwise from +x; every loop runs counter-clockwise.

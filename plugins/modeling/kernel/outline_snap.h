@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::modeling {
 

@@ -18,7 +18,7 @@
 #include "core/place_text.h"
 #include "core/tolerance.h"
 #include "core/units.h"
-#include "geometry/closest_points.h"
+#include "geometry/measure/closest_points.h"
 #include "kernel/finished_solid.h"
 #include "kernel/guarded.h"
 #include "kernel/placement.h"

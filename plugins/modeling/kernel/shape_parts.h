@@ -5,7 +5,7 @@
 
 namespace blossom::modeling {
 
-/// The parts of one type, each once, in the order of their numbers (geometry/sub_shape.h).
+/// The parts of one type, each once, in the order of their numbers (geometry/occt/sub_shape.h).
 std::vector<TopoDS_Shape> partsOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
 /// Those parts that do not belong to a part of type `within`: wires that bound no face.
 std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape&, TopAbs_ShapeEnum type, TopAbs_ShapeEnum within);

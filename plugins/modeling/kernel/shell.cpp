@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "geometry/sub_shape.h"
+#include "geometry/occt/sub_shape.h"
 #include "kernel/finished_solid.h"
 #include "kernel/largest_size.h"
 #include "kernel/shape_parts.h"

@@ -12,9 +12,9 @@
 
 #include "core/error.h"
 #include "core/place_text.h"
-#include "geometry/occt_progress.h"
-#include "geometry/self_crossing.h"
-#include "geometry/union_find.h"
+#include "geometry/numeric/union_find.h"
+#include "geometry/occt/occt_progress.h"
+#include "geometry/tessellate/self_crossing.h"
 #include "kernel/boolean.h"
 #include "kernel/shape_parts.h"
 

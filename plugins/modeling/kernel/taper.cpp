@@ -22,7 +22,7 @@
 #include "core/error.h"
 #include "core/place_text.h"
 #include "core/units.h"
-#include "geometry/self_crossing.h"
+#include "geometry/tessellate/self_crossing.h"
 #include "kernel/guarded.h"
 #include "kernel/largest_size.h"
 #include "kernel/placement.h"

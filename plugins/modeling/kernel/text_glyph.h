@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/text_font.h"
 
 namespace blossom::modeling {

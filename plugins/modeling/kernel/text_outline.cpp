@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/text_glyph.h"
 #include "kernel/text_union.h"
 

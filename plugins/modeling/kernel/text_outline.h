@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/text_font.h"
 
 namespace blossom::modeling {

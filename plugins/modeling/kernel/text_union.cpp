@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "core/error.h"
-#include "geometry/bounds.h"
-#include "geometry/occt.h"
-#include "geometry/outline_crossing.h"
-#include "geometry/planar.h"
-#include "geometry/union_find.h"
+#include "geometry/numeric/union_find.h"
+#include "geometry/occt/occt.h"
+#include "geometry/planar/outline_crossing.h"
+#include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/guarded.h"
 
 namespace blossom::modeling {

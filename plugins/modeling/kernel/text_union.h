@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::modeling {
 

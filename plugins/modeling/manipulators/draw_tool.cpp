@@ -7,8 +7,8 @@
 
 #include "core/angle.h"
 #include "features_outline_value.h"
-#include "geometry/outline_crossing.h"
-#include "geometry/planar.h"
+#include "geometry/planar/outline_crossing.h"
+#include "geometry/planar/planar.h"
 #include "manipulators/tool_paint.h"
 #include "ui/tools/view_props.h"
 

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::modeling {

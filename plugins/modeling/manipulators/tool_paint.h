@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/outline_snap.h"
 #include "scene/scene.h"
 

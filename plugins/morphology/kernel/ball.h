@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace blossom::morphology {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_topology.h"
 #include "kernel/plane_triangles.h"
 
 namespace blossom::morphology {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/box.h"
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/values/box.h"
 #include "kernel/place.h"
 
 /// Solids in exact arithmetic and sums of their convex parts. CGAL stays behind these handles.

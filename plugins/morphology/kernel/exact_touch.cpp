@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_topology.h"
 #include "kernel/exact_types.h"
 #include "kernel/touching.h"
 

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "core/error.h"
-#include "geometry/bounds.h"
-#include "geometry/mesh_crossing.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_crossing.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/coplanar.h"
 #include "kernel/flatness.h"
 #include "kernel/in_order.h"

@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/mesh_topology.h"
-#include "geometry/union_find.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/union_find.h"
 
 namespace blossom::morphology {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "kernel/ball.h"
 #include "kernel/operand.h"
 

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/outline_crossing.h"
-#include "geometry/planar.h"
-#include "geometry/tessellate.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/planar/outline_crossing.h"
+#include "geometry/planar/planar.h"
+#include "geometry/tessellate/tessellate.h"
 #include "kernel/solid_check.h"
 
 namespace blossom::morphology {

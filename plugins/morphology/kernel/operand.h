@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/box.h"
-#include "geometry/mesh.h"
-#include "geometry/shape.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/shape/shape.h"
+#include "geometry/values/box.h"
 
 namespace blossom::morphology {
 

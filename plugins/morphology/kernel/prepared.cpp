@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "geometry/bounds.h"
-#include "geometry/mesh_crossing.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_crossing.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/flatness.h"
 #include "kernel/solid_check.h"
 

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "core/error.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/triangle_crossing.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/mesh/triangle_crossing.h"
 
 namespace blossom::morphology {
 

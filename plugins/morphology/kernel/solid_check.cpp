@@ -9,8 +9,8 @@
 #include <map>
 
 #include "core/error.h"
-#include "geometry/bounds.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/manifold.h"
 #include "kernel/self_crossing.h"
 

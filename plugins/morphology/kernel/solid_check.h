@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "kernel/place.h"
 
 namespace blossom::morphology {

@@ -7,8 +7,8 @@
 #include <map>
 #include <random>
 
-#include "geometry/mesh_crossing.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_crossing.h"
+#include "geometry/mesh/mesh_topology.h"
 
 namespace blossom::morphology {
 

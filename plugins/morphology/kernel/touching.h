@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace blossom::morphology {
 

@@ -8,7 +8,7 @@
 
 #include "core/units.h"
 #include "feature/registry.h"
-#include "geometry/bounds.h"
+#include "geometry/shape/bounds.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::morphology {

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/grid.h"
 
 namespace blossom::pocket {

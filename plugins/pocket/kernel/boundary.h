@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/piece_tree.h"
 #include "kernel/true_curve.h"
 

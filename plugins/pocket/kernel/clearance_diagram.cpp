@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/boundary.h"
 #include "kernel/contact.h"
 #include "kernel/diagram.h"

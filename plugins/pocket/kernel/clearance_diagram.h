@@ -5,8 +5,8 @@
 
 #include "core/progress.h"
 #include "core/vector.h"
-#include "geometry/medial_axis.h"
-#include "geometry/region.h"
+#include "geometry/planar/medial_axis.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::pocket {
 

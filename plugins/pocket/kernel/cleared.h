@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/box.h"
+#include "geometry/values/box.h"
 #include "kernel/tool_moves.h"
 
 namespace blossom::pocket {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/planar_bezier.h"
+#include "geometry/planar/planar_bezier.h"
 
 namespace blossom::pocket {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/tool_moves.h"
 
 namespace blossom::pocket {

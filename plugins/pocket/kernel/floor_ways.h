@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "geometry/toolpath.h"
+#include "geometry/shape/toolpath.h"
 #include "kernel/stroke.h"
 
 namespace blossom::pocket {

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/progress.h"
-#include "geometry/medial_axis.h"
+#include "geometry/planar/medial_axis.h"
 #include "kernel/contact.h"
 #include "kernel/diagram.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/toolpath.h"
+#include "geometry/shape/toolpath.h"
 
 namespace blossom::pocket {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/inside_test.h"
 #include "kernel/spokes.h"
 

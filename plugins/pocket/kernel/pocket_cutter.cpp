@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::pocket {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/region.h"
-#include "geometry/toolpath.h"
+#include "geometry/planar/region.h"
+#include "geometry/shape/toolpath.h"
 
 namespace blossom::pocket {
 

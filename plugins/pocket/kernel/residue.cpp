@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/clearance_diagram.h"
 #include "kernel/inside_test.h"
 #include "kernel/pass.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/angle.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::pocket {
 

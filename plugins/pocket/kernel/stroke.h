@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::pocket {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::pocket {
 

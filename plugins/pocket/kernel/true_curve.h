@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "geometry/planar_bezier.h"
-#include "geometry/region.h"
+#include "geometry/planar/planar_bezier.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::pocket {
 

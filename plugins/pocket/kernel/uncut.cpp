@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 #include "kernel/floor_ways.h"
 #include "kernel/uncut_cells.h"
 #include "kernel/uncut_places.h"

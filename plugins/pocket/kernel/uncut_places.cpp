@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "geometry/union_find.h"
+#include "geometry/numeric/union_find.h"
 #include "kernel/stroke_tree.h"
 
 namespace blossom::pocket {

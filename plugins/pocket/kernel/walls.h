@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "core/progress.h"
-#include "geometry/region.h"
+#include "geometry/planar/region.h"
 #include "kernel/inside_test.h"
 #include "kernel/stroke_tree.h"
 

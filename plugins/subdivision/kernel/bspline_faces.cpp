@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 #include "kernel/cage.h"
 #include "kernel/limit_surface.h"
 #include "kernel/quad_layout.h"

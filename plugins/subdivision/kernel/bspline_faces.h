@@ -1,7 +1,7 @@
 #pragma once
 #include "core/progress.h"
-#include "geometry/mesh.h"
-#include "geometry/surface.h"
+#include "geometry/bspline/surface.h"
+#include "geometry/mesh/mesh.h"
 
 namespace blossom::subdivision {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/union_find.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/union_find.h"
 
 namespace blossom::subdivision {
 namespace {

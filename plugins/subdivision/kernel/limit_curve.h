@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/curve.h"
+#include "geometry/bspline/curve.h"
 #include "kernel/limit_shape.h"
 #include "kernel/scheme.h"
 

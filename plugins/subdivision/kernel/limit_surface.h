@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "core/progress.h"
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "kernel/limit_shape.h"
 #include "kernel/scheme.h"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh/mesh_topology.h"
 
 namespace blossom::subdivision {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "kernel/scheme.h"
 
 // OpenSubdiv shows in this header and in the two files that include it, nowhere else.

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "geometry/mesh_topology.h"
-#include "geometry/point_merge.h"
-#include "geometry/union_find.h"
+#include "geometry/mesh/mesh_topology.h"
+#include "geometry/numeric/point_merge.h"
+#include "geometry/numeric/union_find.h"
 #include "kernel/cage.h"
 
 namespace blossom::subdivision {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "geometry/bounds.h"
-#include "geometry/tessellate.h"
+#include "geometry/shape/bounds.h"
+#include "geometry/tessellate/tessellate.h"
 
 namespace blossom::subdivision {
 namespace {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 
 namespace blossom::subdivision {
 

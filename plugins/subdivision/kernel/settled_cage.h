@@ -1,6 +1,6 @@
 #pragma once
 #include "core/progress.h"
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace blossom::subdivision {
 

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "core/vector.h"
-#include "geometry/curve.h"
+#include "geometry/bspline/curve.h"
 
 namespace blossom::subdivision {
 

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "geometry/planar.h"
+#include "geometry/planar/planar.h"
 
 namespace blossom::subdivision {
 namespace {

@@ -1,6 +1,6 @@
 #include "manipulators/insert_deform.h"
 
-#include "geometry/mesh.h"
+#include "geometry/mesh/mesh.h"
 #include "pulls.h"
 
 namespace blossom::subdivision {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include "geometry/shape.h"
+#include "geometry/shape/shape.h"
 #include "kernel/deform.h"
 #include "kernel/limit_surface.h"
 #include "scene/picking.h"

@@ -5,8 +5,8 @@
 #include <QKeyEvent>
 #include <cmath>
 
-#include "geometry/bounds.h"
-#include "geometry/tessellate.h"
+#include "geometry/shape/bounds.h"
+#include "geometry/tessellate/tessellate.h"
 #include "kernel/stroke.h"
 #include "ui/tools/view_props.h"
 

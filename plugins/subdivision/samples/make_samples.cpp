@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/sample_maker.h"
-#include "exchange/format.h"
+#include "exchange/format/format.h"
 #include "kernel/subdivide.h"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 
 namespace blossom::sweep {
 

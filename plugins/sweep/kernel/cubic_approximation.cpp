@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "geometry/product.h"
+#include "geometry/bspline/product.h"
 #include "kernel/cubic_spline.h"
 #include "kernel/motion_grid.h"
 #include "kernel/motion_point.h"

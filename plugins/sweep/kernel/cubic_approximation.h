@@ -2,7 +2,7 @@
 #include <cstddef>
 
 #include "core/progress.h"
-#include "geometry/motion.h"
+#include "geometry/shape/motion.h"
 
 namespace blossom::sweep {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 #include "kernel/basis_table.h"
 
 namespace blossom::sweep {

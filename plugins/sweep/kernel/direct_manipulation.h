@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/motion.h"
+#include "geometry/shape/motion.h"
 
 namespace blossom::sweep {
 

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/surface.h"
+#include "geometry/bspline/surface.h"
 #include "kernel/basis_table.h"
 
 namespace blossom::sweep {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "geometry/motion.h"
+#include "geometry/shape/motion.h"
 
 namespace blossom::sweep {
 

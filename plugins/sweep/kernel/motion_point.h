@@ -1,5 +1,5 @@
 #pragma once
-#include "geometry/motion.h"
+#include "geometry/shape/motion.h"
 #include "kernel/basis_table.h"
 
 namespace blossom::sweep {

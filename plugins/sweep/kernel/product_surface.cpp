@@ -7,9 +7,9 @@
 #include <set>
 
 #include "core/error.h"
-#include "geometry/bspline.h"
-#include "geometry/patch_polynomial.h"
-#include "geometry/product.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/bspline/patch_polynomial.h"
+#include "geometry/bspline/product.h"
 #include "kernel/vanishing.h"
 
 namespace blossom::sweep {

@@ -1,6 +1,6 @@
 #pragma once
 #include "core/progress.h"
-#include "geometry/motion.h"
+#include "geometry/shape/motion.h"
 
 namespace blossom::sweep {
 

@@ -2,7 +2,7 @@
 #include <TopoDS_Solid.hxx>
 
 #include "core/progress.h"
-#include "geometry/surface.h"
+#include "geometry/bspline/surface.h"
 
 /// The one part of this kernel that builds on OCCT.
 namespace blossom::sweep {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/surface.h"
+#include "geometry/bspline/surface.h"
 
 namespace blossom::sweep {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "geometry/bspline.h"
+#include "geometry/bspline/bspline.h"
 
 namespace blossom::sweep {
 

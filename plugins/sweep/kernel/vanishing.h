@@ -1,6 +1,6 @@
 #pragma once
 #include "core/progress.h"
-#include "geometry/surface.h"
+#include "geometry/bspline/surface.h"
 
 namespace blossom::sweep {
 

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "geometry/bspline.h"
-#include "geometry/motion.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/shape/motion.h"
 #include "ui/plugin/manipulator.h"
 
 namespace blossom::sweep {

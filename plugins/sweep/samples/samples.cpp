@@ -5,8 +5,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "geometry/bspline.h"
-#include "geometry/product.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/bspline/product.h"
 
 namespace blossom::sweep::samples {
 

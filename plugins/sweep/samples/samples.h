@@ -1,7 +1,7 @@
 #pragma once
 #include <numbers>
 
-#include "geometry/motion.h"
+#include "geometry/shape/motion.h"
 
 namespace blossom::sweep::samples {
 

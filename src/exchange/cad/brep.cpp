@@ -1,0 +1,81 @@
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <fstream>
+
+#include "exchange/cad/brep_export.h"
+#include "exchange/cad/brep_import.h"
+#include "exchange/cad/occt_io.h"
+#include "exchange/cad/xcaf_write.h"
+
+namespace blossom {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void throwDamaged() {
+  throw Error(ErrorCode::FormatDamaged, "Its shapes cannot be read: it was cut off, or is not a BREP file.",
+              "Fetch or export the file again.");
+}
+
+/// "Open CASCADE Topology V3" starts a binary file, "CASCADE Topology V1, (c) Matra-Datavision" a text file.
+bool isBinary(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string head(64, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head.find("Open CASCADE Topology V") != std::string::npos;
+}
+
+}  // namespace
+
+void writeBrep(const Brep& brep, const std::string& path, const Value&, const Progress& progress) {
+  withOcctErrors(ErrorCode::FileUnwritable, "The shape cannot be written as BREP.", [&] {
+    std::ofstream stream(path, std::ios::binary);
+    Handle(OcctProgress) watcher = new OcctProgress(progress, "Writing");
+    BRepTools::Write(brep.shape(), stream, watcher->Start());
+    progress.check();
+    stream.close();
+    if (!stream)
+      throw Error(ErrorCode::FileUnwritable, "The file \"" + path + "\" cannot be written.",
+                  "Check the folder and the space left.");
+  });
+}
+
+BrepImport readBrep(const std::string& path, const Progress& progress) {
+  return withOcctErrors(ErrorCode::FormatDamaged, "It cannot be understood as BREP.", [&] {
+    TopoDS_Shape shape;
+    std::ifstream stream(path, std::ios::binary);
+    // Where the file ends too soon, OCCT goes on with counts that nobody has read: for seconds, or for ever.
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
+    Handle(OcctProgress) watcher = new OcctProgress(progress, "Reading");
+    try {
+      if (isBinary(path))
+        BinTools::Read(shape, stream, watcher->Start());
+      else
+        BRepTools::Read(shape, stream, BRep_Builder(), watcher->Start());
+    } catch (const std::ios_base::failure&) {
+      throwDamaged();
+    }
+    if (shape.IsNull()) throwDamaged();
+    return BrepImport{Brep(shape), Value::object(), {}};
+  });
+}
+
+Format brepFormat() {
+  Format format;
+  format.id = "brep";
+  format.title = "BREP (Open CASCADE)";
+  format.extensions = {"brep", "brp"};
+  format.read = [](const fs::path& path, const Value&, const Progress& progress) {
+    return importBrep("brep.read", path, progress);
+  };
+  format.write = [](const Shape& shape, const fs::path& path, const Value& options, const Progress& progress) {
+    exportBrep("brep.write", toBrep(shape), path, options, progress);
+  };
+  format.writes = {ShapeKind::Brep,   ShapeKind::Surface, ShapeKind::Curve,
+                   ShapeKind::Curves, ShapeKind::Region,  ShapeKind::Mesh};
+  return format;
+}
+
+}  // namespace blossom

@@ -1,0 +1,19 @@
+#pragma once
+#include <TDocStd_Document.hxx>
+
+#include "geometry/shape/brep.h"
+#include "geometry/shape/shape.h"
+
+namespace blossom {
+
+/// The Brep that a STEP, IGES or BREP file can hold of a shape: faces of surfaces, regions and meshes, edges and wires of
+/// curves. A surface becomes one face that keeps its parametrisation and knots.
+/// @throws Error LimitExceeded for a mesh of more than 100,000 faces; OutputNotSupported for other kinds; what toOcct
+/// throws.
+Brep toBrep(const Shape&);
+
+/// An XCAF document with the structure, names and colours of a Brep; lengths in mm. Parts without geometry are left out.
+/// @throws Error InvalidInput when there is no geometry at all.
+Handle(TDocStd_Document) toDocument(const Brep&);
+
+}  // namespace blossom

@@ -1,0 +1,67 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "exchange/dxf/dxf_groups.h"
+#include "geometry/planar/region.h"
+
+namespace blossom {
+
+/// Layer and colour of an entity as they stand in the file.
+struct DxfInk {
+  std::string layer = "0";
+  int index = 256;  ///< AutoCAD colour index; 0: as the block, 256: as the layer
+  int rgb = -1;     ///< 0xrrggbb, -1 when not given
+};
+
+/// A block used at a place, or at the places of a grid.
+struct DxfInsert {
+  std::string block;
+  Eigen::Matrix<double, 2, 3> plane;  ///< from the plane it is drawn in to the drawing
+  Vec2 at{0, 0}, scale{1, 1}, spacing{0, 0};
+  double angle = 0;  ///< radians
+  int columns = 1, rows = 1;
+};
+
+struct DxfItem {
+  DxfInk ink;
+  Path path;                        ///< its layer and colour are not set yet
+  std::optional<DxfInsert> insert;  ///< in place of a path
+  std::size_t line = 0;
+};
+
+struct DxfBlock {
+  Vec2 base{0, 0};
+  std::vector<DxfItem> items;
+};
+
+/// A drawing as it stands in the file: blocks not yet put in their places, lengths in its own unit.
+struct DxfDrawing {
+  DxfBlock model;
+  std::map<std::string, DxfBlock> blocks;  ///< by name in capitals
+  std::map<std::string, DxfInk> layers;
+  int unit = 0;  ///< $INSUNITS
+  std::size_t flattened = 0, interpolated = 0, degenerate = 0;
+};
+
+/// Lets dxflib interpret the cleaned text. @throws Error FormatDamaged, Cancelled.
+DxfDrawing readDxfDrawing(const CleanDxf&, const Progress&);
+
+/// Puts every block in its places and lengths in mm.
+/// @throws Error FormatDamaged for a block that contains itself or does not exist, LimitExceeded when arrays grow without
+/// measure.
+Curves expandDxf(const DxfDrawing&, std::vector<std::string>& warnings, const Progress&);
+
+/// Circular arc between two points with bulge = tan(sweep / 4); a line for a bulge of 0.
+Segment bulgeSegment(const Vec2& from, const Vec2& to, double bulge);
+/// The plane of an entity drawn under an extrusion direction (the arbitrary axis algorithm of the DXF reference), seen from
+/// above.
+Eigen::Matrix<double, 2, 3> dxfPlane(Vec3 extrusion, double elevation);
+/// Colour of an AutoCAD colour index; empty for 7, which is black on paper and white on a dark screen.
+std::optional<Color> dxfColor(int index);
+int nearestDxfColor(const Color&);
+
+}  // namespace blossom

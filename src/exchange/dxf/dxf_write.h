@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+
+#include "core/progress.h"
+#include "geometry/shape/shape.h"
+#include "parameter/value.h"
+
+namespace blossom {
+
+/// Curves or a region as DXF R2000 in mm: LINE, ARC, CIRCLE, LWPOLYLINE with bulges, SPLINE with weights.
+/// @throws Error FileUnwritable, Cancelled.
+void writeDxf(const Shape&, const std::filesystem::path&, const Value& options, const Progress&);
+
+}  // namespace blossom

@@ -1,0 +1,114 @@
+// What G codes change.
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "exchange/gcode/gcode_codes.h"
+#include "exchange/gcode/gcode_parser.h"
+
+namespace blossom {
+
+void GcodeParser::watchModes(const Block& block) {
+  if (block.length)
+    watch_.lengthFrom(block.lengthNumber);
+  else if (block.lengthNumber)
+    watch_.lengthNumber(*block.lengthNumber);
+  if (!block.blends) return;
+  const bool evaluated = block.weight || !block.saysP;
+  if (evaluated && !(block.weight.value_or(0) > 0)) watch_.blendsWithoutLimit();
+  if (block.weight) program_.blending = std::max(program_.blending, *block.weight * unit_);
+}
+
+void GcodeParser::mode(double code, Block& block) {
+  const int tenths = std::abs(code) < 1000 ? static_cast<int>(std::lround(code * 10)) : -1;
+  if (motion_ == GcodeMotion::Nurbs && tenths != 52) finishNurbs();
+  switch (tenths) {
+    case 0:
+      motion_ = GcodeMotion::Rapid;
+      break;
+    case 10:
+      motion_ = GcodeMotion::Line;
+      break;
+    case 20:
+      motion_ = GcodeMotion::Clockwise;
+      break;
+    case 30:
+      motion_ = GcodeMotion::Counterclockwise;
+      break;
+    case 52:
+      motion_ = GcodeMotion::Nurbs;
+      break;
+    case 800:
+      motion_ = GcodeMotion::None;
+      break;
+    case 280:
+    case 300:
+      block.over = block.machine = true;
+      break;
+    case 530:
+      block.machine = true;
+      break;
+    case 40:
+      block.dwell = true;
+      break;
+    case 640:
+      block.blends = true;
+      break;
+    case 430:
+    case 440:
+      block.length = true;
+      break;
+    case 490:
+      watch_.noLength();
+      break;
+    case 500:
+      block.scaling = true;
+      break;
+    case 541:
+      block.extended = true;
+      break;
+    case 170:
+      normal_ = 2;
+      break;
+    case 180:
+      normal_ = 1;
+      break;
+    case 190:
+      normal_ = 0;
+      break;
+    case 200:
+      unit_ = millimetresPerInch;
+      watch_.unitsSaid();
+      break;
+    case 210:
+      unit_ = 1;
+      watch_.unitsSaid();
+      break;
+    case 900:
+      absolute_ = true;
+      break;
+    case 910:
+      absolute_ = false;
+      break;
+    case 901:
+      absoluteCenters_ = true;
+      break;
+    case 911:
+      absoluteCenters_ = false;
+      break;
+    default:
+      otherMode(tenths);  // offsets, path modes and other settings do not change the contour
+  }
+}
+
+void GcodeParser::otherMode(int tenths) {
+  if (tenths >= 540 && tenths <= 593) return setWorkOffset(modeName(tenths));
+  if (const auto obstacle = obstacleOfMode(tenths)) cannotFollow(*obstacle);
+}
+
+void GcodeParser::setWorkOffset(const std::string& name) {
+  if (atWork_ && name != program_.workOffset) cannotFollow("a second work offset");
+  program_.workOffset = name;
+}
+
+}  // namespace blossom

@@ -1,0 +1,119 @@
+#pragma once
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "exchange/gcode/gcode_arcs.h"
+#include "exchange/gcode/gcode_program.h"
+#include "exchange/gcode/gcode_watch.h"
+#include "exchange/gcode/gcode_words.h"
+
+namespace blossom {
+
+/// Reads RS-274 in LinuxCNC's dialect: G0 G1, G2 and G3 in the planes G17, G18 and G19, and G5.2 NURBS. The parts of this
+/// work stand in gcode_parse.cpp, gcode_modes.cpp, gcode_machine.cpp and gcode_motion.cpp.
+class GcodeParser {
+ public:
+  GcodeProgram read(std::string_view text, const Progress& progress);
+
+ private:
+  /// What one line says.
+  struct Block {
+    std::optional<double> x, y, z, i, j, k, radius, weight, order;
+    bool unknownZ = false;
+    bool machine = false;   ///< by way of the machine's coordinates, which a file does not tell
+    bool over = false;      ///< G28, G30: over the place that is named
+    bool dwell = false;     ///< G4
+    bool scaling = false;   ///< G50: with words, no longer the end of scaling
+    bool extended = false;  ///< G54.1: P names the offset
+    bool blends = false;    ///< G64
+    bool saysP = false;
+    bool length = false;  ///< G43
+    std::optional<int> lengthNumber;
+    [[nodiscard]] bool names(int axis) const { return std::array{x, y, z}[static_cast<std::size_t>(axis)].has_value(); }
+    [[nodiscard]] bool namesAny() const { return x || y || z; }
+  };
+
+  // gcode_parse.cpp: lines and words.
+  void settleDoubts(const Progress& progress);
+  [[noreturn]] void damaged(const std::string& what) const;
+  static void count(Value& counts, const std::string& name);
+  /// What contours do not mind, but a toolpath would be wrong without.
+  void cannotFollow(const std::string& what);
+  void readLine(std::string_view raw);
+  /// Modes come first, wherever they stand: "X1 Y1 G20" goes to one inch.
+  void run(const std::vector<GcodeWord>& line);
+  void place(const GcodeWord& word, Block& block);
+  void setting(const GcodeWord& word);
+  double number(const GcodeWord& word) const;
+  double coordinate(const GcodeWord& word) const;
+
+  // gcode_modes.cpp: G codes.
+  void watchModes(const Block& block);
+  void mode(double code, Block& block);
+  void otherMode(int tenths);
+  void setWorkOffset(const std::string& name);
+
+  // gcode_machine.cpp: spindle, tool, coolant.
+  void machine(double given);
+  /// Coolant that runs from before the first cut to after the last is kept.
+  void cool(int code);
+  void noteCoolant();
+  /// The wait for a spindle that was just started is written anew.
+  void dwell();
+  /// T alone may be a tool that is made ready while the one before still cuts.
+  void chooseTool(int number);
+  void changeTool();
+  void setSpeed(double speed);
+  /// What the first cut finds counts.
+  void settleSpindle();
+  void beginCutting();
+  void noteLost(const std::string& what);
+
+  // gcode_motion.cpp: where the tool goes.
+  [[nodiscard]] Vec3 target(const Block& b) const;
+  void countMove();
+  void motionOf(const Block& block);
+  /// An arc in G18 or G19: as lines, for a tool's moves are round only in plan.
+  void addUprightArc(const Block& block, const Vec3& to);
+  /// To the machine's own places: somewhere else, over the place that is named (G28, G30). A path that was begun ends here.
+  void overTheMachine(const Block& block);
+  /// By so much from where nobody knows.
+  void refuseFromNowhere(const Block& block);
+  void addMove(GcodeMotion motion, const Vec3& to, const Vec2& center, bool inPlane);
+  using Offsets = std::pair<std::optional<double>, std::optional<double>>;
+  /// Of an arc in its plane, whose first two axes turn counter-clockwise seen from the third.
+  [[nodiscard]] Vec2 center(const Block& b, const Vec2& from, const Vec2& to, const Offsets& offsets);
+  void addNurbs(const Block& b, bool plane);
+  void finishNurbs();
+
+  GcodeMotion motion_ = GcodeMotion::None;
+  int normal_ = 2;  ///< the axis that the plane of arcs is seen along: 2 is G17
+  double unit_ = 1;
+  double feed_ = 0;
+  bool absolute_ = true;
+  bool absoluteCenters_ = false;
+  bool ended_ = false;
+  Vec3 at_ = Vec3::Zero();
+  Vec3 nurbsEnd_ = Vec3::Zero();
+  std::bitset<3> unknown_{0b111};  ///< axes whose place the file does not tell
+  bool atWork_ = false;            ///< it moved to a place in the work's coordinates
+  bool left_ = false;              ///< the tool was sent to a place of the machine's
+  bool turning_ = false, changes_ = false, justStarted_ = false;
+  bool mist_ = false, flood_ = false;
+  double speed_ = 0;
+  std::optional<int> chosen_;
+  int order_ = 3;
+  std::vector<Vec3> nurbs_;
+  GcodeProgram program_;
+  GcodeWatch watch_;
+  GcodeArcs arcs_;
+  std::size_t lineNumber_ = 0;
+};
+
+}  // namespace blossom

@@ -1,0 +1,95 @@
+#include "exchange/gcode/gcode_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace blossom {
+namespace {
+
+constexpr std::size_t mostOfAKind = 3;
+
+}  // namespace
+
+void GcodeWatch::note(Noted& where, std::size_t line, std::string what) {
+  if (where.size() < mostOfAKind) where.emplace_back(line, std::move(what));
+}
+
+void GcodeWatch::toolChanged() {
+  changes_ = true;
+  if (chosen_) tool_ = Numbered{chosen_->number, line_};
+}
+
+void GcodeWatch::lengthFrom(std::optional<int> number) {
+  if (number)
+    length_ = Numbered{*number, line_};
+  else
+    length_.reset();  // that of the tool in the spindle
+}
+
+void GcodeWatch::lengthNumber(int number) {
+  if (length_) length_ = Numbered{number, line_};
+}
+
+void GcodeWatch::spindleTurns() {
+  turning_ = everTurned_ = true;
+  stillDoubted_ = false;
+}
+
+void GcodeWatch::spindleStops() {
+  if (turning_) stopped_ = line_;
+  turning_ = false;
+}
+
+void GcodeWatch::blendsWithoutLimit() {
+  note(corners_, line_,
+       fmt::format("line {}: G64 without a tolerance (P) lets the control cut corners without a limit", line_));
+}
+
+void GcodeWatch::moves() {
+  if (unitsSaid_ || unitsDoubted_) return;
+  unitsDoubted_ = true;
+  note(units_, line_,
+       fmt::format("line {} moves before G21 or G20 tells whether lengths are millimetres or inches; they are read as "
+                   "millimetres",
+                   line_));
+}
+
+/// T alone is only made ready where M6 changes tools; where nothing does, it is the tool.
+void GcodeWatch::checkLength() {
+  const std::optional<Numbered>& tool = changes_ ? tool_ : chosen_;
+  if (!length_ || !tool || length_->number == tool->number) return;
+  if (!mismatches_.emplace(length_->number, tool->number).second) return;
+  note(lengths_, length_->line,
+       fmt::format("line {}: H{} takes the length of tool {}, and line {} cuts with tool {}, chosen in line {}",
+                   length_->line, length_->number, length_->number, line_, tool->number, tool->line));
+}
+
+void GcodeWatch::cuts() {
+  checkLength();
+  if (turning_ || stillDoubted_) return;
+  stillDoubted_ = true;
+  note(still_, line_,
+       fmt::format("line {} cuts while the spindle stands still{}", line_,
+                   stopped_ ? fmt::format("; line {} stopped it", *stopped_) : std::string()));
+}
+
+std::vector<std::string> GcodeWatch::doubts() const {
+  Noted all = units_;
+  all.insert(all.end(), lengths_.begin(), lengths_.end());
+  if (everTurned_) all.insert(all.end(), still_.begin(), still_.end());
+  all.insert(all.end(), corners_.begin(), corners_.end());
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> sentences;
+  sentences.reserve(all.size());
+  for (const auto& [line, what] : all) sentences.push_back(what);
+  return sentences;
+}
+
+std::vector<std::string> GcodeWatch::drawingDoubts() const {
+  std::vector<std::string> sentences;
+  for (const auto& [line, what] : units_) sentences.push_back(what);
+  return sentences;
+}
+
+}  // namespace blossom

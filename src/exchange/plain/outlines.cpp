@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "exchange/format/format.h"
+
+/// Polygons and segments as plain numbers, the forms in which test cases of planar codes are handed around:
+/// - a count and as many segments "x1 y1 x2 y2";
+/// - a count and as many points "x y", then a count and as many segments;
+/// - captioned cases (CAPTION, CLIPTYPE, FILLRULE, SOL_AREA, SOL_COUNT, SUBJECTS, SUBJECTS_OPEN, CLIPS), a polygon "x,y,
+/// x,y, .." a line.
+namespace blossom {
+namespace {
+
+[[noreturn]] void damaged(std::size_t line, const std::string& what) {
+  throw Error(ErrorCode::FormatDamaged, fmt::format("Line {}: {}.", line, what),
+              "The file is a count followed by segments x1 y1 x2 y2, or captioned polygons x,y, x,y, ..");
+}
+
+/// All numbers of a text apart by blanks and commas; empty when something else stands there.
+std::optional<std::vector<double>> numbersOf(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(" ,\t\r\n");
+    if (begin == std::string_view::npos) return numbers;
+    text.remove_prefix(begin);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
+    numbers.push_back(value);
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  }
+}
+
+Path segmentPath(const double* xyxy) {
+  Path path;
+  path.segments.emplace_back(Line2{{xyxy[0], xyxy[1]}, {xyxy[2], xyxy[3]}});
+  return path;
+}
+
+bool isCount(double value, std::size_t available, std::size_t each) {
+  return value >= 0 && value == std::floor(value) && value * static_cast<double>(each) <= static_cast<double>(available);
+}
+
+/// "n, n segments" or "n, n points, m, m segments": told apart by which of them uses up all numbers.
+Imported readSegments(const std::vector<double>& numbers) {
+  std::size_t points = 0, at = 0;
+  const auto usesUp = [&](std::size_t place) {
+    return place < numbers.size() && isCount(numbers[place], numbers.size(), 4) &&
+           place + 1 + 4 * static_cast<std::size_t>(numbers[place]) == numbers.size();
+  };
+  if (!usesUp(0)) {
+    if (numbers.empty() || !isCount(numbers[0], numbers.size(), 2)) damaged(1, "the first number is not a count");
+    points = static_cast<std::size_t>(numbers[0]);
+    at = 1 + 2 * points;
+    if (!usesUp(at)) damaged(1, "the counts do not fit the numbers that follow");
+  }
+  Curves drawing;
+  for (std::size_t k = at + 1; k + 4 <= numbers.size(); k += 4) drawing.paths.push_back(segmentPath(&numbers[k]));
+  if (drawing.paths.empty()) damaged(1, "the file holds no segment");
+  Imported imported;
+  if (points > 0) {
+    imported.skipped["point"] = points;
+    imported.warnings.push_back(fmt::format("{} single points were left out.", points));
+  }
+  imported.entities["segment"] = drawing.paths.size();
+  imported.shape = Shape(std::move(drawing));
+  return imported;
+}
+
+Path polygonOf(const std::vector<double>& xy, bool closed, std::string layer) {
+  Path path;
+  path.closed = closed;
+  path.layer = std::move(layer);
+  const std::size_t count = xy.size() / 2;
+  for (std::size_t k = 0; k < (closed ? count : count - 1); ++k) {
+    const std::size_t next = (k + 1) % count;
+    path.segments.emplace_back(Line2{{xy[2 * k], xy[2 * k + 1]}, {xy[2 * next], xy[2 * next + 1]}});
+  }
+  return path;
+}
+
+Imported readCases(const std::string& text, const Progress& progress) {
+  Curves drawing;
+  Imported imported;
+  std::string caption, part;
+  std::size_t lineNumber = 0, cases = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = std::string_view(text).substr(begin, end - begin);
+    begin = end + 1;
+    if (++lineNumber % 4096 == 0) progress.check();
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    const auto numbers = numbersOf(line);
+    if (numbers && numbers->empty()) continue;
+    if (!numbers) {
+      if (line.starts_with("CAPTION:")) {
+        caption = line.substr(std::min<std::size_t>(9, line.size()));
+        ++cases;
+      }
+      part = line.substr(0, line.find_first_of(": "));
+      continue;
+    }
+    const bool open = part == "SUBJECTS_OPEN";
+    if (part != "SUBJECTS" && part != "CLIPS" && !open) damaged(lineNumber, "numbers outside of SUBJECTS and CLIPS");
+    if (numbers->size() % 2 != 0 || numbers->size() < 4) damaged(lineNumber, "a polygon is not made of pairs x,y");
+    drawing.paths.push_back(polygonOf(*numbers, !open, fmt::format("{} {}", caption, part)));
+  }
+  if (drawing.paths.empty()) damaged(lineNumber, "the file holds no polygon");
+  imported.entities["case"] = cases;
+  imported.entities["polygon"] = drawing.paths.size();
+  imported.shape = Shape(std::move(drawing));
+  return imported;
+}
+
+Imported read(const std::filesystem::path& path, const Value&, const Progress& progress) {
+  const std::string text = readFile(path);
+  if (const auto numbers = numbersOf(text)) return readSegments(*numbers);
+  if (text.find("CAPTION:") == std::string::npos) damaged(1, "neither numbers nor captioned polygons");
+  return readCases(text, progress);
+}
+
+}  // namespace
+
+Format outlinesFormat() {
+  Format format;
+  format.id = "outlines";
+  format.title = "Polygons and segments (text)";
+  format.extensions = {"txt"};
+  format.read = read;
+  return format;
+}
+
+}  // namespace blossom

@@ -1,0 +1,143 @@
+// Drawings as a page of PDF or PostScript, drawn by Cairo.
+#include <cairo-pdf.h>
+#include <cairo-ps.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/error.h"
+#include "exchange/format/bezier_pieces.h"
+#include "exchange/format/drawn_box.h"
+#include "exchange/format/format.h"
+#include "exchange/format/mesh_options.h"
+#include "geometry/planar/planar.h"
+
+namespace blossom {
+namespace {
+
+constexpr double pointsPerMm = 72 / 25.4;
+constexpr double lineWidth = 0.25;  // mm
+constexpr double margin = 1;        // mm, so that no line at the edge is cut
+
+struct SurfaceDeleter {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+struct ContextDeleter {
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
+using Context = std::unique_ptr<cairo_t, ContextDeleter>;
+
+cairo_status_t append(void* closure, const unsigned char* bytes, unsigned int length) {
+  static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(bytes), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void addSegment(cairo_t* page, const Segment& segment, double tolerance) {
+  if (const auto* line = std::get_if<Line2>(&segment)) {
+    cairo_line_to(page, line->to.x(), line->to.y());
+  } else if (const auto* arc = std::get_if<Arc2>(&segment)) {
+    const auto add = arc->sweep > 0 ? cairo_arc : cairo_arc_negative;
+    add(page, arc->center.x(), arc->center.y(), arc->radius, arc->start, arc->start + arc->sweep);
+  } else {
+    for (const BezierPiece& piece : bezierPieces(std::get<Spline2>(segment)))
+      for (const auto& [from, b, c, to] : cubicsOf(piece, tolerance))
+        cairo_curve_to(page, b.x(), b.y(), c.x(), c.y(), to.x(), to.y());
+  }
+}
+
+void addPath(cairo_t* page, const Path& path, double tolerance) {
+  if (path.segments.empty()) return;
+  const Vec2 start = startPoint(path.segments.front());
+  cairo_move_to(page, start.x(), start.y());
+  for (const Segment& segment : path.segments) addSegment(page, segment, tolerance);
+  if (path.closed) cairo_close_path(page);
+}
+
+/// Neighbours of one layer and colour are one path, so that holes are holes. Closed ones are filled.
+void draw(cairo_t* page, const Curves& curves, double tolerance, const Progress& progress) {
+  cairo_set_line_width(page, lineWidth);
+  cairo_set_line_join(page, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_fill_rule(page, curves.fillRule == FillRule::EvenOdd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+  for (std::size_t i = 0; i < curves.paths.size();) {
+    progress.check();
+    const Path& first = curves.paths[i];
+    const auto belongs = [&](const Path& path) {
+      return path.layer == first.layer && path.color == first.color && path.closed == first.closed;
+    };
+    for (; i < curves.paths.size() && belongs(curves.paths[i]); ++i) addPath(page, curves.paths[i], tolerance);
+    const Color color = first.color.value_or(Color{0, 0, 0});
+    cairo_set_source_rgb(page, color.red, color.green, color.blue);
+    (first.closed ? cairo_fill : cairo_stroke)(page);
+  }
+}
+
+Curves planar(const Shape& shape) {
+  std::optional<Curves> drawing = drawingOf(shape);
+  if (!drawing) throw Error(ErrorCode::OutputNotSupported, "A page takes planar drawings.");
+  return std::move(*drawing);
+}
+
+using MakeSurface = cairo_surface_t* (*)(cairo_write_func_t, void*, double, double);
+
+void writePage(MakeSurface make, const Shape& shape, const std::filesystem::path& file, const Value& options,
+               const Progress& progress) {
+  const Curves drawing = planar(shape);
+  const double tolerance = options.value("tolerance", 1e-2);
+  const DrawnBox box = drawnBox({drawing}, tolerance);
+  const Vec2 low = box.low - Vec2(margin, margin), high = box.high + Vec2(margin, margin);
+  const Vec2 size = ((high - low) * pointsPerMm).array().ceil();  // PostScript knows whole points only
+  std::string content;
+  const Surface surface(make(append, &content, size.x(), size.y()));
+  {
+    const Context page(cairo_create(surface.get()));
+    cairo_set_tolerance(page.get(), tolerance * pointsPerMm);
+    cairo_translate(page.get(), 0, size.y());
+    cairo_scale(page.get(), pointsPerMm, -pointsPerMm);
+    cairo_translate(page.get(), -low.x(), -low.y());
+    draw(page.get(), drawing, tolerance, progress);
+    cairo_show_page(page.get());
+  }
+  cairo_surface_finish(surface.get());
+  if (const cairo_status_t status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS) {
+    // Cairo keeps the pages of PostScript in a temporary file until they are complete.
+    const bool onDisk = status == CAIRO_STATUS_WRITE_ERROR || status == CAIRO_STATUS_TEMP_FILE_ERROR;
+    throw Error(onDisk ? ErrorCode::FileUnwritable : ErrorCode::OutputNotSupported,
+                std::string("The page cannot be drawn: ") + cairo_status_to_string(status) + ".",
+                onDisk ? "Make room on the disk of the temporary folder." : "Write it as SVG or DXF.");
+  }
+  writeBytes(file, content);
+}
+
+Format pageFormat(std::string id, std::string title, MakeSurface make) {
+  ParameterSpec tolerance = positiveLength();
+  tolerance.name = "tolerance";
+  tolerance.help = "Largest distance between a curve and the cubic pieces that stand for it; places are kept to 0.002 mm.";
+  tolerance.fallback = 1e-2;
+
+  Format format;
+  format.extensions = {id};
+  format.id = std::move(id);
+  format.title = std::move(title);
+  format.writeOptions = {tolerance};
+  format.write = [make](const Shape& shape, const std::filesystem::path& file, const Value& options,
+                        const Progress& progress) { writePage(make, shape, file, options, progress); };
+  format.writes = {ShapeKind::Curves, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath};
+  return format;
+}
+
+cairo_surface_t* pdfSurface(cairo_write_func_t write, void* closure, double width, double height) {
+  cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(write, closure, width, height);
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same drawing gives the same file
+  return surface;
+}
+
+}  // namespace
+
+Format pdfFormat() { return pageFormat("pdf", "PDF (a page around the drawing, in its size)", pdfSurface); }
+
+Format psFormat() {
+  return pageFormat("ps", "PostScript (a page around the drawing, in its size)", cairo_ps_surface_create_for_stream);
+}
+
+}  // namespace blossom

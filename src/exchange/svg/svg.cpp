@@ -1,0 +1,39 @@
+#include "core/file.h"
+#include "exchange/format/format.h"
+#include "exchange/format/frames.h"
+#include "exchange/svg/svg_read.h"
+#include "exchange/svg/svg_write.h"
+
+namespace blossom {
+
+Format svgFormat() {
+  ParameterSpec tolerance = positiveLength();
+  tolerance.name = "tolerance";
+  tolerance.help = "Largest distance between a spline and the cubic pieces that stand for it.";
+  tolerance.fallback = 1e-3;
+
+  ParameterSpec animate = flag();
+  animate.name = framesInOneFile;
+  animate.help = "Put all frames of a sequence into one file that plays them, instead of a file each.";
+  animate.fallback = false;
+
+  ParameterSpec seconds = number(0.01, 3600);
+  seconds.name = "seconds";
+  seconds.help = "How long one run of an animation takes; it repeats without end.";
+  seconds.fallback = 2.0;
+
+  Format format;
+  format.id = "svg";
+  format.title = "SVG (scalable vector graphics)";
+  format.extensions = {"svg"};
+  format.writeOptions = {tolerance, animate, seconds};
+  format.read = [](const std::filesystem::path& path, const Value&, const Progress& progress) {
+    const std::string content = readFile(path);
+    return svg::readDocument(content, progress);
+  };
+  format.write = svg::writeDocument;
+  format.writes = {ShapeKind::Curves, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath, ShapeKind::Sequence};
+  return format;
+}
+
+}  // namespace blossom

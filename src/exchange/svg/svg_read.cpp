@@ -1,0 +1,421 @@
+#include "exchange/svg/svg_read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <pugixml.hpp>
+#include <set>
+#include <unordered_map>
+
+#include "exchange/format/finite.h"
+#include "exchange/format/text.h"
+#include "exchange/svg/svg_path.h"
+#include "exchange/svg/svg_values.h"
+#include "geometry/planar/planar.h"
+
+namespace blossom::svg {
+
+using namespace parse;
+
+namespace {
+
+using Affine = Eigen::Affine2d;
+using pugi::xml_node;
+
+constexpr std::size_t mostElements = 500'000, mostSegments = 2'000'000;
+constexpr int deepestNesting = 200;
+
+/// Name without the prefix of the SVG namespace.
+std::string_view nameOf(const xml_node& node) {
+  std::string_view name = node.name();
+  if (name.substr(0, 4) == "svg:") name.remove_prefix(4);
+  return name;
+}
+
+bool isShape(std::string_view name) {
+  static constexpr std::array<std::string_view, 7> shapes{"path", "rect",     "circle", "ellipse",
+                                                          "line", "polyline", "polygon"};
+  return std::find(shapes.begin(), shapes.end(), name) != shapes.end();
+}
+
+/// What children take over from their parents.
+struct Style {
+  std::string fill = "black", stroke = "none", color;
+  bool paintGiven = false;  ///< fill or stroke stand in the file; a default black is no colour of its own
+  bool evenOdd = false, visible = true, displayed = true;
+  std::string layer;
+};
+
+class Reader {
+ public:
+  Reader(const std::string& content, const Progress& progress) : content_(content), progress_(progress) {}
+
+  Imported read() {
+    const pugi::xml_parse_result result = document_.load_buffer(content_.data(), content_.size(), pugi::parse_default);
+    if (!result) throw damaged(lineOf(result.offset), fmt::format("the XML is broken ({}).", result.description()));
+    const xml_node root = document_.document_element();
+    if (nameOf(root) != "svg")
+      throw damaged(1, fmt::format("the element svg is expected, but there is {}.", shown(root.name())));
+    collectNames(root);
+    children(root, page(root), styled(root, Style()), 1);
+    return finished();
+  }
+
+ private:
+  [[nodiscard]] std::size_t lineOf(std::ptrdiff_t offset) const {
+    const auto end = content_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(content_.size()));
+    return 1 + static_cast<std::size_t>(std::count(content_.begin(), end, '\n'));
+  }
+
+  /// All elements with an id, and the style sheets.
+  void collectNames(const xml_node& root) {
+    for (xml_node node = root; node;) {
+      if (const auto id = node.attribute("id")) names_.emplace(id.value(), node);
+      if (nameOf(node) == "style") rules_ = parseStyleSheet(node.text().get());
+      // Iterative, so that deep nesting cannot use up the stack.
+      if (node.first_child()) {
+        node = node.first_child();
+        continue;
+      }
+      while (node && node != root && !node.next_sibling()) node = node.parent();
+      node = node == root ? xml_node() : node.next_sibling();
+    }
+  }
+
+  /// From user units of the root to mm with y up.
+  Affine page(const xml_node& root) {
+    const auto width = parseLength(root.attribute("width").value()), height = parseLength(root.attribute("height").value());
+    const double mmX = width ? millimetresOf(width->unit) * width->value : 0,
+                 mmY = height ? millimetresOf(height->unit) * height->value : 0;
+    const auto box = viewBox(root);
+    physical_ = mmX > 0 || mmY > 0;
+    hasViewBox_ = box.has_value();
+    double scaleX = physical_ ? 25.4 / 96 : 1, scaleY = scaleX, top = 0, tall = 0;
+    if (box) {
+      viewport_ = {(*box)[2], (*box)[3]};
+      top = (*box)[1];
+      tall = (*box)[3];
+      if (physical_) {
+        scaleX = mmX > 0 ? mmX / (*box)[2] : mmY / (*box)[3];
+        scaleY = mmY > 0 ? mmY / (*box)[3] : scaleX;
+        const std::string_view aspect = root.attribute("preserveAspectRatio").value();
+        if (aspect.find("none") == std::string_view::npos)
+          scaleX = scaleY =
+              aspect.find("slice") != std::string_view::npos ? std::max(scaleX, scaleY) : std::min(scaleX, scaleY);
+      }
+    } else {
+      viewport_ = {width ? userUnits(*width, 0) : 0, height ? userUnits(*height, 0) : 0};
+      tall = viewport_.y();
+    }
+    Affine result = Affine::Identity();
+    result.affine() << scaleX, 0, 0, 0, -scaleY, scaleY * (2 * top + tall);
+    return result;
+  }
+
+  std::optional<std::vector<double>> viewBox(const xml_node& node) const {
+    const std::string_view text = node.attribute("viewBox").value();
+    if (trimmed(text).empty()) return {};
+    auto numbers = parseNumbers(text);
+    if (!numbers || numbers->size() != 4)
+      throw damaged(lineOf(node.offset_debug()), fmt::format("the viewBox {} needs four numbers.", shown(text)));
+    if (!((*numbers)[2] > 0) || !((*numbers)[3] > 0)) return {};
+    return numbers;
+  }
+
+  /// A length in user units; `whole` is what 100 % stands for.
+  [[nodiscard]] double userUnits(const Length& length, double whole) const {
+    if (length.unit == "%") return length.value * whole / 100;
+    if (length.unit == "em") return length.value * 16;
+    if (length.unit == "ex") return length.value * 8;
+    const double mm = millimetresOf(length.unit);
+    if (mm == 0) return length.value;
+    // Where nothing ties user units to the page, 1 user unit is 1 mm; else 96 make an inch.
+    return length.value * mm * (physical_ || hasViewBox_ ? 96 / 25.4 : 1);
+  }
+
+  double length(const xml_node& node, const char* name, double whole, double fallback = 0) const {
+    const pugi::xml_attribute attribute = node.attribute(name);
+    if (!attribute || std::string_view(attribute.value()) == "auto") return fallback;
+    const auto parsed = parseLength(attribute.value());
+    if (!parsed)
+      throw damaged(lineOf(node.offset_debug()),
+                    fmt::format("{} needs a length, but there is {}.", name, shown(attribute.value())));
+    return userUnits(*parsed, whole);
+  }
+  double lengthX(const xml_node& node, const char* name, double fallback = 0) const {
+    return length(node, name, viewport_.x(), fallback);
+  }
+  double lengthY(const xml_node& node, const char* name, double fallback = 0) const {
+    return length(node, name, viewport_.y(), fallback);
+  }
+
+  void apply(const Declarations& declarations, Style& style) const {
+    for (const auto& [name, value] : declarations) {
+      if (value == "inherit") continue;
+      if (name == "fill")
+        style.fill = value, style.paintGiven = true;
+      else if (name == "stroke")
+        style.stroke = value, style.paintGiven = true;
+      else if (name == "color")
+        style.color = value;
+      else if (name == "fill-rule")
+        style.evenOdd = value == "evenodd";
+      else if (name == "visibility")
+        style.visible = value == "visible";
+      else if (name == "display")
+        style.displayed = value != "none";
+    }
+  }
+
+  /// Attributes, then the style sheet, then the style attribute (SVG 1.1, 6.4).
+  Style styled(const xml_node& node, Style style) const {
+    Declarations attributes;
+    for (const char* name : {"fill", "stroke", "color", "fill-rule", "visibility", "display"})
+      if (const auto a = node.attribute(name)) attributes.emplace(name, trimmed(a.value()));
+    apply(attributes, style);
+    if (!rules_.empty()) {
+      const auto applyRule = [&](const std::string& selector) {
+        if (const auto it = rules_.find(selector); it != rules_.end()) apply(it->second, style);
+      };
+      applyRule(std::string(nameOf(node)));
+      std::string_view classes = node.attribute("class").value();
+      for (std::string_view word = takeWord(classes); !word.empty(); word = takeWord(classes))
+        applyRule("." + std::string(word));
+      applyRule("#" + std::string(node.attribute("id").value()));
+    }
+    if (const auto a = node.attribute("style")) apply(parseDeclarations(a.value()), style);
+    if (nameOf(node) == "g") {
+      const std::string_view label = node.attribute("inkscape:label").value(), id = node.attribute("id").value();
+      if (!label.empty() || !id.empty()) style.layer = utf8(label.empty() ? id : label);
+    }
+    return style;
+  }
+
+  void children(const xml_node& parent, const Affine& place, const Style& style, int depth) {
+    if (depth > deepestNesting)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("Its elements are nested more than {} deep.", deepestNesting));
+    for (const xml_node& node : parent.children())
+      if (node.type() == pugi::node_element) element(node, place, style, depth);
+  }
+
+  void element(const xml_node& node, const Affine& outer, const Style& inherited, int depth) {
+    if (++elements_ > mostElements)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} elements.", mostElements));
+    if (elements_ % 1024 == 0) progress_.check();
+    const std::string_view name = nameOf(node);
+    const bool isContainer = name == "g" || name == "a" || name == "switch" || name == "svg" || name == "use";
+    if (!isContainer && !isShape(name)) {
+      if (name == "text" || name == "image" || name == "foreignObject") skipped_.add(name);
+      return;
+    }
+    const Style style = styled(node, inherited);
+    if (!style.displayed) return;
+    Affine place = outer;
+    if (const auto a = node.attribute("transform")) place = place * transformOf(node, a.value());
+    if (!place.matrix().allFinite() || place.matrix().cwiseAbs().maxCoeff() > 1e15)
+      throw damaged(lineOf(node.offset_debug()), "its transforms scale beyond every measure.");
+    if (name == "use")
+      use(node, place, style, depth);
+    else if (name == "svg")
+      viewport(node, node, place, style, depth);
+    else if (isContainer)
+      children(node, place, style, depth + 1);
+    else
+      shape(node, name, place, style);
+  }
+
+  Affine transformOf(const xml_node& node, const char* text) const {
+    try {
+      return parseTransform(text);
+    } catch (const Error& error) {
+      throw damaged(lineOf(node.offset_debug()), error.message());
+    }
+  }
+
+  void use(const xml_node& node, const Affine& outer, const Style& style, int depth) {
+    if (useDepth_ == 0) entities_.add("use");
+    std::string_view reference = node.attribute("href").value();
+    if (reference.empty()) reference = node.attribute("xlink:href").value();
+    reference = trimmed(reference);
+    if (reference.empty() || reference.front() != '#') return;
+    const auto target = names_.find(std::string(reference.substr(1)));
+    if (target == names_.end()) {
+      ++lost_;
+      return;
+    }
+    if (!open_.insert(target->first).second)
+      throw damaged(lineOf(node.offset_debug()), fmt::format("{} uses itself.", shown(target->first)));
+    if (depth > deepestNesting)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("Its elements are nested more than {} deep.", deepestNesting));
+    const Affine place = outer * Eigen::Translation2d(lengthX(node, "x"), lengthY(node, "y"));
+    ++useDepth_;
+    const std::string_view name = nameOf(target->second);
+    if (name == "symbol")
+      viewport(target->second, node, place, styled(target->second, style), depth);
+    else
+      element(target->second, place, style, depth + 1);
+    --useDepth_;
+    open_.erase(target->first);
+  }
+
+  /// A nested svg, or a symbol sized by the `use` that places it.
+  void viewport(const xml_node& node, const xml_node& sized, const Affine& outer, const Style& style, int depth) {
+    const Vec2 saved = viewport_;
+    const bool isSymbol = nameOf(node) == "symbol";
+    const double width = lengthX(sized, "width", viewport_.x()), height = lengthY(sized, "height", viewport_.y());
+    Affine place = isSymbol ? outer : Affine(outer * Eigen::Translation2d(lengthX(node, "x"), lengthY(node, "y")));
+    if (const auto box = viewBox(node); box && width > 0 && height > 0) {
+      place = place * fitViewBox(*box, width, height, node.attribute("preserveAspectRatio").value());
+      viewport_ = {(*box)[2], (*box)[3]};
+    }
+    children(node, place, style, depth + 1);
+    viewport_ = saved;
+  }
+
+  void shape(const xml_node& node, std::string_view name, const Affine& place, const Style& style) {
+    if (useDepth_ == 0) entities_.add(name);
+    if (!style.visible) return;
+    std::vector<Path> paths;
+    try {
+      paths = outline(node, name);
+    } catch (const Error& error) {
+      throw error.message().substr(0, 5) == "Line " ? error : damaged(lineOf(node.offset_debug()), error.message());
+    }
+    if (std::abs(place.linear().determinant()) < 1e-18) {
+      ++collapsed_;
+      return;
+    }
+    const bool filled = style.fill != "none" && style.fill != "transparent" && name != "line";
+    if (!filled && style.stroke == "none") ++unpainted_;
+    if (filled) (style.evenOdd ? evenOdd_ : nonZero_) += paths.size();
+    for (Path& path : paths) add(std::move(path), place, style, filled);
+  }
+
+  void add(Path path, const Affine& place, const Style& style, bool filled) {
+    segments_ += path.segments.size();
+    if (segments_ > mostSegments)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and curves.", mostSegments));
+    if (filled && !path.closed) close(path);
+    Path placed = transformed(path, Eigen::Matrix<double, 2, 3>(place.affine()));
+    if (!allFinite(placed)) throw Error(ErrorCode::FormatDamaged, "A shape has a coordinate that is not a number.");
+    placed.layer = style.layer;
+    if (style.paintGiven) {
+      const std::string& paint = filled ? style.fill : style.stroke;
+      placed.color = parsePaint(paint == "currentColor" ? style.color : paint);
+    }
+    curves_.paths.push_back(std::move(placed));
+  }
+
+  /// Filling closes a path with a line. A single line encloses nothing and stays open.
+  static void close(Path& path) {
+    if (path.segments.size() == 1 && std::holds_alternative<Line2>(path.segments.front())) return;
+    const Vec2 start = startPoint(path.segments.front()), end = endPoint(path.segments.back());
+    if ((start - end).norm() > 1e-9) path.segments.push_back(Line2{end, start});
+    path.closed = true;
+  }
+
+  std::vector<Path> outline(const xml_node& node, std::string_view name) const {
+    if (name == "path") return parsePathData(node.attribute("d").value());
+    if (name == "rect") return rectangle(node);
+    if (name == "line")
+      return polygon({lengthX(node, "x1"), lengthY(node, "y1"), lengthX(node, "x2"), lengthY(node, "y2")}, false);
+    if (name == "polyline" || name == "polygon") {
+      const auto numbers = parseNumbers(node.attribute("points").value());
+      if (!numbers || numbers->size() % 2 != 0)
+        throw Error(ErrorCode::FormatDamaged,
+                    fmt::format("points needs pairs of numbers, but there is {}.", shown(node.attribute("points").value())));
+      return polygon(*numbers, name == "polygon");
+    }
+    const Vec2 center(lengthX(node, "cx"), lengthY(node, "cy"));
+    const double diagonal = viewport_.norm() / std::sqrt(2.0);
+    double rx = name == "circle" ? length(node, "r", diagonal) : lengthX(node, "rx", -1);
+    double ry = name == "circle" ? rx : lengthY(node, "ry", -1);
+    if (name == "ellipse" && rx < 0) rx = ry;
+    if (name == "ellipse" && ry < 0) ry = rx;
+    if (!(rx > 0) || !(ry > 0)) return {};
+    checkSize({center.x(), center.y(), rx, ry});
+    return {Path{{ellipseSegment(center, rx, ry)}, true, {}, {}}};
+  }
+
+  static void checkSize(std::initializer_list<double> values) {
+    for (const double v : values)
+      if (!(std::abs(v) <= 1e12)) throw Error(ErrorCode::FormatDamaged, "A shape has a coordinate that is too large.");
+  }
+
+  static std::vector<Path> polygon(const std::vector<double>& v, bool closed) {
+    Path path;
+    const std::size_t n = v.size() / 2;
+    for (const double x : v) checkSize({x});
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      const Vec2 from(v[2 * i], v[2 * i + 1]), to(v[2 * j], v[2 * j + 1]);
+      if (from != to) path.segments.push_back(Line2{from, to});
+    }
+    path.closed = closed;
+    if (path.segments.empty()) return {};
+    return {path};
+  }
+
+  /// Clockwise on the page from the end of the upper left corner, as SVG 1.1, 9.2 draws it.
+  std::vector<Path> rectangle(const xml_node& node) const {
+    const double x = lengthX(node, "x"), y = lengthY(node, "y"), w = lengthX(node, "width"), h = lengthY(node, "height");
+    if (!(w > 0) || !(h > 0)) return {};
+    checkSize({x, y, w, h});
+    double rx = lengthX(node, "rx", -1), ry = lengthY(node, "ry", -1);
+    if (rx < 0) rx = std::max(ry, 0.0);
+    if (ry < 0) ry = rx;
+    rx = std::min(rx, w / 2);
+    ry = std::min(ry, h / 2);
+    if (!(rx > 0) || !(ry > 0)) return polygon({x, y, x + w, y, x + w, y + h, x, y + h}, true);
+    Path path;
+    path.closed = true;
+    const std::array<Vec2, 8> p{Vec2(x + rx, y),         Vec2(x + w - rx, y), Vec2(x + w, y + ry), Vec2(x + w, y + h - ry),
+                                Vec2(x + w - rx, y + h), Vec2(x + rx, y + h), Vec2(x, y + h - ry), Vec2(x, y + ry)};
+    for (std::size_t i = 0; i < 8; i += 2) {
+      if (p[i] != p[i + 1]) path.segments.push_back(Line2{p[i], p[i + 1]});
+      for (Segment& s : arcSegment(p[i + 1], p[(i + 2) % 8], rx, ry, 0, false, true)) path.segments.push_back(std::move(s));
+    }
+    return {path};
+  }
+
+  Imported finished() {
+    Imported imported;
+    const auto warn = [&](bool when, std::string sentence) {
+      if (when) imported.warnings.push_back(std::move(sentence));
+    };
+    std::string list;
+    for (const auto& [name, count] : skipped_.counts())
+      list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, name);
+    warn(!skipped_.empty(), fmt::format("Left out, because a drawing of curves has no place for them: {}.", list));
+    warn(lost_ > 0, fmt::format("{} elements use others that are not in the file.", lost_));
+    warn(collapsed_ > 0, fmt::format("{} shapes are scaled to nothing and were left out.", collapsed_));
+    warn(unpainted_ > 0, fmt::format("{} shapes have neither fill nor stroke; they were read all the same.", unpainted_));
+    warn(evenOdd_ > 0 && nonZero_ > 0, "Its shapes use both fill rules; all are read with the rule nonzero.");
+    curves_.fillRule = evenOdd_ > 0 && nonZero_ == 0 ? FillRule::EvenOdd : FillRule::NonZero;
+    imported.entities = entities_.toValue();
+    imported.skipped = skipped_.toValue();
+    imported.shape = Shape(std::move(curves_));
+    return imported;
+  }
+
+  const std::string& content_;
+  const Progress& progress_;
+  pugi::xml_document document_;
+  std::unordered_map<std::string, xml_node> names_;
+  std::map<std::string, Declarations, std::less<>> rules_;
+  bool physical_ = false, hasViewBox_ = false;
+  Vec2 viewport_{0, 0};  ///< of the svg around, in user units
+  Curves curves_;
+  Counter entities_, skipped_;
+  std::set<std::string> open_;
+  std::size_t elements_ = 0, segments_ = 0, lost_ = 0, collapsed_ = 0, unpainted_ = 0, evenOdd_ = 0, nonZero_ = 0;
+  int useDepth_ = 0;
+};
+
+}  // namespace
+
+Imported readDocument(const std::string& content, const Progress& progress) { return Reader(content, progress).read(); }
+
+}  // namespace blossom::svg

@@ -1,0 +1,195 @@
+#include "geometry/shape/motion.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "geometry/bspline/bspline.h"
+
+namespace blossom {
+
+namespace {
+
+/// Index in 0..n-1 and the number of periods passed.
+std::pair<std::size_t, long> wrapped(long index, std::size_t n) {
+  const long count = static_cast<long>(n);
+  const long turns = index >= 0 ? index / count : -((-index + count - 1) / count);
+  return {static_cast<std::size_t>(index - turns * count), turns};
+}
+
+[[noreturn]] void fail(const char* factor, const std::string& problem) {
+  throw Error(ErrorCode::InvalidInput, fmt::format("The {} of this motion cannot be used: {}", factor, problem));
+}
+
+template <class Spline>
+void validateFactor(const char* factor, const Spline& spline) {
+  try {
+    validate(spline);
+  } catch (const Error& error) {
+    fail(factor, error.message());
+  }
+}
+
+void requireSameDomain(const char* factor, const char* direction, std::pair<double, double> domain,
+                       std::pair<double, double> wanted) {
+  if (domain != wanted)
+    fail(factor, fmt::format("its domain in {} is {} to {}, that of the orientation {} to {}.", direction, domain.first,
+                             domain.second, wanted.first, wanted.second));
+}
+
+void requireContinuity(const char* factor, int degree, const std::vector<double>& knots) {
+  const std::size_t last = knots.size() - 1 - static_cast<std::size_t>(degree);
+  const double first = knots[static_cast<std::size_t>(degree)], end = knots[last];
+  for (std::size_t i = 0; i + static_cast<std::size_t>(degree) < knots.size(); ++i)
+    if (knots[i] > first && knots[i] < end && knots[i] == knots[i + static_cast<std::size_t>(degree)])
+      fail(factor, fmt::format("it tears apart at the knot {}, which has a multiplicity above the degree.", knots[i]));
+}
+
+void requireClosed(const char* factor, const Surface& surface, double sign) {
+  const std::size_t degree = static_cast<std::size_t>(surface.degreeU), period = surface.countU() - degree;
+  const auto [first, last] = surface.domainU();
+  for (std::size_t i = 0; i + period < surface.knotsU.size(); ++i)
+    if (std::abs(surface.knotsU[i + period] - surface.knotsU[i] - (last - first)) > 1e-12 * (last - first))
+      fail(factor, "it is to be closed in u, but its knots do not repeat after one period.");
+  for (std::size_t i = 0; i < degree; ++i)
+    for (std::size_t j = 0; j < surface.countV(); ++j)
+      if (surface.pole(i + period, j) != sign * surface.pole(i, j))
+        fail(factor, fmt::format("it is to be closed in u, but its last {} rows do not repeat the first ones.", degree));
+}
+
+}  // namespace
+
+std::vector<double> unwrappedKnots(int degree, const std::vector<double>& period) {
+  const std::size_t n = period.size() - 1;
+  const double length = period[n] - period[0];
+  std::vector<double> knots;
+  knots.reserve(period.size() + 2 * static_cast<std::size_t>(degree));
+  for (long i = -degree; i <= static_cast<long>(n) + degree; ++i) {
+    // The given values stay untouched inside the period; only the repetitions are shifted.
+    if (i >= 0 && i <= static_cast<long>(n)) {
+      knots.push_back(period[static_cast<std::size_t>(i)]);
+    } else {
+      const auto [index, turns] = wrapped(i, n);
+      // From the nearer end, so that knots repeated at the seam stay exactly equal to it.
+      knots.push_back(turns < 0 ? period[0] - (period[n] - period[index]) + static_cast<double>(turns + 1) * length
+                                : period[n] + (period[index] - period[0]) + static_cast<double>(turns - 1) * length);
+    }
+  }
+  return knots;
+}
+
+Surface unwrapped(int degreeU, int degreeV, const std::vector<double>& periodU, std::vector<double> knotsV,
+                  std::vector<Vec4> poles, double sign) {
+  const std::size_t rows = periodU.size() - 1, columns = knotsV.size() - static_cast<std::size_t>(degreeV) - 1;
+  Surface surface{degreeU, degreeV, unwrappedKnots(degreeU, periodU), std::move(knotsV), std::move(poles)};
+  surface.poles.reserve((rows + static_cast<std::size_t>(degreeU)) * columns);
+  for (std::size_t i = rows; i < rows + static_cast<std::size_t>(degreeU); ++i)
+    for (std::size_t j = 0; j < columns; ++j) {
+      const Vec4 pole = sign * surface.poles[(i - rows) * columns + j];
+      surface.poles.push_back(pole);
+    }
+  return surface;
+}
+
+void validate(const Motion& motion) {
+  validateFactor("trajectory", motion.trajectory);
+  validateFactor("orientation", motion.orientation);
+  validateFactor("scaling", motion.scaling);
+  requireSameDomain("trajectory", "v", motion.trajectory.domain(), motion.domainV());
+  requireSameDomain("scaling", "u", motion.scaling.domainU(), motion.domainU());
+  requireSameDomain("scaling", "v", motion.scaling.domainV(), motion.domainV());
+  requireContinuity("trajectory", motion.trajectory.degree, motion.trajectory.knots);
+  for (const auto& [name, factor] :
+       {std::pair<const char*, const Surface&>{"orientation", motion.orientation}, {"scaling", motion.scaling}}) {
+    requireContinuity(name, factor.degreeU, factor.knotsU);
+    requireContinuity(name, factor.degreeV, factor.knotsV);
+  }
+  for (const Vec4& pole : motion.trajectory.poles)
+    if (pole[3] <= 0) fail("trajectory", "every weight must be above 0.");
+  for (const Vec4& pole : motion.scaling.poles)
+    if (pole[3] <= 0) fail("scaling", "every fourth component (sw) must be above 0.");
+  if (!motion.point.allFinite()) fail("point", "its coordinates must be finite numbers.");
+  if (motion.closedU == ClosedU::No) return;
+  requireClosed("orientation", motion.orientation, motion.closedU == ClosedU::AntiPeriodic ? -1.0 : 1.0);
+  requireClosed("scaling", motion.scaling, 1.0);
+}
+
+namespace {
+
+/// Neighbours (this and the next in u, this and the next in v) that point away from each other.
+void countOpposed(const Surface& r, QuaternionAlignment& result) {
+  result.opposed = 0;
+  for (std::size_t i = 0; i < r.countU(); ++i)
+    for (std::size_t j = 0; j < r.countV(); ++j) {
+      const bool opposed = (i + 1 < r.countU() && r.pole(i, j).dot(r.pole(i + 1, j)) < 0) ||
+                           (j + 1 < r.countV() && r.pole(i, j).dot(r.pole(i, j + 1)) < 0);
+      if (opposed && result.opposed++ == 0) result.row = i, result.column = j;
+    }
+}
+
+/// Cosine of the half-angle from which a turn between neighbours is no longer taken as meant: 135 degrees, three quarters
+/// of a full turn. Signs that were lost leave pairs near 180 degrees, between which the spline nearly vanishes.
+constexpr double hardlyMeant = -0.70710678118654752;
+
+/// The axis of the turn from one quaternion to the next, times the sine of its half-angle and their lengths.
+Vec3 turnBetween(const Vec4& from, const Vec4& to) {
+  const Vec3 a = from.tail<3>(), b = to.tail<3>();
+  return from[0] * b - to[0] * a - a.cross(b);
+}
+
+/// On this line of poles, signs as they stand make sense: no neighbours point away from each other, or all turn the same
+/// way and none too far.
+bool turnsOneWay(const Surface& r, std::size_t start, std::size_t step, std::size_t count) {
+  bool opposed = false, oneWay = true;
+  Vec3 last = Vec3::Zero();
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    const Vec4 &from = r.poles[start + k * step], &to = r.poles[start + (k + 1) * step];
+    const double cosine = from.dot(to), lengths = from.norm() * to.norm();
+    if (cosine < hardlyMeant * lengths) return false;
+    opposed = opposed || cosine < 0;
+    const Vec3 turn = turnBetween(from, to);
+    oneWay = oneWay && turn.dot(last) >= 0;
+    if (turn.norm() > 1e-9 * lengths) last = turn;
+  }
+  return !opposed || oneWay;
+}
+
+bool signsAreMeant(const Surface& r) {
+  for (std::size_t i = 0; i < r.countU(); ++i)
+    if (!turnsOneWay(r, i * r.countV(), 1, r.countV())) return false;
+  for (std::size_t j = 0; j < r.countV(); ++j)
+    if (!turnsOneWay(r, j, r.countV(), r.countU())) return false;
+  return true;
+}
+
+}  // namespace
+
+QuaternionAlignment alignQuaternions(Motion& motion) {
+  QuaternionAlignment before, after;
+  countOpposed(motion.orientation, before);
+  if (before.opposed == 0 || signsAreMeant(motion.orientation)) return before;
+  Surface aligned = motion.orientation;
+  const std::size_t free =
+      aligned.countU() - (motion.closedU == ClosedU::No ? 0 : static_cast<std::size_t>(aligned.degreeU));
+  for (std::size_t i = 0; i < free; ++i)
+    for (std::size_t j = 0; j < aligned.countV(); ++j) {
+      if (i == 0 && j == 0) continue;
+      Vec4& pole = aligned.pole(i, j);
+      // Of two neighbours the one that is surer of the sign decides.
+      const double alongU = i > 0 ? pole.dot(aligned.pole(i - 1, j)) : 0,
+                   alongV = j > 0 ? pole.dot(aligned.pole(i, j - 1)) : 0;
+      if ((std::abs(alongU) >= std::abs(alongV) ? alongU : alongV) < 0) pole = -pole, ++after.flipped;
+    }
+  const double sign = motion.closedU == ClosedU::AntiPeriodic ? -1.0 : 1.0;
+  for (std::size_t i = free; i < aligned.countU(); ++i)
+    for (std::size_t j = 0; j < aligned.countV(); ++j) aligned.pole(i, j) = sign * aligned.pole(i - free, j);
+  countOpposed(aligned, after);
+  if (after.opposed >= before.opposed) return before;
+  motion.orientation = std::move(aligned);
+  return after;
+}
+
+}  // namespace blossom

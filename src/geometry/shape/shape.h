@@ -1,0 +1,60 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "geometry/bspline/curve.h"
+#include "geometry/bspline/surface.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/planar/medial_axis.h"
+#include "geometry/planar/region.h"
+#include "geometry/shape/brep.h"
+#include "geometry/shape/motion.h"
+#include "geometry/shape/sequence.h"
+#include "geometry/shape/toolpath.h"
+
+namespace blossom {
+
+enum class ShapeKind { None, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath };
+
+/// "region", "curves", "surface", .. as a user reads it.
+std::string_view shapeKindName(ShapeKind) noexcept;
+
+/// What flows between features: one immutable value of any kind. Copies share it, so a Shape is cheap to pass by value and
+/// safe to read from any thread.
+class Shape {
+ public:
+  using Value =
+      std::variant<std::monostate, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath>;
+
+  Shape() = default;
+  template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, Shape>>>
+  Shape(T value) : value_(std::make_shared<const Value>(std::move(value))) {}
+
+  [[nodiscard]] ShapeKind kind() const noexcept {
+    return value_ ? static_cast<ShapeKind>(value_->index()) : ShapeKind::None;
+  }
+  [[nodiscard]] bool empty() const noexcept { return kind() == ShapeKind::None; }
+  /// nullptr when it is of another kind.
+  template <class T>
+  [[nodiscard]] const T* get() const noexcept {
+    return value_ ? std::get_if<T>(value_.get()) : nullptr;
+  }
+  /// Calls visitor with the value held (std::monostate when empty).
+  template <class Visitor>
+  decltype(auto) visit(Visitor&& visitor) const {
+    static const Value none;
+    return std::visit(std::forward<Visitor>(visitor), value_ ? *value_ : none);
+  }
+
+ private:
+  std::shared_ptr<const Value> value_;
+};
+
+/// The planar curves that stand for a shape in a drawing: of regions, curves, medial axes and toolpaths; nothing of others.
+std::optional<Curves> drawingOf(const Shape&);
+
+}  // namespace blossom

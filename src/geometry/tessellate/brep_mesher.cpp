@@ -1,0 +1,425 @@
+#include "geometry/tessellate/brep_mesher.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <GCPnts_TangentialDeflection.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/occt/occt_progress.h"
+#include "geometry/occt/occt_reason.h"
+#include "geometry/tessellate/grid_mesher.h"
+
+namespace blossom {
+namespace {
+
+Vec3 toVec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+
+struct FaceMesh {
+  TopoDS_Face face;
+  TopLoc_Location location;
+  Handle(Poly_Triangulation) triangulation;
+  const std::vector<Vec3>* normals = nullptr;  ///< of a structured grid, whose chord is kept already
+  int offset = 0;                              ///< of its points in the result
+};
+
+/// Parameters in the middle of a face, towards which a degenerate normal is sought.
+gp_Pnt2d parameterCenter(const Poly_Triangulation& triangulation) {
+  gp_XY sum(0, 0);
+  for (int i = 1; i <= triangulation.NbNodes(); ++i) sum += triangulation.UVNode(i).XY();
+  return gp_Pnt2d(sum / std::max(1, triangulation.NbNodes()));
+}
+
+std::optional<Vec3> surfaceNormal(const BRepAdaptor_Surface& surface, const gp_XY& uv) {
+  gp_Pnt p;
+  gp_Vec du, dv;
+  surface.D1(uv.X(), uv.Y(), p, du, dv);
+  const Vec3 normal = toVec(du.XYZ()).cross(toVec(dv.XYZ()));
+  const double speed = std::max(du.SquareMagnitude(), dv.SquareMagnitude());
+  if (!(normal.norm() > 1e-8 * speed)) return std::nullopt;
+  return normal.normalized();
+}
+
+/// At a pole the normal is that of a point a little way inside.
+Vec3 normalAt(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_Pnt2d& center) {
+  for (const double step : {0.0, 1e-5, 1e-3, 1e-1})
+    if (const auto normal = surfaceNormal(surface, uv.XY() + (center.XY() - uv.XY()) * step)) return *normal;
+  return {0, 0, 1};
+}
+
+enum class Collapsed { No, U, V };
+
+/// Of each node, the parameter that means nothing there: where a surface shrinks to a point, as in the tip of a cone, all
+/// values of the one that runs round it are the same place.
+std::vector<Collapsed> collapsedParameters(const Poly_Triangulation& triangulation, const BRepAdaptor_Surface& surface) {
+  constexpr double nothing = 1e-8;
+  std::vector<Collapsed> collapsed(static_cast<std::size_t>(triangulation.NbNodes()), Collapsed::No);
+  for (int i = 1; i <= triangulation.NbNodes(); ++i) {
+    const gp_Pnt2d uv = triangulation.UVNode(i);
+    gp_Pnt p;
+    gp_Vec du, dv;
+    surface.D1(uv.X(), uv.Y(), p, du, dv);
+    if (du.Magnitude() <= nothing * dv.Magnitude())
+      collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::U;
+    else if (dv.Magnitude() <= nothing * du.Magnitude())
+      collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::V;
+  }
+  return collapsed;
+}
+
+/// The middle of a triangle's parameters. A corner with a collapsed parameter counts in the other one only: the corner in
+/// the tip of a cone has whatever angle the mesher gave it.
+gp_XY middleParameters(const FaceMesh& mesh, const Poly_Triangle& triangle, const std::vector<Collapsed>& collapsed) {
+  gp_XY sum(0, 0);
+  int countU = 0, countV = 0;
+  for (int k = 1; k <= 3; ++k) {
+    const gp_Pnt2d uv = mesh.triangulation->UVNode(triangle.Value(k));
+    const Collapsed here = collapsed[static_cast<std::size_t>(triangle.Value(k) - 1)];
+    if (here != Collapsed::U) {
+      sum.SetX(sum.X() + uv.X());
+      ++countU;
+    }
+    if (here != Collapsed::V) {
+      sum.SetY(sum.Y() + uv.Y());
+      ++countV;
+    }
+  }
+  return {sum.X() / std::max(1, countU), sum.Y() / std::max(1, countV)};
+}
+
+/// Distance from a triangle's plane to the surface point in the middle of its parameters.
+double sag(const FaceMesh& mesh, const BRepAdaptor_Surface& surface, const Poly_Triangle& triangle,
+           const std::vector<Collapsed>& collapsed) {
+  int a = 0, b = 0, c = 0;
+  triangle.Get(a, b, c);
+  const Poly_Triangulation& t = *mesh.triangulation;
+  const auto at = [&](int i) { return toVec(t.Node(i).Transformed(mesh.location.Transformation()).XYZ()); };
+  const gp_XY middle = middleParameters(mesh, triangle, collapsed);
+  const Vec3 p = at(a);
+  const Vec3 normal = (at(b) - p).cross(at(c) - p);
+  if (!(normal.norm() > 0)) return 0;
+  return std::abs((toVec(surface.Value(middle.X(), middle.Y()).XYZ()) - p).dot(normal.normalized()));
+}
+
+class ShapeMesher {
+ public:
+  ShapeMesher(const TopoDS_Shape& shape, const TessellationOptions& options, const Progress& progress)
+      : shape_(BRepBuilderAPI_Copy(shape, Standard_False, Standard_False).Shape()), options_(options), progress_(progress) {
+    TopExp::MapShapes(shape_, TopAbs_FACE, faceMap_);
+  }
+
+  Tessellation run() {
+    if (faceMap_.Extent() > 0) {
+      triangulate();
+      placePoints();
+      addTriangles();
+    }
+    addEdges();
+    addVertices();
+    for (TopExp_Explorer vertex(shape_, TopAbs_VERTEX, TopAbs_EDGE); vertex.More(); vertex.Next())
+      result_.markers.push_back(toVec(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())).XYZ()));
+    return std::move(result_);
+  }
+
+ private:
+  /// B-spline rectangles become grids; BRepMesh does the other faces and takes over the edges of the grids.
+  void triangulate() {
+    grids_ = meshGridFaces(faceMap_, options_, progress_);
+    triangulateOthers();
+    if (grids_.empty() || edgesAgree()) return;
+    // BRepMesh has divided an edge anew: it must then do all faces.
+    grids_.clear();
+    BRepTools::Clean(shape_);
+    triangulateOthers();
+  }
+
+  /// OCCT does not always keep its deflection on free-form faces: measured, and the faces in question meshed again finer.
+  void triangulateOthers() {
+    constexpr int mostRounds = 4;
+    collectFaces();
+    double deflection = options_.chord;
+    for (int round = 0; round < mostRounds; ++round) {
+      if (std::all_of(faces_.begin(), faces_.end(), [](const FaceMesh& mesh) { return mesh.normals; })) break;
+      runBRepMesh(deflection);
+      collectFaces();
+      const std::vector<double> sags = largestSags();
+      const double worst = *std::max_element(sags.begin(), sags.end());
+      if (worst <= options_.chord || round + 1 == mostRounds) break;
+      forgetTooCoarse(sags, round > 0);
+      deflection = std::max(deflection * std::max(0.15, 0.8 * options_.chord / worst), 10 * Precision::Confusion());
+    }
+    if (std::all_of(faces_.begin(), faces_.end(), [](const FaceMesh& mesh) { return mesh.triangulation.IsNull(); }))
+      throw Error(ErrorCode::Degenerate, "None of the faces can be divided into triangles.",
+                  "Check the shape; its edges may not bound its faces.");
+  }
+
+  void runBRepMesh(double deflection) {
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = std::max(deflection, 2 * Precision::Confusion());
+    parameters.Angle = options_.angle;
+    parameters.InParallel = Standard_True;
+    const Handle(OcctProgress) indicator = new OcctProgress(progress_, "Meshing");
+    const BRepMesh_IncrementalMesh mesher(shape_, parameters, indicator->Start());
+    progress_.check();
+  }
+
+  void collectFaces() {
+    faces_.assign(static_cast<std::size_t>(faceMap_.Extent()), {});
+    for (int i = 1; i <= faceMap_.Extent(); ++i) {
+      FaceMesh& mesh = faces_[static_cast<std::size_t>(i - 1)];
+      mesh.face = TopoDS::Face(faceMap_(i));
+      mesh.triangulation = BRep_Tool::Triangulation(mesh.face, mesh.location);
+      if (!mesh.triangulation.IsNull() && !mesh.triangulation->HasUVNodes()) mesh.triangulation.Nullify();
+      const auto grid = grids_.find(mesh.triangulation.get());
+      if (grid != grids_.end()) mesh.normals = &grid->second;
+    }
+  }
+
+  /// Of each face that BRepMesh has done.
+  std::vector<double> largestSags() const {
+    std::vector<double> worst(faces_.size());
+    parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        if (!faces_[f].triangulation.IsNull() && !faces_[f].normals) worst[f] = largestSag(faces_[f]);
+    });
+    return worst;
+  }
+
+  double largestSag(const FaceMesh& mesh) const {
+    const BRepAdaptor_Surface surface(mesh.face, Standard_False);
+    if (surface.GetType() == GeomAbs_Plane) return 0;
+    const std::vector<Collapsed> collapsed = collapsedParameters(*mesh.triangulation, surface);
+    double worst = 0;
+    for (int t = 1; t <= mesh.triangulation->NbTriangles(); ++t) {
+      if (t % 4096 == 0) progress_.check();
+      worst = std::max(worst, sag(mesh, surface, mesh.triangulation->Triangle(t), collapsed));
+    }
+    return std::max(0.0, worst - BRep_Tool::Tolerance(mesh.face));
+  }
+
+  /// Leaves BRepMesh only the faces that are too coarse; the others keep their triangles, and with them their edges.
+  /// @param neighbors too: an edge may have been the reason
+  void forgetTooCoarse(const std::vector<double>& sags, bool neighbors) {
+    TopTools_IndexedDataMapOfShapeListOfShape owners;
+    TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, owners);
+    std::vector<bool> again(faces_.size());
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (sags[f] <= options_.chord) continue;
+      again[f] = true;
+      if (!neighbors) continue;
+      for (TopExp_Explorer edge(faces_[f].face, TopAbs_EDGE); edge.More(); edge.Next())
+        for (const TopoDS_Shape& owner : owners.FindFromKey(edge.Current()))
+          if (const auto other = static_cast<std::size_t>(faceMap_.FindIndex(owner) - 1); !faces_[other].normals)
+            again[other] = true;
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      if (!again[f]) keep(faces_[f]);
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      if (again[f]) BRepTools::Clean(faces_[f].face);
+  }
+
+  /// A deflection of 0 is fine enough whatever is asked for next.
+  static void keep(const FaceMesh& mesh) {
+    if (mesh.triangulation.IsNull()) return;
+    mesh.triangulation->Deflection(0);
+    for (TopExp_Explorer edge(mesh.face, TopAbs_EDGE); edge.More(); edge.Next()) {
+      const auto polygon =
+          BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(edge.Current()), mesh.triangulation, mesh.location);
+      if (!polygon.IsNull()) polygon->Deflection(0);
+    }
+  }
+
+  /// Has every edge the same number of points in all its faces?
+  bool edgesAgree() const {
+    TopTools_IndexedDataMapOfShapeListOfShape edges;
+    TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      const auto edgeRows = rows(TopoDS::Edge(edges.FindKey(i)), edges(i));
+      for (const auto& row : edgeRows)
+        if (row.size() != edgeRows.front().size()) return false;
+    }
+    return true;
+  }
+
+  void placePoints() {
+    int total = 0;
+    for (FaceMesh& mesh : faces_) {
+      mesh.offset = total;
+      if (!mesh.triangulation.IsNull()) total += mesh.triangulation->NbNodes();
+    }
+    result_.points.resize(static_cast<std::size_t>(total));
+    result_.normals.resize(static_cast<std::size_t>(total));
+    parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f)
+        if (!faces_[f].triangulation.IsNull()) placeFace(faces_[f]);
+    });
+  }
+
+  void placeFace(const FaceMesh& mesh) {
+    const gp_Trsf& place = mesh.location.Transformation();
+    const BRepAdaptor_Surface surface(mesh.face, Standard_False);
+    const gp_Pnt2d center = parameterCenter(*mesh.triangulation);
+    const double side = isInverted(mesh) ? -1 : 1;
+    for (int i = 1; i <= mesh.triangulation->NbNodes(); ++i) {
+      const auto index = static_cast<std::size_t>(mesh.offset + i - 1);
+      result_.points[index] = toVec(mesh.triangulation->Node(i).Transformed(place).XYZ());
+      result_.normals[index] = mesh.normals ? gridNormal(mesh, static_cast<std::size_t>(i - 1))
+                                            : Vec3(side * normalAt(surface, mesh.triangulation->UVNode(i), center));
+    }
+  }
+
+  /// Normals of a grid are those of the surface before it is placed.
+  static Vec3 gridNormal(const FaceMesh& mesh, std::size_t i) {
+    const Vec3& own = (*mesh.normals)[i];
+    const Vec3 placed = toVec(gp_Vec(own.x(), own.y(), own.z()).Transformed(mesh.location.Transformation()).XYZ());
+    return mesh.face.Orientation() == TopAbs_REVERSED ? -placed.normalized() : placed.normalized();
+  }
+
+  /// A mirroring location turns du x dv round, as a reversed orientation does.
+  static bool isInverted(const FaceMesh& mesh) {
+    return (mesh.face.Orientation() == TopAbs_REVERSED) != mesh.location.Transformation().IsNegative();
+  }
+
+  void addTriangles() {
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const FaceMesh& mesh = faces_[f];
+      if (mesh.triangulation.IsNull()) continue;
+      for (int t = 1; t <= mesh.triangulation->NbTriangles(); ++t) {
+        int a = 0, b = 0, c = 0;
+        mesh.triangulation->Triangle(t).Get(a, b, c);
+        if (isInverted(mesh)) std::swap(b, c);
+        result_.triangles.push_back({mesh.offset + a - 1, mesh.offset + b - 1, mesh.offset + c - 1});
+        result_.faceOfTriangle.push_back(static_cast<int>(f));
+      }
+    }
+  }
+
+  /// The points of an edge in one of its faces; a seam has two rows of them.
+  std::vector<std::vector<std::size_t>> rows(const TopoDS_Edge& edge, const TopTools_ListOfShape& owners) const {
+    std::vector<std::vector<std::size_t>> result;
+    for (const TopoDS_Shape& owner : owners) {
+      const int index = faceMap_.FindIndex(owner);
+      const FaceMesh& mesh = faces_[static_cast<std::size_t>(index - 1)];
+      if (mesh.triangulation.IsNull()) continue;
+      const auto add = [&](TopAbs_Orientation orientation) {
+        const TopoDS_Edge oriented = TopoDS::Edge(edge.Oriented(orientation));
+        const auto polygon = BRep_Tool::PolygonOnTriangulation(oriented, mesh.triangulation, mesh.location);
+        if (polygon.IsNull()) return;
+        auto& row = result.emplace_back();
+        for (int i = 1; i <= polygon->NbNodes(); ++i)
+          row.push_back(static_cast<std::size_t>(mesh.offset + polygon->Node(i) - 1));
+      };
+      add(TopAbs_FORWARD);
+      if (BRep_Tool::IsClosed(edge, mesh.face)) add(TopAbs_REVERSED);
+    }
+    return result;
+  }
+
+  void addVertices() {
+    TopTools_IndexedMapOfShape vertices;
+    TopExp::MapShapes(shape_, TopAbs_VERTEX, vertices);
+    result_.vertices.reserve(static_cast<std::size_t>(vertices.Extent()));
+    for (int i = 1; i <= vertices.Extent(); ++i)
+      result_.vertices.push_back(toVec(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))).XYZ()));
+  }
+
+  void addEdges() {
+    TopTools_IndexedMapOfShape numbers;  // the map with the faces counts in another order where there are free edges
+    TopExp::MapShapes(shape_, TopAbs_EDGE, numbers);
+    TopTools_IndexedDataMapOfShapeListOfShape edges;
+    TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      if (i % 256 == 0) progress_.check();
+      const TopoDS_Edge& edge = TopoDS::Edge(edges.FindKey(i));
+      const auto edgeRows = rows(edge, edges(i));
+      alignRows(edge, edgeRows);
+      if (BRep_Tool::Degenerated(edge)) continue;
+      const std::size_t drawn = result_.edges.size();
+      if (edges(i).IsEmpty()) {
+        addFreeEdge(edge);
+      } else if (!edgeRows.empty() && !isSmoothSeam(edge, edges(i), edgeRows)) {
+        auto& polyline = result_.edges.emplace_back();
+        for (const std::size_t p : edgeRows.front()) polyline.push_back(result_.points[p]);
+      }
+      if (result_.edges.size() > drawn) result_.edgeIndices.push_back(numbers.FindIndex(edge) - 1);
+    }
+  }
+
+  /// Gives an edge's points the same coordinates in all faces, and its ends those of the vertices.
+  void alignRows(const TopoDS_Edge& edge, const std::vector<std::vector<std::size_t>>& edgeRows) {
+    const auto place = [&](const TopoDS_Vertex& vertex, std::size_t index) {
+      if (!vertex.IsNull()) result_.points[index] = toVec(BRep_Tool::Pnt(vertex).XYZ());
+    };
+    const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    for (const auto& row : edgeRows) {
+      const auto& first = edgeRows.front();
+      if (row.size() == first.size())
+        for (std::size_t k = 0; k < row.size(); ++k) result_.points[row[k]] = result_.points[first[k]];
+      if (BRep_Tool::Degenerated(edge))
+        for (const std::size_t p : row) place(TopExp::FirstVertex(forward), p);
+      place(TopExp::FirstVertex(forward), row.front());
+      place(TopExp::LastVertex(forward), row.back());
+    }
+  }
+
+  /// Where a surface closes smoothly onto itself, nothing is to be seen.
+  bool isSmoothSeam(const TopoDS_Edge& edge, const TopTools_ListOfShape& owners,
+                    const std::vector<std::vector<std::size_t>>& edgeRows) const {
+    constexpr double smooth = 0.99;
+    if (owners.Extent() != 1 || edgeRows.size() != 2 || !BRep_Tool::IsClosed(edge, TopoDS::Face(owners.First())))
+      return false;
+    const auto& [a, b] = std::pair(edgeRows[0], edgeRows[1]);
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+      if (result_.normals[a[k]].dot(result_.normals[b[k]]) < smooth) return false;
+    return true;
+  }
+
+  void addFreeEdge(const TopoDS_Edge& edge) {
+    const BRepAdaptor_Curve curve(edge);
+    const GCPnts_TangentialDeflection points(curve, options_.angle, options_.chord);
+    auto& polyline = result_.edges.emplace_back();
+    for (int i = 1; i <= points.NbPoints(); ++i) polyline.push_back(toVec(points.Value(i).XYZ()));
+  }
+
+  TopoDS_Shape shape_;
+  TessellationOptions options_;
+  const Progress& progress_;
+  TopTools_IndexedMapOfShape faceMap_;
+  GridNormalsOf grids_;
+  std::vector<FaceMesh> faces_;
+  Tessellation result_;
+};
+
+}  // namespace
+
+Tessellation meshShape(const TopoDS_Shape& shape, const TessellationOptions& options, const Progress& progress) {
+  try {
+    return ShapeMesher(shape, options, progress).run();
+  } catch (const Standard_Failure& failure) {
+    throw Error(ErrorCode::Degenerate, std::string("The shape cannot be meshed: ") + reasonOf(failure) + ".",
+                "Check the shape; it may come from a damaged file.");
+  }
+}
+
+}  // namespace blossom

@@ -1,7 +1,7 @@
-# blossom_plugin(ID): a plugin made of plugin.json, kernel/*.cpp, *.cpp (the feature types) and manipulators/*.cpp in the current folder.
+# blossom_plugin(ID): a plugin made of plugin.json, all .cpp below kernel, *.cpp (the feature types) and manipulators/*.cpp in the current folder.
 # The kernel is a static library of its own, so that tests and benchmarks can link it without the plugin.
 function(blossom_plugin id)
-  file(GLOB kernel_sources CONFIGURE_DEPENDS kernel/*.cpp)
+  file(GLOB_RECURSE kernel_sources CONFIGURE_DEPENDS kernel/*.cpp)
   add_library(blossom_${id}_kernel STATIC ${kernel_sources})
   target_include_directories(blossom_${id}_kernel PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(blossom_${id}_kernel PUBLIC Blossom::geometry PRIVATE Blossom::flags)

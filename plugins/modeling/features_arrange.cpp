@@ -2,9 +2,9 @@
 #include "core/error.h"
 #include "feature_groups.h"
 #include "in_worker.h"
-#include "kernel/arrange.h"
-#include "kernel/boolean.h"
-#include "kernel/placement.h"
+#include "kernel/parts/boolean.h"
+#include "kernel/parts/placement.h"
+#include "kernel/solid/arrange.h"
 
 namespace blossom::modeling {
 

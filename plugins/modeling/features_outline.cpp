@@ -2,7 +2,7 @@
 #include "features_outline.h"
 #include "core/angle.h"
 #include "feature_groups.h"
-#include "kernel/outline_shapes.h"
+#include "kernel/outline/outline_shapes.h"
 
 namespace blossom::modeling {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/units.h"
 #include "features_outline.h"
 #include "features_outline_text.h"
-#include "kernel/outline_shapes.h"
+#include "kernel/outline/outline_shapes.h"
 
 namespace blossom::modeling {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "kernel/text_outline.h"
+#include "kernel/outline/text_outline.h"
 
 namespace blossom::modeling {
 

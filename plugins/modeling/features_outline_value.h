@@ -1,5 +1,5 @@
 #pragma once
-#include "kernel/outline_drawn.h"
+#include "kernel/outline/outline_drawn.h"
 #include "parameter/parameter.h"
 
 /// Drawn outlines as the parameters of the feature type `modeling.outline`, for its declaration and for the drawing tool.

@@ -1,5 +1,5 @@
 #include "feature_groups.h"
-#include "kernel/primitives.h"
+#include "kernel/solid/primitives.h"
 
 namespace blossom::modeling {
 

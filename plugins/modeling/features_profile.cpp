@@ -3,12 +3,12 @@
 #include "core/error.h"
 #include "feature_groups.h"
 #include "in_worker.h"
-#include "kernel/arrange.h"
-#include "kernel/extrude.h"
-#include "kernel/loft.h"
-#include "kernel/pipe.h"
-#include "kernel/revolve.h"
-#include "kernel/shape_parts.h"
+#include "kernel/parts/shape_parts.h"
+#include "kernel/solid/arrange.h"
+#include "kernel/solid/extrude.h"
+#include "kernel/solid/loft.h"
+#include "kernel/solid/pipe.h"
+#include "kernel/solid/revolve.h"
 #include "profile_input.h"
 
 namespace blossom::modeling {

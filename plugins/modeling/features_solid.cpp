@@ -1,11 +1,11 @@
 #include "core/error.h"
 #include "feature_groups.h"
 #include "in_worker.h"
-#include "kernel/arrange.h"
-#include "kernel/boolean.h"
-#include "kernel/fillet.h"
-#include "kernel/shape_parts.h"
-#include "kernel/shell.h"
+#include "kernel/parts/boolean.h"
+#include "kernel/parts/shape_parts.h"
+#include "kernel/solid/arrange.h"
+#include "kernel/solid/fillet.h"
+#include "kernel/solid/shell.h"
 #include "profile_input.h"
 
 namespace blossom::modeling {

@@ -14,8 +14,8 @@
 #include "geometry/occt/sub_shape.h"
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
-#include "kernel/arrange.h"
-#include "kernel/shape_parts.h"
+#include "kernel/parts/shape_parts.h"
+#include "kernel/solid/arrange.h"
 #include "wire_outlines.h"
 
 namespace blossom::modeling {

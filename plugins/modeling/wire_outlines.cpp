@@ -8,8 +8,8 @@
 #include "core/tolerance.h"
 #include "geometry/occt/occt.h"
 #include "geometry/planar/planar.h"
-#include "kernel/profile.h"
-#include "kernel/shape_parts.h"
+#include "kernel/parts/profile.h"
+#include "kernel/parts/shape_parts.h"
 
 namespace blossom::modeling {
 namespace {

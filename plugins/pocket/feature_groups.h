@@ -1,7 +1,7 @@
 #pragma once
 // Not named features.h: the C library has a header of that name, which the plugin's include folder would hide.
 #include "feature/registry.h"
-#include "kernel/clearance_diagram.h"
+#include "kernel/offset/clearance_diagram.h"
 
 namespace blossom::pocket {
 

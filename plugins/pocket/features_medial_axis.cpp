@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "feature_groups.h"
-#include "kernel/boundary.h"
+#include "kernel/medial/boundary.h"
 #include "part_input.h"
 
 namespace blossom::pocket {

@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "feature_groups.h"
 #include "geometry/planar/planar.h"
-#include "kernel/offset.h"
+#include "kernel/offset/offset.h"
 #include "part_input.h"
 
 namespace blossom::pocket {

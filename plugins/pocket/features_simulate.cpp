@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "feature_groups.h"
 #include "gouge_check.h"
-#include "kernel/simulate.h"
+#include "kernel/check/simulate.h"
 #include "part_input.h"
 #include "pocket_heights.h"
 #include "residue_report.h"

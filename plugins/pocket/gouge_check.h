@@ -1,6 +1,6 @@
 #pragma once
 #include "geometry/shape/toolpath.h"
-#include "kernel/simulate.h"
+#include "kernel/check/simulate.h"
 
 namespace blossom::pocket {
 

@@ -15,7 +15,7 @@
 #include "geometry/occt/occt.h"
 #include "geometry/occt/sub_shape.h"
 #include "geometry/planar/planar.h"
-#include "kernel/boundary.h"
+#include "kernel/medial/boundary.h"
 
 namespace blossom::pocket {
 

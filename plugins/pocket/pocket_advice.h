@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/pocket_path.h"
+#include "kernel/path/pocket_path.h"
 
 namespace blossom::pocket {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "geometry/values/box.h"
-#include "kernel/obstacle.h"
+#include "kernel/path/obstacle.h"
 #include "part_input.h"
 
 namespace blossom::pocket {

@@ -1,7 +1,7 @@
 #pragma once
 #include "feature/feature_type.h"
 #include "geometry/shape/toolpath.h"
-#include "kernel/simulate.h"
+#include "kernel/check/simulate.h"
 
 namespace blossom::pocket {
 

@@ -6,7 +6,7 @@
 #include "core/progress.h"
 #include "geometry/shape/shape.h"
 #include "geometry/values/box.h"
-#include "kernel/obstacle.h"
+#include "kernel/path/obstacle.h"
 
 namespace blossom::pocket {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "feature/feature_type.h"
 #include "geometry/shape/toolpath.h"
-#include "kernel/uncut.h"
+#include "kernel/check/uncut.h"
 
 namespace blossom::pocket {
 

@@ -1,8 +1,8 @@
 #include <QWheelEvent>
 
 #include "panel_fixture.h"
-#include "ui/fields/curve_editor.h"
-#include "ui/fields/ratio_slider.h"
+#include "ui/controls/curve_editor.h"
+#include "ui/controls/ratio_slider.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -13,7 +13,7 @@
 #include "app/app.h"
 #include "support/mouse.h"
 #include "support/support.h"
-#include "ui/fields/field_label.h"
+#include "ui/controls/field_label.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"

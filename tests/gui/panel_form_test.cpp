@@ -4,7 +4,7 @@
 #include <QPushButton>
 
 #include "panel_fixture.h"
-#include "ui/fields/chip.h"
+#include "ui/controls/chip.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
 #include "ui/panel/input_editor.h"

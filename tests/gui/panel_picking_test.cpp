@@ -1,5 +1,5 @@
 #include "panel_fixture.h"
-#include "ui/fields/chip.h"
+#include "ui/controls/chip.h"
 #include "ui/panel/input_editor.h"
 #include "ui/panel/input_slots.h"
 

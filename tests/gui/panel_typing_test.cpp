@@ -6,8 +6,8 @@
 #include <QMimeData>
 
 #include "panel_fixture.h"
-#include "ui/fields/ratio_slider.h"
-#include "ui/fields/swatch.h"
+#include "ui/controls/ratio_slider.h"
+#include "ui/controls/swatch.h"
 
 using namespace blossom;
 using namespace blossom::ui;

@@ -1,9 +1,9 @@
 #include <QLabel>
 
 #include "panel_fixture.h"
+#include "ui/controls/stepping.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
-#include "ui/fields/stepping.h"
 #include "ui/panel/result_rows.h"
 
 using namespace blossom;

@@ -5,7 +5,7 @@
 
 #include "exchange/format/format.h"
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/simulate.h"
+#include "pocket/kernel/check/simulate.h"
 #include "support/planar_parts.h"
 #include "support/rs274.h"
 #include "ui/tree/document_tree.h"

@@ -6,8 +6,8 @@
 #include <vtkActor.h>
 #include <vtkProp.h>
 
+#include "ui/controls/ratio_slider.h"
 #include "ui/fields/parameter_field.h"
-#include "ui/fields/ratio_slider.h"
 #include "ui/look/text.h"
 #include "ui/panel/property_panel.h"
 #include "ui/tree/document_tree.h"

@@ -3,8 +3,8 @@
 
 #include "exchange/format/format.h"
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/boundary.h"
-#include "pocket/kernel/clearance_diagram.h"
+#include "pocket/kernel/medial/boundary.h"
+#include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/medial_checks.h"
 #include "support/support.h"
 #include "support/true_distance.h"

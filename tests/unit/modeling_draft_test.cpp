@@ -1,5 +1,5 @@
 #include "geometry/planar/planar.h"
-#include "modeling/kernel/outline_draft.h"
+#include "modeling/kernel/outline/outline_draft.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -1,8 +1,8 @@
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/planar_bezier.h"
-#include "modeling/kernel/outline_drawn.h"
-#include "modeling/kernel/outline_edit.h"
+#include "modeling/kernel/outline/outline_drawn.h"
+#include "modeling/kernel/outline/outline_edit.h"
 #include "support/support.h"
 
 using namespace blossom;

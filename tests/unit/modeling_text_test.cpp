@@ -1,8 +1,8 @@
 #include "app/app.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
-#include "modeling/kernel/text_outline.h"
-#include "modeling/kernel/text_union.h"
+#include "modeling/kernel/outline/text_outline.h"
+#include "modeling/kernel/outline/text_union.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/clearance_diagram.h"
+#include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/medial_checks.h"
 #include "support/planar_parts.h"
 #include "support/support.h"

@@ -3,8 +3,8 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/clearance_diagram.h"
-#include "pocket/kernel/disc_proof.h"
+#include "pocket/kernel/medial/disc_proof.h"
+#include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/modeling.h"
 #include "support/planar_parts.h"
 #include "support/support.h"

@@ -1,9 +1,9 @@
 #include <numbers>
 
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/boundary.h"
-#include "pocket/kernel/clearance_diagram.h"
-#include "pocket/kernel/offset.h"
+#include "pocket/kernel/medial/boundary.h"
+#include "pocket/kernel/offset/clearance_diagram.h"
+#include "pocket/kernel/offset/offset.h"
 #include "support/planar_parts.h"
 #include "support/support.h"
 #include "support/true_distance.h"

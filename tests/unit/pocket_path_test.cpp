@@ -1,9 +1,9 @@
 #include <numbers>
 
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/clearance_diagram.h"
-#include "pocket/kernel/pocket_path.h"
-#include "pocket/kernel/simulate.h"
+#include "pocket/kernel/check/simulate.h"
+#include "pocket/kernel/offset/clearance_diagram.h"
+#include "pocket/kernel/path/pocket_path.h"
 #include "support/planar_parts.h"
 #include "support/support.h"
 

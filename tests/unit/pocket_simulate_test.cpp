@@ -2,10 +2,10 @@
 
 #include "core/angle.h"
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/inside_test.h"
-#include "pocket/kernel/simulate.h"
-#include "pocket/kernel/stroke_tree.h"
-#include "pocket/kernel/walls.h"
+#include "pocket/kernel/check/simulate.h"
+#include "pocket/kernel/stroke/inside_test.h"
+#include "pocket/kernel/stroke/stroke_tree.h"
+#include "pocket/kernel/stroke/walls.h"
 #include "support/planar_parts.h"
 #include "support/support.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
-#include "pocket/kernel/pocket_path.h"
-#include "pocket/kernel/uncut.h"
+#include "pocket/kernel/check/uncut.h"
+#include "pocket/kernel/path/pocket_path.h"
 #include "support/modeling.h"
 #include "support/planar_parts.h"
 #include "support/support.h"

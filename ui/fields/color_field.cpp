@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
-#include "ui/fields/swatch.h"
+#include "ui/controls/swatch.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {

@@ -7,9 +7,9 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "ui/fields/curve_editor.h"
-#include "ui/fields/number_line.h"
-#include "ui/fields/stepping.h"
+#include "ui/controls/curve_editor.h"
+#include "ui/controls/number_line.h"
+#include "ui/controls/stepping.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "core/error.h"
-#include "ui/fields/field_label.h"
-#include "ui/fields/number_line.h"
-#include "ui/fields/stepping.h"
-#include "ui/fields/typed_expression.h"
+#include "ui/controls/field_label.h"
+#include "ui/controls/number_line.h"
+#include "ui/controls/stepping.h"
+#include "ui/controls/typed_expression.h"
 
 namespace blossom::ui {
 

@@ -9,7 +9,7 @@
 #include <QToolButton>
 
 #include "core/error.h"
-#include "ui/fields/field_label.h"
+#include "ui/controls/field_label.h"
 #include "ui/look/icons.h"
 #include "ui/look/popup_menu.h"
 #include "ui/look/text.h"

@@ -3,8 +3,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/fields/field_label.h"
-#include "ui/fields/switch_box.h"
+#include "ui/controls/field_label.h"
+#include "ui/controls/switch_box.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {

@@ -4,8 +4,8 @@
 #include <QEvent>
 #include <QLineEdit>
 
-#include "ui/fields/ratio_slider.h"
-#include "ui/fields/switch_box.h"
+#include "ui/controls/ratio_slider.h"
+#include "ui/controls/switch_box.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {

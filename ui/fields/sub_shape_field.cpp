@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "parameter/wording.h"
-#include "ui/fields/chip.h"
-#include "ui/fields/flow_layout.h"
-#include "ui/fields/pick_button.h"
+#include "ui/controls/chip.h"
+#include "ui/controls/flow_layout.h"
+#include "ui/controls/pick_button.h"
 #include "ui/look/text.h"
 #include "ui/plugin/tool.h"
 

@@ -9,10 +9,10 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "ui/fields/number_line.h"
-#include "ui/fields/pick_button.h"
-#include "ui/fields/stepping.h"
-#include "ui/fields/typed_expression.h"
+#include "ui/controls/number_line.h"
+#include "ui/controls/pick_button.h"
+#include "ui/controls/stepping.h"
+#include "ui/controls/typed_expression.h"
 #include "ui/look/text.h"
 #include "ui/plugin/tool.h"
 

@@ -7,10 +7,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/fields/chip.h"
-#include "ui/fields/field_label.h"
+#include "ui/controls/chip.h"
+#include "ui/controls/field_label.h"
+#include "ui/controls/pick_button.h"
 #include "ui/fields/parameter_field.h"
-#include "ui/fields/pick_button.h"
 #include "ui/look/icons.h"
 #include "ui/look/popup_menu.h"
 #include "ui/look/text.h"

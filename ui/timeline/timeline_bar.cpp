@@ -6,7 +6,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "ui/fields/groove_slider.h"
+#include "ui/controls/groove_slider.h"
 #include "ui/look/icons.h"
 #include "ui/look/theme.h"
 #include "ui/timeline/playback.h"

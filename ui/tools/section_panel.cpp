@@ -13,7 +13,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "ui/fields/groove_slider.h"
+#include "ui/controls/groove_slider.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"

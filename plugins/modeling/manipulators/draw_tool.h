@@ -1,5 +1,5 @@
 #pragma once
-#include "kernel/outline_draft.h"
+#include "kernel/outline/outline_draft.h"
 #include "manipulators/tool_scene.h"
 #include "ui/plugin/tool.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "kernel/outline_edit.h"
+#include "kernel/outline/outline_edit.h"
 #include "manipulators/drag_tool.h"
 
 namespace blossom::modeling {

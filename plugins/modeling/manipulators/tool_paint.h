@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/planar/region.h"
-#include "kernel/outline_snap.h"
+#include "kernel/outline/outline_snap.h"
 #include "scene/scene.h"
 
 class vtkProp;

@@ -1,7 +1,7 @@
 #pragma once
 #include <QString>
 
-#include "kernel/outline_snap.h"
+#include "kernel/outline/outline_snap.h"
 #include "ui/plugin/tool.h"
 
 namespace blossom::modeling {

@@ -3,8 +3,8 @@
 #include <map>
 
 #include "app/sample_maker.h"
-#include "kernel/placement.h"
-#include "kernel/shape_parts.h"
+#include "kernel/parts/placement.h"
+#include "kernel/parts/shape_parts.h"
 
 namespace {
 

@@ -1,0 +1,169 @@
+#include "kernel/parts/boolean.h"
+
+#include <fmt/format.h>
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <memory>
+
+#include "core/error.h"
+#include "geometry/occt/occt_progress.h"
+#include "kernel/parts/finished_solid.h"
+#include "kernel/parts/guarded.h"
+#include "kernel/parts/shape_parts.h"
+
+namespace blossom::modeling {
+
+namespace {
+
+const char* nameOf(BooleanOperation operation) {
+  switch (operation) {
+    case BooleanOperation::Union:
+      return "union";
+    case BooleanOperation::Difference:
+      return "difference";
+    case BooleanOperation::Intersection:
+      return "intersection";
+  }
+  return "";
+}
+
+/// True when solids are combined, false for faces.
+bool checkInputs(const std::vector<TopoDS_Shape>& shapes) {
+  if (shapes.size() < 2)
+    throw Error(ErrorCode::InvalidInput, "A Boolean operation needs at least two shapes.", "Add another input.");
+  const bool solids = !partsOf(shapes.front(), TopAbs_SOLID).empty();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    // Solids without loose faces, or faces alone.
+    const bool hasSolids = !partsOf(shapes[i], TopAbs_SOLID).empty();
+    const bool hasLooseFaces = !looseParts(shapes[i], TopAbs_FACE, TopAbs_SOLID).empty();
+    if (hasSolids == solids && hasLooseFaces == !solids) continue;
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("Input {} is not {}.", i + 1, solids ? "a closed solid" : "a flat region"),
+                solids ? "Close its surfaces to a solid first." : "Combine solids with solids and regions with regions.");
+  }
+  return solids;
+}
+
+std::unique_ptr<BRepAlgoAPI_BooleanOperation> algorithm(BooleanOperation operation) {
+  switch (operation) {
+    case BooleanOperation::Union:
+      return std::make_unique<BRepAlgoAPI_Fuse>();
+    case BooleanOperation::Difference:
+      return std::make_unique<BRepAlgoAPI_Cut>();
+    case BooleanOperation::Intersection:
+      return std::make_unique<BRepAlgoAPI_Common>();
+  }
+  return {};
+}
+
+class Combiner {
+ public:
+  Combiner(const BooleanOptions& options, bool solids) : options_(options), solids_(solids) {}
+
+  TopoDS_Shape run(const TopoDS_Shape& first, const TopTools_ListOfShape& others, const Progress& progress) const {
+    const auto operation = algorithm(options_.operation);
+    TopTools_ListOfShape arguments;
+    arguments.Append(first);
+    operation->SetArguments(arguments);
+    operation->SetTools(others);
+    operation->SetNonDestructive(Standard_True);
+    operation->SetRunParallel(Standard_True);
+    if (options_.fuzzy > 0) operation->SetFuzzyValue(options_.fuzzy);
+    const Handle(OcctProgress) watcher = new OcctProgress(progress, "Combining");
+    operation->Build(watcher->Start());
+    progress.check();
+    if (operation->HasErrors() || operation->Shape().IsNull()) throwFailed();
+    return operation->Shape();
+  }
+
+  [[nodiscard]] TopoDS_Shape finished(const TopoDS_Shape& shape) const {
+    const TopAbs_ShapeEnum kind = solids_ ? TopAbs_SOLID : TopAbs_FACE;
+    const auto parts = partsOf(shape, kind);
+    if (parts.empty()) throwNothingLeft();
+    return solids_ ? finishedSolid(together(parts), complaint()) : finishedSheet(together(parts), complaint());
+  }
+
+  /// Null where OCCT fails, as it does at some seams of rings. Of a copy: joining, and the mending after it, change edges
+  /// that the given shape shares even where they fail.
+  [[nodiscard]] TopoDS_Shape simplified(const TopoDS_Shape& shape) const {
+    const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape).Shape();
+    try {
+      ShapeUpgrade_UnifySameDomain unify(copy, Standard_True, Standard_True, Standard_False);
+      unify.Build();
+      return unify.Shape();
+    } catch (const Standard_OutOfMemory&) {
+      throw;
+    } catch (const Standard_Failure&) {
+      return {};
+    }
+  }
+
+ private:
+  [[nodiscard]] Complaint complaint() const {
+    return {
+        fmt::format("The {} of these shapes gives no good result.", nameOf(options_.operation)),
+        "Faces that nearly touch are the usual cause: move one shape a little, or set a fuzzy distance such as 0.01 mm."};
+  }
+  [[noreturn]] void throwFailed() const { throw Error(ErrorCode::Degenerate, complaint().message, complaint().hint); }
+  [[noreturn]] void throwNothingLeft() const {
+    if (options_.operation == BooleanOperation::Difference)
+      throw Error(ErrorCode::Degenerate, "Nothing is left: the other shapes cover the first one completely.",
+                  "The order of the inputs counts: the first one keeps what the others leave of it.");
+    throw Error(ErrorCode::Degenerate, "The shapes have no space in common, so their intersection is empty.",
+                "Move them so that they overlap.");
+  }
+
+  const BooleanOptions& options_;
+  bool solids_;
+};
+
+TopTools_ListOfShape listOf(std::vector<TopoDS_Shape>::const_iterator from, std::vector<TopoDS_Shape>::const_iterator to) {
+  TopTools_ListOfShape list;
+  for (; from != to; ++from) list.Append(*from);
+  return list;
+}
+
+/// Several tools of a common mean their union to OCCT; what all have in common is made one by one.
+TopoDS_Shape combined(const Combiner& combiner, const std::vector<TopoDS_Shape>& shapes, BooleanOperation operation,
+                      const Progress& progress) {
+  if (operation != BooleanOperation::Intersection)
+    return combiner.run(shapes.front(), listOf(shapes.begin() + 1, shapes.end()), progress);
+  TopoDS_Shape common = shapes.front();
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    const double count = static_cast<double>(shapes.size() - 1), from = static_cast<double>(i - 1) / count;
+    const auto each = shapes.begin() + static_cast<std::ptrdiff_t>(i);
+    common = combiner.finished(combiner.run(common, listOf(each, each + 1), progress.part(from, from + 1 / count)));
+  }
+  return common;
+}
+
+}  // namespace
+
+BooleanResult combine(const std::vector<TopoDS_Shape>& shapes, const BooleanOptions& o, const Progress& progress) {
+  const bool solids = checkInputs(shapes);
+  const Combiner combiner(o, solids);
+  return guarded(
+      fmt::format("The {} of these shapes cannot be computed.", nameOf(o.operation)),
+      "Move one shape a little, or set a fuzzy distance such as 0.01 mm.", [&] {
+        BooleanResult result;
+        result.shape = combiner.finished(combined(combiner, shapes, o.operation, progress.part(0, 0.85)));
+        if (!o.simplify) return result;
+        progress.report(0.9, "Joining faces");
+        const TopoDS_Shape simple = combiner.simplified(result.shape);
+        // Joining is a convenience: where it spoils the shape, the shape stays as it was.
+        if (!simple.IsNull() && (!solids || isGoodSolid(simple)))
+          result.shape = combiner.finished(simple);
+        else
+          result.warnings.emplace_back("Faces of one surface could not be joined; the shape has more faces than it needs.");
+        return result;
+      });
+}
+
+}  // namespace blossom::modeling

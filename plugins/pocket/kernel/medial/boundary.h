@@ -1,0 +1,89 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/progress.h"
+#include "geometry/planar/region.h"
+#include "kernel/medial/true_curve.h"
+#include "kernel/stroke/piece_tree.h"
+
+namespace blossom::pocket {
+
+/// How the boundary goes on where a piece ends.
+enum class Joint {
+  Inner,   ///< a vertex that only the flattening made
+  Smooth,  ///< another curve follows in the same direction
+  Corner
+};
+
+/// A straight piece of the flattened boundary; the region lies to its left.
+struct Piece {
+  Vec2 from, to;
+  std::size_t curve = 0;  ///< the curve it stands for ..
+  double t0 = 0, t1 = 1;  ///< .. between these parameters
+  std::size_t previous = 0, next = 0;
+  Joint end = Joint::Corner;
+
+  [[nodiscard]] Vec2 along() const { return to - from; }
+};
+
+/// A region's boundary, flattened with the curves remembered. Immutable.
+class Boundary {
+ public:
+  /// @param chord mm between a curve and its pieces
+  /// @throws Error InvalidInput naming the place: empty, open, not finite, crossing or touching along a line; LimitExceeded.
+  Boundary(const Region&, double chord, const Progress&);
+
+  [[nodiscard]] const Region& region() const { return region_; }
+  [[nodiscard]] const std::vector<TrueCurve>& curves() const { return curves_; }
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  [[nodiscard]] double chord() const { return chord_; }
+  [[nodiscard]] double size() const { return size_; }  ///< mm, the larger side of its box
+  [[nodiscard]] const Vec2& middle() const { return middle_; }
+  /// Vertices closer than this (mm) are one; the grid of the diagram is finer.
+  [[nodiscard]] double weld() const { return weld_; }
+
+  struct Nearest {
+    double distance = 0;
+    std::size_t piece = 0;
+    double parameter = 0;  ///< on the piece's curve
+    Vec2 foot = Vec2::Zero();
+  };
+  /// The nearest point of the true boundary. O(log n).
+  [[nodiscard]] Nearest nearest(const Vec2&) const;
+  /// Distance to the flattened boundary. O(log n).
+  [[nodiscard]] double flatDistance(const Vec2&) const;
+  /// Whether x, whose nearest point is given, lies in the region.
+  [[nodiscard]] bool holds(const Vec2& x, const Nearest&) const;
+
+ private:
+  void take(const Region&, const Progress&);
+  void take(const Path&);
+  struct Trouble {
+    Vec2 at;
+    bool along;  ///< pieces lie on one another
+  };
+  void splitWhereTouched(const Progress&);
+  [[nodiscard]] std::optional<Trouble> crossing(const Progress&) const;
+  void takeWithoutCrossing(const Region&, const Progress&);
+  void makeTree();
+
+  Region region_;
+  std::vector<TrueCurve> curves_;
+  std::vector<Piece> pieces_;
+  PieceTree tree_;
+  double chord_, size_ = 0, weld_ = 0;
+  Vec2 middle_ = Vec2::Zero();
+};
+
+/// Radians by which a boundary may turn at a joint and still count as smooth.
+inline constexpr double smoothTurn = 1e-3;
+/// Radians between two directions, 0 to pi.
+double turnBetween(const Vec2& a, const Vec2& b);
+
+/// "(12.5, 3)", for messages.
+std::string placeText(const Vec2&);
+
+}  // namespace blossom::pocket

@@ -1,0 +1,111 @@
+#include "kernel/offset/clearance_diagram.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "core/error.h"
+#include "core/units.h"
+#include "geometry/planar/planar.h"
+#include "kernel/medial/boundary.h"
+#include "kernel/medial/contact.h"
+#include "kernel/medial/diagram.h"
+#include "kernel/medial/medial.h"
+#include "kernel/offset/offset_loops.h"
+#include "kernel/offset/offset_trace.h"
+
+namespace blossom::pocket {
+
+struct ClearanceDiagram::Parts {
+  Parts(const Region& region, const ClearanceOptions& options, const Progress& progress)
+      : tolerance(options.tolerance),
+        boundary(region, options.tolerance / 4, progress.part(0, 0.1)),
+        diagram(boundary, options.exactPredicates, progress.part(0.1, 1)) {}
+
+  double tolerance;
+  Boundary boundary;
+  Diagram diagram;
+  Disc largest;
+  DiagramStats stats;
+};
+
+namespace {
+
+void checkTolerance(double tolerance) {
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    throw Error(ErrorCode::InvalidParameter, "The tolerance must be a length above 0.", "0.001 mm is usual.");
+}
+
+/// Where the part is just twice as wide as the distance, as in a slot, the offset there is a line without area, and rounding
+/// alone would decide which of its bits belong to it. The least distance from which on none does: the lines of clearance d
+/// are then traced without them.
+double pastFlatPlaces(const Diagram& diagram, double d, Side side, double slack) {
+  const Where wanted = side == Side::Inside ? Where::Inside : Where::Outside;
+  double past = d;
+  for (std::size_t edge = 0; edge < diagram.graph().edges.size() / 2; ++edge) {
+    const EdgeParts& parts = diagram.parts(edge);
+    for (int i = 0; i < parts.count; ++i) {
+      const EdgePart& part = parts.part[static_cast<std::size_t>(i)];
+      const bool flat = std::abs(part.from - d) <= slack && std::abs(part.to - d) <= slack;
+      if (flat && part.where == wanted) past = std::max({past, part.from, part.to});
+    }
+  }
+  return past;
+}
+
+}  // namespace
+
+ClearanceDiagram::ClearanceDiagram(const Region& region, const ClearanceOptions& options, const Progress& progress) {
+  checkTolerance(options.tolerance);
+  const auto begun = std::chrono::steady_clock::now();
+  auto parts = std::make_shared<Parts>(region, options, progress);
+  parts->largest = trueDisc(parts->boundary, parts->diagram, parts->diagram.deepest());
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
+  parts->stats = {parts->boundary.pieces().size(), parts->diagram.graph().vertices.size(), parts->diagram.attempts(),
+                  parts->diagram.exactPredicates() ? "Delaunay graph" : "sweep line", took.count()};
+  parts_ = std::move(parts);
+}
+
+Region ClearanceDiagram::offset(double distance, Side side, const Progress& progress) const {
+  if (!(distance >= 0) || !std::isfinite(distance))
+    throw Error(ErrorCode::InvalidParameter, "The distance of an offset must be 0 or more.",
+                "Choose the side for the direction.");
+  const Boundary& boundary = parts_->boundary;
+  if (distance == 0) return boundary.region();
+  if (distance < 4 * boundary.weld()) {
+    if (distance < parts_->tolerance) return boundary.region();
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The distance {} mm is too small for a part of {} mm.",
+                                                         formatNumber(distance), formatNumber(boundary.size())));
+  }
+  Region region;
+  const double past = pastFlatPlaces(parts_->diagram, distance, side, boundary.weld());
+  for (const TracedLoop& loop : traced(parts_->diagram, past, side, progress)) {
+    progress.check();
+    Path path = loopOnTrueCurves(boundary, loop, {distance, side, parts_->tolerance});
+    // Where the distance equals the clearance along a line, rounding may leave a sliver.
+    if (path.segments.empty() || std::abs(signedArea(path)) <= boundary.weld() * length(path)) continue;
+    region.loops.push_back(std::move(path));
+  }
+  return region;
+}
+
+MedialAxis ClearanceDiagram::medialAxis(const Progress& progress) const {
+  return pocket::medialAxis(parts_->boundary, parts_->diagram, parts_->tolerance, progress);
+}
+
+double ClearanceDiagram::largestClearance() const { return parts_->largest.radius; }
+Vec2 ClearanceDiagram::largestCenter() const { return parts_->largest.center; }
+
+double ClearanceDiagram::clearance(const Vec2& x) const {
+  const Boundary::Nearest nearest = parts_->boundary.nearest(x);
+  return parts_->boundary.holds(x, nearest) ? nearest.distance : -nearest.distance;
+}
+
+const Region& ClearanceDiagram::region() const { return parts_->boundary.region(); }
+double ClearanceDiagram::tolerance() const { return parts_->tolerance; }
+const DiagramStats& ClearanceDiagram::stats() const { return parts_->stats; }
+
+}  // namespace blossom::pocket

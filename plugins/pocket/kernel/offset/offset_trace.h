@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "kernel/medial/diagram.h"
+#include "kernel/offset/clearance_diagram.h"
+
+namespace blossom::pocket {
+
+/// The part of an offset that one cell holds: parallel to its piece, or around its point. It runs as the boundary does.
+struct TracedPiece {
+  Site site;
+  Vec2 from, to;
+};
+using TracedLoop = std::vector<TracedPiece>;
+
+/// The closed lines of clearance d on one side: crossings of the Voronoi edges by the half-open rule (a part whose ends both
+/// have clearance d is not crossed), linked within cells and from twin to twin. O(number of edges).
+std::vector<TracedLoop> traced(const Diagram&, double d, Side, const Progress&);
+
+}  // namespace blossom::pocket

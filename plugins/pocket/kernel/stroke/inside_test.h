@@ -1,0 +1,57 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/stroke/stroke.h"
+
+namespace blossom::pocket {
+
+/// Whether points lie in the area that closed loops of strokes enclose, by the even-odd rule: how often the boundary crosses
+/// the ray to the right. Immutable, safe to use from several threads.
+///
+/// Rows of even height tell which strokes to look at. Those that cross the whole row are sorted, so that a point only looks
+/// at the ones about as far right as it is: O(log n + strokes that end in the row + strokes above or below the point).
+class InsideTest {
+ public:
+  InsideTest() = default;
+  explicit InsideTest(const std::vector<Stroke>&);
+  [[nodiscard]] bool operator()(const Vec2&) const;
+
+ private:
+  /// A piece of a stroke that rises or falls throughout.
+  class Slope {
+   public:
+    explicit Slope(const Stroke&);
+    [[nodiscard]] double low() const { return low_; }
+    [[nodiscard]] double high() const { return high_; }
+    [[nodiscard]] double least() const { return least_; }
+    [[nodiscard]] bool spans(double y) const { return low_ <= y && y < high_; }  ///< half open: a vertex counts once
+    /// Whether it lies to the right of a point whose height it spans.
+    [[nodiscard]] bool isRightOf(const Vec2& p) const;
+    [[nodiscard]] double most() const { return most_; }
+
+   private:
+    [[nodiscard]] double at(double y) const;
+    Vec2 from_, to_, center_;
+    double radius_ = 0;
+    bool round_ = false, onRight_ = false;  ///< of its centre
+    double low_ = 0, high_ = 0;             ///< in y
+    double least_ = 0, most_ = 0;  ///< of what `at` gives: no rounding leads out of them, for every step is monotone
+  };
+  using Index = std::uint32_t;
+  struct Row {
+    std::vector<Index> ending;      ///< slopes that begin or end in it
+    std::vector<Index> across;      ///< slopes through all of it, by their least x
+    std::vector<double> reachedBy;  ///< the greatest x of each of these and all before it
+  };
+
+  void fillRows();
+  [[nodiscard]] std::size_t rowOf(double y) const;
+
+  std::vector<Slope> slopes_;
+  std::vector<Row> rows_;
+  double bottom_ = 0, height_ = 0;
+};
+
+}  // namespace blossom::pocket

@@ -1,0 +1,78 @@
+#include "ui/controls/number_line.h"
+
+#include <QKeyEvent>
+#include <QTimerEvent>
+#include <QWheelEvent>
+
+namespace blossom::ui {
+
+namespace {
+
+constexpr int wheelRestMs = 250;
+
+int stepsOf(int key) {
+  switch (key) {
+    case Qt::Key_Up:
+      return 1;
+    case Qt::Key_Down:
+      return -1;
+    case Qt::Key_PageUp:
+      return 10;
+    case Qt::Key_PageDown:
+      return -10;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+NumberLine::NumberLine(QWidget* parent) : QLineEdit(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  setMinimumWidth(26);
+}
+
+void NumberLine::keyPressEvent(QKeyEvent* event) {
+  const int steps = stepsOf(event->key());
+  if (steps == 0 || isReadOnly()) return QLineEdit::keyPressEvent(event);
+  stepping_ = true;
+  emit stepped(steps, event->modifiers());
+}
+
+void NumberLine::keyReleaseEvent(QKeyEvent* event) {
+  if (stepsOf(event->key()) != 0 && !event->isAutoRepeat()) return endSteps();
+  QLineEdit::keyReleaseEvent(event);
+}
+
+void NumberLine::wheelEvent(QWheelEvent* event) {
+  if (!hasFocus() || isReadOnly()) return event->ignore();  // the panel scrolls
+  if (wheelTimer_ != 0) killTimer(wheelTimer_);
+  wheelTimer_ = startTimer(wheelRestMs);
+  stepping_ = true;
+  // Shift turns the wheel sideways on some desktops.
+  const int turned = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
+  emit stepped(turned / 120.0, event->modifiers());
+  event->accept();
+}
+
+void NumberLine::timerEvent(QTimerEvent* event) {
+  if (event->timerId() == wheelTimer_)
+    endSteps();
+  else
+    QLineEdit::timerEvent(event);
+}
+
+void NumberLine::focusOutEvent(QFocusEvent* event) {
+  endSteps();
+  QLineEdit::focusOutEvent(event);
+}
+
+void NumberLine::endSteps() {
+  if (wheelTimer_ != 0) killTimer(wheelTimer_);
+  wheelTimer_ = 0;
+  if (!stepping_) return;
+  stepping_ = false;
+  emit stepsEnded();
+}
+
+}  // namespace blossom::ui

@@ -19,7 +19,7 @@ InputSpec anyInput() {
                     ShapeKind::Mesh, ShapeKind::Sequence}};
 }
 
-Vec3 directionOf(const Vec3& v, const char* what) { return toVector(toDirection(v, what).XYZ()); }
+Vec3 directionOf(const Vec3& v, const char* what) { return toVec(toDirection(v, what).XYZ()); }
 
 Map turned(const Vec3& centre, const Vec3& axis, double degrees) {
   return Eigen::Translation3d(centre) * Eigen::AngleAxisd(toRadians(degrees), directionOf(axis, "axis")) *

@@ -4,11 +4,11 @@
 #include <QTimerEvent>
 #include <QWheelEvent>
 
+#include "ui/controls/stepping.h"
+
 namespace blossom::ui {
 
 namespace {
-
-constexpr int wheelRestMs = 250;
 
 int stepsOf(int key) {
   switch (key) {

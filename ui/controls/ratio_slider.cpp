@@ -8,13 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/controls/stepping.h"
 #include "ui/look/theme.h"
 
 namespace blossom::ui {
 
 namespace {
-
-constexpr int wheelRestMs = 250;
 
 int directionOf(int key) {
   if (key == Qt::Key_Left || key == Qt::Key_Down) return -1;

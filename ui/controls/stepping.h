@@ -5,6 +5,9 @@
 
 namespace blossom::ui {
 
+/// A turn of the wheel ends when it has rested for so long.
+constexpr int wheelRestMs = 250;
+
 /// By how much a key, a notch of the wheel or some pixels of dragging change a number: 1 for counts and angles, about a
 /// tenth of small lengths and numbers; a tenth of it with Shift, ten times with Ctrl.
 double stepOf(const ParameterSpec&, double value, Qt::KeyboardModifiers);

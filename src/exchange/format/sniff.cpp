@@ -13,7 +13,7 @@
 namespace blossom {
 namespace {
 
-bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool contains(std::string_view text, std::string_view what) { return text.find(what) != std::string_view::npos; }
 
@@ -27,7 +27,7 @@ std::string_view takeLine(std::string_view& text) {
 
 std::string_view takeWord(std::string_view& text) {
   text = parse::trimmed(text);
-  const auto end = std::find_if(text.begin(), text.end(), isSpace);
+  const auto end = std::find_if(text.begin(), text.end(), isBlank);
   const auto length = static_cast<std::size_t>(end - text.begin());
   const std::string_view word = text.substr(0, length);
   text.remove_prefix(length);
@@ -117,7 +117,7 @@ std::string sniffFormat(std::string_view head) {
   if (contains(text.substr(0, 400), "DBRep_DrawableShape") || contains(text.substr(0, 400), "CASCADE Topology V"))
     return "BREP";
   if (isIges(head)) return "IGES";
-  if (text.substr(0, 3) == "ply" && text.size() > 3 && isSpace(text[3])) return "PLY";
+  if (text.substr(0, 3) == "ply" && text.size() > 3 && isBlank(text[3])) return "PLY";
   if (isOff(text)) return "OFF";
   if (isDxf(text)) return "DXF";
   if (!text.empty() && text.front() == '<' && contains(text, "<svg")) return "SVG";

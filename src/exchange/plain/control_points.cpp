@@ -107,7 +107,7 @@ Shape surfaceOf(const std::vector<Row>& rows, const Value& options) {
   return Shape(std::move(surface));
 }
 
-Imported read(const std::filesystem::path& path, const Value& options, const Progress& progress) {
+Imported readControlPoints(const std::filesystem::path& path, const Value& options, const Progress& progress) {
   const std::vector<Row> rows = Reader().rows(readFile(path), progress);
   if (rows.size() < 2)
     throw Error(ErrorCode::FormatDamaged,
@@ -141,7 +141,7 @@ Format controlPointsFormat() {
   format.extensions = {"cpt", "cptw"};
   format.readOptions = {degreeOption("degree-u", "Degree of the curve, or of the surface from line to line."),
                         degreeOption("degree-v", "Degree of the surface along a line.")};
-  format.read = read;
+  format.read = readControlPoints;
   return format;
 }
 

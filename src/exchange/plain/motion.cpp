@@ -274,7 +274,7 @@ std::string placeInText(const std::string& text, std::size_t at) {
   return fmt::format("in line {}, column {}", line, end - start + 1);
 }
 
-Imported read(const std::filesystem::path& path, const Value&, const Progress& progress) {
+Imported readMotionFile(const std::filesystem::path& path, const Value&, const Progress& progress) {
   const std::string text = readFile(path);
   progress.check();
   Value json;
@@ -390,7 +390,7 @@ Format motionFormat() {
           .extensions = {"json"},
           .readOptions = {},
           .writeOptions = {},
-          .read = read,
+          .read = readMotionFile,
           .write = write,
           .writes = {ShapeKind::Motion}};
 }

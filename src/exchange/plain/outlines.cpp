@@ -117,7 +117,7 @@ Imported readCases(const std::string& text, const Progress& progress) {
   return imported;
 }
 
-Imported read(const std::filesystem::path& path, const Value&, const Progress& progress) {
+Imported readOutlines(const std::filesystem::path& path, const Value&, const Progress& progress) {
   const std::string text = readFile(path);
   if (const auto numbers = numbersOf(text)) return readSegments(*numbers);
   if (text.find("CAPTION:") == std::string::npos) damaged(1, "neither numbers nor captioned polygons");
@@ -131,7 +131,7 @@ Format outlinesFormat() {
   format.id = "outlines";
   format.title = "Polygons and segments (text)";
   format.extensions = {"txt"};
-  format.read = read;
+  format.read = readOutlines;
   return format;
 }
 

@@ -44,11 +44,11 @@ void raiseBlossom(std::span<const double> knots, std::size_t last, int level, do
 
 namespace {
 
-using Row = std::array<double, kMaximumDegree + 2>;
+using WeightRow = std::array<double, kMaximumDegree + 2>;
 
 /// Stores the weights of the poles last - degree .. last as row i. Poles outside the knot vector have weight 0 and are cut
 /// off.
-void storeRow(PoleRows& rows, std::size_t i, std::size_t last, std::size_t poles, const Row& weights) {
+void storeRow(PoleRows& rows, std::size_t i, std::size_t last, std::size_t poles, const WeightRow& weights) {
   const auto width = static_cast<std::ptrdiff_t>(rows.width);
   const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(last) + 1 - width;
   const std::ptrdiff_t first = std::clamp<std::ptrdiff_t>(wanted, 0, static_cast<std::ptrdiff_t>(poles) - width);
@@ -74,7 +74,7 @@ PoleRows refinementRows(int degree, std::span<const double> from, std::span<cons
   PoleRows rows = emptyRows(to.size() - order, order);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t last = lastKnotNotAbove(from, to[i]);
-    Row weights{}, next;
+    WeightRow weights{}, next;
     weights[0] = 1;
     for (int level = 1; level <= degree; ++level) {
       std::fill_n(next.begin(), level + 1, 0.0);
@@ -91,10 +91,10 @@ PoleRows elevationRows(int degree, std::span<const double> from, int times, std:
   const auto order = static_cast<std::size_t>(degree) + 1;
   PoleRows rows = emptyRows(to.size() - static_cast<std::size_t>(raised) - 1, order);
   // levels[a] averages the blossoms over all choices of `a` of the arguments seen so far
-  std::vector<Row> levels(order), next(order);
+  std::vector<WeightRow> levels(order), next(order);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t last = lastKnotNotAbove(from, to[i]);
-    for (Row& level : levels) level.fill(0);
+    for (WeightRow& level : levels) level.fill(0);
     levels[0][0] = 1;
     for (int m = 1; m <= raised; ++m) {
       const double argument = to[i + static_cast<std::size_t>(m)];

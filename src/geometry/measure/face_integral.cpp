@@ -15,11 +15,10 @@
 
 #include "geometry/measure/measure_parts.h"
 #include "geometry/numeric/gauss_rectangle.h"
+#include "geometry/occt/occt_vector.h"
 
 namespace blossom {
 namespace {
-
-Vec3 toVec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 /// Ends of the intervals on which a curve or a surface is smooth to any order, inside (low, high), with both ends.
 std::vector<double> smoothBreaks(const TColStd_Array1OfReal& knots, double low, double high) {

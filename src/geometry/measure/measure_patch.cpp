@@ -12,12 +12,11 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "geometry/occt/occt_vector.h"
 
 namespace blossom {
 
 namespace {
-
-Vec3 toVec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 Bounds boxOf(const TopoDS_Shape& shape) {
   Bnd_Box box;

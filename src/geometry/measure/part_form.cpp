@@ -9,14 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include "geometry/occt/occt_vector.h"
 
 namespace blossom {
 
 namespace {
 
 using Kind = PartForm::Kind;
-
-Vec3 toVec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 PartForm around(Kind kind, const gp_Ax1& axis, double radius = 0, double minor = 0) {
   PartForm form;

@@ -29,12 +29,11 @@
 #include "core/parallel.h"
 #include "geometry/occt/occt_progress.h"
 #include "geometry/occt/occt_reason.h"
+#include "geometry/occt/occt_vector.h"
 #include "geometry/tessellate/grid_mesher.h"
 
 namespace blossom {
 namespace {
-
-Vec3 toVec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 struct FaceMesh {
   TopoDS_Face face;

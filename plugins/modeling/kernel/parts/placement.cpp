@@ -8,7 +8,6 @@
 namespace blossom::modeling {
 
 gp_Pnt toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-Vec3 toVector(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 gp_Dir toDirection(const Vec3& v, const char* what) {
   if (!v.allFinite() || v.norm() < 1e-12)
     throw Error(ErrorCode::InvalidParameter, fmt::format("The {} has no direction: it is zero.", what),

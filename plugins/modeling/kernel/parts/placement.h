@@ -4,6 +4,7 @@
 
 #include "core/angle.h"
 #include "core/vector.h"
+#include "geometry/occt/occt_vector.h"
 
 namespace blossom::modeling {
 
@@ -15,7 +16,6 @@ struct Placement {
 };
 
 gp_Pnt toPoint(const Vec3&);
-Vec3 toVector(const gp_XYZ&);
 /// @throws Error InvalidParameter for the zero vector, which `what` names in the message ("axis").
 gp_Dir toDirection(const Vec3&, const char* what);
 /// The frame of a placement. Its x axis is the world's, made square to the axis (the world's y axis where that vanishes).

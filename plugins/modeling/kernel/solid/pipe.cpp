@@ -63,7 +63,7 @@ TopoDS_Shape placed(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
   return profile.Moved(TopLoc_Location(toStart));
 }
 
-std::string written(const gp_Pnt& p) { return placeText(toVector(p.XYZ())); }
+std::string written(const gp_Pnt& p) { return placeText(toVec(p.XYZ())); }
 
 /// Where to look when no pipe comes of a path: at its corner, unless it bends more tightly than the outline reaches.
 std::string placeToLookAt(const PathTurns& turns, double reach) {

@@ -144,7 +144,7 @@ std::optional<gp_Pnt> narrowestPlace(const std::vector<TopoDS_Shape>& edges, con
   if (!place) throw Error(ErrorCode::Degenerate, complaint.message, complaint.hint);
   throw Error(ErrorCode::Degenerate,
               fmt::format("{} They meet at a height of about {} mm, near {}.", complaint.message, roundedDown(*largest),
-                          placeText(toVector(place->XYZ()))),
+                          placeText(toVec(place->XYZ()))),
               complaint.hint);
 }
 
@@ -174,7 +174,7 @@ TopoDS_Shape cone(const gp_Circ& base, const gp_Dir& normal, double height, doub
     const gp_Pnt tip = base.Location().Translated(gp_Vec(up) * (base.Radius() / slope));
     throw Error(ErrorCode::Degenerate,
                 fmt::format("{} They meet at a height of {:.9g} mm, in {}.", tooSteep(taper).message, base.Radius() / slope,
-                            placeText(toVector(tip.XYZ()))),
+                            placeText(toVec(tip.XYZ()))),
                 tooSteep(taper).hint);
   }
   const gp_Ax2 axes(base.Location(), up, base.XAxis().Direction());

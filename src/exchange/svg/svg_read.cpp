@@ -11,7 +11,7 @@
 
 #include "exchange/format/finite.h"
 #include "exchange/format/text.h"
-#include "exchange/svg/svg_path.h"
+#include "exchange/svg/svg_shapes.h"
 #include "exchange/svg/svg_values.h"
 #include "geometry/planar/planar.h"
 
@@ -26,13 +26,6 @@ using pugi::xml_node;
 
 constexpr std::size_t mostElements = 500'000, mostSegments = 2'000'000;
 constexpr int deepestNesting = 200;
-
-/// Name without the prefix of the SVG namespace.
-std::string_view nameOf(const xml_node& node) {
-  std::string_view name = node.name();
-  if (name.substr(0, 4) == "svg:") name.remove_prefix(4);
-  return name;
-}
 
 bool isShape(std::string_view name) {
   static constexpr std::array<std::string_view, 7> shapes{"path", "rect",     "circle", "ellipse",
@@ -50,11 +43,11 @@ struct Style {
 
 class Reader {
  public:
-  Reader(const std::string& content, const Progress& progress) : content_(content), progress_(progress) {}
+  Reader(const std::string& content, const Progress& progress) : content_(content), progress_(progress), lengths_(content) {}
 
   Imported read() {
     const pugi::xml_parse_result result = document_.load_buffer(content_.data(), content_.size(), pugi::parse_default);
-    if (!result) throw damaged(lineOf(result.offset), fmt::format("the XML is broken ({}).", result.description()));
+    if (!result) throw damaged(lengths_.lineOf(result.offset), fmt::format("the XML is broken ({}).", result.description()));
     const xml_node root = document_.document_element();
     if (nameOf(root) != "svg")
       throw damaged(1, fmt::format("the element svg is expected, but there is {}.", shown(root.name())));
@@ -64,11 +57,6 @@ class Reader {
   }
 
  private:
-  [[nodiscard]] std::size_t lineOf(std::ptrdiff_t offset) const {
-    const auto end = content_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(content_.size()));
-    return 1 + static_cast<std::size_t>(std::count(content_.begin(), end, '\n'));
-  }
-
   /// All elements with an id, and the style sheets.
   void collectNames(const xml_node& root) {
     for (xml_node node = root; node;) {
@@ -89,15 +77,15 @@ class Reader {
     const auto width = parseLength(root.attribute("width").value()), height = parseLength(root.attribute("height").value());
     const double mmX = width ? millimetresOf(width->unit) * width->value : 0,
                  mmY = height ? millimetresOf(height->unit) * height->value : 0;
-    const auto box = viewBox(root);
-    physical_ = mmX > 0 || mmY > 0;
-    hasViewBox_ = box.has_value();
-    double scaleX = physical_ ? 25.4 / 96 : 1, scaleY = scaleX, top = 0, tall = 0;
+    const auto box = lengths_.viewBox(root);
+    lengths_.physical = mmX > 0 || mmY > 0;
+    lengths_.hasViewBox = box.has_value();
+    double scaleX = lengths_.physical ? 25.4 / 96 : 1, scaleY = scaleX, top = 0, tall = 0;
     if (box) {
-      viewport_ = {(*box)[2], (*box)[3]};
+      lengths_.viewport = {(*box)[2], (*box)[3]};
       top = (*box)[1];
       tall = (*box)[3];
-      if (physical_) {
+      if (lengths_.physical) {
         scaleX = mmX > 0 ? mmX / (*box)[2] : mmY / (*box)[3];
         scaleY = mmY > 0 ? mmY / (*box)[3] : scaleX;
         const std::string_view aspect = root.attribute("preserveAspectRatio").value();
@@ -106,49 +94,12 @@ class Reader {
               aspect.find("slice") != std::string_view::npos ? std::max(scaleX, scaleY) : std::min(scaleX, scaleY);
       }
     } else {
-      viewport_ = {width ? userUnits(*width, 0) : 0, height ? userUnits(*height, 0) : 0};
-      tall = viewport_.y();
+      lengths_.viewport = {width ? lengths_.userUnits(*width, 0) : 0, height ? lengths_.userUnits(*height, 0) : 0};
+      tall = lengths_.viewport.y();
     }
     Affine result = Affine::Identity();
     result.affine() << scaleX, 0, 0, 0, -scaleY, scaleY * (2 * top + tall);
     return result;
-  }
-
-  std::optional<std::vector<double>> viewBox(const xml_node& node) const {
-    const std::string_view text = node.attribute("viewBox").value();
-    if (trimmed(text).empty()) return {};
-    auto numbers = parseNumbers(text);
-    if (!numbers || numbers->size() != 4)
-      throw damaged(lineOf(node.offset_debug()), fmt::format("the viewBox {} needs four numbers.", shown(text)));
-    if (!((*numbers)[2] > 0) || !((*numbers)[3] > 0)) return {};
-    return numbers;
-  }
-
-  /// A length in user units; `whole` is what 100 % stands for.
-  [[nodiscard]] double userUnits(const Length& length, double whole) const {
-    if (length.unit == "%") return length.value * whole / 100;
-    if (length.unit == "em") return length.value * 16;
-    if (length.unit == "ex") return length.value * 8;
-    const double mm = millimetresOf(length.unit);
-    if (mm == 0) return length.value;
-    // Where nothing ties user units to the page, 1 user unit is 1 mm; else 96 make an inch.
-    return length.value * mm * (physical_ || hasViewBox_ ? 96 / 25.4 : 1);
-  }
-
-  double length(const xml_node& node, const char* name, double whole, double fallback = 0) const {
-    const pugi::xml_attribute attribute = node.attribute(name);
-    if (!attribute || std::string_view(attribute.value()) == "auto") return fallback;
-    const auto parsed = parseLength(attribute.value());
-    if (!parsed)
-      throw damaged(lineOf(node.offset_debug()),
-                    fmt::format("{} needs a length, but there is {}.", name, shown(attribute.value())));
-    return userUnits(*parsed, whole);
-  }
-  double lengthX(const xml_node& node, const char* name, double fallback = 0) const {
-    return length(node, name, viewport_.x(), fallback);
-  }
-  double lengthY(const xml_node& node, const char* name, double fallback = 0) const {
-    return length(node, name, viewport_.y(), fallback);
   }
 
   void apply(const Declarations& declarations, Style& style) const {
@@ -215,7 +166,7 @@ class Reader {
     Affine place = outer;
     if (const auto a = node.attribute("transform")) place = place * transformOf(node, a.value());
     if (!place.matrix().allFinite() || place.matrix().cwiseAbs().maxCoeff() > 1e15)
-      throw damaged(lineOf(node.offset_debug()), "its transforms scale beyond every measure.");
+      throw damaged(lengths_.lineOf(node.offset_debug()), "its transforms scale beyond every measure.");
     if (name == "use")
       use(node, place, style, depth);
     else if (name == "svg")
@@ -230,7 +181,7 @@ class Reader {
     try {
       return parseTransform(text);
     } catch (const Error& error) {
-      throw damaged(lineOf(node.offset_debug()), error.message());
+      throw damaged(lengths_.lineOf(node.offset_debug()), error.message());
     }
   }
 
@@ -246,10 +197,10 @@ class Reader {
       return;
     }
     if (!open_.insert(target->first).second)
-      throw damaged(lineOf(node.offset_debug()), fmt::format("{} uses itself.", shown(target->first)));
+      throw damaged(lengths_.lineOf(node.offset_debug()), fmt::format("{} uses itself.", shown(target->first)));
     if (depth > deepestNesting)
       throw Error(ErrorCode::LimitExceeded, fmt::format("Its elements are nested more than {} deep.", deepestNesting));
-    const Affine place = outer * Eigen::Translation2d(lengthX(node, "x"), lengthY(node, "y"));
+    const Affine place = outer * Eigen::Translation2d(lengths_.x(node, "x"), lengths_.y(node, "y"));
     ++useDepth_;
     const std::string_view name = nameOf(target->second);
     if (name == "symbol")
@@ -262,16 +213,17 @@ class Reader {
 
   /// A nested svg, or a symbol sized by the `use` that places it.
   void viewport(const xml_node& node, const xml_node& sized, const Affine& outer, const Style& style, int depth) {
-    const Vec2 saved = viewport_;
+    const Vec2 saved = lengths_.viewport;
     const bool isSymbol = nameOf(node) == "symbol";
-    const double width = lengthX(sized, "width", viewport_.x()), height = lengthY(sized, "height", viewport_.y());
-    Affine place = isSymbol ? outer : Affine(outer * Eigen::Translation2d(lengthX(node, "x"), lengthY(node, "y")));
-    if (const auto box = viewBox(node); box && width > 0 && height > 0) {
+    const double width = lengths_.x(sized, "width", lengths_.viewport.x()),
+                 height = lengths_.y(sized, "height", lengths_.viewport.y());
+    Affine place = isSymbol ? outer : Affine(outer * Eigen::Translation2d(lengths_.x(node, "x"), lengths_.y(node, "y")));
+    if (const auto box = lengths_.viewBox(node); box && width > 0 && height > 0) {
       place = place * fitViewBox(*box, width, height, node.attribute("preserveAspectRatio").value());
-      viewport_ = {(*box)[2], (*box)[3]};
+      lengths_.viewport = {(*box)[2], (*box)[3]};
     }
     children(node, place, style, depth + 1);
-    viewport_ = saved;
+    lengths_.viewport = saved;
   }
 
   void shape(const xml_node& node, std::string_view name, const Affine& place, const Style& style) {
@@ -279,9 +231,9 @@ class Reader {
     if (!style.visible) return;
     std::vector<Path> paths;
     try {
-      paths = outline(node, name);
+      paths = outlineOf(node, name, lengths_);
     } catch (const Error& error) {
-      throw error.message().substr(0, 5) == "Line " ? error : damaged(lineOf(node.offset_debug()), error.message());
+      throw error.message().substr(0, 5) == "Line " ? error : damaged(lengths_.lineOf(node.offset_debug()), error.message());
     }
     if (std::abs(place.linear().determinant()) < 1e-18) {
       ++collapsed_;
@@ -316,70 +268,6 @@ class Reader {
     path.closed = true;
   }
 
-  std::vector<Path> outline(const xml_node& node, std::string_view name) const {
-    if (name == "path") return parsePathData(node.attribute("d").value());
-    if (name == "rect") return rectangle(node);
-    if (name == "line")
-      return polygon({lengthX(node, "x1"), lengthY(node, "y1"), lengthX(node, "x2"), lengthY(node, "y2")}, false);
-    if (name == "polyline" || name == "polygon") {
-      const auto numbers = parseNumbers(node.attribute("points").value());
-      if (!numbers || numbers->size() % 2 != 0)
-        throw Error(ErrorCode::FormatDamaged,
-                    fmt::format("points needs pairs of numbers, but there is {}.", shown(node.attribute("points").value())));
-      return polygon(*numbers, name == "polygon");
-    }
-    const Vec2 center(lengthX(node, "cx"), lengthY(node, "cy"));
-    const double diagonal = viewport_.norm() / std::sqrt(2.0);
-    double rx = name == "circle" ? length(node, "r", diagonal) : lengthX(node, "rx", -1);
-    double ry = name == "circle" ? rx : lengthY(node, "ry", -1);
-    if (name == "ellipse" && rx < 0) rx = ry;
-    if (name == "ellipse" && ry < 0) ry = rx;
-    if (!(rx > 0) || !(ry > 0)) return {};
-    checkSize({center.x(), center.y(), rx, ry});
-    return {Path{{ellipseSegment(center, rx, ry)}, true, {}, {}}};
-  }
-
-  static void checkSize(std::initializer_list<double> values) {
-    for (const double v : values)
-      if (!(std::abs(v) <= 1e12)) throw Error(ErrorCode::FormatDamaged, "A shape has a coordinate that is too large.");
-  }
-
-  static std::vector<Path> polygon(const std::vector<double>& v, bool closed) {
-    Path path;
-    const std::size_t n = v.size() / 2;
-    for (const double x : v) checkSize({x});
-    for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
-      const std::size_t j = (i + 1) % n;
-      const Vec2 from(v[2 * i], v[2 * i + 1]), to(v[2 * j], v[2 * j + 1]);
-      if (from != to) path.segments.push_back(Line2{from, to});
-    }
-    path.closed = closed;
-    if (path.segments.empty()) return {};
-    return {path};
-  }
-
-  /// Clockwise on the page from the end of the upper left corner, as SVG 1.1, 9.2 draws it.
-  std::vector<Path> rectangle(const xml_node& node) const {
-    const double x = lengthX(node, "x"), y = lengthY(node, "y"), w = lengthX(node, "width"), h = lengthY(node, "height");
-    if (!(w > 0) || !(h > 0)) return {};
-    checkSize({x, y, w, h});
-    double rx = lengthX(node, "rx", -1), ry = lengthY(node, "ry", -1);
-    if (rx < 0) rx = std::max(ry, 0.0);
-    if (ry < 0) ry = rx;
-    rx = std::min(rx, w / 2);
-    ry = std::min(ry, h / 2);
-    if (!(rx > 0) || !(ry > 0)) return polygon({x, y, x + w, y, x + w, y + h, x, y + h}, true);
-    Path path;
-    path.closed = true;
-    const std::array<Vec2, 8> p{Vec2(x + rx, y),         Vec2(x + w - rx, y), Vec2(x + w, y + ry), Vec2(x + w, y + h - ry),
-                                Vec2(x + w - rx, y + h), Vec2(x + rx, y + h), Vec2(x, y + h - ry), Vec2(x, y + ry)};
-    for (std::size_t i = 0; i < 8; i += 2) {
-      if (p[i] != p[i + 1]) path.segments.push_back(Line2{p[i], p[i + 1]});
-      for (Segment& s : arcSegment(p[i + 1], p[(i + 2) % 8], rx, ry, 0, false, true)) path.segments.push_back(std::move(s));
-    }
-    return {path};
-  }
-
   Imported finished() {
     Imported imported;
     const auto warn = [&](bool when, std::string sentence) {
@@ -405,8 +293,7 @@ class Reader {
   pugi::xml_document document_;
   std::unordered_map<std::string, xml_node> names_;
   std::map<std::string, Declarations, std::less<>> rules_;
-  bool physical_ = false, hasViewBox_ = false;
-  Vec2 viewport_{0, 0};  ///< of the svg around, in user units
+  Lengths lengths_;
   Curves curves_;
   Counter entities_, skipped_;
   std::set<std::string> open_;

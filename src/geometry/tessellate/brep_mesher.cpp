@@ -30,96 +30,11 @@
 #include "geometry/occt/occt_progress.h"
 #include "geometry/occt/occt_reason.h"
 #include "geometry/occt/occt_vector.h"
+#include "geometry/tessellate/face_mesh.h"
 #include "geometry/tessellate/grid_mesher.h"
 
 namespace blossom {
 namespace {
-
-struct FaceMesh {
-  TopoDS_Face face;
-  TopLoc_Location location;
-  Handle(Poly_Triangulation) triangulation;
-  const std::vector<Vec3>* normals = nullptr;  ///< of a structured grid, whose chord is kept already
-  int offset = 0;                              ///< of its points in the result
-};
-
-/// Parameters in the middle of a face, towards which a degenerate normal is sought.
-gp_Pnt2d parameterCenter(const Poly_Triangulation& triangulation) {
-  gp_XY sum(0, 0);
-  for (int i = 1; i <= triangulation.NbNodes(); ++i) sum += triangulation.UVNode(i).XY();
-  return gp_Pnt2d(sum / std::max(1, triangulation.NbNodes()));
-}
-
-std::optional<Vec3> surfaceNormal(const BRepAdaptor_Surface& surface, const gp_XY& uv) {
-  gp_Pnt p;
-  gp_Vec du, dv;
-  surface.D1(uv.X(), uv.Y(), p, du, dv);
-  const Vec3 normal = toVec(du.XYZ()).cross(toVec(dv.XYZ()));
-  const double speed = std::max(du.SquareMagnitude(), dv.SquareMagnitude());
-  if (!(normal.norm() > 1e-8 * speed)) return std::nullopt;
-  return normal.normalized();
-}
-
-/// At a pole the normal is that of a point a little way inside.
-Vec3 normalAt(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_Pnt2d& center) {
-  for (const double step : {0.0, 1e-5, 1e-3, 1e-1})
-    if (const auto normal = surfaceNormal(surface, uv.XY() + (center.XY() - uv.XY()) * step)) return *normal;
-  return {0, 0, 1};
-}
-
-enum class Collapsed { No, U, V };
-
-/// Of each node, the parameter that means nothing there: where a surface shrinks to a point, as in the tip of a cone, all
-/// values of the one that runs round it are the same place.
-std::vector<Collapsed> collapsedParameters(const Poly_Triangulation& triangulation, const BRepAdaptor_Surface& surface) {
-  constexpr double nothing = 1e-8;
-  std::vector<Collapsed> collapsed(static_cast<std::size_t>(triangulation.NbNodes()), Collapsed::No);
-  for (int i = 1; i <= triangulation.NbNodes(); ++i) {
-    const gp_Pnt2d uv = triangulation.UVNode(i);
-    gp_Pnt p;
-    gp_Vec du, dv;
-    surface.D1(uv.X(), uv.Y(), p, du, dv);
-    if (du.Magnitude() <= nothing * dv.Magnitude())
-      collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::U;
-    else if (dv.Magnitude() <= nothing * du.Magnitude())
-      collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::V;
-  }
-  return collapsed;
-}
-
-/// The middle of a triangle's parameters. A corner with a collapsed parameter counts in the other one only: the corner in
-/// the tip of a cone has whatever angle the mesher gave it.
-gp_XY middleParameters(const FaceMesh& mesh, const Poly_Triangle& triangle, const std::vector<Collapsed>& collapsed) {
-  gp_XY sum(0, 0);
-  int countU = 0, countV = 0;
-  for (int k = 1; k <= 3; ++k) {
-    const gp_Pnt2d uv = mesh.triangulation->UVNode(triangle.Value(k));
-    const Collapsed here = collapsed[static_cast<std::size_t>(triangle.Value(k) - 1)];
-    if (here != Collapsed::U) {
-      sum.SetX(sum.X() + uv.X());
-      ++countU;
-    }
-    if (here != Collapsed::V) {
-      sum.SetY(sum.Y() + uv.Y());
-      ++countV;
-    }
-  }
-  return {sum.X() / std::max(1, countU), sum.Y() / std::max(1, countV)};
-}
-
-/// Distance from a triangle's plane to the surface point in the middle of its parameters.
-double sag(const FaceMesh& mesh, const BRepAdaptor_Surface& surface, const Poly_Triangle& triangle,
-           const std::vector<Collapsed>& collapsed) {
-  int a = 0, b = 0, c = 0;
-  triangle.Get(a, b, c);
-  const Poly_Triangulation& t = *mesh.triangulation;
-  const auto at = [&](int i) { return toVec(t.Node(i).Transformed(mesh.location.Transformation()).XYZ()); };
-  const gp_XY middle = middleParameters(mesh, triangle, collapsed);
-  const Vec3 p = at(a);
-  const Vec3 normal = (at(b) - p).cross(at(c) - p);
-  if (!(normal.norm() > 0)) return 0;
-  return std::abs((toVec(surface.Value(middle.X(), middle.Y()).XYZ()) - p).dot(normal.normalized()));
-}
 
 class ShapeMesher {
  public:

@@ -1,0 +1,269 @@
+#include "exchange/plain/motion_read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+#include "core/error.h"
+#include "parameter/wording.h"
+
+namespace blossom {
+
+namespace {
+
+constexpr int largestDegree = 25;
+constexpr std::size_t mostPoles = 1'000'000;
+/// 1,000 km: products of such numbers keep a meaning, and no measure of them drowns in rounding noise.
+constexpr double largestNumber = 1e9;
+
+/// A value of the file and the way to it, which every message names: "orientation.poles[3][2]".
+struct Node {
+  const Value& value;
+  std::string path;
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw Error(ErrorCode::FormatDamaged, fmt::format("{} {}.", path.empty() ? "This motion file" : path, expected),
+                "The manual page \"Sweep\" describes the motion file.");
+  }
+  [[nodiscard]] Node operator[](std::size_t index) const { return {value[index], fmt::format("{}[{}]", path, index)}; }
+  [[nodiscard]] bool has(const char* key) const { return value.contains(key) && !value[key].is_null(); }
+  [[nodiscard]] Node at(const char* key) const {
+    const std::string full = path.empty() ? key : path + "." + key;
+    if (!has(key)) Node{value, full}.fail("is missing");
+    return {value.at(key), full};
+  }
+
+  void requireObject(std::initializer_list<const char*> keys) const {
+    if (!value.is_object()) fail(path.empty() ? "must hold one JSON object" : "must be an object");
+    for (const auto& [key, ignored] : value.items()) {
+      bool known = false;
+      for (const char* wanted : keys) known = known || key == wanted;
+      if (!known) Node{value, path.empty() ? key : path + "." + key}.fail("is not a key of a motion file");
+    }
+  }
+  [[nodiscard]] std::size_t arraySize(const char* what) const {
+    if (!value.is_array() || value.empty()) fail(fmt::format("must be a list of {}", what));
+    if (value.size() > mostPoles) fail(fmt::format("holds {} entries; at most {} can be read", value.size(), mostPoles));
+    return value.size();
+  }
+  [[nodiscard]] double number() const {
+    if (!value.is_number()) fail("must be a number");
+    const double number = value.get<double>();
+    if (!(std::abs(number) <= largestNumber)) fail(fmt::format("must lie between -1e9 and 1e9; it is {}", number));
+    return number;
+  }
+  template <int N>
+  [[nodiscard]] Eigen::Matrix<double, N, 1> numbers(const char* what) const {
+    if (!value.is_array() || value.size() != static_cast<std::size_t>(N)) fail(fmt::format("must be {}", what));
+    Eigen::Matrix<double, N, 1> result;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) result[static_cast<Eigen::Index>(i)] = (*this)[i].number();
+    return result;
+  }
+  [[nodiscard]] int degree() const {
+    if (!value.is_number_integer()) fail("must be a whole number");
+    // As a double, so that an absurd size cannot overflow.
+    const double degree = value.get<double>();
+    if (degree < 1 || degree > largestDegree)
+      fail(fmt::format("must lie between 1 and {}; it is {}", largestDegree, degree));
+    return static_cast<int>(degree);
+  }
+  [[nodiscard]] std::vector<double> knots() const {
+    const std::size_t count = arraySize("knots");
+    std::vector<double> result;
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      result.push_back((*this)[i].number());
+      if (i > 0 && result[i] < result[i - 1])
+        (*this)[i].fail(fmt::format("must not be smaller than the knot before it, {}", result[i - 1]));
+    }
+    return result;
+  }
+};
+
+void requireKnotCount(const Node& node, std::size_t knots, int degree, std::size_t poles) {
+  const std::size_t order = static_cast<std::size_t>(degree) + 1;
+  if (poles < order) node.fail(fmt::format("belongs to {} poles; degree {} needs at least {}", poles, degree, order));
+  if (knots != poles + order)
+    node.fail(
+        fmt::format("must hold {} knots ({} poles + degree {} + 1); it holds {}", poles + order, poles, degree, knots));
+}
+
+/// Both ends have multiplicity degree + 1, and nothing between is torn apart.
+void requireClamped(const Node& node, const std::vector<double>& knots, int degree) {
+  const std::size_t p = static_cast<std::size_t>(degree), last = knots.size() - 1;
+  if (knots[0] != knots[p]) node.fail(fmt::format("must be clamped: its first {} knots must be equal", degree + 1));
+  if (knots[last] != knots[last - p]) node.fail(fmt::format("must be clamped: its last {} knots must be equal", degree + 1));
+  if (!(knots[p] < knots[last - p])) node.fail("must span more than one value");
+}
+
+void requireContinuous(const Node& node, const std::vector<double>& knots, int degree, std::size_t first, std::size_t end) {
+  const std::size_t p = static_cast<std::size_t>(degree);
+  for (std::size_t i = first; i + p < end; ++i)
+    if (knots[i] == knots[i + p])
+      node[i].fail(fmt::format("is repeated more than {} times, which tears the factor apart", degree));
+}
+
+Curve readTrajectory(const Node& node) {
+  node.requireObject({"degree", "knots", "poles", "weights"});
+  Curve curve{node.at("degree").degree(), node.at("knots").knots(), {}};
+  const Node poles = node.at("poles");
+  const std::size_t count = poles.arraySize("points [x, y, z]");
+  std::optional<Node> weights;
+  if (node.has("weights")) {
+    weights.emplace(node.at("weights"));
+    if (weights->arraySize("numbers") != count)
+      weights->fail(fmt::format("must hold one weight for each of the {} poles", count));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 point = poles[i].numbers<3>("a point [x, y, z]");
+    const double weight = weights ? (*weights)[i].number() : 1.0;
+    if (weight <= 0) (*weights)[i].fail(fmt::format("must be above 0; it is {}", weight));
+    curve.poles.emplace_back(point.x() * weight, point.y() * weight, point.z() * weight, weight);
+  }
+  const Node knots = node.at("knots");
+  requireKnotCount(knots, curve.knots.size(), curve.degree, count);
+  requireClamped(knots, curve.knots, curve.degree);
+  requireContinuous(knots, curve.knots, curve.degree, 1, curve.knots.size() - 1);
+  return curve;
+}
+
+struct SurfaceForm {
+  const char* pole;     ///< what a pole must be
+  bool positiveFourth;  ///< its last component is a weight
+  double sign;          ///< of the rows that follow after one period; 0: not closed
+};
+
+/// The poles, u rows of v columns. @returns the number of rows.
+std::size_t readPoles(const Node& node, const SurfaceForm& form, std::vector<Vec4>& poles) {
+  const std::size_t rows = node.arraySize("rows of poles, one for each u");
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const Node row = node[i];
+    const std::size_t count = row.arraySize("poles, one for each v");
+    if (i == 0) columns = count;
+    if (count != columns) row.fail(fmt::format("must hold {} poles like the first row; it holds {}", columns, count));
+    if (rows * columns > mostPoles)
+      node.fail(fmt::format("holds {} poles; at most {} can be read", rows * columns, mostPoles));
+    for (std::size_t j = 0; j < count; ++j) {
+      const Node at = row[j];
+      poles.push_back(at.numbers<4>(form.pole));
+      if (form.positiveFourth && poles.back()[3] <= 0)
+        at[3].fail(fmt::format("is a weight and must be above 0; it is {}", poles.back()[3]));
+    }
+  }
+  return rows;
+}
+
+/// u knots of a closed factor: one period u0..un for n rows, or the unwrapped vector for n + degree rows' worth of knots.
+Surface closeInU(const Node& knotsNode, int degreeU, int degreeV, std::vector<double> knotsU, std::vector<double> knotsV,
+                 std::vector<Vec4> poles, std::size_t rows, double sign) {
+  const std::size_t p = static_cast<std::size_t>(degreeU);
+  std::vector<double> period = knotsU;
+  if (knotsU.size() == rows + 1 + 2 * p) {
+    period.assign(knotsU.begin() + degreeU, knotsU.end() - degreeU);
+  } else if (knotsU.size() != rows + 1) {
+    knotsNode.fail(
+        fmt::format("must hold the {} knots of one period (rows + 1) or all {} (rows + 2 degree + 1) of a closed motion "
+                    "with {} rows; it holds {}",
+                    rows + 1, rows + 1 + 2 * p, rows, knotsU.size()));
+  }
+  const double length = period.back() - period.front();
+  if (!(length > 0)) knotsNode.fail("must span more than one value");
+  Surface surface = unwrapped(degreeU, degreeV, period, std::move(knotsV), std::move(poles), sign);
+  if (knotsU.size() != period.size()) {
+    for (std::size_t i = 0; i < knotsU.size(); ++i)
+      if (std::abs(knotsU[i] - surface.knotsU[i]) > 1e-12 * length)
+        knotsNode[i].fail(fmt::format("must be {} to continue the period; it is {}", surface.knotsU[i], knotsU[i]));
+    surface.knotsU = std::move(knotsU);
+  }
+  requireContinuous(knotsNode, period, degreeU, 0, period.size());
+  return surface;
+}
+
+Surface readSurface(const Node& node, const SurfaceForm& form) {
+  const Node degree = node.at("degree"), knots = node.at("knots");
+  if (!degree.value.is_array() || degree.value.size() != 2) degree.fail("must be two degrees [in u, in v]");
+  if (!knots.value.is_array() || knots.value.size() != 2) knots.fail("must be two knot vectors [in u, in v]");
+  const int degreeU = degree[0].degree(), degreeV = degree[1].degree();
+  std::vector<double> knotsU = knots[0].knots(), knotsV = knots[1].knots();
+  std::vector<Vec4> poles;
+  const std::size_t rows = readPoles(node.at("poles"), form, poles), columns = poles.size() / rows;
+  requireKnotCount(knots[1], knotsV.size(), degreeV, columns);
+  requireClamped(knots[1], knotsV, degreeV);
+  requireContinuous(knots[1], knotsV, degreeV, 1, knotsV.size() - 1);
+  if (form.sign != 0)
+    return closeInU(knots[0], degreeU, degreeV, std::move(knotsU), std::move(knotsV), std::move(poles), rows, form.sign);
+  requireKnotCount(knots[0], knotsU.size(), degreeU, rows);
+  requireClamped(knots[0], knotsU, degreeU);
+  requireContinuous(knots[0], knotsU, degreeU, 1, knotsU.size() - 1);
+  return {degreeU, degreeV, std::move(knotsU), std::move(knotsV), std::move(poles)};
+}
+
+ClosedU readClosedU(const Node& node) {
+  if (!node.has("closed_u")) return ClosedU::No;
+  const Node closed = node.at("closed_u");
+  if (closed.value == "anti-periodic") return ClosedU::AntiPeriodic;
+  if (closed.value == "periodic") return ClosedU::Periodic;
+  if (closed.value == false) return ClosedU::No;
+  closed.fail("must be \"anti-periodic\" (one full turn), \"periodic\" or false");
+}
+
+void requireDomain(const std::string& path, std::pair<double, double> domain, std::pair<double, double> wanted,
+                   const char* direction) {
+  if (domain == wanted) return;
+  throw Error(ErrorCode::FormatDamaged,
+              fmt::format("{} must run from {} to {} in {} like orientation; it runs from {} to {}.", path, wanted.first,
+                          wanted.second, direction, domain.first, domain.second),
+              "All factors of a motion share one domain.");
+}
+
+}  // namespace
+
+Motion readMotion(const Value& value, std::vector<std::string>& warnings) {
+  const Node root{value, ""};
+  root.requireObject({"trajectory", "orientation", "scaling", "point", "edits"});
+  Motion motion;
+  motion.trajectory = readTrajectory(root.at("trajectory"));
+  const Node orientation = root.at("orientation"), scaling = root.at("scaling");
+  orientation.requireObject({"degree", "knots", "poles", "closed_u"});
+  scaling.requireObject({"degree", "knots", "poles", "closed_u"});
+  motion.closedU = readClosedU(orientation);
+  if (readClosedU(scaling) != ClosedU::No && motion.closedU == ClosedU::No)
+    scaling.at("closed_u").fail("says that scaling is closed, but orientation.closed_u does not");
+  const double sign = motion.closedU == ClosedU::AntiPeriodic ? -1 : 1;
+  const bool closed = motion.closedU != ClosedU::No;
+  motion.orientation = readSurface(orientation, {"a quaternion [w, x, y, z]", false, closed ? sign : 0});
+  motion.scaling = readSurface(scaling, {"a scaling [sx, sy, sz, sw]", true, closed ? 1.0 : 0});
+  requireDomain("trajectory", motion.trajectory.domain(), motion.domainV(), "v");
+  requireDomain("scaling", motion.scaling.domainU(), motion.domainU(), "u");
+  requireDomain("scaling", motion.scaling.domainV(), motion.domainV(), "v");
+  motion.point = root.at("point").numbers<3>("a point [x, y, z]");
+  const QuaternionAlignment alignment = alignQuaternions(motion);
+  if (alignment.flipped > 0)
+    warnings.push_back(
+        fmt::format("The signs of {} orientation poles were aligned with their neighbours: every pole is the same rotation, "
+                    "and from one to the next the motion turns the shorter way.",
+                    alignment.flipped));
+  if (alignment.opposed > 0)
+    warnings.push_back(fmt::format(
+        "Neighbouring orientation poles turn by more than half a turn near orientation.poles[{}][{}]; {}check "
+        "orientation.closed_u and the poles there.",
+        alignment.row, alignment.column, alignment.flipped > 0 ? "" : "they turn the way that the file's signs say; "));
+  if (root.has("edits")) {
+    const Node edits = root.at("edits");
+    if (!edits.value.is_array()) edits.fail("must be a list");
+    if (!edits.value.empty())
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("edits[0] asks for a change of this motion by dragging (the list holds {}), and this version "
+                              "cannot apply such edits.",
+                              edits.value.size()),
+                  "Write the edited poles into orientation and scaling, or take the list out to sweep the motion as its "
+                  "poles say.");
+  }
+  return motion;
+}
+
+}  // namespace blossom

@@ -22,7 +22,7 @@ using BrepReader = BrepImport (*)(const std::string& path, const Progress&);
 void registerBrepReader(const std::string& call, BrepReader);
 
 /// Reads a file by such a reader, in a child process: a crash on a damaged file ends the child, cancel ends it at once, and
-/// a reader that spins on rubbish is ended after a minute of computing (and another for each MB).
+/// a reader that spins on rubbish is ended after 15 s of computing and 20 s more for each MB.
 /// @throws Error as the reader; FormatDamaged when the file holds no geometry; what runInWorker throws.
 Imported importBrep(const std::string& call, const std::filesystem::path&, const Progress&);
 

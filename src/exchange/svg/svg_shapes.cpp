@@ -39,7 +39,8 @@ std::vector<Path> polygon(const std::vector<double>& v, bool closed) {
 
 /// Clockwise on the page from the end of the upper left corner, as SVG 1.1, 9.2 draws it.
 std::vector<Path> rectangle(const xml_node& node, const Lengths& lengths) {
-  const double x = lengths.x(node, "x"), y = lengths.y(node, "y"), w = lengths.x(node, "width"), h = lengths.y(node, "height");
+  const double x = lengths.x(node, "x"), y = lengths.y(node, "y"), w = lengths.x(node, "width"),
+               h = lengths.y(node, "height");
   if (!(w > 0) || !(h > 0)) return {};
   checkSize({x, y, w, h});
   double rx = lengths.x(node, "rx", -1), ry = lengths.y(node, "ry", -1);

@@ -44,7 +44,8 @@ class Lengths {
   const std::string& content_;
 };
 
-/// The outlines of an element path, rect, line, polyline, polygon, circle or ellipse, in user units. @throws Error FormatDamaged.
+/// The outlines of an element path, rect, line, polyline, polygon, circle or ellipse, in user units. @throws Error
+/// FormatDamaged.
 std::vector<Path> outlineOf(const pugi::xml_node&, std::string_view name, const Lengths&);
 
 }  // namespace blossom::svg

@@ -24,8 +24,8 @@ gp_Pnt2d parameterCenter(const Poly_Triangulation&);
 /// The unit normal of a surface; at a pole, that of a point a little way inside.
 Vec3 normalAt(const BRepAdaptor_Surface&, const gp_Pnt2d& uv, const gp_Pnt2d& center);
 
-/// The parameter that means nothing at a node: where a surface shrinks to a point, as in the tip of a cone, all values of the
-/// one that runs round it are the same place.
+/// The parameter that means nothing at a node: where a surface shrinks to a point, as in the tip of a cone, all values of
+/// the one that runs round it are the same place.
 enum class Collapsed { No, U, V };
 
 /// One for each node.

@@ -105,11 +105,11 @@ FeatureType morphFeature(std::size_t mostWork) {
   return feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.")
       .command("morph")
       .icon("morph")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .input({.name = "shape",
               .help = "Control shapes, first to last.",
               .kinds = {ShapeKind::Region},
-              .least = 2,
+              .minimum = 2,
               .most = anyNumber})
       .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first shape) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 10000), "How many shapes of a sequence from 0 to 1; 0 makes the one at t.")
@@ -149,7 +149,8 @@ Evaluated evaluated(RegionSumResult result) {
 FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std::string summary, std::string inputHelp) {
   using P = SumParameters;
   auto builder = feature<P>(std::move(id), std::move(title), std::move(summary));
-  builder.input({.name = "shape", .help = std::move(inputHelp), .kinds = {ShapeKind::Region}, .least = 2, .most = anyNumber})
+  builder
+      .input({.name = "shape", .help = std::move(inputHelp), .kinds = {ShapeKind::Region}, .minimum = 2, .most = anyNumber})
       .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.");
   return builder;
 }
@@ -158,7 +159,7 @@ FeatureType sumFeature(std::size_t mostWork) {
   return sumBuilder("minkowski.minkowski-sum", "Minkowski sum",
                     "Everything that one shape covers while its origin runs over the other.", "The shapes that are added.")
       .icon("minkowski-sum")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
       .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
       .evaluate([mostWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
@@ -171,7 +172,7 @@ FeatureType differenceFeature(std::size_t mostWork) {
                     "All places of the origin for which the second shape stays inside the first.",
                     "A shape, then what is to have room in it.")
       .icon("minkowski-difference")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
       .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
       .evaluate([mostWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {

@@ -122,8 +122,8 @@ Evaluated patternOf(const PatternParameters& p, const Inputs& inputs, const Prog
 
 ParameterSpec turn() {
   ParameterSpec spec = angle();
-  spec.least = -360;
-  spec.greatest = 360;
+  spec.minimum = -360;
+  spec.maximum = 360;
   return spec;
 }
 

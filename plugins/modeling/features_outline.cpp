@@ -18,7 +18,7 @@ FeatureType circleFeature() {
   using P = CircleParameters;
   return feature<P>("modeling.circle", "Circle", "A circle, as one exact arc.")
       .icon("circle")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .parameter("radius", &P::radius, positiveLength(), "Distance from the centre.")
       .parameter("centre", &P::center, point(), "The centre, in the plane z = 0.")
       .example("blossom circle --radius 25 -o circle.dxf")
@@ -36,7 +36,7 @@ FeatureType ellipseFeature() {
   return feature<P>("modeling.ellipse", "Ellipse",
                     "An ellipse, as an exact rational curve; a circle when its half-axes are equal.")
       .icon("ellipse")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .parameter("a", &P::a, positiveLength(), "First half-axis.")
       .parameter("b", &P::b, positiveLength(), "Second half-axis.")
       .parameter("centre", &P::center, point(), "The centre, in the plane z = 0.")
@@ -61,7 +61,7 @@ FeatureType polygonFeature() {
   using P = PolygonParameters;
   return feature<P>("modeling.polygon", "Polygon", "A regular polygon.")
       .icon("polygon")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .parameter("sides", &P::sides, count(3, 10000), "Number of sides.")
       .parameter("radius", &P::radius, positiveLength(), "Of the circle that it is drawn in or around.")
       .parameter("size", &P::size, choice({"inscribed", "circumscribed"}),
@@ -86,7 +86,7 @@ FeatureType starFeature() {
   using P = StarParameters;
   return feature<P>("modeling.star", "Star", "A star with straight sides.")
       .icon("star")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .parameter("points", &P::points, count(2, 10000), "Number of points.")
       .parameter("outer", &P::outer, positiveLength(), "Distance of the points from the centre.")
       .parameter("inner", &P::inner, positiveLength(), "Distance of the corners between them.")
@@ -107,10 +107,10 @@ struct RectangleParameters {
 FeatureType rectangleFeature() {
   using P = RectangleParameters;
   ParameterSpec corner = length();
-  corner.least = 0;
+  corner.minimum = 0;
   return feature<P>("modeling.rectangle", "Rectangle", "A rectangle with sharp or rounded corners.")
       .icon("rectangle")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .parameter("width", &P::width, positiveLength(), "Along x when it is not turned.")
       .parameter("height", &P::height, positiveLength(), "Along y when it is not turned.")
       .parameter("corner", &P::corner, corner, "Radius of the corners; at most half of the shorter side.")
@@ -132,7 +132,7 @@ FeatureType slotFeature() {
   using P = SlotParameters;
   return feature<P>("modeling.slot", "Slot", "A slot with round ends, as a cutter leaves it.")
       .icon("slot")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .parameter("length", &P::length, positiveLength(), "From end to end.")
       .parameter("width", &P::width, positiveLength(), "Across: the diameter of the ends.")
       .parameter("centre", &P::center, point(), "The centre, in the plane z = 0.")

@@ -63,7 +63,7 @@ FeatureType drawnFeature() {
   using P = DrawnParameters;
   return feature<P>("modeling.outline", "Outline", "A drawn outline of lines, arcs and splines; a region when it is closed.")
       .icon("outline")
-      .gives({ShapeKind::Region, ShapeKind::Curves})
+      .produces({ShapeKind::Region, ShapeKind::Curves})
       .parameter("start", &P::start, point(), "Where the outline begins, in the plane z = 0.")
       .parameter("segments", &P::segments, list(segmentRecord()), "What follows, one after the other.")
       .parameter("closed", &P::closed, flag(),

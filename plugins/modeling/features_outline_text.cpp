@@ -84,7 +84,7 @@ FeatureType textFeature() {
   using P = TextParameters;
   return feature<P>("modeling.text", "Text", "A text in an installed font, with the exact outlines of its letters.")
       .icon("text")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .inputByFlags({.asks = "text", .plain = {"font"}})
       .parameter("text", &P::text, text(), "What is written; it may have several lines.")
       .parameter("font", &P::font, text(), "Family of an installed font.")

@@ -32,9 +32,9 @@ struct TorusParameters : Placed {
 
 ParameterSpec partOfATurn() {
   ParameterSpec spec = angle();
-  spec.least = 0;
+  spec.minimum = 0;
   spec.aboveLeast = true;
-  spec.greatest = 360;
+  spec.maximum = 360;
   return spec;
 }
 
@@ -43,7 +43,7 @@ FeatureType primitive(FeatureBuilder<P>& builder, TopoDS_Shape (*make)(const P&)
   return builder.parameter("position", static_cast<Vec3 P::*>(&P::position), point(), "Where it stands.")
       .parameter("axis", static_cast<Vec3 P::*>(&P::axis), vector(), "The direction that is up for it.")
       .parameter("turn", static_cast<double P::*>(&P::turn), angle(), "How far it is turned about its axis.")
-      .gives({ShapeKind::Brep})
+      .produces({ShapeKind::Brep})
       .evaluate([make, title](const P& p, const Inputs&, const Progress&) {
         return Evaluated{Brep(make(p), title), Value::object(), {}};
       });

@@ -31,8 +31,8 @@ struct ExtrudeParameters {
 
 ParameterSpec taperAngle() {
   ParameterSpec spec = angle();
-  spec.least = -80;
-  spec.greatest = 80;
+  spec.minimum = -80;
+  spec.maximum = 80;
   return spec;
 }
 
@@ -41,7 +41,7 @@ FeatureType extrudeFeature() {
   return inWorker(
       feature<P>("modeling.extrude", "Extrude", "A solid over an outline, straight or tapered.")
           .icon("extrude")
-          .gives({ShapeKind::Brep})
+          .produces({ShapeKind::Brep})
           .input(profileInput())
           .parameter("height", &P::height, length(), "How far it goes; below 0: the other way.")
           .parameter("back", &P::back, lengthFromZero(), "How far it goes the other way as well.")
@@ -73,8 +73,8 @@ struct RevolveParameters {
 
 ParameterSpec turn() {
   ParameterSpec spec = angle();
-  spec.least = -360;
-  spec.greatest = 360;
+  spec.minimum = -360;
+  spec.maximum = 360;
   return spec;
 }
 
@@ -82,7 +82,7 @@ FeatureType revolveFeature() {
   using P = RevolveParameters;
   return inWorker(feature<P>("modeling.revolve", "Revolve", "A solid that an outline sweeps when it turns about an axis.")
                       .icon("revolve")
-                      .gives({ShapeKind::Brep})
+                      .produces({ShapeKind::Brep})
                       .input(profileInput())
                       .parameter("axis", &P::axis, vector(), "Direction of the axis; it lies beside the outline.")
                       .parameter("point", &P::point, point(), "A point that the axis passes through.")
@@ -135,9 +135,12 @@ FeatureType loftFeature() {
   return inWorker(
       feature<P>("modeling.loft", "Loft", "A solid through two or more outlines.")
           .icon("loft")
-          .gives({ShapeKind::Brep})
-          .input(
-              {.name = "sections", .help = "Outlines in their order.", .kinds = profileKinds, .least = 2, .most = anyNumber})
+          .produces({ShapeKind::Brep})
+          .input({.name = "sections",
+                  .help = "Outlines in their order.",
+                  .kinds = profileKinds,
+                  .minimum = 2,
+                  .most = anyNumber})
           .parameter("ruled", &P::ruled, flag(), "Straight from one section to the next instead of smooth through all.")
           .parameter("solid", &P::solid, flag(), "Close both ends; off: an open sheet.")
           .parameter("spacing", &P::spacing, positiveLength(), "Distance of sections that are all drawn in one plane.")
@@ -161,7 +164,7 @@ FeatureType pipeFeature() {
   return inWorker(
       feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
           .icon("pipe")
-          .gives({ShapeKind::Brep})
+          .produces({ShapeKind::Brep})
           .input({.name = "profile", .help = "The outline that is moved.", .kinds = profileKinds})
           .input({.name = "path",
                   .help = "The curve that it is moved along.",

@@ -20,8 +20,8 @@ struct BooleanParameters {
 
 ParameterSpec smallLength() {
   ParameterSpec spec = length();
-  spec.least = 0;
-  spec.greatest = 10;
+  spec.minimum = 0;
+  spec.maximum = 10;
   return spec;
 }
 
@@ -51,11 +51,11 @@ FeatureType booleanFeature() {
   return inWorker(
       feature<P>("modeling.boolean", "Boolean", "Solids or regions united, cut from each other or intersected.")
           .icon("boolean")
-          .gives({ShapeKind::Brep, ShapeKind::Region})
+          .produces({ShapeKind::Brep, ShapeKind::Region})
           .input({.name = "shapes",
                   .help = "Solids, or regions. Of a difference, the first keeps what the others leave of it.",
                   .kinds = {ShapeKind::Brep, ShapeKind::Region},
-                  .least = 2,
+                  .minimum = 2,
                   .most = anyNumber})
           .parameter("operation", &P::operation, choice({"union", "difference", "intersection"}), "What is made of them.")
           .parameter("fuzzy", &P::fuzzy, smallLength(), "Faces this close count as touching; 0: only those that really do.")
@@ -78,7 +78,7 @@ FeatureType filletFeature() {
   return inWorker(
       feature<P>("modeling.fillet", "Fillet", "A solid with rounded edges.")
           .icon("fillet")
-          .gives({ShapeKind::Brep})
+          .produces({ShapeKind::Brep})
           .input(solidInput())
           .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to round.")
           .parameter("radius", &P::radius, positiveLength(), "Radius of the rounding.")
@@ -99,11 +99,11 @@ struct ChamferParameters {
 FeatureType chamferFeature() {
   using P = ChamferParameters;
   ParameterSpec second = length();
-  second.least = 0;
+  second.minimum = 0;
   return inWorker(
       feature<P>("modeling.chamfer", "Chamfer", "A solid with edges cut off by flat strips.")
           .icon("chamfer")
-          .gives({ShapeKind::Brep})
+          .produces({ShapeKind::Brep})
           .input(solidInput())
           .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to cut off.")
           .parameter("distance", &P::distance, positiveLength(), "Width of the strip on the faces beside the edge.")
@@ -129,7 +129,7 @@ FeatureType shellFeature() {
   return inWorker(
       feature<P>("modeling.shell", "Shell", "A solid hollowed out to walls of even thickness.")
           .icon("shell")
-          .gives({ShapeKind::Brep})
+          .produces({ShapeKind::Brep})
           .input(solidInput())
           .parameter("faces", &P::faces, whenNone(list(subShape("face")), "a closed hollow"), "The faces to open.")
           .parameter("thickness", &P::thickness, positiveLength(), "Thickness of the walls.")

@@ -21,7 +21,7 @@ FeatureType ballFeature() {
   using P = BallParameters;
   return feature<P>("morphology.ball", "Ball", "A ball of triangles about the origin, to add to a solid or to melt it by.")
       .icon("ball")
-      .gives({ShapeKind::Mesh})
+      .produces({ShapeKind::Mesh})
       .parameter("radius", &P::radius, positiveLength(), "Radius of the ball.")
       .parameter("subdivisions", &P::subdivisions, count(0, mostSubdivisions),
                  "How fine it is: 20 faces, with each subdivision four times as many.")

@@ -40,7 +40,7 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
   using P = GrowParameters;
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
-      .gives({ShapeKind::Mesh})
+      .produces({ShapeKind::Mesh})
       .input({.name = "solid", .help = "The solid that is changed.", .kinds = {ShapeKind::Mesh, ShapeKind::Brep}})
       .parameter("radius", &P::radius, positiveLength(), texts.radius)
       .parameter("frames", &P::frames, count(0, 1000),

@@ -21,8 +21,8 @@ std::vector<ControlPoint> pointsOf(const Value& curve) {
 
 ParameterSpec unitCurve() {
   ParameterSpec spec = controlCurve();
-  spec.least = 0;
-  spec.greatest = 1;
+  spec.minimum = 0;
+  spec.maximum = 1;
   return spec;
 }
 
@@ -44,7 +44,7 @@ FeatureType morphFeature(Way way) {
   return feature<P>("morphology.solid-morph", "Solid morph",
                     "The in-between solids of two solids, whatever their number of holes and corners.")
       .icon("solid-morph")
-      .gives({ShapeKind::Mesh})
+      .produces({ShapeKind::Mesh})
       .input({.name = "from", .help = "The solid at t = 0.", .kinds = kinds})
       .input({.name = "to", .help = "The solid at t = 1.", .kinds = kinds})
       .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first solid) to 1 (the second).")

@@ -28,7 +28,7 @@ FeatureType sumFeature(Way way) {
   return feature<P>("morphology.solid-sum", "Solid sum",
                     "Everything that one solid covers while its origin runs over the other.")
       .icon("solid-sum")
-      .gives({ShapeKind::Mesh})
+      .produces({ShapeKind::Mesh})
       .input({.name = "solid", .help = "What is added to.", .kinds = elementKinds})
       .input({.name = "element",
               .help = "What is added: a solid, a ball, a segment, a flat polygon or points.",
@@ -54,7 +54,7 @@ FeatureType melting(const PairTexts& texts, const PairOperation& operation) {
   using P = SumParameters;
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
-      .gives({ShapeKind::Mesh})
+      .produces({ShapeKind::Mesh})
       .input({.name = "solid", .help = "The solid that is changed.", .kinds = solidKinds})
       .input({.name = "element", .help = texts.element, .kinds = elementKinds})
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);

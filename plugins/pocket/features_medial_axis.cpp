@@ -38,7 +38,7 @@ FeatureType medialAxisFeature() {
   using P = MedialAxisParameters;
   return feature<P>("pocket.medial-axis", "Medial axis", "The centres of the largest discs that a part holds.")
       .icon("medial-axis")
-      .gives({ShapeKind::MedialAxis})
+      .produces({ShapeKind::MedialAxis})
       .input(partInput())
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)

@@ -26,7 +26,7 @@ struct OffsetParameters {
 
 ParameterSpec distances() {
   ParameterSpec spec = list(positiveLength());
-  spec.least = 1;
+  spec.minimum = 1;
   return spec;
 }
 
@@ -156,7 +156,7 @@ FeatureType offsetFeature() {
   using P = OffsetParameters;
   return feature<P>("pocket.offset", "Offset", "Outlines at even distances from the outlines of a part.")
       .icon("offset")
-      .gives({ShapeKind::Region, ShapeKind::Curves})
+      .produces({ShapeKind::Region, ShapeKind::Curves})
       .input(partInput())
       .parameter("distance", &P::distance, distances(),
                  "How far from the outline; several distances make curves, a layer for each.")

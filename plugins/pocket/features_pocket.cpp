@@ -220,9 +220,9 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
 
 ParameterSpec rampAngle() {
   ParameterSpec spec = angle();
-  spec.least = 0;
+  spec.minimum = 0;
   spec.aboveLeast = true;
-  spec.greatest = 90;
+  spec.maximum = 90;
   return spec;
 }
 
@@ -236,7 +236,7 @@ FeatureType pocketFeature() {
   using P = PocketParameters;
   return feature<P>("pocket.pocket", "Pocket", "A toolpath that clears a part down to a depth, islands left standing.")
       .icon("pocket")
-      .gives({ShapeKind::Toolpath})
+      .produces({ShapeKind::Toolpath})
       .input(partInput())
       .parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")
       .parameter("depth", &P::depth, positiveLength(), "How deep the pocket is; when its floor is picked, the walls tell.")

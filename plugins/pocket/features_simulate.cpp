@@ -162,7 +162,7 @@ FeatureType simulateFeature() {
   part.name = "part";
   return feature<P>("pocket.simulate", "Simulate", "Sweeps a program's tool along its moves and measures gouge and residue.")
       .icon("simulate")
-      .gives({ShapeKind::Toolpath})
+      .produces({ShapeKind::Toolpath})
       .input({.name = "program", .help = "A toolpath, or a G-code program that moves in z.", .kinds = {ShapeKind::Toolpath}})
       .input(part)
       .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")

@@ -119,14 +119,14 @@ FeatureType deformFeature() {
                     "A cage whose limit surface or curve is pulled to a target near it; what lies farther off stays.")
       .command("deform")
       .icon("deform")
-      .gives({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
+      .produces({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
       .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
       .input({.name = "target",
               .help =
                   "Where the limit shape is to run: drawn curves, edges of a solid, a cloud of points, or the vertices of a "
                   "mesh.",
               .kinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Region, ShapeKind::Brep},
-              .least = 0})
+              .minimum = 0})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
       .parameter("free", &P::free, text(),
                  "Which control points may move: support, paper, or rings:N for the support grown by N rings.")

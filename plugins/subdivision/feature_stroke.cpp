@@ -31,7 +31,7 @@ FeatureType strokeFeature() {
                     "A curve through points in space, as it is drawn over a shape that is to follow it.")
       .command("stroke")
       .icon("target-stroke")
-      .gives({ShapeKind::Curve})
+      .produces({ShapeKind::Curve})
       .parameter("points", &P::points, list(point()), "The points, first to last.")
       .parameter("smooth", &P::smooth, flag(), "A smooth curve through the points; else straight lines.")
       .example("blossom stroke --points \"0,0,0; 5,0,2; 10,0,0\" -o stroke.step")

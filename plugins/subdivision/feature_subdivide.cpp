@@ -39,7 +39,7 @@ FeatureType subdivideFeature() {
   return feature<P>("subdivision.subdivide", "Subdivide", "A coarse cage refined to a smooth surface or curve.")
       .command("subdivide")
       .icon("subdivide")
-      .gives({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
+      .produces({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
       .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
       .parameter("levels", &P::levels, count(0, 10), "How often it is refined; each time has four times the faces.")

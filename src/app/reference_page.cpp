@@ -53,7 +53,7 @@ std::string usage(const FeatureType& type) {
   std::string line = "blossom " + type.command;
   for (const InputSpec& input : type.inputs) {
     const std::string name = input.most > 1 ? fmt::format("{0} {0}..", input.name) : input.name;
-    line += input.least == 0 ? fmt::format(" [{}]", name) : ' ' + name;
+    line += input.minimum == 0 ? fmt::format(" [{}]", name) : ' ' + name;
   }
   for (const ParameterSpec& spec : type.parameters)
     if (spec.fallback.is_null() && !spec.mayBeAbsent) line += fmt::format(" --{} ..", spec.name);
@@ -63,9 +63,9 @@ std::string usage(const FeatureType& type) {
 }  // namespace
 
 std::string howMany(const InputSpec& spec) {
-  if (spec.least == 1 && spec.most == 1) return "one";
-  if (spec.least == spec.most) return std::to_string(spec.least);
-  return spec.most == anyNumber ? fmt::format("{} or more", spec.least) : fmt::format("{} to {}", spec.least, spec.most);
+  if (spec.minimum == 1 && spec.most == 1) return "one";
+  if (spec.minimum == spec.most) return std::to_string(spec.minimum);
+  return spec.most == anyNumber ? fmt::format("{} or more", spec.minimum) : fmt::format("{} to {}", spec.minimum, spec.most);
 }
 
 std::string kindsText(const std::vector<ShapeKind>& kinds) { return kinds.empty() ? "any shape" : kindNames(kinds); }
@@ -81,7 +81,7 @@ std::string referencePage(const FeatureType& type) {
   for (const InputSpec& input : type.inputs)
     page +=
         fmt::format("| {} | {} | {} | {} |\n", plain(input.name), howMany(input), kindsText(input.kinds), plain(input.help));
-  page += fmt::format("\n## Result\n\nGives {}.\n", kindsText(type.gives));
+  page += fmt::format("\n## Result\n\nGives {}.\n", kindsText(type.produces));
   page += "\n## Parameters\n\n";
   if (type.parameters.empty()) page += "None.\n";
   if (!type.parameters.empty()) page += "| Parameter | Takes | Default | Meaning |\n|---|---|---|---|\n";

@@ -31,7 +31,7 @@ class FeatureCommand {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     parameters_ = std::make_unique<ParameterFlags>(line, *app_, type_->parameters, "", "Parameters");
     made_ = std::make_unique<FlagInputs>(line, *app_, *session_.app.registry, *type_);
-    formats_ = std::make_unique<FormatFlags>(line, *app_, *session_.app.formats, FormatFlags::Writing, type_->gives);
+    formats_ = std::make_unique<FormatFlags>(line, *app_, *session_.app.formats, FormatFlags::Writing, type_->produces);
     setExamples(*app_, type_->examples);
   }
 
@@ -55,7 +55,7 @@ class FeatureCommand {
   /// Where every input is a single one of its own kind, those after the first can also be given by name: --part FILE.
   void declareNamedInputs() {
     for (const InputSpec& spec : type_->inputs)
-      if (spec.least != 1 || spec.most != 1) return;
+      if (spec.minimum != 1 || spec.most != 1) return;
     for (std::size_t i = 1; i < type_->inputs.size(); ++i) {
       const InputSpec& spec = type_->inputs[i];
       const auto namesake = [&](const ParameterSpec& parameter) { return parameter.name == spec.name; };
@@ -88,17 +88,17 @@ class FeatureCommand {
   void checkNumberOfInputs() const {
     if (fileParameter()) return;
     const std::size_t given = inputs_.size() + made_->given().size();
-    std::size_t least = 0, most = 0;
+    std::size_t minimum = 0, most = 0;
     std::string wanted;
     for (const InputSpec& spec : type_->inputs) {
-      least += spec.least;
+      minimum += spec.minimum;
       most = spec.most == anyNumber || most == anyNumber ? anyNumber : most + spec.most;
       wanted += (wanted.empty() ? "" : ", ") + spec.name;
     }
-    if (given >= least && given <= most) return;
-    const std::string number = least == most       ? std::to_string(least)
-                               : most == anyNumber ? fmt::format("at least {}", least)
-                                                   : fmt::format("{} to {}", least, most);
+    if (given >= minimum && given <= most) return;
+    const std::string number = minimum == most     ? std::to_string(minimum)
+                               : most == anyNumber ? fmt::format("at least {}", minimum)
+                                                   : fmt::format("{} to {}", minimum, most);
     throw UsageError(fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number,
                                  number == "1" ? "" : "s", wanted, given, given == 1 ? "is" : "are"),
                      given > most ? hintForTooMany() : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
@@ -137,7 +137,7 @@ class FeatureCommand {
     used.reserve(planned.size());
     for (const Output& output : planned) {
       used.push_back(output.format);
-      if (output.format && !type_->gives.empty()) refuseUnlessHeld(*output.format, type_->gives);
+      if (output.format && !type_->produces.empty()) refuseUnlessHeld(*output.format, type_->produces);
     }
     formats_->refuseUnused(used);
     return planned;

@@ -16,8 +16,8 @@ Value specJson(const ParameterSpec& spec) {
              {"kind", parameterKindName(spec.kind)},
              {"takes", describe(spec)},
              {"default", spec.fallback}};
-  if (spec.least) json[spec.aboveLeast ? "above" : "least"] = *spec.least;
-  if (spec.greatest) json["greatest"] = *spec.greatest;
+  if (spec.minimum) json[spec.aboveLeast ? "above" : "least"] = *spec.minimum;
+  if (spec.maximum) json["greatest"] = *spec.maximum;
   if (!spec.noneMeans.empty()) json["none_means"] = spec.noneMeans;
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (!spec.fileTypes.empty()) json["file_types"] = spec.fileTypes;
@@ -32,7 +32,7 @@ Value kindsJson(const std::vector<ShapeKind>& kinds) {
 }
 
 Value inputJson(const InputSpec& spec) {
-  Value json{{"name", spec.name}, {"help", spec.help}, {"kinds", kindsJson(spec.kinds)}, {"least", spec.least}};
+  Value json{{"name", spec.name}, {"help", spec.help}, {"kinds", kindsJson(spec.kinds)}, {"least", spec.minimum}};
   json["most"] = spec.most == anyNumber ? Value() : Value(spec.most);
   return json;
 }
@@ -43,7 +43,7 @@ Value typeJson(const FeatureType& type) {
   for (const InputSpec& spec : type.inputs) json["inputs"].push_back(inputJson(spec));
   json["parameters"] = Value::array();
   for (const ParameterSpec& spec : type.parameters) json["parameters"].push_back(specJson(spec));
-  json["gives"] = kindsJson(type.gives);
+  json["gives"] = kindsJson(type.produces);
   json["examples"] = type.examples;
   return json;
 }
@@ -55,7 +55,7 @@ void printType(std::ostream& out, const FeatureType& type) {
   for (const InputSpec& spec : type.inputs)
     lines.push_back({"  " + spec.name, howMany(spec), kindsText(spec.kinds), spec.help});
   if (!lines.empty()) printTable(out, {"", "", "", ""}, lines);
-  out << "\nGives " << kindsText(type.gives) << ".\n";
+  out << "\nGives " << kindsText(type.produces) << ".\n";
   lines.clear();
   for (const ParameterSpec& spec : type.parameters)
     lines.push_back(

@@ -45,7 +45,7 @@ Sorted sorted(const FeatureType& source, const CLI::App& app) {
 FlagInputs::FlagInputs(CommandLine& line, CLI::App& app, const Registry& registry, const FeatureType& command) {
   for (const auto& source : registry.types()) {
     const InputByFlags& flags = source->inputByFlags;
-    const auto place = placeFor(command, source->gives);
+    const auto place = placeFor(command, source->produces);
     if (flags.asks.empty() || !place || !isFree(app, flags.asks)) continue;
     const Sorted specs = sorted(*source, app);
     const std::string group = fmt::format("{} in place of a file", source->title);

@@ -195,8 +195,8 @@ class Parser {
     for (blanks(); take(",") || take(";"); blanks()) values.push_back(sum());
     if (!take(")")) fail(place, fmt::format("the parenthesis of {} is not closed", name));
     countPlainAsLengths(values);
-    if (values.size() < function->least || values.size() > function->most)
-      fail(place, fmt::format("{} takes {} {}", name, function->least, function->least == 1 ? "value" : "values"));
+    if (values.size() < function->minimum || values.size() > function->most)
+      fail(place, fmt::format("{} takes {} {}", name, function->minimum, function->minimum == 1 ? "value" : "values"));
     const auto value = function->call(values);
     if (!value) fail(place, fmt::format("{} does not take these units", name));
     return checkedAt(place, *value);

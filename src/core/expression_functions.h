@@ -32,7 +32,7 @@ std::optional<Dimensioned> unitNamed(std::string_view);
 
 struct ExpressionFunction {
   std::string_view name;
-  std::size_t least, most;  ///< number of values
+  std::size_t minimum, most;  ///< number of values
   /// Empty when the values have units that the function does not take.
   std::optional<Dimensioned> (*call)(std::span<const Dimensioned>);
 };

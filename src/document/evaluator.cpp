@@ -4,7 +4,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/thread_rank.h"
+#include "core/thread_priority.h"
 #include "document/evaluation.h"
 
 namespace blossom {
@@ -56,7 +56,7 @@ void Evaluator::State::perform(const Job& job) {
 }
 
 void Evaluator::State::work() {
-  standBack();
+  lowerThreadPriority();
   std::unique_lock lock(mutex);
   while (true) {
     changed.wait(lock, [&] { return ending || waiting; });

@@ -47,8 +47,9 @@ Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& sha
 }
 
 std::string howMany(const InputSpec& spec) {
-  if (spec.least == spec.most) return std::to_string(spec.least);
-  return spec.most == anyNumber ? fmt::format("at least {}", spec.least) : fmt::format("{} to {}", spec.least, spec.most);
+  if (spec.minimum == spec.most) return std::to_string(spec.minimum);
+  return spec.most == anyNumber ? fmt::format("at least {}", spec.minimum)
+                                : fmt::format("{} to {}", spec.minimum, spec.most);
 }
 
 [[noreturn]] void throwWrongNumber(const FeatureType& type, std::size_t given) {
@@ -70,17 +71,17 @@ void throwWrongKind(const Shape& shape) {
 
 Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
   std::size_t leastLater = 0;
-  for (const auto& spec : type.inputs) leastLater += spec.least;
+  for (const auto& spec : type.inputs) leastLater += spec.minimum;
   if (given.size() < leastLater) throwWrongNumber(type, given.size());
   std::vector<std::vector<Shape>> bySpec;
   std::size_t next = 0;
   for (const auto& spec : type.inputs) {
-    leastLater -= spec.least;
+    leastLater -= spec.minimum;
     auto& taken = bySpec.emplace_back();
     while (taken.size() < spec.most && next + leastLater < given.size()) {
       if (!accepts(spec, given[next])) {
         // what an optional input does not accept is left to the inputs after it
-        if (taken.size() >= spec.least && &spec != &type.inputs.back()) break;
+        if (taken.size() >= spec.minimum && &spec != &type.inputs.back()) break;
         throwNotAccepted(type, spec, given[next]);
       }
       refuseUnsound(type, spec, given[next]);
@@ -93,11 +94,11 @@ Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
 
 void checkGiven(const FeatureType& type, const Shape& result) {
   if (result.empty()) throw Error(ErrorCode::Internal, fmt::format("{} made nothing and gave no reason.", type.title));
-  if (type.gives.empty()) return;
+  if (type.produces.empty()) return;
   const auto check = [&](const Shape& shape) {
-    if (std::find(type.gives.begin(), type.gives.end(), shape.kind()) == type.gives.end())
+    if (std::find(type.produces.begin(), type.produces.end(), shape.kind()) == type.produces.end())
       throw Error(ErrorCode::Internal, fmt::format("{} made {} and declares that it gives {}.", type.title,
-                                                   withArticle(shape.kind()), kindNames(type.gives, true)));
+                                                   withArticle(shape.kind()), kindNames(type.produces, true)));
   };
   if (const auto* sequence = result.get<Sequence>())
     std::for_each(sequence->frames.begin(), sequence->frames.end(), check);

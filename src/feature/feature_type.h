@@ -21,7 +21,7 @@ struct InputSpec {
   std::string help;
   std::vector<ShapeKind>
       kinds;  ///< accepted; empty means any. Region inputs also take closed Curves (converted by the evaluator).
-  std::size_t least = 1;
+  std::size_t minimum = 1;
   std::size_t most = 1;
 };
 
@@ -92,7 +92,7 @@ struct FeatureType {
   std::string icon;     ///< name of a file in resources/icons; empty: the plugin's
   std::vector<InputSpec> inputs;
   std::vector<ParameterSpec> parameters;
-  std::vector<ShapeKind> gives;       ///< kinds of its results, or of the frames of a sequence; empty: any
+  std::vector<ShapeKind> produces;    ///< kinds of its results, or of the frames of a sequence; empty: any
   std::vector<std::string> examples;  ///< command lines for --help
   ChoiceByOutput byOutput = {};
   InputByFlags inputByFlags = {};
@@ -138,8 +138,8 @@ class FeatureBuilder {
     type_.byOutput = std::move(choice);
     return *this;
   }
-  FeatureBuilder& gives(std::vector<ShapeKind> kinds) {
-    type_.gives = std::move(kinds);
+  FeatureBuilder& produces(std::vector<ShapeKind> kinds) {
+    type_.produces = std::move(kinds);
     return *this;
   }
   FeatureBuilder& inputByFlags(InputByFlags flags) {

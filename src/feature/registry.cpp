@@ -55,7 +55,7 @@ void checkInputByFlags(const std::string& what, const FeatureType& type, const s
   const InputByFlags& flags = type.inputByFlags;
   if (flags.asks.empty()) return;
   if (!type.inputs.empty()) broken(what, "cannot be an input by flags alone, for it takes inputs itself");
-  if (type.gives.empty()) broken(what, "cannot be an input by flags alone, for it does not declare what it gives");
+  if (type.produces.empty()) broken(what, "cannot be an input by flags alone, for it does not declare what it gives");
   for (const std::string& name : flags.plain)
     if (!parameters.contains(name)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", name));
   if (!parameters.contains(flags.asks)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", flags.asks));
@@ -69,7 +69,7 @@ void checkDeclaration(FeatureType& type) {
   if (type.title.empty() || type.summary.empty()) broken(what, "has no title or no summary");
   if (!type.evaluate) broken(what, "cannot be evaluated");
   for (const auto& input : type.inputs)
-    if (input.name.empty() || input.least > input.most || input.most == 0)
+    if (input.name.empty() || input.minimum > input.most || input.most == 0)
       broken(what, fmt::format("declares the input \"{}\" wrongly", input.name));
   std::set<std::string> names;
   for (auto& spec : type.parameters) {

@@ -23,8 +23,8 @@ namespace {
 }
 
 void checkRange(const ParameterSpec& spec, const std::string& subject, double value, const std::string& is) {
-  const bool tooSmall = spec.least && (value < *spec.least || (spec.aboveLeast && value == *spec.least));
-  const bool tooLarge = spec.greatest && value > *spec.greatest;
+  const bool tooSmall = spec.minimum && (value < *spec.minimum || (spec.aboveLeast && value == *spec.minimum));
+  const bool tooLarge = spec.maximum && value > *spec.maximum;
   if (tooSmall || tooLarge) invalid(spec, subject, demandRange(spec), is);
 }
 

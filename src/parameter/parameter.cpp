@@ -89,24 +89,24 @@ std::string describe(const ParameterSpec& spec) {
 
 ParameterSpec flag() { return ofKind(ParameterKind::Flag); }
 
-ParameterSpec count(int least, std::optional<int> greatest) {
+ParameterSpec count(int minimum, std::optional<int> maximum) {
   ParameterSpec spec = ofKind(ParameterKind::Count);
-  spec.least = least;
-  if (greatest) spec.greatest = *greatest;
+  spec.minimum = minimum;
+  if (maximum) spec.maximum = *maximum;
   return spec;
 }
 
-ParameterSpec number(std::optional<double> least, std::optional<double> greatest) {
+ParameterSpec number(std::optional<double> minimum, std::optional<double> maximum) {
   ParameterSpec spec = ofKind(ParameterKind::Number);
-  spec.least = least;
-  spec.greatest = greatest;
+  spec.minimum = minimum;
+  spec.maximum = maximum;
   return spec;
 }
 
 ParameterSpec ratio() {
   ParameterSpec spec = ofKind(ParameterKind::Ratio);
-  spec.least = 0;
-  spec.greatest = 1;
+  spec.minimum = 0;
+  spec.maximum = 1;
   return spec;
 }
 
@@ -114,13 +114,13 @@ ParameterSpec length() { return ofKind(ParameterKind::Length); }
 
 ParameterSpec lengthFromZero() {
   ParameterSpec spec = ofKind(ParameterKind::Length);
-  spec.least = 0;
+  spec.minimum = 0;
   return spec;
 }
 
 ParameterSpec positiveLength() {
   ParameterSpec spec = ofKind(ParameterKind::Length);
-  spec.least = 0;
+  spec.minimum = 0;
   spec.aboveLeast = true;
   return spec;
 }

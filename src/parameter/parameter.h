@@ -35,9 +35,9 @@ struct ParameterSpec {
   std::string name;  ///< "area-preserving": the flag, the key, and, with spaces, the label
   std::string help;  ///< one sentence
   ParameterKind kind = ParameterKind::Flag;
-  Value fallback;               ///< default, canonical form; null when the user must give one
-  std::optional<double> least;  ///< smallest value allowed (numbers, counts, lengths, angles); of a List: fewest items
-  std::optional<double> greatest;
+  Value fallback;                 ///< default, canonical form; null when the user must give one
+  std::optional<double> minimum;  ///< smallest value allowed (numbers, counts, lengths, angles); of a List: fewest items
+  std::optional<double> maximum;
   bool aboveLeast = false;            ///< `least` itself is not allowed
   std::vector<std::string> choices;   ///< of a Choice; of a SubShape: exactly one, "face", "edge" or "vertex"
   std::vector<ParameterSpec> fields;  ///< of a Record; of a List: exactly one, the element
@@ -71,8 +71,8 @@ std::string nearestName(std::string_view wanted, const std::vector<std::string>&
 
 // What kinds may be declared; used as feature<P>(..).parameter("t", &P::t, ratio(), "help").
 ParameterSpec flag();
-ParameterSpec count(int least = 0, std::optional<int> greatest = {});
-ParameterSpec number(std::optional<double> least = {}, std::optional<double> greatest = {});
+ParameterSpec count(int minimum = 0, std::optional<int> maximum = {});
+ParameterSpec number(std::optional<double> minimum = {}, std::optional<double> maximum = {});
 ParameterSpec ratio();           ///< 0..1
 ParameterSpec length();          ///< any length in mm
 ParameterSpec positiveLength();  ///< mm, above 0

@@ -34,22 +34,22 @@ std::string_view unitSuffix(const ParameterSpec& spec) {
 }
 
 std::string describeRange(const ParameterSpec& spec) {
-  if (spec.least && spec.greatest)
-    return fmt::format("{} {} to {}", spec.aboveLeast ? "above" : "from", formatNumber(*spec.least),
-                       bound(spec, *spec.greatest));
-  if (spec.least) return fmt::format("{} {}", spec.aboveLeast ? "above" : "at least", bound(spec, *spec.least));
-  if (spec.greatest) return fmt::format("at most {}", bound(spec, *spec.greatest));
+  if (spec.minimum && spec.maximum)
+    return fmt::format("{} {} to {}", spec.aboveLeast ? "above" : "from", formatNumber(*spec.minimum),
+                       bound(spec, *spec.maximum));
+  if (spec.minimum) return fmt::format("{} {}", spec.aboveLeast ? "above" : "at least", bound(spec, *spec.minimum));
+  if (spec.maximum) return fmt::format("at most {}", bound(spec, *spec.maximum));
   return {};
 }
 
 std::string demandRange(const ParameterSpec& spec) {
   const bool list = spec.kind == ParameterKind::List;
   const std::string be = list ? "must have" : "must be";
-  if (spec.least && spec.greatest && spec.aboveLeast)
-    return fmt::format("{} above {} and at most {}", be, bound(spec, *spec.least), bound(spec, *spec.greatest));
-  if (spec.least && spec.greatest)
-    return fmt::format("{} between {} and {}", list ? be : "must lie", formatNumber(*spec.least),
-                       bound(spec, *spec.greatest));
+  if (spec.minimum && spec.maximum && spec.aboveLeast)
+    return fmt::format("{} above {} and at most {}", be, bound(spec, *spec.minimum), bound(spec, *spec.maximum));
+  if (spec.minimum && spec.maximum)
+    return fmt::format("{} between {} and {}", list ? be : "must lie", formatNumber(*spec.minimum),
+                       bound(spec, *spec.maximum));
   return fmt::format("{} {}", be, describeRange(spec));
 }
 

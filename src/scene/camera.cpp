@@ -35,14 +35,14 @@ bool liesFlat(const std::vector<Vec3>& points) {
 }
 
 struct Extent {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
+  double maximum = -std::numeric_limits<double>::infinity();
   void add(double value) {
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
+    minimum = std::min(minimum, value);
+    maximum = std::max(maximum, value);
   }
-  [[nodiscard]] double middle() const { return (least + greatest) / 2; }
-  [[nodiscard]] double half() const { return (greatest - least) / 2; }
+  [[nodiscard]] double middle() const { return (minimum + maximum) / 2; }
+  [[nodiscard]] double half() const { return (maximum - minimum) / 2; }
 };
 
 }  // namespace

@@ -44,8 +44,8 @@ BoxTree treeOver(std::size_t count, const Item& addTo) {
 class Slabs {
  public:
   explicit Slabs(const Ray& ray) : origin_(ray.origin), direction_(ray.direction) {
-    constexpr double least = 1e-300;  // 1 / 0 would make 0 * infinity of a box that is touched
-    for (int k = 0; k < 3; ++k) inverse_[k] = 1 / (std::abs(direction_[k]) < least ? least : direction_[k]);
+    constexpr double minimum = 1e-300;  // 1 / 0 would make 0 * infinity of a box that is touched
+    for (int k = 0; k < 3; ++k) inverse_[k] = 1 / (std::abs(direction_[k]) < minimum ? minimum : direction_[k]);
   }
 
   [[nodiscard]] double enter(const FloatBox& box, double wider = 0) const {

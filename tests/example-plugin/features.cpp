@@ -72,7 +72,7 @@ Evaluated gear(const GearParameters& p, const Inputs&, const Progress& progress)
 FeatureType gearFeature() {
   using P = GearParameters;
   return feature<P>("example.gear", "Gear", "The outline of a toothed wheel with straight flanks.")
-      .gives({ShapeKind::Region})
+      .produces({ShapeKind::Region})
       .parameter("teeth", &P::teeth, count(5, 1000), "Number of teeth.")
       .parameter("module", &P::module, positiveLength(), "Pitch diameter over number of teeth.")
       .parameter("pressure-angle", &P::pressureAngle, angle(), "Slope of the flanks.")

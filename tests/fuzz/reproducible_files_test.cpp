@@ -45,7 +45,7 @@ ShapeKind firstKind(const InputSpec& spec) { return spec.kinds.empty() ? ShapeKi
 std::vector<Shape> plainInputs(const FeatureType& type) {
   std::vector<Shape> given;
   for (const InputSpec& spec : type.inputs)
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, spec.least); ++i)
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, spec.minimum); ++i)
       given.push_back(plainShape(firstKind(spec), given.empty() ? 40 : 2));
   return given;
 }

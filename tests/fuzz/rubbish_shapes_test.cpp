@@ -263,7 +263,7 @@ class RubbishShapesTest : public QObject {
     for (std::size_t k = 0; k < type.inputs.size(); ++k) {
       const std::size_t first = given.size();
       const ShapeKind kind = kindsOf(type.inputs[k]).front();
-      given.resize(first + std::max<std::size_t>(1, type.inputs[k].least), goodShape(kind, 2));
+      given.resize(first + std::max<std::size_t>(1, type.inputs[k].minimum), goodShape(kind, 2));
       if (first == 0) given[0] = goodShape(kind, 40);
       if (k == input) given[first] = shape;
     }

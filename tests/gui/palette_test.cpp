@@ -314,10 +314,10 @@ void PaletteTest::finishedWorkIsKeptWithItsMessage() {
 
 void PaletteTest::theLogTellsWhatHappened() {
   LogList& log = window_->logAndJobs().log();
-  const auto messages = [&](LogList::Level least) {
+  const auto messages = [&](LogList::Level minimum) {
     QStringList all;
     for (int row = 0; row < log.rowCount(); ++row)
-      if (log.index(row, 0).data(LogList::LevelRole).toInt() >= static_cast<int>(least))
+      if (log.index(row, 0).data(LogList::LevelRole).toInt() >= static_cast<int>(minimum))
         all << log.index(row, LogList::MessageColumn).data().toString();
     return all;
   };

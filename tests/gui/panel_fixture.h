@@ -105,8 +105,8 @@ class PanelFixture : public QObject {
   /// A parameter of every kind there is.
   static FeatureType everything() {
     FeatureType all = titled("test.everything", "everything", "Everything", "A feature with a parameter of every kind.");
-    all.inputs = {{.name = "base", .help = "What it stands on.", .kinds = {ShapeKind::Mesh}, .least = 1, .most = 1},
-                  {.name = "others", .help = "More of it.", .kinds = {ShapeKind::Mesh}, .least = 0, .most = anyNumber}};
+    all.inputs = {{.name = "base", .help = "What it stands on.", .kinds = {ShapeKind::Mesh}, .minimum = 1, .most = 1},
+                  {.name = "others", .help = "More of it.", .kinds = {ShapeKind::Mesh}, .minimum = 0, .most = anyNumber}};
     const Value origin = Value::array({0.0, 0.0, 0.0});
     all.parameters = {declared("flag", flag(), false),
                       declared("count", count(1, 20), 3),
@@ -128,7 +128,7 @@ class PanelFixture : public QObject {
                       declared("tools", list(tool()), Value::array()),
                       declared("pin", tool(), Value{{"diameter", 3.0}, {"shape", "ball"}, {"at", origin}}),
                       declared("limit", optional(blossom::length()))};
-    all.parameters[15].least = 1;
+    all.parameters[15].minimum = 1;
     all.evaluate = [](const Value& values, const Inputs&, const Progress& progress) {
       gate_.pass(progress);
       progress.check();

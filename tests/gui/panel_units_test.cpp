@@ -152,8 +152,8 @@ void PanelUnitsTest::stepsStayWithinTheirBounds() {
     const double bound = i / 100.0;
     ParameterSpec spec = blossom::length();
     spec.name = "length";
-    spec.least = bound;
-    spec.greatest = 3 * bound;
+    spec.minimum = bound;
+    spec.maximum = 3 * bound;
     const double start = 2 * bound, coarse = stepOf(spec, start, Qt::ControlModifier);
     for (const bool open : {false, true}) {
       spec.aboveLeast = open;

@@ -35,7 +35,7 @@ inline std::vector<double> randomPeriod(Random& random, int rows, int degree) {
 
 /// Degrees 1 to 3 in each direction, or all 3; any inner multiplicity up to the degree.
 inline Motion randomMotion(Random& random, ClosedU closed, bool allCubic = false) {
-  const auto degree = [&](int least) { return allCubic ? 3 : uniformInt(random, least, 3); };
+  const auto degree = [&](int minimum) { return allCubic ? 3 : uniformInt(random, minimum, 3); };
   const KnotChoice clampedKnots{.spans = 5, .clamped = true};
   const auto clampedVector = [&](int p) {
     std::vector<double> knots = randomKnots(random, p, clampedKnots);

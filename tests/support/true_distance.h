@@ -43,16 +43,16 @@ class TrueDistance {
       const double distance = (p - x).norm();
       if (distance < best.distance && (p - center).norm() >= radius) best = {distance, p};
     };
-    const auto farther = [](const Open& a, const Open& b) { return a.least > b.least; };
+    const auto farther = [](const Open& a, const Open& b) { return a.minimum > b.minimum; };
     std::priority_queue<Open, std::vector<Open>, decltype(farther)> open(farther);
     const auto push = [&](std::size_t node) {
-      if (const double least = nodes_[node].toBox(x); least < best.distance) open.push({least, node});
+      if (const double minimum = nodes_[node].toBox(x); minimum < best.distance) open.push({minimum, node});
     };
     for (const std::size_t root : roots_) {
       consider(nodes_[root].from);
       push(root);
     }
-    while (!open.empty() && open.top().least < best.distance - accuracy_) {
+    while (!open.empty() && open.top().minimum < best.distance - accuracy_) {
       const std::size_t node = open.top().node;
       open.pop();
       if (nodes_[node].isWithin(center, radius)) continue;
@@ -83,7 +83,7 @@ class TrueDistance {
     }
   };
   struct Open {
-    double least;
+    double minimum;
     std::size_t node;
   };
 

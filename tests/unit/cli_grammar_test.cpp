@@ -36,12 +36,12 @@ Mesh tetrahedron(double size) {
   return mesh;
 }
 
-FeatureType echoFeature(const std::string& id, const std::string& command, std::size_t least, std::size_t most) {
+FeatureType echoFeature(const std::string& id, const std::string& command, std::size_t minimum, std::size_t most) {
   using P = EchoParameters;
   return feature<P>(id, "Echo", "Hands back what it was given.")
       .command(command)
       .example("blossom echo tetrahedron:2 --solid")
-      .input({"shape", "Any shape.", {}, least, most})
+      .input({"shape", "Any shape.", {}, minimum, most})
       .parameter("solid", &P::solid, flag(), "A flag.")
       .parameter("edges", &P::edges, flag(), "A flag that is on.")
       .parameter("turns", &P::turns, count(1, 9), "A count.")

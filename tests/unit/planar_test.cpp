@@ -61,9 +61,10 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 double distance(const Vec2& p, const std::vector<Vec2>& polyline) {
-  double least = 1e300;
-  for (std::size_t i = 0; i + 1 < polyline.size(); ++i) least = std::min(least, distance(p, polyline[i], polyline[i + 1]));
-  return least;
+  double minimum = 1e300;
+  for (std::size_t i = 0; i + 1 < polyline.size(); ++i)
+    minimum = std::min(minimum, distance(p, polyline[i], polyline[i + 1]));
+  return minimum;
 }
 
 /// Perimeter of an ellipse by the arithmetic-geometric mean (Gauss, Kummer): 2 pi (a^2 - sum 2^(n-1) c_n^2) / agm, an

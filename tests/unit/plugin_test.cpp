@@ -11,8 +11,13 @@ namespace fs = std::filesystem;
 namespace {
 
 Value manifest() {
-  return {{"id", "probe"},         {"title", "Probe"},           {"version", "1"}, {"api", 1}, {"summary", "To test."},
-          {"compute", "probe.so"}, {"features", {"probe.thing"}}};
+  return {{"id", "probe"},
+          {"title", "Probe"},
+          {"version", "1"},
+          {"api", pluginApiVersion},
+          {"summary", "To test."},
+          {"compute", "probe.so"},
+          {"features", {"probe.thing"}}};
 }
 
 void write(const fs::path& folder, const std::string& text) {

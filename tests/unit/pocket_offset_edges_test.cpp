@@ -174,9 +174,9 @@ class PocketOffsetEdgesTest final : public QObject {
     } catch (const Error& error) {
       QCOMPARE(error.code(), ErrorCode::InvalidParameter);
       QVERIFY2(error.message().find("finer than free-form curves") != std::string::npos, error.what());
-      double least = 0;
-      QCOMPARE(std::sscanf(error.hint().c_str(), "Give at least %lf mm", &least), 1);
-      QVERIFY(least > 1e-6 && least <= 3e-6);
+      double minimum = 0;
+      QCOMPARE(std::sscanf(error.hint().c_str(), "Give at least %lf mm", &minimum), 1);
+      QVERIFY(minimum > 1e-6 && minimum <= 3e-6);
     }
     // what arcs give is exact with any chords, and straight lines have none
     COMPARE_NEAR(areaOf(ClearanceDiagram({{circlePath({3, 4}, 10)}}, {.tolerance = 1e-7}).offset(2, Side::Inside)), 64 * pi,

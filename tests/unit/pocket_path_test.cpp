@@ -299,12 +299,12 @@ class PocketPathTest final : public QObject {
     PocketResult made;
     verifyPath(plateWithIsland(), o, &made);
     const ClearanceDiagram diagram(plateWithIsland());
-    double least = 1e300, lowest = 0;
+    double minimum = 1e300, lowest = 0;
     for (const ToolMove& m : made.path.moves) {
-      least = std::min(least, diagram.clearance(m.to.head<2>()));
+      minimum = std::min(minimum, diagram.clearance(m.to.head<2>()));
       lowest = std::min(lowest, m.to.z());
     }
-    COMPARE_NEAR(least, 3.4, 1e-6);
+    COMPARE_NEAR(minimum, 3.4, 1e-6);
     COMPARE_NEAR(lowest, -4.5, 1e-12);
   }
 
@@ -336,14 +336,14 @@ class PocketPathTest final : public QObject {
         PocketResult made;
         verifyPath(slot, o, &made);
         if (QTest::currentTestFailed()) return;
-        double least = 1e300, most = -1e300;
+        double minimum = 1e300, most = -1e300;
         for (const ToolMove& m : made.path.moves) {
           const Vec2 p = m.to.head<2>() - corner;
           COMPARE_NEAR(p.dot(Vec2(-s, c)), 3, o.tolerance / 20);
-          least = std::min(least, p.dot(Vec2(c, s)));
+          minimum = std::min(minimum, p.dot(Vec2(c, s)));
           most = std::max(most, p.dot(Vec2(c, s)));
         }
-        COMPARE_NEAR(least, 3, o.tolerance);
+        COMPARE_NEAR(minimum, 3, o.tolerance);
         COMPARE_NEAR(most, 37, o.tolerance);
       }
     }

@@ -15,7 +15,7 @@ struct P {
 FeatureType declared() {
   return feature<P>("example.pipe_fitting", "Fitting <T>", "A part with * and | in its text.")
       .command("fitting")
-      .gives({ShapeKind::Brep, ShapeKind::Mesh})
+      .produces({ShapeKind::Brep, ShapeKind::Mesh})
       .input({"base", "What it sits on.", {ShapeKind::Brep, ShapeKind::Mesh}})
       .input({"others", "Cut off.", {}, 0, anyNumber})
       .parameter("width", &P::width, positiveLength(), "How wide.")

@@ -129,15 +129,15 @@ class RegistryTest : public QObject {
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
     refused([](FeatureType& t) { t.inputByFlags.asks = "title"; });
     refused([](FeatureType& t) {
-      t.gives = {ShapeKind::Mesh};
+      t.produces = {ShapeKind::Mesh};
       t.inputByFlags.asks = "words";
     });
     refused([](FeatureType& t) {
-      t.gives = {ShapeKind::Mesh};
+      t.produces = {ShapeKind::Mesh};
       t.inputByFlags = {.asks = "title", .plain = {"font"}};
     });
     refused([](FeatureType& t) {
-      t.gives = {ShapeKind::Mesh};
+      t.produces = {ShapeKind::Mesh};
       t.inputByFlags.asks = "title";
       t.inputs.push_back({"shape", "", {}});
     });
@@ -166,7 +166,7 @@ class RegistryTest : public QObject {
     FeatureType type = thing();
     checkGiven(type, Mesh{});  // it declares none: any will do
     VERIFY_ERROR(checkGiven(type, Shape()), ErrorCode::Internal);
-    type.gives = {ShapeKind::Region, ShapeKind::Curves};
+    type.produces = {ShapeKind::Region, ShapeKind::Curves};
     checkGiven(type, circle());
     checkGiven(type, Sequence{{circle(), circle()}, {0, 1}});
     VERIFY_ERROR(checkGiven(type, Sequence{{circle(), Mesh{}}, {0, 1}}), ErrorCode::Internal);

@@ -67,15 +67,15 @@ GridMeshes gridMeshes(const TopoDS_Shape& shape, double chord) {
 double distanceTo(const Surface& surface, Vec2 uv, const Vec3& p) {
   const auto [u0, u1] = surface.domainU();
   const auto [v0, v1] = surface.domainV();
-  double least = 1e300;
+  double minimum = 1e300;
   for (int i = 0; i < 4; ++i) {
     const SurfaceFrame at = frame(surface, std::clamp(uv.x(), u0, u1), std::clamp(uv.y(), v0, v1));
-    least = std::min(least, (at.point - p).norm());
+    minimum = std::min(minimum, (at.point - p).norm());
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << at.du, at.dv;
     uv += tangents.colPivHouseholderQr().solve(p - at.point);
   }
-  return least;
+  return minimum;
 }
 
 /// Largest distance from the triangles of the grids to their surfaces, looked for at some 12000 places.

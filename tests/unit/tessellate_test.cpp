@@ -142,13 +142,13 @@ class TessellateTest : public QObject {
       const auto [v0, v1] = surface.domainV();
       for (int k = 0; k < 20; ++k) {
         const Vec3 p = point(surface, uniform(random, u0, u1), uniform(random, v0, v1));
-        double least = 1e300;
+        double minimum = 1e300;
         for (const auto& [a, b, c] : t.triangles) {
           const Vec3 &pa = t.points[static_cast<std::size_t>(a)], &pb = t.points[static_cast<std::size_t>(b)],
                      &pc = t.points[static_cast<std::size_t>(c)];
-          least = std::min(least, distanceToTriangle(p, pa, pb, pc));
+          minimum = std::min(minimum, distanceToTriangle(p, pa, pb, pc));
         }
-        QVERIFY2(least <= chord, qPrintable(QString("distance %1").arg(least)));
+        QVERIFY2(minimum <= chord, qPrintable(QString("distance %1").arg(minimum)));
       }
     }
   }

@@ -28,9 +28,9 @@ CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
   setToolTip(tr("Click to add a point, drag to move it, right click or Delete to remove it"));
 }
 
-void CurveEditor::setBounds(std::optional<double> least, std::optional<double> greatest) {
-  least_ = least;
-  greatest_ = greatest;
+void CurveEditor::setBounds(std::optional<double> minimum, std::optional<double> maximum) {
+  least_ = minimum;
+  greatest_ = maximum;
 }
 
 void CurveEditor::setPoints(std::vector<QPointF> points) {

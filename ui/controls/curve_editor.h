@@ -17,7 +17,7 @@ class CurveEditor final : public QWidget {
   explicit CurveEditor(QWidget* parent = nullptr);
   /// Points (t, value) with t not decreasing.
   void setPoints(std::vector<QPointF>);
-  void setBounds(std::optional<double> least, std::optional<double> greatest);
+  void setBounds(std::optional<double> minimum, std::optional<double> maximum);
   [[nodiscard]] const std::vector<QPointF>& points() const { return points_; }
   [[nodiscard]] int chosen() const { return chosen_; }
   void choose(int index);

@@ -50,9 +50,9 @@ RatioSlider::RatioSlider(QWidget* parent) : QLineEdit(parent) {
   });
 }
 
-void RatioSlider::setRange(double least, double greatest) {
-  least_ = least;
-  greatest_ = std::max(greatest, least);
+void RatioSlider::setRange(double minimum, double maximum) {
+  least_ = minimum;
+  greatest_ = std::max(maximum, minimum);
 }
 
 void RatioSlider::setValue(double value) {

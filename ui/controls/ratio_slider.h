@@ -9,7 +9,7 @@ class RatioSlider : public QLineEdit {
   Q_OBJECT
  public:
   explicit RatioSlider(QWidget* parent = nullptr);
-  void setRange(double least, double greatest);
+  void setRange(double minimum, double maximum);
   void setValue(double);
   /// Shows that there is no value yet.
   void setAbsent(bool);

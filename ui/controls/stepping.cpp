@@ -29,11 +29,11 @@ double plainMoved(const ParameterSpec& spec, double value, double steps, double 
   const double target = value + steps * step;
   double result = step < 1 ? std::round(target * perUnit) / std::round(perUnit) : std::round(target / step) * step;
   if (!std::isfinite(result)) return value;
-  if (spec.greatest) result = std::min(result, *spec.greatest);
-  if (spec.least && result < *spec.least) result = *spec.least;
+  if (spec.maximum) result = std::min(result, *spec.maximum);
+  if (spec.minimum && result < *spec.minimum) result = *spec.minimum;
   // An open bound is approached, never reached.
-  if (spec.least && spec.aboveLeast && result <= *spec.least)
-    result = *spec.least + std::min(step, value - *spec.least) / 10;
+  if (spec.minimum && spec.aboveLeast && result <= *spec.minimum)
+    result = *spec.minimum + std::min(step, value - *spec.minimum) / 10;
   return result;
 }
 
@@ -48,12 +48,12 @@ double moved(const ParameterSpec& spec, double value, double steps, double step)
   const double unit = unitOf(spec);
   if (unit == 1) return plainMoved(spec, value, steps, step);
   ParameterSpec scaled = spec;
-  if (scaled.least) *scaled.least /= unit;
-  if (scaled.greatest) *scaled.greatest /= unit;
+  if (scaled.minimum) *scaled.minimum /= unit;
+  if (scaled.maximum) *scaled.maximum /= unit;
   double result = plainMoved(scaled, value / unit, steps, step / unit) * unit;
   // There and back a bound may be missed by a rounding.
-  if (spec.greatest) result = std::min(result, *spec.greatest);
-  if (spec.least) result = std::max(result, *spec.least);
+  if (spec.maximum) result = std::min(result, *spec.maximum);
+  if (spec.minimum) result = std::max(result, *spec.minimum);
   return result;
 }
 

@@ -55,7 +55,7 @@ CurveField::CurveField(const ParameterSpec& given, const Context& outside, QWidg
   number_->setAccessibleName(tr("value of the chosen point"));
   setWideEditor(all);
   all->setFocusProxy(editor_);
-  editor_->setBounds(given.least, given.greatest);
+  editor_->setBounds(given.minimum, given.maximum);
   connect(editor_, &CurveEditor::dragged, this, [this](const auto& points) { offer(toValue(points), true); });
   connect(editor_, &CurveEditor::changed, this, [this](const auto& points) { offer(toValue(points)); });
   connect(editor_, &CurveEditor::chosenChanged, this, &CurveField::showChosen);

@@ -138,7 +138,7 @@ void ListField::move(std::size_t from, std::size_t to) {
 void ListField::remove(std::size_t index) {
   Value rest = draft_;
   rest.erase(index);
-  if (spec().least && static_cast<double>(rest.size()) < *spec().least) return offer(rest);  // says why
+  if (spec().minimum && static_cast<double>(rest.size()) < *spec().minimum) return offer(rest);  // says why
   draft_ = rest;
   fitRows();
   offer(draft_);

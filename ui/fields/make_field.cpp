@@ -18,10 +18,10 @@ namespace {
 bool holdsSubShapes(const ParameterSpec& list) { return list.fields.at(0).kind == ParameterKind::SubShape; }
 
 double startNumber(const ParameterSpec& spec) {
-  const double least = spec.least.value_or(-1e300), greatest = spec.greatest.value_or(1e300);
-  const double start = std::clamp(0.0, std::min(least, greatest), greatest);
-  if (!spec.aboveLeast || start > least) return start;
-  return spec.greatest ? (least + greatest) / 2 : least + 1;
+  const double minimum = spec.minimum.value_or(-1e300), maximum = spec.maximum.value_or(1e300);
+  const double start = std::clamp(0.0, std::min(minimum, maximum), maximum);
+  if (!spec.aboveLeast || start > minimum) return start;
+  return spec.maximum ? (minimum + maximum) / 2 : minimum + 1;
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ Value startValue(const ParameterSpec& spec) {
     case Angle:
       return startNumber(spec);
     case Ratio:
-      return std::clamp(0.5, spec.least.value_or(0), spec.greatest.value_or(1));
+      return std::clamp(0.5, spec.minimum.value_or(0), spec.maximum.value_or(1));
     case Choice:
       return spec.choices.empty() ? Value() : Value(spec.choices.front());
     case Text:

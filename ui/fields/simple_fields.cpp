@@ -53,7 +53,7 @@ bool ChoiceField::eventFilter(QObject* object, QEvent* event) {
 
 RatioField::RatioField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), slider_(new RatioSlider) {
-  slider_->setRange(given.least.value_or(0), given.greatest.value_or(1));
+  slider_->setRange(given.minimum.value_or(0), given.maximum.value_or(1));
   setEditor(slider_);
   connect(slider_, &RatioSlider::dragged, this, [this](double t) { offer(t, true); });
   connect(slider_, &RatioSlider::chosen, this, [this](double t) { offer(t); });
@@ -64,7 +64,7 @@ bool RatioField::editing() const { return ParameterField::editing() || slider_->
 
 void RatioField::display(const Value& shown) {
   slider_->setAbsent(!shown.is_number());
-  slider_->setValue(shown.is_number() ? shown.get<double>() : spec().least.value_or(0));
+  slider_->setValue(shown.is_number() ? shown.get<double>() : spec().minimum.value_or(0));
 }
 
 TextField::TextField(const ParameterSpec& given, const Context& context, QWidget* parent)

@@ -32,8 +32,8 @@ QToolButton* quietButton(const char* iconName, const QString& help) {
 
 }  // namespace
 
-void LogFilter::setLevel(int least) {
-  least_ = least;
+void LogFilter::setLevel(int minimum) {
+  least_ = minimum;
   invalidateFilter();
 }
 

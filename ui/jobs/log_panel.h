@@ -15,7 +15,7 @@ class LogFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
-  void setLevel(int least);
+  void setLevel(int minimum);
   void setWords(const QString&);
 
  protected:

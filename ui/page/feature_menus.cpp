@@ -79,7 +79,7 @@ std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, std::vec
         ++it;
       }
     }
-    if (count < spec.least) {
+    if (count < spec.minimum) {
       missing = &spec;
       return taken;
     }
@@ -104,8 +104,9 @@ QString FeatureMenus::wants(const QString& commandId) const {
   const InputSpec* missing = nullptr;
   static_cast<void>(inputsFor(*found->second, selected_, missing));
   if (!missing) return {};
-  return missing->least == 1 ? tr("Takes a %1 as \"%2\".").arg(kindsOf(*missing), qt(missing->name))
-                             : tr("Takes %1 × %2 as \"%3\".").arg(missing->least).arg(kindsOf(*missing), qt(missing->name));
+  return missing->minimum == 1
+             ? tr("Takes a %1 as \"%2\".").arg(kindsOf(*missing), qt(missing->name))
+             : tr("Takes %1 × %2 as \"%3\".").arg(missing->minimum).arg(kindsOf(*missing), qt(missing->name));
 }
 
 void FeatureMenus::add(const FeatureType& type) {
@@ -113,7 +114,7 @@ void FeatureMenus::add(const FeatureType& type) {
   const InputSpec* missing = nullptr;
   const std::vector<FeatureId> inputs = inputsFor(type, selected_, missing);
   if (!missing) return page_->session().addFeature(type, inputs);
-  if (type.inputs.size() == 1 && missing->least == 1) {
+  if (type.inputs.size() == 1 && missing->minimum == 1) {
     const QString title = tr("%1: choose a file with a %2").arg(qt(type.title), kindsOf(*missing));
     const QString file = QFileDialog::getOpenFileName(window_, title, {}, readFilters(app_).join(QStringLiteral(";;")));
     if (!file.isEmpty()) page_->session().addFeatureFromFile(type, file.toStdString());
@@ -123,7 +124,7 @@ void FeatureMenus::add(const FeatureType& type) {
   page_->showError(Error(ErrorCode::InvalidInput,
                          tr("%1 needs at least %2 %3 as \"%4\".")
                              .arg(qt(type.title))
-                             .arg(missing->least)
+                             .arg(missing->minimum)
                              .arg(kindsOf(*missing), qt(missing->name))
                              .toStdString(),
                          hintText.toStdString()));

@@ -119,8 +119,8 @@ void InputEditor::rebuild(const std::vector<FeatureId>& taken) {
   chipWidth_ = 0;  // layouts leave out what is not shown yet
   for (std::size_t place = 0; place < taken.size(); ++place) addChip(taken[place], place, taken.size());
   if (taken.empty()) {
-    auto* none = new QLabel(input().least > 0 ? tr("must be given") : tr("none"));
-    none->setObjectName(input().least > 0 ? QStringLiteral("fieldError") : QStringLiteral("note"));
+    auto* none = new QLabel(input().minimum > 0 ? tr("must be given") : tr("none"));
+    none->setObjectName(input().minimum > 0 ? QStringLiteral("fieldError") : QStringLiteral("note"));
     none->setMinimumHeight(24);
     chips_->addWidget(none);
   }
@@ -149,7 +149,7 @@ void InputEditor::addChip(const FeatureId& id, std::size_t place, std::size_t co
   const Feature& feature = session_.document().at(id);
   auto* chip = new Chip(qt(shownName(feature)));
   chip->setIconName(iconOf(*session_.app().registry, feature));
-  chip->setRemovable(count > input().least);
+  chip->setRemovable(count > input().minimum);
   chip->setChevron(true);
   chips_->addWidget(chip);
   chipWidth_ = std::max(chipWidth_, chip->sizeHint().width());

@@ -1,6 +1,6 @@
 #include "ui/thread/background.h"
 
-#include "core/thread_rank.h"
+#include "core/thread_priority.h"
 
 namespace blossom::ui {
 
@@ -29,7 +29,7 @@ void Background::drop() {
 }
 
 void Background::run() {
-  standBack();
+  lowerThreadPriority();
   std::unique_lock lock(guard_);
   for (;;) {
     changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });

@@ -8,7 +8,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr double least = 4;         // grid units within which a corner is straight and a loop is nothing
+constexpr double minimum = 4;       // grid units within which a corner is straight and a loop is nothing
 constexpr std::int64_t speck = 16;  // units; rounding leaves no shape to what is smaller
 
 GridLoop snapped(const Loop& loop, const Grid& grid) {
@@ -102,7 +102,7 @@ Loop withoutCrumbs(const Loop& loop, double crumb) {
 double crumbOf(const Loop& loop, const Grid& grid) {
   double reach = 0;
   for (const Vec2& p : loop) reach = std::max(reach, grid.point(p).cwiseAbs().maxCoeff());
-  return std::max(least, 2 * std::numeric_limits<double>::epsilon() * reach / grid.unit);
+  return std::max(minimum, 2 * std::numeric_limits<double>::epsilon() * reach / grid.unit);
 }
 
 Loop placed(const Loop& loop, const Grid& grid) {

@@ -103,7 +103,7 @@ Foot descend(const LimitShape& shape, std::span<const Vec3> points, const Vec3& 
   return {start.patch, at.x(), at.y()};
 }
 
-FootFinder::FootFinder(const LimitShape& shape, const Progress& progress) : shape_(shape), spread_(shape.spread()) {
+FootFinder::FootFinder(const LimitShape& shape, const Progress& progress) : shape_(shape), spread_(shape.seeds()) {
   rows_.resize(spread_.size());
   parallelFor(spread_.size(), 256, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) rows_[i] = shape_.row(spread_[i]);

@@ -109,7 +109,7 @@ Frame FourPointCurve::frame(const Foot& foot, std::span<const Vec3> points) cons
   return frame;
 }
 
-std::vector<Foot> FourPointCurve::spread() const {
+std::vector<Foot> FourPointCurve::seeds() const {
   constexpr long perSpan = 8;
   std::vector<Foot> feet;
   for (long k = 0; k < perSpan * spans_; ++k)

@@ -12,10 +12,10 @@ namespace blossom::subdivision {
 namespace {
 
 void check(const ControlPolygon& polygon) {
-  const std::size_t least = polygon.closed ? 3 : 2;
-  if (polygon.points.size() < least)
+  const std::size_t minimum = polygon.closed ? 3 : 2;
+  if (polygon.points.size() < minimum)
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("The polygon has {} points; it needs {} or more.", polygon.points.size(), least),
+                fmt::format("The polygon has {} points; it needs {} or more.", polygon.points.size(), minimum),
                 "Draw a longer polygon.");
   for (std::size_t i = 0; i < polygon.points.size(); ++i)
     if (!polygon.points[i].allFinite())
@@ -183,7 +183,7 @@ Frame LimitCurve::frame(const Foot& foot, std::span<const Vec3> points) const {
   return frame;
 }
 
-std::vector<Foot> LimitCurve::spread() const {
+std::vector<Foot> LimitCurve::seeds() const {
   constexpr int perSpan = 8;
   const auto p = static_cast<std::size_t>(degree_);
   const double from = knots_[p], length = knots_[poles_.size()] - from;

@@ -41,7 +41,7 @@ class LimitCurve final : public LimitShape {
   [[nodiscard]] Domain domain(int) const override { return closed_ ? Domain::Circle : Domain::Interval; }
   [[nodiscard]] Row row(const Foot&) const override;
   [[nodiscard]] Frame frame(const Foot&, std::span<const Vec3> points) const override;
-  [[nodiscard]] std::vector<Foot> spread() const override;
+  [[nodiscard]] std::vector<Foot> seeds() const override;
   [[nodiscard]] std::vector<std::pair<int, int>> edges() const override;
   [[nodiscard]] bool isCurve() const override { return true; }
 

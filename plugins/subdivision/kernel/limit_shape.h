@@ -47,7 +47,7 @@ class LimitShape {
   [[nodiscard]] virtual Row row(const Foot&) const = 0;
   [[nodiscard]] virtual Frame frame(const Foot&, std::span<const Vec3> points) const = 0;
   /// Feet all over the shape, so dense that Newton's method finds the closest point from one of the nearest of them.
-  [[nodiscard]] virtual std::vector<Foot> spread() const = 0;
+  [[nodiscard]] virtual std::vector<Foot> seeds() const = 0;
   /// Edges of the cage, of the polygon.
   [[nodiscard]] virtual std::vector<std::pair<int, int>> edges() const = 0;
   [[nodiscard]] virtual bool isCurve() const = 0;

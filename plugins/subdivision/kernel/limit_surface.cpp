@@ -145,7 +145,7 @@ Frame LimitSurface::frame(const Foot& foot, std::span<const Vec3> points) const 
   return frame;
 }
 
-std::vector<Foot> LimitSurface::spread() const {
+std::vector<Foot> LimitSurface::seeds() const {
   constexpr std::array<double, 3> square{1.0 / 6, 0.5, 5.0 / 6};
   constexpr std::array<std::array<double, 2>, 6> triangle{{{1.0 / 9, 1.0 / 9},
                                                            {4.0 / 9, 1.0 / 9},

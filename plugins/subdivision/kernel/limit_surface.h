@@ -24,7 +24,7 @@ class LimitSurface final : public LimitShape {
   [[nodiscard]] Domain domain(int patch) const override;
   [[nodiscard]] Row row(const Foot&) const override;
   [[nodiscard]] Frame frame(const Foot&, std::span<const Vec3> points) const override;
-  [[nodiscard]] std::vector<Foot> spread() const override;
+  [[nodiscard]] std::vector<Foot> seeds() const override;
   [[nodiscard]] std::vector<std::pair<int, int>> edges() const override;
   [[nodiscard]] bool isCurve() const override { return false; }
   /// Corner k of face f as a foot.

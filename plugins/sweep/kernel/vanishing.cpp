@@ -41,15 +41,15 @@ std::size_t lowestAlong(const std::vector<Vec4>& poles, const Vec4& direction) {
 /// A proof that zero lies outside the convex hull of the poles: a direction along which all of them reach `least`. The
 /// direction is sought by Wolfe's algorithm for the point of the hull that is nearest to zero (Wolfe, Mathematical
 /// Programming 11, 1976); whatever it finds, the comparison alone decides.
-bool hullKeepsAway(const std::vector<Vec4>& poles, double least) {
+bool hullKeepsAway(const std::vector<Vec4>& poles, double minimum) {
   constexpr int mostSteps = 40;
   std::vector<std::size_t> chosen{0};
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(1);
   Vec4 nearest = poles[0];
   for (int step = 0; step < mostSteps; ++step) {
-    if (!(nearest.norm() >= least)) return false;
+    if (!(nearest.norm() >= minimum)) return false;
     const std::size_t lowest = lowestAlong(poles, nearest);
-    if (poles[lowest].dot(nearest) >= least * nearest.norm()) return true;
+    if (poles[lowest].dot(nearest) >= minimum * nearest.norm()) return true;
     if (std::find(chosen.begin(), chosen.end(), lowest) != chosen.end()) return false;
     chosen.push_back(lowest);
     weights.conservativeResize(weights.size() + 1);

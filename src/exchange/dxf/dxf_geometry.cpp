@@ -61,13 +61,13 @@ std::optional<Color> dxfColor(int index) {
 
 int nearestDxfColor(const Color& color) {
   int best = 7;
-  double least = std::pow(1 - color.red, 2) + std::pow(1 - color.green, 2) + std::pow(1 - color.blue, 2);
+  double minimum = std::pow(1 - color.red, 2) + std::pow(1 - color.green, 2) + std::pow(1 - color.blue, 2);
   for (int i = 1; i < 256; ++i) {
     const std::optional<Color> other = dxfColor(i);
     if (!other) continue;
     const double distance = std::pow(other->red - color.red, 2) + std::pow(other->green - color.green, 2) +
                             std::pow(other->blue - color.blue, 2);
-    if (distance < least) least = distance, best = i;
+    if (distance < minimum) minimum = distance, best = i;
   }
   return best;
 }

@@ -13,7 +13,7 @@ ParameterSpec chordOption() {
   spec.name = "chord";
   spec.help = "Largest distance between a curved shape and its polygons; 0 takes a thousandth of its size.";
   spec.fallback = 0.05;
-  spec.least = 0;
+  spec.minimum = 0;
   return spec;
 }
 

@@ -110,8 +110,8 @@ class PlyHeaderReader {
     if (header_.bytes < content_.size() && content_[header_.bytes] == '\r') ++header_.bytes;
     if (header_.bytes < content_.size() && content_[header_.bytes] == '\n') ++header_.bytes;
     for (const PlyElement& e : header_.elements) {
-      const std::size_t least = leastSize(e, header_.encoding);
-      if (e.count > 0 && least > 0 && e.count > (content_.size() - header_.bytes + 2) / least)
+      const std::size_t minimum = leastSize(e, header_.encoding);
+      if (e.count > 0 && minimum > 0 && e.count > (content_.size() - header_.bytes + 2) / minimum)
         throw damaged(header_.lines,
                       fmt::format("the header announces {} of {}, which this file cannot hold.", e.count, shown(e.name)));
     }

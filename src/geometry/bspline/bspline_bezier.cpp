@@ -53,10 +53,10 @@ std::size_t bestPiece(std::span<const double> breaks, std::span<const double> su
   // outside the domain there is nothing but the first and the last piece
   std::size_t begin = std::min(lastKnotNotAbove(breaks, std::max(support.front(), breaks.front())), pieces - 1),
               best = begin;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = begin; i < pieces && (i == begin || breaks[i] < support.back()); ++i) {
     const double growth = errorGrowth(breaks[i], breaks[i + 1], arguments);
-    if (growth < least) least = growth, best = i;
+    if (growth < minimum) minimum = growth, best = i;
     if (growth == 0) break;
   }
   return best;

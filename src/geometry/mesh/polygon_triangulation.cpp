@@ -42,10 +42,10 @@ double nothing(std::span<const Vec3> polygon) {
 /// Both triangles of the diagonal must turn the right way, and by more than rounding; of two such diagonals the shorter one.
 Triangles splitQuad(std::span<const Vec3> quad) {
   const std::vector<Vec2> p = flattened(quad);
-  const double least = nothing(quad) * std::max((p[0] - p[2]).norm(), (p[1] - p[3]).norm());
+  const double minimum = nothing(quad) * std::max((p[0] - p[2]).norm(), (p[1] - p[3]).norm());
   const double first = std::min(turn(p[0], p[1], p[2]), turn(p[0], p[2], p[3]));
   const double second = std::min(turn(p[0], p[1], p[3]), turn(p[1], p[2], p[3]));
-  const bool bothGood = first > least && second > least;
+  const bool bothGood = first > minimum && second > minimum;
   const bool shorter = (quad[0] - quad[2]).squaredNorm() <= (quad[1] - quad[3]).squaredNorm();
   if (bothGood ? shorter : first >= second) return {{0, 1, 2}, {0, 2, 3}};
   return {{0, 1, 3}, {1, 2, 3}};

@@ -17,13 +17,13 @@ constexpr double touching = 1e-6;  // mm
 constexpr double bend = 1e-7;      // mm between a piece and its chord
 
 struct PieceBox {
-  Vec2 least = Vec2::Constant(1e300), most = Vec2::Constant(-1e300);
+  Vec2 minimum = Vec2::Constant(1e300), most = Vec2::Constant(-1e300);
   void add(const Vec2& p) {
-    least = least.cwiseMin(p);
+    minimum = minimum.cwiseMin(p);
     most = most.cwiseMax(p);
   }
   [[nodiscard]] bool near(const PieceBox& other) const {
-    return ((least - other.most).array() <= touching).all() && ((other.least - most).array() <= touching).all();
+    return ((minimum - other.most).array() <= touching).all() && ((other.minimum - most).array() <= touching).all();
   }
 };
 
@@ -75,7 +75,7 @@ std::vector<Piece> piecesOf(const Path& path) {
     for (const BezierPiece& curve : curvesOf(segment)) {
       // The line that closes a rounded end is none: its neighbours follow each other.
       const PieceBox box = boxOf(curve);
-      if ((box.most - box.least).norm() > touching) addPieces(curve, deepest, pieces);
+      if ((box.most - box.minimum).norm() > touching) addPieces(curve, deepest, pieces);
     }
   return pieces;
 }
@@ -175,7 +175,7 @@ class Finder {
   std::vector<Vec2> refused_;
 };
 
-double extentOf(const Piece& piece) { return (piece.box.most - piece.box.least).norm(); }
+double extentOf(const Piece& piece) { return (piece.box.most - piece.box.minimum).norm(); }
 
 Joint jointAt(const Piece& a, const Piece& b, const Vec3& pole) {
   return {euclidean(pole), std::max(1e-5, 1e-3 * std::min(extentOf(a), extentOf(b)))};
@@ -203,7 +203,7 @@ template <class Meet>
 std::optional<Vec2> firstOfNearPairs(const std::vector<Piece>& pieces, const Progress& progress, Meet meet) {
   std::vector<std::size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto left = [&](std::size_t k) { return pieces[k].box.least.x(); };
+  const auto left = [&](std::size_t k) { return pieces[k].box.minimum.x(); };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
   std::vector<std::size_t> open;
   for (const std::size_t k : order) {

@@ -27,7 +27,7 @@ class EndIndex {
   template <class Cost>
   std::optional<PathEnd> nearest(const Vec2& place, const Cost& cost) const {
     std::optional<PathEnd> best;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::int64_t i = -1; i <= 1; ++i) {
       for (std::int64_t j = -1; j <= 1; ++j) {
         const auto found = cells_.find(key(cell(place.x()) + i, cell(place.y()) + j));
@@ -35,8 +35,8 @@ class EndIndex {
         for (const PathEnd& end : found->second) {
           if ((end.place - place).norm() > distance_) continue;
           const double value = cost(end);
-          if (value < least) {
-            least = value;
+          if (value < minimum) {
+            minimum = value;
             best = end;
           }
         }

@@ -41,11 +41,11 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
   const auto lift = [](int& steps, double wanted) {
     if (wanted > steps) steps = static_cast<int>(std::ceil(std::min(wanted, 1e4)));
   };
-  const auto raise = [&](int& steps, int& least, double span, double bend, double speed) {
+  const auto raise = [&](int& steps, int& minimum, double span, double bend, double speed) {
     const double byAngle = speed > 0 ? std::min<double>(mostByAngle, span * bend / (speed * options.angle)) : 1;
     const double byBend = span * std::sqrt(bend / (8 * options.chord));
-    lift(least, std::max(byBend, std::min(byAngle, byBend / std::sqrt(seen))));
-    lift(steps, std::max<double>(least, byBend * std::sqrt(3)));
+    lift(minimum, std::max(byBend, std::min(byAngle, byBend / std::sqrt(seen))));
+    lift(steps, std::max<double>(minimum, byBend * std::sqrt(3)));
   };
   for (std::size_t a = 0; a + 1 < breaksU.size(); ++a) {
     for (std::size_t b = 0; b + 1 < breaksV.size(); ++b) {
@@ -82,8 +82,8 @@ class GridFitter {
         breaksV_(domainBreaks(surface.degreeV, surface.knotsV)),
         fineness_(estimate(surface, breaksU_, breaksV_, options)) {
     const int leastSteps = border == GridBorder::Shared ? 2 : 1;
-    for (Steps* least : {&fineness_.leastU, &fineness_.leastV})
-      if (static_cast<int>(least->size()) < leastSteps) least->front() = std::max(least->front(), leastSteps);
+    for (Steps* minimum : {&fineness_.leastU, &fineness_.leastV})
+      if (static_cast<int>(minimum->size()) < leastSteps) minimum->front() = std::max(minimum->front(), leastSteps);
   }
 
   SurfaceGrid run() {
@@ -153,10 +153,10 @@ class GridFitter {
     raise(errors.cellsV[spanV], std::max({sideU, sideV, inside}));
   }
 
-  void relax(Steps& steps, const Steps& least, const std::vector<double>& errors, double share) const {
+  void relax(Steps& steps, const Steps& minimum, const std::vector<double>& errors, double share) const {
     for (std::size_t k = 0; k < steps.size(); ++k) {
       const double factor = std::min(1.0, std::sqrt(errors[k] / (share * options_.chord)));
-      steps[k] = std::max({1, least[k], static_cast<int>(std::ceil(steps[k] * factor))});
+      steps[k] = std::max({1, minimum[k], static_cast<int>(std::ceil(steps[k] * factor))});
     }
   }
 

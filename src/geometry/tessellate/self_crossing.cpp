@@ -56,10 +56,10 @@ int windingNumber(const Mesh& mesh, const Vec3& point) {
 }
 
 double distanceTo(const Mesh& mesh, const Vec3& point) {
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-    least = std::min(least, (closestOnTriangle(point, triangleOf(mesh, f)) - point).squaredNorm());
-  return std::sqrt(least);
+    minimum = std::min(minimum, (closestOnTriangle(point, triangleOf(mesh, f)) - point).squaredNorm());
+  return std::sqrt(minimum);
 }
 
 /// Whether a point near the crossing, clear of the surface and of the error of its triangles, is enclosed twice or inside

@@ -171,14 +171,14 @@ StripArea stripArea(const std::vector<const Slab*>& whole, const std::vector<con
   StripArea area;
   area.reach = gapsOfBoxes(parts, cuts, true);
   area.most = height * total(area.reach);
-  area.least = area.most == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
+  area.minimum = area.most == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
   if (area.most == 0) return area;
   const auto upper = InOrder(parts, cuts, true, slack).width();
   const auto lower = upper ? InOrder(parts, cuts, false, slack).width() : std::nullopt;
   if (upper && lower) {
     const double rounding = 2 * slack * static_cast<double>(parts.size() + area.reach.size());
     area.most = std::min(area.most, height * (*upper + rounding));
-    area.least = std::max(area.least, height * std::max(0.0, *lower - rounding));
+    area.minimum = std::max(area.minimum, height * std::max(0.0, *lower - rounding));
   }
   area.gaps = gapsAt(whole, covers, middle);
   return area;

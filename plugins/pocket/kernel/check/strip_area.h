@@ -15,7 +15,7 @@ struct RunningSpan {
 
 /// What lies in `whole` and in none of `covers` between two heights.
 struct StripArea {
-  double least = 0, most = 0;                    ///< bounds of the area
+  double minimum = 0, most = 0;                  ///< bounds of the area
   std::vector<std::pair<double, double>> gaps;   ///< about its intervals at the middle height
   std::vector<std::pair<double, double>> reach;  ///< the same, as far as they reach anywhere in the strip
 };

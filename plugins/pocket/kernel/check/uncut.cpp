@@ -67,14 +67,14 @@ class UncutSearch {
     Uncut uncut;
     uncut.partArea = partArea_;
     uncut.steps = std::accumulate(steps.begin(), steps.end(), steps_);
-    double least = 0, most = 0;
+    double minimum = 0, most = 0;
     for (const auto& some : strips)
       for (const UncutStrip& strip : some) {
-        least += strip.area.least;
+        minimum += strip.area.minimum;
         most += strip.area.most;
       }
-    uncut.area = (least + most) / 2;
-    uncut.within = (most - least) / 2 + chord_ * perimeter_;
+    uncut.area = (minimum + most) / 2;
+    uncut.within = (most - minimum) / 2 + chord_ * perimeter_;
     const UncutDepths depths{.radius = radius_, .farAway = perimeter_, .deepEnough = o_.tolerance};
     uncut.places = uncutPlaces(cells_, strips, fine_, ways_, depths, progress, progress.part(0.9, 1));
     return uncut;

@@ -76,7 +76,7 @@ class CellStrips {
       open.pop_back();
       steps_ += whole.size() + covers.size();
       StripArea area = stripArea(whole, covers, a, b, fine_.slack);
-      if (area.most - area.least <= apart * (b - a) || b - a <= fine_.thinnest || !mayHalve(halvings, whole, covers)) {
+      if (area.most - area.minimum <= apart * (b - a) || b - a <= fine_.thinnest || !mayHalve(halvings, whole, covers)) {
         if (area.most > 0) add(a, b, std::move(area), whole, covers);
         continue;
       }

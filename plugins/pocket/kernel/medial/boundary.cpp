@@ -62,17 +62,17 @@ bool holdsAny(const Region& region) {
 /// chords, so theirs are made longer; with splines the tolerance cannot be kept.
 /// @throws Error InvalidParameter.
 double chordOnGrid(const Region& region, double chord, double step, double size) {
-  const double least = 2 * step;
-  if (chord >= least) return chord;
+  const double minimum = 2 * step;
+  if (chord >= minimum) return chord;
   if (holdsAny<Spline2>(region)) {
     constexpr double chordsPerTolerance = 4;
     throw Error(
         ErrorCode::InvalidParameter,
         fmt::format("A tolerance of {:.3g} mm is finer than free-form curves of a part of {:.4g} mm can be told apart.",
                     chordsPerTolerance * chord, size),
-        fmt::format("Give at least {:.2g} mm.", std::ceil(chordsPerTolerance * least * 1e9) / 1e9));
+        fmt::format("Give at least {:.2g} mm.", std::ceil(chordsPerTolerance * minimum * 1e9) / 1e9));
   }
-  return holdsAny<Arc2>(region) ? least : chord;
+  return holdsAny<Arc2>(region) ? minimum : chord;
 }
 
 /// The outlines without straight segments shorter than a length; the next one begins where the one before ends.

@@ -16,7 +16,7 @@ Vec2 rightOf(const Vec2& v) { return {v.y(), -v.x()}; }
 struct Bisector {
   enum class Kind { Straight, Parabola, Points, Normal } kind = Kind::Straight;
   Vec2 apex = Vec2::Zero(), axis = Vec2::Zero(), up = Vec2::Zero();
-  double least = 0;  ///< clearance at the apex
+  double minimum = 0;  ///< clearance at the apex
 };
 
 Bisector bisectorOf(const Site& a, const Site& b, const std::vector<Piece>& pieces) {
@@ -71,12 +71,12 @@ EdgeParts Diagram::partsOf(std::size_t edge) const {
   if (bisector.kind != Bisector::Kind::Straight) {
     const double xa = a == atInfinity ? atA.dot(bisector.axis) : (atA - bisector.apex).dot(bisector.axis);
     const double xb = b == atInfinity ? atB.dot(bisector.axis) : (atB - bisector.apex).dot(bisector.axis);
-    dips = xa * xb < 0 && bisector.least < ra && bisector.least < rb;
+    dips = xa * xb < 0 && bisector.minimum < ra && bisector.minimum < rb;
   }
   if (dips) {
     parts.count = 2;
-    parts.part[0] = {ra, bisector.least, Where::Unknown, atA};
-    parts.part[1] = {bisector.least, rb, Where::Unknown, atB};
+    parts.part[0] = {ra, bisector.minimum, Where::Unknown, atA};
+    parts.part[1] = {bisector.minimum, rb, Where::Unknown, atB};
   } else {
     parts.count = 1;
     parts.part[0] = {ra, rb, Where::Unknown, ra > rb ? atA : atB};
@@ -100,7 +100,7 @@ Vec2 Diagram::pointAt(std::size_t edge, int index, double d) const {
   const double sign = ahead < 0 ? -1 : 1;
   if (bisector.kind == Bisector::Kind::Normal) return bisector.apex + sign * d * bisector.axis;
   if (bisector.kind == Bisector::Kind::Points)
-    return bisector.apex + sign * std::sqrt(std::max(0.0, d * d - bisector.least * bisector.least)) * bisector.axis;
+    return bisector.apex + sign * std::sqrt(std::max(0.0, d * d - bisector.minimum * bisector.minimum)) * bisector.axis;
   if (!unbounded && (part.high - bisector.apex).dot(bisector.up) < 0) {
     // The point lies so nearly on the line of the piece that the diagram's grid has it on the other side: far away from
     // both, the edge is as good as straight.
@@ -108,8 +108,8 @@ Vec2 Diagram::pointAt(std::size_t edge, int index, double d) const {
     const Vec2& b = graph_.vertices[graph_.target(half)];
     return a + std::clamp((d - part.from) / (part.to - part.from), 0.0, 1.0) * (b - a);
   }
-  const double across = std::sqrt(std::max(0.0, 4 * bisector.least * (d - bisector.least)));
-  return bisector.apex + sign * across * bisector.axis + (d - bisector.least) * bisector.up;
+  const double across = std::sqrt(std::max(0.0, 4 * bisector.minimum * (d - bisector.minimum)));
+  return bisector.apex + sign * across * bisector.axis + (d - bisector.minimum) * bisector.up;
 }
 
 std::vector<Vec3> Diagram::polyline(std::size_t half, double chord) const {
@@ -122,16 +122,16 @@ std::vector<Vec3> Diagram::polyline(std::size_t half, double chord) const {
   if (bisector.kind == Bisector::Kind::Parabola || bisector.kind == Bisector::Kind::Points) {
     const double from = (graph_.vertices[a] - bisector.apex).dot(bisector.axis);
     const double to = (graph_.vertices[b] - bisector.apex).dot(bisector.axis);
-    const double sagitta = (to - from) * (to - from) / (8 * std::max(bisector.least, chord));
+    const double sagitta = (to - from) * (to - from) / (8 * std::max(bisector.minimum, chord));
     const int steps = static_cast<int>(std::clamp(std::ceil(std::sqrt(sagitta / chord)), 1.0, 256.0));
     for (int i = 1; i < steps; ++i) {
       const double x = from + (to - from) * i / steps;
       Vec2 at = bisector.apex + x * bisector.axis;
-      double clearance = std::hypot(x, bisector.least);
+      double clearance = std::hypot(x, bisector.minimum);
       if (bisector.kind == Bisector::Kind::Parabola) {
-        const double rise = x * x / (4 * bisector.least);
+        const double rise = x * x / (4 * bisector.minimum);
         at += rise * bisector.up;
-        clearance = bisector.least + rise;
+        clearance = bisector.minimum + rise;
       }
       points.emplace_back(at.x(), at.y(), clearance);
     }

@@ -72,7 +72,7 @@ bool passesThroughBoundary(const EdgeParts& parts) { return parts.count == 2 && 
 void Diagram::findClearances(const Boundary& boundary) {
   const std::size_t count = graph_.vertices.size();
   clearance_.assign(count, -1);
-  std::vector<double> least(count, 0);
+  std::vector<double> minimum(count, 0);
   std::vector<double> most(count, 0);
   std::vector<double> sum(count, 0);
   std::vector<int> sites(count, 0);
@@ -81,14 +81,15 @@ void Diagram::findClearances(const Boundary& boundary) {
     const std::size_t v = edge.origin;
     const Site& site = graph_.cells[edge.cell];
     const double r = distance(site, graph_.vertices[v]);
-    least[v] = sites[v] == 0 ? r : std::min(least[v], r);
+    minimum[v] = sites[v] == 0 ? r : std::min(minimum[v], r);
     most[v] = std::max(most[v], r);
     sum[v] += r;
     ++sites[v];
   }
   for (std::size_t v = 0; v < count; ++v) {
     if (sites[v] < 2) reject("a vertex has fewer than three edges");
-    if (!(most[v] - least[v] <= slackAt(most[v]))) rejectAt("a vertex is not as far from all its sites", graph_.vertices[v]);
+    if (!(most[v] - minimum[v] <= slackAt(most[v])))
+      rejectAt("a vertex is not as far from all its sites", graph_.vertices[v]);
     clearance_[v] = sum[v] / sites[v];
   }
   for (const HalfEdge& edge : graph_.edges) {

@@ -68,10 +68,10 @@ class Shadow {
 Vec2 worstOn(const Stroke& way, const Shadow& shadow) {
   constexpr int samples = 64;
   Vec2 worst = way.from;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= samples; ++i) {
     const Vec2 at = way.at(static_cast<double>(i) / samples);
-    if (const double away = shadow.away(at); away < least) least = away, worst = at;
+    if (const double away = shadow.away(at); away < minimum) minimum = away, worst = at;
   }
   return worst;
 }

@@ -68,7 +68,7 @@ void InsideTest::fillRows() {
   }
   for (Row& row : rows_) {
     std::sort(row.across.begin(), row.across.end(),
-              [&](Index a, Index b) { return slopes_[a].least() < slopes_[b].least(); });
+              [&](Index a, Index b) { return slopes_[a].minimum() < slopes_[b].minimum(); });
     row.reachedBy.reserve(row.across.size());
     double reached = 0;
     for (const Index i : row.across) {
@@ -90,7 +90,7 @@ bool InsideTest::operator()(const Vec2& p) const {
   for (const Index i : row.ending)
     if (slopes_[i].spans(p.y()) && slopes_[i].isRightOf(p)) inside = !inside;
   const auto beyond = std::upper_bound(row.across.begin(), row.across.end(), p.x(),
-                                       [&](double x, Index i) { return x < slopes_[i].least(); });
+                                       [&](double x, Index i) { return x < slopes_[i].minimum(); });
   if ((row.across.end() - beyond) % 2 != 0) inside = !inside;
   for (auto k = static_cast<std::size_t>(beyond - row.across.begin()); k > 0 && row.reachedBy[k - 1] > p.x(); --k)
     if (slopes_[row.across[k - 1]].isRightOf(p)) inside = !inside;

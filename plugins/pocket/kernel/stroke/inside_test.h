@@ -25,7 +25,7 @@ class InsideTest {
     explicit Slope(const Stroke&);
     [[nodiscard]] double low() const { return low_; }
     [[nodiscard]] double high() const { return high_; }
-    [[nodiscard]] double least() const { return least_; }
+    [[nodiscard]] double minimum() const { return least_; }
     [[nodiscard]] bool spans(double y) const { return low_ <= y && y < high_; }  ///< half open: a vertex counts once
     /// Whether it lies to the right of a point whose height it spans.
     [[nodiscard]] bool isRightOf(const Vec2& p) const;

@@ -1,4 +1,4 @@
-#include "core/thread_rank.h"
+#include "core/thread_priority.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,6 +10,6 @@ constexpr int behindTheWindow = 10;  // of 19: a tenth of the share of a thread 
 }
 
 // On Linux the nice value belongs to the thread. It may be refused where it is higher already, which is as good.
-void standBack() { ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), behindTheWindow); }
+void lowerThreadPriority() { ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), behindTheWindow); }
 
 }  // namespace blossom

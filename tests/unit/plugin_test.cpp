@@ -113,9 +113,9 @@ class PluginTest : public QObject {
     QTest::newRow("number") << "probe.so"
                             << "number"
                             << "It failed while registering its features.";
-    QTest::newRow("wrong api") << "wrong_api.so"
-                               << ""
-                               << "Its module was made for plugin interface 999, and this Blossom has 1.";
+    QTest::newRow("wrong api")
+        << "wrong_api.so"
+        << "" << QString("Its module was made for plugin interface 999, and this Blossom has %1.").arg(pluginApiVersion);
     QTest::newRow("wrong layout") << "wrong_layout.so"
                                   << ""
                                   << "Its module was compiled with headers of another Blossom. Compile Probe again";

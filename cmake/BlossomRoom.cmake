@@ -3,7 +3,7 @@ find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # A precompiled header carries time stamps; without this sloppiness ccache would never hit.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime CCACHE_IGNOREOPTIONS=--param=ggc* ${CCACHE_PROGRAM})
 endif()
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
@@ -24,6 +24,8 @@ target_compile_options(blossom_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread>
   # Members of an anonymous namespace's type are as private in a unity file as in their own.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+# GCC tidies its memory whenever that has doubled, which costs an eighth of a build: it begins at 1 GB.
+target_compile_options(blossom_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>)
 if(BLOSSOM_SANITIZE)
   target_compile_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE})

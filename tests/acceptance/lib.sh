@@ -26,7 +26,7 @@ with_display() { xvfb-run -a -s "-screen 0 1920x1200x24 +extension GLX" "$@"; }
 qtest() { # what program [environment..]
   local what=$1 program=$2; shift 2
   local log=$out/$(basename "$program").log verdict=PASS totals
-  with_display env "$@" timeout 3600 "$program" >"$log" 2>&1 || verdict=FAIL
+  with_display env QTEST_FUNCTION_TIMEOUT=3600000 "$@" timeout 3600 "$program" >"$log" 2>&1 || verdict=FAIL
   totals=$(grep -oE '[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped' "$log" | tail -1)
   [[ $totals == *" 0 skipped" ]] || [ "$verdict" = FAIL ] || verdict=SKIP
   report "$verdict" "$what" "${totals:-crashed}" "0 failed"

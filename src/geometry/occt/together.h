@@ -11,12 +11,12 @@ struct NamedShape {
   Shape shape;
 };
 
-/// Of what kind shapes are when they are taken together: drawings become curves, meshes a mesh, and anything that has an
-/// exact form one assembly. None when they cannot be: a motion, or a mesh beside exact shapes.
+/// Kind of the result of `together`: curves for drawings, mesh for meshes, a B-rep assembly for shapes with an exact form.
+/// None when the kinds cannot be combined: a motion, or a mesh with exact shapes.
 ShapeKind kindTogether(const std::vector<ShapeKind>&);
 
-/// Shapes as one, for a file that holds them all; a single one stays what it is. Nothing is joined or cut. An assembly keeps
-/// the names. O(size of meshes and drawings); B-reps are shared.
+/// Combines shapes into one, for a file that stores them all; a single shape is returned as it is. Nothing is joined or cut.
+/// An assembly keeps the names. O(size of meshes and drawings); B-reps are shared.
 /// @throws Error InvalidInput when kindTogether is None.
 Shape together(const std::vector<NamedShape>&);
 

@@ -13,8 +13,8 @@ struct TessellationOptions {
   /// mm, largest distance between the shape and its polygons; 0: 1/1000 of the shape's diagonal, 1/8000 for planar
   /// drawings, curves and toolpaths.
   double chord = 0.05;
-  double angle = 0.3;  ///< radians, maximum angle between normals of neighbouring vertices; larger only at
-                       ///< chord may exceed it
+  /// radians, maximum angle between normals of neighbouring vertices; features far smaller than the chord may exceed it
+  double angle = 0.3;
 };
 
 /// Triangles, lines and points that represent a shape on the screen or in a mesh file. `points` and `normals` have equal

@@ -6,11 +6,11 @@
 
 namespace blossom::subdivision {
 
-/// The polygon through points as a curve of degree 1. @pre two points or more, neighbours differ.
+/// The polyline through points as a curve of degree 1. @pre at least two points, neighbours differ.
 Curve polyline(std::span<const Vec3> points);
 
-/// Natural cubic spline through points with chord-length parameters (de Boor, A Practical Guide to Splines, ch. IV), twice
-/// continuously differentiable. O(n). @pre as above.
+/// Natural cubic spline through points with chord-length parameters (de Boor, A Practical Guide to Splines, ch. IV), C2.
+/// O(n). @pre as above.
 Curve splineThrough(std::span<const Vec3> points);
 
 }  // namespace blossom::subdivision

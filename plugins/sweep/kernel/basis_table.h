@@ -5,13 +5,13 @@
 
 namespace blossom::sweep {
 
-/// Which polynomial piece counts at a knot.
+/// The polynomial piece evaluated at a knot.
 enum class Side { Left, Right };
 
-/// The non-zero basis functions and their first derivatives at many parameters, tabulated once.
+/// The non-zero basis functions and their first derivatives at many parameters.
 struct BasisTable {
   int degree = 0;
-  std::vector<std::size_t> first;  ///< index of the first pole that matters, one per parameter
+  std::vector<std::size_t> first;  ///< index of the first pole with a non-zero basis function, one per parameter
   std::vector<double> value;       ///< degree + 1 for each parameter
   std::vector<double> derivative;  ///< degree + 1 for each parameter
 

@@ -73,7 +73,7 @@ class FeatureCommand {
         inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(std::min(index, inputs_.size())), input);
   }
 
-  /// A feature without inputs that needs one file (import) takes it as the plain word that everybody would write.
+  /// A feature without inputs that needs one file (import) accepts it as a positional argument.
   [[nodiscard]] const ParameterSpec* fileParameter() const {
     if (!type_->inputs.empty()) return nullptr;
     const ParameterSpec* found = nullptr;

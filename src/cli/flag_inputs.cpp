@@ -8,7 +8,7 @@
 namespace blossom {
 namespace {
 
-/// The first input of a command that takes what is made.
+/// The first input of a command that accepts the result of the feature.
 std::optional<std::size_t> placeFor(const FeatureType& command, const std::vector<ShapeKind>& made) {
   for (std::size_t i = 0; i < command.inputs.size(); ++i) {
     const auto& kinds = command.inputs[i].kinds;
@@ -31,7 +31,7 @@ Sorted sorted(const FeatureType& source, const CLI::App& app) {
     const bool plain = std::find(flags.plain.begin(), flags.plain.end(), spec.name) != flags.plain.end();
     if (spec.name == flags.asks) {
       result.asks.push_back(spec);
-      result.asks.back().fallback = nullptr;  // it asks by being given: nothing stands for it
+      result.asks.back().fallback = nullptr;  // creates the input only when the flag is used, so there is no default
       result.asks.back().mayBeAbsent = true;
     } else {
       (plain && isFree(app, spec.name) ? result.plain : result.prefixed).push_back(spec);

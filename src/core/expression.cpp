@@ -49,7 +49,7 @@ class Parser {
   }
 
  private:
-  // What is written "10" may stand for 10 mm: only dimensions that cannot be meant are refused.
+  // A plain "10" may mean 10 mm: only dimensions that cannot be intended are refused.
   Dimensioned asWanted(const Dimensioned& value) const {
     const bool length = value.is(1, 0), angle = value.is(0, 1);
     if (wanted_ == Quantity::Length && value.plain()) return {value.value * unit_.millimetres};

@@ -51,7 +51,7 @@ class LockFile {
   Lock lock_ = Lock::Unknown;
 };
 
-/// Files of /proc tell no size, so readFile would find them empty.
+/// Files of /proc have size 0, so readFile would find them empty.
 std::string bootId() {
   std::string id;
   std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), id);
@@ -82,7 +82,7 @@ bool holdsDocuments(const fs::path& run) {
 struct RecoveryArea::State {
   explicit State(fs::path where) : root(std::move(where)) {}
 
-  // Under the lock of the root: nobody sees a folder before it is locked.
+  // Under the lock of the root, so that no process sees a folder before it is locked.
   void settleIn() {
     const LockFile all(root / "lock", true);
     std::string pattern = (root / "run-XXXXXX").string();

@@ -123,7 +123,7 @@ void writePng(const Image& image, const std::filesystem::path& path, int channel
     }
   auto writer = vtkSmartPointer<vtkPNGWriter>::New();
   writer->SetInputData(data);
-  writer->WriteToMemoryOn();  // libpng tells of a full disk on stderr, and nobody else
+  writer->WriteToMemoryOn();  // libpng reports a full disk only on stderr
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
   if (writer->GetErrorCode() != 0 || !bytes)

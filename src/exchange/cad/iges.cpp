@@ -45,7 +45,7 @@ bool print(IGESControl_Writer& writer, const std::string& path) {
   return printed && stream.good();
 }
 
-/// Only B-Rep entities can hold a body; loose faces are left to the trimmed surfaces that every program reads.
+/// Only B-Rep entities can represent a solid; loose faces are written as trimmed surfaces, which every program reads.
 bool holdsSolid(const Brep& brep) { return TopExp_Explorer(brep.shape(), TopAbs_SOLID).More(); }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t mostItems = 1'000'000, mostSegments = 2'000'000;
 constexpr std::size_t deepestNesting = 64;
 
-/// mm per unit of $INSUNITS, 0 for units nobody draws in.
+/// mm per unit of $INSUNITS, 0 for unusual units.
 double millimetres(int unit) {
   static constexpr std::array<double, 17> table{1,       25.4,  304.8, 1609344, 1,    10,  1000,  1e6,   25.4e-6,
                                                 25.4e-3, 914.4, 1e-7,  1e-6,    1e-3, 100, 10000, 100000};

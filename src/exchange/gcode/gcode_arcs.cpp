@@ -14,12 +14,12 @@ namespace {
 
 /// Two ends and a centre, each rounded to half a step in x and y, and the centre to a start that was rounded before.
 constexpr double roundedSteps = 4.3;
-/// mm; what controls of any kind take for rounding.
+/// mm; deviations that every control accepts as rounding.
 constexpr double leastMiss = 0.001, mostMiss = 0.0127;
 /// mm; the same where all other arcs of a program are better.
 constexpr double finestMiss = 0.00015;
 constexpr std::size_t mostArcDoubts = 3;
-/// Arcs that stand for free-form curves are shorter, and their centres may lie anywhere.
+/// Arcs that approximate free-form curves are shorter, and their centres may be anywhere.
 constexpr double longSweep = 0.17 * fullTurn, leastSweep = 0.05 * fullTurn;
 
 /// mm that one wrong number of a centre is taken to be off by.

@@ -49,9 +49,9 @@ const Post& postNamed(const std::string& name) {
 
 /// LinuxCNC may round corners by so much to keep its speed, where the toolpath does not say less; mm.
 constexpr double mostBlending = 0.005;
-/// Largest difference of an arc's radius at its two ends that every control takes; mm.
+/// Largest difference of an arc's radius at its two ends that every control accepts; mm.
 constexpr double largestMismatch = 0.005;
-/// Arcs of larger radii are straight as far as a control can tell; mm.
+/// Arcs of larger radii are straight within the resolution of a control; mm.
 constexpr double largestRadius = 1e4;
 /// LinuxCNC refuses arcs of smaller radii as points; mm.
 constexpr double smallestRadius = 0.005;
@@ -114,7 +114,7 @@ class GcodeWriter {
   }
   void comment(const std::string& words) { text_ += fmt::format("({})\n", words); }
 
-  /// What the reader takes back (the first three) and what whoever stands at the machine wants to know. Lengths in mm.
+  /// Data for Blossom's own reader (the first three) and information for the operator. Lengths in mm.
   void header() {
     const Cutter& c = path_.cutter;
     comment("Blossom");
@@ -138,7 +138,7 @@ class GcodeWriter {
     if (path_.gouge && path_.residue) measuredAt_ = text_.size();
   }
 
-  /// The program is measured as it stands, rounding and all, by whoever knows the part.
+  /// The program is measured as written, with rounding, when the part is known.
   void tellGouge(const Progress& progress) {
     if (!measuredAt_) return;
     const std::string residue = fmt::format("residue before rounding {:.4f} mm2", *path_.residue);
@@ -248,7 +248,7 @@ class GcodeWriter {
     if (!words.empty()) emit(motion, words, feed);
   }
 
-  /// False when rounding leaves no arc that every control takes.
+  /// False when rounding leaves no arc that every control accepts.
   bool round(const Vec3& from, const ToolMove& m) {
     if ((m.center - from.head<2>()).norm() > 2 * largestRadius) return false;  // and may be beyond all ticks
     const Ticks to = ticks(m.to);
@@ -288,7 +288,7 @@ class GcodeWriter {
   int number_ = 0;
   Ticks at_{};
   std::string motion_, feed_, text_;
-  std::optional<std::size_t> measuredAt_;  ///< where the head tells the gouge
+  std::optional<std::size_t> measuredAt_;  ///< position in the head where the gouge is inserted
 };
 
 }  // namespace

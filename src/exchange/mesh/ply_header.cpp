@@ -42,7 +42,7 @@ PlyEncoding plyEncoding(std::string_view word, std::size_t line) {
   throw damaged(line, fmt::format("{} is not an encoding of PLY.", shown(word)));
 }
 
-/// Least number of bytes that one element takes; what its count is checked against.
+/// Minimum size of one element in bytes, to check its count.
 std::size_t leastSize(const PlyElement& element, PlyEncoding encoding) {
   std::size_t size = 0;
   for (const PlyProperty& p : element.properties)

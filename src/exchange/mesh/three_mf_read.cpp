@@ -169,7 +169,8 @@ class Builder {
     while (!trimmed(rest).empty()) {
       const std::string_view prefix = takeWord(rest);
       std::string space = part.model.attribute(fmt::format("xmlns:{}", prefix).c_str()).value();
-      space.erase(0, space.find("/3dmanufacturing") + 1);  // what all have in front tells nothing; not found: nothing erased
+      space.erase(
+          0, space.find("/3dmanufacturing") + 1);  // the common prefix carries no information; not found: nothing erased
       const auto isHarmless = [&](std::string_view name) { return space.find(name) != std::string::npos; };
       if (!isHarmless("/production/") && !isHarmless("/material/") && !isHarmless("/trianglesets/"))
         warnings_.push_back(

@@ -33,7 +33,7 @@ bool isShape(std::string_view name) {
   return std::find(shapes.begin(), shapes.end(), name) != shapes.end();
 }
 
-/// What children take over from their parents.
+/// Attributes inherited from the parent.
 struct Style {
   std::string fill = "black", stroke = "none", color;
   bool paintGiven = false;  ///< fill or stroke stand in the file; a default black is no colour of its own

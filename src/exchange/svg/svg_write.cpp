@@ -94,7 +94,7 @@ class PathWriter {
 };
 
 std::string attributes(const std::string& layer, const std::optional<Color>& color, bool filled, FillRule rule) {
-  // Without a colour of its own a path takes the default, black, which reads back as no colour.
+  // A path without a colour gets the default, black, which is read back as no colour.
   std::string result;
   if (filled && color) result = fmt::format(" fill=\"{}\"", toHex(*color));
   if (!filled)

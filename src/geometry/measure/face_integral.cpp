@@ -50,7 +50,8 @@ double direction(const TopoDS_Shape& shape) { return shape.Orientation() == TopA
 // --- Planar faces
 // -----------------------------------------------------------------------------------------------------------
 
-/// What an integral over edges of this extent can be asked for: farther from the origin, coordinates carry more rounding.
+/// Attainable accuracy of an integral over edges of this extent: coordinates far from the origin have larger rounding
+/// errors.
 double absoluteFor(const std::vector<TopoDS_Edge>& edges, const Vec3& reference) {
   double extent = 0;
   for (const TopoDS_Edge& edge : edges) {

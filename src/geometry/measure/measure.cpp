@@ -127,7 +127,7 @@ Measures measureMedialAxis(const MedialAxis& axis) {
            {"length", lengthOf(axis), MeasureUnit::Length}}};
 }
 
-/// What nobody simulated is left out.
+/// Figures that were not simulated are left out.
 Measures measureToolpath(const Toolpath& path) {
   Measures measures{"toolpath",
                     {{"length_mm", lengthOf(path), MeasureUnit::Length}, {"time_s", secondsOf(path), MeasureUnit::Time}}};
@@ -152,7 +152,7 @@ struct Visitor {
   Measures operator()(const Toolpath& path) const { return measureToolpath(path); }
 };
 
-/// A figure that is none would be told as nothing at all.
+/// JSON would print a figure that is not finite as null.
 void refuseInfinite(const Measures& measures) {
   for (const Measure& each : measures.values) {
     const double* value = std::get_if<double>(&each.value);

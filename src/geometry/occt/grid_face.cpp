@@ -17,7 +17,7 @@ namespace blossom {
 namespace {
 
 constexpr double same = 1e-6;  ///< of the rectangle's size
-constexpr int probes = 8;      ///< intervals between the places where a parameter curve is looked at
+constexpr int probes = 8;      ///< intervals between the samples of a parameter curve
 
 /// An edge in the parameters of its face.
 struct Trace {

@@ -57,7 +57,7 @@ class ShapeMesher {
   }
 
  private:
-  /// B-spline rectangles become grids; BRepMesh does the other faces and takes over the edges of the grids.
+  /// B-spline rectangles become grids; BRepMesh meshes the other faces and uses the edges of the grids.
   void triangulate() {
     grids_ = meshGridFaces(faceMap_, options_, progress_);
     triangulateOthers();
@@ -153,7 +153,7 @@ class ShapeMesher {
       if (again[f]) BRepTools::Clean(faces_[f].face);
   }
 
-  /// A deflection of 0 is fine enough whatever is asked for next.
+  /// A stored deflection of 0 satisfies any later request.
   static void keep(const FaceMesh& mesh) {
     if (mesh.triangulation.IsNull()) return;
     mesh.triangulation->Deflection(0);

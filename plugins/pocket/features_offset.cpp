@@ -62,7 +62,8 @@ struct OffsetCheck {
   double farthest = 0;  ///< mm
   Vec2 at = Vec2::Zero();
   std::size_t points = 0;
-  std::size_t chordJoints = 0;  ///< ends of segments that are not on the curves' own offsets, but as near as chords tell
+  std::size_t chordJoints =
+      0;  ///< ends of segments that have the accuracy of the chords and are not on the offsets of the curves
 };
 
 OffsetCheck checked(const ClearanceDiagram& diagram, const Region& region, double distance, const Progress& progress) {
@@ -82,7 +83,7 @@ OffsetCheck checked(const ClearanceDiagram& diagram, const Region& region, doubl
   return check;
 }
 
-/// One offset with its figures in the list `offsets` of the stats; what is farther off than the tolerance is told.
+/// One offset with its figures in the list `offsets` of the stats; errors above the tolerance cause a warning.
 Region measuredOffset(const ClearanceDiagram& diagram, double distance, Side side, Evaluated& out,
                       const Progress& progress) {
   const auto begun = std::chrono::steady_clock::now();

@@ -98,7 +98,7 @@ void warnOfFloor(const Toolpath& path, const SimulationResult& result, const Sim
                                    place.z() - o.depth, deepest.to.z(), line));
 }
 
-/// What whoever stands at the machine would want to hear before the start.
+/// Warnings for the operator of the machine.
 void warnOfMoves(const Toolpath& path, std::vector<std::string>& warnings) {
   const auto cuts = [](const ToolMove& move) { return move.kind != MoveKind::Rapid; };
   const auto still = std::find_if(path.moves.begin(), path.moves.end(),

@@ -163,7 +163,7 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   const Region centers = diagram.offset(away, Side::Inside, progress);
   if (centers.loops.empty()) return total;
   // Squares of the last size lie along the rim.
-  constexpr double squaresAlong = 12;  // looked at for each length of the tolerance along the rim
+  constexpr double squaresAlong = 12;  // tested per length of the tolerance along the border
   double length = perimeter(centers);
   if (problem.corner > 0)
     for (const Stroke& s : problem.cut) length += 2 * s.length();  // ridges have two sides

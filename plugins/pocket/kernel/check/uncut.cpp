@@ -51,7 +51,7 @@ class UncutSearch {
     const auto count = static_cast<double>(cells_.size());
     fine_.perBox = share / 2 * partArea_ / boxes;
     fine_.perCell = share / 2 * partArea_ / count;
-    constexpr double mostWork = 5e8, mostWorkOfCell = 1e5;  // slabs looked at
+    constexpr double mostWork = 5e8, mostWorkOfCell = 1e5;  // slabs processed
     fine_.work = std::min(mostWorkOfCell, mostWork / count);
     std::vector<std::vector<UncutStrip>> strips(cells_.size());
     std::vector<std::size_t> steps(cells_.size());

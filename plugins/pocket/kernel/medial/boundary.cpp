@@ -115,7 +115,7 @@ Boundary::Boundary(const Region& region, double chord, const Progress& progress)
 }
 
 void Boundary::takeWithoutCrossing(const Region& region, const Progress& progress) {
-  // Chords of curves that nearly touch may cross where the curves do not: finer ones tell.
+  // Chords of curves that nearly touch may cross where the curves do not; finer chords decide.
   constexpr int attempts = 3;
   const double wanted = chord_;
   std::optional<Trouble> trouble;
@@ -130,7 +130,7 @@ void Boundary::takeWithoutCrossing(const Region& region, const Progress& progres
     trouble = crossing(progress);
     if (!trouble) return;
   }
-  // Jogs far below the tolerance may look like crossings on the diagram's grid: the outline without them tells.
+  // Jogs far below the tolerance may look like crossings on the grid of the diagram; the outline without them decides.
   for (const double jog : {wanted / 256, wanted / 16, wanted / 4}) {
     const Region smooth = withoutJogs(region, jog);
     if (smooth == region) continue;

@@ -8,9 +8,9 @@
 
 namespace blossom::pocket {
 
-/// Proves that discs hold nothing of a boundary, on the curves as drawn. Lines and arcs by their distance in closed form;
-/// splines by the convex hulls of their Bézier pieces, halved until each lies within `bulge` of its chord. Shares nothing
-/// with the flattening that a diagram is built on, nor with Newton's iteration.
+/// Proves that discs contain no point of a boundary, on the curves as drawn. Lines and arcs by their distance in closed
+/// form; splines by the convex hulls of their Bézier pieces, halved until each lies within `bulge` of its chord. Uses
+/// neither the flattening that diagrams are built on nor Newton's iteration.
 class DiscProof {
  public:
   /// @param bulge mm, above 0  @throws Error Cancelled.
@@ -21,7 +21,7 @@ class DiscProof {
  private:
   struct Piece {
     Stroke stroke;
-    double bulge = 0;  ///< mm that the curve may be off the stroke
+    double bulge = 0;  ///< mm, maximum distance of the curve from the stroke
   };
   std::vector<Piece> pieces_;
   PieceTree tree_;

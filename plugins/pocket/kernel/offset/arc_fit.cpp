@@ -49,7 +49,7 @@ bool isNear(const std::vector<Segment>& fit, const std::vector<TangentPoint>& sa
   return true;
 }
 
-/// Samples must not only lie near the fit, its middle must lie near the samples: else it may take the long way round.
+/// Not only must the samples be near the fit, its middle must be near the samples too: it may be the complementary arc.
 bool staysNear(const std::vector<Segment>& fit, const std::vector<TangentPoint>& samples, std::size_t from, std::size_t to,
                double tolerance) {
   double perimeter = 0;

@@ -94,7 +94,7 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
 }  // namespace
 
 double slotSlack(const ClearanceDiagram& diagram) {
-  // Wider than the diagram's grid tells distances apart, far below what the path may be off.
+  // Above the resolution of the diagram's grid, far below the tolerance of the path.
   const double tolerance = diagram.tolerance();
   return std::clamp(1e-8 * perimeterOf(diagram.region()), tolerance / 1000, tolerance / 40);
 }

@@ -60,7 +60,7 @@ class Band {
  private:
   [[nodiscard]] bool holds(double clearance) const { return clearance > low_ && clearance < high_; }
 
-  /// Whether something on the lines that end here may be missed by the next pass. `near`: mm to the points asked about too.
+  /// Whether points on the lines that end here may be missed by the next pass. `near`: mm, range of points to include.
   [[nodiscard]] bool isMissed(const Vec3& p, double near) const {
     const double away = next_.nearest(p.head<2>(), 2 * radius_ + near).distance;
     return away + (p.z() - low_) > radius_ - near - boundSlack;

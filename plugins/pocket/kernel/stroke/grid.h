@@ -26,7 +26,7 @@ class Grid {
   [[nodiscard]] Vec2 back(double x, double y) const {
     return middle_ + Vec2(turn_.x() * x + turn_.y() * y, turn_.x() * y - turn_.y() * x) / scale_;
   }
-  /// mm
+  /// mm, spacing of the grid.
   [[nodiscard]] double step() const { return 1 / scale_; }
 
  private:

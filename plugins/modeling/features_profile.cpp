@@ -60,7 +60,7 @@ FeatureType extrudeFeature() {
             out.shape = Brep(extrude(profileShape(drawn, p.face, p.solid), options, progress).shape, "Extrusion");
             return out;
           }),
-      // Leaning sides are what may take long; a region without them is swept at once.
+      // Only tapered sides may take long; a region without a taper is extruded in this process.
       "for the extrusion", [](const Value& parameters, const Inputs&) { return parameters.value("taper", 0.0) != 0; });
 }
 

@@ -39,7 +39,7 @@ ControlPolygon polygonOfPath(const Curves& curves) {
   return closedUp(std::move(points), curves.paths[0].closed);
 }
 
-/// Whether a drawing can hold the points: z is nothing but rounding.
+/// Whether the points fit into a drawing: z is 0 up to rounding.
 bool liesInDrawing(const std::vector<Vec3>& points) {
   double size = 0, height = 0;
   for (const Vec3& p : points) {

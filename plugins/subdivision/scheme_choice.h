@@ -4,7 +4,7 @@
 
 namespace blossom::subdivision {
 
-/// As a user chooses it. A curve takes Catmull-Clark's rule too: along one direction that is the cubic one.
+/// The scheme as chosen by the user. Catmull-Clark applied to a curve is the cubic scheme.
 enum class Chosen { CatmullClark, Loop, Cubic, Quadratic, FourPoint };
 
 ParameterSpec schemeChoice();

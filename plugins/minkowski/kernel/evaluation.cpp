@@ -23,7 +23,7 @@ struct Choice {
   std::size_t count = 1;
 };
 
-/// Whether a level needs sums; at 0 and 1 de Casteljau's algorithm takes one of two shapes as it is.
+/// Whether a level needs sums; at 0 and 1 de Casteljau's algorithm uses one of two shapes unchanged.
 bool isBlend(double t) { return t != 0 && t != 1; }
 
 std::size_t bottomUpSums(std::span<const double> t) {

@@ -129,7 +129,7 @@ class Morph {
     expansion_.emplace(shapes_, add_);
   }
 
-  /// Chooses the way where that is left open, and counts the sums that it takes.
+  /// Chooses the order of evaluation when it is automatic, and counts its sums.
   void prepare(std::span<const Arguments> arguments) {
     std::vector<Arguments> all;
     for (const Arguments& t : arguments) all.push_back(elevated(t));
@@ -211,7 +211,7 @@ class Morph {
   std::optional<Expansion> expansion_;
 };
 
-/// Reports of a fiftieth each: the sums of many frames have much to tell, and all of it to one bar.
+/// Progress is reported in steps of a fiftieth, because the sums of many frames report too often.
 Progress inSteps(const Progress& progress) {
   constexpr double step = 0.02;
   const auto last = std::make_shared<double>(-1.0);  // shared by all parts

@@ -15,7 +15,7 @@ class Model {
  public:
   explicit Model(const App& app) : app_(app) {}
 
-  /// Adds a feature; what it takes is hidden from then on.
+  /// Adds a feature and hides its inputs.
   FeatureId add(const char* command, const char* name, Value parameters, const std::vector<FeatureId>& inputs = {}) {
     const auto type = app_.registry->at(command);
     Feature feature{document_.freshId(command), type->id, name, std::move(parameters), inputs, true, false, Value::object()};

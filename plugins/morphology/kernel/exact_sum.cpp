@@ -28,7 +28,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 /// Largest number of point pairs that one hull is made of.
 constexpr std::size_t mostPairsOfPoints = 40'000'000;
 
-/// A sum of two pieces, or a union of such, with the place it stands for in the order of unions.
+/// A sum of two pieces, or a union of such sums, with its position in the order of unions.
 struct Piece {
   Solid solid;
   Vec3 place = Vec3::Zero();

@@ -73,7 +73,7 @@ Operand fromTessellation(const Tessellation& made, Operand out) {
   return out;
 }
 
-/// A drawing of closed outlines stands for what they enclose.
+/// A drawing of closed outlines is the area they enclose.
 bool isOutline(const Curves& drawing) {
   return !drawing.paths.empty() &&
          std::all_of(drawing.paths.begin(), drawing.paths.end(), [](const Path& path) { return path.closed; });

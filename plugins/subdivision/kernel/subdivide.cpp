@@ -47,7 +47,7 @@ Mesh topologyOf(const Far::TopologyLevel& level, const Mesh& cage, const Progres
   }
   for (int e = 0; e < level.GetNumEdges(); ++e) {
     const Far::ConstIndexArray ends = level.GetEdgeVertices(e);
-    if (level.GetEdgeSharpness(e) > 0 && !level.IsEdgeBoundary(e))  // boundaries are sharp without being told
+    if (level.GetEdgeSharpness(e) > 0 && !level.IsEdgeBoundary(e))  // boundaries are sharp without a tag
       mesh.creases.push_back({ends[0], ends[1], static_cast<double>(level.GetEdgeSharpness(e))});
   }
   for (int v = 0; v < level.GetNumVertices(); ++v)
@@ -55,7 +55,7 @@ Mesh topologyOf(const Far::TopologyLevel& level, const Mesh& cage, const Progres
   return mesh;
 }
 
-/// Vertices whose limit masks do not hold yet: they will turn smooth some levels later, or a face there is no quad.
+/// Vertices whose limit masks do not apply yet: they become smooth some levels later, or a face there is no quad.
 std::vector<bool> unsettled(const Mesh& mesh, Scheme scheme) {
   std::vector<bool> marked(mesh.points.size());
   const auto mark = [&](int v) { marked[static_cast<std::size_t>(v)] = true; };

@@ -57,7 +57,7 @@ void CurveTool::load() {
     flat_ = liesOnGround(cage_.points);
     if (cage_.points.size() <= mostPoints) findGrips();
   } catch (const Error&) {
-    grips_.clear();  // the features that take the cage say what is wrong with it
+    grips_.clear();  // the features made from the cage report its defects
   }
 }
 
@@ -72,7 +72,7 @@ void CurveTool::readDeform() {
   options_.free = ruleOf(all.at("free").get<std::string>());
 }
 
-/// The joints of the curve, and pulls that took hold between them.
+/// The joints of the curve, and pulls that start between them.
 void CurveTool::findGrips() {
   const std::vector<Vec3> now = pointsNow();
   const auto addGrip = [&](const Foot& foot, std::optional<std::size_t> pull) {
@@ -147,7 +147,7 @@ void CurveTool::drag(const ui::ToolEvent& event) {
     polygon_ = deform(*cage_.curve, cage_.points, {}, options).points;
     follows_ = lineOf(polygon_);
   } catch (const Error&) {
-    return;  // the feature will tell why it cannot be pulled there
+    return;  // the feature reports why it cannot be pulled there
   }
 }
 

@@ -20,7 +20,7 @@ Value parameter(const ui::ToolHost& host, const Feature& feature, const char* na
   return completed(host.registry().at(feature.type)->parameters, feature.parameters).at(name);
 }
 
-/// Whether its result is a cage that goes on being one.
+/// Whether its result is a cage that can be deformed further.
 bool givesCage(const ui::ToolHost& host, const Feature& feature) {
   return feature.type == deformType && parameter(host, feature, "as") == "cage";
 }

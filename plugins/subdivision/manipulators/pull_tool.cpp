@@ -83,7 +83,7 @@ PullTool::Loaded PullTool::loaded(std::shared_ptr<const GripSurface> known, cons
     std::vector<Grip> grips = gripsOf(*known, pulls, now, progress);
     return {std::move(known), std::move(grips)};
   } catch (const std::exception&) {
-    return {};  // what is wrong with the cage, the features that take it say
+    return {};  // the features made from the cage report its defects
   }
 }
 
@@ -106,7 +106,7 @@ void PullTool::show(Loaded loaded) {
 std::optional<std::size_t> PullTool::handleUnder(const ui::ToolEvent& event) const {
   if (!surface_) return std::nullopt;
   const double reach = gripPixels * event.millimetresPerPixel;
-  // What the surface hides cannot be taken hold of.
+  // Points hidden by the surface cannot be grabbed.
   const double seen =
       event.pick.feature.empty() ? std::numeric_limits<double>::infinity() : event.pick.part.distance + 3 * reach;
   std::optional<std::size_t> best;

@@ -107,7 +107,7 @@ Rows pointsAtBreaks(const Motion& motion, const CubicBreaks& u, const CubicBreak
   Rows values = makeRows(grid.countU, grid.countV);
   for (std::size_t i = 0; i < grid.countU; ++i)
     for (std::size_t j = 0; j < grid.countV; ++j) put(values, i, j, grid.pointAt(i, j));
-  // The seam holds to the last bit.
+  // Both sides of the seam are bitwise equal.
   if (motion.closedU != ClosedU::No) values.row(values.rows() - 1) = values.row(0);
   return values;
 }

@@ -135,7 +135,7 @@ std::optional<Snap> crossingNear(const std::vector<Guide>& guides, const SnapQue
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
-/// Level and plumb guides also take the grid lines that they cross.
+/// Horizontal and vertical guides also snap to the grid lines that they cross.
 Snap onGuide(const Guide& guide, const SnapQuery& query) {
   Snap snap{foot(guide, query.mouse), guide.kind, {guide}};
   if (!(query.grid > 0)) return snap;

@@ -44,7 +44,7 @@ class Blender {
     return edges;
   }
 
-  /// Null when it fails or gives no good solid.
+  /// Null when it fails or the solid is invalid.
   [[nodiscard]] TopoDS_Shape tried(const std::vector<TopoDS_Edge>& edges, double size) const {
     try {
       const TopoDS_Shape made = attempt_(shape_, edges, size);

@@ -104,7 +104,7 @@ bool shareAVertex(const TopoDS_Shape& a, const TopoDS_Shape& b) {
 
 /// The narrowest place between edges: the middle of the shortest, or where two that are no neighbours come nearest.
 std::optional<gp_Pnt> narrowestPlace(const std::vector<TopoDS_Shape>& edges, const Progress& progress) {
-  constexpr std::size_t most = 100;  // pairs are looked at one by one
+  constexpr std::size_t most = 100;  // all pairs are tested
   if (edges.size() > most) return {};
   std::optional<gp_Pnt> place;
   double narrowest = std::numeric_limits<double>::infinity();

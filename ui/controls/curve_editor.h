@@ -9,7 +9,7 @@ class QPainter;
 
 namespace blossom::ui {
 
-/// Draws a control function and lets its points be dragged. A click on the empty plane adds a point, Delete or a right click
+/// Editor of a control function with draggable points. A click on the background adds a point, Delete or a right click
 /// removes one; arrow keys move the chosen one.
 class CurveEditor final : public QWidget {
   Q_OBJECT
@@ -21,7 +21,7 @@ class CurveEditor final : public QWidget {
   [[nodiscard]] const std::vector<QPointF>& points() const { return points_; }
   [[nodiscard]] int chosen() const { return chosen_; }
   void choose(int index);
-  /// Where a value is drawn, in pixels.
+  /// Position of a point in pixels.
   [[nodiscard]] QPointF toPixels(const QPointF&) const;
   [[nodiscard]] QSize sizeHint() const override { return {160, 110}; }
 

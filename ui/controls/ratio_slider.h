@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// A value between two bounds as a bar that is dragged; arrow keys step, a double click, F2 or Enter types it. Esc takes
-/// back what is dragged or typed.
+/// A value between two bounds as a draggable bar; arrow keys step, a double click, F2 or Enter starts typing. Esc cancels a
+/// drag or typing.
 class RatioSlider : public QLineEdit {
   Q_OBJECT
  public:

@@ -111,19 +111,19 @@ FeatureType morphFeature(std::size_t mostWork) {
               .kinds = {ShapeKind::Region},
               .minimum = 2,
               .most = anyNumber})
-      .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first shape) to 1 (the last).")
-      .parameter("frames", &P::frames, count(0, 10000), "How many shapes of a sequence from 0 to 1; 0 makes the one at t.")
+      .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
+      .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("blossom", &P::blossom, list(ratio()),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
       .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
-                 "How the in-betweens are computed; the shape is the same. Automatic takes the way of the fewest sums; "
-                 "convex needs convex control shapes between the ends.")
+                 "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
+                 "convex requires convex control shapes between the ends.")
       .parameter("degree-elevate", &P::degreeElevate, flag(),
-                 "Use one control shape more; the morph stays the same when all shapes are convex.")
+                 "Elevate the degree by one; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.")
       .parameter("offsets", &P::offsets, list(vector()),
-                 "How far each control shape is moved from where it was drawn, first to last; those left out stay.")
+                 "Displacement of each control shape from its drawn position, first to last; others stay.")
       .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
@@ -157,7 +157,7 @@ FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std:
 
 FeatureType sumFeature(std::size_t mostWork) {
   return sumBuilder("minkowski.minkowski-sum", "Minkowski sum",
-                    "Everything that one shape covers while its origin runs over the other.", "The shapes that are added.")
+                    "The area that one shape covers while its origin moves over the other.", "The shapes that are added.")
       .icon("minkowski-sum")
       .produces({ShapeKind::Region})
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
@@ -169,8 +169,8 @@ FeatureType sumFeature(std::size_t mostWork) {
 
 FeatureType differenceFeature(std::size_t mostWork) {
   return sumBuilder("minkowski.minkowski-difference", "Minkowski difference",
-                    "All places of the origin for which the second shape stays inside the first.",
-                    "A shape, then what is to have room in it.")
+                    "All positions of the second shape's origin for which it stays inside the first.",
+                    "A shape, then the shape that has to fit inside.")
       .icon("minkowski-difference")
       .produces({ShapeKind::Region})
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")

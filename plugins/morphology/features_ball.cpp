@@ -24,9 +24,9 @@ FeatureType ballFeature() {
       .produces({ShapeKind::Mesh})
       .parameter("radius", &P::radius, positiveLength(), "Radius of the ball.")
       .parameter("subdivisions", &P::subdivisions, count(0, mostSubdivisions),
-                 "How fine it is: 20 faces, with each subdivision four times as many.")
+                 "Fineness: 20 faces, with each subdivision four times as many.")
       .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),
-                 "Whether the polyhedron lies within the ball or around it.")
+                 "Whether the polyhedron lies inside the ball or around it.")
       .example("blossom ball --radius 5 --subdivisions 3 -o ball.stl")
       .example("blossom ball --radius 2 --fit circumscribed -o ball.off --json")
       .evaluate([](const P& p, const Inputs&, const Progress&) {

@@ -160,12 +160,12 @@ FeatureType offsetFeature() {
       .produces({ShapeKind::Region, ShapeKind::Curves})
       .input(partInput())
       .parameter("distance", &P::distance, distances(),
-                 "How far from the outline; several distances make curves, a layer for each.")
+                 "Distance from the outline; several distances make curves, each on a layer of its own.")
       .parameter("side", &P::side, choice({"inside", "outside", "both"}),
-                 "Where the offset lies; both makes the band along the outline.")
+                 "Side of the offset; both makes the band along the outline.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
-      .parameter("tolerance", &P::tolerance, positiveLength(), "Most that a point of the offset may be off its distance.")
+      .parameter("tolerance", &P::tolerance, positiveLength(), "Largest error of the distance.")
       .example("blossom offset outline.svg --distance 2 -o smaller.dxf")
       .example("blossom offset outline.dxf --distance 1,2,3,4 --side both -o rings.svg --json")
       .example("blossom offset text:Blossom --distance 1.5 --side outside -o sticker.svg")

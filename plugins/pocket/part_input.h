@@ -23,7 +23,7 @@ struct Part {
 /// the sheets of a drawing.
 InputSpec partInput();
 ParameterSpec partFace();
-inline constexpr const char* partFaceHelp = "The flat face that is the part when the input is a solid.";
+inline constexpr const char* partFaceHelp = "The flat face to use as the part when the input is a solid.";
 
 /// Treatment of open lines, such as centre lines and dimensions of a drawing.
 enum class OpenLines {
@@ -31,7 +31,7 @@ enum class OpenLines {
   RefuseForNow,  ///< refuse, and suggest the flag of the feature that leaves them out
   LeaveOut
 };
-inline constexpr const char* skipOpenHelp = "Lines that do not close are left out, and told, instead of refused.";
+inline constexpr const char* skipOpenHelp = "Leaves out lines that do not close, with a warning, instead of refusing them.";
 
 /// Transforms a face to its own plane, seen from outside the solid; a face that faces up keeps its x and y.
 /// @throws Error InvalidInput (open curves, a face that is not flat, a solid without a face chosen), NotFound.

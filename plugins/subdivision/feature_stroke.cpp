@@ -28,7 +28,7 @@ Evaluated strokeEvaluate(const StrokeParameters& p, const Inputs&, const Progres
 FeatureType strokeFeature() {
   using P = StrokeParameters;
   return feature<P>("subdivision.stroke", "Target stroke",
-                    "A curve through points in space, as it is drawn over a shape that is to follow it.")
+                    "A curve through points in space, drawn over a shape as its target.")
       .command("stroke")
       .icon("target-stroke")
       .produces({ShapeKind::Curve})

@@ -11,7 +11,7 @@ enum class As { Cage, Limit, Faces };
 ParameterSpec asChoice();
 inline constexpr const char* kAsHelp =
     "The cage itself; limit: a mesh or polygon with its vertices on the limit shape; faces: B-spline faces, or the B-spline "
-    "curve. Without a choice the command line takes limit for STL, PLY and OFF and faces for STEP, IGES and BREP.";
+    "curve. By default the command line uses limit for STL, PLY and OFF and faces for STEP, IGES and BREP.";
 /// The default form by output file.
 ChoiceByOutput asByOutput();
 

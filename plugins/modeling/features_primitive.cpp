@@ -33,7 +33,7 @@ struct TorusParameters : Placed {
 ParameterSpec partOfATurn() {
   ParameterSpec spec = angle();
   spec.minimum = 0;
-  spec.aboveLeast = true;
+  spec.aboveMinimum = true;
   spec.maximum = 360;
   return spec;
 }

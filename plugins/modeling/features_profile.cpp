@@ -140,7 +140,7 @@ FeatureType loftFeature() {
                   .help = "Outlines in their order.",
                   .kinds = profileKinds,
                   .minimum = 2,
-                  .most = anyNumber})
+                  .maximum = anyNumber})
           .parameter("ruled", &P::ruled, flag(), "Straight from one section to the next instead of smooth through all.")
           .parameter("solid", &P::solid, flag(), "Close both ends; off: an open sheet.")
           .parameter("spacing", &P::spacing, positiveLength(), "Distance of sections that are all drawn in one plane.")

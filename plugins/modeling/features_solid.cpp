@@ -56,7 +56,7 @@ FeatureType booleanFeature() {
                   .help = "Solids, or regions. A difference is the first without the others.",
                   .kinds = {ShapeKind::Brep, ShapeKind::Region},
                   .minimum = 2,
-                  .most = anyNumber})
+                  .maximum = anyNumber})
           .parameter("operation", &P::operation, choice({"union", "difference", "intersection"}), "The Boolean operation.")
           .parameter("fuzzy", &P::fuzzy, smallLength(), "Faces this close count as touching; 0: only faces that do touch.")
           .parameter("simplify", &P::simplify, flag(), "Join faces on the same surface and edges on the same curve.")

@@ -23,7 +23,7 @@ FeatureType ballFeature() {
       .icon("ball")
       .produces({ShapeKind::Mesh})
       .parameter("radius", &P::radius, positiveLength(), "Radius of the ball.")
-      .parameter("subdivisions", &P::subdivisions, count(0, mostSubdivisions),
+      .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
                  "Fineness: 20 faces, with each subdivision four times as many.")
       .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),
                  "Whether the polyhedron lies inside the ball or around it.")
@@ -71,8 +71,8 @@ LiteralForm ballLiteral() {
     BallOptions options{.radius = measureOf(declared, parts[0])};
     if (parts.size() == 2) {
       const double subdivisions = measureOf(declared, parts[1]);
-      if (subdivisions != std::floor(subdivisions) || subdivisions < 0 || subdivisions > mostSubdivisions)
-        refuse(declared, fmt::format("{} is no whole number from 0 to {}", formatNumber(subdivisions), mostSubdivisions));
+      if (subdivisions != std::floor(subdivisions) || subdivisions < 0 || subdivisions > maximumSubdivisions)
+        refuse(declared, fmt::format("{} is no whole number from 0 to {}", formatNumber(subdivisions), maximumSubdivisions));
       options.subdivisions = static_cast<int>(subdivisions);
     }
     return ball(options).mesh;

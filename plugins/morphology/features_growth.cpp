@@ -45,7 +45,7 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
       .parameter("radius", &P::radius, positiveLength(), texts.radius)
       .parameter("frames", &P::frames, count(0, 1000),
                  "Number of solids of a sequence from radius 0 to the radius; 0 makes only the last one.")
-      .parameter("subdivisions", &P::subdivisions, count(0, mostSubdivisions),
+      .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
                  "Fineness of the ball: 20 faces, with each subdivision four times as many.")
       .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),
                  "Whether the ball's polyhedron lies inside it or around it.")

@@ -221,14 +221,14 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
 ParameterSpec rampAngle() {
   ParameterSpec spec = angle();
   spec.minimum = 0;
-  spec.aboveLeast = true;
+  spec.aboveMinimum = true;
   spec.maximum = 90;
   return spec;
 }
 
 ParameterSpec feedRate() {
   ParameterSpec spec = number(0, 1e6);
-  spec.aboveLeast = true;
+  spec.aboveMinimum = true;
   return spec;
 }
 

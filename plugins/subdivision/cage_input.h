@@ -14,7 +14,7 @@ Shape cageOf(const Shape& input);
 /// own limit curve: with Catmull-Clark's scheme, with the cubic one for degree 3 and with the quadratic one for degree 2;
 /// for other schemes its poles are the control polygon. @throws Error InvalidInput when it is not one polygon of straight
 /// lines.
-std::optional<ControlPolygon> polygonOf(const Shape&, Chosen);
+std::optional<ControlPolygon> polygonOf(const Shape&, SchemeChoice);
 
 /// The polygon as a shape of the kind of `like`: drawn lines, or a curve of degree 1. Lines that leave the plane of the
 /// drawing become a curve.
@@ -24,6 +24,6 @@ Shape shapeOf(const ControlPolygon&, const Shape& like);
 const Curve& splineOf(const Shape&);
 
 /// Refuses a mesh for the schemes of curves and a curve for Loop's. @throws Error InvalidInput.
-void checkScheme(const Shape& cage, Chosen);
+void checkScheme(const Shape& cage, SchemeChoice);
 
 }  // namespace blossom::subdivision

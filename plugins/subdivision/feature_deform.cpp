@@ -16,7 +16,7 @@ namespace blossom::subdivision {
 namespace {
 
 struct DeformParameters {
-  Chosen scheme = Chosen::CatmullClark;
+  SchemeChoice scheme = SchemeChoice::CatmullClark;
   std::string free = "support";
   double lambda = defaultLambda;
   int iterations = 20;

@@ -6,7 +6,7 @@ namespace blossom::subdivision {
 namespace {
 
 struct SubdivideParameters {
-  Chosen scheme = Chosen::CatmullClark;
+  SchemeChoice scheme = SchemeChoice::CatmullClark;
   int levels = 2;
   As as = As::Cage;
   double tolerance = 0.01;

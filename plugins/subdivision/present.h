@@ -16,7 +16,7 @@ inline constexpr const char* kAsHelp =
 ChoiceByOutput asByOutput();
 
 struct PresentOptions {
-  Chosen scheme = Chosen::CatmullClark;
+  SchemeChoice scheme = SchemeChoice::CatmullClark;
   As as = As::Cage;
   int cageLevels = 0;       ///< refinements of a cage
   int limitLevels = 3;      ///< refinements before vertices are moved to the limit
@@ -26,7 +26,7 @@ struct PresentOptions {
 /// Sets the shape of `out`, and its stats and warnings.
 void present(Mesh cage, const PresentOptions&, Evaluated& out, const Progress&);
 /// The mesh with coincident boundaries joined, and a warning about it.
-Mesh closedCage(const Mesh&, Chosen, Evaluated& out, const Progress&);
+Mesh closedCage(const Mesh&, SchemeChoice, Evaluated& out, const Progress&);
 
 /// Adds a warning when the poles of a B-spline curve are used as a control polygon. @pre `polygonOf` returns one
 void tellIfPoles(const Shape& cage, Evaluated& out);

@@ -55,17 +55,17 @@ FlagInputs::FlagInputs(CommandLine& line, CLI::App& app, const Registry& registr
   }
 }
 
-std::vector<std::pair<std::size_t, Feature>> FlagInputs::given() const {
+std::vector<std::pair<std::size_t, Feature>> FlagInputs::features() const {
   std::vector<std::pair<std::size_t, Feature>> result;
   for (const Source& source : sources_) {
-    Value parameters = source.asks.given();
+    Value parameters = source.asks.values();
     const bool asked = !parameters.empty();
     for (const ParameterFlags* flags : {&source.plain, &source.prefixed}) {
-      if (!asked && !flags->firstGiven().empty())
-        throw UsageError(fmt::format("{} says how --{} is made, which is not given.", flags->firstGiven(),
-                                     source.type->inputByFlags.asks),
-                         fmt::format("Give --{} too.", source.type->inputByFlags.asks));
-      parameters.update(flags->given());
+      if (!asked && !flags->firstUsed().empty())
+        throw UsageError(
+            fmt::format("{} says how --{} is made, which is not given.", flags->firstUsed(), source.type->inputByFlags.asks),
+            fmt::format("Give --{} too.", source.type->inputByFlags.asks));
+      parameters.update(flags->values());
     }
     if (!asked) continue;
     Feature feature;

@@ -17,7 +17,7 @@ class FlagInputs {
   /// The features created by the flags, each with its position among the inputs. Their ids are proposals; the caller makes
   /// them unique.
   /// @throws UsageError for a value that cannot be parsed, and for a flag without the flag that creates the input.
-  [[nodiscard]] std::vector<std::pair<std::size_t, Feature>> given() const;
+  [[nodiscard]] std::vector<std::pair<std::size_t, Feature>> features() const;
 
  private:
   struct Source {

@@ -21,7 +21,7 @@ class FormatFlags {
   void refuseUnused(const std::vector<const Format*>& used) const;
 
  private:
-  [[nodiscard]] Value given(const Format&, const std::vector<ParameterSpec>& declared) const;
+  [[nodiscard]] Value values(const Format&, const std::vector<ParameterSpec>& declared) const;
 
   struct Entry {
     std::string id, title;

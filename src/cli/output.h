@@ -21,7 +21,7 @@ struct Output {
 };
 
 /// Adds the warnings about written files, and the gouge measured in written programs to the measures.
-void tellReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings);
+void addReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings);
 
 /// The paths given by -o, which may be repeated or a comma list. A text with commas is split only when every part has a
 /// known extension.

@@ -17,9 +17,9 @@ class ParameterFlags {
 
   /// Canonical values of the flags on the command line; parameters without a flag are absent.
   /// @throws UsageError for a value that cannot be parsed or is out of range, and for a repeated flag that is no list.
-  [[nodiscard]] Value given() const;
+  [[nodiscard]] Value values() const;
   /// The first flag on the command line, as typed; empty when there is none.
-  [[nodiscard]] std::string firstGiven() const;
+  [[nodiscard]] std::string firstUsed() const;
 
  private:
   struct Entry {

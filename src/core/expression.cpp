@@ -195,7 +195,7 @@ class Parser {
     for (blanks(); take(",") || take(";"); blanks()) values.push_back(sum());
     if (!take(")")) fail(place, fmt::format("the parenthesis of {} is not closed", name));
     countPlainAsLengths(values);
-    if (values.size() < function->minimum || values.size() > function->most)
+    if (values.size() < function->minimum || values.size() > function->maximum)
       fail(place, fmt::format("{} takes {} {}", name, function->minimum, function->minimum == 1 ? "value" : "values"));
     const auto value = function->call(values);
     if (!value) fail(place, fmt::format("{} does not take these units", name));

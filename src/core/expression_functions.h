@@ -32,7 +32,7 @@ std::optional<Dimensioned> unitNamed(std::string_view);
 
 struct ExpressionFunction {
   std::string_view name;
-  std::size_t minimum, most;  ///< number of values
+  std::size_t minimum, maximum;  ///< number of values
   /// Empty when the function does not accept the units of the values.
   std::optional<Dimensioned> (*call)(std::span<const Dimensioned>);
 };

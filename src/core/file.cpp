@@ -139,9 +139,9 @@ std::string readFile(const fs::path& path) {
     throw Error(ErrorCode::FileUnreadable, fmt::format("{} is not a file.", path.string()),
                 "Give a file, not a folder or a device.");
   const auto size = fs::file_size(path, ec);
-  if (!ec && size > largestFile)
+  if (!ec && size > maximumFileSize)
     throw Error(ErrorCode::LimitExceeded,
-                fmt::format("The file {} has {} MB; the limit is {} MB.", path.string(), size >> 20, largestFile >> 20));
+                fmt::format("The file {} has {} MB; the limit is {} MB.", path.string(), size >> 20, maximumFileSize >> 20));
   std::ifstream in(path, std::ios::binary);
   std::string content(static_cast<std::size_t>(ec ? 0 : size), '\0');
   if (!in || !in.read(content.data(), static_cast<std::streamsize>(content.size())))

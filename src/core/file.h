@@ -8,7 +8,7 @@
 namespace blossom {
 
 /// Size limit, in bytes, of a file that is read into memory.
-inline constexpr std::uintmax_t largestFile = 2ull << 30;
+inline constexpr std::uintmax_t maximumFileSize = 2ull << 30;
 
 /// Returns the whole content of a regular file.
 /// @throws Error FileNotFound, FileUnreadable (also for a folder), LimitExceeded.

@@ -84,13 +84,13 @@ bool looksLikeOurs(const fs::path& path) {
 
 fs::path makeTemporaryFolder() {
   const fs::path parent = parentFolder();
-  constexpr int mostAttempts = 3;
+  constexpr int maximumAttempts = 3;
   for (int attempt = 1;; ++attempt) {
     std::string pattern = (parent / (std::string(folderPrefix) + "XXXXXX")).string();
     if (!::mkdtemp(pattern.data())) noFolder(parent, std::strerror(errno));
     const int fd = lockedFolder(pattern);
     // Some file systems have no locks; other processes cannot lock the folder there either, so it is not removed.
-    if (fd < 0 && attempt < mostAttempts) {
+    if (fd < 0 && attempt < maximumAttempts) {
       removeAll(pattern);
       continue;
     }

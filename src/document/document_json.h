@@ -5,8 +5,8 @@
 
 namespace blossom {
 
-/// None was ever near; keeps a hostile file from taking quadratic time.
-inline constexpr std::size_t mostFeatures = 10000;
+/// Limit that keeps a hostile file from taking quadratic time; real documents are far below.
+inline constexpr std::size_t maximumFeatures = 10000;
 
 /// Collects the defects of a document that is read. Without salvaging the first defect is an error, with salvaging defects
 /// become warnings.

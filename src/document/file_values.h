@@ -10,7 +10,7 @@ namespace blossom {
 void eachFile(const ParameterSpec&, Value&, const std::function<void(Value& file)>& visit);
 void eachFile(const std::vector<ParameterSpec>&, Value& parameters, const std::function<void(Value& file)>& visit);
 
-/// Whether one of these, or what they hold, can be a file.
-bool holdsFiles(const std::vector<ParameterSpec>&);
+/// Whether one of the parameters, or an element or field of one, is a file.
+bool hasFileParameter(const std::vector<ParameterSpec>&);
 
 }  // namespace blossom

@@ -22,7 +22,7 @@ struct InputSpec {
   std::vector<ShapeKind>
       kinds;  ///< accepted kinds; empty means any. A region input also accepts closed curves, converted by arrangedInputs.
   std::size_t minimum = 1;
-  std::size_t most = 1;
+  std::size_t maximum = 1;
 };
 
 inline constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
@@ -106,7 +106,7 @@ struct FeatureType {
 Inputs arrangedInputs(const FeatureType&, std::span<const Shape> given);
 
 /// @throws Error Internal when the result is empty or of a kind that the feature type does not declare in `produces`.
-void checkGiven(const FeatureType&, const Shape& result);
+void checkResult(const FeatureType&, const Shape& result);
 
 /// Declares a feature type over a plain struct of parameters:
 ///   feature<SweepParameters>("sweep.sweep", "Sweep", "The exact surface ..")

@@ -38,7 +38,7 @@ struct ParameterSpec {
   Value fallback;                 ///< default in canonical form; null when there is none and a value is required
   std::optional<double> minimum;  ///< of numbers, counts, lengths and angles; of a List: minimum number of items
   std::optional<double> maximum;
-  bool aboveLeast = false;            ///< `minimum` itself is not allowed
+  bool aboveMinimum = false;          ///< `minimum` itself is not allowed
   std::vector<std::string> choices;   ///< of a Choice; of a SubShape: exactly one, "face", "edge" or "vertex"
   std::vector<ParameterSpec> fields;  ///< of a Record; of a List: exactly one, the element
   std::string fileTypes;              ///< of a File: extensions, "json step"

@@ -41,7 +41,7 @@ struct PickOptions {
 
 /// The drawn data of one sub-shape: the triangles of a face, the polyline of an edge, a point. Empty when there is no
 /// sub-shape of this number. O(cells of the shape).
-SceneData partOf(const SceneData&, SubShapeKind, int index);
+SceneData subShapeData(const SceneData&, SubShapeKind, int index);
 
 /// Finds the first sub-shape of a drawn shape that a ray hits. Built once per shape in O(n log n); a pick costs O(log n).
 /// Vertices take precedence over edges and edges over faces when they are within the tolerance and not hidden by a nearer

@@ -38,7 +38,7 @@ struct Drawing {
 
 /// Evenly spread, the first and the last among them.
 std::vector<const Shape*> someFrames(const Sequence& sequence) {
-  const std::size_t count = std::min(mostSkins, sequence.frames.size());
+  const std::size_t count = std::min(maximumSkins, sequence.frames.size());
   std::vector<const Shape*> frames;
   for (std::size_t k = 0; k < count; ++k)
     frames.push_back(&sequence.frames[count > 1 ? k * (sequence.frames.size() - 1) / (count - 1) : 0]);

@@ -49,7 +49,7 @@ class CurveEditor final : public QWidget {
 
   std::vector<QPointF> points_;
   QRectF view_{0, 0, 1, 1};  // in values
-  std::optional<double> least_, greatest_;
+  std::optional<double> minimum_, maximum_;
   int chosen_ = -1;
   int under_ = -1;
   bool dragging_ = false;

@@ -42,7 +42,7 @@ class RatioSlider : public QLineEdit {
   void step(double by);
   void endSteps();
 
-  double value_ = 0, least_ = 0, greatest_ = 1;
+  double value_ = 0, minimum_ = 0, maximum_ = 1;
   bool absent_ = false;
   bool dragging_ = false;
   bool stepping_ = false;

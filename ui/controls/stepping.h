@@ -12,6 +12,6 @@ constexpr int wheelRestMs = 250;
 /// and numbers; a tenth of that with Shift, ten times with Ctrl.
 double stepOf(const ParameterSpec&, double value, Qt::KeyboardModifiers);
 /// `value` moved by `steps` steps of size `step`, on a multiple of the step and inside the range.
-double moved(const ParameterSpec&, double value, double steps, double step);
+double stepped(const ParameterSpec&, double value, double steps, double step);
 
 }  // namespace blossom::ui

@@ -16,7 +16,7 @@ struct TooMuchWork : std::exception {
 class Effort {
  public:
   static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
-  explicit Effort(std::size_t most = unlimited) : left_(most) {}
+  explicit Effort(std::size_t maximum = unlimited) : left_(maximum) {}
 
   [[nodiscard]] bool isLimited() const { return left_ != unlimited; }
   /// Sets the number of sums to come, including the next one; `foresee` estimates for all of them.

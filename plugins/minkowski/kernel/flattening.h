@@ -10,7 +10,7 @@
 namespace blossom::minkowski {
 
 /// Position of a polygon relative to the shape it approximates.
-enum class Side {
+enum class Approximation {
   Either,   ///< within the tolerance on either side
   Inside,   ///< inside the shape, so that an area to fit into is never overestimated
   Outside,  ///< around the shape, so that a shape to be fitted is never underestimated
@@ -20,7 +20,7 @@ struct FlatteningOptions {
   /// mm between curves and their polygons; empty: 1/10,000 of the shape's size, at most 0.01 mm
   std::optional<double> tolerance{};
   double share = 1;  ///< share of the tolerance, when several shapes divide it
-  Side side = Side::Either;
+  Approximation side = Approximation::Either;
   Effort* effort = nullptr;  ///< limit on the work for loops that touch; nullptr: unlimited
 };
 

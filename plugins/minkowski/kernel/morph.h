@@ -8,16 +8,16 @@
 #include "core/progress.h"
 #include "geometry/planar/region.h"
 #include "kernel/effort.h"
-#include "kernel/evaluation.h"
+#include "kernel/evaluation_order.h"
 
 namespace blossom::minkowski {
 
 struct MorphOptions {
-  Evaluation evaluation = Evaluation::Automatic;
+  EvaluationOrder evaluation = EvaluationOrder::Automatic;
   bool degreeElevate = false;         ///< elevate the degree by one; the morph does not change when all shapes are convex
   bool areaPreserving = false;        ///< scale about the centre, so that the areas of the control shapes are blended
   std::optional<double> tolerance{};  ///< mm, between curves and their polygons; empty: see FlatteningOptions
-  std::size_t mostWork = Effort::unlimited;  ///< edges and crossings of arrangements
+  std::size_t maximumWork = Effort::unlimited;  ///< edges and crossings of arrangements
 };
 
 struct MorphResult {

@@ -10,7 +10,7 @@ namespace blossom::minkowski {
 /// Computes Minkowski sums and counts them.
 class Adder {
  public:
-  explicit Adder(std::size_t mostWork = Effort::unlimited) : effort_(mostWork) {}
+  explicit Adder(std::size_t maximumWork = Effort::unlimited) : effort_(maximumWork) {}
 
   Polygons operator()(const Polygons& a, const Polygons& b, const Progress& progress);
   [[nodiscard]] std::size_t count() const { return count_; }

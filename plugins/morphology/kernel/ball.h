@@ -19,7 +19,7 @@ struct BallResult {
   double deviation = 0;  ///< mm, largest distance between the polyhedron and the sphere
 };
 
-inline constexpr int mostSubdivisions = 6;
+inline constexpr int maximumSubdivisions = 6;
 
 /// A geodesic ball. The directions of its vertices do not depend on the radius, so growing it only moves points.
 /// @throws Error InvalidParameter.

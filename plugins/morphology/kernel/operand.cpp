@@ -50,7 +50,7 @@ Operand fromMesh(Mesh mesh, Operand out) {
     for (const Vec3& p : mesh.points) out.pieces.push_back({p});
     return out;
   }
-  refuseRubbish(mesh, {out.name});
+  refuseUnusable(mesh, {out.name});
   if (!meshTopology(mesh).closed() && isFlat(mesh)) {
     out.form = Operand::Form::Flat;
     const Mesh triangles = triangulated(mesh).first;

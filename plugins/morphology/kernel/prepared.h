@@ -20,13 +20,13 @@ struct Prepared {
 };
 
 /// Common grid of two operands.
-struct Grid {
+struct CommonGrid {
   double step = 1;
 };
-Grid gridFor(const Bounds& a, const Bounds& b);
+CommonGrid gridFor(const Bounds& a, const Bounds& b);
 
 /// @throws Error InvalidInput for a mesh that is no solid, see checkedSolid.
-Prepared prepared(const Operand&, const Grid&, const Progress&);
+Prepared prepared(const Operand&, const CommonGrid&, const Progress&);
 
 /// The convex parts of a solid, or the pieces of another form.
 Parts partsOf(const Prepared&, const Progress&);

@@ -20,6 +20,6 @@ struct CheckedSolid {
 CheckedSolid checkedSolid(const Mesh&, const Subject& subject, const Progress& = Progress::none());
 
 /// The checks that need no exact arithmetic: finite numbers, indices, size. @throws Error.
-void refuseRubbish(const Mesh&, const Subject& subject);
+void refuseUnusable(const Mesh&, const Subject& subject);
 
 }  // namespace blossom::morphology

@@ -16,11 +16,11 @@ class FootFinder {
   [[nodiscard]] std::vector<Foot> feet(std::span<const Vec3> samples, std::span<const Vec3> points,
                                        std::span<const Foot> before, const Progress&) const;
 
-  [[nodiscard]] const std::vector<Row>& spreadRows() const { return rows_; }
+  [[nodiscard]] const std::vector<Row>& seedRows() const { return rows_; }
 
  private:
   const LimitShape& shape_;
-  std::vector<Foot> spread_;
+  std::vector<Foot> seeds_;
   std::vector<Row> rows_;
 };
 

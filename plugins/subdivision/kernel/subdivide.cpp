@@ -27,10 +27,10 @@ using Points = std::vector<Blend>;
 void checkSize(const Mesh& cage, int levels) {
   if (levels < 0) throw Error(ErrorCode::InvalidParameter, "The number of levels is below 0.", "Give 0 or more.");
   const auto faces = static_cast<double>(cage.faceVertices.size());
-  if (levels == 0 || faces * std::pow(4.0, levels - 1) <= kMostFaces) return;
-  const int most = std::max(0, static_cast<int>(std::floor(std::log(kMostFaces / faces) / std::log(4.0))) + 1);
+  if (levels == 0 || faces * std::pow(4.0, levels - 1) <= kMaximumFaces) return;
+  const int most = std::max(0, static_cast<int>(std::floor(std::log(kMaximumFaces / faces) / std::log(4.0))) + 1);
   throw Error(ErrorCode::LimitExceeded,
-              fmt::format("{} levels would make more than {} million faces.", levels, kMostFaces / 1e6),
+              fmt::format("{} levels would make more than {} million faces.", levels, kMaximumFaces / 1e6),
               fmt::format("This cage can be refined {} times.", most));
 }
 

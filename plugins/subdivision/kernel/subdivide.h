@@ -6,7 +6,7 @@
 namespace blossom::subdivision {
 
 /// Maximum number of faces of a refined mesh.
-inline constexpr double kMostFaces = 4e6;
+inline constexpr double kMaximumFaces = 4e6;
 
 struct SubdivideOptions {
   Scheme scheme = Scheme::CatmullClark;

@@ -16,9 +16,9 @@ struct CurveCage {
 };
 
 /// The cage as a deformation interprets the shape. @throws Error InvalidInput when it is no cage of a curve.
-CurveCage curveCage(const Shape&, Chosen);
+CurveCage curveCage(const Shape&, SchemeChoice);
 
 /// The control points alone.
-std::vector<Vec3> controlPoints(const Shape&, Chosen);
+std::vector<Vec3> controlPoints(const Shape&, SchemeChoice);
 
 }  // namespace blossom::subdivision

@@ -41,7 +41,7 @@ class CurveTool : public ui::HandleTool {
 
   std::optional<DeformPlace> place_;
   CurveCage cage_;
-  Chosen scheme_ = Chosen::CatmullClark;
+  SchemeChoice scheme_ = SchemeChoice::CatmullClark;
   bool flat_ = false;
   std::vector<Row> line_;  ///< of points along the curve, near enough to each other to draw it
   std::vector<Pull> pulls_;

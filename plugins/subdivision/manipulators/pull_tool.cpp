@@ -16,8 +16,8 @@ namespace blossom::subdivision {
 namespace {
 
 constexpr double gripPixels = 8;
-constexpr std::size_t mostFaces = 50000;   // of a cage whose points can be dragged live
-constexpr std::size_t facesAtOnce = 1000;  // whose limit surface takes a few milliseconds
+constexpr std::size_t maximumFaces = 50000;  // of a cage whose points can be dragged live
+constexpr std::size_t facesAtOnce = 1000;    // whose limit surface takes a few milliseconds
 
 /// The surface within reach as a net of lines: seen wherever it goes, and drawn in no time where faces, shaded or
 /// translucent, are not.
@@ -51,7 +51,7 @@ void PullTool::load() {
   place_ = deformPlace(host(), feature());
   if (place_) base_ = host().result(place_->base)->evaluated.shape;
   const Mesh* mesh = base_.get<Mesh>();
-  if (!mesh || mesh->faceCount() > mostFaces) return show({});
+  if (!mesh || mesh->faceCount() > maximumFaces) return show({});
   scheme_ = place_->scheme == "loop" ? Scheme::Loop : Scheme::CatmullClark;
   if (!place_->existing.empty()) {
     const Feature& deform = host().document().at(place_->existing);

@@ -6,7 +6,7 @@
 namespace blossom::sweep {
 
 /// The polynomial piece evaluated at a knot.
-enum class Side { Left, Right };
+enum class KnotSide { Left, Right };
 
 /// The non-zero basis functions and their first derivatives at many parameters.
 struct BasisTable {
@@ -28,6 +28,6 @@ struct BasisTable {
 
 /// @param knots full vector, clamped or not  @param parameters inside the domain. O(parameters * degree^2).
 BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<const double> parameters,
-                         Side side = Side::Right);
+                         KnotSide side = KnotSide::Right);
 
 }  // namespace blossom::sweep

@@ -7,8 +7,8 @@
 namespace blossom::sweep {
 
 struct CubicOptions {
-  double tolerance = 1e-3;       ///< mm, maximum distance from x(u,v) at equal parameters
-  std::size_t mostSpans = 1024;  ///< maximum number of spans in each direction
+  double tolerance = 1e-3;          ///< mm, maximum distance from x(u,v) at equal parameters
+  std::size_t maximumSpans = 1024;  ///< maximum number of spans in each direction
 };
 
 struct CubicResult {

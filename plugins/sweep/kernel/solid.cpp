@@ -72,9 +72,9 @@ Vec3 centre(const std::vector<Vec4>& poles) {
 
 /// Normal of the plane through all poles within `tolerance`.
 std::optional<Vec3> planeNormal(const std::vector<Vec4>& poles, const Vec3& origin, double tolerance) {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec4& pole : poles) spread += (euclidean(pole) - origin) * (euclidean(pole) - origin).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Vec4& pole : poles) scatter += (euclidean(pole) - origin) * (euclidean(pole) - origin).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const Vec3 normal = solver.eigenvectors().col(0);
   for (const Vec4& pole : poles)
     if (std::abs(normal.dot(euclidean(pole) - origin)) > tolerance) return {};

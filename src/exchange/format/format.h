@@ -37,9 +37,9 @@ struct Format {
 };
 
 /// Whether files of the format can store a shape of the kind; a sequence may be stored as one file per frame.
-bool holds(const Format&, ShapeKind);
+bool canStore(const Format&, ShapeKind);
 /// @throws Error OutputNotSupported naming the kinds that the format can store, when it can store none of `kinds`.
-void refuseUnlessHeld(const Format&, std::span<const ShapeKind> kinds);
+void refuseUnlessStorable(const Format&, std::span<const ShapeKind> kinds);
 
 class FormatRegistry {
  public:

@@ -9,7 +9,7 @@
 namespace blossom {
 
 /// mm, limit of coordinates and radii: no machine is larger, and arcs of such radii are straight up to rounding.
-inline constexpr double farthestInGcode = 1e7;
+inline constexpr double maximumGcodeCoordinate = 1e7;
 
 struct GcodeLine {
   std::string code;                   ///< upper case, without blanks

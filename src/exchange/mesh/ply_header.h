@@ -32,7 +32,7 @@ struct PlyHeader {
 };
 
 /// Size in bytes of one value in a binary file.
-std::size_t sizeOf(PlyType);
+std::size_t byteSize(PlyType);
 
 /// Checks counts against the size of the content. @throws Error FormatDamaged with the line.
 PlyHeader readPlyHeader(std::string_view content);

@@ -14,7 +14,7 @@ namespace {
 using parse::shown;
 using pugi::xml_node;
 
-constexpr std::size_t mostTold = 8;
+constexpr std::size_t maximumReports = 8;
 constexpr std::string_view modelContent = "application/vnd.ms-package.3dmanufacturing-3dmodel+xml";
 constexpr std::string_view relationContent = "application/vnd.openxmlformats-package.relationships+xml";
 
@@ -232,7 +232,7 @@ void checkMetadata(const xml_node& model, Faults& faults) {
 }  // namespace
 
 void Faults::add(std::string what) {
-  if (told_.size() < mostTold)
+  if (told_.size() < maximumReports)
     told_.push_back(std::move(what));
   else
     ++more_;

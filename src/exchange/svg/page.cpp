@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/error.h"
-#include "exchange/format/bezier_pieces.h"
+#include "exchange/format/cubic_pieces.h"
 #include "exchange/format/drawn_box.h"
 #include "exchange/format/format.h"
 #include "exchange/format/mesh_options.h"

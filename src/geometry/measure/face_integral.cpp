@@ -232,7 +232,7 @@ TwoIntegrals alongBoundary(const Element& element, const Breaks& breaks, const s
     return sum;
   };
   // Parameter curves in files are only good to 1e-7 and wiggle on that scale: going on halving would chase their noise.
-  constexpr Adaptivity adaptivity{.nodes = 8, .deepest = 8};
+  constexpr Adaptivity adaptivity{.nodes = 8, .maximumDepth = 8};
   TwoIntegrals sum(0, 0);
   for (const BoundaryCurve& boundaryCurve : curves) {
     const std::vector<double> pieces = smoothBreaks(boundaryCurve.curve);

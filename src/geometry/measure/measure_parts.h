@@ -28,7 +28,7 @@ struct FaceIntegral {
 /// quadrature span by span, all others by OCCT's adaptive quadrature.
 FaceIntegral integrateFace(const TopoDS_Face&, const Vec3& reference, const Progress&);
 
-inline Measure count(std::string name, std::size_t value) {
+inline Measure countMeasure(std::string name, std::size_t value) {
   return {std::move(name), static_cast<std::int64_t>(value), MeasureUnit::None};
 }
 

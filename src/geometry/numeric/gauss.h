@@ -39,14 +39,14 @@ double integrateHalves(const F& f, const GaussRule& rule, double from, double to
 
 struct Adaptivity {
   std::size_t nodes = 16;
-  int deepest = 24;  ///< maximum number of halvings; enough for a cusp, smooth integrands need 1 or 2
+  int maximumDepth = 24;  ///< maximum number of halvings; enough for a cusp, smooth integrands need 1 or 2
 };
 
 /// Adaptive integral of a smooth function; each interval is halved until both halves agree with the whole within `absolute`.
 template <class F>
 double integrate(const F& f, double from, double to, double absolute, const Adaptivity& adaptivity = {}) {
   const GaussRule rule = gaussRule(adaptivity.nodes);
-  return detail::integrateHalves(f, rule, from, to, detail::gaussSum(f, rule, from, to), absolute, adaptivity.deepest);
+  return detail::integrateHalves(f, rule, from, to, detail::gaussSum(f, rule, from, to), absolute, adaptivity.maximumDepth);
 }
 
 }  // namespace blossom

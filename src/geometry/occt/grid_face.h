@@ -11,7 +11,7 @@
 /// Faces that are a whole rectangle of a B-spline surface; a structured grid meshes them far better than a general mesher.
 namespace blossom {
 
-enum class Side { V0, U1, V1, U0 };
+enum class GridSide { V0, U1, V1, U0 };
 
 /// An edge on a side of the rectangle. Its parameter is a linear function of the surface parameter along the side.
 struct SideEdge {
@@ -32,7 +32,7 @@ struct GridFace {
   Vec2 shift = Vec2::Zero();                   ///< from the parameters of `surface` to those of the face
   std::array<std::vector<SideEdge>, 4> sides;  ///< by Side, sorted by their parameter
 
-  [[nodiscard]] const std::vector<SideEdge>& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
+  [[nodiscard]] const std::vector<SideEdge>& side(GridSide s) const { return sides[static_cast<std::size_t>(s)]; }
 };
 
 /// The face as a rectangle whose sides are covered by edges (seams and degenerate edges included); empty for any other face.

@@ -156,7 +156,7 @@ std::optional<Snap> gridNear(const SnapQuery& query) {
 
 }  // namespace
 
-Snap snapped(const SnapScene& scene, const SnapQuery& query) {
+Snap snappedPoint(const SnapScene& scene, const SnapQuery& query) {
   if (const auto start = pointNear(scene, query, true)) return *start;
   if (const auto point = pointNear(scene, query, false)) return *point;
   if (const auto perpendicular = footNear(scene, query)) return *perpendicular;

@@ -60,7 +60,7 @@ struct Snap {
 
 /// The snapped point: the nearest object of the strongest kind within reach (points, feet of perpendiculars, crossings of
 /// guides, guides, curves, grid), else the mouse itself. O(points + curves).
-Snap snapped(const SnapScene&, const SnapQuery&);
+Snap snappedPoint(const SnapScene&, const SnapQuery&);
 
 /// Adds points and curves of drawn shapes: ends, midpoints and centres; of splines only the ends.
 void addToScene(SnapScene&, const Path&);

@@ -6,7 +6,7 @@
 namespace blossom::modeling {
 
 /// The sub-shapes of one type, each once, in the order of their numbers (geometry/occt/sub_shape.h).
-std::vector<TopoDS_Shape> partsOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
+std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
 /// Those that belong to no sub-shape of type `within`, such as wires that bound no face.
 std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape&, TopAbs_ShapeEnum type, TopAbs_ShapeEnum within);
 /// A single shape itself, else a compound.
@@ -15,6 +15,6 @@ TopoDS_Shape together(const std::vector<TopoDS_Shape>&);
 double volumeOf(const TopoDS_Shape&);
 double areaOf(const TopoDS_Shape&);
 /// Diagonal of the bounding box; 0 when the shape is empty.
-double sizeOf(const TopoDS_Shape&);
+double diagonalOf(const TopoDS_Shape&);
 
 }  // namespace blossom::modeling

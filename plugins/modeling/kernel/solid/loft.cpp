@@ -46,7 +46,7 @@ Section sectionOf(const TopoDS_Shape& shape, std::size_t index) {
   if (!profile.wires.empty()) return {profile.wires.front(), {}};
   Section section;
   section.outline = BRepTools::OuterWire(profile.faces.front());
-  for (const TopoDS_Shape& wire : partsOf(profile.faces.front(), TopAbs_WIRE))
+  for (const TopoDS_Shape& wire : subShapesOf(profile.faces.front(), TopAbs_WIRE))
     if (!wire.IsSame(section.outline)) section.holes.push_back(wire);
   return section;
 }

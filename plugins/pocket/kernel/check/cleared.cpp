@@ -15,7 +15,7 @@ struct PlanSquare {
   double half;
 };
 
-constexpr double mostMargin = 0.03;  // mm
+constexpr double maximumMargin = 0.03;  // mm
 
 /// Heights above the tip that represent the shape of a cutter.
 std::vector<double> heightsOf(const Cutter& cutter) {
@@ -30,7 +30,7 @@ std::vector<double> heightsOf(const Cutter& cutter) {
 
 Cleared::Cleared(const Cutter& cutter, double top, const Bounds& stock)
     : cutter_(cutter),
-      margin_(std::min(mostMargin, cutter.diameter / 20)),
+      margin_(std::min(maximumMargin, cutter.diameter / 20)),
       top_(top),
       stock_(stock),
       heights_(heightsOf(cutter)) {}

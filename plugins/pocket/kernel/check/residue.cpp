@@ -14,7 +14,7 @@ namespace blossom::pocket {
 
 namespace {
 
-constexpr std::size_t mostPlaces = 64;
+constexpr std::size_t maximumPlaces = 64;
 
 /// How far from where it begins a round corner has risen to a height.
 double widthOfCorner(double corner, double height) {
@@ -124,7 +124,7 @@ class ResidueSearch {
 
   void mark(Residue& found, const Vec2& p) const {
     const auto near = [&](const Vec2& q) { return (p - q).norm() < radius_; };
-    if (found.places.size() < mostPlaces && std::none_of(found.places.begin(), found.places.end(), near))
+    if (found.places.size() < maximumPlaces && std::none_of(found.places.begin(), found.places.end(), near))
       found.places.push_back(p);
   }
 

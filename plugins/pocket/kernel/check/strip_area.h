@@ -15,7 +15,7 @@ struct RunningSpan {
 
 /// The area inside `whole` and outside all `covers` between two heights.
 struct StripArea {
-  double minimum = 0, most = 0;                  ///< bounds of the area
+  double minimum = 0, maximum = 0;               ///< bounds of the area
   std::vector<std::pair<double, double>> gaps;   ///< approximate intervals at the middle height
   std::vector<std::pair<double, double>> reach;  ///< the same intervals, extended to their maximum within the strip
 };

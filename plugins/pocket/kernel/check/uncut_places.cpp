@@ -94,7 +94,7 @@ class PlaceSearch {
   void addStrip(const UncutStrip& strip) {
     double width = 0;
     for (const auto& [left, right] : strip.area.gaps) width += right - left;
-    const double mean = (strip.area.minimum + strip.area.most) / 2;
+    const double mean = (strip.area.minimum + strip.area.maximum) / 2;
     for (const auto& gap : strip.area.gaps) {
       Gap each{strip.at,
                strip.low,

@@ -76,8 +76,8 @@ class CellStrips {
       open.pop_back();
       steps_ += whole.size() + covers.size();
       StripArea area = stripArea(whole, covers, a, b, fine_.slack);
-      if (area.most - area.minimum <= apart * (b - a) || b - a <= fine_.thinnest || !mayHalve(halvings, whole, covers)) {
-        if (area.most > 0) add(a, b, std::move(area), whole, covers);
+      if (area.maximum - area.minimum <= apart * (b - a) || b - a <= fine_.thinnest || !mayHalve(halvings, whole, covers)) {
+        if (area.maximum > 0) add(a, b, std::move(area), whole, covers);
         continue;
       }
       if (++halved_ % 64 == 0) progress_.check();

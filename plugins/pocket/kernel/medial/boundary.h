@@ -55,8 +55,8 @@ class Boundary {
   [[nodiscard]] Nearest nearest(const Vec2&) const;
   /// Distance to the flattened boundary. O(log n).
   [[nodiscard]] double flatDistance(const Vec2&) const;
-  /// Whether x, whose nearest point is given, lies in the region.
-  [[nodiscard]] bool holds(const Vec2& x, const Nearest&) const;
+  /// Whether x lies in the region, given its nearest boundary point.
+  [[nodiscard]] bool contains(const Vec2& x, const Nearest&) const;
 
  private:
   void take(const Region&, const Progress&);

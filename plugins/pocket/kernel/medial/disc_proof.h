@@ -15,8 +15,9 @@ class DiscProof {
  public:
   /// @param bulge mm, above 0  @throws Error Cancelled.
   DiscProof(const Region&, double bulge, const Progress&);
-  /// True only if no point of the boundary is nearer to the centre than the radius; at most `bulge` is given away.
-  [[nodiscard]] bool holdsNothing(const Vec2& center, double radius) const;
+  /// True only if no boundary point is nearer to the centre than the radius; may be false for distances up to `bulge` above
+  /// the radius.
+  [[nodiscard]] bool isClear(const Vec2& center, double radius) const;
 
  private:
   struct Piece {

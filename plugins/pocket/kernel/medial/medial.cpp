@@ -254,7 +254,7 @@ class AxisMaker {
     for (MedialVertex& vertex : axis_.vertices) {
       progress_.check();
       vertex.certified = std::abs(boundary_.nearest(vertex.at).distance - vertex.clearance) <= tolerance_ / 2 &&
-                         proof.holdsNothing(vertex.at, vertex.clearance - tolerance_ / 2);
+                         proof.isClear(vertex.at, vertex.clearance - tolerance_ / 2);
     }
   }
 

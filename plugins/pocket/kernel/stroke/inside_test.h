@@ -25,11 +25,11 @@ class InsideTest {
     explicit Slope(const Stroke&);
     [[nodiscard]] double low() const { return low_; }
     [[nodiscard]] double high() const { return high_; }
-    [[nodiscard]] double minimum() const { return least_; }
+    [[nodiscard]] double minimum() const { return minimum_; }
     [[nodiscard]] bool spans(double y) const { return low_ <= y && y < high_; }  ///< half open: a vertex counts once
     /// Whether it lies to the right of a point within its range of heights.
     [[nodiscard]] bool isRightOf(const Vec2& p) const;
-    [[nodiscard]] double most() const { return most_; }
+    [[nodiscard]] double maximum() const { return maximum_; }
 
    private:
     [[nodiscard]] double at(double y) const;
@@ -37,7 +37,7 @@ class InsideTest {
     double radius_ = 0;
     bool round_ = false, onRight_ = false;  ///< of its centre
     double low_ = 0, high_ = 0;             ///< in y
-    double least_ = 0, most_ = 0;           ///< bounds of `at`, also with rounding, because every step is monotone
+    double minimum_ = 0, maximum_ = 0;      ///< bounds of `at`, also with rounding, because every step is monotone
   };
   using Index = std::uint32_t;
   struct Row {

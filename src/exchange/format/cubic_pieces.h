@@ -3,17 +3,9 @@
 #include <vector>
 
 #include "core/vector.h"
-#include "geometry/planar/planar.h"
+#include "geometry/planar/planar_bezier.h"
 
 namespace blossom {
-
-/// A Bézier piece of a planar spline with homogeneous poles (wx, wy, w).
-using BezierPiece = std::vector<Vec3>;
-
-/// The pieces of a spline between its knots, in order.
-std::vector<BezierPiece> bezierPieces(const Spline2&);
-
-inline Vec2 toPlane(const Vec3& pole) { return pole.head<2>() / pole.z(); }
 
 /// Whether all weights are equal.
 bool isPolynomial(const BezierPiece&);

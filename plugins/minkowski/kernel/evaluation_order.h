@@ -7,7 +7,7 @@
 namespace blossom::minkowski {
 
 /// Order of computation of an in-between shape; the result is the same up to rounding.
-enum class Evaluation {
+enum class EvaluationOrder {
   Automatic,  ///< the one below with the fewest sums
   Recursive,  ///< C_i^r = (1-t) C_i^(r-1) + t C_(i+1)^(r-1), recursively: 2^n - 1 sums
   BottomUp,   ///< the same, every intermediate shape once: n (n+1) / 2 sums
@@ -23,9 +23,9 @@ std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t);
 
 /// Number of Minkowski sums that an evaluation needs for the in-betweens of control shapes; convex[i] says whether shape i
 /// is convex.
-std::size_t sumsNeeded(Evaluation way, std::span<const Arguments> arguments, const std::vector<bool>& convex);
+std::size_t sumsNeeded(EvaluationOrder way, std::span<const Arguments> arguments, const std::vector<bool>& convex);
 
 /// The evaluation with the fewest sums; Explicit when several have equally few.
-Evaluation wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex);
+EvaluationOrder wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex);
 
 }  // namespace blossom::minkowski

@@ -7,7 +7,7 @@
 namespace blossom::subdivision {
 
 /// The polyline through points as a curve of degree 1. @pre at least two points, neighbours differ.
-Curve polyline(std::span<const Vec3> points);
+Curve polylineThrough(std::span<const Vec3> points);
 
 /// Natural cubic spline through points with chord-length parameters (de Boor, A Practical Guide to Splines, ch. IV), C2.
 /// O(n). @pre as above.

@@ -36,7 +36,7 @@ struct MorphParameters {
   double t = 0.5;
   int frames = 0;
   std::vector<double> blossom;
-  Evaluation evaluation = Evaluation::Automatic;
+  EvaluationOrder evaluation = EvaluationOrder::Automatic;
   bool degreeElevate = false;
   bool areaPreserving = false;
   std::vector<Vec3> offsets;
@@ -68,7 +68,7 @@ void refuseTogether(const MorphParameters& p) {
 
 double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static_cast<double>(frame) / (frames - 1); }
 
-Evaluated morphed(const MorphParameters& p, std::size_t mostWork, const Inputs& inputs, const Progress& progress) {
+Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
   moveShapes(shapes, p.offsets);
@@ -85,7 +85,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t mostWork, const Inputs& 
                               .degreeElevate = p.degreeElevate,
                               .areaPreserving = p.areaPreserving,
                               .tolerance = toleranceOf(p.tolerance),
-                              .mostWork = mostWork},
+                              .maximumWork = maximumWork},
                              progress);
   Evaluated out;
   out.stats["sums"] = result.sums;
@@ -100,7 +100,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t mostWork, const Inputs& 
   return out;
 }
 
-FeatureType morphFeature(std::size_t mostWork) {
+FeatureType morphFeature(std::size_t maximumWork) {
   using P = MorphParameters;
   return feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.")
       .command("morph")
@@ -110,28 +110,28 @@ FeatureType morphFeature(std::size_t mostWork) {
               .help = "Control shapes, first to last.",
               .kinds = {ShapeKind::Region},
               .minimum = 2,
-              .most = anyNumber})
-      .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first shape) to 1 (the last).")
-      .parameter("frames", &P::frames, count(0, 10000), "How many shapes of a sequence from 0 to 1; 0 makes the one at t.")
+              .maximum = anyNumber})
+      .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
+      .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("blossom", &P::blossom, list(ratio()),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
       .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
-                 "How the in-betweens are computed; the shape is the same. Automatic takes the way of the fewest sums; "
-                 "convex needs convex control shapes between the ends.")
+                 "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
+                 "convex requires convex control shapes between the ends.")
       .parameter("degree-elevate", &P::degreeElevate, flag(),
-                 "Use one control shape more; the morph stays the same when all shapes are convex.")
+                 "Elevate the degree by one; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.")
       .parameter("offsets", &P::offsets, list(vector()),
-                 "How far each control shape is moved from where it was drawn, first to last; those left out stay.")
+                 "Displacement of each control shape from its drawn position, first to last; others stay.")
       .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
       .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
       .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
-      .evaluate([mostWork](const P& p, const Inputs& inputs, const Progress& progress) {
-        return morphed(p, mostWork, inputs, progress);
+      .evaluate([maximumWork](const P& p, const Inputs& inputs, const Progress& progress) {
+        return morphed(p, maximumWork, inputs, progress);
       });
 }
 
@@ -150,33 +150,34 @@ FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std:
   using P = SumParameters;
   auto builder = feature<P>(std::move(id), std::move(title), std::move(summary));
   builder
-      .input({.name = "shape", .help = std::move(inputHelp), .kinds = {ShapeKind::Region}, .minimum = 2, .most = anyNumber})
+      .input(
+          {.name = "shape", .help = std::move(inputHelp), .kinds = {ShapeKind::Region}, .minimum = 2, .maximum = anyNumber})
       .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.");
   return builder;
 }
 
-FeatureType sumFeature(std::size_t mostWork) {
+FeatureType sumFeature(std::size_t maximumWork) {
   return sumBuilder("minkowski.minkowski-sum", "Minkowski sum",
-                    "Everything that one shape covers while its origin runs over the other.", "The shapes that are added.")
+                    "The area that one shape covers while its origin moves over the other.", "The shapes that are added.")
       .icon("minkowski-sum")
       .produces({ShapeKind::Region})
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
       .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
-      .evaluate([mostWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), mostWork}, progress));
+      .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        return evaluated(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
       });
 }
 
-FeatureType differenceFeature(std::size_t mostWork) {
+FeatureType differenceFeature(std::size_t maximumWork) {
   return sumBuilder("minkowski.minkowski-difference", "Minkowski difference",
-                    "All places of the origin for which the second shape stays inside the first.",
-                    "A shape, then what is to have room in it.")
+                    "All positions of the second shape's origin for which it stays inside the first.",
+                    "A shape, then the shape that has to fit inside.")
       .icon("minkowski-difference")
       .produces({ShapeKind::Region})
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
       .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
-      .evaluate([mostWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), mostWork}, progress));
+      .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        return evaluated(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
       });
 }
 

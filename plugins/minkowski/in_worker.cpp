@@ -8,7 +8,7 @@ namespace blossom::minkowski {
 
 namespace {
 
-/// Its address tells which module this is.
+/// Its address identifies this module.
 const char anchor = 0;
 
 constexpr std::size_t workOfHalfASecond = 40'000;

@@ -6,11 +6,11 @@
 
 namespace blossom::minkowski {
 
-/// A feature type whose sums may take `mostWork` edges and crossings of arrangements.
-using FeatureMaker = std::function<FeatureType(std::size_t mostWork)>;
+/// Makes a feature type whose sums are limited to `maximumWork` edges and crossings of arrangements.
+using FeatureMaker = std::function<FeatureType(std::size_t maximumWork)>;
 
-/// Sums of up to about half a second are computed in this process, so that dragging starts none; those foreseen to take
-/// more, and those that turn out to, in the worker, which has its own memory and ends at once when it is cancelled.
+/// Computes sums of up to about half a second in this process, so that dragging starts no process; longer ones, whether
+/// estimated beforehand or detected, in the worker, which has its own memory and ends at once when cancelled.
 FeatureType inWorkerWhenLong(const FeatureMaker&);
 
 }  // namespace blossom::minkowski

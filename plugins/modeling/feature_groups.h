@@ -4,7 +4,7 @@
 
 namespace blossom::modeling {
 
-/// Each registers the feature types of one group.
+/// Register the feature types of one group each.
 void registerOutlines(Registry&);
 void registerPrimitives(Registry&);       ///< box, cylinder, cone, sphere, torus
 void registerProfileFeatures(Registry&);  ///< extrude, revolve, loft, pipe

@@ -14,7 +14,7 @@ using Map = Eigen::Affine3d;
 
 InputSpec anyInput() {
   return {.name = "shape",
-          .help = "What is arranged.",
+          .help = "The shape to arrange.",
           .kinds = {ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Surface,
                     ShapeKind::Mesh, ShapeKind::Sequence}};
 }
@@ -45,11 +45,11 @@ FeatureType transformFeature() {
   return feature<P>("modeling.transform", "Transform", "A shape moved, turned and scaled.")
       .icon("transform")
       .input(anyInput())
-      .parameter("move", &P::move, vector(), "How far it is moved, after turning and scaling.")
-      .parameter("angle", &P::angle, angle(), "How far it is turned about the axis.")
+      .parameter("move", &P::move, vector(), "Translation, after rotation and scaling.")
+      .parameter("angle", &P::angle, angle(), "Rotation about the axis.")
       .parameter("axis", &P::axis, vector(), "Direction of the axis.")
-      .parameter("centre", &P::centre, point(), "The point that stays when it is turned and scaled.")
-      .parameter("scale", &P::scale, number(1e-6, 1e6), "How many times as large it becomes.")
+      .parameter("centre", &P::centre, point(), "The fixed point of rotation and scaling.")
+      .parameter("scale", &P::scale, number(1e-6, 1e6), "Scale factor.")
       .parameter("stretch", &P::stretch, vector(), "Factors along x, y and z on top of the scale, before it is turned.")
       .example("blossom transform part.step --move 0,0,25 -o lifted.step")
       .example("blossom transform part.stl --angle 90 --axis 1,0,0 --scale 25.4 -o upright.stl")
@@ -134,13 +134,13 @@ FeatureType patternFeature() {
           .icon("pattern")
           .input(anyInput())
           .parameter("kind", &P::kind, choice({"linear", "circular"}), "Whether the copies stand in rows or round an axis.")
-          .parameter("count", &P::count, count(1, 1000), "How many there are, the original among them.")
-          .parameter("step", &P::step, vector(), "From one to the next in a row.")
-          .parameter("second-count", &P::secondCount, count(1, 1000), "How many rows there are.")
-          .parameter("second-step", &P::secondStep, vector(), "From one row to the next.")
+          .parameter("count", &P::count, count(1, 1000), "Number of copies in a row, including the original.")
+          .parameter("step", &P::step, vector(), "Distance from one copy to the next in a row.")
+          .parameter("second-count", &P::secondCount, count(1, 1000), "Number of rows.")
+          .parameter("second-step", &P::secondStep, vector(), "Distance from one row to the next.")
           .parameter("axis", &P::axis, vector(), "Direction of the axis of a circular pattern.")
           .parameter("centre", &P::centre, point(), "A point that this axis passes through.")
-          .parameter("angle", &P::angle, turn(), "The angle that the copies share.")
+          .parameter("angle", &P::angle, turn(), "The angle that the copies divide.")
           .parameter("join", &P::join, flag(), "Unite the copies to one body; off: an assembly of copies.")
           .example("blossom pattern hole.step --count 4 --step 25,0,0 --second-count 2 --second-step 0,40,0 -o holes.step")
           .example("blossom pattern tooth.step --kind circular --count 12 --join -o gear.step")
@@ -166,8 +166,8 @@ FeatureType mirrorFeature() {
   return inWorker(feature<P>("modeling.mirror", "Mirror", "A shape and its mirror image in a plane.")
                       .icon("mirror")
                       .input(anyInput())
-                      .parameter("normal", &P::normal, vector(), "The direction square to the mirror.")
-                      .parameter("point", &P::point, point(), "A point in the plane of the mirror.")
+                      .parameter("normal", &P::normal, vector(), "Normal of the mirror plane.")
+                      .parameter("point", &P::point, point(), "A point in the mirror plane.")
                       .parameter("keep", &P::keep, flag(), "Keep the original beside its image.")
                       .parameter("join", &P::join, flag(), "Unite both to one body.")
                       .example("blossom mirror half.step --join -o whole.step")

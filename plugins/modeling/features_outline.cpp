@@ -63,7 +63,7 @@ FeatureType polygonFeature() {
       .icon("polygon")
       .produces({ShapeKind::Region})
       .parameter("sides", &P::sides, count(3, 10000), "Number of sides.")
-      .parameter("radius", &P::radius, positiveLength(), "Of the circle that it is drawn in or around.")
+      .parameter("radius", &P::radius, positiveLength(), "Radius of the circle around it or inside it.")
       .parameter("size", &P::size, choice({"inscribed", "circumscribed"}),
                  "Whether the corners lie on the circle (inscribed) or the sides touch it (circumscribed).")
       .parameter("centre", &P::center, point(), "The centre, in the plane z = 0.")
@@ -115,7 +115,7 @@ FeatureType rectangleFeature() {
       .parameter("height", &P::height, positiveLength(), "Along y when it is not turned.")
       .parameter("corner", &P::corner, corner, "Radius of the corners; at most half of the shorter side.")
       .parameter("centre", &P::center, point(), "The centre, in the plane z = 0.")
-      .parameter("rotation", &P::rotation, angle(), "By how much it is turned about its centre.")
+      .parameter("rotation", &P::rotation, angle(), "Rotation about its centre.")
       .example("blossom rectangle --width 60 --height 40 --corner 5 -o plate.dxf")
       .evaluate([](const P& p, const Inputs&, const Progress&) {
         return made(rectangle(p.width, p.height, p.corner, inPlane(p.center), toRadians(p.rotation)));

@@ -4,7 +4,7 @@
 
 namespace blossom::modeling {
 
-/// A point parameter of an outline. @throws Error InvalidParameter when it leaves the plane z = 0.
+/// A point parameter of an outline. @throws Error InvalidParameter when it is not in the plane z = 0.
 Vec2 inPlane(const Vec3&);
 
 FeatureType textFeature();

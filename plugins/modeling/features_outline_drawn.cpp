@@ -65,9 +65,9 @@ FeatureType drawnFeature() {
       .icon("outline")
       .produces({ShapeKind::Region, ShapeKind::Curves})
       .parameter("start", &P::start, point(), "Where the outline begins, in the plane z = 0.")
-      .parameter("segments", &P::segments, list(segmentRecord()), "What follows, one after the other.")
+      .parameter("segments", &P::segments, list(segmentRecord()), "The segments, one after the other.")
       .parameter("closed", &P::closed, flag(),
-                 "Whether it encloses an area. If its last segment does not come back to the start, a line does.")
+                 "Whether it encloses an area. If its last segment does not return to the start, a line closes it.")
       .example(
           "blossom outline --segments '[{\"to\": [40, 0]}, {\"kind\": \"arc\", \"through\": [[50, 10]], \"to\": [40, 20]}, "
           "{\"to\": [0, 20]}]' -o outline.dxf")

@@ -7,7 +7,7 @@ namespace blossom::modeling {
 
 inline constexpr const char* defaultFont = "DejaVu Sans";
 
-/// The face of an installed font. @throws Error NotFound naming similar installed fonts, or the styles that there are.
+/// The face of an installed font. @throws Error NotFound naming similar installed fonts, or the available styles.
 FontFace fontFace(const std::string& family, FontStyle);
 
 }  // namespace blossom::modeling

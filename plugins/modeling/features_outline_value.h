@@ -12,7 +12,7 @@ inline const char* drawnKindName(DrawnKind kind) {
 inline Value pointValue(const Vec2& p) { return Value::array({p.x(), p.y(), 0.0}); }
 inline Vec2 pointOf(const Value& value) { return {value.at(0).get<double>(), value.at(1).get<double>()}; }
 
-/// A record as parameter "segments" holds it.
+/// A segment from a record of the parameter "segments".
 inline DrawnSegment drawnSegmentOf(const Value& record) {
   DrawnSegment segment;
   const std::string kind = record.value("kind", "line");
@@ -33,7 +33,7 @@ inline Value valueOf(const DrawnSegment& segment) {
           {"tangent", segment.tangent}};
 }
 
-/// From all parameters of the feature, canonical; absent ones are at their defaults.
+/// An outline from the canonical parameters of the feature; absent ones have their defaults.
 inline DrawnOutline drawnOutlineOf(const Value& parameters) {
   DrawnOutline outline;
   if (const auto start = parameters.find("start"); start != parameters.end()) outline.start = pointOf(*start);

@@ -33,16 +33,16 @@ struct TorusParameters : Placed {
 ParameterSpec partOfATurn() {
   ParameterSpec spec = angle();
   spec.minimum = 0;
-  spec.aboveLeast = true;
+  spec.aboveMinimum = true;
   spec.maximum = 360;
   return spec;
 }
 
 template <class P>
 FeatureType primitive(FeatureBuilder<P>& builder, TopoDS_Shape (*make)(const P&), const char* title) {
-  return builder.parameter("position", static_cast<Vec3 P::*>(&P::position), point(), "Where it stands.")
-      .parameter("axis", static_cast<Vec3 P::*>(&P::axis), vector(), "The direction that is up for it.")
-      .parameter("turn", static_cast<double P::*>(&P::turn), angle(), "How far it is turned about its axis.")
+  return builder.parameter("position", static_cast<Vec3 P::*>(&P::position), point(), "Its position.")
+      .parameter("axis", static_cast<Vec3 P::*>(&P::axis), vector(), "Direction of its z axis.")
+      .parameter("turn", static_cast<double P::*>(&P::turn), angle(), "Rotation about its axis.")
       .produces({ShapeKind::Brep})
       .evaluate([make, title](const P& p, const Inputs&, const Progress&) {
         return Evaluated{Brep(make(p), title), Value::object(), {}};
@@ -57,7 +57,7 @@ FeatureType box() {
       .parameter("depth", &P::depth, positiveLength(), "Length along its y axis.")
       .parameter("height", &P::height, positiveLength(), "Length along its axis.")
       .parameter("anchor", &P::anchor, choice({"corner", "base", "centre"}),
-                 "What stands at the position: a corner, the middle of the base or the middle of the box.")
+                 "The point at the position: a corner, the middle of the base or the middle of the box.")
       .example("blossom box --width 60 --depth 40 --height 10 -o plate.step")
       .example("blossom box --anchor centre --position 0,0,5 -o block.stl");
   return primitive<P>(

@@ -43,10 +43,10 @@ FeatureType extrudeFeature() {
           .icon("extrude")
           .produces({ShapeKind::Brep})
           .input(profileInput())
-          .parameter("height", &P::height, length(), "How far it goes; below 0: the other way.")
-          .parameter("back", &P::back, lengthFromZero(), "How far it goes the other way as well.")
-          .parameter("taper", &P::taper, taperAngle(), "By how much the sides lean inwards; below 0: outwards.")
-          .parameter("direction", &P::direction, vector(), "Where it goes; 0,0,0: square to the outline.")
+          .parameter("height", &P::height, length(), "Height along the direction; below 0: in the opposite direction.")
+          .parameter("back", &P::back, lengthFromZero(), "Additional height in the opposite direction.")
+          .parameter("taper", &P::taper, taperAngle(), "Inward inclination of the sides; below 0: outward.")
+          .parameter("direction", &P::direction, vector(), "Direction; 0,0,0: perpendicular to the outline.")
           .parameter("solid", &P::solid, flag(), solidHelp)
           .parameter("face", &P::face, optional(subShape("face")), faceHelp)
           .example("blossom extrude outline.svg --height 12 -o part.step")
@@ -60,7 +60,7 @@ FeatureType extrudeFeature() {
             out.shape = Brep(extrude(profileShape(drawn, p.face, p.solid), options, progress).shape, "Extrusion");
             return out;
           }),
-      // Leaning sides are what may take long; a region without them is swept at once.
+      // Only tapered sides may take long; a region without a taper is extruded in this process.
       "for the extrusion", [](const Value& parameters, const Inputs&) { return parameters.value("taper", 0.0) != 0; });
 }
 
@@ -86,7 +86,7 @@ FeatureType revolveFeature() {
                       .input(profileInput())
                       .parameter("axis", &P::axis, vector(), "Direction of the axis; it lies beside the outline.")
                       .parameter("point", &P::point, point(), "A point that the axis passes through.")
-                      .parameter("angle", &P::angle, turn(), "How far it turns; below 0: the other way.")
+                      .parameter("angle", &P::angle, turn(), "Angle of revolution; below 0: clockwise.")
                       .parameter("solid", &P::solid, flag(), solidHelp)
                       .parameter("face", &P::face, optional(subShape("face")), faceHelp)
                       .example("blossom revolve profile.svg -o vase.step")
@@ -140,7 +140,7 @@ FeatureType loftFeature() {
                   .help = "Outlines in their order.",
                   .kinds = profileKinds,
                   .minimum = 2,
-                  .most = anyNumber})
+                  .maximum = anyNumber})
           .parameter("ruled", &P::ruled, flag(), "Straight from one section to the next instead of smooth through all.")
           .parameter("solid", &P::solid, flag(), "Close both ends; off: an open sheet.")
           .parameter("spacing", &P::spacing, positiveLength(), "Distance of sections that are all drawn in one plane.")
@@ -161,28 +161,27 @@ struct PipeParameters {
 
 FeatureType pipeFeature() {
   using P = PipeParameters;
-  return inWorker(
-      feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
-          .icon("pipe")
-          .produces({ShapeKind::Brep})
-          .input({.name = "profile", .help = "The outline that is moved.", .kinds = profileKinds})
-          .input({.name = "path",
-                  .help = "The curve that it is moved along.",
-                  .kinds = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::Brep}})
-          .parameter("corners", &P::corners, choice({"mitred", "round"}), "What becomes of corners in the path.")
-          .parameter(
-              "place", &P::place, flag(),
-              "Put the origin of the drawing on the start of the path, square to it; off: sweep it from where it lies.")
-          .parameter("solid", &P::solid, flag(), solidHelp)
-          .example("blossom pipe section.svg path.svg -o rail.step")
-          .example("blossom pipe ring.dxf path.dxf --corners round -o tube.step")
-          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-            const Shape& profile = inputs.of(0)[0];
-            PipeResult made = pipe(profileShape(profile, {}, p.solid), profileShape(inputs.of(1)[0], {}, false),
-                                   {.corners = p.corners, .place = p.place}, progress);
-            return Evaluated{Brep(made.shape, "Pipe"), Value::object(), std::move(made.warnings)};
-          }),
-      "for the pipe");
+  return inWorker(feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
+                      .icon("pipe")
+                      .produces({ShapeKind::Brep})
+                      .input({.name = "profile", .help = "The outline to sweep.", .kinds = profileKinds})
+                      .input({.name = "path",
+                              .help = "The curve to sweep it along.",
+                              .kinds = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::Brep}})
+                      .parameter("corners", &P::corners, choice({"mitred", "round"}), "What becomes of corners in the path.")
+                      .parameter("place", &P::place, flag(),
+                                 "Place the drawing perpendicular to the path at its start, origin on the path; off: sweep "
+                                 "it from its own position.")
+                      .parameter("solid", &P::solid, flag(), solidHelp)
+                      .example("blossom pipe section.svg path.svg -o rail.step")
+                      .example("blossom pipe ring.dxf path.dxf --corners round -o tube.step")
+                      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+                        const Shape& profile = inputs.of(0)[0];
+                        PipeResult made = pipe(profileShape(profile, {}, p.solid), profileShape(inputs.of(1)[0], {}, false),
+                                               {.corners = p.corners, .place = p.place}, progress);
+                        return Evaluated{Brep(made.shape, "Pipe"), Value::object(), std::move(made.warnings)};
+                      }),
+                  "for the pipe");
 }
 
 }  // namespace

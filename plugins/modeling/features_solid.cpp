@@ -53,13 +53,13 @@ FeatureType booleanFeature() {
           .icon("boolean")
           .produces({ShapeKind::Brep, ShapeKind::Region})
           .input({.name = "shapes",
-                  .help = "Solids, or regions. Of a difference, the first keeps what the others leave of it.",
+                  .help = "Solids, or regions. A difference is the first without the others.",
                   .kinds = {ShapeKind::Brep, ShapeKind::Region},
                   .minimum = 2,
-                  .most = anyNumber})
-          .parameter("operation", &P::operation, choice({"union", "difference", "intersection"}), "What is made of them.")
-          .parameter("fuzzy", &P::fuzzy, smallLength(), "Faces this close count as touching; 0: only those that really do.")
-          .parameter("simplify", &P::simplify, flag(), "Join faces that lie in one surface and edges that lie in one curve.")
+                  .maximum = anyNumber})
+          .parameter("operation", &P::operation, choice({"union", "difference", "intersection"}), "The Boolean operation.")
+          .parameter("fuzzy", &P::fuzzy, smallLength(), "Faces this close count as touching; 0: only faces that do touch.")
+          .parameter("simplify", &P::simplify, flag(), "Join faces on the same surface and edges on the same curve.")
           .example("blossom boolean plate.step pin.step --operation difference -o drilled.step")
           .example("blossom boolean a.step b.step c.step -o all.step")
           .evaluate(booleanOf),
@@ -106,7 +106,7 @@ FeatureType chamferFeature() {
           .produces({ShapeKind::Brep})
           .input(solidInput())
           .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to cut off.")
-          .parameter("distance", &P::distance, positiveLength(), "Width of the strip on the faces beside the edge.")
+          .parameter("distance", &P::distance, positiveLength(), "Width of the chamfer on both faces.")
           .parameter("second", &P::second, second, "Width on the second of the two faces; 0: as on the first.")
           .example("blossom chamfer block.step --distance 1 -o part.step")
           .example("blossom chamfer block.step --edges shape:edge:2 --distance 2 --second 5 -o part.step")

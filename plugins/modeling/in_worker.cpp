@@ -6,7 +6,7 @@ namespace blossom::modeling {
 
 namespace {
 
-/// Its address tells which module this is.
+/// Its address identifies this module.
 const char anchor = 0;
 
 }  // namespace

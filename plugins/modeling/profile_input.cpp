@@ -99,13 +99,13 @@ TopoDS_Shape withFilledWires(const TopoDS_Shape& shape) {
 }
 
 TopoDS_Shape wiresOf(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Shape> parts = partsOf(shape, TopAbs_WIRE);
+  std::vector<TopoDS_Shape> parts = subShapesOf(shape, TopAbs_WIRE);
   for (const TopoDS_Shape& edge : looseParts(shape, TopAbs_EDGE, TopAbs_WIRE)) parts.push_back(edge);
   return together(parts);
 }
 
 TopoDS_Shape ofBrep(const Brep& brep, const SubShapeValue& face, bool fill) {
-  if (face.index < 0 && !partsOf(brep.shape(), TopAbs_SOLID).empty())
+  if (face.index < 0 && !subShapesOf(brep.shape(), TopAbs_SOLID).empty())
     throw Error(ErrorCode::InvalidInput, "The input is a solid; which of its faces is meant?",
                 "Choose one of its flat faces.");
   const TopoDS_Shape shape = face.index < 0 ? brep.shape() : faceOf(brep, face.index);

@@ -56,7 +56,7 @@ bool addTo(std::vector<FlatOutlines>& all, const TopoDS_Wire& wire) {
 
 WireOutlines wireOutlines(const TopoDS_Shape& shape) {
   WireOutlines found;
-  std::vector<TopoDS_Shape> others = partsOf(shape, TopAbs_FACE);
+  std::vector<TopoDS_Shape> others = subShapesOf(shape, TopAbs_FACE);
   for (const TopoDS_Wire& wire : looseWires(shape))
     if (!addTo(found.outlines, wire)) others.push_back(wire);
   if (!others.empty()) found.others = together(others);

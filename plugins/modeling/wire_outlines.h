@@ -7,10 +7,10 @@
 
 namespace blossom::modeling {
 
-/// Closed outlines that lie in one plane of space.
+/// Closed outlines in one plane of space.
 struct FlatOutlines {
   Curves drawing;  ///< in the plane's own coordinates
-  gp_Trsf place;   ///< from there into space; only shifted upwards when the plane is level
+  gp_Trsf place;   ///< from there to space; a translation along z when the plane is horizontal
 };
 
 struct WireOutlines {
@@ -18,7 +18,7 @@ struct WireOutlines {
   TopoDS_Shape others;  ///< faces, and wires that are open or not flat; null when there are none
 };
 
-/// What a file gives as edges and wires, told apart: those that close in a plane are drawings of closed outlines.
+/// Separates the edges and wires of a file: those that close in a plane are drawings of closed outlines.
 WireOutlines wireOutlines(const TopoDS_Shape&);
 
 }  // namespace blossom::modeling

@@ -7,7 +7,7 @@ namespace blossom::morphology {
 
 namespace {
 
-/// Its address tells which module this is.
+/// Its address identifies this module.
 const char anchor = 0;
 
 Value statsOf(const MorphologyStats& stats) {

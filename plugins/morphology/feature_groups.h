@@ -13,13 +13,14 @@ void registerGrowth(Registry&);
 
 /// Evaluated in a worker that loads this plugin.
 FeatureType inWorker(FeatureType, std::string activity);
-/// The same type made both ways: as `make` makes it for the first, and beside it for the second when that takes long.
+/// The same type made twice by `make`: for the first algorithm, and for the second, which is started beside it when it takes
+/// long.
 FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity);
 
-/// The solids as one mesh, or as a sequence over `times` when there are any.
+/// The solids as one mesh, or as a sequence when `times` is not empty.
 Evaluated evaluatedFrom(MorphologyResult, const std::vector<double>& times = {});
 
-/// For every feature that takes solids: how far a curved one may lie from its polyhedron.
+/// Help text of the deviation parameter of every feature with solids as inputs.
 inline constexpr const char* deviationHelp =
     "Largest distance between a curved solid or curve and the polyhedron made of it.";
 

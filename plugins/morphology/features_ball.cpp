@@ -23,10 +23,10 @@ FeatureType ballFeature() {
       .icon("ball")
       .produces({ShapeKind::Mesh})
       .parameter("radius", &P::radius, positiveLength(), "Radius of the ball.")
-      .parameter("subdivisions", &P::subdivisions, count(0, mostSubdivisions),
-                 "How fine it is: 20 faces, with each subdivision four times as many.")
+      .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
+                 "Fineness: 20 faces, with each subdivision four times as many.")
       .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),
-                 "Whether the polyhedron lies within the ball or around it.")
+                 "Whether the polyhedron lies inside the ball or around it.")
       .example("blossom ball --radius 5 --subdivisions 3 -o ball.stl")
       .example("blossom ball --radius 2 --fit circumscribed -o ball.off --json")
       .evaluate([](const P& p, const Inputs&, const Progress&) {
@@ -71,8 +71,8 @@ LiteralForm ballLiteral() {
     BallOptions options{.radius = measureOf(declared, parts[0])};
     if (parts.size() == 2) {
       const double subdivisions = measureOf(declared, parts[1]);
-      if (subdivisions != std::floor(subdivisions) || subdivisions < 0 || subdivisions > mostSubdivisions)
-        refuse(declared, fmt::format("{} is no whole number from 0 to {}", formatNumber(subdivisions), mostSubdivisions));
+      if (subdivisions != std::floor(subdivisions) || subdivisions < 0 || subdivisions > maximumSubdivisions)
+        refuse(declared, fmt::format("{} is no whole number from 0 to {}", formatNumber(subdivisions), maximumSubdivisions));
       options.subdivisions = static_cast<int>(subdivisions);
     }
     return ball(options).mesh;

@@ -44,11 +44,11 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
       .input({.name = "solid", .help = "The solid that is changed.", .kinds = {ShapeKind::Mesh, ShapeKind::Brep}})
       .parameter("radius", &P::radius, positiveLength(), texts.radius)
       .parameter("frames", &P::frames, count(0, 1000),
-                 "How many solids of a sequence from radius 0 to the radius given; 0 makes that one alone.")
-      .parameter("subdivisions", &P::subdivisions, count(0, mostSubdivisions),
-                 "How fine the ball is: 20 faces, with each subdivision four times as many.")
+                 "Number of solids of a sequence from radius 0 to the radius; 0 makes only the last one.")
+      .parameter("subdivisions", &P::subdivisions, count(0, maximumSubdivisions),
+                 "Fineness of the ball: 20 faces, with each subdivision four times as many.")
       .parameter("fit", &P::fit, choice({"inscribed", "circumscribed"}),
-                 "Whether the polyhedron for the ball lies within it or around it.")
+                 "Whether the ball's polyhedron lies inside it or around it.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);
   for (const char* example : texts.examples) made.example(example);
   return made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {
@@ -60,7 +60,7 @@ FeatureType inflateFeature(Way way) {
   return growth({"morphology.inflate",
                  "Inflate",
                  "A solid grown by a ball: every point within the radius of it.",
-                 "How far it grows.",
+                 "Distance by which it grows.",
                  "inflate",
                  {"blossom inflate part.stl --radius 2 -o grown.stl",
                   "blossom inflate bracket.step --radius 1 --subdivisions 2 --fit circumscribed -o grown.off --json"}},
@@ -74,7 +74,7 @@ FeatureType meltFeature() {
       {"morphology.melt",
        "Melt",
        "A solid melted by a ball: every point farther than the radius from its outside.",
-       "How deep it melts.",
+       "Depth by which it melts.",
        "melt",
        {"blossom melt part.stl --radius 2 -o core.stl", "blossom melt ice.step --radius 8 --frames 9 -o frame.obj"}},
       [](const Operand& a, const GrowOptions& options, const Progress& progress) { return melted(a, options, progress); });

@@ -42,17 +42,17 @@ FeatureType morphFeature(Way way) {
   using P = MorphParameters;
   const std::vector<ShapeKind> kinds{ShapeKind::Mesh, ShapeKind::Brep};
   return feature<P>("morphology.solid-morph", "Solid morph",
-                    "The in-between solids of two solids, whatever their number of holes and corners.")
+                    "The in-between solids of two solids with any numbers of holes and corners.")
       .icon("solid-morph")
       .produces({ShapeKind::Mesh})
       .input({.name = "from", .help = "The solid at t = 0.", .kinds = kinds})
       .input({.name = "to", .help = "The solid at t = 1.", .kinds = kinds})
-      .parameter("t", &P::t, ratio(), "Where along the morph, from 0 (the first solid) to 1 (the second).")
-      .parameter("frames", &P::frames, count(0, 1000), "How many solids of a sequence from 0 to 1; 0 makes the one at t.")
+      .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first solid) to 1 (the second).")
+      .parameter("frames", &P::frames, count(0, 1000), "Number of solids of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("control", &P::control, choice({"linear", "ease", "ease-in", "ease-out", "curve"}),
-                 "How the share of the second solid grows with t.")
+                 "Growth of the share of the second solid with t.")
       .parameter("curve", &P::curve, unitCurve(),
-                 "The share of the second solid at times t, when control is curve; straight between them.")
+                 "The share of the second solid at times t, when control is curve; linear between them.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
       .example("blossom solid-morph cube.off star.off --t 0.3 -o between.stl")
       .example("blossom solid-morph a.step b.step --frames 9 --control ease -o frame.obj")

@@ -26,12 +26,12 @@ Evaluated combined(const PairOperation& operation, bool solidFirst, const SumPar
 FeatureType sumFeature(Way way) {
   using P = SumParameters;
   return feature<P>("morphology.solid-sum", "Solid sum",
-                    "Everything that one solid covers while its origin runs over the other.")
+                    "The space that one solid covers while its origin moves over the other.")
       .icon("solid-sum")
       .produces({ShapeKind::Mesh})
-      .input({.name = "solid", .help = "What is added to.", .kinds = elementKinds})
+      .input({.name = "solid", .help = "The shape to add to.", .kinds = elementKinds})
       .input({.name = "element",
-              .help = "What is added: a solid, a ball, a segment, a flat polygon or points.",
+              .help = "The shape to add: a solid, a ball, a segment, a flat polygon or points.",
               .kinds = elementKinds})
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
       .example("blossom solid-sum part.stl ball:2 -o grown.stl")
@@ -68,8 +68,8 @@ FeatureType melting(const PairTexts& texts, const PairOperation& operation) {
 FeatureType differenceFeature() {
   return melting({"morphology.solid-difference",
                   "Solid difference",
-                  "All places of the origin for which the second shape stays inside the first.",
-                  "What is to have room in it.",
+                  "All positions of the second shape's origin for which it stays inside the first.",
+                  "The shape that has to fit inside.",
                   "solid-difference",
                   "for the difference",
                   {"blossom solid-difference housing.stl ball:3 -o room.stl",
@@ -80,8 +80,8 @@ FeatureType differenceFeature() {
 FeatureType openFeature() {
   return melting({"morphology.solid-open",
                   "Opening",
-                  "What of a solid is reached by a shape that stays inside: thin walls and outer edges go.",
-                  "The shape that runs about inside the solid.",
+                  "The part of a solid that a shape covers while it stays inside: thin walls and outer edges disappear.",
+                  "The shape that moves inside the solid.",
                   "solid-open",
                   "for the opening",
                   {"blossom solid-open part.stl ball:1 -o rounded.stl"}},
@@ -91,8 +91,8 @@ FeatureType openFeature() {
 FeatureType closeFeature() {
   return melting({"morphology.solid-close",
                   "Closing",
-                  "A solid with the places filled that a shape cannot enter from outside: narrow slots and inner edges.",
-                  "The shape that runs about outside of the solid.",
+                  "A solid with the places filled that a shape cannot reach from outside: narrow slots and inner edges.",
+                  "The shape that moves outside the solid.",
                   "solid-close",
                   "for the closing",
                   {"blossom solid-close part.stl ball:1 -o filled.stl"}},

@@ -12,7 +12,7 @@ void registerPocketFeatures(Registry&);  ///< pocket, simulate
 FeatureType medialAxisFeature();
 FeatureType simulateFeature();
 
-/// How the diagram came about, for `stats`.
+/// Adds the statistics of the diagram to `stats`.
 void addDiagramStats(const ClearanceDiagram&, Value& stats);
 
 }  // namespace blossom::pocket

@@ -43,7 +43,7 @@ FeatureType medialAxisFeature() {
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .parameter("tolerance", &P::tolerance, positiveLength(),
-                 "Most that the axis may be off; bumps of a smooth outline below it have no branch.")
+                 "Largest error of the axis; lower bumps of a smooth outline have no branch.")
       .example("blossom medial-axis outline.svg -o axis.dxf")
       .example("blossom medial-axis text:Blossom -o axis.svg --json")
       .example("blossom medial-axis block.step --face 4 -o axis.svg")

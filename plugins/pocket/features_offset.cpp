@@ -62,7 +62,8 @@ struct OffsetCheck {
   double farthest = 0;  ///< mm
   Vec2 at = Vec2::Zero();
   std::size_t points = 0;
-  std::size_t chordJoints = 0;  ///< ends of segments that are not on the curves' own offsets, but as near as chords tell
+  std::size_t chordJoints =
+      0;  ///< ends of segments that have the accuracy of the chords and are not on the offsets of the curves
 };
 
 OffsetCheck checked(const ClearanceDiagram& diagram, const Region& region, double distance, const Progress& progress) {
@@ -82,7 +83,7 @@ OffsetCheck checked(const ClearanceDiagram& diagram, const Region& region, doubl
   return check;
 }
 
-/// One offset with its figures in the list `offsets` of the stats; what is farther off than the tolerance is told.
+/// One offset with its figures in the list `offsets` of the stats; errors above the tolerance cause a warning.
 Region measuredOffset(const ClearanceDiagram& diagram, double distance, Side side, Evaluated& out,
                       const Progress& progress) {
   const auto begun = std::chrono::steady_clock::now();
@@ -159,12 +160,12 @@ FeatureType offsetFeature() {
       .produces({ShapeKind::Region, ShapeKind::Curves})
       .input(partInput())
       .parameter("distance", &P::distance, distances(),
-                 "How far from the outline; several distances make curves, a layer for each.")
+                 "Distance from the outline; several distances make curves, each on a layer of its own.")
       .parameter("side", &P::side, choice({"inside", "outside", "both"}),
-                 "Where the offset lies; both makes the band along the outline.")
+                 "Side of the offset; both makes the band along the outline.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
-      .parameter("tolerance", &P::tolerance, positiveLength(), "Most that a point of the offset may be off its distance.")
+      .parameter("tolerance", &P::tolerance, positiveLength(), "Largest error of the distance.")
       .example("blossom offset outline.svg --distance 2 -o smaller.dxf")
       .example("blossom offset outline.dxf --distance 1,2,3,4 --side both -o rings.svg --json")
       .example("blossom offset text:Blossom --distance 1.5 --side outside -o sticker.svg")

@@ -221,14 +221,14 @@ Evaluated pocketOf(const PocketParameters& given, const Inputs& inputs, const Pr
 ParameterSpec rampAngle() {
   ParameterSpec spec = angle();
   spec.minimum = 0;
-  spec.aboveLeast = true;
+  spec.aboveMinimum = true;
   spec.maximum = 90;
   return spec;
 }
 
 ParameterSpec feedRate() {
   ParameterSpec spec = number(0, 1e6);
-  spec.aboveLeast = true;
+  spec.aboveMinimum = true;
   return spec;
 }
 
@@ -239,38 +239,39 @@ FeatureType pocketFeature() {
       .produces({ShapeKind::Toolpath})
       .input(partInput())
       .parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")
-      .parameter("depth", &P::depth, positiveLength(), "How deep the pocket is; when its floor is picked, the walls tell.")
-      .parameter("stepover", &P::stepover, text(), "From pass to pass: a share of the diameter (45%) or a length.")
+      .parameter("depth", &P::depth, positiveLength(), "Depth of the pocket; unused when its floor is picked.")
+      .parameter("stepover", &P::stepover, text(), "Distance between passes: a share of the diameter (45%) or a length.")
       .parameter("stepdown", &P::stepdown, lengthFromZero(),
-                 "Most that one depth lies below the last; all are evenly deep. 0: half the diameter.")
+                 "Largest depth of one step; all steps are equal. 0: half the diameter.")
       .parameter("direction", &P::direction, choice({"climb", "conventional"}),
-                 "On which side of the tool the material lies: climb cuts it from thick to thin.")
+                 "The side of the tool with the material: climb cuts from thick to thin chips.")
       .parameter("entry", &P::entry, choice({"ramp", "helix", "plunge"}), "How the tool gets down into the material.")
-      .parameter("ramp-angle", &P::rampAngle, rampAngle(), "How steeply ramp and helix fall.")
+      .parameter("ramp-angle", &P::rampAngle, rampAngle(), "Angle of ramp and helix.")
       .parameter("finish", &P::finish, lengthFromZero(),
-                 "What the passes leave on the walls for a last pass at full depth; 0: no such pass.")
-      .parameter("leave-wall", &P::leaveWall, lengthFromZero(), "What stays on the walls in the end.")
-      .parameter("leave-floor", &P::leaveFloor, lengthFromZero(), "What stays on the floor.")
-      .parameter("feed", &P::feed, feedRate(), "Speed of cutting in mm a minute.")
-      .parameter("plunge-feed", &P::plungeFeed, feedRate(), "Speed of going down in mm a minute.")
-      .parameter("spindle", &P::spindle, number(0, 1e6), "Revolutions a minute; 0: the program does not turn the spindle.")
+                 "Stock that the passes leave on the walls for a last pass at full depth; 0: no such pass.")
+      .parameter("leave-wall", &P::leaveWall, lengthFromZero(), "Stock to leave on the walls.")
+      .parameter("leave-floor", &P::leaveFloor, lengthFromZero(), "Stock to leave on the floor.")
+      .parameter("feed", &P::feed, feedRate(), "Cutting feed in mm/min.")
+      .parameter("plunge-feed", &P::plungeFeed, feedRate(), "Plunge feed in mm/min.")
+      .parameter("spindle", &P::spindle, number(0, 1e6),
+                 "Revolutions per minute; 0: the program does not start the spindle.")
       .parameter("safe-height", &P::safeHeight, positiveLength(),
-                 "Above the stock and all of the solid, where the tool crosses.")
-      .parameter("approach", &P::approach, positiveLength(), "Above the material, where rapids down end.")
+                 "Height above the stock and the whole solid at which the tool crosses.")
+      .parameter("approach", &P::approach, positiveLength(), "Height above the material at which rapids down end.")
       .parameter("zero", &P::zero, choice({"drawing", "corner", "center"}),
                  "The work's zero: that of the drawing, or the stock's lower left corner or centre.")
       .parameter("zero-height", &P::zeroHeight, choice({"top", "bottom"}), "The height of zero: the stock's top or bottom.")
       .parameter("work-offset", &P::workOffset, choice({"G54", "G55", "G56", "G57", "G58", "G59"}),
-                 "The memory of the control that holds the work's zero.")
-      .parameter("stock-margin", &P::stockMargin, lengthFromZero(), "How far the stock reaches beyond the part.")
+                 "The work offset of the control with the work's zero.")
+      .parameter("stock-margin", &P::stockMargin, lengthFromZero(), "Distance by which the stock exceeds the part.")
       .parameter("stock-thickness", &P::stockThickness, lengthFromZero(),
                  "0: 2 mm more than the pocket is deep, or as thick as the solid.")
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Radius of the end mill's corners.")
       .parameter("tool-number", &P::toolNumber, count(1, 9999), "Place in the tool changer.")
-      .parameter("tolerance", &P::tolerance, positiveLength(), "Most that the path may be off.")
+      .parameter("tolerance", &P::tolerance, positiveLength(), "Largest deviation of the path.")
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("face-is", &P::faceIs, choice({"automatic", "top", "floor"}),
-                 "What the face picked is to the pocket; automatic: its floor when walls rise all around it.")
+                 "Role of the picked face; automatic: the floor when walls rise all around it.")
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .example("blossom pocket plate.dxf --tool-diameter 6 --depth 10 --stepdown 2.5 -o plate.ngc")
       .example("blossom pocket cover.step --face 4 --tool-diameter 1/8in --depth 3 --entry helix -o cover.ngc")

@@ -98,7 +98,7 @@ void warnOfFloor(const Toolpath& path, const SimulationResult& result, const Sim
                                    place.z() - o.depth, deepest.to.z(), line));
 }
 
-/// What whoever stands at the machine would want to hear before the start.
+/// Warnings for the operator of the machine.
 void warnOfMoves(const Toolpath& path, std::vector<std::string>& warnings) {
   const auto cuts = [](const ToolMove& move) { return move.kind != MoveKind::Rapid; };
   const auto still = std::find_if(path.moves.begin(), path.moves.end(),
@@ -166,9 +166,9 @@ FeatureType simulateFeature() {
       .input({.name = "program", .help = "A toolpath, or a G-code program that moves in z.", .kinds = {ShapeKind::Toolpath}})
       .input(part)
       .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")
-      .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Radius of the corners of the tool given.")
-      .parameter("depth", &P::depth, lengthFromZero(), "Depth of the pocket in the part; 0: as the program's head tells.")
-      .parameter("leave", &P::leave, lengthFromZero(), "What was to stay on the walls; 0: as the program's head tells.")
+      .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Corner radius of the given tool.")
+      .parameter("depth", &P::depth, lengthFromZero(), "Depth of the pocket in the part; 0: as in the program's head.")
+      .parameter("leave", &P::leave, lengthFromZero(), "Stock to leave on the walls; 0: as in the program's head.")
       .parameter("tolerance", &P::tolerance, positiveLength(),
                  "Residue narrower than this does not count; a deeper gouge is a warning.")
       .parameter("face", &P::face, partFace(), partFaceHelp)

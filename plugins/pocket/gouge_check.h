@@ -4,7 +4,8 @@
 
 namespace blossom::pocket {
 
-/// Measures programs against a part whose drawing has its zero, at the part's top, at `zero` of the programs' coordinates.
+/// Measures programs against a part. `zero` is the position of the drawing's zero, at the part's top, in the coordinates of
+/// the programs.
 GougeOf gougeOf(Region part, const Vec3& zero, const SimulationOptions&);
 
 }  // namespace blossom::pocket

@@ -17,7 +17,7 @@ constexpr double longestReach = 5;
 /// More than that at once bends and breaks tools that cut over their whole width.
 constexpr double deepestStep = 2;
 /// mm; clamps, chips and warped stock are higher than less.
-constexpr double leastSafeHeight = 1, leastApproach = 0.1;
+constexpr double minimumSafeHeight = 1, minimumApproach = 0.1;
 constexpr double steepestRamp = 45;  // degrees; end mills do not cut at their middle
 constexpr double longestBite = 1;    // of the diameter in one turn
 
@@ -38,14 +38,14 @@ std::vector<std::string> adviceOn(const PocketOptions& o) {
   if (step > deepestStep * diameter)
     advice.push_back(fmt::format("Each pass is {} deep, {:.1f} times the tool's diameter. Give a stepdown of at most {}.",
                                  mm(step), step / diameter, mm(deepestStep * diameter)));
-  if (o.safeHeight < leastSafeHeight)
+  if (o.safeHeight < minimumSafeHeight)
     advice.push_back(
         fmt::format("Rapids cross only {} above the stock: clamps, chips and uneven stock are higher. Give a safe "
                     "height of at least {}.",
-                    mm(o.safeHeight), mm(leastSafeHeight)));
-  if (o.approach < leastApproach)
+                    mm(o.safeHeight), mm(minimumSafeHeight)));
+  if (o.approach < minimumApproach)
     advice.push_back(fmt::format("Rapids down end only {} above the material. Give an approach of at least {}.",
-                                 mm(o.approach), mm(leastApproach)));
+                                 mm(o.approach), mm(minimumApproach)));
   if (o.entry != Entry::Plunge && toDegrees(o.rampAngle) > steepestRamp)
     advice.push_back(fmt::format("The entry falls at {}°, which is nearly a plunge. Give a ramp angle of at most {}°.",
                                  formatNumber(toDegrees(o.rampAngle)), formatNumber(steepestRamp)));

@@ -6,7 +6,7 @@
 
 namespace blossom::pocket {
 
-/// What can be made and would hardly be meant: each with its figure and a remedy, as full sentences.
+/// Warnings about options that are possible but unusual, with figure and remedy, as full sentences.
 std::vector<std::string> adviceOn(const PocketOptions&);
 
 }  // namespace blossom::pocket

@@ -8,19 +8,19 @@
 
 namespace blossom::pocket {
 
-/// What the face of a solid is to the pocket.
+/// Role of the picked face of a solid.
 enum class FaceIs { Automatic, Top, Floor };
 
-/// Heights of a pocket over z = 0, where the path begins to cut: the part's top, or where a pocket opens whose floor was
-/// picked.
+/// Heights of a pocket relative to z = 0, where the path begins to cut: the top of the part or, when a floor was picked, the
+/// opening of the pocket.
 struct PocketHeights {
   double depth = 0;     ///< mm, of the pocket
   double face = 0;      ///< height of the face
-  double above = 0;     ///< mm that the solid rises above z = 0; rapids across keep above it
+  double above = 0;     ///< mm, height of the solid above z = 0; rapids across stay above it
   double bottom = 0;    ///< height of the solid's lowest point; 0 without a solid
   Bounds box;           ///< around the solid; empty without one
   Triangles triangles;  ///< the solid
-  double chord = 0;     ///< mm that they may be off
+  double chord = 0;     ///< mm, maximum distance of the triangles from the solid
 };
 
 struct HeightsWanted {
@@ -29,12 +29,12 @@ struct HeightsWanted {
   double tolerance = 0.005;
 };
 
-/// Measures the solid that a face belongs to. A face all of whose outer boundary is walled is a floor; the pocket then goes
-/// from where these walls end down to it. @throws Error InvalidInput when a floor is asked for and no wall rises around it.
+/// Measures the solid of a face. A face whose outer boundary is completely walled is a floor; the pocket then extends from
+/// the top of these walls down to it. @throws Error InvalidInput when a floor is required and no wall rises around it.
 PocketHeights heightsOf(const Shape&, const SubShapeValue& face, const Part&, const HeightsWanted&,
                         std::vector<std::string>& warnings, const Progress&);
 
-/// @throws Error InvalidInput with the place when the path would hit what stands over the face.
+/// @throws Error InvalidInput with the place when the path would hit the solid above the face.
 void refuseHits(const Toolpath&, const PocketHeights&, const Part&, double tolerance, const Progress&);
 
 }  // namespace blossom::pocket

@@ -5,8 +5,8 @@
 
 namespace blossom::pocket {
 
-/// Marks what the tool could reach and its program leaves, and tells the area and a place in a warning.
-/// @param place where the part's zero lies, and the height of the marks
+/// Marks the residue of a program, and adds a warning with its area and a place.
+/// @param place position of the part's zero, and height of the marks
 void reportResidue(const SimulationResult&, const Vec3& place, Toolpath&, Evaluated&);
 
 }  // namespace blossom::pocket

@@ -10,12 +10,13 @@
 
 namespace blossom::pocket {
 
-/// What stands around a flat face of a solid, in the coordinates of the face: it lies at z = 0, the solid's outside above.
+/// The solid around one of its flat faces, in the coordinates of the face: it lies at z = 0, with the outside of the solid
+/// above.
 struct SolidAround {
-  Triangles triangles;    ///< all of the solid, within `chord`
+  Triangles triangles;    ///< the whole solid, within `chord`
   Bounds box;             ///< around them
-  bool enclosed = false;  ///< the walls rise all around the face's outer boundary: it is the floor of a pocket
-  double opening = 0;     ///< mm above the face, where the highest of these walls ends
+  bool enclosed = false;  ///< walls rise all around the outer boundary of the face: it is the floor of a pocket
+  double opening = 0;     ///< mm, height of the highest of these walls above the face
 };
 
 /// @param toFace from the solid to the coordinates of the face  @param chord mm, of the triangles

@@ -4,10 +4,10 @@
 
 namespace blossom::pocket {
 
-/// The same way somewhere else: moves, stock and marks.
+/// The toolpath moved: moves, stock and marks.
 Toolpath translated(Toolpath, const Vec3& by);
 
-/// Corners of the box around a region.
+/// Corners of the bounding box of a region.
 std::pair<Vec2, Vec2> boxOf(const Region&);
 
 }  // namespace blossom::pocket

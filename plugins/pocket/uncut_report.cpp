@@ -18,8 +18,8 @@ double hatchLength(const Uncut& uncut) {
 
 /// Dots along the rows of each place, its deepest point first.
 void addDots(const Uncut& uncut, double radius, double floor, std::vector<Vec3>& marks) {
-  constexpr double mostDots = 4000;
-  const double apart = std::max(radius / 4, hatchLength(uncut) / mostDots);
+  constexpr double maximumDots = 4000;
+  const double apart = std::max(radius / 4, hatchLength(uncut) / maximumDots);
   for (const UncutPlace& place : uncut.places) {
     marks.emplace_back(place.at.x(), place.at.y(), floor);
     for (const auto& [from, to] : place.hatch) {

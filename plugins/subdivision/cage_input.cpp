@@ -39,7 +39,7 @@ ControlPolygon polygonOfPath(const Curves& curves) {
   return closedUp(std::move(points), curves.paths[0].closed);
 }
 
-/// Whether a drawing can hold the points: z is nothing but rounding.
+/// Whether the points fit into a drawing: z is 0 up to rounding.
 bool liesInDrawing(const std::vector<Vec3>& points) {
   double size = 0, height = 0;
   for (const Vec3& p : points) {
@@ -61,9 +61,9 @@ Curve curveThrough(const std::vector<Vec3>& points) {
 }
 
 /// Whether the scheme makes of poles the very curve that has them, as far as a user may expect.
-bool keepsCurve(int degree, Chosen chosen) {
-  return chosen == Chosen::CatmullClark || (chosen == Chosen::Cubic && degree == 3) ||
-         (chosen == Chosen::Quadratic && degree == 2);
+bool keepsCurve(int degree, SchemeChoice chosen) {
+  return chosen == SchemeChoice::CatmullClark || (chosen == SchemeChoice::Cubic && degree == 3) ||
+         (chosen == SchemeChoice::Quadratic && degree == 2);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Shape cageOf(const Shape& input) {
   return drawing ? Shape(std::move(*drawing)) : input;
 }
 
-std::optional<ControlPolygon> polygonOf(const Shape& shape, Chosen chosen) {
+std::optional<ControlPolygon> polygonOf(const Shape& shape, SchemeChoice chosen) {
   if (const auto* curves = shape.get<Curves>()) return polygonOfPath(*curves);
   const Curve& curve = splineOf(shape);
   if (curve.degree != 1 && keepsCurve(curve.degree, chosen)) return {};
@@ -109,12 +109,12 @@ const Curve& splineOf(const Shape& shape) {
   return *curve;
 }
 
-void checkScheme(const Shape& cage, Chosen chosen) {
+void checkScheme(const Shape& cage, SchemeChoice chosen) {
   const bool mesh = cage.kind() == ShapeKind::Mesh;
-  if (mesh && chosen != Chosen::CatmullClark && chosen != Chosen::Loop)
+  if (mesh && chosen != SchemeChoice::CatmullClark && chosen != SchemeChoice::Loop)
     throw Error(ErrorCode::InvalidInput, "This scheme takes a polygon or a curve; the cage is a mesh.",
                 "Choose the scheme catmull-clark or loop.");
-  if (!mesh && chosen == Chosen::Loop)
+  if (!mesh && chosen == SchemeChoice::Loop)
     throw Error(ErrorCode::InvalidInput, "Loop's scheme takes a mesh of triangles; the cage is a curve.",
                 "Choose the scheme cubic, quadratic or four-point.");
 }

@@ -44,7 +44,7 @@ TopoDS_Shell shellOf(const TopoDS_Face& face) {
   return shell;
 }
 
-/// A solid when the shell closes, else what is given.
+/// A solid when the shell is closed, else the shape unchanged.
 TopoDS_Shape solidOr(const TopoDS_Shell& shell, const TopoDS_Shape& given) {
   if (!BRep_Tool::IsClosed(shell)) return given;
   TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(shell).Solid();

@@ -16,7 +16,7 @@ namespace blossom::subdivision {
 namespace {
 
 struct DeformParameters {
-  Chosen scheme = Chosen::CatmullClark;
+  SchemeChoice scheme = SchemeChoice::CatmullClark;
   std::string free = "support";
   double lambda = defaultLambda;
   int iterations = 20;
@@ -116,7 +116,7 @@ ParameterSpec pullList() {
 FeatureType deformFeature() {
   using P = DeformParameters;
   return feature<P>("subdivision.deform", "Deform",
-                    "A cage whose limit surface or curve is pulled to a target near it; what lies farther off stays.")
+                    "A cage whose limit surface or curve is pulled to a target near it; parts farther away stay.")
       .command("deform")
       .icon("deform")
       .produces({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
@@ -131,16 +131,16 @@ FeatureType deformFeature() {
       .parameter("free", &P::free, text(),
                  "Which control points may move: support, paper, or rings:N for the support grown by N rings.")
       .parameter("lambda", &P::lambda, number(0, 1e6),
-                 "How much control points resist being moved, those that act little more than others; 0 takes the shortest "
+                 "Resistance of control points to being moved, larger for those with little influence; 0 means the shortest "
                  "movement that "
                  "fits best.")
-      .parameter("iterations", &P::iterations, count(1, 1000), "How often closest points are found again, at most.")
-      .parameter("samples", &P::samples, count(2, 20000), "How many points are taken along drawn targets.")
-      .parameter("pulls", &P::pulls, pullList(), "Single places of the limit shape and where they are to go.")
+      .parameter("iterations", &P::iterations, count(1, 1000), "Largest number of searches for closest points.")
+      .parameter("samples", &P::samples, count(2, 20000), "Number of points along drawn targets.")
+      .parameter("pulls", &P::pulls, pullList(), "Single points of the limit shape and their targets.")
       .parameter("as", &P::as, asChoice(), kAsHelp)
-      .parameter("levels", &P::levels, count(0, 10), "How often a limit mesh or polygon is refined.")
+      .parameter("levels", &P::levels, count(0, 10), "Refinements of a limit mesh or polygon.")
       .parameter("tolerance", &P::tolerance, positiveLength(),
-                 "How near B-spline faces come to the limit surface at extraordinary points; elsewhere they are exact.")
+                 "Distance of B-spline faces from the limit surface near extraordinary points; elsewhere they are exact.")
       .byOutput(asByOutput())
       .example("blossom deform cage.obj target.xyz -o pulled.obj --json")
       .example("blossom deform cage.obj target.dxf --free rings:1 -o pulled.stl")

@@ -1,6 +1,6 @@
 #include "core/error.h"
 #include "feature_types.h"
-#include "kernel/stroke.h"
+#include "kernel/curve_through.h"
 
 namespace blossom::subdivision {
 namespace {
@@ -19,7 +19,7 @@ Evaluated strokeEvaluate(const StrokeParameters& p, const Inputs&, const Progres
                 "Give two points or more.");
   progress.check();
   Evaluated out;
-  out.shape = p.smooth && points.size() > 2 ? splineThrough(points) : polyline(points);
+  out.shape = p.smooth && points.size() > 2 ? splineThrough(points) : polylineThrough(points);
   return out;
 }
 
@@ -28,7 +28,7 @@ Evaluated strokeEvaluate(const StrokeParameters& p, const Inputs&, const Progres
 FeatureType strokeFeature() {
   using P = StrokeParameters;
   return feature<P>("subdivision.stroke", "Target stroke",
-                    "A curve through points in space, as it is drawn over a shape that is to follow it.")
+                    "A curve through points in space, drawn over a shape as its target.")
       .command("stroke")
       .icon("target-stroke")
       .produces({ShapeKind::Curve})

@@ -6,7 +6,7 @@ namespace blossom::subdivision {
 namespace {
 
 struct SubdivideParameters {
-  Chosen scheme = Chosen::CatmullClark;
+  SchemeChoice scheme = SchemeChoice::CatmullClark;
   int levels = 2;
   As as = As::Cage;
   double tolerance = 0.01;
@@ -42,10 +42,10 @@ FeatureType subdivideFeature() {
       .produces({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
       .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
-      .parameter("levels", &P::levels, count(0, 10), "How often it is refined; each time has four times the faces.")
+      .parameter("levels", &P::levels, count(0, 10), "Number of refinements; each multiplies the faces by four.")
       .parameter("as", &P::as, asChoice(), kAsHelp)
       .parameter("tolerance", &P::tolerance, positiveLength(),
-                 "How near B-spline faces come to the limit surface at extraordinary points; elsewhere they are exact.")
+                 "Distance of B-spline faces from the limit surface near extraordinary points; elsewhere they are exact.")
       .byOutput(asByOutput())
       .example("blossom subdivide cage.obj --levels 3 -o smooth.obj")
       .example("blossom subdivide cage.obj -o smooth.step")

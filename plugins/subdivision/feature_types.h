@@ -7,7 +7,7 @@ FeatureType subdivideFeature();
 FeatureType deformFeature();
 FeatureType strokeFeature();
 
-/// What can be a cage.
+/// Kinds of shapes that can be cages.
 inline const std::vector<ShapeKind> cageKinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Region};
 
 }  // namespace blossom::subdivision

@@ -28,10 +28,10 @@ Curve refinedSpline(Curve curve, int levels, const Progress& progress) {
 }
 
 ControlPolygon refinedPolygon(ControlPolygon polygon, CurveScheme scheme, int levels, const Progress& progress) {
-  constexpr std::size_t mostPoints = 10'000'000;
+  constexpr std::size_t maximumPoints = 10'000'000;
   for (int level = 0; level < levels; ++level) {
     progress.check();
-    if (polygon.points.size() > mostPoints / 2)
+    if (polygon.points.size() > maximumPoints / 2)
       throw Error(ErrorCode::LimitExceeded, fmt::format("{} levels would make more than ten million points.", levels),
                   fmt::format("This polygon can be refined {} times.", level));
     polygon = refined(polygon, scheme);
@@ -40,7 +40,7 @@ ControlPolygon refinedPolygon(ControlPolygon polygon, CurveScheme scheme, int le
 }
 
 void presentFaces(const Mesh& cage, const PresentOptions& options, Evaluated& out, const Progress& progress) {
-  if (options.scheme == Chosen::Loop)
+  if (options.scheme == SchemeChoice::Loop)
     throw Error(ErrorCode::InvalidInput, "The surfaces of Loop's scheme are no bicubic B-splines.",
                 "Take a limit mesh, or the scheme catmull-clark.");
   const FacesResult made = bsplineFaces(cage, {.tolerance = options.tolerance}, progress.part(0, 0.6));
@@ -78,7 +78,7 @@ void present(Mesh cage, const PresentOptions& options, Evaluated& out, const Pro
   out.shape = subdivide(cage, {.scheme = surfaceScheme(options.scheme), .levels = levels, .limit = limit}, progress).mesh;
 }
 
-Mesh closedCage(const Mesh& mesh, Chosen scheme, Evaluated& out, const Progress& progress) {
+Mesh closedCage(const Mesh& mesh, SchemeChoice scheme, Evaluated& out, const Progress& progress) {
   JoinedRims joined = joinedCage(mesh, surfaceScheme(scheme), progress);
   if (joined.joined > 0)
     out.warnings.push_back(fmt::format(

@@ -6,10 +6,10 @@
 
 namespace blossom::subdivision {
 
-/// "support", "paper" or "rings:N". @throws Error InvalidParameter.
+/// Parses "support", "paper" or "rings:N". @throws Error InvalidParameter.
 FreeRule ruleOf(const std::string&);
 
-/// Between the records of the parameter `pulls`, {"at": point, "to": point}, and what they stand for.
+/// Conversion between pulls and the records {"at": point, "to": point} of the parameter `pulls`.
 std::vector<Pull> pullsOf(const std::vector<Value>&);
 Value recordOf(const Pull&);
 

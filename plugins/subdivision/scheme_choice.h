@@ -4,18 +4,20 @@
 
 namespace blossom::subdivision {
 
-/// As a user chooses it. A curve takes Catmull-Clark's rule too: along one direction that is the cubic one.
-enum class Chosen { CatmullClark, Loop, Cubic, Quadratic, FourPoint };
+/// The scheme as chosen by the user. Catmull-Clark applied to a curve is the cubic scheme.
+enum class SchemeChoice { CatmullClark, Loop, Cubic, Quadratic, FourPoint };
 
 ParameterSpec schemeChoice();
 inline constexpr const char* kSchemeHelp =
     "Meshes: Catmull-Clark for any polygons, Loop for triangles. Polygons: cubic or quadratic B-splines, or four-point, "
     "which passes through the points.";
 
-inline Scheme surfaceScheme(Chosen chosen) { return chosen == Chosen::Loop ? Scheme::Loop : Scheme::CatmullClark; }
-inline CurveScheme curveScheme(Chosen chosen) {
-  if (chosen == Chosen::Quadratic) return CurveScheme::Quadratic;
-  return chosen == Chosen::FourPoint ? CurveScheme::FourPoint : CurveScheme::Cubic;
+inline Scheme surfaceScheme(SchemeChoice chosen) {
+  return chosen == SchemeChoice::Loop ? Scheme::Loop : Scheme::CatmullClark;
+}
+inline CurveScheme curveScheme(SchemeChoice chosen) {
+  if (chosen == SchemeChoice::Quadratic) return CurveScheme::Quadratic;
+  return chosen == SchemeChoice::FourPoint ? CurveScheme::FourPoint : CurveScheme::Cubic;
 }
 
 }  // namespace blossom::subdivision

@@ -94,7 +94,7 @@ Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& 
   return out;
 }
 
-/// Its address tells which module this is.
+/// Its address identifies this module.
 const char anchor = 0;
 
 FeatureType sweepFeature() {

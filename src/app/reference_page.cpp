@@ -52,7 +52,7 @@ void addRows(std::string& page, const ParameterSpec& spec, const std::string& in
 std::string usage(const FeatureType& type) {
   std::string line = "blossom " + type.command;
   for (const InputSpec& input : type.inputs) {
-    const std::string name = input.most > 1 ? fmt::format("{0} {0}..", input.name) : input.name;
+    const std::string name = input.maximum > 1 ? fmt::format("{0} {0}..", input.name) : input.name;
     line += input.minimum == 0 ? fmt::format(" [{}]", name) : ' ' + name;
   }
   for (const ParameterSpec& spec : type.parameters)
@@ -63,9 +63,10 @@ std::string usage(const FeatureType& type) {
 }  // namespace
 
 std::string howMany(const InputSpec& spec) {
-  if (spec.minimum == 1 && spec.most == 1) return "one";
-  if (spec.minimum == spec.most) return std::to_string(spec.minimum);
-  return spec.most == anyNumber ? fmt::format("{} or more", spec.minimum) : fmt::format("{} to {}", spec.minimum, spec.most);
+  if (spec.minimum == 1 && spec.maximum == 1) return "one";
+  if (spec.minimum == spec.maximum) return std::to_string(spec.minimum);
+  return spec.maximum == anyNumber ? fmt::format("{} or more", spec.minimum)
+                                   : fmt::format("{} to {}", spec.minimum, spec.maximum);
 }
 
 std::string kindsText(const std::vector<ShapeKind>& kinds) { return kinds.empty() ? "any shape" : kindNames(kinds); }

@@ -105,9 +105,9 @@ void warnAboutPlugins(const App& app, const Terminal& terminal) {
       terminal.err << "blossom: warning: the plugin " << plugin.manifest.id << " was skipped: " << plugin.problem << '\n';
 }
 
-/// CLI11 asks for help and version by exception; what nobody understood is said first.
+/// CLI11 requests help and version by exceptions; errors about unknown words come first.
 int parseAndRun(CommandLine& line, Session& session, std::vector<std::string> words) {
-  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+  std::reverse(words.begin(), words.end());  // CLI11 expects them in reverse order
   try {
     line.root.parse(std::move(words));
   } catch (const CLI::Success& request) {

@@ -5,20 +5,21 @@
 
 namespace blossom {
 
-/// Where a command line talks to, and what asks it to stop.
+/// Output streams and cancellation of a command line.
 struct Terminal {
   std::ostream& out;         ///< results
   std::ostream& err;         ///< errors, warnings, progress
-  bool interactive = false;  ///< `err` is a screen: progress is a bar that is drawn over itself
+  bool interactive = false;  ///< `err` is a terminal: progress is drawn as a bar
   CancelToken cancel;
 };
 
-/// The `blossom` command. Every feature type of the registry is a subcommand.
-/// @returns 0 done, 1 failed or cancelled (also when `out` took not all of the result), 2 wrong use. Never throws.
+/// Runs the `blossom` command. Every feature type of the registry is a subcommand.
+/// @returns the exit code: 0 success, 1 failed or cancelled (also when `out` did not accept the whole result), 2 wrong
+/// usage. Does not throw.
 int runCli(int argc, const char* const* argv, const Terminal&);
 
 struct App;
-/// The same with feature types and formats at hand instead of those of this installation.
+/// The same with the feature types and formats of `App` instead of those installed.
 int runCli(const App&, int argc, const char* const* argv, const Terminal&);
 
 }  // namespace blossom

@@ -14,7 +14,7 @@ std::string lastWord(const std::string& name) { return name.substr(name.rfind('.
 
 constexpr std::size_t helpColumn = 34, widestHelp = 110;
 
-/// Long help goes on below its beginning; lines of another form stay as they are.
+/// Wraps long help below its beginning; lines of another form are unchanged.
 std::string wrapped(std::string line) {
   if (line.size() <= helpColumn || line.substr(0, 2) != "  " || line[helpColumn - 1] != ' ') return line;
   std::string text;

@@ -20,7 +20,7 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-bool takesValue(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
+bool expectsValue(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
 std::vector<std::string> flagNames(const CLI::Option& option) {
   std::vector<std::string> names;
@@ -85,7 +85,7 @@ std::string zshScript(const CommandLine& line) {
     cases += fmt::format("    {})\n      _arguments", command.app->get_name());
     for (const CLI::Option* option : command.app->get_options()) {
       const auto found = line.choices.find(option);
-      const std::string value = !takesValue(*option)          ? ""
+      const std::string value = !expectsValue(*option)        ? ""
                                 : found == line.choices.end() ? ":value:_files"
                                                               : ":value:(" + joined(found->second) + ")";
       for (const auto& name : flagNames(*option))
@@ -129,7 +129,7 @@ std::string fishScript(const CommandLine& line) {
       const auto found = line.choices.find(option);
       if (found != line.choices.end())
         script += " -xa " + quoted(joined(found->second));
-      else if (takesValue(*option))
+      else if (expectsValue(*option))
         script += " -r";
       script += " -d " + quoted(option->get_description()) + "\n";
     }

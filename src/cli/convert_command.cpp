@@ -82,7 +82,7 @@ class ConvertCommand {
     const auto writing = std::chrono::steady_clock::now();
     planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
     Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
-    tellReports(planned, measures, source.made.warnings);
+    addReports(planned, measures, source.made.warnings);
     for (const char* counts : {"entities", "skipped"}) stats[counts] = source.made.stats.value(counts, Value::object());
     stats["total_ms"] = session_.elapsedMs();
     report(in, planned, measures, stats, source.made.warnings);

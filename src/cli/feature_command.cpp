@@ -55,7 +55,7 @@ class FeatureCommand {
   /// Where every input is a single one of its own kind, those after the first can also be given by name: --part FILE.
   void declareNamedInputs() {
     for (const InputSpec& spec : type_->inputs)
-      if (spec.minimum != 1 || spec.most != 1) return;
+      if (spec.minimum != 1 || spec.maximum != 1) return;
     for (std::size_t i = 1; i < type_->inputs.size(); ++i) {
       const InputSpec& spec = type_->inputs[i];
       const auto namesake = [&](const ParameterSpec& parameter) { return parameter.name == spec.name; };
@@ -73,7 +73,7 @@ class FeatureCommand {
         inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(std::min(index, inputs_.size())), input);
   }
 
-  /// A feature without inputs that needs one file (import) takes it as the plain word that everybody would write.
+  /// A feature without inputs that needs one file (import) accepts it as a positional argument.
   [[nodiscard]] const ParameterSpec* fileParameter() const {
     if (!type_->inputs.empty()) return nullptr;
     const ParameterSpec* found = nullptr;
@@ -87,33 +87,33 @@ class FeatureCommand {
 
   void checkNumberOfInputs() const {
     if (fileParameter()) return;
-    const std::size_t given = inputs_.size() + made_->given().size();
-    std::size_t minimum = 0, most = 0;
+    const std::size_t given = inputs_.size() + made_->features().size();
+    std::size_t minimum = 0, maximum = 0;
     std::string wanted;
     for (const InputSpec& spec : type_->inputs) {
       minimum += spec.minimum;
-      most = spec.most == anyNumber || most == anyNumber ? anyNumber : most + spec.most;
+      maximum = spec.maximum == anyNumber || maximum == anyNumber ? anyNumber : maximum + spec.maximum;
       wanted += (wanted.empty() ? "" : ", ") + spec.name;
     }
-    if (given >= minimum && given <= most) return;
-    const std::string number = minimum == most     ? std::to_string(minimum)
-                               : most == anyNumber ? fmt::format("at least {}", minimum)
-                                                   : fmt::format("{} to {}", minimum, most);
+    if (given >= minimum && given <= maximum) return;
+    const std::string number = minimum == maximum     ? std::to_string(minimum)
+                               : maximum == anyNumber ? fmt::format("at least {}", minimum)
+                                                      : fmt::format("{} to {}", minimum, maximum);
     throw UsageError(fmt::format("{} takes {} input{} ({}); {} {} given.", app_->get_name(), number,
                                  number == "1" ? "" : "s", wanted, given, given == 1 ? "is" : "are"),
-                     given > most ? hintForTooMany() : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
+                     given > maximum ? hintForTooMany() : fmt::format("\"blossom {} --help\" shows how.", app_->get_name()),
                      ErrorCode::InvalidInput);
   }
 
   [[nodiscard]] std::string hintForTooMany() const {
-    const auto made = made_->given();
+    const auto made = made_->features();
     if (made.empty()) return "Several outputs are a comma list: -o a.step,b.stl.";
     return fmt::format("--{} makes one of them; leave it out, or one of the others.",
                        session_.app.registry->at(made.front().second.type)->inputByFlags.asks);
   }
 
   [[nodiscard]] Value parameters() const {
-    Value given = parameters_->given();
+    Value given = parameters_->values();
     if (const ParameterSpec* file = fileParameter(); file && !inputs_.empty()) {
       if (inputs_.size() > 1 || given.contains(file->name))
         throw UsageError(fmt::format("{} takes one file; more are given.", app_->get_name()),
@@ -137,7 +137,7 @@ class FeatureCommand {
     used.reserve(planned.size());
     for (const Output& output : planned) {
       used.push_back(output.format);
-      if (output.format && !type_->produces.empty()) refuseUnlessHeld(*output.format, type_->produces);
+      if (output.format && !type_->produces.empty()) refuseUnlessStorable(*output.format, type_->produces);
     }
     formats_->refuseUnused(used);
     return planned;
@@ -157,7 +157,7 @@ class FeatureCommand {
   [[nodiscard]] std::vector<FeatureId> addInputs(Document& document, std::vector<std::string>& warnings) const {
     std::vector<FeatureId> ids;
     for (const std::string& input : inputs_) ids.push_back(addInput(session_, document, input, warnings));
-    for (auto& [place, made] : made_->given()) {
+    for (auto& [place, made] : made_->features()) {
       made.id = document.freshId(made.id);
       ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(std::min(place, ids.size())), made.id);
       document = document.with(std::move(made));
@@ -203,7 +203,7 @@ class FeatureCommand {
     planned = writeOutputs(session_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
     const double writeMs = millisecondsSince(writing);
     Measures measures = measured(result->evaluated, progress.part(0.95, 1));
-    tellReports(planned, measures, warnings);
+    addReports(planned, measures, warnings);
     Value stats{{"kernel_ms", result->kernelMs}, {"total_ms", 0.0}};
     if (!planned.empty()) stats["write_ms"] = writeMs;
     stats.update(result->evaluated.stats);

@@ -5,13 +5,13 @@
 
 namespace blossom {
 
-/// Every feature of a document with its state ("done", "failed", "suppressed"), time, measures, stats, warnings and error.
+/// All features of a document with state ("done", "failed", "suppressed"), time, measures, stats, warnings and error.
 Value featuresJson(const Document&, const Results&, const Progress&);
 
-/// The same as a table: name, state, time, what came out.
+/// Prints the features as a table: name, state, time, result.
 void printFeatureTable(std::ostream&, const Value& features);
 
-/// "surface, area 12.5": kind and the few measures that say most.
+/// "surface, area 12.5": the kind and its most important measures.
 std::string shortResult(const Value& result);
 
 }  // namespace blossom

@@ -16,7 +16,7 @@ Value specJson(const ParameterSpec& spec) {
              {"kind", parameterKindName(spec.kind)},
              {"takes", describe(spec)},
              {"default", spec.fallback}};
-  if (spec.minimum) json[spec.aboveLeast ? "above" : "least"] = *spec.minimum;
+  if (spec.minimum) json[spec.aboveMinimum ? "above" : "least"] = *spec.minimum;
   if (spec.maximum) json["greatest"] = *spec.maximum;
   if (!spec.noneMeans.empty()) json["none_means"] = spec.noneMeans;
   if (!spec.choices.empty()) json["choices"] = spec.choices;
@@ -33,7 +33,7 @@ Value kindsJson(const std::vector<ShapeKind>& kinds) {
 
 Value inputJson(const InputSpec& spec) {
   Value json{{"name", spec.name}, {"help", spec.help}, {"kinds", kindsJson(spec.kinds)}, {"least", spec.minimum}};
-  json["most"] = spec.most == anyNumber ? Value() : Value(spec.most);
+  json["most"] = spec.maximum == anyNumber ? Value() : Value(spec.maximum);
   return json;
 }
 

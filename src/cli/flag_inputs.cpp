@@ -8,7 +8,7 @@
 namespace blossom {
 namespace {
 
-/// The first input of a command that takes what is made.
+/// The first input of a command that accepts the result of the feature.
 std::optional<std::size_t> placeFor(const FeatureType& command, const std::vector<ShapeKind>& made) {
   for (std::size_t i = 0; i < command.inputs.size(); ++i) {
     const auto& kinds = command.inputs[i].kinds;
@@ -31,7 +31,7 @@ Sorted sorted(const FeatureType& source, const CLI::App& app) {
     const bool plain = std::find(flags.plain.begin(), flags.plain.end(), spec.name) != flags.plain.end();
     if (spec.name == flags.asks) {
       result.asks.push_back(spec);
-      result.asks.back().fallback = nullptr;  // it asks by being given: nothing stands for it
+      result.asks.back().fallback = nullptr;  // creates the input only when the flag is used, so there is no default
       result.asks.back().mayBeAbsent = true;
     } else {
       (plain && isFree(app, spec.name) ? result.plain : result.prefixed).push_back(spec);
@@ -55,17 +55,17 @@ FlagInputs::FlagInputs(CommandLine& line, CLI::App& app, const Registry& registr
   }
 }
 
-std::vector<std::pair<std::size_t, Feature>> FlagInputs::given() const {
+std::vector<std::pair<std::size_t, Feature>> FlagInputs::features() const {
   std::vector<std::pair<std::size_t, Feature>> result;
   for (const Source& source : sources_) {
-    Value parameters = source.asks.given();
+    Value parameters = source.asks.values();
     const bool asked = !parameters.empty();
     for (const ParameterFlags* flags : {&source.plain, &source.prefixed}) {
-      if (!asked && !flags->firstGiven().empty())
-        throw UsageError(fmt::format("{} says how --{} is made, which is not given.", flags->firstGiven(),
-                                     source.type->inputByFlags.asks),
-                         fmt::format("Give --{} too.", source.type->inputByFlags.asks));
-      parameters.update(flags->given());
+      if (!asked && !flags->firstUsed().empty())
+        throw UsageError(
+            fmt::format("{} says how --{} is made, which is not given.", flags->firstUsed(), source.type->inputByFlags.asks),
+            fmt::format("Give --{} too.", source.type->inputByFlags.asks));
+      parameters.update(flags->values());
     }
     if (!asked) continue;
     Feature feature;

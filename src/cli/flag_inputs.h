@@ -8,15 +8,16 @@
 
 namespace blossom {
 
-/// The inputs of one command that flags alone can make, as feature types declare it (InputByFlags):
-/// `pocket --text Blossom --font "DejaVu Serif"`.
+/// The inputs of a command that can be created by flags alone, as declared by the InputByFlags of feature types: `pocket
+/// --text Blossom --font "DejaVu Serif"`.
 class FlagInputs {
  public:
   FlagInputs(CommandLine&, CLI::App&, const Registry&, const FeatureType& command);
 
-  /// The features asked for, each with its place among the inputs; their ids are what fresh ids are to be made from.
-  /// @throws UsageError for a value that is not understood, and for a flag without the one that asks for the input.
-  [[nodiscard]] std::vector<std::pair<std::size_t, Feature>> given() const;
+  /// The features created by the flags, each with its position among the inputs. Their ids are proposals; the caller makes
+  /// them unique.
+  /// @throws UsageError for a value that cannot be parsed, and for a flag without the flag that creates the input.
+  [[nodiscard]] std::vector<std::pair<std::size_t, Feature>> features() const;
 
  private:
   struct Source {

@@ -24,7 +24,7 @@ std::vector<ParameterSpec> optionsOf(const Format& format, int sides) {
 }
 
 bool canHold(const Format& format, const std::vector<ShapeKind>& kinds) {
-  return kinds.empty() || std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return holds(format, kind); });
+  return kinds.empty() || std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return canStore(format, kind); });
 }
 
 /// Options known well enough to be given without their format.
@@ -56,7 +56,7 @@ FormatFlags::FormatFlags(CommandLine& line, CLI::App& app, const FormatRegistry&
   }
 }
 
-Value FormatFlags::given(const Format& format, const std::vector<ParameterSpec>& declared) const {
+Value FormatFlags::values(const Format& format, const std::vector<ParameterSpec>& declared) const {
   Value values = Value::object();
   for (const auto& [name, option] : common_) {
     const ParameterSpec* spec = named(declared, name);
@@ -69,20 +69,20 @@ Value FormatFlags::given(const Format& format, const std::vector<ParameterSpec>&
   }
   for (const Entry& entry : entries_) {
     if (entry.id != format.id) continue;
-    const Value all = entry.flags.given();
+    const Value all = entry.flags.values();
     for (const auto& [name, value] : all.items())
       if (named(declared, name)) values[name] = value;
   }
   return values;
 }
 
-Value FormatFlags::reading(const Format& format) const { return given(format, format.readOptions); }
+Value FormatFlags::reading(const Format& format) const { return values(format, format.readOptions); }
 
-Value FormatFlags::writing(const Format& format) const { return given(format, format.writeOptions); }
+Value FormatFlags::writing(const Format& format) const { return values(format, format.writeOptions); }
 
 void FormatFlags::refuseUnused(const std::vector<const Format*>& used) const {
   for (const Entry& entry : entries_) {
-    const std::string flag = entry.flags.firstGiven();
+    const std::string flag = entry.flags.firstUsed();
     if (flag.empty() ||
         std::any_of(used.begin(), used.end(), [&](const Format* format) { return format && format->id == entry.id; }))
       continue;

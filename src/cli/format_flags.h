@@ -6,22 +6,22 @@
 
 namespace blossom {
 
-/// Options of the formats as flags: --stl.ascii, --step.schema ap242; and --chord and --post, which stand for the option of
-/// that name of every output.
+/// Options of the formats as flags: --stl.ascii, --step.schema ap242; also --chord and --post, which set the option of that
+/// name for every output.
 class FormatFlags {
  public:
   enum Side { Reading = 1, Writing = 2 };
-  /// Of writers, those of the formats that can hold one of `written` (empty: any).
+  /// @param written only writers of formats that can store one of these kinds get flags (empty: all writers)
   FormatFlags(CommandLine&, CLI::App&, const FormatRegistry&, int sides, const std::vector<ShapeKind>& written = {});
 
-  /// Values for one side of a format. @throws UsageError.
+  /// Values of the read or write options of a format. @throws UsageError.
   [[nodiscard]] Value reading(const Format&) const;
   [[nodiscard]] Value writing(const Format&) const;
-  /// @throws UsageError when a flag was given for a format that is not among `used`.
+  /// @throws UsageError when a flag of a format that is not in `used` was set.
   void refuseUnused(const std::vector<const Format*>& used) const;
 
  private:
-  [[nodiscard]] Value given(const Format&, const std::vector<ParameterSpec>& declared) const;
+  [[nodiscard]] Value values(const Format&, const std::vector<ParameterSpec>& declared) const;
 
   struct Entry {
     std::string id, title;

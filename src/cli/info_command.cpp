@@ -14,7 +14,7 @@
 namespace blossom {
 namespace {
 
-/// What a file holds, measured like the result of a feature.
+/// The content of a file, measured like the result of a feature.
 class InfoCommand {
  public:
   InfoCommand(CommandLine& line, Session& session)
@@ -90,7 +90,7 @@ class InfoCommand {
     return isDocument(file) && std::filesystem::is_regular_file(file) ? ofDocument(file, progress) : ofFile(file, progress);
   }
 
-  /// One file of several: the others are told of all the same.
+  /// One file of several; its failure does not prevent the others.
   Info aboutOrWhyNot(const std::string& text, const Progress& progress) const {
     const auto failure = [&](const Error& error) { return Info{Value{{"file", text}, {"error", toJson(error)}}, {}}; };
     try {

@@ -10,7 +10,7 @@ namespace blossom {
 namespace fs = std::filesystem;
 namespace {
 
-/// "model.blossom#sweep-1" -> {"model.blossom", "sweep-1"}; a file whose own name holds the # wins.
+/// "model.blossom#sweep-1" -> {"model.blossom", "sweep-1"}; a file whose own name contains the # takes precedence.
 std::pair<fs::path, std::string> splitFeature(const std::string& text) {
   const auto mark = text.rfind('#');
   std::error_code ec;
@@ -41,7 +41,7 @@ FeatureId addLiteral(Document& document, const std::string& text) {
   return literal.id;
 }
 
-/// Only a trial tells whether anything of a damaged document is readable.
+/// Whether anything of a damaged document is readable, found out by trying.
 std::string salvageHint(const App& app, const fs::path& file) {
   try {
     const std::size_t count = openAny(app, file, true).document.features().size();

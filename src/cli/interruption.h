@@ -6,12 +6,12 @@
 
 namespace blossom {
 
-/// Ends the program at SIGINT, SIGTERM, SIGQUIT and SIGHUP: asks the work to stop, and where it does not do so soon, or at a
-/// second signal, ends all helper processes, removes what is temporary and leaves. To be made before any other thread,
-/// because threads inherit that these signals wait for this one.
+/// Handles SIGINT, SIGTERM, SIGQUIT and SIGHUP: cancels the work; at a second signal, or when the work does not stop soon,
+/// ends all helper processes, removes temporary files and exits. Create it before any other thread, because threads inherit
+/// the signal mask.
 class Interruption {
  public:
-  /// @param beforeLeaving tells the user, where the work itself cannot
+  /// @param beforeLeaving called before such an exit, to inform the user
   Interruption(CancelToken, std::function<void()> beforeLeaving);
   ~Interruption();
   Interruption(const Interruption&) = delete;

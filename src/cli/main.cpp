@@ -16,15 +16,15 @@ namespace {
 
 volatile std::sig_atomic_t readerGone = 0;
 
-/// "blossom features | head": whoever read the result has seen enough, which is no cause for complaint.
+/// "blossom features | head": a closed pipe is not an error.
 extern "C" void onBrokenPipe(int) { readerGone = 1; }
 
-/// Past all buffers, which the work may hold at this moment; not to a reader that has stopped reading.
+/// Writes without buffers, which the work may be using; does nothing when the reader has closed the pipe.
 void writeNow(int descriptor, const std::string& text) {
   pollfd ready{descriptor, POLLOUT, 0};
   if (::poll(&ready, 1, 0) != 1) return;
   const ssize_t written = ::write(descriptor, text.data(), text.size());
-  (void)written;  // there is nobody left to tell
+  (void)written;  // nothing can be done
 }
 
 void tellCancelled(bool json) {
@@ -39,7 +39,7 @@ void tellCancelled(bool json) {
 int main(int argc, char** argv) {
   const bool json = std::any_of(argv + 1, argv + argc, [](std::string_view word) { return word == "--json"; });
   std::signal(SIGPIPE, onBrokenPipe);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an error of writing, told as one
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error of writing
   const blossom::CancelToken cancel;
   const blossom::Interruption interruption(cancel, [json] { tellCancelled(json); });
   blossom::removeAbandonedFolders();

@@ -7,6 +7,6 @@ int main() {
   // A file whose date is given must not differ from one time zone to the next.
   if (const char* date = std::getenv("SOURCE_DATE_EPOCH"); date && *date) ::setenv("TZ", "UTC", 1);
   blossom::registerExchangeCalls();
-  // Not through exit(): taking down what the libraries hold at static lifetime takes time and serves nobody.
+  // Not through exit(): destroying the static objects of the libraries would only take time.
   std::_Exit(blossom::workerMain());
 }

@@ -76,7 +76,7 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
 }
 
 /// Each output as the files that a shape becomes in its format.
-std::vector<Output> spread(const std::vector<Output>& outputs, const Shape& shape) {
+std::vector<Output> expandedToFiles(const std::vector<Output>& outputs, const Shape& shape) {
   std::vector<Output> files;
   for (const Output& output : outputs) {
     if (!output.format) {
@@ -132,9 +132,9 @@ std::vector<Output> plannedOutputs(const FormatRegistry& formats, const std::vec
 
 std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& planned, const Shape& shape,
                                  const Document& document, const Progress& progress) {
-  std::vector<Output> outputs = spread(planned, shape);
+  std::vector<Output> outputs = expandedToFiles(planned, shape);
   for (const Output& output : outputs)
-    if (output.format) refuseUnlessHeld(*output.format, std::array{output.shape->kind()});
+    if (output.format) refuseUnlessStorable(*output.format, std::array{output.shape->kind()});
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const double count = static_cast<double>(outputs.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
@@ -148,7 +148,7 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
   return outputs;
 }
 
-void tellReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings) {
+void addReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings) {
   for (const Output& output : written) {
     warnings.insert(warnings.end(), output.report.warnings.begin(), output.report.warnings.end());
     if (!output.report.gouge) continue;

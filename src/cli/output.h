@@ -10,35 +10,35 @@
 
 namespace blossom {
 
-/// One file to be written; without a format it is a .blossom document.
+/// A file to write; without a format it is a .blossom document.
 struct Output {
   std::filesystem::path path;
   const Format* format = nullptr;
   Value options = Value::object();
-  std::optional<Shape> shape{};  ///< what was written into it
-  bool chordGiven = false;       ///< the user has said how fine polygons are to be
-  ExportReport report{};         ///< once it is written
+  std::optional<Shape> shape{};  ///< the shape that was written
+  bool chordGiven = false;       ///< the user has set the chord
+  ExportReport report{};         ///< set once the file is written
 };
 
-/// What is to be said about files that were written, and with what they are worth the measures of what they hold.
-void tellReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings);
+/// Adds the warnings about written files, and the gouge measured in written programs to the measures.
+void addReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings);
 
-/// The paths of -o: repeated or as a comma list. A comma stays part of a name where what it would split off has no known
-/// extension.
+/// The paths given by -o, which may be repeated or a comma list. A text with commas is split only when every part has a
+/// known extension.
 std::vector<std::string> outputPaths(const FormatRegistry&, const std::vector<std::string>& given);
 
-/// The outputs asked for, checked before any work is done: known extensions, folders that exist and may be written to, no
-/// file twice, none of the inputs.
+/// The outputs, checked before any work is done: extensions are known, folders exist and are writable, no file appears twice
+/// or is an input.
 /// @throws Error FormatUnknown, FileUnwritable; UsageError.
 std::vector<Output> plannedOutputs(const FormatRegistry&, const std::vector<std::string>& paths,
                                    const std::vector<std::filesystem::path>& inputs, const FormatFlags* flags);
 
-/// Writes a shape (and, for .blossom files, the document that made it with all its files inside). A sequence becomes
-/// several files in formats of one frame (see exchange/format/frames.h). What one of the formats cannot hold is said before
-/// the first is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
+/// Writes a shape, and for .blossom files the document that made it with all its files. A sequence becomes several files in
+/// formats of one frame (see exchange/format/frames.h). Whether all formats can store the shape is checked before the first
+/// file is written. @returns the files written. @throws Error OutputNotSupported, FileUnwritable, Cancelled.
 std::vector<Output> writeOutputs(const App&, const std::vector<Output>&, const Shape&, const Document&, const Progress&);
 
-/// The paths as --json prints them.
+/// The paths as printed by `--json`.
 Value pathsJson(const std::vector<Output>&);
 
 }  // namespace blossom

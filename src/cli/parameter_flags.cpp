@@ -98,7 +98,7 @@ void ParameterFlags::declare(CommandLine& line, CLI::App& app, const ParameterSp
   entries_.push_back({record, spec, option});
 }
 
-Value ParameterFlags::given() const {
+Value ParameterFlags::values() const {
   Value values = Value::object();
   for (const Entry& entry : entries_) {
     if (entry.option->count() == 0) continue;
@@ -114,7 +114,7 @@ Value ParameterFlags::given() const {
   return values;
 }
 
-std::string ParameterFlags::firstGiven() const {
+std::string ParameterFlags::firstUsed() const {
   for (const Entry& entry : entries_)
     if (entry.option->count() > 0) return entry.option->get_name();
   return {};

@@ -6,24 +6,24 @@
 
 namespace blossom {
 
-/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that always is there
-/// --name.field VALUE for each of its fields, every other --name VALUE.
+/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that cannot be absent
+/// --name.field VALUE for each of its fields, any other parameter --name VALUE.
 class ParameterFlags {
  public:
-  /// @param prefix stands before every name: "stl." gives --stl.ascii. Names that every
+  /// @param prefix of every name: "stl." makes --stl.ascii. Names that every
   /// command needs itself are refused by the registry.
   ParameterFlags(CommandLine&, CLI::App&, std::vector<ParameterSpec> specs, const std::string& prefix,
                  const std::string& group);
 
-  /// Canonical values of the flags given on the command line; the others are absent.
-  /// @throws UsageError for a value that is not understood or out of range, and for a flag given twice that is no list.
-  [[nodiscard]] Value given() const;
-  /// The first flag given, as typed; empty when there is none.
-  [[nodiscard]] std::string firstGiven() const;
+  /// Canonical values of the flags on the command line; parameters without a flag are absent.
+  /// @throws UsageError for a value that cannot be parsed or is out of range, and for a repeated flag that is no list.
+  [[nodiscard]] Value values() const;
+  /// The first flag on the command line, as typed; empty when there is none.
+  [[nodiscard]] std::string firstUsed() const;
 
  private:
   struct Entry {
-    std::string record;  ///< that it is a field of; empty: it stands alone
+    std::string record;  ///< the record it is a field of; empty: none
     ParameterSpec spec;
     CLI::Option* option;
   };
@@ -33,10 +33,11 @@ class ParameterFlags {
   std::vector<Entry> entries_;
 };
 
-/// A message about a parameter as one about its flag: "tolerance must be above 0" becomes "--tolerance must be above 0".
+/// Rewrites a message about a parameter as one about its flag: "tolerance must be above 0" becomes "--tolerance must be
+/// above 0".
 std::string namingFlag(const std::string& flag, const std::string& parameter, const std::string& message);
 
-/// "number from 0 to 1": one word in capitals for the column of flags.
+/// The value's name in the column of flags: one word in capitals, such as NUMBER.
 std::string placeholder(const ParameterSpec&);
 
 }  // namespace blossom

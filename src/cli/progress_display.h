@@ -7,8 +7,8 @@
 
 namespace blossom {
 
-/// Shows how far the work is on stderr: a bar on a screen, plain lines with --progress, nothing otherwise.
-/// Short work stays silent: the bar appears after a moment. The bar is wiped out at the end.
+/// Shows progress on stderr: a bar on a terminal, plain lines with --progress, else nothing. The bar appears after a short
+/// delay, so that short work shows none, and is erased at the end.
 class ProgressDisplay {
  public:
   explicit ProgressDisplay(const Session&);
@@ -16,7 +16,7 @@ class ProgressDisplay {
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// Reports here and stops when the terminal's token is cancelled.
+  /// A progress that is shown here and cancelled by the terminal's token.
   [[nodiscard]] Progress progress();
 
  private:

@@ -54,7 +54,7 @@ class RenderCommand {
     if (files_.empty())
       throw UsageError("render needs a file to draw.", "\"blossom render part.step -o part.png\" draws a part.");
     if (output_.empty()) throw UsageError("render needs a picture to write.", "Add -o and a name that ends in .png.");
-    Value values = options_->given();
+    Value values = options_->values();
     if (light_) values["theme"] = "light";
     PictureOptions options;
     try {

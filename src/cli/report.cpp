@@ -98,7 +98,8 @@ std::vector<ReportRow> rowsOf(const Measures& measures) {
   std::vector<ReportRow> rows{{"kind", measures.kind, ""}};
   const Value values = resultJson(measures);
   for (const Measure& each : measures.values) {
-    const std::string name = each.unit == MeasureUnit::None ? each.name : splitUnit(each.name).first;  // told once
+    const std::string name =
+        each.unit == MeasureUnit::None ? each.name : splitUnit(each.name).first;  // the unit is printed once
     rows.push_back({readable(name), valueText(values[each.name]), unitText(each.unit)});
   }
   return rows;

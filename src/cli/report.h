@@ -8,31 +8,31 @@
 
 namespace blossom {
 
-/// {"kind": .., measure: value, ..}: what `result` of --json holds.
+/// {"kind": .., measure: value, ..}: the content of `result` of `--json`.
 Value resultJson(const Measures&);
 
-/// One line of a report for people: a name, a value, a unit.
+/// One line of a report for people.
 struct ReportRow {
   std::string name;
   std::string value;
   std::string unit;
 };
 
-/// Rows of all measures, the kind first. Numbers are written so that they read back as the same double.
+/// Rows of all measures, the kind first. Numbers have enough digits to be read back as the same double.
 std::vector<ReportRow> rowsOf(const Measures&);
-/// Rows of `stats` or other JSON; units follow from names such as "kernel_ms".
+/// Rows of `stats` or other JSON; units are derived from names such as "kernel_ms".
 std::vector<ReportRow> rowsOf(const Value& object);
 
-/// Adds the rows of `more` whose name is not there yet.
+/// Adds the rows of `more` whose names are not in `rows`.
 void addRows(std::vector<ReportRow>& rows, const Value& more);
 
-/// Columns that align: names to the left, numbers at their decimal point.
+/// Prints aligned columns: names to the left, numbers at the decimal point.
 void printRows(std::ostream&, const std::vector<ReportRow>&);
 
-/// A table with a line of headings; columns as wide as what they hold.
+/// Prints a table with a line of headings and columns as wide as their widest cell.
 void printTable(std::ostream&, const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& lines);
 
-/// Number of columns that a UTF-8 text takes on a screen (every code point counts as one).
+/// Number of terminal columns of a UTF-8 text; every code point counts as one.
 std::size_t displayWidth(const std::string&);
 
 }  // namespace blossom

@@ -211,7 +211,7 @@ class RunCommand {
       }
     }
     Measures none;
-    tellReports(written, none, opened.warnings);
+    addReports(written, none, opened.warnings);
     report(features, opened.warnings, written, problem);
     return problem ? 1 : 0;
   }

@@ -11,31 +11,32 @@
 
 namespace blossom {
 
-/// The command was not called as it wants to be: exit code 2 instead of 1.
+/// Wrong usage of a command: exit code 2 instead of 1.
 class UsageError : public Error {
  public:
   explicit UsageError(std::string message, std::string hint = {}, ErrorCode code = ErrorCode::InvalidParameter)
       : Error(code, std::move(message), std::move(hint)) {}
 };
 
-/// What one run of `blossom` shares with its command.
+/// Context and common flags of one run of `blossom`.
 struct Session {
   const App& app;
   const Terminal& terminal;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   bool json = false;           ///< --json: one JSON object on stdout
-  bool progressLines = false;  ///< --progress: plain lines also where stderr is no screen
+  bool progressLines = false;  ///< --progress: plain lines even when stderr is no terminal
   bool salvage = false;        ///< --salvage: open what is readable of a damaged document
   bool allowFiles = false;     ///< --allow-files: documents may read files outside of their folder
-  int threads = 0;             ///< --threads; 0 leaves it to the machine
+  int threads = 0;             ///< --threads; 0: all cores
 
   [[nodiscard]] double elapsedMs() const;
 };
 
-/// A stopwatch for the parts of a command.
+/// Milliseconds elapsed since a time, for the parts of a command.
 double millisecondsSince(std::chrono::steady_clock::time_point);
 
-/// One JSON object, one line. Bytes that are not UTF-8 (file names) are replaced, numbers read back as the same double.
+/// Prints one JSON object in one line. Bytes that are not UTF-8 (in file names) are replaced; numbers have enough digits to
+/// be read back as the same double.
 void printJson(std::ostream&, const Value&);
 
 /// {"code", "message", "hint"}

@@ -5,11 +5,11 @@
 
 namespace blossom {
 
-/// What went wrong, as a program can tell. `errorCodeName` gives the name printed by `--json`.
+/// Error codes that programs can test; errorCodeName returns the name printed by `--json`.
 enum class ErrorCode {
   Cancelled,         ///< the user, or a parent job, asked to stop
   InvalidParameter,  ///< a value is outside its range or has the wrong form
-  InvalidInput,      ///< the geometry given cannot be used here
+  InvalidInput,      ///< the input geometry cannot be used here
   FileNotFound,
   FileUnreadable,  ///< exists, but cannot be opened or read
   FileUnwritable,
@@ -24,11 +24,11 @@ enum class ErrorCode {
   PluginBroken,
   WorkerDied,          ///< the child process crashed or was ended by hand
   OutputNotSupported,  ///< this kind of shape cannot be written in that format
-  Internal             ///< a broken promise inside Blossom; always a defect
+  Internal             ///< a violated invariant inside Blossom; always a defect
 };
 
 std::string_view errorCodeName(ErrorCode) noexcept;
-/// Inverse of errorCodeName; Internal when the name is unknown (errors that cross a process boundary).
+/// Inverse of errorCodeName, for errors that cross a process boundary; Internal when the name is unknown.
 ErrorCode errorCodeFromName(std::string_view) noexcept;
 
 /// The one exception type of Blossom: a code, a sentence a user understands, and what to do about it.

@@ -49,7 +49,7 @@ class Parser {
   }
 
  private:
-  // What is written "10" may stand for 10 mm: only dimensions that cannot be meant are refused.
+  // A plain "10" may mean 10 mm: only dimensions that cannot be intended are refused.
   Dimensioned asWanted(const Dimensioned& value) const {
     const bool length = value.is(1, 0), angle = value.is(0, 1);
     if (wanted_ == Quantity::Length && value.plain()) return {value.value * unit_.millimetres};
@@ -195,7 +195,7 @@ class Parser {
     for (blanks(); take(",") || take(";"); blanks()) values.push_back(sum());
     if (!take(")")) fail(place, fmt::format("the parenthesis of {} is not closed", name));
     countPlainAsLengths(values);
-    if (values.size() < function->minimum || values.size() > function->most)
+    if (values.size() < function->minimum || values.size() > function->maximum)
       fail(place, fmt::format("{} takes {} {}", name, function->minimum, function->minimum == 1 ? "value" : "values"));
     const auto value = function->call(values);
     if (!value) fail(place, fmt::format("{} does not take these units", name));

@@ -57,7 +57,7 @@ Result toAngle(Values v) {
   return Dimensioned{f(v[0].value), 0, 1};
 }
 
-/// Plain numbers take the unit of the others; empty when there are two different ones.
+/// Plain numbers get the unit of the others; empty when there are two different units.
 Result commonUnit(Values values) {
   Dimensioned unit;
   for (const Dimensioned& v : values) {

@@ -37,7 +37,7 @@ void refuseProtected(const fs::path& target) {
                 "Save under another name, or allow writing to it.");
 }
 
-/// A failing disk may tell only here that what was written did not arrive.
+/// A failing disk may report a write error only here.
 void syncContent(const fs::path& temporary, const fs::path& target) {
   const int fd = ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) cannotWrite(target, std::strerror(errno));
@@ -57,7 +57,7 @@ void syncFolder(const fs::path& folder) {
 
 fs::path folderOf(const fs::path& target) { return target.parent_path().empty() ? fs::path(".") : target.parent_path(); }
 
-/// Names that nobody else gives, so that leftovers may be removed.
+/// Names used only by Blossom, so that leftovers may be removed.
 std::string temporaryPrefix(const fs::path& target) {
   constexpr std::size_t longest = 160;  // bytes; a name has at most 255
   return ".blossom-writing-" + target.stem().string().substr(0, longest) + "-";
@@ -139,9 +139,9 @@ std::string readFile(const fs::path& path) {
     throw Error(ErrorCode::FileUnreadable, fmt::format("{} is not a file.", path.string()),
                 "Give a file, not a folder or a device.");
   const auto size = fs::file_size(path, ec);
-  if (!ec && size > largestFile)
+  if (!ec && size > maximumFileSize)
     throw Error(ErrorCode::LimitExceeded,
-                fmt::format("The file {} has {} MB; the limit is {} MB.", path.string(), size >> 20, largestFile >> 20));
+                fmt::format("The file {} has {} MB; the limit is {} MB.", path.string(), size >> 20, maximumFileSize >> 20));
   std::ifstream in(path, std::ios::binary);
   std::string content(static_cast<std::size_t>(ec ? 0 : size), '\0');
   if (!in || !in.read(content.data(), static_cast<std::streamsize>(content.size())))

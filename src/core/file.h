@@ -7,23 +7,23 @@
 
 namespace blossom {
 
-/// Largest file any reader takes into memory, in bytes.
-inline constexpr std::uintmax_t largestFile = 2ull << 30;
+/// Size limit, in bytes, of a file that is read into memory.
+inline constexpr std::uintmax_t maximumFileSize = 2ull << 30;
 
-/// Whole content of a regular file.
+/// Returns the whole content of a regular file.
 /// @throws Error FileNotFound, FileUnreadable (also for a folder), LimitExceeded.
 std::string readFile(const std::filesystem::path&);
 
-/// Lets `write` fill a temporary file beside `target`, syncs it to the disk and renames it over `target`: after a crash or
-/// an exception the old file is still whole. The temporary file is removed when `write` throws.
+/// Calls `write` with a temporary file beside `target`, syncs that file to the disk and renames it to `target`: after a
+/// crash or an exception the old file is intact. The temporary file is removed when `write` throws.
 /// @throws Error FileUnwritable; whatever `write` throws.
 void writeAtomically(const std::filesystem::path& target,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
-/// The same for content at hand.
+/// Writes `content` in the same way.
 void writeAtomically(const std::filesystem::path& target, std::string_view content);
 
-/// A new folder under the system's temporary folder, removed with all in it at the end of its life.
+/// A new folder under the system's temporary folder; the destructor removes it with its content.
 class TemporaryFolder {
  public:
   TemporaryFolder();

@@ -12,8 +12,8 @@ namespace blossom {
 
 namespace {
 
-/// Says again what TBB sees to by itself: a piece comes after all that was done before the loop, and before all that is done
-/// after it. ThreadSanitizer does not look into TBB, and would take every loop for a race.
+/// Repeats the synchronisation that TBB does itself: a piece runs after everything before the loop and before everything
+/// after it. ThreadSanitizer does not see that of TBB and would report every loop as a race.
 class Order {
  public:
   class Piece {

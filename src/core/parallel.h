@@ -7,12 +7,12 @@
 namespace blossom {
 
 /// Calls body(begin, end) for disjoint ranges that cover [0, count), on all cores. Polls `progress` between ranges.
-/// @param grain smallest range worth a task of its own
-/// @throws Error Cancelled; the first exception of a body.
+/// @param grain minimum size of a range
+/// @throws Error Cancelled; the first exception thrown by `body`.
 void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// Most threads that parallelFor uses; 0 means all cores. Applies to calls made after it returns.
+/// Sets the maximum number of threads of parallelFor; 0 means all cores. Applies to calls made afterwards.
 void setThreadLimit(int threads);
 
 }  // namespace blossom

@@ -6,7 +6,7 @@
 
 namespace blossom {
 
-/// Asks long work to stop. Copies share one flag; `cancel` may be called from any thread.
+/// Request to stop long work. Copies share one flag; `cancel` may be called from any thread.
 class CancelToken {
  public:
   CancelToken() : flag_(std::make_shared<std::atomic<bool>>(false)) {}
@@ -17,9 +17,8 @@ class CancelToken {
   std::shared_ptr<std::atomic<bool>> flag_;
 };
 
-/// What every long loop polls: how far it is, and whether to go on.
-/// `check`, `report` and `cancelled` may be called from several threads at once; the listener is called by whoever reports,
-/// at most once per percent.
+/// Progress and cancellation of long work; every long loop polls it. `check`, `report` and `cancelled` may be called from
+/// several threads at once; the listener runs in the reporting thread, at most once per percent.
 class Progress {
  public:
   /// @param fraction done so far, 0..1  @param stage what is being done, for the user
@@ -28,7 +27,7 @@ class Progress {
   Progress() = default;
   explicit Progress(CancelToken token, Listener listener = {});
 
-  /// A progress nobody watches and nobody cancels; for tests and short calls.
+  /// A progress without listener that is never cancelled; for tests and short calls.
   static Progress none() { return Progress(); }
 
   [[nodiscard]] bool cancelled() const noexcept { return token_.cancelled(); }
@@ -39,7 +38,7 @@ class Progress {
   /// Reports and checks. @param fraction is clamped to 0..1.
   void report(double fraction, const std::string& stage = {}) const;
 
-  /// The share [from, to] of this progress, to hand to a part of the work.
+  /// Progress of one step of the work, mapped to [from, to] of this one.
   [[nodiscard]] Progress part(double from, double to) const;
 
  private:

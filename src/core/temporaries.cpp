@@ -69,7 +69,7 @@ void removeAll(const fs::path& path) noexcept {
   fs::remove_all(path, ignored);
 }
 
-/// Made by mkdtemp for this user, and by nobody else.
+/// Created by mkdtemp, for this user.
 bool looksLikeOurs(const fs::path& path) {
   const std::string name = path.filename().string();
   if (!name.starts_with(folderPrefix) || name.size() != folderPrefix.size() + randomLength) return false;
@@ -84,13 +84,13 @@ bool looksLikeOurs(const fs::path& path) {
 
 fs::path makeTemporaryFolder() {
   const fs::path parent = parentFolder();
-  constexpr int mostAttempts = 3;
+  constexpr int maximumAttempts = 3;
   for (int attempt = 1;; ++attempt) {
     std::string pattern = (parent / (std::string(folderPrefix) + "XXXXXX")).string();
     if (!::mkdtemp(pattern.data())) noFolder(parent, std::strerror(errno));
     const int fd = lockedFolder(pattern);
-    // Some file systems know no locks: there nobody else can take the folder for an abandoned one either.
-    if (fd < 0 && attempt < mostAttempts) {
+    // Some file systems have no locks; other processes cannot lock the folder there either, so it is not removed.
+    if (fd < 0 && attempt < maximumAttempts) {
       removeAll(pattern);
       continue;
     }
@@ -141,7 +141,7 @@ void removeAbandonedFolders() noexcept {
       ::close(fd);
     }
   } catch (const std::exception&) {
-    // Tidying up is a courtesy: what stands in its way will be told by those who need a temporary folder.
+    // Errors are ignored: the next code that needs a temporary folder will report them.
   }
 }
 

@@ -2,8 +2,8 @@
 
 namespace blossom {
 
-/// The calling thread, and every thread and process it starts from now on, gets the processor after those that somebody
-/// looks at. It makes nothing slower while a core is free.
+/// Lowers the priority of the calling thread, and of every thread and process it starts from now on, below that of
+/// interactive work. Costs no time while a core is free.
 void lowerThreadPriority();
 
 }  // namespace blossom

@@ -3,9 +3,10 @@
 namespace blossom {
 
 inline constexpr const char* versionText = "0.1.0";
-/// Raised whenever a plugin built against an older header could break; the loader refuses other numbers.
+/// Version of the plugin interface. Raised whenever a plugin built against older headers could break; the loader refuses all
+/// others.
 inline constexpr int pluginApiVersion = 2;
-/// Format of .blossom documents.
+/// Version of the format of .blossom documents.
 inline constexpr int documentFormatVersion = 1;
 
 }  // namespace blossom

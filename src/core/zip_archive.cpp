@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-/// 2 January 1980, noon: the first day that a zip can tell in every time zone.
+/// 2 January 1980, noon: the first day that a zip can represent in every time zone.
 constexpr time_t fixedTime = 315662400;
 
 [[noreturn]] void cannotWrite(const std::filesystem::path& path, const std::string& why) {

@@ -17,27 +17,27 @@ struct ZipEntry {
   bool stored = false;       ///< not compressed
 };
 
-/// Writes a zip whose bytes depend on the entries alone. @throws Error FileUnwritable, Cancelled.
+/// Writes a zip whose bytes depend only on the entries. @throws Error FileUnwritable, Cancelled.
 void writeZip(const std::filesystem::path&, const std::vector<ZipEntry>&, const Progress&);
 
 struct ZipContent {
   std::map<std::string, std::string> entries;
-  std::vector<std::string> damaged;  ///< sentences on what could not be read
+  std::vector<std::string> damaged;  ///< one sentence for each entry that could not be read
 };
 
-/// Entries larger than this, or more of all in sum, are not unpacked: a small file must not fill the memory.
+/// Limits in bytes of the unpacked size, of one entry and of all together, so that a small file cannot fill the memory.
 struct ZipLimits {
   std::uint64_t entry = 1ull << 30;
   std::uint64_t total = 2ull << 30;
 };
 
-/// The entries whose names `wanted` takes. A damaged entry is left out and told of.
-/// @throws Error FormatDamaged when it is no zip or has lost its directory; LimitExceeded.
+/// Reads the entries whose names `wanted` accepts. Damaged entries are left out and reported in `damaged`.
+/// @throws Error FormatDamaged when it is no zip or its central directory is missing; LimitExceeded.
 ZipContent readZip(const std::string& bytes, const std::function<bool(std::string_view name)>& wanted,
                    const ZipLimits& = {});
 
-/// The same from the headers in front of the entries, for a zip whose directory at the end is lost. Of the last entry the
-/// part that is there is returned. @throws Error LimitExceeded.
+/// Reads the entries by their local headers, for a zip whose central directory is missing. Of a truncated last entry the
+/// available part is returned. @throws Error LimitExceeded.
 ZipContent salvageZip(const std::string& bytes, const std::function<bool(std::string_view name)>& wanted,
                       const ZipLimits& = {});
 

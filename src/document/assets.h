@@ -6,11 +6,11 @@
 
 namespace blossom {
 
-/// Hashes of the assets that a feature, or what later versions wrote, names. Assets that only undone steps name are left
-/// out. Types of parameters need not be known: their plugin may be missing.
+/// Hashes of the assets named by a feature or by keys of newer versions; assets named only by undone steps are left out. The
+/// types of parameters need not be known, because their plugin may be missing.
 std::set<std::string> namedAssets(const Document&);
 
-/// Reports every imported file whose content is not there.
+/// Reports every imported file without content.
 void checkAssets(const Document&, Problems&);
 
 }  // namespace blossom

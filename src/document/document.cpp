@@ -34,7 +34,7 @@ auto position(const List& features, const FeatureId& id) {
               "Choose an input that is not made from this feature.");
 }
 
-bool takes(const Feature& feature, const FeatureId& id) {
+bool hasInput(const Feature& feature, const FeatureId& id) {
   return std::find(feature.inputs.begin(), feature.inputs.end(), id) != feature.inputs.end();
 }
 
@@ -137,10 +137,10 @@ Document Document::moved(const FeatureId& id, std::size_t place) const {
   const Feature& feature = *result.features_[place];
   for (std::size_t i = 0; i < result.features_.size(); ++i) {
     const Feature& other = *result.features_[i];
-    if (i > place && takes(feature, other.id))
+    if (i > place && hasInput(feature, other.id))
       throw Error(ErrorCode::InvalidInput,
                   fmt::format("\"{}\" cannot stand before its input \"{}\".", shownName(feature), shownName(other)));
-    if (i < place && takes(other, id))
+    if (i < place && hasInput(other, id))
       throw Error(ErrorCode::InvalidInput,
                   fmt::format("\"{}\" cannot stand after \"{}\", which uses it.", shownName(feature), shownName(other)));
   }
@@ -176,7 +176,7 @@ bool Document::contains(const FeatureId& id) const { return position(features_, 
 std::vector<FeatureId> Document::usersOf(const FeatureId& id) const {
   std::vector<FeatureId> users;
   for (const auto& feature : features_)
-    if (takes(*feature, id)) users.push_back(feature->id);
+    if (hasInput(*feature, id)) users.push_back(feature->id);
   return users;
 }
 

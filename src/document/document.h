@@ -12,12 +12,12 @@ namespace blossom {
 class FileAccess;
 using FeatureId = std::string;  ///< unique in a document: "sweep-1"
 
-/// One step of the model. Its type is kept by id, so that a document survives a missing plugin.
+/// One feature of a document. Its type is stored by id, so that a document can be opened without the plugin.
 struct Feature {
   FeatureId id;
   std::string type;                    ///< "sweep.sweep"
-  std::string name;                    ///< as the tree shows it
-  Value parameters = Value::object();  ///< canonical; what is absent is at its default
+  std::string name;                    ///< name shown in the tree
+  Value parameters = Value::object();  ///< canonical; absent ones have their default
   std::vector<FeatureId> inputs;       ///< in order of the type's input specs
   bool visible = true;
   bool suppressed = false;
@@ -25,26 +25,27 @@ struct Feature {
   friend bool operator==(const Feature&, const Feature&) = default;
 };
 
-/// How sentences call it.
+/// The feature's name in messages.
 std::string shownName(const Feature&);
 
-/// A list of features; an edit makes a new document that shares all unchanged parts. O(features) pointers per edit.
+/// An immutable list of features; an edit makes a new document that shares all unchanged parts. O(features) pointers per
+/// edit.
 class Document {
  public:
-  /// All at once, in any order; O(n log n). @throws Error InvalidInput (an id twice or empty), NotFound (an input),
-  /// CycleFound.
+  /// A document of these features in any order. O(n log n). @throws Error InvalidInput (an id that is empty or not unique),
+  /// NotFound (an input), CycleFound.
   static Document of(std::vector<Feature>);
-  /// Adds at the end, or replaces the feature of that id in its place (inputs that stood after it move before it).
+  /// Appends the feature, or replaces the one with its id (inputs after it are moved before it).
   /// @throws Error NotFound (an input), CycleFound, InvalidInput (no id).
   [[nodiscard]] Document with(Feature) const;
-  /// @throws Error InUse while others take it as input; NotFound.
+  /// @throws Error InUse when the feature is an input of others; NotFound.
   [[nodiscard]] Document without(const FeatureId&) const;
-  /// @throws Error NotFound; InvalidInput when it would stand before one of its inputs or after one of its users.
+  /// @throws Error NotFound; InvalidInput when it would come before one of its inputs or after one of its users.
   [[nodiscard]] Document moved(const FeatureId&, std::size_t place) const;
-  /// Content of imported files, by hash.
+  /// Adds the content of an imported file, by its hash.
   [[nodiscard]] Document withAsset(std::string hash, std::shared_ptr<const std::string> content) const;
   [[nodiscard]] Document withExtra(Value extra) const;
-  /// Another rule for the files that its parameters name; all versions made from it share the rule.
+  /// Sets the access rule for files named by parameters; all versions made from this document share it.
   [[nodiscard]] Document withAccess(std::shared_ptr<FileAccess>) const;
 
   /// @throws Error NotFound.
@@ -56,9 +57,9 @@ class Document {
   [[nodiscard]] std::vector<FeatureId> usersOf(const FeatureId&) const;
   [[nodiscard]] const std::map<std::string, std::shared_ptr<const std::string>>& assets() const { return assets_; }
   [[nodiscard]] const Value& extra() const { return extra_; }
-  /// nullptr: it was made here and reads what it names, relative paths from the current folder.
+  /// nullptr for a document made here, which may read any file; relative paths start at the current folder.
   [[nodiscard]] const std::shared_ptr<FileAccess>& access() const { return access_; }
-  /// "sweep-2": a free id made from a type's command.
+  /// An unused id made from the command of a type: "sweep-2".
   [[nodiscard]] FeatureId freshId(const std::string& command) const;
 
  private:

@@ -177,9 +177,9 @@ Document readDocumentJson(const std::string& text, Problems& problems) {
     problems.report("it does not tell its format version");
   const Value list = root.value("features", Value());
   if (!list.is_array()) problems.fail("it has no list of features");
-  if (list.size() > mostFeatures)
+  if (list.size() > maximumFeatures)
     throw Error(ErrorCode::LimitExceeded,
-                fmt::format("{} has {} features; the limit is {}.", problems.subject(), list.size(), mostFeatures));
+                fmt::format("{} has {} features; the limit is {}.", problems.subject(), list.size(), maximumFeatures));
 
   std::vector<Feature> features;
   for (std::size_t i = 0; i < list.size(); ++i)

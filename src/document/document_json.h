@@ -5,14 +5,15 @@
 
 namespace blossom {
 
-/// None was ever near; keeps a hostile file from taking quadratic time.
-inline constexpr std::size_t mostFeatures = 10000;
+/// Limit that keeps a hostile file from taking quadratic time; real documents are far below.
+inline constexpr std::size_t maximumFeatures = 10000;
 
-/// What is wrong with a document being read. Strict: the first problem is the error. Salvaging: problems become warnings.
+/// Collects the defects of a document that is read. Without salvaging the first defect is an error, with salvaging defects
+/// become warnings.
 class Problems {
  public:
   Problems(std::string subject, bool salvage) : subject_(std::move(subject)), salvage_(salvage) {}
-  /// @param what "feature 3 has no id": goes on after "The document is damaged:" @throws Error FormatDamaged unless
+  /// @param what "feature 3 has no id", appended to "The document is damaged:" @throws Error FormatDamaged unless
   /// salvaging
   void report(const std::string& what);
   [[noreturn]] void fail(const std::string& what) const;
@@ -25,9 +26,9 @@ class Problems {
   bool salvage_;
 };
 
-/// One feature as it stands in document.json.
+/// One feature in the form of document.json.
 Value featureJson(const Feature&);
-/// The document as it stands in document.json.
+/// The document in the form of document.json.
 Value documentJson(const Document&);
 
 /// @throws Error FormatTooNew, FormatDamaged, LimitExceeded.

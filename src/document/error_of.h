@@ -7,8 +7,8 @@
 
 namespace blossom {
 
-/// Calls `work` and turns whatever it throws, the modelling library's and the standard library's exceptions too, into an
-/// Error that can be kept and shown. @param title what was done: "Box", "Drawing the result". @throws Error Cancelled only.
+/// Calls `work` and converts any exception, also of OCCT and the standard library, to an Error that can be stored and shown.
+/// @param title the work in messages: "Box", "Drawing the result". @throws Error Cancelled only.
 std::optional<Error> errorOf(const std::string& title, const std::function<void()>& work);
 
 }  // namespace blossom

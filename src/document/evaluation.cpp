@@ -96,7 +96,7 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     const Inputs arranged = inputsOf(feature, *type);
     const Stopwatch watch(result->kernelMs);
     result->evaluated = type->evaluate(parameters, arranged, progress);
-    checkGiven(*type, result->evaluated.shape);
+    checkResult(*type, result->evaluated.shape);
     refuseInfiniteFigures(result->evaluated);
   });
   if (known) {

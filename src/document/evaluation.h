@@ -5,7 +5,7 @@
 
 namespace blossom {
 
-/// One pass over a document: the part of the evaluator that knows no threads.
+/// One evaluation of a document: the single-threaded part of the evaluator.
 class Evaluation {
  public:
   Evaluation(const Document& document, const Registry& registry, ResultCache& cache, FileSource& files)
@@ -15,12 +15,12 @@ class Evaluation {
   Results run(const Progress&, const Evaluator::Done&);
 
  private:
-  /// What users of a feature need to know of it.
+  /// The result of a feature as needed by its users.
   struct Outcome {
-    std::string key;  ///< of the content; empty when it has no result
+    std::string key;  ///< content key; empty when there is no result
     Shape shape;
     std::vector<std::string> warnings;
-    std::shared_ptr<const Error> rootError;  ///< where the failure began
+    std::shared_ptr<const Error> rootError;  ///< error of the first feature that failed
   };
 
   std::shared_ptr<const FeatureResult> evaluated(const Feature&, Outcome&, const Progress&);

@@ -106,7 +106,7 @@ void Evaluator::cancelBackground() {
   const std::lock_guard lock(state_->mutex);
   if (state_->running) state_->running->cancel();
   dropped.swap(state_->waiting);
-  state_->changed.notify_all();  // whoever waits for the end
+  state_->changed.notify_all();  // wakes waitForBackground
 }
 
 void Evaluator::waitForBackground() {

@@ -12,8 +12,8 @@
 
 namespace blossom {
 
-/// The state of one feature after an evaluation. Whatever a feature throws ends up here: OCCT's and the standard library's
-/// exceptions as Internal, exhausted memory as LimitExceeded.
+/// The state of one feature after an evaluation. Every exception is stored here: those of OCCT and the standard library as
+/// Internal, exhausted memory as LimitExceeded.
 struct FeatureResult {
   Evaluated evaluated;         ///< empty shape when it failed
   std::optional<Error> error;  ///< its own error, or "The input .. failed."
@@ -23,8 +23,8 @@ struct FeatureResult {
 
 using Results = std::map<FeatureId, std::shared_ptr<const FeatureResult>>;
 
-/// Evaluates documents. A result is kept under a key made of type, parameters and the keys of its inputs (files by content),
-/// so only what changed is computed again. Thread-safe; least recently used results beyond `cacheLimit` are dropped.
+/// Evaluates documents. Results are cached under a key of type, parameters and the keys of the inputs (files by content), so
+/// only what changed is computed again. Thread-safe; least recently used results beyond `cacheLimit` are dropped.
 class Evaluator {
  public:
   explicit Evaluator(std::shared_ptr<const Registry>, std::size_t cacheLimit = 256);
@@ -33,17 +33,18 @@ class Evaluator {
   /// Called after each feature, from the evaluating thread.
   using Done = std::function<void(const FeatureId&, const std::shared_ptr<const FeatureResult>&)>;
 
-  /// All features, inputs first. A failing feature keeps its error; its users fail with a reference to it; the rest is
-  /// evaluated.
+  /// Evaluates all features, inputs first. A failing feature stores its error, its users fail with a reference to it, all
+  /// others are evaluated.
   /// @throws Error Cancelled only.
   Results evaluate(const Document&, const Progress&, const Done& done = {});
 
-  /// The same on a thread of its own; a new call cancels the one under way and waits for nothing. Only the newest finishes
-  /// with `finished`. Called from the background thread.
+  /// The same on a background thread, which makes all callbacks. A new call cancels the previous one without waiting;
+  /// `finished` is called for the newest only.
   void evaluateInBackground(Document, std::function<void(double fraction, const std::string& stage)> progress, Done done,
                             std::function<void(Results)> finished);
-  void cancelBackground();   ///< returns at once
-  void waitForBackground();  ///< until nothing is under way; not to be called by a thread that the callbacks wait for
+  void cancelBackground();  ///< does not wait
+  void
+  waitForBackground();  ///< until the background thread is idle; not to be called by a thread that the callbacks wait for
 
  private:
   struct State;

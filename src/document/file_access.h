@@ -6,23 +6,23 @@
 
 namespace blossom {
 
-/// Which files a document may read, and where its relative paths begin. A document that somebody else wrote names whatever
-/// its author liked: unasked it reads nothing but what lies below its own folder. What the user allows is no part of the
-/// document and holds for all its versions. Symbolic links and ".." are resolved before anything is decided. Thread-safe.
+/// The files that a document may read, and the base of its relative paths. Because the author of a document may name any
+/// file, it may read only files below its own folder unless the user allows more. What the user allows is not part of the
+/// document and applies to all its versions. Symbolic links and ".." are resolved before the decision. Thread-safe.
 class FileAccess {
  public:
-  /// Everything that lies below `folder`; with an empty one nothing.
+  /// Access to everything below `folder`; to nothing when it is empty.
   static std::shared_ptr<FileAccess> below(const std::filesystem::path& folder);
-  /// Every file there is; relative paths begin at `folder`, or, with an empty one, at the current folder.
+  /// Access to every file; relative paths start at `folder`, or at the current folder when it is empty.
   static std::shared_ptr<FileAccess> everywhere(const std::filesystem::path& folder = {});
 
-  /// Where the path leads: absolute, without links and dots as far as it exists.
+  /// The target of the path: absolute, without links and dots as far as it exists.
   [[nodiscard]] std::filesystem::path resolved(const std::filesystem::path&) const;
   [[nodiscard]] bool permits(const std::filesystem::path&) const;
   void allow(const std::filesystem::path&);
   void refuse(const std::filesystem::path&);  ///< also below the folder
 
-  /// The file to be opened for a path that a document names. @throws Error FileUnreadable when it may not be read.
+  /// The file to open for a path named by a document. @throws Error FileUnreadable when it may not be read.
   [[nodiscard]] std::filesystem::path opened(const std::filesystem::path&) const;
 
  private:

@@ -10,15 +10,15 @@
 
 namespace blossom {
 
-/// Where file parameters get their content during evaluation. Content kept in the document is written once to a temporary
-/// folder under the name of the original file, because readers go by the extension. Thread-safe.
+/// Provides the content of file parameters during evaluation. Content stored in the document is written once to a temporary
+/// folder under the name of the original file, because readers depend on the extension. Thread-safe.
 class FileSource {
  public:
   struct Opened {
-    std::filesystem::path path;  ///< can be read now
+    std::filesystem::path path;  ///< a readable file
     std::string hash;            ///< of the content
   };
-  /// @param file canonical file value {"path", "asset"}; a path is opened as the access of the document allows
+  /// @param file canonical file value {"path", "asset"}; a path is opened when the access of the document permits it
   /// @throws Error FileNotFound, FileUnreadable, FileUnwritable.
   Opened open(const Value& file, const Document&);
 

@@ -9,9 +9,10 @@ bool isText(const Value& value, const char* key) { return !value.contains(key) |
 
 }  // namespace
 
-bool holdsFiles(const std::vector<ParameterSpec>& specs) {
-  return std::any_of(specs.begin(), specs.end(),
-                     [](const ParameterSpec& spec) { return spec.kind == ParameterKind::File || holdsFiles(spec.fields); });
+bool hasFileParameter(const std::vector<ParameterSpec>& specs) {
+  return std::any_of(specs.begin(), specs.end(), [](const ParameterSpec& spec) {
+    return spec.kind == ParameterKind::File || hasFileParameter(spec.fields);
+  });
 }
 
 void eachFile(const ParameterSpec& spec, Value& value, const std::function<void(Value& file)>& visit) {

@@ -5,13 +5,12 @@
 
 namespace blossom {
 
-/// Calls `visit` with every file that a parameter holds, in lists and records too, as {"path", "asset"}; one that is written
-/// as a plain path is brought into that form. What has another form than its declaration is passed over: the evaluation
-/// refuses it.
+/// Calls `visit` with every file in a parameter, also in lists and records, as {"path", "asset"}; a plain path is converted
+/// to that form. Values that do not match their declaration are skipped, because the evaluation refuses them.
 void eachFile(const ParameterSpec&, Value&, const std::function<void(Value& file)>& visit);
 void eachFile(const std::vector<ParameterSpec>&, Value& parameters, const std::function<void(Value& file)>& visit);
 
-/// Whether one of these, or what they hold, can be a file.
-bool holdsFiles(const std::vector<ParameterSpec>&);
+/// Whether one of the parameters, or an element or field of one, is a file.
+bool hasFileParameter(const std::vector<ParameterSpec>&);
 
 }  // namespace blossom

@@ -8,12 +8,12 @@
 
 namespace blossom {
 
-/// Undo is an older value. Documents share what is equal, so a long history costs little.
+/// Undo and redo as a list of documents. Documents share equal parts, so a long history is cheap.
 class History {
  public:
   explicit History(Document = {});
-  void commit(Document, std::string what);  ///< forgets what could be redone
-  void preview(Document);                   ///< shown, not remembered; the next commit or revert ends it
+  void commit(Document, std::string what);  ///< clears the redo steps
+  void preview(Document);                   ///< current until the next commit or revert, not recorded
   void revert();
   bool undo();  ///< also ends a preview; false when there is nothing to undo
   bool redo();
@@ -21,12 +21,12 @@ class History {
   [[nodiscard]] const Document& committed() const { return steps_[place_].document; }  ///< without a preview
   [[nodiscard]] std::string undoText() const;                                          ///< empty when nothing can be undone
   [[nodiscard]] std::string redoText() const;
-  /// Names the committed document for as long as it can be reached.
+  /// Serial number of the committed document, as long as it can be reached.
   [[nodiscard]] std::uint64_t step() const { return steps_[place_].serial; }
   void markSaved() { markSaved(step()); }
-  void markSaved(std::uint64_t step);   ///< the file holds what was committed then, wherever undo has gone since
-  void markUnsaved();                   ///< no file holds any of its documents
-  [[nodiscard]] bool modified() const;  ///< a preview does not count
+  void markSaved(std::uint64_t step);   ///< the file contains the document of that step, whatever was undone since
+  void markUnsaved();                   ///< no file contains any of the documents
+  [[nodiscard]] bool modified() const;  ///< unsaved changes; previews are ignored
 
  private:
   struct Step {

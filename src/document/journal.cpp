@@ -137,7 +137,7 @@ struct Journal::State {
   void ask(Task task) {
     {
       const std::scoped_lock lock(guard);
-      if (task.act == Act::Clear) tasks.clear();  // nobody wants them any more
+      if (task.act == Act::Clear) tasks.clear();  // no longer needed
       tasks.push_back(std::move(task));
       if (!thread.joinable()) thread = std::thread([this] { work(); });
     }
@@ -161,7 +161,7 @@ struct Journal::State {
   }
 
   void write(std::deque<Task>& taken) {
-    bool all = true;  // one that fails must not take those after it along: the last step is what counts
+    bool all = true;  // a failure must not prevent later steps: the last one counts
     for (Task& task : taken) {
       all &= tried([&] {
         if (task.act == Act::Record) writer.record(std::move(task.step));

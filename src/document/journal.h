@@ -9,40 +9,41 @@
 
 namespace blossom {
 
-/// Which document a journal keeps.
+/// The document of a journal.
 struct JournalOrigin {
-  std::filesystem::path file;  ///< where it was last opened from or saved to; empty: nowhere
-  std::string name;            ///< as a title shows it
+  std::filesystem::path file;  ///< file it was last opened from or saved to; empty: none
+  std::string name;            ///< name shown in titles
   friend bool operator==(const JournalOrigin&, const JournalOrigin&) = default;
 };
 
-/// Keeps the unsaved steps of one document on the disk, so that a crash loses nothing. Its folder holds a base (the whole
-/// document), an append-only list of the steps since, each with a checksum, and the content of imported files once by hash.
-/// Writing happens on a thread of its own: every call but `settle` returns at once, and what was recorded is handed to the
-/// system within milliseconds and synced to the disk right after.
+/// Stores the unsaved steps of one document on disk, so that a crash loses nothing. Its folder contains a base (the whole
+/// document), an append-only list of the steps since, each with a checksum, and the content of imported files by hash.
+/// Writing runs on a thread of its own: every call but `settle` returns at once; a recorded step is passed to the system
+/// within milliseconds and synced to the disk right after.
 ///
-/// At any point of a kill the folder holds the document as of the last step that was written whole: a new base comes into
-/// being by renaming, its predecessor goes only then, and of the list of steps a torn end is dropped.
+/// Whenever the process is killed, the folder contains the document of the last step that was completely written: a new base
+/// is created by renaming, the previous one is removed afterwards, and a truncated end of the list is ignored.
 class Journal {
  public:
   using Problem = std::function<void(const Error&)>;
-  /// @param folder made when there is something to keep  @param problem called from the journal's thread when nothing can be
-  /// written, once until it works again
+  /// @param folder created when needed  @param problem called from the journal's thread when writing fails,
+  /// once until it succeeds again
   explicit Journal(std::filesystem::path folder, Problem problem = {});
-  /// Finishes what was asked for; the folder stays unless it was cleared.
+  /// Finishes pending work; the folder remains unless it was cleared.
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// A step was made: `document` is what the user has now. The first one becomes the base.
+  /// Records a step that resulted in `document`. The first one becomes the base.
   void record(Document document, std::string what, JournalOrigin origin);
-  /// The last step becomes the base, so that the list stays short. Nothing to do when there was no step since.
+  /// Makes the last step the new base, so that the list stays short. Does nothing when there was no step since the last
+  /// base.
   void snapshot();
-  /// Nothing is unsaved any more: the folder goes.
+  /// Removes the folder, because nothing is unsaved.
   void clear();
-  /// Calls `then` from the journal's thread once everything asked for so far is on the disk; never when that fails.
+  /// Calls `then` from the journal's thread once all pending work is on the disk; not when it fails.
   void whenKept(std::function<void()> then);
-  /// Waits until everything asked for so far is on the disk. Not for a thread that must not wait.
+  /// Waits until all pending work is on the disk; blocks.
   void settle();
 
  private:
@@ -50,18 +51,18 @@ class Journal {
   std::unique_ptr<State> state_;
 };
 
-/// What a journal tells without reading the document.
+/// Data of a journal that can be read without reading the document.
 struct JournalSummary {
   JournalOrigin origin;
   std::string lastStep;           ///< "Change mode of Sweep"
-  std::int64_t milliseconds = 0;  ///< when it was made, since 1970
+  std::int64_t milliseconds = 0;  ///< time of the last step, since 1970
   std::size_t features = 0;
 };
 
-/// @throws Error FileNotFound when the folder holds no base that can be read.
+/// @throws Error FileNotFound when the folder contains no readable base.
 JournalSummary summarised(const std::filesystem::path& folder);
 
-/// The document as of the last step that is whole; imported files that are missing or damaged become warnings.
+/// The document of the last complete step; missing or damaged imported files become warnings.
 /// @throws Error FileNotFound, FormatDamaged, FormatTooNew.
 OpenedDocument recoverDocument(const std::filesystem::path& folder);
 

@@ -9,15 +9,16 @@ namespace blossom {
 std::filesystem::path journalBase(const std::filesystem::path& folder, std::size_t generation);
 std::filesystem::path journalSteps(const std::filesystem::path& folder, std::size_t generation);
 std::filesystem::path journalAssets(const std::filesystem::path& folder);
-/// Generations that have a base, newest first.
+/// Generations with a base, newest first.
 std::vector<std::size_t> journalGenerations(const std::filesystem::path& folder);
 
-/// Whoever looks after a kill finds the folder whole or not at all. Does nothing when it is not there.
+/// Removes a folder atomically, so that after a kill it exists completely or not at all. Does nothing when it does not
+/// exist.
 void removeAtOnce(const std::filesystem::path& folder);
-/// Is it what a kill left of removing a folder?
+/// Whether a folder is the rest of a removal that was interrupted by a kill.
 bool isRemoved(const std::filesystem::path& folder);
 
-/// A file that only grows.
+/// An append-only file.
 class AppendedFile {
  public:
   AppendedFile() = default;
@@ -25,7 +26,7 @@ class AppendedFile {
   AppendedFile(const AppendedFile&) = delete;
   AppendedFile& operator=(const AppendedFile&) = delete;
   void open(const std::filesystem::path&);  ///< @throws Error FileUnwritable
-  void append(std::string_view);            ///< hands it to the system @throws Error FileUnwritable
+  void append(std::string_view);            ///< writes without syncing @throws Error FileUnwritable
   void sync();                              ///< waits for the disk @throws Error FileUnwritable
   void close();
   [[nodiscard]] bool isOpen() const { return fd_ >= 0; }

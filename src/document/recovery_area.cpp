@@ -51,7 +51,7 @@ class LockFile {
   Lock lock_ = Lock::Unknown;
 };
 
-/// Files of /proc tell no size, so readFile would find them empty.
+/// Files of /proc have size 0, so readFile would find them empty.
 std::string bootId() {
   std::string id;
   std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), id);
@@ -70,7 +70,7 @@ bool ownerRuns(const std::string& text) {
 
 fs::path ownerFile(const fs::path& run) { return run / "owner"; }
 
-bool holdsDocuments(const fs::path& run) {
+bool containsDocuments(const fs::path& run) {
   std::error_code ec;
   for (fs::directory_iterator it(run, ec), end; !ec && it != end; it.increment(ec))
     if (it->is_directory(ec) && !isRemoved(it->path())) return true;
@@ -82,7 +82,7 @@ bool holdsDocuments(const fs::path& run) {
 struct RecoveryArea::State {
   explicit State(fs::path where) : root(std::move(where)) {}
 
-  // Under the lock of the root: nobody sees a folder before it is locked.
+  // Under the lock of the root, so that no process sees a folder before it is locked.
   void settleIn() {
     const LockFile all(root / "lock", true);
     std::string pattern = (root / "run-XXXXXX").string();
@@ -113,7 +113,7 @@ struct RecoveryArea::State {
     if (lock->lock() == LockFile::Lock::Taken) return;
     if (lock->lock() == LockFile::Lock::Unknown && ownerRuns(readFile(ownerFile(run)))) return;
     std::error_code ignored;
-    if (holdsDocuments(run))
+    if (containsDocuments(run))
       claimed.emplace(run, std::move(lock));
     else
       fs::remove_all(run, ignored);
@@ -121,7 +121,7 @@ struct RecoveryArea::State {
 
   void tidy(const fs::path& run) {
     std::error_code ignored;
-    if (!holdsDocuments(run)) fs::remove_all(run, ignored);
+    if (!containsDocuments(run)) fs::remove_all(run, ignored);
   }
 
   std::mutex guard;
@@ -177,7 +177,7 @@ void RecoveryArea::discard(const fs::path& folder) {
   removeAtOnce(folder);
   std::error_code ignored;
   const auto run = state_->claimed.find(folder.parent_path());
-  if (run == state_->claimed.end() || holdsDocuments(run->first)) return;
+  if (run == state_->claimed.end() || containsDocuments(run->first)) return;
   fs::remove_all(run->first, ignored);
   state_->claimed.erase(run);
 }

@@ -8,30 +8,29 @@
 
 namespace blossom {
 
-/// A document that a process left behind when it ended without closing it.
+/// A document left by a process that ended without closing it.
 struct LostDocument {
   std::filesystem::path folder;  ///< of its journal
   JournalSummary summary;
 };
 
-/// The folder where journals live. Every process has a folder of its own in it, locked as long as the process lives (the
-/// system drops the lock when the process dies, however it dies); on file systems without locks, process id and boot id tell
-/// whether it still runs. Journals of dead processes are lost documents; the first process that looks claims them.
-/// Thread-safe.
+/// The folder of all journals. Every process has its own subfolder, locked as long as the process lives (the system releases
+/// the lock however the process ends); on file systems without locks, process id and boot id show whether it still runs.
+/// Journals of dead processes are lost documents, claimed by the first process that calls `lost`. Thread-safe.
 class RecoveryArea {
  public:
   /// @throws Error FileUnwritable.
   explicit RecoveryArea(std::filesystem::path root);
-  /// Removes the folders that hold no document any more.
+  /// Removes folders without documents.
   ~RecoveryArea();
   RecoveryArea(const RecoveryArea&) = delete;
   RecoveryArea& operator=(const RecoveryArea&) = delete;
 
-  /// For the journal of one more document; does not exist yet.
+  /// A folder for the journal of another document; not created yet.
   [[nodiscard]] std::filesystem::path newFolder();
-  /// Latest first. Those claimed once are told again until they are discarded.
+  /// Lost documents, latest first. Claimed ones are returned again until they are discarded.
   [[nodiscard]] std::vector<LostDocument> lost();
-  /// Removes what is left of it: nobody wants it, or it lives on in a journal of this process.
+  /// Removes the journal of a lost document that was discarded or recovered.
   void discard(const std::filesystem::path& folder);
 
  private:

@@ -9,7 +9,7 @@
 
 namespace blossom {
 
-/// Results by content key; the least recently used go first. Thread-safe; every operation is O(1).
+/// Cache of results by content key, evicting the least recently used. Thread-safe; every operation is O(1).
 class ResultCache {
  public:
   explicit ResultCache(std::size_t limit) : limit_(limit) {}

@@ -6,11 +6,11 @@
 
 namespace blossom {
 
-/// SHA-256 (FIPS 180-4) of data that comes in pieces.
+/// SHA-256 (FIPS 180-4) of data added in pieces.
 class Sha256 {
  public:
   void add(std::string_view data);
-  /// The hash in 64 hexadecimal digits. Ends this object's use.
+  /// The hash as 64 hexadecimal digits. The object must not be used afterwards.
   std::string hex();
 
  private:

@@ -80,10 +80,10 @@ void refuseUnreadable(const Document& document, const std::vector<ZipEntry>& ent
         fmt::format("A document holds at most {} MB, and {} MB of one file; this one has {} MB, its largest file {} MB.",
                     limits.total >> 20, limits.entry >> 20, total >> 20, largest >> 20),
         "Remove imported files that are not needed, or divide the document.");
-  if (document.features().size() > mostFeatures)
+  if (document.features().size() > maximumFeatures)
     throw Error(
         ErrorCode::LimitExceeded,
-        fmt::format("A document holds at most {} features; this one has {}.", mostFeatures, document.features().size()),
+        fmt::format("A document holds at most {} features; this one has {}.", maximumFeatures, document.features().size()),
         "Divide the document.");
 }
 

@@ -3,13 +3,15 @@
 
 namespace blossom {
 
-/// Whether an input takes a shape: one of its kinds or, where it takes regions, curves or faces that may bound one
-/// (arrangedInputs makes them regions, or says where they do not close). A solid is never a region. O(1).
+/// Whether an input accepts a shape: its kind is one of the declared kinds or, for a region input, it is curves or faces
+/// that may bound a region (arrangedInputs converts them or reports where they are open). A solid is never accepted as a
+/// region. O(1).
 bool accepts(const InputSpec&, const Shape&);
 
-/// Faces, edges and vertices are named by the input they belong to ("shape:edge:3"); one without a name is of the only
+/// Checks the inputs named by sub-shape parameters ("shape:edge:3"); a sub-shape without an input name belongs to the only
 /// input.
-/// @param parameters complete and checked  @throws Error InvalidParameter when an input of that name is not declared.
+/// @param parameters complete and in canonical form
+/// @throws Error InvalidParameter when no input of that name is declared.
 void checkNamedInputs(const FeatureType&, const Value& parameters);
 
 }  // namespace blossom

@@ -47,9 +47,9 @@ Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& sha
 }
 
 std::string howMany(const InputSpec& spec) {
-  if (spec.minimum == spec.most) return std::to_string(spec.minimum);
-  return spec.most == anyNumber ? fmt::format("at least {}", spec.minimum)
-                                : fmt::format("{} to {}", spec.minimum, spec.most);
+  if (spec.minimum == spec.maximum) return std::to_string(spec.minimum);
+  return spec.maximum == anyNumber ? fmt::format("at least {}", spec.minimum)
+                                   : fmt::format("{} to {}", spec.minimum, spec.maximum);
 }
 
 [[noreturn]] void throwWrongNumber(const FeatureType& type, std::size_t given) {
@@ -70,15 +70,15 @@ void throwWrongKind(const Shape& shape) {
 }
 
 Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
-  std::size_t leastLater = 0;
-  for (const auto& spec : type.inputs) leastLater += spec.minimum;
-  if (given.size() < leastLater) throwWrongNumber(type, given.size());
+  std::size_t minimumLater = 0;
+  for (const auto& spec : type.inputs) minimumLater += spec.minimum;
+  if (given.size() < minimumLater) throwWrongNumber(type, given.size());
   std::vector<std::vector<Shape>> bySpec;
   std::size_t next = 0;
   for (const auto& spec : type.inputs) {
-    leastLater -= spec.minimum;
+    minimumLater -= spec.minimum;
     auto& taken = bySpec.emplace_back();
-    while (taken.size() < spec.most && next + leastLater < given.size()) {
+    while (taken.size() < spec.maximum && next + minimumLater < given.size()) {
       if (!accepts(spec, given[next])) {
         // what an optional input does not accept is left to the inputs after it
         if (taken.size() >= spec.minimum && &spec != &type.inputs.back()) break;
@@ -92,7 +92,7 @@ Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
   return Inputs(std::move(bySpec));
 }
 
-void checkGiven(const FeatureType& type, const Shape& result) {
+void checkResult(const FeatureType& type, const Shape& result) {
   if (result.empty()) throw Error(ErrorCode::Internal, fmt::format("{} made nothing and gave no reason.", type.title));
   if (type.produces.empty()) return;
   const auto check = [&](const Shape& shape) {

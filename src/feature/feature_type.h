@@ -15,41 +15,41 @@
 
 namespace blossom {
 
-/// One input of a feature type, or a run of inputs of the same sort.
+/// One input of a feature type, or several consecutive inputs of the same kinds.
 struct InputSpec {
   std::string name;  ///< "shape", "motion"
   std::string help;
   std::vector<ShapeKind>
-      kinds;  ///< accepted; empty means any. Region inputs also take closed Curves (converted by the evaluator).
+      kinds;  ///< accepted kinds; empty means any. A region input also accepts closed curves, converted by arrangedInputs.
   std::size_t minimum = 1;
-  std::size_t most = 1;
+  std::size_t maximum = 1;
 };
 
 inline constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
 
-/// What an evaluation gives.
+/// Result of an evaluation.
 struct Evaluated {
   Shape shape;
-  Value stats = Value::object();      ///< counts and figures of the computation, for `stats` of --json and the result panel
+  Value stats = Value::object();  ///< counts and figures of the computation, for `stats` of `--json` and the result panel
   std::vector<std::string> warnings;  ///< full sentences
-  /// What the kind of feature promises in `result` beside the measures of the shape, such as the distances of a fit.
+  /// Entries of `result` that the feature type adds to the measures of the shape, such as the errors of a fit.
   std::vector<Measure> figures = {};
 };
 
-/// A number of the statistics or figures that is none would be told as nothing at all.
-/// @throws Error LimitExceeded that names it.
+/// Checks that all numbers of the statistics and figures are finite; JSON would print others as null.
+/// @throws Error LimitExceeded that names the figure.
 void refuseInfiniteFigures(const Evaluated&);
 
-/// The measures of the shape and the figures beside them. @throws Error Cancelled.
+/// Measures of the shape followed by the figures of the result. @throws Error Cancelled.
 Measures measured(const Evaluated&, const Progress& = Progress::none());
 
-/// All inputs, in order of the specs; `of(k)` are those of spec k.
+/// The input shapes of an evaluation, grouped by InputSpec in the order of declaration.
 class Inputs {
  public:
   Inputs() = default;
   explicit Inputs(std::vector<std::vector<Shape>> bySpec) : bySpec_(std::move(bySpec)) {}
   [[nodiscard]] std::span<const Shape> of(std::size_t spec) const { return bySpec_.at(spec); }
-  /// The one value of input `spec`. @throws Error InvalidInput when it holds another kind.
+  /// The value of one input shape. @throws Error InvalidInput when the shape is of another kind.
   template <class T>
   [[nodiscard]] const T& get(std::size_t spec = 0, std::size_t index = 0) const;
 
@@ -66,22 +66,22 @@ const T& Inputs::get(std::size_t spec, std::size_t index) const {
   throwWrongKind(shape);
 }
 
-/// A choice that the command line makes by the format of the first output when it is not given: a mesh for STL, faces for
+/// Default of a choice parameter that depends on the file extension of the command's first output: a mesh for STL, faces for
 /// STEP.
 struct ChoiceByOutput {
-  std::string parameter;                                          ///< empty: there is none
+  std::string parameter;                                          ///< name of the choice parameter; empty: none
   std::vector<std::pair<std::string, std::string>> byExtensions;  ///< {"step iges", "faces"}, ..
 };
 
-/// How commands whose inputs take what this feature gives, while it needs no input itself, take it as one of theirs by flags
-/// alone: `pocket --text Blossom --font "DejaVu Serif" --text.height 20`.
+/// Lets other commands create this feature as one of their inputs by flags alone, when it has no inputs itself and their
+/// input accepts its result: `pocket --text Blossom --font "DejaVu Serif" --text.height 20`.
 struct InputByFlags {
-  std::string asks;                     ///< the parameter whose flag asks for it; empty: there are no such flags
-  std::vector<std::string> plain = {};  ///< parameters whose flags need no prefix; those of all others begin with "ASKS."
+  std::string asks;                     ///< parameter whose flag creates the input; empty: no such flags
+  std::vector<std::string> plain = {};  ///< parameters whose flags have no prefix "ASKS."
 };
 
-/// A feature type, declared once and present everywhere: command, flags, help, dialog, panel, undo text, file format,
-/// manual.
+/// A feature type, declared once. Command, flags, help, dialog, panel, undo text, document format and manual page are
+/// derived from it.
 struct FeatureType {
   using Evaluate = std::function<Evaluated(const Value& parameters, const Inputs&, const Progress&)>;
 
@@ -89,30 +89,30 @@ struct FeatureType {
   std::string command;  ///< "sweep"
   std::string title;    ///< "Sweep"
   std::string summary;  ///< one sentence
-  std::string icon;     ///< name of a file in resources/icons; empty: the plugin's
+  std::string icon;     ///< name of a file in resources/icons; empty: the icon of the plugin
   std::vector<InputSpec> inputs;
   std::vector<ParameterSpec> parameters;
-  std::vector<ShapeKind> produces;    ///< kinds of its results, or of the frames of a sequence; empty: any
+  std::vector<ShapeKind> produces;    ///< kinds of the result, or of its frames when it is a sequence; empty: any
   std::vector<std::string> examples;  ///< command lines for --help
   ChoiceByOutput byOutput = {};
   InputByFlags inputByFlags = {};
-  Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
+  Evaluate evaluate;  ///< pure; parameters are complete and canonical, inputs are of accepted kinds
 };
 
-/// The shapes given, in the order of the specs: each spec takes what it accepts until it is full, leaving enough for those
-/// after it. Closed curves become a region where only regions are taken.
-/// @throws Error InvalidInput such as "The input \"shape\" of Morph takes a region; it got a mesh.", also when there are too
-/// few or too many.
+/// Assigns the shapes to the inputs in the order of declaration: each input receives the shapes it accepts until it is full,
+/// while enough are left for the inputs after it. Closed curves are converted to a region where only regions are accepted.
+/// @throws Error InvalidInput such as "The input \"shape\" of Morph takes a region; it got a mesh.", also for too few or too
+/// many shapes.
 Inputs arrangedInputs(const FeatureType&, std::span<const Shape> given);
 
-/// @throws Error Internal when it is empty or of a kind that the feature type does not declare to give.
-void checkGiven(const FeatureType&, const Shape& result);
+/// @throws Error Internal when the result is empty or of a kind that the feature type does not declare in `produces`.
+void checkResult(const FeatureType&, const Shape& result);
 
 /// Declares a feature type over a plain struct of parameters:
 ///   feature<SweepParameters>("sweep.sweep", "Sweep", "The exact surface ..")
 ///     .command("sweep").input({..}).parameter("mode", &P::mode, choice({"exact", "cubic"}), "..")
 ///     .evaluate([](const P& p, const Inputs& in, const Progress& progress) -> Evaluated { .. });
-/// Defaults are those of a default-constructed P.
+/// Defaults of the parameters are those of a default-constructed P.
 template <class P>
 class FeatureBuilder {
  public:

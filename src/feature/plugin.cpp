@@ -19,7 +19,7 @@ namespace blossom {
 namespace fs = std::filesystem;
 namespace {
 
-/// Anything in a module that stays loaded; its address tells where our own libraries are.
+/// An object in a module that stays loaded; its address locates Blossom's own libraries.
 void anchor() {}
 
 [[noreturn]] void broken(const std::string& why) { throw Error(ErrorCode::PluginBroken, why); }
@@ -33,7 +33,7 @@ std::vector<boost::dll::shared_library>& loadedModules() {
 const boost::dll::shared_library& loaded(const fs::path& module) {
   if (!fs::exists(module)) broken(fmt::format("Its module {} is missing.", module.filename().string()));
   try {
-    // all symbols now: a module that lacks one is told of here instead of ending the program later
+    // resolves all symbols now: a missing one is reported here instead of ending the program later
     return loadedModules().emplace_back(module, boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local);
   } catch (const std::system_error& e) {
     broken(fmt::format("Its module {} cannot be loaded: {}.", module.filename().string(), e.what()));

@@ -19,7 +19,7 @@
 
 namespace blossom {
 
-/// A number made of the sizes of types: whoever compiled another of them has another number.
+/// Hash of the sizes of types; it differs between modules compiled with different definitions of them.
 template <class... Types>
 constexpr std::uint32_t layoutNumber() {
   std::uint32_t hash = 2166136261U;  // FNV-1a
@@ -27,39 +27,39 @@ constexpr std::uint32_t layoutNumber() {
   return hash;
 }
 
-/// What program and module hand to one another. pluginApiVersion tells of changed meanings; this, which nobody has to
-/// remember to raise, tells that a module was compiled with headers of other types and would write beside them.
+/// Layout of the types that program and module exchange. pluginApiVersion has to be raised by hand when a meaning changes;
+/// this number changes by itself when a module was compiled with other definitions of these types and would corrupt memory.
 inline constexpr std::uint32_t pluginLayout =
     layoutNumber<Registry, FeatureType, InputSpec, ChoiceByOutput, InputByFlags, ParameterSpec, Evaluated, Measure, Inputs,
                  Shape, Shape::Value, Value, Progress, CancelToken, Region, Curves, Curve, Surface, Brep, Mesh, Motion,
                  Sequence, MedialAxis, Toolpath>();
 
-/// plugin.json, readable before anything is loaded.
+/// Content of plugin.json, which is read before any module is loaded.
 struct PluginManifest {
   std::string id, title, version, summary, icon;
   int api = 0;
   std::string compute;       ///< file name of the compute module, in the same folder
-  std::string manipulators;  ///< file name of the manipulator module; empty when there is none
+  std::string manipulators;  ///< file name of the manipulator module; empty: none
   std::vector<std::string> features;
   std::filesystem::path folder;
 };
 
-/// @throws Error PluginBroken saying which key is missing or wrong.
+/// @throws Error PluginBroken naming the key that is missing or wrong.
 PluginManifest readManifest(const std::filesystem::path& pluginJson);
 
 struct LoadedPlugin {
   PluginManifest manifest;
-  std::string problem;  ///< empty when it was loaded; else a sentence why it was skipped
+  std::string problem;  ///< empty when the plugin was loaded, else a sentence why it was skipped
 };
 
-/// Folders searched for plugins, first wins on equal ids: $BLOSSOM_PLUGIN_PATH (colon-separated), blossom/plugins beside our
-/// own libraries (build tree and installation alike), blossom/plugins in $XDG_DATA_HOME or ~/.local/share. Each may hold
-/// folders of plugins or be one plugin's folder.
+/// Folders searched for plugins, in order; of plugins with equal ids the first is loaded. $BLOSSOM_PLUGIN_PATH (separated by
+/// colons), blossom/plugins beside Blossom's own libraries (in the build tree as in an installation), blossom/plugins in
+/// $XDG_DATA_HOME or ~/.local/share. Each is either the folder of one plugin or contains such folders.
 std::vector<std::filesystem::path> pluginSearchPath();
 
-/// Loads every plugin found under `folders` and registers its features. A plugin that is broken, missing its module, made
-/// for another API or registers what its manifest does not declare is reported and skipped, and leaves nothing in the
-/// registry. Never throws for a plugin's sake. Modules stay loaded until the process ends.
+/// Loads every plugin found under `folders` and registers its features. A plugin is reported and skipped, with nothing left
+/// in the registry, when it is broken, lacks its module, was built for another interface or registers what its manifest does
+/// not declare. Does not throw because of a plugin. Modules stay loaded until the process ends.
 std::vector<LoadedPlugin> loadPlugins(Registry&, const std::vector<std::filesystem::path>& folders = pluginSearchPath());
 
 }  // namespace blossom

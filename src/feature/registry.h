@@ -8,7 +8,7 @@
 
 namespace blossom {
 
-/// Where an input may be written down instead of drawn: "ball:5:3". `parse` gets the text after the name.
+/// Text form of an input, such as "ball:5:3" in place of a file. `parse` receives the text after the name and the colon.
 struct LiteralForm {
   std::string name;    ///< "ball"
   std::string syntax;  ///< "ball:RADIUS:SUBDIVISIONS"
@@ -16,14 +16,14 @@ struct LiteralForm {
   std::function<Shape(std::string_view text)> parse;
 };
 
-/// All feature types and literal forms known to this process. Filled at start, then only read.
+/// All feature types and literal forms of this process; filled at start, read-only afterwards.
 class Registry {
  public:
-  /// The defaults are brought into canonical form.
-  /// @throws Error PluginBroken when id or command is taken or the declaration is incomplete or at odds with itself.
+  /// Adds a feature type and converts its defaults to canonical form.
+  /// @throws Error PluginBroken when id or command is taken, or the declaration is incomplete or contradictory.
   void add(FeatureType);
   void add(LiteralForm);
-  /// Everything of `other`, or nothing when it throws. @throws Error PluginBroken as add does.
+  /// Adds everything of `other`, or nothing when it throws. @throws Error PluginBroken as `add`.
   void merge(const Registry& other);
   template <class... Rest>
   void addAll(Rest&&... rest) {
@@ -32,11 +32,11 @@ class Registry {
 
   [[nodiscard]] const std::vector<std::shared_ptr<const FeatureType>>& types() const { return types_; }
   [[nodiscard]] const std::vector<LiteralForm>& literals() const { return literals_; }
-  /// By command or id; nullptr when there is none.
+  /// Finds a type by command or id; nullptr when there is none.
   [[nodiscard]] std::shared_ptr<const FeatureType> find(std::string_view commandOrId) const;
-  /// @throws Error NotFound with the nearest name as hint.
+  /// Like find. @throws Error NotFound with the nearest name as hint.
   [[nodiscard]] std::shared_ptr<const FeatureType> at(std::string_view commandOrId) const;
-  /// The shape that a literal such as "ball:5:3" stands for; empty when no form has that name.
+  /// The shape written as a literal such as "ball:5:3"; empty when no form has that name.
   /// @throws Error InvalidParameter.
   [[nodiscard]] Shape literal(std::string_view text) const;
 

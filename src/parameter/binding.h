@@ -9,17 +9,17 @@
 
 namespace blossom {
 
-/// A file given as parameter. `path` can be opened while the feature is evaluated, also when the content comes from the
+/// Value of a File parameter. `path` can be opened while the feature is evaluated, also when the content is stored in the
 /// document.
 struct FileValue {
   std::filesystem::path path;
-  std::string asset;  ///< content hash of the copy kept in the document; empty outside of one
+  std::string asset;  ///< content hash of the copy stored in the document; empty when there is none
   friend bool operator==(const FileValue&, const FileValue&) = default;
 };
 
-/// A face, edge or vertex of an input, as a SubShape parameter names it.
+/// Value of a SubShape parameter: a face, edge or vertex of an input.
 struct SubShapeValue {
-  std::string input;  ///< name of the input spec that it belongs to
+  std::string input;  ///< name of the InputSpec
   int index = -1;     ///< see geometry/occt/sub_shape.h; -1: none
   friend bool operator==(const SubShapeValue&, const SubShapeValue&) = default;
 };
@@ -29,8 +29,8 @@ struct IsVector : std::false_type {};
 template <class T>
 struct IsVector<std::vector<T>> : std::true_type {};
 
-/// Between the members of a parameter struct and canonical values. Enums go by the index of their name in `choices`, lists
-/// by vectors; a record is bound to a member of type Value.
+/// Conversion between members of a parameter struct and canonical values. An enum corresponds to the index of its name in
+/// `choices`, a list to a vector; a record is bound to a member of type Value.
 template <class T>
 void fromValue(const ParameterSpec& spec, const Value& value, T& out) {
   if constexpr (std::is_enum_v<T>) {

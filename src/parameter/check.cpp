@@ -23,7 +23,7 @@ namespace {
 }
 
 void checkRange(const ParameterSpec& spec, const std::string& subject, double value, const std::string& is) {
-  const bool tooSmall = spec.minimum && (value < *spec.minimum || (spec.aboveLeast && value == *spec.minimum));
+  const bool tooSmall = spec.minimum && (value < *spec.minimum || (spec.aboveMinimum && value == *spec.minimum));
   const bool tooLarge = spec.maximum && value > *spec.maximum;
   if (tooSmall || tooLarge) invalid(spec, subject, demandRange(spec), is);
 }

@@ -121,7 +121,7 @@ ParameterSpec lengthFromZero() {
 ParameterSpec positiveLength() {
   ParameterSpec spec = ofKind(ParameterKind::Length);
   spec.minimum = 0;
-  spec.aboveLeast = true;
+  spec.aboveMinimum = true;
   return spec;
 }
 

@@ -30,46 +30,48 @@ enum class ParameterKind {
 
 std::string_view parameterKindName(ParameterKind) noexcept;
 
-/// One parameter, declared once: flag, form field, document key and manual row are all made from this.
+/// One parameter, declared once: flag, form field, document key and manual row are all derived from it.
 struct ParameterSpec {
-  std::string name;  ///< "area-preserving": the flag, the key, and, with spaces, the label
+  std::string name;  ///< "area-preserving": flag and key; with spaces, the label
   std::string help;  ///< one sentence
   ParameterKind kind = ParameterKind::Flag;
-  Value fallback;                 ///< default, canonical form; null when the user must give one
-  std::optional<double> minimum;  ///< smallest value allowed (numbers, counts, lengths, angles); of a List: fewest items
+  Value fallback;                 ///< default in canonical form; null when there is none and a value is required
+  std::optional<double> minimum;  ///< of numbers, counts, lengths and angles; of a List: minimum number of items
   std::optional<double> maximum;
-  bool aboveLeast = false;            ///< `least` itself is not allowed
+  bool aboveMinimum = false;          ///< `minimum` itself is not allowed
   std::vector<std::string> choices;   ///< of a Choice; of a SubShape: exactly one, "face", "edge" or "vertex"
   std::vector<ParameterSpec> fields;  ///< of a Record; of a List: exactly one, the element
   std::string fileTypes;              ///< of a File: extensions, "json step"
-  bool mayBeAbsent = false;           ///< a null fallback then means "none" instead of "must be given"
-  std::string noneMeans;              ///< what an empty list, or none, stands for: "all sharp edges"
+  bool mayBeAbsent = false;           ///< with a null fallback: the value may be left out
+  std::string noneMeans;              ///< meaning of an empty list or an absent value: "all sharp edges"
 };
 
-/// "area preserving": the name as a user reads it.
+/// The name as users read it: "area preserving".
 std::string label(const ParameterSpec&);
-/// "length in mm, above 0": what may be given, for help and manual.
+/// Accepted values, for help and manual: "length in mm, above 0".
 std::string describe(const ParameterSpec&);
-/// Canonical form of a value, checked against kind, range and choices; integers become numbers, texts with units are parsed.
+/// Returns the canonical form of a value after checking kind, range and choices; integers become numbers, texts with units
+/// are parsed.
 /// @throws Error InvalidParameter such as "t must lie between 0 and 1; it is 1.4."
 Value checked(const ParameterSpec&, const Value&);
-/// Canonical value from what a user typed: "1/2 in", "yes", "1,2,3", "#ff8800", a curve "0:1, 0.5:2", a sub-shape
-/// "base:face:3". Lists take commas (semicolons when their items hold commas themselves) or JSON, records JSON. Nothing
-/// typed for a file or a sub-shape is null.
+/// Canonical value of typed text: "1/2 in", "yes", "1,2,3", "#ff8800", a curve "0:1, 0.5:2", a sub-shape "base:face:3".
+/// Items of lists are separated by commas (by semicolons when the items contain commas) or written as JSON; records are
+/// written as JSON. Empty text for a file or a sub-shape is null.
 /// @throws Error InvalidParameter.
 Value parseText(const ParameterSpec&, std::string_view text, const LengthUnit& = {});
-/// Inverse of parseText, as a form shows it. A file shows its path alone.
+/// Inverse of parseText, for form fields. Of a file only the path is shown.
 std::string formatText(const ParameterSpec&, const Value&, const LengthUnit& = {});
 
-/// All parameters of `specs` in their canonical form and order: given ones checked, absent (or null) ones at their default.
-/// @throws Error InvalidParameter, also for a name that is not declared (with the nearest declared one as a hint) and for
-/// one that must be given and is not.
+/// All parameters of `specs` in canonical form and in that order: values in `given` are checked, absent or null ones
+/// replaced by the default.
+/// @throws Error InvalidParameter, also for an undeclared name (the hint is the nearest declared one) and for a missing
+/// value that is required.
 Value completed(const std::vector<ParameterSpec>& specs, const Value& given);
 
-/// The name in `known` that is most like `wanted`, empty when nothing is near; for "Did you mean ..?".
+/// The name in `known` that is most similar to `wanted`, for "Did you mean ..?"; empty when none is similar.
 std::string nearestName(std::string_view wanted, const std::vector<std::string>& known);
 
-// What kinds may be declared; used as feature<P>(..).parameter("t", &P::t, ratio(), "help").
+// Kinds of parameters, as in feature<P>(..).parameter("t", &P::t, ratio(), "help").
 ParameterSpec flag();
 ParameterSpec count(int minimum = 0, std::optional<int> maximum = {});
 ParameterSpec number(std::optional<double> minimum = {}, std::optional<double> maximum = {});
@@ -88,8 +90,8 @@ ParameterSpec controlCurve();
 ParameterSpec subShape(std::string kind);  ///< "face", "edge" or "vertex"
 ParameterSpec list(ParameterSpec element);
 ParameterSpec record(std::vector<ParameterSpec> fields);
-ParameterSpec optional(ParameterSpec);  ///< may be left out although it has no default (a file, a sub-shape)
-/// Says what stands for a list without items, or for none: whenNone(list(subShape("edge")), "all sharp edges").
+ParameterSpec optional(ParameterSpec);  ///< may be left out although there is no default (a file, a sub-shape)
+/// Sets the meaning of an empty list or an absent value: whenNone(list(subShape("edge")), "all sharp edges").
 ParameterSpec whenNone(ParameterSpec, std::string means);
 
 }  // namespace blossom

@@ -71,7 +71,7 @@ Value parseCurve(std::string_view text) {
   return curve;
 }
 
-/// "base:face:3"; the name may hold colons itself. Also "face:3" and "3".
+/// "base:face:3"; the name may contain colons. Also "face:3" and "3".
 Value parseSubShape(const ParameterSpec& spec, std::string_view text) {
   Value result{{"input", ""}, {"kind", subShapeKind(spec)}, {"index", nullptr}};
   const auto last = text.rfind(':');
@@ -88,7 +88,7 @@ Value parseSubShape(const ParameterSpec& spec, std::string_view text) {
   return checked(spec, result);
 }
 
-/// Texts may hold any parenthesis.
+/// Texts may contain any parenthesis.
 bool itemsAreExpressions(const ParameterSpec& element) {
   using enum ParameterKind;
   return element.kind != Text && element.kind != File && element.kind != SubShape && element.kind != Choice;
@@ -146,7 +146,7 @@ std::string formatCurve(const Value& curve) {
 
 std::string asJson(const Value& value) { return value.dump(-1, ' ', false, Value::error_handler_t::replace); }
 
-/// With separators when every item can be told apart and nothing is lost by it, else JSON.
+/// With separators when that is unambiguous and lossless, else JSON.
 std::string formatList(const ParameterSpec& spec, const Value& list) {
   const ParameterSpec& element = spec.fields.at(0);
   const char separator = itemsHoldCommas(element) ? ';' : ',';

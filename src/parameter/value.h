@@ -4,14 +4,14 @@
 
 namespace blossom {
 
-/// The value of a parameter, in the one form used by documents, command line and panels alike. Canonical forms: flag bool,
-/// count integer, number/ratio/length(mm)/angle(degrees) number, choice/text string, colour "#rrggbb", point and vector [x,
-/// y, z], file {"path": .., "asset": ..}, curve [[t, value], ..], sub-shape {"input": name, "kind": "face"|"edge"|"vertex",
+/// The value of a parameter, in the same form in documents, command line and panels. Canonical forms: flag bool, count
+/// integer, number/ratio/length(mm)/angle(degrees) number, choice/text string, colour "#rrggbb", point and vector [x, y, z],
+/// file {"path": .., "asset": ..}, curve [[t, value], ..], sub-shape {"input": name, "kind": "face"|"edge"|"vertex",
 /// "index": n}, list [..], record {..}.
 using Value = nlohmann::ordered_json;
 
-/// Parses JSON from files nobody vouches for: depth and width of objects are limited, so that neither the recursion of later
-/// code nor the linear look-up of ordered objects can be abused.
+/// Parses JSON from untrusted files: depth and width of objects are limited, because later code recurses and looks up the
+/// keys of ordered objects linearly.
 /// @throws Error FormatDamaged with line and column, LimitExceeded.
 Value parseJson(std::string_view text);
 

@@ -35,9 +35,9 @@ std::string_view unitSuffix(const ParameterSpec& spec) {
 
 std::string describeRange(const ParameterSpec& spec) {
   if (spec.minimum && spec.maximum)
-    return fmt::format("{} {} to {}", spec.aboveLeast ? "above" : "from", formatNumber(*spec.minimum),
+    return fmt::format("{} {} to {}", spec.aboveMinimum ? "above" : "from", formatNumber(*spec.minimum),
                        bound(spec, *spec.maximum));
-  if (spec.minimum) return fmt::format("{} {}", spec.aboveLeast ? "above" : "at least", bound(spec, *spec.minimum));
+  if (spec.minimum) return fmt::format("{} {}", spec.aboveMinimum ? "above" : "at least", bound(spec, *spec.minimum));
   if (spec.maximum) return fmt::format("at most {}", bound(spec, *spec.maximum));
   return {};
 }
@@ -45,7 +45,7 @@ std::string describeRange(const ParameterSpec& spec) {
 std::string demandRange(const ParameterSpec& spec) {
   const bool list = spec.kind == ParameterKind::List;
   const std::string be = list ? "must have" : "must be";
-  if (spec.minimum && spec.maximum && spec.aboveLeast)
+  if (spec.minimum && spec.maximum && spec.aboveMinimum)
     return fmt::format("{} above {} and at most {}", be, bound(spec, *spec.minimum), bound(spec, *spec.maximum));
   if (spec.minimum && spec.maximum)
     return fmt::format("{} between {} and {}", list ? be : "must lie", formatNumber(*spec.minimum),

@@ -73,7 +73,7 @@ ActorPtr pointActor(const SceneData& data, const Look& look) {
 }
 
 // Written out once more in shading.cpp.
-// Lights hang on the camera: whatever way a shape is turned, its form is told by light from the upper left.
+// Lights are attached to the camera, so that every shape is lit from the upper left.
 void addLight(vtkRenderer& renderer, double x, double y, double z, double intensity, const Color& color) {
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToCameraLight();

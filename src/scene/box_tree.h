@@ -8,7 +8,7 @@
 
 namespace blossom {
 
-/// A box whose sides are rounded outwards to float: half the memory, and never a miss.
+/// A box with coordinates rounded outwards to float: half the memory of doubles, and conservative.
 struct FloatBox {
   std::array<float, 3> low{std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
                            std::numeric_limits<float>::max()};
@@ -16,20 +16,20 @@ struct FloatBox {
                             std::numeric_limits<float>::lowest()};
   void add(const Vec3&);
   void add(const FloatBox&);
-  [[nodiscard]] float area() const;  ///< half of it
+  [[nodiscard]] float area() const;  ///< half the surface area
   [[nodiscard]] bool empty() const { return low[0] > high[0]; }
 };
 
-/// Hierarchy of boxes split by the surface area heuristic over bins (I. Wald, "On fast construction of SAH-based bounding
-/// volume hierarchies", 2007). Items are numbered as given. Built in O(n log n).
+/// Bounding-volume hierarchy split by the binned surface area heuristic (I. Wald, "On fast construction of SAH-based
+/// bounding volume hierarchies", 2007). Items are identified by their index. Built in O(n log n).
 class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(const std::vector<FloatBox>& items);
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
 
-  /// Visits items whose boxes are entered, roughly nearest first. `enter(box)` gives the distance at which a box is entered,
-  /// infinity when it is missed; boxes farther than `limit`, which `visit(item)` may lower, are left out.
+  /// Visits the items whose boxes the query enters, roughly nearest first. `enter(box)` returns the distance at which a box
+  /// is entered, infinity when it is missed; boxes farther than `limit`, which `visit(item)` may lower, are skipped.
   template <class Enter, class Visit>
   void walk(const Enter& enter, const Visit& visit, const double& limit) const;
 

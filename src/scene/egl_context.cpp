@@ -46,7 +46,7 @@ EglContext::EglContext() {
   }
 }
 
-// The display stays initialised: EGL shares it with everyone in the process who asked for the same platform.
+// The display stays initialised, because EGL shares it within the process for the same platform.
 EglContext::~EglContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);

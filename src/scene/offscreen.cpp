@@ -15,7 +15,7 @@ namespace blossom {
 
 namespace {
 
-constexpr int largestTile = 2560;  // pixels; every OpenGL 3.2 driver takes this with four samples
+constexpr int largestTile = 2560;  // pixels; every OpenGL 3.2 driver supports this with four samples
 
 vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeWindow(int width, int height) {
   auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();

@@ -16,7 +16,7 @@ namespace blossom {
 /// An OpenGL context without display or surface, current on the calling thread from construction to destruction.
 class EglContext {
  public:
-  /// @throws Error Internal with the driver's words.
+  /// @throws Error Internal with the driver's message.
   EglContext();
   ~EglContext();
   EglContext(const EglContext&) = delete;
@@ -27,16 +27,16 @@ class EglContext {
   void* context_ = nullptr;
 };
 
-/// Pixels from top to bottom, four bytes each, colour not multiplied by alpha.
+/// Pixels from top to bottom, four bytes each (RGBA), alpha not premultiplied.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-/// Draws what `fill` puts into a renderer. `fill` is called once, with the render window's aspect already set, and must
-/// place the camera. The background stays transparent; O(pixels).
-/// @param supersampling pixels drawn per pixel of the image and direction
+/// Renders off screen. `fill` is called once to add the actors and to place the camera, with the aspect of the render window
+/// already set. The background is transparent. O(pixels).
+/// @param supersampling drawn pixels per image pixel in each direction
 Image drawOffscreen(int width, int height, int supersampling, const std::function<void(vtkRenderer*)>& fill,
                     const Progress&);
 

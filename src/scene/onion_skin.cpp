@@ -10,7 +10,7 @@ namespace blossom {
 std::vector<vtkSmartPointer<vtkProp>> onionSkin(const std::vector<SceneData>& frames, const Look& look, double pixelRatio,
                                                 double opacity) {
   std::vector<vtkSmartPointer<vtkProp>> skins;
-  const std::size_t count = std::min(mostSkins, frames.size());
+  const std::size_t count = std::min(maximumSkins, frames.size());
   for (std::size_t k = 0; k < count; ++k) {
     const double t = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0;
     const auto frame = static_cast<std::size_t>(t * static_cast<double>(frames.size() - 1) + 0.5);

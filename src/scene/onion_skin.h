@@ -9,9 +9,10 @@ class vtkProp;
 
 namespace blossom {
 
-inline constexpr std::size_t mostSkins = 12;
+inline constexpr std::size_t maximumSkins = 12;
 
-/// The outlines of up to `mostSkins` frames of a sequence, evenly spread, first and last among them; later ones warmer.
+/// The outlines of up to `maximumSkins` frames of a sequence at equal intervals, including first and last; later frames in
+/// warmer colours.
 std::vector<vtkSmartPointer<vtkProp>> onionSkin(const std::vector<SceneData>& frames, const Look&, double pixelRatio,
                                                 double opacity = 0.45);
 

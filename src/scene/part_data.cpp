@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> marker(vtkPoints* vertices, int index) {
 
 }  // namespace
 
-SceneData partOf(const SceneData& scene, SubShapeKind kind, int index) {
+SceneData subShapeData(const SceneData& scene, SubShapeKind kind, int index) {
   SceneData part;
   part.planar = scene.planar;
   if (kind == SubShapeKind::Whole) return scene;

@@ -60,7 +60,7 @@ class Slabs {
     return from <= to ? from : std::numeric_limits<double>::infinity();
   }
 
-  /// With the tolerance that holds at the far end of the box.
+  /// With the tolerance at the far end of the box.
   [[nodiscard]] double enterNear(const FloatBox& box, const PickOptions& options) const {
     double farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -9,17 +9,18 @@
 /// Inside of PickIndex.
 namespace blossom {
 
+/// Implementation of PickIndex.
 struct FaceHit {
   double distance = std::numeric_limits<double>::infinity();
-  int triangle = -1;  ///< -1 with a finite distance: the cut through a solid
+  int triangle = -1;  ///< -1 with a finite distance: the section of a solid
   double u = 0, v = 0;
 };
 
-/// An edge or a vertex near the ray.
+/// An edge or vertex near the ray.
 struct NearHit {
   int item = -1;
   double distance = 0;  ///< along the ray
-  double off = 0;       ///< from the ray, in tolerances: 0..1
+  double off = 0;       ///< distance from the ray divided by the tolerance, 0..1
   Vec3 point = Vec3::Zero();
 };
 
@@ -27,7 +28,7 @@ struct PickIndex::Tree {
   explicit Tree(const SceneData&);
 
   [[nodiscard]] FaceHit firstFace(const Ray&, const std::optional<CutPlane>&) const;
-  /// Edges (segments) or vertices within the tolerance and not farther than `limit`, the best first.
+  /// Edge segments, or vertices, within the tolerance and not farther than `limit`, the best first.
   [[nodiscard]] std::vector<NearHit> segmentsNear(const Ray&, const PickOptions&, double limit) const;
   [[nodiscard]] std::vector<NearHit> verticesNear(const Ray&, const PickOptions&, double limit) const;
   [[nodiscard]] bool hidden(const NearHit&, const Ray&, const PickOptions&) const;

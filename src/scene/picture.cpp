@@ -38,7 +38,7 @@ struct Drawing {
 
 /// Evenly spread, the first and the last among them.
 std::vector<const Shape*> someFrames(const Sequence& sequence) {
-  const std::size_t count = std::min(mostSkins, sequence.frames.size());
+  const std::size_t count = std::min(maximumSkins, sequence.frames.size());
   std::vector<const Shape*> frames;
   for (std::size_t k = 0; k < count; ++k)
     frames.push_back(&sequence.frames[count > 1 ? k * (sequence.frames.size() - 1) / (count - 1) : 0]);
@@ -123,7 +123,7 @@ void writePng(const Image& image, const std::filesystem::path& path, int channel
     }
   auto writer = vtkSmartPointer<vtkPNGWriter>::New();
   writer->SetInputData(data);
-  writer->WriteToMemoryOn();  // libpng tells of a full disk on stderr, and nobody else
+  writer->WriteToMemoryOn();  // libpng reports a full disk only on stderr
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
   if (writer->GetErrorCode() != 0 || !bytes)

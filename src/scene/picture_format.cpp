@@ -19,8 +19,8 @@ ParameterSpec option(ParameterSpec spec, std::string name, std::string help, Val
 
 std::vector<ParameterSpec> pictureOptions() {
   return {option(text(), "size", "Width and height in pixels.", "1280x800"),
-          option(choice(viewNames()), "view",
-                 "Where it is seen from; auto takes top for planar drawings and iso for the rest.", "auto"),
+          option(choice(viewNames()), "view", "Direction of view; auto means top for planar drawings and iso for the rest.",
+                 "auto"),
           option(choice({"dark", "light"}), "theme", "Colours of canvas and edges.", "dark"),
           option(flag(), "transparent", "Leave the background out.", false),
           option(flag(), "edges", "Draw the feature edges.", true),

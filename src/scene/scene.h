@@ -22,12 +22,12 @@ namespace blossom {
 
 class PickIndex;
 
-/// Colours and widths of a drawing; one for the dark canvas, one for its light twin.
+/// Colours and line widths of the scene, for the dark and the light theme.
 struct Look {
   Color backgroundTop, backgroundBottom;
-  Color made;     ///< the warm accent: what is being made
-  Color control;  ///< the cool accent: what controls it
-  Color surface;  ///< faces that have no colour of their own
+  Color made;     ///< the warm accent, for results
+  Color control;  ///< the cool accent, for controls
+  Color surface;  ///< faces without a colour of their own
   Color edge;     ///< feature edges of a shape with faces
   Color curve;    ///< drawings and curves without faces
   Color grid;
@@ -37,20 +37,20 @@ struct Look {
   static Look light();
 };
 
-/// Between two colours; t = 0 gives `from`.
+/// Linear interpolation of two colours; `from` at t = 0.
 Color mixed(const Color& from, const Color& to, double t);
 
-/// What the screen shows of one shape. The arrays of the Tessellation become vtkPolyData with normals, per-face colours and
-/// the cell arrays "face" and "edge" with the numbers for picking. Parts that the shape does not have are null.
+/// Drawing data of one shape. The arrays of the Tessellation become vtkPolyData with normals, per-face colours and the cell
+/// arrays "face" and "edge" with the numbers for picking. Data that the shape does not have are null.
 struct SceneData {
   vtkSmartPointer<vtkPolyData> faces;
   vtkSmartPointer<vtkPolyData> edges;
   vtkSmartPointer<vtkPolyData> points;
-  vtkSmartPointer<vtkPoints> vertices;     ///< by their number; picked, not drawn
-  bool solid = false;                      ///< the faces close, outward side out: a cut through them is filled
-  std::shared_ptr<const PickIndex> picks;  ///< null until somebody has made it
-  bool planar = false;                     ///< a drawing: all of it lies at z = 0, faces have no normals
-  /// The faces once more, in parts that go to the graphics card between two events each; empty: `faces` is small enough.
+  vtkSmartPointer<vtkPoints> vertices;     ///< by number; picked, not drawn
+  bool solid = false;                      ///< the faces are closed and face outwards: sections of them are filled
+  std::shared_ptr<const PickIndex> picks;  ///< null until it is built
+  bool planar = false;                     ///< a drawing: everything lies in z = 0, faces have no normals
+  /// The faces divided into parts that are uploaded to the GPU one per event turn; empty when `faces` is small enough.
   std::vector<vtkSmartPointer<vtkPolyData>> pieces;
   [[nodiscard]] bool empty() const;
 };
@@ -59,18 +59,18 @@ SceneData toSceneData(const Tessellation&);
 
 /// Actors of a shape, ready to be added to a renderer: faces first (one for each piece), then edges, then points.
 std::vector<vtkSmartPointer<vtkActor>> makeActors(const SceneData&, const Look&);
-/// What part of a shape an actor of `makeActors` draws.
+/// The data of a shape that an actor of `makeActors` draws.
 enum class ActorRole { Faces, Edges, Points };
 ActorRole roleOf(vtkActor*);
 
-/// Lights and gradient background as Blossom draws them.
+/// Sets lights and gradient background.
 void setUpRenderer(vtkRenderer*, const Look&);
 
-/// Looks at everything from the direction given with a small margin: "iso", "top", "bottom", "front", "back", "left",
-/// "right", or "auto": top for drawings that lie in a plane z = constant, iso for the rest.
+/// Places the camera in the given direction so that everything is visible with a small margin: "iso", "top", "bottom",
+/// "front", "back", "left", "right", or "auto": top for drawings in a plane z = constant, iso for the rest.
 /// @throws Error InvalidParameter for another name.
 void fitCamera(vtkRenderer*, const std::string& view = "iso");
-/// The names that fitCamera takes.
+/// The names that fitCamera accepts.
 const std::vector<std::string>& viewNames();
 
 struct PictureOptions {
@@ -80,27 +80,27 @@ struct PictureOptions {
   bool lightTheme = false;
   bool transparent = false;
   bool edges = true;
-  double chord = 0;  ///< mm; 0: as fine as the picture needs
+  double chord = 0;  ///< mm; 0: chosen by the resolution of the picture
 };
 
-/// Renders shapes to a PNG file with no display (EGL surfaceless context). The image is drawn in tiles at twice its size and
-/// scaled down, so it may be larger than any frame buffer. Safe to call from any thread, one picture at a time.
-/// @throws Error Internal with the driver's words when no context can be made; InvalidParameter; InvalidInput when there is
-/// nothing to draw; FileUnwritable; Cancelled.
+/// Renders shapes to a PNG file without a display (EGL surfaceless context). The image is drawn in tiles at twice its size
+/// and scaled down, so it may be larger than any frame buffer. Callable from any thread, one picture at a time.
+/// @throws Error Internal with the driver's message when no context can be created; InvalidParameter; InvalidInput when
+/// there is nothing to draw; FileUnwritable; Cancelled.
 void renderPicture(const std::vector<Shape>&, const std::filesystem::path& png, const PictureOptions&,
                    const Progress& = Progress::none());
 
 /// Options from the values of the picture format's write options. @throws Error InvalidParameter.
 PictureOptions readPictureOptions(const nlohmann::ordered_json& values);
 
-/// Sends what VTK has to say (GLEW's complaints about a missing display among it) to memory instead of a window or stderr.
-/// Called by everything in this room that renders.
+/// Redirects the messages of VTK, such as GLEW's about a missing display, to memory instead of a window or stderr. Called by
+/// all code of src/scene that renders.
 void quietVtk();
-/// What VTK said since the last call, a line each.
+/// The messages of VTK since the last call, one per line.
 std::vector<std::string> takeVtkMessages();
 
 class FormatRegistry;
-/// Registers PNG as a format that can be written.
+/// Registers PNG as a format for writing.
 void addPictureFormats(FormatRegistry&);
 
 }  // namespace blossom

@@ -11,16 +11,18 @@ class vtkCamera;
 /// most of a frame there, and the general code for four lights costs several times as much.
 namespace blossom {
 
-/// @param capped the shape is closed and a section cuts it: what is seen of its inside is painted as the cut itself, hatched
-/// in the plane of the cut.
+/// Shades faces by the lights of `setUpRenderer` with a fragment shader written for them. Software rendering spends most of
+/// a frame there, and VTK's general code for four lights is several times slower.
+/// @param capped the shape is closed and cut by a section: its visible inside is painted as the section, hatched in the
+/// plane of the cut
 void shadeFaces(vtkActor&, bool capped);
 
-/// What the cut through closed shapes looks like.
+/// Appearance of the section of closed shapes.
 struct CapLook {
   Color fill, hatch;
-  double spacing = 5;  ///< mm between the lines of the hatching
+  double spacing = 5;  ///< mm between hatching lines
 };
-/// Tells a capped actor where the cut is. To be called before each frame.
+/// Updates the plane of the section and its look in a capped actor. Call it before each frame.
 void placeCap(vtkActor&, const CutPlane&, const CapLook&, vtkCamera&);
 
 }  // namespace blossom

@@ -15,14 +15,14 @@ namespace {
 
 std::mutex guard;
 std::vector<std::string> messages;
-constexpr std::size_t mostMessages = 200;
+constexpr std::size_t maximumMessages = 200;
 
 class MemoryLog final : public vtkOutputWindow {
  public:
   static MemoryLog* New();
   vtkTypeMacro(MemoryLog, vtkOutputWindow) void DisplayText(const char* text) override {
     const std::scoped_lock lock(guard);
-    if (messages.size() < mostMessages) messages.emplace_back(text);
+    if (messages.size() < maximumMessages) messages.emplace_back(text);
   }
 
  protected:

@@ -57,7 +57,7 @@ std::string bytesOf(const Shape& shape) {
     const Format* format = theApp().formats->find(extension);
     const bool fits = shape.kind() == ShapeKind::Sequence
                           ? std::string(extension) == "off" || std::string(extension) == "svg"
-                          : format && format->write && holds(*format, shape.kind());
+                          : format && format->write && canStore(*format, shape.kind());
     if (!fits) continue;
     try {
       writeShape(*theApp().formats, shape, folder.path() / ("shape." + std::string(extension)));

@@ -159,7 +159,7 @@ void PanelDraggingTest::draggingNeverQueuesUp() {
   QTRY_COMPARE(now("length"), Value(110.0));
   settle();
   QCOMPARE(gate_.count(), 2);
-  QCOMPARE(gate_.mostInside, 1);
+  QCOMPARE(gate_.maximumInside, 1);
   QTest::mouseRelease(label, Qt::LeftButton, {}, from + QPoint(400, 0));
   QCOMPARE(qt(session_->history().undoText()), QStringLiteral("Change length of All"));
   session_->undo();

@@ -30,12 +30,12 @@ struct EvaluationGate {
   std::mutex mutex;
   std::condition_variable changed;
   bool closed = false;
-  int entered = 0, inside = 0, mostInside = 0;
+  int entered = 0, inside = 0, maximumInside = 0;
 
   void pass(const Progress& progress) {
     std::unique_lock lock(mutex);
     ++entered;
-    mostInside = std::max(mostInside, ++inside);
+    maximumInside = std::max(maximumInside, ++inside);
     changed.notify_all();
     changed.wait(lock, [&] { return !closed || progress.cancelled(); });
     --inside;
@@ -105,8 +105,8 @@ class PanelFixture : public QObject {
   /// A parameter of every kind there is.
   static FeatureType everything() {
     FeatureType all = titled("test.everything", "everything", "Everything", "A feature with a parameter of every kind.");
-    all.inputs = {{.name = "base", .help = "What it stands on.", .kinds = {ShapeKind::Mesh}, .minimum = 1, .most = 1},
-                  {.name = "others", .help = "More of it.", .kinds = {ShapeKind::Mesh}, .minimum = 0, .most = anyNumber}};
+    all.inputs = {{.name = "base", .help = "What it stands on.", .kinds = {ShapeKind::Mesh}, .minimum = 1, .maximum = 1},
+                  {.name = "others", .help = "More of it.", .kinds = {ShapeKind::Mesh}, .minimum = 0, .maximum = anyNumber}};
     const Value origin = Value::array({0.0, 0.0, 0.0});
     all.parameters = {declared("flag", flag(), false),
                       declared("count", count(1, 20), 3),

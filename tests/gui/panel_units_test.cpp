@@ -156,9 +156,9 @@ void PanelUnitsTest::stepsStayWithinTheirBounds() {
     spec.maximum = 3 * bound;
     const double start = 2 * bound, coarse = stepOf(spec, start, Qt::ControlModifier);
     for (const bool open : {false, true}) {
-      spec.aboveLeast = open;
-      const double low = checked(spec, moved(spec, start, -100, coarse)).get<double>();
-      const double high = checked(spec, moved(spec, start, 100, coarse)).get<double>();
+      spec.aboveMinimum = open;
+      const double low = checked(spec, stepped(spec, start, -100, coarse)).get<double>();
+      const double high = checked(spec, stepped(spec, start, 100, coarse)).get<double>();
       QVERIFY2(low < start && high > start, qPrintable(QString::number(bound)));
       QCOMPARE(high, 3 * bound);
       if (!open) QCOMPARE(low, bound);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using Random = std::mt19937_64;
-constexpr std::int64_t mostLostMs = 1000;
+constexpr std::int64_t maximumLostMs = 1000;
 
 std::int64_t monotonicMs() {
   using namespace std::chrono;  // the same clock in every process
@@ -149,7 +149,7 @@ struct States {
   [[nodiscard]] std::size_t mustHave(std::int64_t killed) const {
     std::size_t place = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i].milliseconds <= killed - mostLostMs) place = i;
+      if (all[i].milliseconds <= killed - maximumLostMs) place = i;
     return place;
   }
 };

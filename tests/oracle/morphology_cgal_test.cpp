@@ -122,7 +122,7 @@ int wrongPlaces(std::mt19937_64& random, const Mesh& made, const Mesh& a, const 
   int wrong = 0;
   for (int k = 0; k < 4000; ++k) {
     const Vec3 x = randomPoint(random, boundsOf(sum));
-    wrong += holds(sum, x) != meet(a, movedBy(mirrored, x)) ? 1 : 0;
+    wrong += contains(sum, x) != meet(a, movedBy(mirrored, x)) ? 1 : 0;
   }
   return wrong;
 }

@@ -55,7 +55,7 @@ class MorphologyMembershipTest : public QObject {
       const Mesh sum = triangulated(solidSumOf(a, b)).first, mirrored = reflected(b);
       for (int k = 0; k < 1000; ++k, ++asked) {
         const Vec3 x = placeToAsk(random, sum, k);
-        wrong += holds(sum, x) != meet(a, movedBy(mirrored, x)) ? 1 : 0;
+        wrong += contains(sum, x) != meet(a, movedBy(mirrored, x)) ? 1 : 0;
       }
     }
     QCOMPARE(wrong, 0);
@@ -74,11 +74,11 @@ class MorphologyMembershipTest : public QObject {
       for (int k = 0; k < 400; ++k, ++asked) {
         const Vec3 x = placeToAsk(random, left, k);
         const Mesh there = movedBy(b, x);
-        bool leaves = !holds(a, there.points.front());
+        bool leaves = !contains(a, there.points.front());
         for (std::size_t f = 0; f < a.faceCount() && !leaves; ++f)
           for (std::size_t g = 0; g < there.faceCount() && !leaves; ++g)
             leaves = trianglesCross(facePoints(a, f), facePoints(there, g));
-        wrong += holds(left, x) == leaves ? 1 : 0;
+        wrong += contains(left, x) == leaves ? 1 : 0;
       }
     }
     QCOMPARE(wrong, 0);

@@ -68,7 +68,7 @@ class PocketOffsetFilesTest final : public QObject {
 
   std::mt19937_64 random_ = seededRandom();
   std::size_t files_ = 0, offset_ = 0, refused_ = 0, offsets_ = 0, points_ = 0, axisPoints_ = 0, members_ = 0;
-  double worst_ = 0, worstAxis_ = 0, worstFoot_ = 0, slowestDiagram_ = 0, slowestOffset_ = 0, mostSites_ = 0;
+  double worst_ = 0, worstAxis_ = 0, worstFoot_ = 0, slowestDiagram_ = 0, slowestOffset_ = 0, maximumSites_ = 0;
 };
 
 void PocketOffsetFilesTest::everyFileIsOffsetOrSaysWhyNot_data() {
@@ -94,7 +94,7 @@ void PocketOffsetFilesTest::everyFileIsOffsetOrSaysWhyNot() {
     const double took = watch.milliseconds();
     const auto sites = static_cast<double>(diagram.stats().sites);
     slowestDiagram_ = std::max(slowestDiagram_, took);
-    mostSites_ = std::max(mostSites_, sites);
+    maximumSites_ = std::max(maximumSites_, sites);
     ++offset_;
     const TrueDistance truth(part.loops, 1e-7);
     COMPARE_NEAR(truth(diagram.largestCenter()), diagram.largestClearance(), 1e-6);
@@ -184,7 +184,7 @@ void PocketOffsetFilesTest::cleanupTestCase() {
                                                     {"axis_points", double(axisPoints_)},
                                                     {"worst_axis_mm", worstAxis_},
                                                     {"worst_second_foot_mm", worstFoot_},
-                                                    {"most_sites", mostSites_},
+                                                    {"most_sites", maximumSites_},
                                                     {"slowest_diagram_ms", slowestDiagram_},
                                                     {"slowest_offset_ms", slowestOffset_}};
   for (const auto& [name, value] : figures) qInfo("figure %s %g", name, value);

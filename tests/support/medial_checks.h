@@ -42,7 +42,7 @@ class AxisCheck {
   }
 
   /// mm by which random points of the part lie out of all discs of the axis.
-  [[nodiscard]] double mostUncovered(int count, std::mt19937_64& random) const {
+  [[nodiscard]] double maximumUncovered(int count, std::mt19937_64& random) const {
     Vec2 low = startPoint(part_.loops[0]);
     Vec2 high = low;
     for (const Path& loop : part_.loops)

@@ -29,7 +29,7 @@ inline bool meet(const Mesh& a, const Mesh& b) {
     for (std::size_t g = 0; g < b.faceCount(); ++g)
       if (trianglesCross(facePoints(a, f), facePoints(b, g))) return true;
   const auto anyHeld = [](const Mesh& solid, const Mesh& other) {
-    return std::any_of(other.points.begin(), other.points.end(), [&](const Vec3& p) { return holds(solid, p); });
+    return std::any_of(other.points.begin(), other.points.end(), [&](const Vec3& p) { return contains(solid, p); });
   };
   return anyHeld(a, b) || anyHeld(b, a);
 }

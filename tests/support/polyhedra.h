@@ -156,7 +156,7 @@ inline Mesh spikyRing(std::mt19937_64& random, double major, double minor, int a
 }
 
 /// Whether a point lies in a closed solid, by the solid angle that its triangles fill; not for points of the surface.
-inline bool holds(const Mesh& triangles, const Vec3& p) {
+inline bool contains(const Mesh& triangles, const Vec3& p) {
   double angle = 0;
   for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
     const auto corners = facePoints(triangles, f);

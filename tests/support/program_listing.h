@@ -105,14 +105,14 @@ struct Listing {
   }
 
   /// The number of a word changed by so much, in as many places as it had, and at least so many.
-  void change(std::size_t line, char letter, double by, int leastPlaces) {
+  void change(std::size_t line, char letter, double by, int minimumPlaces) {
     const ListedWord w = *word(line, letter);
     const std::size_t point = w.number.find('.');
     const int places = point == std::string::npos ? 0 : static_cast<int>(w.number.size() - point - 1);
     std::ostringstream number;
     number.imbue(std::locale::classic());
     number << std::fixed;
-    number.precision(std::max(places, leastPlaces));
+    number.precision(std::max(places, minimumPlaces));
     number << w.value() + by;
     lines[line].replace(w.at, w.length, lines[line].substr(w.at, 1) + number.str());
   }

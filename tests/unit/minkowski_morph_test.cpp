@@ -42,7 +42,7 @@ Region one(const std::vector<Region>& shapes, const std::vector<double>& t, cons
   return morph(shapes, std::vector<std::vector<double>>{t}, options).regions.front();
 }
 
-constexpr Evaluation everyWay[] = {Evaluation::Recursive, Evaluation::BottomUp, Evaluation::Explicit};
+constexpr EvaluationOrder everyWay[] = {EvaluationOrder::Recursive, EvaluationOrder::BottomUp, EvaluationOrder::Explicit};
 
 }  // namespace
 
@@ -53,7 +53,7 @@ class MinkowskiMorphTest : public QObject {
  private slots:
   void theEndsAreTheControlShapes() {
     const std::vector<Region> shapes{circleRegion(5), starRegion(5, 8, 3), regular(4, 6)};
-    for (const Evaluation evaluation : everyWay) {
+    for (const EvaluationOrder evaluation : everyWay) {
       QVERIFY(one(shapes, {0, 0}, {.evaluation = evaluation}) == shapes.front());
       QVERIFY(one(shapes, {1, 1}, {.evaluation = evaluation}) == shapes.back());
     }
@@ -63,7 +63,7 @@ class MinkowskiMorphTest : public QObject {
   void theEndsAreApproached() {
     const std::vector<Region> shapes{regular(7, 15), starRegion(4, 9, 5), starRegion(5, 24, 9)};
     for (double t = 1e-3; t > 1e-17; t /= 10)
-      for (const Evaluation evaluation : everyWay) {
+      for (const EvaluationOrder evaluation : everyWay) {
         const MorphOptions options{.evaluation = evaluation};
         COMPARE_NEAR(area(one(shapes, {t, t}, options)), area(shapes.front()), 1e4 * t + 1e-7);
         COMPARE_NEAR(area(one(shapes, {1 - t, 1 - t}, options)), area(shapes.back()), 1e4 * t + 1e-7);
@@ -78,8 +78,8 @@ class MinkowskiMorphTest : public QObject {
   void allEvaluationsGiveOneShape() {
     const std::vector<Region> shapes = hollows(4);
     for (const double t : {0.2, 0.5, 0.85}) {
-      const double wanted = area(one(shapes, diagonal(3, t), {.evaluation = Evaluation::Recursive}));
-      for (const Evaluation evaluation : everyWay)
+      const double wanted = area(one(shapes, diagonal(3, t), {.evaluation = EvaluationOrder::Recursive}));
+      for (const EvaluationOrder evaluation : everyWay)
         COMPARE_NEAR(area(one(shapes, diagonal(3, t), {.evaluation = evaluation})), wanted, 1e-8 * wanted);
     }
   }
@@ -87,12 +87,12 @@ class MinkowskiMorphTest : public QObject {
   void convexShapesNeedNoRepetition() {
     const std::vector<Region> shapes{starRegion(5, 9, 3), regular(5, 7), circleRegion(6), starRegion(4, 9, 2)};
     const auto t = diagonal(3, 0.4);
-    const double wanted = area(one(shapes, t, {.evaluation = Evaluation::Recursive}));
-    for (const Evaluation evaluation : {Evaluation::Explicit, Evaluation::Convex}) {
+    const double wanted = area(one(shapes, t, {.evaluation = EvaluationOrder::Recursive}));
+    for (const EvaluationOrder evaluation : {EvaluationOrder::Explicit, EvaluationOrder::Convex}) {
       COMPARE_NEAR(area(one(shapes, t, {.evaluation = evaluation})), wanted, 1e-7 * wanted);
       QCOMPARE(morph(shapes, std::vector<std::vector<double>>{t}, {.evaluation = evaluation}).sums, std::size_t{3});
     }
-    VERIFY_ERROR(one(hollows(3), diagonal(2, 0.5), {.evaluation = Evaluation::Convex}), ErrorCode::InvalidInput);
+    VERIFY_ERROR(one(hollows(3), diagonal(2, 0.5), {.evaluation = EvaluationOrder::Convex}), ErrorCode::InvalidInput);
   }
 
   /// Table 1 of the paper: sums for N in-betweens.
@@ -102,13 +102,15 @@ class MinkowskiMorphTest : public QObject {
       const auto arguments = inBetweens(n, frames);
       std::vector<Region> convex;
       for (std::size_t i = 0; i <= n; ++i) convex.push_back(regular(3 + static_cast<int>(i), 10));
-      QCOMPARE(morph(convex, arguments, {.evaluation = Evaluation::Convex}).sums, n * frames);
-      QCOMPARE(morph(convex, arguments, {.evaluation = Evaluation::Explicit}).sums, n * frames);
+      QCOMPARE(morph(convex, arguments, {.evaluation = EvaluationOrder::Convex}).sums, n * frames);
+      QCOMPARE(morph(convex, arguments, {.evaluation = EvaluationOrder::Explicit}).sums, n * frames);
       const auto shapes = hollows(static_cast<int>(n) + 1);
-      const auto sums = [&](Evaluation evaluation) { return morph(shapes, arguments, {.evaluation = evaluation}).sums; };
-      QCOMPARE(sums(Evaluation::Recursive), ((std::size_t{1} << n) - 1) * frames);
-      QCOMPARE(sums(Evaluation::BottomUp), n * (n + 1) / 2 * frames);
-      QCOMPARE(sums(Evaluation::Explicit), n * frames + (std::size_t{1} << n) - n - 1);
+      const auto sums = [&](EvaluationOrder evaluation) {
+        return morph(shapes, arguments, {.evaluation = evaluation}).sums;
+      };
+      QCOMPARE(sums(EvaluationOrder::Recursive), ((std::size_t{1} << n) - 1) * frames);
+      QCOMPARE(sums(EvaluationOrder::BottomUp), n * (n + 1) / 2 * frames);
+      QCOMPARE(sums(EvaluationOrder::Explicit), n * frames + (std::size_t{1} << n) - n - 1);
     }
   }
 
@@ -116,7 +118,7 @@ class MinkowskiMorphTest : public QObject {
   void doublingBeatsTheTable() {
     const std::vector<Region> shapes(5, starRegion(3, 2, 0.5));
     const std::size_t table = 4 + 16 - 4 - 1;
-    const std::size_t sums = morph(shapes, inBetweens(4, 1), {.evaluation = Evaluation::Explicit}).sums;
+    const std::size_t sums = morph(shapes, inBetweens(4, 1), {.evaluation = EvaluationOrder::Explicit}).sums;
     QCOMPARE(sums, std::size_t{4 + 2 + 3 + 2});  // [4], [6], [4]
     QVERIFY(sums < table);
   }
@@ -127,10 +129,10 @@ class MinkowskiMorphTest : public QObject {
     for (int k = 1; k <= 15; ++k) different.push_back(k / 16.0 + 1e-4 * k * k);
     const std::vector<std::vector<double>> one{different};
     const std::vector<bool> hollow(16, false);
-    QCOMPARE(sumsNeeded(Evaluation::Explicit, one, hollow), std::size_t{32'767});
-    QCOMPARE(sumsNeeded(Evaluation::BottomUp, one, hollow), std::size_t{120});
-    QVERIFY(wayOfFewestSums(one, hollow) == Evaluation::BottomUp);
-    QVERIFY(wayOfFewestSums(one, std::vector<bool>(16, true)) == Evaluation::Convex);
+    QCOMPARE(sumsNeeded(EvaluationOrder::Explicit, one, hollow), std::size_t{32'767});
+    QCOMPARE(sumsNeeded(EvaluationOrder::BottomUp, one, hollow), std::size_t{120});
+    QVERIFY(wayOfFewestSums(one, hollow) == EvaluationOrder::BottomUp);
+    QVERIFY(wayOfFewestSums(one, std::vector<bool>(16, true)) == EvaluationOrder::Convex);
     std::vector<Region> shapes;
     for (int k = 0; k < 16; ++k) shapes.push_back(regular(3, 5.0 + k));
     shapes[7] = polygonRegion({{0, 0}, {9, 4}, {0, 8}, {4, 4}});
@@ -150,7 +152,7 @@ class MinkowskiMorphTest : public QObject {
         while (t.size() + 1 < shapes.size()) t.push_back(std::uniform_int_distribution<int>(0, 4)(random) / 4.0);
       }
       std::size_t fewest = 1'000'000;
-      for (const Evaluation way : everyWay) {
+      for (const EvaluationOrder way : everyWay) {
         const std::size_t needed = sumsNeeded(way, arguments, convex);
         QCOMPARE(morph(shapes, arguments, {.evaluation = way}).sums, needed);
         fewest = std::min(fewest, needed);
@@ -161,8 +163,8 @@ class MinkowskiMorphTest : public QObject {
 
   void theBlossomIsSymmetric() {
     const std::vector<Region> shapes = hollows(3);
-    const double wanted = area(one(shapes, {0.2, 0.7}, {.evaluation = Evaluation::Recursive}));
-    for (const Evaluation evaluation : everyWay) {
+    const double wanted = area(one(shapes, {0.2, 0.7}, {.evaluation = EvaluationOrder::Recursive}));
+    for (const EvaluationOrder evaluation : everyWay) {
       COMPARE_NEAR(area(one(shapes, {0.2, 0.7}, {.evaluation = evaluation})), wanted, 1e-8 * wanted);
       COMPARE_NEAR(area(one(shapes, {0.7, 0.2}, {.evaluation = evaluation})), wanted, 1e-8 * wanted);
     }

@@ -11,7 +11,7 @@ namespace {
 class Mouse {
  public:
   explicit Mouse(OutlineDraft& draft) : draft_(draft) {}
-  void move(double x, double y) { draft_.hover(snapped(draft_.sceneWith(scene), draft_.query({x, y}, 1, 10))); }
+  void move(double x, double y) { draft_.hover(snappedPoint(draft_.sceneWith(scene), draft_.query({x, y}, 1, 10))); }
   bool click(double x, double y) {
     move(x, y);
     return draft_.place();
@@ -27,7 +27,7 @@ class Mouse {
 
 SnapKind kindAt(const SnapScene& scene, SnapQuery query, double x, double y) {
   query.mouse = {x, y};
-  return snapped(scene, query).kind;
+  return snappedPoint(scene, query).kind;
 }
 
 }  // namespace
@@ -72,28 +72,28 @@ void ModelingDraftTest::strongerThingsCatchFirst() {
 void ModelingDraftTest::guidesHoldExactly() {
   SnapQuery query{{}, 1, 0, Vec2(2, 3), {}, {}};
   query.mouse = {40, 3.4};
-  QCOMPARE(snapped({}, query).point, Vec2(40, 3));
+  QCOMPARE(snappedPoint({}, query).point, Vec2(40, 3));
   query.mouse = {1.5, -20};
-  QCOMPARE(snapped({}, query).point, Vec2(2, -20));
+  QCOMPARE(snappedPoint({}, query).point, Vec2(2, -20));
   query.mouse = {12.3, 13};
-  const Snap diagonal = snapped({}, query);
+  const Snap diagonal = snappedPoint({}, query);
   QCOMPARE(diagonal.kind, SnapKind::Diagonal);
   COMPARE_NEAR(diagonal.point.x() - 2, diagonal.point.y() - 3, 1e-12);
   query.grid = 5;
   query.mouse = {29.4, 3.4};
-  QCOMPARE(snapped({}, query).point, Vec2(30, 3));  // the guide and a grid line that it crosses
+  QCOMPARE(snappedPoint({}, query).point, Vec2(30, 3));  // the guide and a grid line that it crosses
   query.direction = Vec2(0.6, 0.8);
   query.mouse = Vec2(2, 3) + 20 * Vec2(0.6, 0.8) + Vec2(0.1, -0.1);
-  QCOMPARE(snapped({}, query).kind, SnapKind::Tangent);
+  QCOMPARE(snappedPoint({}, query).kind, SnapKind::Tangent);
   query.mouse = Vec2(2, 3) + 20 * Vec2(-0.8, 0.6);
-  const Snap square = snapped({}, query);
+  const Snap square = snappedPoint({}, query);
   QCOMPARE(square.kind, SnapKind::Square);
   COMPARE_NEAR((square.point - Vec2(2, 3)).dot(Vec2(0.6, 0.8)), 0, 1e-12);
 }
 
 void ModelingDraftTest::guidesThatCross() {
   const SnapQuery query{{0.3, 19.6}, 1, 0, Vec2(40, 20), {}, Vec2(0, 0)};
-  const Snap corner = snapped({}, query);
+  const Snap corner = snappedPoint({}, query);
   QCOMPARE(corner.kind, SnapKind::Crossing);
   COMPARE_NEAR((corner.point - Vec2(0, 20)).norm(), 0, 1e-12);
   QCOMPARE(corner.guides.size(), std::size_t{2});
@@ -105,14 +105,14 @@ void ModelingDraftTest::feetOfPerpendiculars() {
   SnapQuery query{{}, 1.5, 0, Vec2(5, 27), {}, {}};
   const Vec2 along = Vec2(30, 15).normalized(), expected = Vec2(5, 27).dot(along) * along;
   query.mouse = expected + Vec2(0.5, 0.5);
-  const Snap foot = snapped(scene, query);
+  const Snap foot = snappedPoint(scene, query);
   QCOMPARE(foot.kind, SnapKind::Perpendicular);
   COMPARE_NEAR((foot.point - expected).norm(), 0, 1e-12);
   const Vec2 out = (Vec2(5, 27) - Vec2(60, 0)).normalized();
   query.mouse = Vec2(60, 0) + 10.4 * out;
-  COMPARE_NEAR((snapped(scene, query).point - (Vec2(60, 0) + 10 * out)).norm(), 0, 1e-12);
+  COMPARE_NEAR((snappedPoint(scene, query).point - (Vec2(60, 0) + 10 * out)).norm(), 0, 1e-12);
   query.mouse = {24, 12.3};
-  QCOMPARE(snapped(scene, query).kind, SnapKind::OnCurve);
+  QCOMPARE(snappedPoint(scene, query).kind, SnapKind::OnCurve);
 }
 
 void ModelingDraftTest::nothingBeyondReach() {
@@ -124,7 +124,7 @@ void ModelingDraftTest::nothingBeyondReach() {
     scene.curves.emplace_back(Line2{{place(random), place(random)}, {place(random), place(random)}});
   for (int round = 0; round < 2000; ++round) {
     const SnapQuery query{{place(random), place(random)}, 1, 5, Vec2(place(random), place(random)), Vec2(0, 1), Vec2(1, 2)};
-    const Snap snap = snapped(scene, query);
+    const Snap snap = snappedPoint(scene, query);
     // A guide with a grid line on it may lie a reach along each.
     QVERIFY((snap.point - query.mouse).norm() <= std::sqrt(2.0) + 1e-12);
     if (snap.kind == SnapKind::None) QCOMPARE(snap.point, query.mouse);

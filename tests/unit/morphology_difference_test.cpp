@@ -29,9 +29,9 @@ void verifyWithin(std::mt19937_64& random, const Mesh& inner, const Mesh& outer)
   int found = 0;
   for (int k = 0; k < 2000; ++k) {
     const Vec3 p = randomPoint(random, boundsOf(a));
-    if (!holds(a, p)) continue;
+    if (!contains(a, p)) continue;
     ++found;
-    QVERIFY(holds(b, p));
+    QVERIFY(contains(b, p));
   }
   QVERIFY(found > 20);
 }

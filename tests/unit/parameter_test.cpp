@@ -94,7 +94,7 @@ class Generator {
       case Angle:
         return real();
       case Length:
-        return spec.aboveLeast ? std::abs(real()) + 1e-300 : real();
+        return spec.aboveMinimum ? std::abs(real()) + 1e-300 : real();
       case Choice:
         return spec.choices[below(spec.choices.size())];
       case Text:

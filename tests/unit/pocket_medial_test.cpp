@@ -50,7 +50,7 @@ void verifyAxis(const Region& part, const MedialAxis& axis, double tolerance, st
   QVERIFY2(report.worstClearance <= tolerance, report.text().c_str());
   QVERIFY2(report.worstSecondFoot <= tolerance, report.text().c_str());
   QVERIFY2(report.outside == 0, report.text().c_str());
-  const double uncovered = check.mostUncovered(400, random);
+  const double uncovered = check.maximumUncovered(400, random);
   QVERIFY2(uncovered <= 3 * tolerance, qPrintable(QString("uncovered by %1").arg(uncovered)));
 }
 

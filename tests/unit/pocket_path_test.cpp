@@ -336,15 +336,15 @@ class PocketPathTest final : public QObject {
         PocketResult made;
         verifyPath(slot, o, &made);
         if (QTest::currentTestFailed()) return;
-        double minimum = 1e300, most = -1e300;
+        double minimum = 1e300, maximum = -1e300;
         for (const ToolMove& m : made.path.moves) {
           const Vec2 p = m.to.head<2>() - corner;
           COMPARE_NEAR(p.dot(Vec2(-s, c)), 3, o.tolerance / 20);
           minimum = std::min(minimum, p.dot(Vec2(c, s)));
-          most = std::max(most, p.dot(Vec2(c, s)));
+          maximum = std::max(maximum, p.dot(Vec2(c, s)));
         }
         COMPARE_NEAR(minimum, 3, o.tolerance);
-        COMPARE_NEAR(most, 37, o.tolerance);
+        COMPARE_NEAR(maximum, 37, o.tolerance);
       }
     }
     // with stock to leave it is the room that is left which counts

@@ -164,13 +164,13 @@ class RegistryTest : public QObject {
 
   void resultsAreOfTheKindsDeclared() {
     FeatureType type = thing();
-    checkGiven(type, Mesh{});  // it declares none: any will do
-    VERIFY_ERROR(checkGiven(type, Shape()), ErrorCode::Internal);
+    checkResult(type, Mesh{});  // it declares none: any will do
+    VERIFY_ERROR(checkResult(type, Shape()), ErrorCode::Internal);
     type.produces = {ShapeKind::Region, ShapeKind::Curves};
-    checkGiven(type, circle());
-    checkGiven(type, Sequence{{circle(), circle()}, {0, 1}});
-    VERIFY_ERROR(checkGiven(type, Sequence{{circle(), Mesh{}}, {0, 1}}), ErrorCode::Internal);
-    QCOMPARE(messageOf([&] { checkGiven(type, Mesh{}); }),
+    checkResult(type, circle());
+    checkResult(type, Sequence{{circle(), circle()}, {0, 1}});
+    VERIFY_ERROR(checkResult(type, Sequence{{circle(), Mesh{}}, {0, 1}}), ErrorCode::Internal);
+    QCOMPARE(messageOf([&] { checkResult(type, Mesh{}); }),
              std::string("Thing made a mesh and declares that it gives a region or curves."));
   }
 

@@ -3,10 +3,10 @@
 #include <numbers>
 
 #include "geometry/bspline/bspline.h"
+#include "subdivision/kernel/curve_through.h"
 #include "subdivision/kernel/deform.h"
 #include "subdivision/kernel/four_point.h"
 #include "subdivision/kernel/limit_curve.h"
-#include "subdivision/kernel/stroke.h"
 #include "support/support.h"
 
 using namespace blossom;

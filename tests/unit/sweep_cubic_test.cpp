@@ -125,7 +125,7 @@ class SweepCubicTest : public QObject {
   }
 
   void impossibleToleranceIsRefused() {
-    VERIFY_ERROR(approximateCubic(readSample("propeller.json"), {.tolerance = 1e-9, .mostSpans = 200}),
+    VERIFY_ERROR(approximateCubic(readSample("propeller.json"), {.tolerance = 1e-9, .maximumSpans = 200}),
                  ErrorCode::LimitExceeded);
     CancelToken token;
     token.cancel();

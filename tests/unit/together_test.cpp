@@ -1,4 +1,4 @@
-#include "geometry/occt/together.h"
+#include "geometry/occt/merged_shape.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -51,20 +51,20 @@ class TogetherTest : public QObject {
 
 void TogetherTest::aSingleShapeStaysWhatItIs() {
   const Shape region = square(0, 2);
-  QCOMPARE(together({{"a", region}}).kind(), ShapeKind::Region);
-  QCOMPARE(kindTogether({ShapeKind::Motion}), ShapeKind::Motion);
+  QCOMPARE(mergedShape({{"a", region}}).kind(), ShapeKind::Region);
+  QCOMPARE(mergedKind({ShapeKind::Motion}), ShapeKind::Motion);
 }
 
 void TogetherTest::meshesAreMeasuredAsTheirSum() {
-  const Shape all = together({{"a", tetrahedron(0)}, {"b", tetrahedron(5)}, {"c", tetrahedron(9)}});
+  const Shape all = mergedShape({{"a", tetrahedron(0)}, {"b", tetrahedron(5)}, {"c", tetrahedron(9)}});
   COMPARE_NEAR(valueOf(all, "volume"), 3.0 / 6, 1e-12);
   QCOMPARE(all.get<Mesh>()->faceCount(), std::size_t(12));
   COMPARE_NEAR(valueOf(all, "components"), 3, 0);
 }
 
 void TogetherTest::solidsBecomeAnAssemblyWithNames() {
-  const Shape all = together({{"Box", Brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape())},
-                              {"Ball", Brep(BRepPrimAPI_MakeSphere(gp_Pnt(20, 0, 0), 2).Shape())}});
+  const Shape all = mergedShape({{"Box", Brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape())},
+                                 {"Ball", Brep(BRepPrimAPI_MakeSphere(gp_Pnt(20, 0, 0), 2).Shape())}});
   COMPARE_NEAR(valueOf(all, "volume"), 6 + 32 * M_PI / 3, 1e-9);
   QCOMPARE(all.get<Brep>()->roots().size(), std::size_t(2));
   QCOMPARE(all.get<Brep>()->roots()[1].name, std::string("Ball"));
@@ -73,20 +73,20 @@ void TogetherTest::solidsBecomeAnAssemblyWithNames() {
 void TogetherTest::drawingsKeepEveryPath() {
   Curves open;
   open.paths.push_back({{Line2{{0, 0}, {3, 4}}}, false, {}, {}});
-  const Shape all = together({{"a", square(0, 2)}, {"b", open}});
+  const Shape all = mergedShape({{"a", square(0, 2)}, {"b", open}});
   QCOMPARE(all.kind(), ShapeKind::Curves);
   COMPARE_NEAR(valueOf(all, "length"), 8 + 5, 1e-12);
 }
 
 void TogetherTest::drawingsBesideSolidsHaveAnExactForm() {
-  const Shape all = together({{"a", square(10, 2)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}});
+  const Shape all = mergedShape({{"a", square(10, 2)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}});
   QCOMPARE(all.kind(), ShapeKind::Brep);
   COMPARE_NEAR(valueOf(all, "area"), 4 + 6, 1e-9);
 }
 
 void TogetherTest::meshesBesideSolidsAreRefused() {
-  QCOMPARE(kindTogether({ShapeKind::Mesh, ShapeKind::Brep}), ShapeKind::None);
-  VERIFY_ERROR(together({{"a", tetrahedron(0)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}}),
+  QCOMPARE(mergedKind({ShapeKind::Mesh, ShapeKind::Brep}), ShapeKind::None);
+  VERIFY_ERROR(mergedShape({{"a", tetrahedron(0)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}}),
                ErrorCode::InvalidInput);
 }
 

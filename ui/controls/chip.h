@@ -4,17 +4,17 @@
 
 namespace blossom::ui {
 
-/// A taken thing by its name, with a cross to let go of it. With the focus, Delete lets go as well and Enter opens what a
-/// click opens.
+/// A chip with the name of a chosen object and a cross that removes it. With the focus, Delete removes it and Enter acts
+/// like a click.
 class Chip final : public QWidget {
   Q_OBJECT
  public:
   explicit Chip(const QString& text, QWidget* parent = nullptr);
   void setIconName(const QString&);
   void setRemovable(bool);
-  void setChevron(bool);  ///< shows that a click opens something
+  void setChevron(bool);  ///< shows the sign for a menu
   [[nodiscard]] const QString& text() const { return text_; }
-  [[nodiscard]] QString shownText() const;  ///< its beginning where there is no room for all of it
+  [[nodiscard]] QString shownText() const;  ///< the text, elided when there is no room for it
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -30,7 +30,7 @@ class Chip final : public QWidget {
 
  private:
   [[nodiscard]] QRect crossArea() const;
-  [[nodiscard]] int besideText() const;  ///< pixels that the text cannot take
+  [[nodiscard]] int besideText() const;  ///< pixels not available to the text
   QString text_;
   QString icon_;
   bool removable_ = true;

@@ -29,8 +29,8 @@ CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
 }
 
 void CurveEditor::setBounds(std::optional<double> minimum, std::optional<double> maximum) {
-  least_ = minimum;
-  greatest_ = maximum;
+  minimum_ = minimum;
+  maximum_ = maximum;
 }
 
 void CurveEditor::setPoints(std::vector<QPointF> points) {
@@ -50,7 +50,7 @@ void CurveEditor::choose(int index) {
 
 // The plane shows 0..1 and all points, with room to draw beyond the values where no bound forbids it.
 void CurveEditor::fitView() {
-  double left = 0, right = 1, low = least_.value_or(0), high = greatest_.value_or(1);
+  double left = 0, right = 1, low = minimum_.value_or(0), high = maximum_.value_or(1);
   for (const QPointF& p : points_) {
     left = std::min(left, p.x());
     right = std::max(right, p.x());
@@ -58,8 +58,8 @@ void CurveEditor::fitView() {
     high = std::max(high, p.y());
   }
   const double room = (high - low) * 0.15;
-  if (!least_ && low < 0) low -= room;
-  if (!greatest_) high += room;
+  if (!minimum_ && low < 0) low -= room;
+  if (!maximum_) high += room;
   if (high <= low) high = low + 1;
   view_ = QRectF(left, low, right - left, high - low);
 }
@@ -96,8 +96,8 @@ QPointF CurveEditor::confined(QPointF p, int index) const {
   const double first = at > 0 ? points_[at - 1].x() : view_.left();
   const double last = at + 1 < points_.size() ? points_[at + 1].x() : view_.right();
   p.setX(std::clamp(p.x(), first, std::max(first, last)));
-  if (least_) p.setY(std::max(p.y(), *least_));
-  if (greatest_) p.setY(std::min(p.y(), *greatest_));
+  if (minimum_) p.setY(std::max(p.y(), *minimum_));
+  if (maximum_) p.setY(std::min(p.y(), *maximum_));
   return p;
 }
 

@@ -9,7 +9,7 @@ class QPainter;
 
 namespace blossom::ui {
 
-/// Draws a control function and lets its points be dragged. A click on the empty plane adds a point, Delete or a right click
+/// Editor of a control function with draggable points. A click on the background adds a point, Delete or a right click
 /// removes one; arrow keys move the chosen one.
 class CurveEditor final : public QWidget {
   Q_OBJECT
@@ -21,7 +21,7 @@ class CurveEditor final : public QWidget {
   [[nodiscard]] const std::vector<QPointF>& points() const { return points_; }
   [[nodiscard]] int chosen() const { return chosen_; }
   void choose(int index);
-  /// Where a value is drawn, in pixels.
+  /// Position of a point in pixels.
   [[nodiscard]] QPointF toPixels(const QPointF&) const;
   [[nodiscard]] QSize sizeHint() const override { return {160, 110}; }
 
@@ -49,7 +49,7 @@ class CurveEditor final : public QWidget {
 
   std::vector<QPointF> points_;
   QRectF view_{0, 0, 1, 1};  // in values
-  std::optional<double> least_, greatest_;
+  std::optional<double> minimum_, maximum_;
   int chosen_ = -1;
   int under_ = -1;
   bool dragging_ = false;

@@ -9,12 +9,12 @@ class FieldLabel : public QLabel {
  public:
   explicit FieldLabel(const QString& text, QWidget* parent = nullptr);
   void setScrubbable(bool);
-  /// What the mouse does until it is let go means nothing any more.
+  /// Ignores the mouse until the button is released.
   void cancelScrub() { pressed_ = scrubbing_ = false; }
 
  signals:
   void scrubStarted();
-  void scrubbed(int pixels, Qt::KeyboardModifiers);  ///< from where it began
+  void scrubbed(int pixels, Qt::KeyboardModifiers);  ///< distance from the start
   void scrubEnded();
   void clicked();
 

@@ -4,7 +4,7 @@
 
 namespace blossom::ui {
 
-/// Puts widgets side by side and goes on in the next line where there is no more room.
+/// Places widgets side by side and continues in the next line when a line is full.
 class FlowLayout final : public QLayout {
  public:
   explicit FlowLayout(QWidget* parent = nullptr);

@@ -3,7 +3,7 @@
 
 namespace blossom::ui {
 
-/// A slider that goes to where its groove is clicked, and is dragged on from there.
+/// A slider that jumps to a click on its groove and can be dragged on from there.
 class GrooveSlider final : public QSlider {
   Q_OBJECT
  public:
@@ -17,7 +17,7 @@ class GrooveSlider final : public QSlider {
  private:
   [[nodiscard]] QRect part(QStyle::SubControl) const;
   void follow(int x);
-  int grabbed_ = 0;  ///< pixels from the middle of the handle to where it was taken hold of
+  int grabbed_ = 0;  ///< pixels from the middle of the handle to the mouse
 };
 
 }  // namespace blossom::ui

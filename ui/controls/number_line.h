@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// A line for a number: arrow keys, page keys and the wheel (only with the focus) ask for steps, which end when the key is
-/// let go or the wheel rests.
+/// A line edit for a number: arrow keys, page keys and the wheel (only with the focus) emit steps, which end when the key is
+/// released or the wheel rests.
 class NumberLine : public QLineEdit {
   Q_OBJECT
  public:

@@ -3,7 +3,7 @@
 
 namespace blossom::ui {
 
-/// Wants something picked in the view while it is down.
+/// A checkable button; while it is down, something is to be picked in the view.
 class PickButton final : public QToolButton {
   Q_OBJECT
  public:

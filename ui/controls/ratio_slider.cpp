@@ -51,8 +51,8 @@ RatioSlider::RatioSlider(QWidget* parent) : QLineEdit(parent) {
 }
 
 void RatioSlider::setRange(double minimum, double maximum) {
-  least_ = minimum;
-  greatest_ = std::max(maximum, minimum);
+  minimum_ = minimum;
+  maximum_ = std::max(maximum, minimum);
 }
 
 void RatioSlider::setValue(double value) {
@@ -85,8 +85,8 @@ void RatioSlider::startTyping() {
 
 double RatioSlider::valueAt(double x) const {
   const double share = std::clamp(x / std::max(1, width()), 0.0, 1.0);
-  const double exact = least_ + share * (greatest_ - least_);
-  return std::clamp(std::round(exact * 1000) / 1000, least_, greatest_);
+  const double exact = minimum_ + share * (maximum_ - minimum_);
+  return std::clamp(std::round(exact * 1000) / 1000, minimum_, maximum_);
 }
 
 void RatioSlider::paintEvent(QPaintEvent* event) {
@@ -99,7 +99,7 @@ void RatioSlider::paintEvent(QPaintEvent* event) {
   painter.setClipPath(frame);
   QColor fill = theme().color("made");
   fill.setAlphaF(0.22F);
-  const double share = greatest_ > least_ ? (value_ - least_) / (greatest_ - least_) : 0;
+  const double share = maximum_ > minimum_ ? (value_ - minimum_) / (maximum_ - minimum_) : 0;
   painter.fillRect(QRectF(1, 1, (width() - 2) * share, height() - 2), fill);
 }
 
@@ -183,7 +183,7 @@ void RatioSlider::focusOutEvent(QFocusEvent* event) {
 void RatioSlider::step(double by) {
   stepping_ = true;
   absent_ = false;
-  value_ = std::clamp(std::round((value_ + by) * 1e6) / 1e6, least_, greatest_);
+  value_ = std::clamp(std::round((value_ + by) * 1e6) / 1e6, minimum_, maximum_);
   showValue();
   emit dragged(value_);
 }

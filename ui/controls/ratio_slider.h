@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// A value between two bounds as a bar that is dragged; arrow keys step, a double click, F2 or Enter types it. Esc takes
-/// back what is dragged or typed.
+/// A value between two bounds as a draggable bar; arrow keys step, a double click, F2 or Enter starts typing. Esc cancels a
+/// drag or typing.
 class RatioSlider : public QLineEdit {
   Q_OBJECT
  public:
@@ -42,7 +42,7 @@ class RatioSlider : public QLineEdit {
   void step(double by);
   void endSteps();
 
-  double value_ = 0, least_ = 0, greatest_ = 1;
+  double value_ = 0, minimum_ = 0, maximum_ = 1;
   bool absent_ = false;
   bool dragging_ = false;
   bool stepping_ = false;

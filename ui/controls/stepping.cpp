@@ -32,7 +32,7 @@ double plainMoved(const ParameterSpec& spec, double value, double steps, double 
   if (spec.maximum) result = std::min(result, *spec.maximum);
   if (spec.minimum && result < *spec.minimum) result = *spec.minimum;
   // An open bound is approached, never reached.
-  if (spec.minimum && spec.aboveLeast && result <= *spec.minimum)
+  if (spec.minimum && spec.aboveMinimum && result <= *spec.minimum)
     result = *spec.minimum + std::min(step, value - *spec.minimum) / 10;
   return result;
 }
@@ -44,7 +44,7 @@ double stepOf(const ParameterSpec& spec, double value, Qt::KeyboardModifiers mod
   return plainStep(spec, value / unit, modifiers) * unit;
 }
 
-double moved(const ParameterSpec& spec, double value, double steps, double step) {
+double stepped(const ParameterSpec& spec, double value, double steps, double step) {
   const double unit = unitOf(spec);
   if (unit == 1) return plainMoved(spec, value, steps, step);
   ParameterSpec scaled = spec;

@@ -5,13 +5,13 @@
 
 namespace blossom::ui {
 
-/// A turn of the wheel ends when it has rested for so long.
+/// ms without movement after which a turn of the wheel ends.
 constexpr int wheelRestMs = 250;
 
-/// By how much a key, a notch of the wheel or some pixels of dragging change a number: 1 for counts and angles, about a
-/// tenth of small lengths and numbers; a tenth of it with Shift, ten times with Ctrl.
+/// Step of a key, a notch of the wheel or some pixels of dragging: 1 for counts and angles, about a tenth of small lengths
+/// and numbers; a tenth of that with Shift, ten times with Ctrl.
 double stepOf(const ParameterSpec&, double value, Qt::KeyboardModifiers);
 /// `value` moved by `steps` steps of size `step`, on a multiple of the step and inside the range.
-double moved(const ParameterSpec&, double value, double steps, double step);
+double stepped(const ParameterSpec&, double value, double steps, double step);
 
 }  // namespace blossom::ui

@@ -4,7 +4,7 @@
 
 namespace blossom::ui {
 
-/// A small field of one colour; a click wants another one.
+/// A small field of one colour; a click asks for another one.
 class Swatch final : public QAbstractButton {
   Q_OBJECT
  public:

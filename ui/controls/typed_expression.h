@@ -6,18 +6,18 @@
 
 namespace blossom::ui {
 
-/// Whether there is more to it than a number and perhaps its unit.
+/// Whether the text is more than a number with an optional unit.
 [[nodiscard]] bool isExpression(const QString& typed);
 
-/// An expression, typed with lengths in the unit preferred, as a document keeps it, whose lengths without a unit are in mm:
-/// as typed where that comes to the same value, else with the unit written behind the whole or behind each plain number.
-/// Empty when none of these comes to exactly that value.
+/// A typed expression (a number without a unit is in the preferred unit of length) as stored in a document, where a number
+/// without a unit is in mm: unchanged when the value is the same, else with the unit written after the whole expression or
+/// after each plain number. Empty when none of these evaluates exactly to the value.
 [[nodiscard]] std::string documentText(const ParameterSpec&, const QString& typed, const Value& value);
 
-/// Whether what was typed, with lengths in the unit preferred, comes to that value.
+/// Whether the typed text, with lengths in the preferred unit, evaluates to that value.
 [[nodiscard]] bool typedComesTo(const ParameterSpec&, const QString& typed, const Value&);
 
-/// The value as the document keeps it: the expression where one was typed for it, else the value itself.
+/// The value as stored in the document: the expression if one was typed for it, else the value itself.
 [[nodiscard]] Value writtenAs(const ParameterSpec&, const QString& expression, const Value&);
 
 }  // namespace blossom::ui

@@ -67,7 +67,7 @@ CurveField::CurveField(const ParameterSpec& given, const Context& outside, QWidg
       bool known = false;
       const double now = line->text().toDouble(&known);
       if (!known) return;
-      line->setText(qt(formatNumber(moved(number(), now, std::trunc(steps), stepOf(ratio(), now, modifiers)))));
+      line->setText(qt(formatNumber(stepped(number(), now, std::trunc(steps), stepOf(ratio(), now, modifiers)))));
       typed();
     });
   }

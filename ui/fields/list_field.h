@@ -12,7 +12,7 @@ namespace blossom::ui {
 
 class ListRow;
 
-/// Items of any kind: added, removed, copied, moved. Long lists are shown bit by bit.
+/// A list of items of any kind, which can be added, removed, copied and moved. Long lists are shown in parts.
 class ListField final : public ParameterField {
   Q_DECLARE_TR_FUNCTIONS(blossom::ui::ListField)
  public:

@@ -8,7 +8,7 @@ class QVBoxLayout;
 
 namespace blossom::ui {
 
-/// One item of a list: its number, its field, and what can be done with it. A record is opened by a click and made only
+/// One item of a list: its number, its field and its actions. The field of a record is opened by a click and created only
 /// then. The number can be dragged to another place.
 class ListRow final : public QWidget {
   Q_OBJECT

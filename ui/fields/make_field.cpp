@@ -20,7 +20,7 @@ bool holdsSubShapes(const ParameterSpec& list) { return list.fields.at(0).kind =
 double startNumber(const ParameterSpec& spec) {
   const double minimum = spec.minimum.value_or(-1e300), maximum = spec.maximum.value_or(1e300);
   const double start = std::clamp(0.0, std::min(minimum, maximum), maximum);
-  if (!spec.aboveLeast || start > minimum) return start;
+  if (!spec.aboveMinimum || start > minimum) return start;
   return spec.maximum ? (minimum + maximum) / 2 : minimum + 1;
 }
 

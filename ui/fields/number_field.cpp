@@ -72,14 +72,14 @@ void NumberField::step(double steps, Qt::KeyboardModifiers modifiers) {
   fraction_ -= whole;
   if (whole == 0) return;
   const double now = shownNumber();
-  shown_ = moved(spec(), now, whole, stepOf(spec(), now, modifiers));
+  shown_ = stepped(spec(), now, whole, stepOf(spec(), now, modifiers));
   line_->setText(displayText(spec(), checked(spec(), shown_)));
   offer(shown_, true);
 }
 
 void NumberField::scrub(int pixels, Qt::KeyboardModifiers modifiers) {
   const double from = value().is_number() ? value().get<double>() : shownNumber();
-  shown_ = moved(spec(), from, std::trunc(pixels / pixelsPerStep), stepOf(spec(), from, modifiers));
+  shown_ = stepped(spec(), from, std::trunc(pixels / pixelsPerStep), stepOf(spec(), from, modifiers));
   line_->setText(displayText(spec(), checked(spec(), shown_)));
   offer(shown_, true);
 }

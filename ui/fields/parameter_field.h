@@ -18,7 +18,7 @@ struct Pick;
 
 inline constexpr int labelWidth = 92;  ///< of the names in a form, pixels
 
-/// What the form around a field offers it. In a dialog there is no view to pick in and there are no inputs.
+/// What the surrounding form provides to a field. In a dialog there is no view to pick in and there are no inputs.
 struct FieldContext {
   struct Source {
     std::string input;  ///< name of the input spec
@@ -26,66 +26,67 @@ struct FieldContext {
     QString name;
   };
   bool picking = false;
-  std::vector<Source> sources;  ///< the shapes whose faces, edges and vertices may be named
+  std::vector<Source> sources;  ///< shapes whose faces, edges and vertices may be chosen
 
-  /// "Face 3 of Base"; brief: "Face 3" where there is only one shape that it can be of.
+  /// "Face 3 of Base"; brief: "Face 3" when only one shape is possible.
   [[nodiscard]] QString nameOf(const Value& subShape, bool brief = false) const;
 };
 
-/// One parameter in a form, made from its declaration: label, editor for its kind, and room for what is wrong with the
-/// value. A drag shows previews and ends as one edit; Esc takes back what is not yet an edit.
+/// One parameter in a form, made from its declaration: label, editor for its kind, and room for an error message. A drag
+/// shows previews and ends as one edit; Esc cancels what is not an edit yet.
 class ParameterField : public QWidget {
   Q_OBJECT
  public:
   using Context = std::shared_ptr<const FieldContext>;
 
-  /// The editor that fits the kind, whatever it holds.
+  /// Creates the editor for the kind of the parameter.
   static ParameterField* make(const ParameterSpec&, QWidget* parent = nullptr, const Context& = nullptr);
 
   [[nodiscard]] const ParameterSpec& spec() const { return spec_; }
-  /// Shows a value without telling anyone.
+  /// Shows a value without emitting signals.
   void setValue(const Value&);
   [[nodiscard]] const Value& value() const { return value_; }
-  /// The value as the document keeps it: an expression stays as it was typed, for all it comes to a plain number.
+  /// The value as stored in the document, where an expression is kept as typed.
   [[nodiscard]] virtual Value written() const { return value_; }
-  /// What the document holds; comes before setValue of what it comes to.
+  /// Sets the stored form; called before setValue with the value of the expression.
   virtual void setWritten(const Value&) {}
-  /// What is wrong with what was typed, or what the evaluation says of this parameter.
+  /// The error message for the typed text, or that of the evaluation for this parameter.
   [[nodiscard]] QString problem() const;
-  /// Shown like a wrong value until the value changes; empty: nothing is wrong.
+  /// Sets an error message of the evaluation, shown until the value changes; empty: no error.
   void setFault(const QString&);
-  /// Whether something is dragged or typed that is not yet an edit.
+  /// Whether a drag or typed text is not an edit yet.
   [[nodiscard]] virtual bool editing() const { return previewing_; }
-  /// Takes back what is dragged or typed.
+  /// Cancels a drag or typed text.
   void revert();
-  /// Puts in what was picked in the view. @returns whether it was what is wanted; why not is said below the editor.
+  /// Sets the value to a pick in the view. @returns whether the pick was suitable; otherwise the reason is shown below the
+  /// editor.
   virtual bool takePick(const Pick&) { return false; }
   virtual void pickEnded() {}
   void resetToDefault();
-  /// For fields in rows of a list: no label, no way back to the default.
+  /// For fields in rows of a list: no label, and no reset to the default.
   virtual void hideLabel();
-  /// Fields in groups keep their editors in line with those outside.
+  /// Aligns the editor of a field in a group with those outside.
   void indentLabel(int pixels);
 
  signals:
-  void previewed(const blossom::Value&);  ///< while something is dragged
+  void previewed(const blossom::Value&);  ///< during a drag
   void edited(const blossom::Value&);     ///< checked and different from before
-  void reverted();                        ///< what was previewed holds no longer
+  void reverted();                        ///< the preview is cancelled
   void hint(const QString&);
-  /// `field` is the one that will take the pick; fields in lists and records put the path in front.
+  /// `field` will receive the pick; fields in lists and records prepend their path.
   void pickWanted(blossom::ui::ParameterField* field, const blossom::ui::PickRequest&);
   void pickUnwanted(blossom::ui::ParameterField* field);
 
  protected:
   ParameterField(ParameterSpec spec, Context context, QWidget* parent);
   void setEditor(QWidget*);
-  /// Below the label, as wide as the form; `corner` stands to the right of the label.
+  /// Places the editor below the label with the width of the form, and `corner` to the right of the label.
   void setWideEditor(QWidget*, QWidget* corner = nullptr);
-  /// Checks and passes on; a wrong value is named below the editor and the old one kept.
+  /// Checks a value and emits it; for a wrong value a message is shown below the editor and the old value kept.
   void offer(const Value&, bool preview = false);
   void offerText(const QString&);
   void showProblem(const QString&);
-  /// A line in calm colour: what an expression comes to.
+  /// Shows a line in a calm colour: the value of an expression.
   void showNote(const QString&);
   [[nodiscard]] FieldLabel& caption() const { return *caption_; }
   [[nodiscard]] const Context& context() const { return context_; }
@@ -115,15 +116,15 @@ class ParameterField : public QWidget {
   QToolButton* reset_;
 };
 
-/// The value as a form writes it, with its unit.
+/// The value as text with its unit, as shown in forms.
 QString displayText(const ParameterSpec&, const Value&);
-/// What was typed; lengths without a unit are in the one the user prefers. @throws Error InvalidParameter.
+/// The value of typed text; lengths without a unit are in the preferred unit. @throws Error InvalidParameter.
 Value parseTyped(const ParameterSpec&, const QString& text);
-/// The name of a parameter as a form shows it; those of preferences are translated.
+/// The name of a parameter as shown in forms; names of preferences are translated.
 QString shownLabel(const ParameterSpec&);
-/// Likewise the name of a choice.
+/// The name of a choice as shown in forms.
 QString shownChoice(const std::string&);
-/// What a new item of a list begins with; null where only the user can tell.
+/// The initial value of a new list item; null when the user has to provide it.
 Value startValue(const ParameterSpec&);
 
 }  // namespace blossom::ui

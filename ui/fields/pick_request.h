@@ -7,7 +7,7 @@
 
 namespace blossom::ui {
 
-/// What a form would like to be picked in the view, until it is given or the request is ended.
+/// A request of a form for a pick in the view, until it is answered or ended.
 struct PickRequest {
   enum class Want {
     Feature,   ///< a whole feature, as an input
@@ -18,8 +18,8 @@ struct PickRequest {
   Want want = Want::Point;
   QString parameter;                        ///< path of the parameter: "pins/2/target"; of an input: "shape/1"
   SubShapeKind kind = SubShapeKind::Whole;  ///< of a SubShape
-  std::vector<FeatureId> features;          ///< on which the pick must be; empty: on any
-  bool several = false;                     ///< more picks are taken until the request is ended
+  std::vector<FeatureId> features;          ///< features that may be picked; empty: any
+  bool several = false;                     ///< picks are accepted until the request is ended
   QString hint;                             ///< a sentence for the status line
 };
 

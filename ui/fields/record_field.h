@@ -7,7 +7,7 @@ class QCheckBox;
 
 namespace blossom::ui {
 
-/// A titled group of fields, in line with those around it. One that may be absent has a switch.
+/// A titled group of fields, aligned with the fields around it. An optional record has a switch.
 class RecordField final : public ParameterField {
  public:
   RecordField(const ParameterSpec&, const Context&, QWidget* parent);
@@ -28,7 +28,7 @@ class RecordField final : public ParameterField {
   std::vector<ParameterField*> fields_;
 };
 
-/// "5 mm, flat": what a closed group says of its content.
+/// "5 mm, flat": summary of the content of a closed group.
 QString summaryOf(const ParameterSpec& record, const Value&);
 
 }  // namespace blossom::ui

@@ -9,8 +9,7 @@ namespace blossom::ui {
 
 class FlowLayout;
 
-/// Faces, edges or vertices of the inputs as chips: one, or as many as are picked (a list of sub-shapes). Picking one that
-/// is there already lets go of it.
+/// Faces, edges or vertices of the inputs as chips: one, or several (a list of sub-shapes). Picking a chosen one removes it.
 class SubShapeField final : public ParameterField {
   Q_DECLARE_TR_FUNCTIONS(blossom::ui::SubShapeField)
  public:

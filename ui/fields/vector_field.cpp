@@ -134,7 +134,7 @@ void VectorField::takeTyped(std::size_t axis) {
 void VectorField::step(std::size_t axis, double steps, Qt::KeyboardModifiers modifiers) {
   if (!shown_.is_array()) shown_ = Value::array({0.0, 0.0, 0.0});
   const double now = shown_[axis].get<double>();
-  shown_[axis] = moved(component_, now, std::trunc(steps), stepOf(component_, now, modifiers));
+  shown_[axis] = stepped(component_, now, std::trunc(steps), stepOf(component_, now, modifiers));
   lines_[axis]->setText(plainText(shown_[axis].get<double>()));
   offer(shown_, true);
 }

@@ -6,8 +6,8 @@
 
 namespace blossom::ui {
 
-/// Draws the small picture of a document's file that the start page shows, on a thread of its own, from results that are at
-/// hand. A picture that cannot be drawn is not there.
+/// Draws the small picture of a document for the start page from available results, on a thread of its own. When it cannot
+/// be drawn there is no picture.
 void keepPicture(std::vector<Shape> shapes, const QString& file);
 
 }  // namespace blossom::ui

@@ -43,7 +43,7 @@ Value usable(const ParameterSpec& spec, const Value& stored) {
 std::vector<const Format*> formatsFor(const FormatRegistry& formats, const ExportScope& scope) {
   std::vector<const Format*> fitting;
   for (const Format& format : formats.formats()) {
-    if (format.write && (holds(format, scope.kind) || holds(format, scope.frameKind))) fitting.push_back(&format);
+    if (format.write && (canStore(format, scope.kind) || canStore(format, scope.frameKind))) fitting.push_back(&format);
   }
   return fitting;
 }

@@ -14,16 +14,15 @@ namespace blossom::ui {
 
 class ParameterField;
 
-/// Something that can be exported as one file, or a sequence as one for each frame.
+/// A selection that can be exported as one file, or a sequence as one file per frame.
 struct ExportScope {
   QString title;
   std::vector<FeatureId> features;
-  ShapeKind kind = ShapeKind::None;       ///< of all together; None: they do not go into one file
-  ShapeKind frameKind = ShapeKind::None;  ///< of every frame of a sequence, which may go into a file each
+  ShapeKind kind = ShapeKind::None;       ///< kind of all combined; None: they cannot be stored in one file
+  ShapeKind frameKind = ShapeKind::None;  ///< kind of the frames of a sequence, which may be stored in separate files
 };
 
-/// What is exported, in which format, and with which options, as the format declares them. The format that was used last and
-/// its options come back.
+/// Chooses what is exported, the format and its declared options. Format and options of the previous export are preselected.
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
@@ -33,7 +32,7 @@ class ExportDialog : public QDialog {
   [[nodiscard]] const Format& format() const;
   [[nodiscard]] Value options() const;
   void choose(const QString& formatId);
-  void remember() const;  ///< for the next time
+  void remember() const;  ///< stores the choices for the next export
 
  private:
   void fillFormats();
@@ -47,7 +46,7 @@ class ExportDialog : public QDialog {
   std::vector<ParameterField*> fields_;
 };
 
-/// The formats that can hold what is exported.
+/// The formats that can store the selection.
 std::vector<const Format*> formatsFor(const FormatRegistry&, const ExportScope&);
 
 }  // namespace blossom::ui

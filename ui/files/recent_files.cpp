@@ -8,7 +8,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int mostRecent = 12;
+constexpr int maximumRecent = 12;
 const QString recentKey = QStringLiteral("recent");
 const QString pinnedKey = QStringLiteral("recent-pinned");
 
@@ -36,7 +36,7 @@ void RecentFiles::add(const QString& file) {
   files.removeAll(full);
   files.prepend(full);
   const QStringList pinned = stored(pinnedKey);
-  for (qsizetype i = files.size() - 1; i > 0 && files.size() > mostRecent; --i)
+  for (qsizetype i = files.size() - 1; i > 0 && files.size() > maximumRecent; --i)
     if (!pinned.contains(files[i])) files.removeAt(i);
   QSettings().setValue(recentKey, files);
   emit changed();

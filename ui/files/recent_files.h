@@ -11,7 +11,7 @@ struct RecentFile {
   bool missing = false;
 };
 
-/// The documents that were open last, kept in QSettings. One per application.
+/// The recently opened documents, stored in QSettings. One instance per application.
 class RecentFiles : public QObject {
   Q_OBJECT
  public:

@@ -8,7 +8,8 @@ class QVBoxLayout;
 
 namespace blossom::ui {
 
-/// Offers, above the documents, what an earlier run left unsaved. Put aside, it is offered again at the next start.
+/// Offers, above the documents, the unsaved documents of an earlier run. When dismissed, it offers them again at the next
+/// start.
 class RecoveryBar : public PassingBar {
   Q_OBJECT
  public:

@@ -7,20 +7,20 @@
 namespace blossom::ui {
 
 /// Small pictures of files, drawn by the command line program so that neither the window nor its graphics driver has to
-/// wait, and kept in the user's cache folder until the file changes. A file that cannot be drawn has no picture.
+/// wait, and stored in the user's cache folder until the file changes. A file that cannot be drawn has no picture.
 class SamplePictures : public QObject {
   Q_OBJECT
  public:
-  /// Of all pictures, in device pixels: twice the size that tiles show them at.
+  /// Size of all pictures in device pixels: twice the size shown on tiles.
   static constexpr QSize size{300, 168};
-  /// Where the picture of a file as it is now belongs.
+  /// Path of the picture of a file in its current state.
   [[nodiscard]] static QString cached(const QString& file);
 
   explicit SamplePictures(QObject* parent = nullptr);
   ~SamplePictures() override;
-  /// Pictures arrive by `ready`, those of the cache at once.
+  /// Requests pictures; they are delivered by `ready`, cached ones at once.
   void request(const QStringList& files);
-  /// Draws no more; the rest is asked for again by the next request.
+  /// Stops drawing until the next request.
   void stop();
 
  signals:

@@ -9,12 +9,12 @@ namespace blossom::ui {
 
 class TileGrid;
 
-/// What an empty window offers: a new document, a file, a sample, or one of the documents that were open last.
+/// Content of an empty window: a new document, a file, a sample, or a recent document.
 class StartPage : public QFrame {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
-  /// Lies over this widget from here on, wherever that goes.
+  /// Covers this widget from now on, also when it is moved or resized.
   void cover(QWidget*);
 
  signals:

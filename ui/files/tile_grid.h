@@ -8,12 +8,12 @@ namespace blossom::ui {
 
 class Tile;
 
-/// Tiles in as many columns as there is room for.
+/// Tiles in as many columns as fit.
 class TileGrid : public QWidget {
   Q_OBJECT
  public:
   explicit TileGrid(QWidget* parent = nullptr);
-  void setTiles(std::vector<Tile*>);  ///< takes them; the ones before go
+  void setTiles(std::vector<Tile*>);  ///< takes ownership; deletes the previous ones
   [[nodiscard]] const std::vector<Tile*>& tiles() const { return tiles_; }
 
  protected:

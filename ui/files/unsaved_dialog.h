@@ -8,20 +8,20 @@ class QPushButton;
 
 namespace blossom::ui {
 
-/// As a list of documents tells it from the others.
+/// An entry of the dialog.
 struct UnsavedDocument {
   QString name;
-  bool wanted = true;  ///< to be saved, unless the user says otherwise
+  bool wanted = true;  ///< initially selected for saving
 };
 
-/// What shall become of several documents with unsaved changes, asked once.
+/// Asks once what to do with several documents with unsaved changes.
 class UnsavedDialog : public QDialog {
   Q_OBJECT
  public:
   enum class Answer { Save, Discard, Cancel };
   explicit UnsavedDialog(const std::vector<UnsavedDocument>& documents, QWidget* parent = nullptr);
   [[nodiscard]] Answer answer() const { return answer_; }
-  [[nodiscard]] std::vector<std::size_t> chosen() const;  ///< places of those to be saved
+  [[nodiscard]] std::vector<std::size_t> chosen() const;  ///< indices of the documents to save
 
  private:
   void refresh();

@@ -6,7 +6,7 @@ class QStackedWidget;
 
 namespace blossom::ui {
 
-/// What this is, which versions it runs with (to be copied into a report), and the licence.
+/// Name, versions of the libraries (which can be copied into a report) and licence.
 class AboutDialog : public QDialog {
   Q_OBJECT
  public:

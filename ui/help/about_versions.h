@@ -8,8 +8,8 @@ struct LibraryVersion {
   QString name, version;
 };
 
-/// Blossom, the libraries it runs with, the desktop and the graphics driver; the driver is asked in the current OpenGL
-/// context, or left out where there is none.
+/// Versions of Blossom, its libraries, the desktop and the graphics driver; the driver is queried in the current OpenGL
+/// context and left out when there is none.
 std::vector<LibraryVersion> libraryVersions();
 /// One per line, for a report of a problem.
 QString asText(const std::vector<LibraryVersion>&);

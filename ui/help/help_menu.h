@@ -14,16 +14,16 @@ namespace blossom::ui {
 class Commands;
 class ManualWindow;
 
-/// The Help menu and what it opens: manual, keys, about box.
+/// The Help menu and its windows: manual, keys, about box.
 class HelpMenu : public QObject {
   Q_OBJECT
  public:
   HelpMenu(const App&, Commands&, QWidget* window);
 
-  /// `selectedType` tells the feature type that is worked on, empty when there is none; `tour` what a walk through the
-  /// window shows.
+  /// Adds the menu. `selectedType` returns the selected feature type, empty when there is none; `tour` returns the steps of
+  /// the tour.
   void addTo(QMenu&, std::function<std::string()> selectedType, std::function<std::vector<TourStep>()> tour);
-  /// The window of the manual with this page.
+  /// Opens the manual at a page.
   ManualWindow& openManual(const QString& page, const QString& anchor = {});
 
  private:

@@ -7,7 +7,7 @@ namespace blossom::ui {
 
 struct ManualHeading;
 
-/// The list of pages by group; the page that is shown has its headings under it.
+/// The pages of the manual by group, with the headings of the current page under it.
 class ManualContents : public QTreeWidget {
   Q_OBJECT
  public:

@@ -19,7 +19,7 @@ struct ManualPage {
   QString text;
 };
 
-/// A section in which all words of a search occur.
+/// A section that contains all words of a search.
 struct ManualHit {
   QString page, title;      ///< title of the page
   QString heading, anchor;  ///< of the section; empty above the first heading
@@ -27,22 +27,22 @@ struct ManualHit {
   int weight = 0;           ///< larger: a better hit
 };
 
-/// Everything there is to read: the files of resources/manual in the order of index.md, a reference page per feature type,
-/// and the keys as they are set now.
+/// All pages: the files of resources/manual in the order of index.md, a reference page per feature type, and the current
+/// keys.
 class ManualPages {
  public:
   ManualPages(const App&, const Commands&);
 
   [[nodiscard]] const std::vector<ManualPage>& all() const { return pages_; }
   [[nodiscard]] const ManualPage* find(const QString& name) const;
-  /// Best first; none when there is no word.
+  /// Hits, best first; none when there are no words.
   [[nodiscard]] std::vector<ManualHit> search(const QString& words) const;
 
  private:
   std::vector<ManualPage> pages_;
 };
 
-/// "Mouse and keys" becomes "mouse-and-keys": where links to a heading point.
+/// Anchor of a heading for links: "Mouse and keys" becomes "mouse-and-keys".
 QString anchorOf(const QString& heading);
 /// Markdown table of every command and its keys, by group.
 QString keyTable(const Commands&);

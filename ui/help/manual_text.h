@@ -13,7 +13,7 @@ struct ManualHeading {
   int level = 1;
 };
 
-/// A page of the manual, set in the colours of the theme; pictures never wider than the column.
+/// A page of the manual in the colours of the theme; pictures are never wider than the column.
 class ManualText : public QTextBrowser {
   Q_OBJECT
  public:

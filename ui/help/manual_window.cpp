@@ -22,7 +22,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr int sideWidth = 260;
-constexpr std::size_t mostHits = 60;
+constexpr std::size_t maximumHits = 60;
 
 enum HitRole { HitPage = Qt::UserRole, HitAnchor, HitExcerpt };
 
@@ -184,7 +184,7 @@ void ManualWindow::find(const QString& words) {
   hits_->clear();
   if (pages_ && !words.trimmed().isEmpty()) {
     auto found = pages_->search(words);
-    if (found.size() > mostHits) found.resize(mostHits);
+    if (found.size() > maximumHits) found.resize(maximumHits);
     for (const ManualHit& hit : found) {
       const QString title = hit.heading.isEmpty() ? hit.title : QStringLiteral("%1 › %2").arg(hit.title, hit.heading);
       auto* item = new QListWidgetItem(title, hits_);

@@ -14,8 +14,7 @@ namespace blossom::ui {
 class ManualContents;
 class ManualText;
 
-/// The manual in a window of its own beside the workbench: pages and headings on the left, what is read on the right, and a
-/// search over everything.
+/// The manual in a separate window: pages and headings on the left, text on the right, and a search in everything.
 class ManualWindow : public QWidget {
   Q_OBJECT
  public:

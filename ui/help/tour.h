@@ -12,13 +12,13 @@ namespace blossom::ui {
 class TourBubble;
 class TourFrame;
 
-/// One thing to be shown: where it is, what it is called and what it is for.
+/// One step of the tour: the widget, its name and its purpose.
 struct TourStep {
   QString title, text;
-  std::function<QWidget*()> target;  ///< asked when its turn comes; nullptr when it is not there: the middle of the window
+  std::function<QWidget*()> target;  ///< called at the start of the step; nullptr: the middle of the window
 };
 
-/// A walk through the window: a bubble beside one thing after the other. Enter or Right goes on, Left goes back, Esc ends.
+/// A tour of the window: a bubble beside one widget after the other. Enter or Right continues, Left goes back, Esc ends.
 class Tour : public QObject {
   Q_OBJECT
  public:
@@ -34,7 +34,7 @@ class Tour : public QObject {
   [[nodiscard]] std::size_t steps() const { return all_.size(); }
   [[nodiscard]] TourBubble* bubble() const;
 
-  /// Whether this user has been shown round already.
+  /// Whether this user has seen the tour.
   static bool shownBefore();
 
  signals:

@@ -6,7 +6,7 @@ class QPushButton;
 
 namespace blossom::ui {
 
-/// A quiet line around what is being shown; the mouse goes through it.
+/// A thin line around the widget of a step; transparent for the mouse.
 class TourFrame : public QWidget {
  public:
   explicit TourFrame(QWidget* window);
@@ -15,14 +15,14 @@ class TourFrame : public QWidget {
   void paintEvent(QPaintEvent*) override;
 };
 
-/// The speech bubble of the tour: title, a sentence or two, where one is, and the way on, back and out.
+/// The bubble of the tour: title, text, step number, and buttons to continue, go back and end.
 class TourBubble : public QWidget {
   Q_OBJECT
  public:
   explicit TourBubble(QWidget* window);
 
   void showStep(const QString& title, const QString& text, std::size_t step, std::size_t steps);
-  /// Beside the rectangle, in window coordinates, with its tip towards it; in the middle when it is empty.
+  /// Places the bubble beside the rectangle, in window coordinates, with its tip towards it; in the middle when it is empty.
   void pointAt(const QRect& target);
   void takeFocus();
   [[nodiscard]] QString title() const;

@@ -3,7 +3,7 @@
 
 namespace blossom::ui {
 
-/// Paints a row of the jobs: what and where, how far, how long, and a cross that cancels what is running.
+/// Paints a row of the jobs: title and document, progress, time, and a cross that cancels a running job.
 class JobsDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -11,7 +11,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr int patienceMs = 200, tickMs = 200;
-constexpr std::size_t mostRecords = 200;
+constexpr std::size_t maximumRecords = 200;
 
 /// What failed in the document, in one line; empty when nothing did.
 QString failuresOf(const Session& session) {
@@ -121,7 +121,7 @@ JobsList::Record* JobsList::find(const DocumentPage& page, Kind kind) {
 }
 
 void JobsList::begin(DocumentPage& page, Kind kind, const QString& title, const QElapsedTimer& clock) {
-  if (records_.size() >= mostRecords) {
+  if (records_.size() >= maximumRecords) {
     const int last = static_cast<int>(records_.size()) - 1;
     beginRemoveRows({}, last, last);
     records_.erase(records_.begin());

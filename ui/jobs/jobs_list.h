@@ -15,8 +15,8 @@ namespace blossom::ui {
 
 class DocumentPage;
 
-/// What every open document computes, reads and writes, and what has come of it. Evaluations that are over at once are left
-/// out: they come with every edit.
+/// Computations, reads and writes of all open documents with their results. Very short evaluations are left out, because
+/// every edit causes one.
 class JobsList : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -46,7 +46,7 @@ class JobsList : public QAbstractListModel {
     QElapsedTimer clock;
     qint64 ms = 0;
   };
-  /// An evaluation that has not yet taken long enough to be listed.
+  /// An evaluation too short so far to be listed.
   struct Starting {
     QElapsedTimer clock;
     QTimer patience;

@@ -12,7 +12,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr std::size_t mostEntries = 2000;
+constexpr std::size_t maximumEntries = 2000;
 
 QString sentenceOf(const Error& error) {
   return error.hint().empty() ? qt(error.message()) : qt(error.message()) + u' ' + qt(error.hint());
@@ -62,7 +62,7 @@ void LogList::addResults(const DocumentPage& page) {
 }
 
 void LogList::add(Level level, const QString& document, const QString& text) {
-  if (entries_.size() >= mostEntries) {
+  if (entries_.size() >= maximumEntries) {
     beginRemoveRows({}, 0, 0);
     entries_.erase(entries_.begin());
     endRemoveRows();

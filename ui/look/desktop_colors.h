@@ -5,8 +5,8 @@ class QDBusVariant;
 
 namespace blossom::ui {
 
-/// Whether the desktop is dark. Known at once from the palette Qt starts with, and corrected when the desktop's settings
-/// portal answers or the user changes it there; nothing waits for that.
+/// Whether the desktop is dark: initially from the palette of Qt, then from the desktop's settings portal when it answers or
+/// the user changes the setting. Never blocks.
 class DesktopColors : public QObject {
   Q_OBJECT
  public:

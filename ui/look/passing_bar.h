@@ -3,9 +3,9 @@
 
 namespace blossom::ui {
 
-/// A bar that goes once its button was pressed. A widget that hides while it has the focus hands it to the next one, which
-/// may be a name with all its text selected: the next shortcut would be typed over it. This bar lets its owner say who has
-/// it.
+/// A bar that hides when one of its buttons was pressed. A widget that hides with the focus passes it to the next widget,
+/// which may be a name with all its text selected, so that the next shortcut would overwrite it. This bar lets its owner
+/// choose the next focus.
 class PassingBar : public QFrame {
   Q_OBJECT
  public:
@@ -13,7 +13,7 @@ class PassingBar : public QFrame {
   void setVisible(bool) override;
 
  signals:
-  void focusFreed();  ///< what had the focus is about to go
+  void focusFreed();  ///< the widget with the focus is about to disappear
 
  protected:
   /// To be called before something of the bar is hidden, disabled or deleted.

@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// A menu that goes when it is closed, or with its owner: while it is open, an import that ends may rebuild the panel under
-/// it. Show it with popup(), which returns at once.
+/// A menu that is deleted when it is closed, or with its owner: while it is open, the end of an import may rebuild the panel
+/// under it. Show it with popup(), which does not block.
 inline QMenu& popupMenu(QWidget* owner) {
   auto* menu = new QMenu(owner);
   menu->setAttribute(Qt::WA_DeleteOnClose);

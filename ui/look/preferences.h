@@ -7,7 +7,7 @@
 
 namespace blossom::ui {
 
-/// A heading and the preferences under it.
+/// A heading and its preferences.
 struct PreferenceGroup {
   QString title;
   std::vector<ParameterSpec> specs;
@@ -16,7 +16,7 @@ struct PreferenceGroup {
 /// Every preference, declared once: dialog, defaults and checks are made from this. Names are unique over all groups.
 const std::vector<PreferenceGroup>& preferenceGroups();
 
-/// The values that the user prefers, kept in QSettings under "preferences/NAME". One per application.
+/// The values of the preferences, stored in QSettings under "preferences/NAME". One instance per application.
 class Preferences : public QObject {
   Q_OBJECT
  public:
@@ -30,7 +30,7 @@ class Preferences : public QObject {
   }
   /// @throws Error InvalidParameter.
   void set(const std::string& name, const Value&);
-  void reset();  ///< everything to its default
+  void reset();  ///< resets everything to its default
   /// How often a value was changed: who remembers what follows from one sees that it is out of date.
   [[nodiscard]] int changes() const { return changes_; }
 

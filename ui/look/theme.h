@@ -10,10 +10,10 @@
 
 namespace blossom::ui {
 
-/// What the user chose; System follows the desktop, and is dark where the desktop says nothing.
+/// Chosen theme; System follows the desktop, and is dark when the desktop does not say.
 enum class ThemeChoice { System, Dark, Light };
 
-/// One table of named colours (resources/themes/*.json); style sheet, palette, icons and canvas are all made from it.
+/// A table of named colours (resources/themes/*.json), from which style sheet, palette, icons and canvas are made.
 struct Theme {
   QString name;
   bool dark = true;
@@ -25,7 +25,7 @@ struct Theme {
   [[nodiscard]] QPalette palette() const;
 };
 
-/// The theme in use. One per application; widgets that paint themselves read `theme()` and follow `changed`.
+/// The current theme. One instance per application; widgets that paint themselves read `theme()` and connect to `changed`.
 class ThemeManager : public QObject {
   Q_OBJECT
  public:

@@ -69,7 +69,7 @@ std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, std::vec
   std::vector<FeatureId> taken;
   for (const InputSpec& spec : type.inputs) {
     std::size_t count = 0;
-    for (auto it = left.begin(); it != left.end() && count < spec.most;) {
+    for (auto it = left.begin(); it != left.end() && count < spec.maximum;) {
       const auto view = page_->session().view(*it);
       if (view && accepts(spec, view->result->evaluated.shape)) {
         taken.push_back(*it);

@@ -16,7 +16,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int widest = 620, mostRows = 10, margin = 8, mostRemembered = 30;
+constexpr int widest = 620, maximumRows = 10, margin = 8, maximumRemembered = 30;
 const QString latelyKey = QStringLiteral("palette/lately");
 
 QStringList lately() { return QSettings().value(latelyKey).toStringList(); }
@@ -25,7 +25,7 @@ void remember(const QString& id) {
   QStringList ids = lately();
   ids.removeAll(id);
   ids.prepend(id);
-  QSettings().setValue(latelyKey, QStringList(ids.mid(0, mostRemembered)));
+  QSettings().setValue(latelyKey, QStringList(ids.mid(0, maximumRemembered)));
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ void CommandPalette::hideEvent(QHideEvent* event) {
 }
 
 void CommandPalette::place() {
-  const int rows = std::min(mostRows, model_->rowCount());
+  const int rows = std::min(maximumRows, model_->rowCount());
   list_->setVisible(rows > 0);
   nothing_->setVisible(rows == 0);
   const int most = std::max(PaletteDelegate::rowHeight, window_->height() - 220);
@@ -162,10 +162,10 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
       step(1);
       return true;
     case Qt::Key_PageUp:
-      step(-mostRows);
+      step(-maximumRows);
       return true;
     case Qt::Key_PageDown:
-      step(mostRows);
+      step(maximumRows);
       return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:

@@ -11,12 +11,12 @@ class QListView;
 
 namespace blossom::ui {
 
-/// Finds everything the workbench can do by a few letters: opens above the window, ends with Esc or a click elsewhere.
+/// Finds commands and other entries by a few letters: opens above the window, closes with Esc or a click elsewhere.
 class CommandPalette : public QFrame {
   Q_OBJECT
  public:
   explicit CommandPalette(QWidget* window);
-  void addSource(PaletteSource);  ///< asked each time the palette opens
+  void addSource(PaletteSource);  ///< called each time the palette opens
   void open();
   void dismiss();
   [[nodiscard]] QLineEdit* field() { return field_; }

@@ -3,7 +3,8 @@
 
 namespace blossom::ui {
 
-/// Paints a row of the command palette: icon, text with the letters that were met, group, keys, and the help line below.
+/// Paints a row of the command palette: icon, text with the matching letters highlighted, group, keys, and the help line
+/// below.
 class PaletteDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -7,7 +7,7 @@ namespace blossom::ui {
 
 struct PaletteMatch {
   int score = 0;       ///< larger: better
-  QList<int> letters;  ///< places in the text that were met, ascending
+  QList<int> letters;  ///< positions of the matching letters in the text, ascending
 };
 
 /// Every word of `pattern` occurs in `text` in order of its letters, gaps allowed; letters that begin a word or follow each

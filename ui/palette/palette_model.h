@@ -7,9 +7,9 @@
 
 namespace blossom::ui {
 
-/// One thing that the palette offers.
+/// An entry of the palette.
 struct PaletteEntry {
-  QString id;     ///< stable, so that it is known when it is used again: "file.open", "sample:/path"
+  QString id;     ///< stable, to recognise recently used entries: "file.open", "sample:/path"
   QString group;  ///< shown before the text
   QString icon, text, keys;
   QString help;  ///< one line
@@ -20,7 +20,7 @@ struct PaletteEntry {
 
 using PaletteSource = std::function<std::vector<PaletteEntry>()>;
 
-/// The entries that a pattern meets, best first; what was used lately stands before what was not.
+/// The entries that match a pattern, best first; recently used ones come before others.
 class PaletteModel : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -37,7 +37,7 @@ class PaletteModel : public QAbstractListModel {
   struct Row {
     std::size_t entry;
     int score;
-    QList<int> letters;  // of the text that were met
+    QList<int> letters;  // matching letters of the text
   };
   [[nodiscard]] std::optional<Row> rowFor(std::size_t entry, const QString& pattern) const;
   std::vector<PaletteEntry> entries_;

@@ -8,13 +8,13 @@ class QLabel;
 
 namespace blossom::ui {
 
-/// Something that can be done about a problem.
+/// A button that helps with a problem.
 struct Offer {
   QString label;  ///< of the button
   std::function<void()> go;
 };
 
-/// Says in place what went wrong and what to do about it; nothing waits for it to be read.
+/// Shows an error with its remedy above the view; not modal.
 class ErrorBar : public PassingBar {
   Q_OBJECT
  public:
@@ -22,7 +22,7 @@ class ErrorBar : public PassingBar {
 
   void showError(const QString& message, const QString& hint);
   void showNote(const QString& message, const QString& details);
-  /// A button that does something about it, e.g. "Open what is readable"; the first one offered stands first.
+  /// Adds a button, e.g. "Open what is readable"; the first one added is leftmost.
   void offer(const QString& label, std::function<void()> action);
   [[nodiscard]] QString message() const;
   [[nodiscard]] QString hint() const;

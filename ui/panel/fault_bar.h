@@ -6,18 +6,18 @@ namespace blossom::ui {
 
 class Session;
 
-/// Above the view while a feature fails: which one, why and where, and what to do. It tells of the selected feature, or else
-/// of the first one that failed, with a way to it. Once dismissed it comes again for another failure only. While something
-/// is dragged it stays as it is, so that the view keeps its size.
+/// A bar above the view while a feature fails: its name, the reason, the place and the remedy. Shows the selected feature or
+/// else the first that failed, with a button to select it. Once dismissed it appears only for another failure. During a drag
+/// it does not change, so that the view keeps its size.
 class FaultBar final : public ErrorBar {
   Q_OBJECT
  public:
   explicit FaultBar(const Session&, QWidget* parent = nullptr);
-  /// The feature whose failure comes before those of others; empty: none is selected.
+  /// The selected feature, whose failure takes precedence; empty: none.
   void setSelected(const FeatureId&);
 
  signals:
-  void featureWanted(const QString& feature);  ///< it should be selected
+  void featureWanted(const QString& feature);  ///< asks to select it
 
  private:
   [[nodiscard]] const Feature* failed() const;
@@ -27,7 +27,7 @@ class FaultBar final : public ErrorBar {
 
   const Session& session_;
   FeatureId selected_;
-  FeatureId told_;  ///< the feature told of last, whether or not that was dismissed
+  FeatureId told_;  ///< the feature shown last, dismissed or not
   QString why_;
   bool wayOffered_ = false;
 };

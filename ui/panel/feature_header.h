@@ -7,7 +7,7 @@ class QToolButton;
 
 namespace blossom::ui {
 
-/// Name of the feature, to be typed over, what it is, and the way to its page of the manual.
+/// Editable name of the feature, its type, and a button that opens its page of the manual.
 class FeatureHeader final : public QWidget {
   Q_OBJECT
  public:
@@ -15,7 +15,7 @@ class FeatureHeader final : public QWidget {
   void setName(const QString&);
   /// @param page of the manual; empty: there is none.
   void setType(const QString& title, const QString& summary, const QString& page);
-  void setProblem(const QString&);  ///< in place of the type
+  void setProblem(const QString&);  ///< shown instead of the type
 
  signals:
   void renamed(const QString&);

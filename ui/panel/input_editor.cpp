@@ -63,7 +63,7 @@ InputEditor::InputEditor(Session& session, FeatureId feature, std::shared_ptr<co
   problem_->setWordWrap(true);
   problem_->hide();
   grid_->addWidget(name, 0, 0);
-  if (input().most == 1) {
+  if (input().maximum == 1) {
     line_ = new QHBoxLayout;
     line_->setSpacing(2);
     line_->addLayout(chips_, 1);
@@ -85,7 +85,7 @@ InputEditor::InputEditor(Session& session, FeatureId feature, std::shared_ptr<co
   connect(pick_, &QToolButton::toggled, this, [this](bool on) {
     const auto slots_ = inputSlots();
     if (on && slots_)
-      wantPick(input().most == 1 ? 0 : slots_->of(spec_).size());
+      wantPick(input().maximum == 1 ? 0 : slots_->of(spec_).size());
     else
       emit pickUnwanted(this);
   });
@@ -103,7 +103,7 @@ void InputEditor::refresh() {
   const std::vector<FeatureId>& taken = now->of(spec_);
   QStringList wanted;
   for (const FeatureId& id : taken) wanted << qt(id) + u'\n' + qt(shownName(session_.document().at(id)));
-  add_->setVisible(taken.size() < input().most);
+  add_->setVisible(taken.size() < input().maximum);
   if (wanted == shown_ && chips_->count() > 0) return;
   shown_ = wanted;
   showProblem({});
@@ -237,7 +237,7 @@ void InputEditor::wantPick(std::size_t place) {
   PickRequest request;
   request.want = PickRequest::Want::Feature;
   request.parameter = qt(input().name) + u'/' + QString::number(place);
-  request.several = input().most > 1 && place >= inputSlots()->of(spec_).size();
+  request.several = input().maximum > 1 && place >= inputSlots()->of(spec_).size();
   request.hint = tr("Click what %1 is to be; Esc ends").arg(qt(input().name));
   const QSignalBlocker quiet(pick_);
   pick_->setChecked(true);
@@ -248,7 +248,7 @@ bool InputEditor::takePick(const Pick& pick) {
   if (pick.feature.empty() || !session_.document().contains(pick.feature)) return false;
   const auto now = inputSlots();
   if (!now) return false;
-  if (pickPlace_ >= input().most) {
+  if (pickPlace_ >= input().maximum) {
     showProblem(tr("There is no room for more."));
     return false;
   }

@@ -18,17 +18,17 @@ namespace blossom::ui {
 class Session;
 struct Pick;
 
-/// The features that one input of a feature takes, as chips: replaced, added, removed and reordered, from a menu of what
-/// fits or by a pick in the view.
+/// The features of one input as chips, which can be replaced, added, removed and reordered, from a menu of suitable features
+/// or by a pick in the view.
 class InputEditor final : public QWidget {
   Q_OBJECT
  public:
   InputEditor(Session&, FeatureId, std::shared_ptr<const FeatureType>, std::size_t spec, QWidget* parent = nullptr);
-  /// After an edit of the document or a new result.
+  /// Call it after an edit of the document or a new result.
   void refresh();
   bool takePick(const Pick&);
   void pickEnded();
-  /// Replaces, or with `place` = the number of those there adds. Refusals are said below.
+  /// Replaces the feature at `place`, or adds one when `place` is their number. Refusals are shown below.
   void take(std::size_t place, const FeatureId&);
   [[nodiscard]] QString problem() const;
 

@@ -9,13 +9,13 @@ namespace blossom::ui {
 
 InputSlots::InputSlots(const Session& session, const Feature& feature, const FeatureType& type)
     : session_(session), feature_(feature), type_(type), taken_(type.inputs.size()) {
-  std::size_t leastLater = 0, next = 0;
-  for (const InputSpec& spec : type.inputs) leastLater += spec.minimum;
+  std::size_t minimumLater = 0, next = 0;
+  for (const InputSpec& spec : type.inputs) minimumLater += spec.minimum;
   for (std::size_t k = 0; k < type.inputs.size(); ++k) {
     const InputSpec& spec = type.inputs[k];
-    leastLater -= std::min(leastLater, spec.minimum);
+    minimumLater -= std::min(minimumLater, spec.minimum);
     const bool last = k + 1 == type.inputs.size();
-    while (next + leastLater < feature.inputs.size() && taken_[k].size() < spec.most) {
+    while (next + minimumLater < feature.inputs.size() && taken_[k].size() < spec.maximum) {
       // as when it is evaluated: what an optional input does not accept is left to those after it
       if (!last && taken_[k].size() >= spec.minimum && !accepts(k, feature.inputs[next])) break;
       taken_[k].push_back(feature.inputs[next++]);

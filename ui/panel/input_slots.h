@@ -9,20 +9,20 @@ namespace blossom::ui {
 
 class Session;
 
-/// Which inputs of a feature belong to which input spec of its type, and what else could be taken. As far as results are
-/// known; a feature without one is thought to fit.
+/// Assignment of a feature's inputs to the input specs of its type, and the features that could be added. Uses known
+/// results; a feature without a result is assumed to be suitable.
 class InputSlots {
  public:
   InputSlots(const Session&, const Feature&, const FeatureType&);
 
   /// Inputs of one spec, in order.
   [[nodiscard]] const std::vector<FeatureId>& of(std::size_t spec) const { return taken_.at(spec); }
-  /// What spec `spec` could take too: kinds that fit, no feature that needs this one, none that is there already.
+  /// Features that input `spec` could get: of suitable kinds, not depending on this feature, not chosen yet.
   [[nodiscard]] std::vector<FeatureId> candidates(std::size_t spec) const;
   [[nodiscard]] bool accepts(std::size_t spec, const FeatureId&) const;
   /// All inputs with those of one spec replaced.
   [[nodiscard]] std::vector<FeatureId> with(std::size_t spec, const std::vector<FeatureId>&) const;
-  /// The feature, or something it needs, takes `id` into account.
+  /// Whether `id` is this feature or depends on it.
   [[nodiscard]] bool dependsOnThis(const FeatureId& id) const;
 
  private:

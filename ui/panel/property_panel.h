@@ -21,34 +21,34 @@ class Session;
 struct FieldContext;
 struct Pick;
 
-/// What the selected feature is made from and what it came to: a form made from the declared inputs and parameters, and the
-/// measures. While something is dragged at most one evaluation is under way and the newest value waits for it.
+/// Inputs, parameters and result of the selected feature: a form made from the declaration, and the measures. During a drag
+/// at most one evaluation runs, and the newest value waits for it.
 class PropertyPanel : public QScrollArea {
   Q_OBJECT
  public:
   explicit PropertyPanel(Session&, QWidget* parent = nullptr);
   ~PropertyPanel() override;
-  /// Empty: nothing is selected.
+  /// Shows a feature; an empty id shows that nothing is selected.
   void show(const FeatureId&);
   [[nodiscard]] const FeatureId& shown() const { return shown_; }
   [[nodiscard]] ParameterField* field(const QString& parameter) const;
   [[nodiscard]] InputEditor* input(const QString& name) const;
 
-  /// What is wanted from the view now.
+  /// The current request for a pick in the view.
   [[nodiscard]] const std::optional<PickRequest>& wanted() const { return wanted_; }
-  /// Something was picked in the view. Does nothing while nothing is wanted.
+  /// Handles a pick in the view; ignored when no pick is requested.
   void offerPick(const Pick&);
-  /// The view does not pick any more (Esc, another tool).
+  /// Ends the request, because the view stopped picking (Esc, another tool).
   void endPick();
-  /// Where the timeline stands. The t of a feature that makes a sequence is the time of the frame that is seen.
+  /// Position of the timeline. The parameter t of a feature that makes a sequence is the time of the visible frame.
   void setTimeline(int frame, int frames);
 
  signals:
   void hint(const QString&);
-  /// The view should pick until pickEnded; each pick goes to offerPick.
+  /// Asks the view to pick until pickEnded; picks are passed to offerPick.
   void pickWanted(const blossom::ui::PickRequest&);
   void pickEnded();
-  /// The timeline should stand there: the t of a feature that makes a sequence was changed.
+  /// Asks the timeline to go to a frame, because the t of a feature that makes a sequence was changed.
   void frameWanted(int frame);
   void manualWanted(const QString& page);
 

@@ -5,16 +5,16 @@
 
 namespace blossom::ui {
 
-/// One line of results: a name, and either a number with its unit or words.
+/// One line of results: a name, and either a number with its unit or a text.
 struct ResultRow {
   QString name, number, unit;
   QString text;  ///< instead of number and unit
-  QString copy;  ///< what a click on the value copies: all digits
+  QString copy;  ///< text copied by a click on the value: all digits
   [[nodiscard]] QString value() const { return text.isEmpty() ? number : text; }
 };
 
-/// Results as names and values in line, painted by one widget: a label for every cell would take twenty times as long to
-/// fill, and results come many times a second while something is dragged. A click on a value copies it.
+/// Results as aligned names and values, painted by one widget: a label per cell would take twenty times as long to fill, and
+/// results arrive many times a second during a drag. A click on a value copies it.
 class ResultRows final : public QWidget {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class ResultRows final : public QWidget {
   void setOutdated(bool);  ///< values in grey
   [[nodiscard]] bool outdated() const { return outdated_; }
   [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
-  /// Where the value of a row, with its unit, stands in this widget.
+  /// Rectangle of the value of a row, with its unit, in this widget.
   [[nodiscard]] QRect valueRect(std::size_t row) const;
 
   [[nodiscard]] QSize sizeHint() const override;

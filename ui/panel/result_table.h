@@ -11,16 +11,16 @@ class QVBoxLayout;
 
 namespace blossom::ui {
 
-/// What a feature came to: its measures with their units in line, the figures of its computation, the time, warnings; or why
-/// it failed and what to do. A click on a value copies it with all its digits.
+/// The result of a feature: its measures with aligned units, the statistics of its computation, the time and warnings; or
+/// the error with its remedy. A click on a value copies it with all its digits.
 class ResultTable final : public QWidget {
   Q_OBJECT
  public:
   explicit ResultTable(QWidget* parent = nullptr);
-  /// @param besides names of figures that stand elsewhere already; nullptr: nothing is known yet.
+  /// @param besides names of figures shown elsewhere; a null FeatureView means that there is no result yet.
   /// @param outdated it is the result of an older document, and a new one is awaited.
   void show(const FeatureView*, const std::vector<std::string>& besides, bool outdated = false);
-  /// In place of a result: it was cancelled, and can be computed.
+  /// Shows that the computation was cancelled, with a button that starts it.
   void showCancelled();
   [[nodiscard]] bool showsCancelled() const;
 
@@ -36,7 +36,7 @@ class ResultTable final : public QWidget {
   void addResult(const FeatureView&, const std::vector<std::string>& besides);
   void addError(const Error&);
 
-  QLabel* late_;  ///< says that the figures are those of before
+  QLabel* late_;  ///< says that the figures are outdated
   ResultRows* shown_;
   QVBoxLayout* words_;
   std::vector<ResultRow> rows_;  ///< being gathered

@@ -27,7 +27,7 @@ class vtkProp;
 
 namespace blossom::ui {
 
-/// What a selected feature shows on top of its shape: control polygons, frames, handles.
+/// Data for the overlay of a selected feature: control polygons, frames, handles on top of its shape.
 struct OverlayContext {
   const Feature& feature;
   const std::vector<Shape>& inputs;  ///< results of the feature's inputs, in order
@@ -39,10 +39,10 @@ using Overlay = std::function<std::vector<vtkSmartPointer<vtkProp>>(const Overla
 class Tool;
 class ToolHost;
 
-/// Makes a tool for one feature; with an empty id, for one that is still to be made.
+/// Makes a tool for one feature, or, with an empty id, for a new feature.
 using MakeTool = std::function<std::unique_ptr<Tool>(ToolHost&, const FeatureId&)>;
 
-/// A tool that creates features of a type by drawing them, and edits those that there are.
+/// A tool that creates features of a type by drawing them, and edits existing ones.
 struct ToolSpec {
   std::string id;       ///< "modeling.draw": the command of the window
   std::string title;    ///< "Draw outline"
@@ -68,14 +68,15 @@ class ManipulatorRegistry {
     return it == tools_.end() ? nullptr : &*it;
   }
 
-  /// Handles: a tool that is active while a feature of that type is selected. It takes only what happens on its handles.
+  /// Adds handles: a tool that is active while a feature of that type is selected. It must accept only events on its
+  /// handles.
   void addHandles(std::string featureType, MakeTool make) { handles_[std::move(featureType)] = std::move(make); }
   [[nodiscard]] const MakeTool* handles(const std::string& featureType) const {
     const auto it = handles_.find(featureType);
     return it == handles_.end() ? nullptr : &it->second;
   }
 
-  /// Takes over everything of another registry.
+  /// Adds everything of another registry.
   void add(const ManipulatorRegistry& other) {
     for (const auto& [type, made] : other.overlays_) overlays_[type] = made;
     for (const auto& [type, made] : other.handles_) handles_[type] = made;
@@ -88,7 +89,7 @@ class ManipulatorRegistry {
   std::vector<ToolSpec> tools_;
 };
 
-/// See pluginLayout: what the window and a manipulator module hand to one another, on top of that.
+/// Like pluginLayout, with the types that the window and a manipulator module exchange in addition.
 inline constexpr std::uint32_t manipulatorLayout =
     pluginLayout ^ layoutNumber<ManipulatorRegistry, OverlayContext, ToolSpec, Feature, Look>();
 

@@ -21,28 +21,28 @@ class vtkProp;
 
 namespace blossom::ui {
 
-/// A feature, or one face, edge or vertex of it, under the mouse.
+/// A feature, or one of its faces, edges or vertices, under the mouse.
 struct Pick {
   FeatureId feature;  ///< empty: nothing is there
-  SubPick part;       ///< kind Whole when the feature was met but no part of it can be named
+  SubPick part;       ///< kind Whole when the feature was hit but no sub-shape has a number
 };
 
-/// Which parts are found under the mouse: whole features, parts of one kind, or whatever is nearest.
+/// Objects that are found under the mouse: features, sub-shapes of one kind, or whatever is nearest.
 enum class PickMode { None, Feature, Face, Edge, Vertex, Any };
 
-inline constexpr double clickReach = 4;  ///< pixels that a click may wander; beyond, it is a drag
+inline constexpr double clickReach = 4;  ///< pixels of movement up to which a press and release is a click, not a drag
 
-/// The mouse as a tool sees it.
+/// A mouse event for tools.
 struct ToolEvent {
   QPointF at;  ///< logical pixels from the upper left of the view
   Ray ray;     ///< under the cursor, into the scene
-  Pick pick;   ///< the nearest thing under the cursor
+  Pick pick;   ///< the nearest object under the cursor
   Qt::MouseButton button = Qt::NoButton;
   Qt::KeyboardModifiers modifiers;
   double millimetresPerPixel = 1;  ///< at the camera's target
 };
 
-/// What a tool may ask of the workbench and do to the document.
+/// Interface of the workbench for tools.
 class ToolHost {
  public:
   virtual ~ToolHost() = default;
@@ -51,53 +51,53 @@ class ToolHost {
   [[nodiscard]] virtual std::shared_ptr<const FeatureResult> result(const FeatureId&) const = 0;
   [[nodiscard]] virtual const Registry& registry() const = 0;
   [[nodiscard]] virtual const Look& look() const = 0;
-  /// Spacing of the ground grid as it is drawn now, in mm.
+  /// Current spacing of the ground grid in mm.
   [[nodiscard]] virtual double gridSpacing() const = 0;
-  /// In which the user reads and types lengths.
+  /// The preferred unit of lengths.
   [[nodiscard]] virtual LengthUnit lengthUnit() const { return {}; }
   [[nodiscard]] virtual std::vector<FeatureId> selection() const = 0;
   virtual void select(const FeatureId&) = 0;
-  /// The plane that cuts what is shown; nothing: all is whole.
+  /// The plane of the section; empty: no section.
   [[nodiscard]] virtual std::optional<CutPlane> section() const { return std::nullopt; }
   virtual void setSection(const std::optional<CutPlane>&) {}
-  /// Box around all that is shown; empty where nothing is.
+  /// Bounding box of everything visible; empty when there is nothing.
   [[nodiscard]] virtual Bounds extent() const { return {}; }
   /// Device pixels per logical pixel of the view.
   [[nodiscard]] virtual double pixelRatio() const { return 1; }
-  /// Shows a document without remembering it; ended by the next commit or by endPreview.
+  /// Shows a document without recording it; ended by the next commit or by endPreview.
   virtual void preview(Document) = 0;
   virtual void endPreview() = 0;
   /// One step of undo.
   virtual void commit(Document, const QString& what) = 0;
 };
 
-/// One interaction in the view, a state machine that ends in a commit or takes everything back. While it is active it gets
-/// mouse and keys first; what it does not take moves the camera as always. Lives in the window's thread.
+/// One interaction in the view: a state machine that ends in a commit or reverts everything. While active it receives mouse
+/// and keys first; events that it does not accept move the camera. Lives in the window's thread.
 class Tool : public QObject {
   Q_OBJECT
  public:
   explicit Tool(ToolHost& host) : host_(host) {}
 
-  /// What the mouse would do now, for the status line.
+  /// What a click or drag would do now, for the status line.
   [[nodiscard]] virtual QString hint() const = 0;
-  /// Each returns whether the event was taken.
+  /// Each returns whether the event was accepted.
   virtual bool press(const ToolEvent&) { return false; }
   virtual bool move(const ToolEvent&) { return false; }  ///< also without a button
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
-  virtual bool key(const QKeyEvent&) { return false; }  ///< Esc not taken ends the tool
-  /// What `ToolEvent::pick` is looked for among, and lights up under the mouse.
+  virtual bool key(const QKeyEvent&) { return false; }  ///< if Esc is not accepted, it ends the tool
+  /// The objects that `ToolEvent::pick` finds and that are highlighted under the mouse.
   [[nodiscard]] virtual PickMode picks() const { return PickMode::Any; }
-  /// Drawn over the scene, never picked. Asked for after every `changed`.
+  /// Objects drawn over the scene, never picked. Called after every `changed`.
   [[nodiscard]] virtual std::vector<vtkSmartPointer<vtkProp>> props() const { return {}; }
   /// The document changed under the tool (undo, a new result). A tool whose feature is gone should emit finished().
   virtual void documentChanged() {}
-  /// Called when the tool is ended from outside (Esc, another tool): takes back what is only previewed.
+  /// Called when the tool is ended from outside (Esc, another tool): reverts previews.
   virtual void revert() {}
 
  signals:
   void changed();   ///< props or hint
-  void finished();  ///< the tool has committed or given up and wants to be removed
+  void finished();  ///< the tool has committed or was cancelled and asks to be removed
 
  protected:
   [[nodiscard]] ToolHost& host() const { return host_; }

@@ -10,7 +10,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr std::size_t mostEntries = 96;
+constexpr std::size_t maximumEntries = 96;
 
 bool isSolid(const Measures& measures) {
   if (measures.kind == "solid") return true;
@@ -105,7 +105,7 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
   {
     const std::scoped_lock lock(guard_);
     entries_.push_front({chord, shape, *view});
-    if (entries_.size() > mostEntries) entries_.pop_back();
+    if (entries_.size() > maximumEntries) entries_.pop_back();
   }
   return finish();
 }

@@ -7,7 +7,7 @@
 #include "document/storage.h"
 #include "exchange/format/export_shape.h"
 #include "exchange/format/frames.h"
-#include "geometry/occt/together.h"
+#include "geometry/occt/merged_shape.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 
@@ -184,7 +184,7 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
         refuseResource(file);
         QElapsedTimer clock;
         clock.start();
-        const Shape shape = together(shapes);
+        const Shape shape = mergedShape(shapes);
         const Format* format = app_.formats->find(file.extension().string());
         const ExportReport report = exportShape(*app_.formats, shape, file, options, chordChosen(format, options), progress);
         for (const std::string& warning : report.warnings) warnings->append(qt(warning));

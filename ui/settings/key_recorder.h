@@ -4,7 +4,7 @@
 
 namespace blossom::ui {
 
-/// A button that, once pressed, takes the next keys as they are struck. Esc leaves it as it was.
+/// A button that, once pressed, records the next key sequence. Esc cancels.
 class KeyRecorder : public QPushButton {
   Q_OBJECT
  public:

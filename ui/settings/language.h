@@ -4,11 +4,11 @@
 
 namespace blossom::ui {
 
-/// The window's texts in the preferred language, or in that of the system where Blossom speaks it; otherwise the English
-/// they are written in. Before the first widget is made.
+/// Installs the translation for the preferred language, or for that of the system if there is one, else English. Call it
+/// before the first widget is created.
 void installLanguage();
 
-/// "de" for the preference "deutsch"; for "system" the first of the languages wanted that there is; empty for English.
+/// "de" for the preference "deutsch"; for "system" the first available of the wanted languages; empty for English.
 QString languageCode(const QString& preference, const QStringList& wanted);
 
 }  // namespace blossom::ui

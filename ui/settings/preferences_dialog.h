@@ -11,7 +11,7 @@ class Commands;
 class PreferencesForm;
 class ShortcutEditor;
 
-/// All preferences by group, and the keys. Nothing waits for an OK: what is changed holds at once.
+/// All preferences by group, and the keys. Changes apply at once; there is no OK button.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
  public:
@@ -20,7 +20,7 @@ class PreferencesDialog : public QDialog {
   void showShortcuts();
   [[nodiscard]] ShortcutEditor& shortcuts() { return *shortcuts_; }
   [[nodiscard]] const std::vector<PreferencesForm*>& forms() const { return forms_; }
-  /// Everything on the page that is shown is as it was at first.
+  /// Resets everything on the current page.
   void resetPage();
 
  private:

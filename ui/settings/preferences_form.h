@@ -8,7 +8,7 @@ namespace blossom::ui {
 
 class ParameterField;
 
-/// One group of preferences as a form: a field and what it is for, for each; an edit holds at once.
+/// One group of preferences as a form, with a field and a help text for each; edits apply at once.
 class PreferencesForm : public QWidget {
   Q_OBJECT
  public:

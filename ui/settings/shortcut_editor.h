@@ -13,14 +13,14 @@ namespace blossom::ui {
 class Commands;
 class KeyRecorder;
 
-/// Every command with its keys: find it, press other keys, and be told when they belong to something else.
+/// Every command with its keys: find a command, press other keys, with a message when they belong to another command.
 class ShortcutEditor : public QWidget {
   Q_OBJECT
  public:
   explicit ShortcutEditor(Commands&, QWidget* parent = nullptr);
 
   void select(const QString& commandId);
-  /// What pressing keys does: they are given to the selected command, or the holder is named and nothing changes.
+  /// Handles recorded keys: assigns them to the selected command, or names the command that has them and changes nothing.
   void take(const QKeySequence&);
   void resetAll();
   [[nodiscard]] QString message() const;

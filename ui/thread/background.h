@@ -7,18 +7,18 @@
 
 namespace blossom::ui {
 
-/// A thread of its own that does one thing after another, behind the window's own work.
+/// A background thread that runs one function after the other.
 class Background {
  public:
   using Work = std::function<void()>;
 
   Background() = default;
-  ~Background();  ///< waits for what is under way; what waits is dropped
+  ~Background();  ///< waits for the running function; drops queued ones
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
 
   void start(Work);  ///< must not throw
-  void drop();       ///< what waits
+  void drop();       ///< drops queued functions
 
  private:
   void run();

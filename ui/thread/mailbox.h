@@ -6,13 +6,14 @@
 
 namespace blossom::ui {
 
-/// Functions handed over to the window's thread, which calls them in the order of their arrival. They wait behind a mutex of
-/// the standard library rather than in Qt's event queue: ThreadSanitizer sees this hand-over, but not that of Qt.
+/// Queue of functions that the window's thread calls in the order of their arrival. It uses a mutex of the standard library
+/// rather than Qt's event queue, because ThreadSanitizer does not see the synchronisation of Qt.
 class Mailbox : public QObject {
  public:
   using Letter = std::function<void()>;
 
-  /// From any thread. Letters that nobody has read when the mailbox ends are dropped; whoever posts must have ended before.
+  /// Callable from any thread. Letters not called when the mailbox is destroyed are dropped; posting threads must have ended
+  /// before.
   void post(Letter);
 
  protected:

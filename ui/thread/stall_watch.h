@@ -6,8 +6,8 @@
 
 namespace blossom::ui {
 
-/// Measures how long the window's thread did not answer: a thread hands it a token every few milliseconds and sees when it
-/// is taken. Stalls while work is under way (a job, an evaluation) are counted apart: those are what a user must not feel.
+/// Measures how long the window's thread did not respond: a thread sends it a token every few milliseconds and measures when
+/// it is received. Stalls during background work (a job, an evaluation) are recorded separately, because users notice those.
 class StallWatch {
  public:
   StallWatch();
@@ -17,17 +17,17 @@ class StallWatch {
 
   struct Longest {
     double wall = 0;  ///< ms until the thread answered
-    double busy = 0;  ///< ms of computing by the thread itself meanwhile: without what other processes took
+    double busy = 0;  ///< ms of CPU time of the thread meanwhile, without other processes
   };
   [[nodiscard]] Longest overall() const { return {overall_.wall, overall_.busy}; }
   [[nodiscard]] Longest duringWork() const { return {work_.wall, work_.busy}; }
   void reset();
   /// Prints "figure longest_stall_ms X" and its like to the standard error.
   void print() const;
-  /// Is BLOSSOM_STALL_WATCH set?
+  /// Whether BLOSSOM_STALL_WATCH is set.
   static bool wanted();
 
-  /// Lives as long as something works in the background.
+  /// Marks background work during its lifetime.
   class Work {
    public:
     Work() { ++works_; }

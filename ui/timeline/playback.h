@@ -4,8 +4,8 @@
 
 namespace blossom::ui {
 
-/// Which frame of the sequences in a document is shown, and whether they play. All sequences run together over one count of
-/// frames, that of the longest.
+/// The visible frame of the sequences in a document, and their playback. All sequences share one frame count, that of the
+/// longest.
 class Playback : public QObject {
   Q_OBJECT
  public:
@@ -20,11 +20,11 @@ class Playback : public QObject {
   /// The frame of a sequence with `frames` frames of its own, at least 1.
   [[nodiscard]] int frameOf(int frames) const;
 
-  void setCount(int frames);  ///< keeps the place, as a share of the whole; 0 stops
-  void show(int frame);       ///< kept within the count
-  void setPlaying(bool);      ///< from the start when it stands at the end
+  void setCount(int frames);  ///< keeps the position as a fraction of the whole; 0 stops
+  void show(int frame);       ///< clamped to the count
+  void setPlaying(bool);      ///< from the start when it is at the end
   void setLooping(bool looping);
-  void setFramesPerSecond(int);  ///< kept within 1 and 60
+  void setFramesPerSecond(int);  ///< clamped to 1..60
   void setOnionSkin(bool);
 
  signals:

@@ -10,7 +10,7 @@ namespace blossom::ui {
 class GrooveSlider;
 class Playback;
 
-/// Under the view while a sequence is shown: play, scrub, pace, loop and onion skin.
+/// The bar under the view while a sequence is shown: play, scrub, speed, loop and onion skin.
 class TimelineBar : public QWidget {
   Q_OBJECT
  public:

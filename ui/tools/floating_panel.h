@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// A small card over the view, with what belongs to the tool in use. Keeps its place when the view changes its size; the
-/// mouse over it does not reach the view.
+/// A small card over the view for the current tool. It keeps its place when the view is resized; mouse events over it do not
+/// reach the view.
 class FloatingPanel : public QFrame {
   Q_OBJECT
  public:
@@ -12,7 +12,7 @@ class FloatingPanel : public QFrame {
   FloatingPanel(QWidget* view, Place);
 
  protected:
-  /// To be called when what it holds has changed.
+  /// Call it when the content has changed.
   void settle();
   bool eventFilter(QObject*, QEvent*) override;
   bool event(QEvent*) override;

@@ -5,8 +5,8 @@
 
 namespace blossom::ui {
 
-/// A tool of handles that belong to one feature. The handle under the mouse lights up, the left button takes hold of it,
-/// letting go places it, Esc takes it back. Takes only what happens on its handles; all else moves the camera as always.
+/// A tool with handles of one feature. The handle under the mouse is highlighted, the left button drags it, Esc cancels.
+/// Only events on the handles are accepted; all others move the camera.
 class HandleTool : public Tool {
   Q_OBJECT
  public:
@@ -20,23 +20,23 @@ class HandleTool : public Tool {
   void revert() override;
 
  protected:
-  /// Reads the handles from the document as it is now. The constructor of a tool calls it once.
+  /// Reads the handles from the current document. Call it once in the constructor of a tool.
   virtual void load() = 0;
   [[nodiscard]] virtual std::optional<std::size_t> handleUnder(const ToolEvent&) const = 0;
-  /// A drag begins; false when the handle cannot be dragged from there.
+  /// Starts a drag; false when the handle cannot be dragged from there.
   virtual bool take(std::size_t handle, const ToolEvent&) = 0;
   virtual void drag(const ToolEvent&) = 0;
-  /// Commits what the drag has changed, if it has changed anything.
+  /// Commits the change made by the drag, if any.
   virtual void place() = 0;
-  /// The drag is over. After a commit the handles are loaded again; else they are to stand where they stood before.
+  /// Ends a drag. After a commit the handles are loaded again; otherwise restores their positions.
   virtual void putBack() = 0;
 
-  /// Shows what the drag would make; ended by the base, whether it is placed or given up.
+  /// Shows the result of the drag so far; ended by the base class when the drag is placed or cancelled.
   void preview(Document);
-  /// One step of undo; loads afterwards what has come of it.
+  /// Commits one step of undo and loads the handles afterwards.
   void commit(Document, const QString& what);
   void noteScale(const ToolEvent& event) { millimetresPerPixel_ = event.millimetresPerPixel; }
-  /// What is held keeps its number: the tool loads again once it is let go.
+  /// Postpones loading until the held handle is released, so that its index stays valid.
   void loadLater() { outdated_ = true; }
   void forgetHovered() { hovered_.reset(); }
 
@@ -53,7 +53,7 @@ class HandleTool : public Tool {
   std::optional<std::size_t> hovered_, held_;
   bool previewing_ = false, committing_ = false;
   bool outdated_ = false;  ///< the document changed while a handle was held
-  Document expected_;      ///< during a drag: what is there unless somebody else changes it
+  Document expected_;      ///< during a drag: the document as this tool left it, to detect other changes
   double millimetresPerPixel_;
 };
 

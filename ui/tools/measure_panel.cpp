@@ -20,7 +20,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr int panelWidth = 236;
-constexpr int mostRows = 6;
+constexpr int maximumRows = 6;
 
 QToolButton* iconButton(const QString& iconName, const QString& what) {
   auto* made = new QToolButton;
@@ -112,7 +112,7 @@ void MeasurePanel::refresh() {
   for (QWidget* each : std::initializer_list<QWidget*>{list_, copy_, delete_, clear_, parts_, names_, values_})
     each->setVisible(some);
   empty_->setVisible(!some);
-  if (some) list_->setFixedHeight(list_->sizeHintForRow(0) * std::min(mostRows, list_->count()) + 4);
+  if (some) list_->setFixedHeight(list_->sizeHintForRow(0) * std::min(maximumRows, list_->count()) + 4);
   showFigures();
   settle();
 }

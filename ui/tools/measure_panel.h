@@ -16,7 +16,7 @@ class MeasurePanel : public FloatingPanel {
  public:
   MeasurePanel(Measurements& measurements, QWidget* view);
 
-  void copy() const;  ///< the one selected, to the clipboard
+  void copy() const;  ///< copies the selected one to the clipboard
   void removeSelected();
 
  protected:

@@ -9,12 +9,12 @@ namespace blossom::ui {
 
 class MeasurePanel;
 
-/// Clicks on faces, edges and points become measurements: the first shows what the part is by itself, a second one how the
-/// two lie to one another. Nothing is computed while the mouse only moves.
+/// Measures clicked faces, edges and points: the first click measures the part, a second one its relation to another part.
+/// Nothing is computed while the mouse only moves.
 class MeasureTool : public Tool {
   Q_OBJECT
  public:
-  /// @param measurements where they stay when the tool has ended  @param view the panel floats over it
+  /// @param measurements they remain when the tool has ended  @param view the panel floats over it
   MeasureTool(ToolHost& host, Measurements& measurements, QWidget* view);
   ~MeasureTool() override;
 

@@ -17,7 +17,7 @@
 
 namespace blossom::ui {
 
-/// A feature, or one part of it by number, that a measurement holds on to.
+/// A feature, or one of its sub-shapes by number, that a measurement refers to.
 struct PartReference {
   FeatureId feature;
   SubShapeKind kind = SubShapeKind::Whole;
@@ -25,8 +25,8 @@ struct PartReference {
   friend bool operator==(const PartReference&, const PartReference&) = default;
 };
 
-/// The measurements of one open document: they stay when the tool that took them has ended, follow every edit and undo, and
-/// are lost only while a part of theirs is gone. The kernel runs on a thread of its own, newest wish first come.
+/// The measurements of one open document. They remain when the tool has ended, follow every edit and undo, and are lost only
+/// while one of their parts is missing. Computed on a background thread, newest request first.
 class Measurements : public QObject {
   Q_OBJECT
  public:
@@ -36,16 +36,16 @@ class Measurements : public QObject {
     PartReference first;
     std::optional<PartReference> second;
     State state = State::Computing;
-    Measurement figures;  ///< the last there were
+    Measurement figures;  ///< the latest figures
     QString problem;      ///< why it is lost
   };
 
   explicit Measurements(ToolHost& host, QObject* parent = nullptr);
   ~Measurements() override;
 
-  /// @returns its id, never used again.
+  /// @returns its id, which is never reused.
   int add(const PartReference&, const std::optional<PartReference>& second = {});
-  /// Makes a measurement of one part a measurement to another.
+  /// Changes a measurement of one part to one of two parts.
   void extend(int id, const PartReference& second);
   void remove(int id);
   void clear();
@@ -54,12 +54,12 @@ class Measurements : public QObject {
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] const Entry* find(int id) const;
 
-  /// Measures anew what changed. To be called whenever the document or a result is another.
+  /// Measures again what changed. Call it whenever the document or a result changes.
   void documentChanged();
 
   [[nodiscard]] QString partName(const PartReference&) const;  ///< "Box, face 2"
   [[nodiscard]] QString headline(const Entry&) const;          ///< "12.5 mm"
-  [[nodiscard]] QString text(const Entry&) const;              ///< all of it, a line for each figure, to be copied
+  [[nodiscard]] QString text(const Entry&) const;              ///< all figures, one per line, for copying
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const;
 
  signals:
@@ -73,7 +73,7 @@ class Measurements : public QObject {
   Entry* entry(int id);
   void measure(Entry&);
   void finish(int id, const CancelToken&, const Measurement&, const std::optional<Error>&);
-  /// Results of the parts; the reason when there is one missing.
+  /// Results of the parts; `missing` is the reason when one is missing.
   [[nodiscard]] std::vector<std::shared_ptr<const FeatureResult>> resultsOf(const Entry&, QString& missing) const;
   [[nodiscard]] bool isShown(const Entry&) const;
 

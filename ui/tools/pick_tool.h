@@ -4,7 +4,7 @@
 
 namespace blossom::ui {
 
-/// Clicks in the view answer a form that has asked for a feature, a part, a point or a direction.
+/// Answers the request of a form for a feature, a sub-shape, a point or a direction by clicks in the view.
 class PickTool : public Tool {
   Q_OBJECT
  public:

@@ -14,7 +14,7 @@ namespace blossom::ui {
 
 class GrooveSlider;
 
-/// Direction, offset and side of the section in one row; every control is reached with Tab.
+/// Direction, offset and side of the section in one row; every control can be reached with Tab.
 class SectionPanel : public FloatingPanel {
   Q_OBJECT
  public:

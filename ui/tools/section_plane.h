@@ -8,15 +8,15 @@ namespace blossom::ui {
 
 enum class SectionAxis { X, Y, Z, Face };
 
-/// A cutting plane as its panel and its handle speak of it: a direction, a place along it and the side cut away.
+/// The state of a section as its panel and handle show it: a direction, an offset along it and the side cut away.
 class SectionPlane {
  public:
-  /// Across y through the middle, the front half cut away: what the standard view looks into.
+  /// Perpendicular to y through the middle, with the front half cut away, so that the standard view looks inside.
   static SectionPlane through(const Bounds&);
   static SectionPlane of(const CutPlane&);
 
   void setAxis(SectionAxis, const Bounds&);  ///< X, Y or Z, through the middle
-  /// Parallel to a face; offsets are counted from it, outwards.
+  /// Parallel to a face; offsets are measured from it, outwards.
   void setFace(const Vec3& point, const Vec3& normal);
   void flip() { flipped_ = !flipped_; }
   void setOffset(double offset) { offset_ = offset; }
@@ -26,11 +26,11 @@ class SectionPlane {
   [[nodiscard]] bool flipped() const { return flipped_; }
   [[nodiscard]] double offset() const { return offset_; }  ///< mm along the direction, from the origin or the face
   [[nodiscard]] CutPlane plane() const;
-  /// Offsets between which the plane meets a box.
+  /// Minimum and maximum offset at which the plane meets a box.
   [[nodiscard]] std::pair<double, double> range(const Bounds&) const;
   /// The point of the plane nearest to another.
   [[nodiscard]] Vec3 onPlane(const Vec3& p) const;
-  /// Offset at which the direction through `anchor` comes nearest to a ray; nothing when it is looked at end on.
+  /// Offset at which the line along the direction through `anchor` is nearest to a ray; empty when they are parallel.
   [[nodiscard]] std::optional<double> offsetAlong(const Ray&, const Vec3& anchor) const;
 
  private:

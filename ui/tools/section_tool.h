@@ -9,8 +9,8 @@ namespace blossom::ui {
 
 class SectionPanel;
 
-/// A plane that cuts the model open: dragged by its handle or its frame, set in a small panel, with keys. The cut stays when
-/// the tool has ended; starting the tool again takes it up.
+/// A plane that cuts the model open: dragged by its handle or its frame, or set by a small panel or keys. The section
+/// remains when the tool has ended; starting the tool again edits it.
 class SectionTool : public Tool {
   Q_OBJECT
  public:

@@ -20,10 +20,10 @@ using PropPtr = vtkSmartPointer<vtkProp>;
 
 PropPtr linesProp(const std::vector<std::vector<Vec3>>& lines, const Color&, double width);
 PropPtr pointsProp(const std::vector<Vec3>& points, const Color&, double size);
-/// Seen through; `opacity` from 0 to 1. It does not hide what stands before it.
+/// Transparent triangles; `opacity` from 0 to 1. They do not hide objects in front of them.
 PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const Color&, double opacity);
 
-/// A text on a small card that keeps its size, faces the viewer and stands just above its place.
+/// A text on a small card of constant size that faces the viewer, just above its position.
 struct LabelLook {
   QColor text, card, border;
   double pixelRatio = 1;
@@ -34,7 +34,7 @@ QColor qtColor(const Color&, double opacity = 1);
 /// Text and border in one colour, on a card of the colour of the background.
 LabelLook labelLook(const Look&, const Color&, double pixelRatio);
 
-/// Where the line of sight meets the plane z = 0; nothing when it runs along it or the plane lies behind the eye.
+/// Intersection of the line of sight with the plane z = 0; empty when it is parallel or the plane lies behind the eye.
 std::optional<Vec2> inGround(const Ray&);
 
 }  // namespace blossom::ui

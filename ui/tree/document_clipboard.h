@@ -8,15 +8,15 @@ class QMimeData;
 
 namespace blossom::ui {
 
-/// Features on their way from one document to another: the part of the document that they need, and which of it is meant.
+/// Copied features: the part of the document that they depend on, and their ids.
 struct ClippedFeatures {
   Document document;
   std::vector<FeatureId> wanted;
 };
 
-/// As JSON, the imported files within; written out only when another program asks for it.
+/// Stores the features as JSON with the imported files; the text is generated only when another program asks for it.
 QMimeData* toMimeData(ClippedFeatures);
-/// nullopt when there are no features in it. @throws Error FormatDamaged, FormatTooNew.
+/// nullopt when it contains no features. @throws Error FormatDamaged, FormatTooNew.
 std::optional<ClippedFeatures> fromMimeData(const QMimeData*);
 bool holdsFeatures(const QMimeData*);
 

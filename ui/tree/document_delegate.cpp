@@ -13,7 +13,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr int rowHeight = 42, sideMargin = 6, iconSize = 20, textLeft = 44, textRight = 16, besideEye = 42;
-constexpr int nameTop = 5, nameHeight = 17, stateTop = 21, stateFontSize = 10, mostLines = 3;
+constexpr int nameTop = 5, nameHeight = 17, stateTop = 21, stateFontSize = 10, maximumLines = 3;
 
 QFont stateFont(QFont font) {
   font.setPixelSize(stateFontSize);
@@ -46,8 +46,8 @@ StateLines stateLines(const QModelIndex& index, const QFont& font, int width) {
   const QString state = index.data(DocumentModel::StateRole).toString();
   if (!index.data(DocumentModel::FailedRole).toBool())
     return {{QFontMetrics(font).elidedText(state, Qt::ElideRight, width)}, {}};
-  return {wrapped(state, font, width, mostLines),
-          wrapped(index.data(DocumentModel::RemedyRole).toString(), font, width, mostLines)};
+  return {wrapped(state, font, width, maximumLines),
+          wrapped(index.data(DocumentModel::RemedyRole).toString(), font, width, maximumLines)};
 }
 
 const char* iconColor(const QModelIndex& index, bool selected) {

@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// Paints a row of the document tree: icon, name, one line of state. What failed takes as many lines as it needs to say why
-/// and what to do.
+/// Paints a row of the document tree: icon, name, one line of state. For a failed feature error and remedy take as many
+/// lines as needed.
 class DocumentDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:
@@ -12,7 +12,7 @@ class DocumentDelegate : public QStyledItemDelegate {
   void paint(QPainter*, const QStyleOptionViewItem&, const QModelIndex&) const override;
   QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override;
   void updateEditorGeometry(QWidget*, const QStyleOptionViewItem&, const QModelIndex&) const override;
-  /// Where the eye is in a row.
+  /// Rectangle of the eye in a row.
   static QRect eyeRect(const QRect& row);
 };
 

@@ -8,7 +8,7 @@ namespace blossom::ui {
 
 class Session;
 
-/// The features of the session's document, one row each, with what the tree shows of them.
+/// The features of the session's document, one row each, with the data shown in the tree.
 class DocumentModel : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -31,7 +31,7 @@ class DocumentModel : public QAbstractListModel {
   bool setData(const QModelIndex&, const QVariant&, int role) override;  ///< renames
   Qt::ItemFlags flags(const QModelIndex&) const override;
   QStringList mimeTypes() const override;
-  QMimeData* mimeData(const QModelIndexList&) const override;  ///< the rows, to be dropped elsewhere in the document
+  QMimeData* mimeData(const QModelIndexList&) const override;  ///< the rows, for dropping them elsewhere in the document
   Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
 
   [[nodiscard]] FeatureId idAt(const QModelIndex&) const;

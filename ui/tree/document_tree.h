@@ -12,30 +12,30 @@ namespace blossom::ui {
 class DocumentModel;
 class Session;
 
-/// The document as a list: icon, name, one line of state, and an eye that hides. Selecting here selects in the view. Every
-/// change is one step of undo; what cannot be done is refused with a sentence.
+/// The document as a list: icon, name, one line of state, and an eye that hides. The selection is shared with the view.
+/// Every change is one step of undo; impossible ones are refused with a message.
 class DocumentTree : public QListView {
   Q_OBJECT
  public:
   explicit DocumentTree(Session&, QWidget* parent = nullptr);
   [[nodiscard]] Session& session() { return session_; }
-  [[nodiscard]] std::vector<FeatureId> selected() const;  ///< in document order; the current one is `current()`
+  [[nodiscard]] std::vector<FeatureId> selected() const;  ///< in document order; `current()` is the current one
   [[nodiscard]] FeatureId current() const;
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
   void selectThese(const std::vector<FeatureId>&);
   void selectLast();
   void selectFirstShown();
   void selectAll() override;  ///< what the filter shows
-  /// Only rows are shown in whose name, type or state all words of the text occur.
+  /// Shows only rows whose name, type or state contains all words of the text.
   void setFilter(const QString& text);
 
   void renameCurrent();
   void toggleSelected();
   void toggleVisible(const FeatureId&);
   void showAll();
-  /// Only what is selected is visible; once more: what was visible before.
+  /// Shows only the selection; called again, restores the previous visibility.
   void isolateSelected();
-  void toggleSuppressed();  ///< all selected ones become what the first becomes
+  void toggleSuppressed();  ///< toggles the first selected feature, and sets all others to the same state
   void removeSelected();
   void stepSelected(int by);                 ///< one place up (-1) or down (+1)
   void moveSelectedBefore(std::size_t row);  ///< row == size: to the end

@@ -8,7 +8,7 @@ namespace blossom::ui {
 
 class DocumentTree;
 
-/// The document tree under its heading, with a field that looks for features in it when asked for.
+/// The document tree under its heading, with a search field that is shown on request.
 class DocumentTreePanel : public QWidget {
   Q_OBJECT
  public:

@@ -5,7 +5,7 @@ class QLabel;
 
 namespace blossom::ui {
 
-/// Looks like a field and opens the command palette: "Find a command   Ctrl+K".
+/// A button that looks like a field and opens the command palette: "Find a command   Ctrl+K".
 class FindField : public QPushButton {
   Q_OBJECT
  public:

@@ -21,7 +21,7 @@ bool PartHighlight::set(const std::vector<Pick>& picks, const ViewItems& items) 
   for (const Pick& pick : picks_) {
     const SceneData* scene = pick.part.index >= 0 ? items.scene(pick.feature) : nullptr;
     if (!scene) continue;
-    for (const auto& actor : makeActors(partOf(*scene, pick.part.kind, pick.part.index), look_)) {
+    for (const auto& actor : makeActors(subShapeData(*scene, pick.part.kind, pick.part.index), look_)) {
       // A step towards the eye: it lies where the part itself lies.
       actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
       actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -1);

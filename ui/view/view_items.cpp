@@ -27,7 +27,7 @@ void setColor(vtkActor& actor, const Color& color) { actor.GetProperty()->SetCol
 bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
 
 /// Edges without numbers do not tell the form of a shape: a wireframe of it shows its triangles.
-bool needsTriangles(const SceneData& scene) { return !scene.edges || partOf(scene, SubShapeKind::Edge, 0).empty(); }
+bool needsTriangles(const SceneData& scene) { return !scene.edges || subShapeData(scene, SubShapeKind::Edge, 0).empty(); }
 
 /// Software OpenGL collects what is to be drawn until it is told to begin: told so before each piece, its threads draw one
 /// while the next is prepared.

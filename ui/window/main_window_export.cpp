@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "geometry/occt/together.h"
+#include "geometry/occt/merged_shape.h"
 #include "ui/files/export_dialog.h"
 #include "ui/look/text.h"
 #include "ui/session/file_places.h"
@@ -28,7 +28,7 @@ ExportScope scopeOf(const Session& session, const std::vector<FeatureId>& ids) {
     if (const auto* sequence = shape.get<Sequence>())
       frames.insert(frames.end(), sequence->frames.begin(), sequence->frames.end());
   }
-  scope.kind = kinds.empty() ? ShapeKind::None : kindTogether(kinds);
+  scope.kind = kinds.empty() ? ShapeKind::None : mergedKind(kinds);
   const auto alike = [&](const Shape& frame) { return frame.kind() == frames.front().kind(); };
   if (kinds.size() == 1 && !frames.empty() && std::all_of(frames.begin(), frames.end(), alike))
     scope.frameKind = frames.front().kind();

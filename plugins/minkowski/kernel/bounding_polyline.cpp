@@ -12,7 +12,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr int mostHalvings = 20;
+constexpr int maximumHalvings = 20;
 
 /// The poles of a spline piece, seen from its chord.
 class ChordView {
@@ -120,7 +120,7 @@ class Walk {
   }
 
   void addCorners(const Spline2& spline) {
-    for (const BezierPiece& piece : bezierPieces(spline)) addPiece(piece, mostHalvings);
+    for (const BezierPiece& piece : bezierPieces(spline)) addPiece(piece, maximumHalvings);
   }
 
   void addPiece(const BezierPiece& piece, int depth) {

@@ -5,13 +5,13 @@
 
 namespace blossom::minkowski {
 
-/// Corners of a polyline that stays within `tolerance` mm of a closed path and has it on its left: nothing of the path's
-/// left side is cut off, but for rounding. What bends to the right is followed by chords. What bends to the left is followed
-/// by tangents: those of an arc, and those at the ends of spline pieces whose poles form a convex polygon, for such a piece
-/// lies in the triangle of its chord and its end tangents. A piece that does both lies in a box of its poles.
-/// Pieces around a cusp, a millionth of their spline, count as their poles' box, too.
+/// Corners of a polyline within `tolerance` mm of a closed path and nowhere to the left of it, up to rounding, so that it
+/// cuts nothing off the left side of the path. Parts that bend to the right are approximated by chords, parts that bend to
+/// the left by tangents: tangents of an arc, and the end tangents of spline pieces with a convex control polygon, because
+/// such a piece lies in the triangle of its chord and end tangents. A piece that bends both ways is bounded by an oriented
+/// box of its poles, and so are the pieces around a cusp, a millionth of their spline.
 Loop polylineToTheRight(const Path&, double tolerance, const Progress& = Progress::none());
-/// The same with the path on its right.
+/// The same, nowhere to the right of the path.
 Loop polylineToTheLeft(const Path&, double tolerance, const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

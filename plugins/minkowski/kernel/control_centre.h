@@ -7,8 +7,8 @@ namespace blossom::minkowski {
 /// Centroid of the area. @pre the area is not 0
 Vec2 centroid(const Polygons&);
 
-/// Where a control shape is held: the centroid of its area, within a thousandth of its size; the middle of its box when it
-/// has no area.
+/// Handle position of a control shape: the centroid of its area, within a thousandth of its size; the middle of its box when
+/// the area is 0.
 Vec2 centreOf(const Region&);
 
 }  // namespace blossom::minkowski

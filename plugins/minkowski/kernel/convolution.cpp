@@ -10,7 +10,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr std::size_t mostEdges = 3'000'000;
+constexpr std::size_t maximumEdges = 3'000'000;
 
 struct Extent {
   GridPoint low, high;
@@ -75,7 +75,7 @@ class EdgePile {
     if (edges_.size() < full_) return;
     joinEqual(edges_);
     effort_.foresee(static_cast<double>(edges_.size()));
-    if (edges_.size() > mostEdges)
+    if (edges_.size() > maximumEdges)
       throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than three million edges.",
                   "Raise the tolerance, so that curves get fewer corners.");
     full_ = std::max(full_, 2 * edges_.size());

@@ -6,21 +6,22 @@
 
 namespace blossom::minkowski {
 
-/// Thrown when work would go beyond what was allowed. Not an Error: whoever set the limit knows where else to do the work.
+/// Thrown when a computation would exceed its Effort. Not an Error, because the caller that set the limit computes
+/// elsewhere.
 struct TooMuchWork : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "These sums take more work than was allowed."; }
 };
 
-/// How much work sums may still take, counted in edges and crossings of their arrangements; the same on every machine.
+/// Limit on the work of sums, counted in edges and crossings of their arrangements and thus the same on every machine.
 class Effort {
  public:
   static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
-  explicit Effort(std::size_t most = unlimited) : left_(most) {}
+  explicit Effort(std::size_t maximum = unlimited) : left_(maximum) {}
 
   [[nodiscard]] bool isLimited() const { return left_ != unlimited; }
-  /// How many sums are to come, this one included: an estimate counts for all of them.
+  /// Sets the number of sums to come, including the next one; `foresee` estimates for all of them.
   void expect(std::size_t sums) { sums_ = std::max<std::size_t>(sums, 1); }
-  /// @throws TooMuchWork when a sum of about this size, as often as sums are to come, would go beyond.
+  /// @throws TooMuchWork when the expected number of sums of about this size would exceed the limit.
   void foresee(double work) const {
     if (isLimited() && work * static_cast<double>(sums_) > static_cast<double>(left_)) throw TooMuchWork();
   }

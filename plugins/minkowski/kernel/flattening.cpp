@@ -21,7 +21,7 @@ namespace blossom::minkowski {
 namespace {
 
 constexpr double farthest = 1e9;  // mm
-constexpr std::size_t mostCorners = 200'000;
+constexpr std::size_t maximumCorners = 200'000;
 constexpr double largestTolerance = 0.01;  // mm, where none is given
 constexpr double automaticShare = 1e-4;    // of the shape's size
 constexpr double coarsestShare = 0.05;     // a circle becomes a heptagon there
@@ -234,9 +234,9 @@ std::vector<Loop> cornersOf(const Region& region, double tolerance, double confu
     for (const Segment& segment : path.segments) expected += expectedCorners(segment, tolerance);
     Loop loop = expected > farTooMany ? Loop() : cornersOf(path, tolerance, confusion);
     corners += loop.size();
-    if (expected > farTooMany || corners > mostCorners)
+    if (expected > farTooMany || corners > maximumCorners)
       refuse(ErrorCode::LimitExceeded, name,
-             fmt::format("needs more than {} corners within {:.3g} mm.", mostCorners, tolerance), "Raise the tolerance.");
+             fmt::format("needs more than {} corners within {:.3g} mm.", maximumCorners, tolerance), "Raise the tolerance.");
     if (loop.size() < 3)
       refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that encloses nothing.", at(loop.front())),
              "Remove it, or lower the tolerance if it is small.");
@@ -252,11 +252,11 @@ std::size_t cornerCount(const std::vector<Loop>& loops) {
 }
 
 /// Where polylines beside the curves cross, they enclose what both of them do, or leave out what both do.
-Polygons flattenedBeside(const Region& region, double tolerance, Side side, const Progress& progress) {
+Polygons flattenedBeside(const Region& region, double tolerance, Approximation side, const Progress& progress) {
   std::vector<Loop> loops;
   for (const Path& path : region.loops) {
-    Loop loop =
-        side == Side::Outside ? polylineToTheRight(path, tolerance, progress) : polylineToTheLeft(path, tolerance, progress);
+    Loop loop = side == Approximation::Outside ? polylineToTheRight(path, tolerance, progress)
+                                               : polylineToTheLeft(path, tolerance, progress);
     if (loop.size() >= 3) loops.push_back(std::move(loop));
   }
   return loops.empty() ? Polygons() : Nesting(std::move(loops), progress).polygons(progress);
@@ -281,7 +281,7 @@ Polygons flattened(const Region& region, const FlatteningOptions& options, const
   refuseTwice(all, name);
   refuseEmptyLoops(all, confusion, name);
   refuseStrayHole(nesting, all, name);
-  if (options.side == Side::Either || !isCurved(region)) return nesting.polygons(progress);
+  if (options.side == Approximation::Either || !isCurved(region)) return nesting.polygons(progress);
   return flattenedBeside(region, tolerance, options.side, progress);
 }
 

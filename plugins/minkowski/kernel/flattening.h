@@ -9,30 +9,29 @@
 
 namespace blossom::minkowski {
 
-/// Where a polygon may lie that stands for a shape.
-enum class Side {
-  Either,   ///< within the tolerance
-  Inside,   ///< and nowhere outside of the shape: what is cut from is not overstated
-  Outside,  ///< and nowhere inside of its boundary: what is to fit somewhere is not understated
+/// Position of a polygon relative to the shape it approximates.
+enum class Approximation {
+  Either,   ///< within the tolerance on either side
+  Inside,   ///< inside the shape, so that an area to fit into is never overestimated
+  Outside,  ///< around the shape, so that a shape to be fitted is never underestimated
 };
 
 struct FlatteningOptions {
-  /// mm between curves and their polygons; nothing: a 10,000th of the shape's size, but at most 0.01 mm
+  /// mm between curves and their polygons; empty: 1/10,000 of the shape's size, at most 0.01 mm
   std::optional<double> tolerance{};
-  double share = 1;  ///< of the tolerance, where several shapes take one together
-  Side side = Side::Either;
-  Effort* effort = nullptr;  ///< what loops that touch may cost; nothing: as much as they take
+  double share = 1;  ///< share of the tolerance, when several shapes divide it
+  Approximation side = Approximation::Either;
+  Effort* effort = nullptr;  ///< limit on the work for loops that touch; nullptr: unlimited
 };
 
 /// Polygons within the tolerance of a region. Parts that touch along edges are joined.
-/// @param name what the region is called in messages, "control shape 2"
-/// @throws Error InvalidInput when it is empty, open, not finite, crosses itself or has a hole outside; InvalidParameter
-/// when a tolerance is given that is more than a twentieth of a curved shape's size; LimitExceeded when it reaches farther
-/// than 1e9 mm or needs more than 200,000 corners: each names the place. Cancelled; TooMuchWork. O(n log n) for well-spread
-/// edges.
+/// @param name of the region in messages, "control shape 2"
+/// @throws Error, always with the place, InvalidInput when the region is empty, open, not finite, crosses itself or has a
+/// hole outside; InvalidParameter when the tolerance exceeds 1/20 of a curved shape's size; LimitExceeded beyond 1e9 mm or
+/// 200,000 corners. Cancelled; TooMuchWork. O(n log n) for well-distributed edges.
 Polygons flattened(const Region&, const FlatteningOptions&, const std::string& name, const Progress& = Progress::none());
 
-/// Straight lines along the loops, outer loops first and then their holes. An empty set gives a region without loops.
+/// A region of straight lines, outer loops each followed by its holes. Empty polygons make a region without loops.
 Region toRegion(const Polygons&);
 
 }  // namespace blossom::minkowski

@@ -52,7 +52,7 @@ std::optional<double> withoutCorner(const Vec2& a, const KeptCorner& b, const Ke
   return strays <= crumb ? std::optional(strays) : std::nullopt;
 }
 
-/// Drops the last corners while the edge to `next` can stand for them.
+/// Drops the last corners while the edge to `next` can replace them.
 void dropBefore(KeptCorner& next, std::vector<KeptCorner>& kept, double crumb) {
   while (kept.size() >= 2) {
     const auto strays = withoutCorner(kept[kept.size() - 2].at, kept.back(), next, crumb);

@@ -23,28 +23,28 @@ inline Wide dot(const GridPoint& a, const GridPoint& b) { return Wide(a.x) * b.x
 
 using GridLoop = std::vector<GridPoint>;
 
-/// As Polygon, with every corner a proper turn: neither straight on nor back.
+/// As Polygon, but consecutive edges are never collinear.
 struct GridPolygon {
   GridLoop outer;
   std::vector<GridLoop> holes;
   friend bool operator==(const GridPolygon&, const GridPolygon&) = default;
 };
 
-/// A grid point p stands for origin + unit p.
+/// Grid whose point p has the position origin + unit p.
 struct Grid {
   Vec2 origin = Vec2::Zero();
   double unit = 1;  ///< a power of two
   [[nodiscard]] Vec2 point(const Vec2& p) const { return origin + unit * p; }
 };
 
-/// The finest unit in which boxes of this size fit, seen from their middles.
+/// The smallest unit for which boxes of this size, centred at the origin of the grid, are representable.
 double gridUnit(const Vec2& largestSize);
-/// Without equal neighbours, straight corners and antennas; empty when nothing else is left.
+/// The loop without repeated points, collinear corners and antennas; empty when nothing is left.
 GridLoop cleaned(const GridLoop&);
-/// Snaps to the nearest grid points. Specks become boxes; slivers and holes that collapse vanish.
+/// Rounds to the nearest grid points. Parts smaller than the grid become boxes; slivers and holes that collapse are removed.
 std::vector<GridPolygon> snapped(const Polygons&, const Grid&);
-/// From grid coordinates to where they stand, without collinear points and without crumbs of the grid's size, or of two
-/// units in the last place of the coordinates where these are larger.
+/// Converts grid coordinates to the plane, without collinear points and without parts smaller than the grid's unit or two
+/// units in the last place of the coordinates, whichever is larger.
 Polygons onPlane(const Polygons& inGridUnits, const Grid&);
 
 }  // namespace blossom::minkowski

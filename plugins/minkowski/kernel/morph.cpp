@@ -16,7 +16,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr std::size_t mostShapes = 16;
+constexpr std::size_t maximumShapes = 16;
 
 /// (1-t) A + t B, where 0 A is the origin alone.
 Polygons between(const Polygons& a, const Polygons& b, double t, Adder& add, const Progress& progress) {
@@ -97,9 +97,9 @@ std::string nameOf(std::size_t i) { return fmt::format("control shape {}", i + 1
 void check(std::span<const Region> shapes, std::span<const Arguments> arguments) {
   if (shapes.size() < 2)
     throw Error(ErrorCode::InvalidParameter, "A morph needs at least two control shapes.", "Give another shape.");
-  if (shapes.size() > mostShapes)
+  if (shapes.size() > maximumShapes)
     throw Error(ErrorCode::LimitExceeded,
-                fmt::format("A morph has at most {} control shapes; {} are given.", mostShapes, shapes.size()),
+                fmt::format("A morph has at most {} control shapes; {} are given.", maximumShapes, shapes.size()),
                 "Join several morphs, one after the other.");
   for (const Arguments& t : arguments) {
     if (t.size() + 1 != shapes.size())
@@ -116,11 +116,11 @@ void check(std::span<const Region> shapes, std::span<const Arguments> arguments)
 class Morph {
  public:
   Morph(std::span<const Region> regions, const MorphOptions& options, const Progress& progress)
-      : regions_(regions), options_(options), add_(options.mostWork) {
+      : regions_(regions), options_(options), add_(options.maximumWork) {
     for (std::size_t i = 0; i < regions.size(); ++i)
       shapes_.push_back(
           flattened(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
-    if (options.evaluation == Evaluation::Convex) refuseHollows();
+    if (options.evaluation == EvaluationOrder::Convex) refuseHollows();
     for (const Polygons& shape : shapes_) {
       areas_.push_back(area(shape));
       centres_.push_back(centroid(shape));
@@ -129,13 +129,13 @@ class Morph {
     expansion_.emplace(shapes_, add_);
   }
 
-  /// Chooses the way where that is left open, and counts the sums that it takes.
+  /// Chooses the order of evaluation when it is automatic, and counts its sums.
   void prepare(std::span<const Arguments> arguments) {
     std::vector<Arguments> all;
     for (const Arguments& t : arguments) all.push_back(elevated(t));
     std::vector<bool> convex;
     for (const Polygons& shape : shapes_) convex.push_back(isConvex(shape));
-    if (options_.evaluation == Evaluation::Automatic) options_.evaluation = wayOfFewestSums(all, convex);
+    if (options_.evaluation == EvaluationOrder::Automatic) options_.evaluation = wayOfFewestSums(all, convex);
     add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
   }
 
@@ -188,14 +188,14 @@ class Morph {
 
   Polygons inBetween(const Arguments& t, const Progress& progress) {
     switch (options_.evaluation) {
-      case Evaluation::Recursive:
+      case EvaluationOrder::Recursive:
         return recursive(shapes_, t, add_, progress);
-      case Evaluation::BottomUp:
+      case EvaluationOrder::BottomUp:
         return bottomUp(shapes_, t, add_, progress);
-      case Evaluation::Convex:
+      case EvaluationOrder::Convex:
         return convexAt(shapes_, t, add_, progress);
-      case Evaluation::Automatic:  // chosen when it is prepared
-      case Evaluation::Explicit:
+      case EvaluationOrder::Automatic:  // chosen when it is prepared
+      case EvaluationOrder::Explicit:
         break;
     }
     return expansion_->at(t, progress);
@@ -211,7 +211,7 @@ class Morph {
   std::optional<Expansion> expansion_;
 };
 
-/// Reports of a fiftieth each: the sums of many frames have much to tell, and all of it to one bar.
+/// Progress is reported in steps of a fiftieth, because the sums of many frames report too often.
 Progress inSteps(const Progress& progress) {
   constexpr double step = 0.02;
   const auto last = std::make_shared<double>(-1.0);  // shared by all parts

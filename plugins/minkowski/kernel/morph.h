@@ -8,34 +8,34 @@
 #include "core/progress.h"
 #include "geometry/planar/region.h"
 #include "kernel/effort.h"
-#include "kernel/evaluation.h"
+#include "kernel/evaluation_order.h"
 
 namespace blossom::minkowski {
 
 struct MorphOptions {
-  Evaluation evaluation = Evaluation::Automatic;
-  bool degreeElevate = false;         ///< one control shape more; the morph stays the same when all shapes are convex
-  bool areaPreserving = false;        ///< scale about the centre, so that the area is the blend of the control shapes' areas
-  std::optional<double> tolerance{};  ///< mm, between curves and their polygons; nothing: see FlatteningOptions
-  std::size_t mostWork = Effort::unlimited;  ///< edges and crossings of arrangements
+  EvaluationOrder evaluation = EvaluationOrder::Automatic;
+  bool degreeElevate = false;         ///< elevate the degree by one; the morph does not change when all shapes are convex
+  bool areaPreserving = false;        ///< scale about the centre, so that the areas of the control shapes are blended
+  std::optional<double> tolerance{};  ///< mm, between curves and their polygons; empty: see FlatteningOptions
+  std::size_t maximumWork = Effort::unlimited;  ///< edges and crossings of arrangements
 };
 
 struct MorphResult {
-  std::vector<Region> regions;        ///< one for each argument; straight lines, outer loops counter-clockwise
+  std::vector<Region> regions;        ///< one per argument; straight lines, outer loops counter-clockwise
   std::size_t sums = 0;               ///< Minkowski sums computed
   std::vector<std::string> warnings;  ///< full sentences
 };
 
-/// The n equal arguments that stand for C(t).
+/// n equal arguments t, with which the blossom is C(t).
 std::vector<double> diagonal(std::size_t degree, double t);
 
-/// In-between shapes of control shapes A0..An: de Casteljau's algorithm with Minkowski sums instead of sums of points (Lee,
-/// Lee, Kim & Kim 2002, section 4.2, equations 4.5 to 4.9; the blossom of section 4.3, equation 4.10). Each argument holds
-/// one number of 0..1 for each level; equal numbers t give C(t). Where all are 0 or all are 1, the first or the last
-/// control shape itself is the answer. Scaling is about the origin of the document.
-/// The blossom is symmetric in its arguments for all evaluations, for shapes that are not convex too.
-/// @throws Error InvalidParameter (fewer than two shapes, a wrong number of arguments, beyond 0..1), InvalidInput naming
-/// the shape and the place (see flattening.h; or a shape that is not convex for Evaluation::Convex), LimitExceeded,
+/// In-between shapes of control shapes A0..An by de Casteljau's algorithm with Minkowski sums instead of sums of points
+/// (Lee, Lee, Kim & Kim 2002, section 4.2, equations 4.5 to 4.9; the blossom of section 4.3, equation 4.10). Each argument
+/// consists of one number in 0..1 per level; equal numbers t give C(t). When all are 0 or all are 1, the result is the first
+/// or the last control shape itself. Scaling is about the origin of the document. The blossom is symmetric in its arguments
+/// for all evaluations, also for shapes that are not convex.
+/// @throws Error InvalidParameter (fewer than two shapes, a wrong number of arguments, numbers outside 0..1), InvalidInput
+/// naming the shape and the place (see flattening.h; also a shape that is not convex for Evaluation::Convex), LimitExceeded,
 /// Cancelled; TooMuchWork.
 MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<double>> arguments, const MorphOptions& = {},
                   const Progress& = Progress::none());

@@ -9,7 +9,7 @@
 
 namespace blossom::minkowski {
 
-/// Boxes in a balanced tree, halved at the middle of the longer side.
+/// Balanced tree of boxes, split at the middle of the longer side.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Box2> boxes);
@@ -33,8 +33,8 @@ inline bool comeNear(const Box2& a, const Box2& b, double margin) {
   return (a.low.array() <= b.high.array() + margin).all() && (b.low.array() <= a.high.array() + margin).all();
 }
 
-/// Calls f(i, j) for all pairs of boxes that come within `margin` of one another, each pair once, until f says false.
-/// O(n log n + k) for k pairs of well-spread boxes.
+/// Calls f(i, j) once for each pair of boxes within `margin` of one another, until f returns false. O(n log n + k) for k
+/// pairs of well-distributed boxes.
 template <class F>
 void forEachNearPair(std::span<const Box2> boxes, double margin, const Progress& progress, F f) {
   if (boxes.empty()) return;

@@ -55,7 +55,7 @@ std::vector<std::size_t> sortedBy(std::size_t count, Key key) {
   return order;
 }
 
-/// A line swept from left to right over all edges. Where a loop begins, the edge below tells what it lies in.
+/// A sweep line from left to right over all edges. Where a loop begins, the edge below determines the loop that contains it.
 class Sweep {
  public:
   explicit Sweep(const std::vector<GridLoop>& loops)

@@ -9,23 +9,22 @@
 
 namespace blossom::minkowski {
 
-/// For every loop the one directly around it, nothing for those in none. Exact. O(n log n).
-/// @pre the loops neither touch nor cross (see isClear)
+/// For every loop the innermost loop that contains it; empty for outermost loops. Exact. O(n log n). @pre the loops neither
+/// touch nor cross (see isClear)
 std::vector<std::optional<std::size_t>> loopsAround(const std::vector<GridLoop>&, const Progress& = Progress::none());
 
-/// Loops, counter-clockwise around what they enclose and clockwise around what they leave out, as the set of their positive
-/// winding numbers. Loops that stay apart are sorted into one another as they are; those that touch or lie over one another
-/// are read off their exact arrangement.
+/// The set of positive winding numbers of loops (counter-clockwise around areas, clockwise around holes). Disjoint loops are
+/// only sorted by containment; loops that touch or overlap are evaluated by their exact arrangement.
 class Nesting {
  public:
   explicit Nesting(std::vector<Loop>, const Progress& = Progress::none());
 
-  /// Whether the loops stay apart from one another and from themselves.
+  /// Whether no loop touches or crosses another or itself.
   [[nodiscard]] bool clear() const { return clear_; }
-  /// The loops on the grid, one outline each; those that collapse left out.
+  /// The loops on the grid, each as an outline; collapsed loops are left out.
   [[nodiscard]] const std::vector<GridPolygon>& snappedLoops() const { return snapped_; }
   [[nodiscard]] const Grid& grid() const { return grid_; }
-  /// Of loops that stay apart: a clockwise one that lies in nothing.
+  /// When `clear`: a clockwise loop that lies in no other.
   [[nodiscard]] std::optional<std::size_t> strayHole() const;
   /// Parts with their holes. @throws Error LimitExceeded, Cancelled (see windingFaces).
   [[nodiscard]] Polygons polygons(const Progress& = Progress::none()) const;

@@ -15,18 +15,18 @@ struct Polygon {
   std::vector<Loop> holes;
 };
 
-/// A planar set bounded by straight edges: what every sum takes and gives. Empty: the empty set.
+/// A planar set bounded by straight edges, the operand and result of sums. No polygons: the empty set.
 using Polygons = std::vector<Polygon>;
 
 /// Area to the left of a loop, negative when clockwise.
 double signedArea(const Loop&);
 double area(const Polygons&);
-/// Edges of all loops together.
+/// Number of edges of all loops.
 std::size_t edgeCount(const Polygons&);
-/// s A, about the origin of the document; s below 0 turns by half a turn, 0 is not allowed.
+/// s A, about the origin of the document. A negative s also turns by 180 degrees; s = 0 is not allowed.
 Polygons scaled(const Polygons&, double s);
 Polygons translated(const Polygons&, const Vec2& by);
-/// One part without holes and without a right turn beyond rounding (1e-9 of the edges' lengths).
+/// Whether there is one part, without holes and without a right turn beyond rounding (1e-9 of the lengths of the edges).
 bool isConvex(const Polygons&);
 
 /// Axis-aligned box of everything.

@@ -12,8 +12,8 @@ namespace blossom::minkowski {
 namespace {
 
 /// @param sides where the polygons of the first and of the other shapes may lie
-std::vector<Polygons> operands(std::span<const Region> regions, const RegionSumOptions& options, std::pair<Side, Side> sides,
-                               Effort& effort, const Progress& progress) {
+std::vector<Polygons> operands(std::span<const Region> regions, const RegionSumOptions& options,
+                               std::pair<Approximation, Approximation> sides, Effort& effort, const Progress& progress) {
   if (regions.size() < 2)
     throw Error(ErrorCode::InvalidParameter, "A Minkowski sum or difference needs two shapes.", "Give another shape.");
   std::vector<Polygons> result;
@@ -29,9 +29,9 @@ std::vector<Polygons> operands(std::span<const Region> regions, const RegionSumO
 
 using Operation = Polygons (*)(const Polygons&, const Polygons&, const Progress&, Effort&);
 
-RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& options, std::pair<Side, Side> sides,
-                       const Progress& progress, Operation operation) {
-  Effort effort(options.mostWork);
+RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& options,
+                       std::pair<Approximation, Approximation> sides, const Progress& progress, Operation operation) {
+  Effort effort(options.maximumWork);
   const std::vector<Polygons> shapes = operands(regions, options, sides, effort, progress);
   Polygons total = shapes.front();
   const auto count = static_cast<double>(shapes.size() - 1);
@@ -47,12 +47,12 @@ RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& 
 }  // namespace
 
 RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
-  return folded(regions, options, {Side::Either, Side::Either}, progress, sum);
+  return folded(regions, options, {Approximation::Either, Approximation::Either}, progress, sum);
 }
 
 RegionSumResult minkowskiDifference(std::span<const Region> regions, const RegionSumOptions& options,
                                     const Progress& progress) {
-  RegionSumResult result = folded(regions, options, {Side::Inside, Side::Outside}, progress, difference);
+  RegionSumResult result = folded(regions, options, {Approximation::Inside, Approximation::Outside}, progress, difference);
   if (result.region.loops.empty())
     throw Error(ErrorCode::Degenerate, "Nothing is left: shape 1 has no room for the other.",
                 "Make shape 1 larger, or what is taken away smaller.");

@@ -7,15 +7,15 @@
 
 namespace blossom::minkowski {
 
-/// A sum that counts itself.
+/// Computes Minkowski sums and counts them.
 class Adder {
  public:
-  explicit Adder(std::size_t mostWork = Effort::unlimited) : effort_(mostWork) {}
+  explicit Adder(std::size_t maximumWork = Effort::unlimited) : effort_(maximumWork) {}
 
   Polygons operator()(const Polygons& a, const Polygons& b, const Progress& progress);
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] Effort& effort() { return effort_; }
-  /// How many sums there will be: what one of them costs is foreseen for all that are left, and the bar knows how far it is.
+  /// Sets the total number of sums, for progress and for the estimate of the work that is left.
   void plan(std::size_t sums) { planned_ = sums; }
 
  private:
@@ -23,10 +23,10 @@ class Adder {
   Effort effort_;
 };
 
-/// How many sums `repeated` takes.
+/// Number of sums that `repeated` needs.
 std::size_t sumsOfRepetition(bool convex, std::size_t k);
-/// [k]A, A added k times: k A in no sum where A is convex, else by doubling in floor(log2 k) + popcount(k) - 1 sums.
-/// @pre k >= 1
+/// [k]A, the sum of k copies of A: k A without a sum when A is convex, else by doubling in floor(log2 k) + popcount(k) - 1
+/// sums. @pre k >= 1
 Polygons repeated(const Polygons&, std::size_t k, Adder&, const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pixel = 1;       // an edge is bent through vertices within it
 constexpr double clearance = 16;  // beyond it, what earlier roundings did (some units) has changed no order
-constexpr int mostRounds = 100;
+constexpr int maximumRounds = 100;
 
 Vec2 asVec(const GridPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -127,7 +127,7 @@ std::vector<GridPolygon> onGrid(const Polygons& polygons) {
 }  // namespace
 
 std::vector<CountedEdge> snapRounded(std::vector<CountedEdge> edges, const Progress& progress) {
-  for (int round = 0; round < mostRounds; ++round)
+  for (int round = 0; round < maximumRounds; ++round)
     if (!cutOnce(edges, progress)) return edges;
   throw Error(ErrorCode::Internal, "Rounding the shapes of a sum does not come to an end.",
               "Please report this with the shapes.");

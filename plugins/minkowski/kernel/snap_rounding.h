@@ -7,21 +7,21 @@
 
 namespace blossom::minkowski {
 
-/// Iterated snap rounding (Halperin & Packer 2002): edges that pass within a unit of a vertex are bent through it, crossings
-/// become vertices, until edges meet in common end points alone. No vertex moves by more than a few units.
+/// Iterated snap rounding (Halperin & Packer 2002): edges within a unit of a vertex are routed through it and crossings
+/// become vertices, until edges meet only in common end points. No vertex moves by more than a few units.
 /// @pre edges run from the lower to the higher point and differ
-/// @throws Error Cancelled; Internal when it does not come to an end.
+/// @throws Error Cancelled; Internal when it does not converge.
 std::vector<CountedEdge> snapRounded(std::vector<CountedEdge>, const Progress& = Progress::none());
 
-/// The loops as edges that count once, from the lower to the higher point, equal ones joined.
+/// The edges of the loops with count 1, as joinEqual returns them.
 std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>&);
 
-/// Whether edges meet in the corners of their own loops alone and nothing else comes within some units of another.
+/// Whether edges meet only in the corners of their own loops and are otherwise some units apart.
 bool isClear(const std::vector<GridPolygon>&, const Progress& = Progress::none());
 
-/// Loops as the convolution needs them: rounding to the grid may have brought thin parts to cross, and a crossing of a
-/// single unit turns the winding numbers of a whole sum. Where anything comes within a few units of another, the edges are
-/// snap-rounded and read anew; otherwise the loops stay as they are.
+/// The loops as the convolution requires them. Rounding to the grid may make thin parts cross, and a crossing of a single
+/// unit changes the winding numbers of a whole sum. Where parts come within a few units of one another, the edges are
+/// snap-rounded and the loops rebuilt; otherwise the loops are unchanged.
 std::vector<GridPolygon> untangled(std::vector<GridPolygon>, const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

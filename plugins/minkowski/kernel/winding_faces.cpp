@@ -35,13 +35,13 @@ class Sweeping {
     effort_.spend(1);
     reached_ = std::max(reached_, (x - left_) / std::max(right_ - left_, 1.0));
     if (++meetings_ % 64 == 0) progress_.report(share * reached_, "Finding the boundary");
-    if (meetings_ > mostMeetings)
+    if (meetings_ > maximumMeetings)
       throw Error(ErrorCode::LimitExceeded, "The edges of this sum cross millions of times.",
                   "Raise the tolerance, so that curves get fewer corners, or make the shapes less spiky.");
   }
 
  private:
-  static constexpr std::size_t mostMeetings = 20'000'000;  // some gigabytes
+  static constexpr std::size_t maximumMeetings = 20'000'000;  // some gigabytes
   const Progress& progress_;
   Effort& effort_;
   double left_, right_, reached_ = 0;

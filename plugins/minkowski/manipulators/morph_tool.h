@@ -8,8 +8,8 @@
 
 namespace blossom::minkowski {
 
-/// The control shapes of a morph where they stand, each with a handle at its centre. A drag writes the parameter `offsets`:
-/// the document is previewed meanwhile, letting go is one step of undo.
+/// The control shapes of a morph at their positions, each with a handle at its centre. A drag sets the parameter `offsets`:
+/// the document is previewed meanwhile, and the whole drag is one step of undo.
 class MorphTool final : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -39,7 +39,7 @@ class MorphTool final : public ui::HandleTool {
   std::vector<Control> controls_;
   std::vector<Vec2> offsets_;  ///< one for each control shape
   std::vector<Vec2> before_;
-  Vec2 grabbed_ = Vec2::Zero();  ///< from the handle to where the mouse took it
+  Vec2 grabbed_ = Vec2::Zero();  ///< offset from the handle to the mouse at the start of the drag
 };
 
 }  // namespace blossom::minkowski

@@ -58,7 +58,7 @@ void DragTool::drag(const ui::ToolEvent& event) {
   const Point grabbed = points(before_).at(*held());
   const bool free = event.modifiers.testFlag(Qt::ControlModifier);
   SnapQuery query{*at, reachPixels * event.millimetresPerPixel, host().gridSpacing(), grabbed.anchor, {}, {}};
-  snap_ = free ? Snap{*at, SnapKind::None, {}} : snapped(scene_, query);
+  snap_ = free ? Snap{*at, SnapKind::None, {}} : snappedPoint(scene_, query);
   const auto next = dragged(before_, *held(), snap_->point);
   if (!next || *next == parameters_) return;
   parameters_ = *next;

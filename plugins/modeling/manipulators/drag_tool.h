@@ -9,8 +9,8 @@ namespace blossom::modeling {
 
 class ToolPaint;
 
-/// Points of one feature that can be dragged in the plane z = 0. While one is dragged the document is previewed with the
-/// parameters that follow from it; letting go is one step of undo.
+/// Points of one feature that can be dragged in the plane z = 0. During a drag the document is previewed with the resulting
+/// parameters; the whole drag is one step of undo.
 class DragTool : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -24,17 +24,17 @@ class DragTool : public ui::HandleTool {
   struct Point {
     Vec2 at = Vec2::Zero();
     QString what;                ///< "the centre", for the status line and the undo list
-    std::optional<Vec2> anchor;  ///< guides start here while it is dragged
-    bool round = false;          ///< drawn as a ring: it sets a size and is no point of the shape
+    std::optional<Vec2> anchor;  ///< start of guides during a drag
+    bool round = false;          ///< drawn as a ring: a handle for a size, not a point of the shape
   };
-  /// From the parameters of the feature as they are now.
+  /// The points for the current parameters of the feature.
   [[nodiscard]] virtual std::vector<Point> points(const Value& parameters) const = 0;
-  /// The parameters with point `index` there; nothing when that is not possible.
+  /// The parameters after moving point `index`; empty when that is impossible.
   [[nodiscard]] virtual std::optional<Value> dragged(const Value& parameters, std::size_t index, const Vec2& to) const = 0;
   virtual void paint(ToolPaint&, const Value& parameters) const;
   [[nodiscard]] virtual QString idleHint() const;
 
-  /// Complete and canonical, with what is being dragged.
+  /// Complete and canonical, including the current drag.
   [[nodiscard]] const Value& parameters() const { return parameters_; }
   [[nodiscard]] std::optional<std::size_t> handleUnder(const ui::ToolEvent&) const override;
   /// The point that was clicked last.

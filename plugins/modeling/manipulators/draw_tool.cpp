@@ -49,7 +49,7 @@ void DrawTool::hover(const ui::ToolEvent& event) {
   const bool free = event.modifiers.testFlag(Qt::ControlModifier);
   const double reach = free ? 0 : reachPixels * millimetresPerPixel_;
   draft_.hover(free ? Snap{*at, SnapKind::None, {}}
-                    : snapped(draft_.sceneWith(scene_), draft_.query(*at, reach, host().gridSpacing())));
+                    : snappedPoint(draft_.sceneWith(scene_), draft_.query(*at, reach, host().gridSpacing())));
 }
 
 bool DrawTool::move(const ui::ToolEvent& event) {

@@ -7,7 +7,7 @@ namespace blossom::modeling {
 
 class ToolPaint;
 
-/// Draws a new outline by clicking: see OutlineDraft for what the clicks mean.
+/// Draws a new outline by clicks; OutlineDraft defines their meaning.
 class DrawTool : public ui::Tool {
   Q_OBJECT
  public:
@@ -37,7 +37,7 @@ class DrawTool : public ui::Tool {
   OutlineDraft draft_;
   SnapScene scene_;
   double millimetresPerPixel_ = 1;
-  QString refusal_;  ///< why the last click did nothing; until the next move
+  QString refusal_;  ///< why the last click had no effect; until the next move
 };
 
 }  // namespace blossom::modeling

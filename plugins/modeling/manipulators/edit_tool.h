@@ -4,8 +4,8 @@
 
 namespace blossom::modeling {
 
-/// Edits a drawn outline: its points are dragged, added on a segment by a double click, removed with Delete. Each is a step
-/// of undo of its own.
+/// Edits a drawn outline: drags its points, adds a point on a segment by a double click, removes one with Delete. Each is
+/// one step of undo.
 class EditTool final : public DragTool {
   Q_OBJECT
  public:

@@ -3,7 +3,7 @@
 
 namespace blossom::modeling {
 
-/// The drawing tool, and the handles of all outlines.
+/// Registers the drawing tool and the handles of all outlines.
 void registerOutlineTools(ui::ManipulatorRegistry&);
 
 }  // namespace blossom::modeling

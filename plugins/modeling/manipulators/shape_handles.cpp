@@ -37,7 +37,7 @@ bool setLength(Value& p, const char* name, double value) {
 
 double angleOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
-/// How one sort of shape shows and takes its handles after the first.
+/// The handles of one kind of shape after the first, and the effect of dragging them.
 struct Behaviour {
   std::function<std::vector<ShapeHandle>(const Value&)> handles;
   std::function<bool(Value&, std::size_t, const Vec2& offset)> drag;  ///< offset from the centre

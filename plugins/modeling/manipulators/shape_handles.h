@@ -8,7 +8,7 @@
 
 namespace blossom::modeling {
 
-/// What a handle of an outline feature sets.
+/// The property set by a handle of an outline feature.
 enum class HandleRole { Centre, Size, Corner, Rounding };
 
 struct ShapeHandle {
@@ -16,12 +16,12 @@ struct ShapeHandle {
   HandleRole role = HandleRole::Centre;
 };
 
-/// The handles of a circle, ellipse, polygon, star, rectangle, slot or text with these parameters (complete, canonical); the
-/// first one moves the whole.
+/// The handles of a circle, ellipse, polygon, star, rectangle, slot or text with these (complete, canonical) parameters; the
+/// first one moves the whole shape.
 std::vector<ShapeHandle> shapeHandles(const std::string& featureType, const Value& parameters);
 
-/// The parameters when a handle is dragged to a place: the shape then passes it, as far as its sort allows. Corners of
-/// rectangles and ends of slots leave the opposite one where it is. Nothing when a size would vanish.
+/// The parameters after dragging a handle to a position, so that the shape passes through it as far as its kind allows.
+/// Corners of rectangles and ends of slots leave the opposite one unchanged. Empty when a size would vanish.
 std::optional<Value> draggedHandle(const std::string& featureType, const Value& parameters, std::size_t handle,
                                    const Vec2& to);
 

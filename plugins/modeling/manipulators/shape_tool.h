@@ -3,7 +3,7 @@
 
 namespace blossom::modeling {
 
-/// Handles of the outlines that are made from a few sizes: centre, corners, radii.
+/// Handles of outlines defined by a few sizes: centre, corners, radii.
 class ShapeTool final : public DragTool {
   Q_OBJECT
  public:

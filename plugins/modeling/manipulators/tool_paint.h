@@ -12,8 +12,8 @@ class vtkProp;
 
 namespace blossom::modeling {
 
-/// What a tool draws over the scene in the plane z = 0, on top of everything: lines, and handles, snap markers and labels
-/// that keep their size on the screen and face the viewer.
+/// Graphics of a tool over the scene in the plane z = 0, on top of everything: lines, and handles, snap markers and labels
+/// of constant size on the screen, facing the viewer.
 class ToolPaint {
  public:
   ToolPaint(const Look& look, double millimetresPerPixel, double pixelRatio)
@@ -22,13 +22,13 @@ class ToolPaint {
   void path(const Path&, const Color&, double width = 2);
   void segment(const Segment&, const Color&, double width = 2);
   void dashed(const Vec2& from, const Vec2& to, const Color&);
-  /// A help line through a point, from its origin past `to`.
+  /// A construction line through a point, from its origin past `to`.
   void guide(const Guide&, const Vec2& to);
   void square(const Vec2& at, const Color&, bool filled, double half = 4);
   void ring(const Vec2& at, const Color&, double radius = 5);
-  /// The sign of what the mouse was caught by.
+  /// The marker of the object that the mouse snapped to.
   void snapMarker(const Vec2& at, SnapKind);
-  /// Text on a card above a point.
+  /// A text on a card above a point.
   void label(const Vec2& at, const QString& text, const Color&);
 
   [[nodiscard]] const Look& look() const { return look_; }

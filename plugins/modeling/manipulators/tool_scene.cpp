@@ -10,13 +10,13 @@
 namespace blossom::modeling {
 namespace {
 
-constexpr double level = 1e-6;              // mm from the plane
-constexpr std::size_t mostPoints = 100000;  // looked through at each move of the mouse
+constexpr double level = 1e-6;                 // mm from the plane
+constexpr std::size_t maximumPoints = 100000;  // looked through at each move of the mouse
 
 void addCorners(SnapScene& scene, const Brep& brep) {
   TopTools_IndexedMapOfShape vertices;
   TopExp::MapShapes(brep.shape(), TopAbs_VERTEX, vertices);
-  for (int k = 1; k <= vertices.Extent() && scene.points.size() < mostPoints; ++k) {
+  for (int k = 1; k <= vertices.Extent() && scene.points.size() < maximumPoints; ++k) {
     const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(vertices(k)));
     if (std::abs(p.Z()) <= level) scene.points.push_back({{p.X(), p.Y()}, SnapKind::Point});
   }
@@ -24,7 +24,7 @@ void addCorners(SnapScene& scene, const Brep& brep) {
 
 void addPaths(SnapScene& scene, const std::vector<Path>& paths) {
   for (const Path& path : paths)
-    if (scene.points.size() < mostPoints) addToScene(scene, path);
+    if (scene.points.size() < maximumPoints) addToScene(scene, path);
 }
 
 }  // namespace

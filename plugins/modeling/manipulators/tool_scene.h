@@ -6,10 +6,10 @@
 
 namespace blossom::modeling {
 
-inline constexpr double gripPixels = 8;   ///< how near the mouse takes hold of a point or a curve
-inline constexpr double reachPixels = 9;  ///< how near it snaps
+inline constexpr double gripPixels = 8;   ///< maximum distance at which the mouse grabs a point or a curve
+inline constexpr double reachPixels = 9;  ///< maximum distance at which it snaps
 
-/// Points and curves of all visible features that lie in the plane z = 0, but for one.
+/// Points and curves of all visible features in the plane z = 0, except one feature.
 SnapScene snapScene(const ui::ToolHost&, const FeatureId& except);
 
 /// "end point", "midpoint", .. for the status line and beside the marker; empty for None.

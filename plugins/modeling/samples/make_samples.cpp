@@ -15,7 +15,7 @@ class Model {
  public:
   explicit Model(const App& app) : app_(app) {}
 
-  /// Adds a feature; what it takes is hidden from then on.
+  /// Adds a feature and hides its inputs.
   FeatureId add(const char* command, const char* name, Value parameters, const std::vector<FeatureId>& inputs = {}) {
     const auto type = app_.registry->at(command);
     Feature feature{document_.freshId(command), type->id, name, std::move(parameters), inputs, true, false, Value::object()};
@@ -39,7 +39,7 @@ class Model {
  private:
   [[nodiscard]] Value nearest(const FeatureId& id, const Vec3& at, TopAbs_ShapeEnum type, const char* kind) const {
     const TopoDS_Shape point = BRepBuilderAPI_MakeVertex(modeling::toPoint(at)).Shape();
-    const auto parts = modeling::partsOf(shapes_.at(id).get<Brep>()->shape(), type);
+    const auto parts = modeling::subShapesOf(shapes_.at(id).get<Brep>()->shape(), type);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (BRepExtrema_DistShapeShape(parts[i], point).Value() < 1e-6)
         return {{"input", "shape"}, {"kind", kind}, {"index", i}};

@@ -64,9 +64,9 @@ double nearestFace(const Directions& d) {
 BallResult ball(const BallOptions& options) {
   if (!(options.radius > 0) || !std::isfinite(options.radius))
     throw Error(ErrorCode::InvalidParameter, "The radius of a ball must be above 0.", "Give a radius in mm.");
-  if (options.subdivisions < 0 || options.subdivisions > mostSubdivisions)
+  if (options.subdivisions < 0 || options.subdivisions > maximumSubdivisions)
     throw Error(ErrorCode::InvalidParameter,
-                fmt::format("The subdivisions of a ball must lie between 0 and {}; they are {}.", mostSubdivisions,
+                fmt::format("The subdivisions of a ball must lie between 0 and {}; they are {}.", maximumSubdivisions,
                             options.subdivisions),
                 "Two subdivisions make 320 faces, three 1280.");
   Directions directions = icosahedron();

@@ -4,13 +4,13 @@
 namespace blossom::morphology {
 
 enum class BallFit {
-  Inscribed,     ///< vertices on the sphere: the polyhedron lies in the ball
-  Circumscribed  ///< faces touch or pass outside of the sphere: the ball lies in the polyhedron
+  Inscribed,     ///< vertices on the sphere: the polyhedron is inside the ball
+  Circumscribed  ///< faces touch or lie outside the sphere: the ball is inside the polyhedron
 };
 
 struct BallOptions {
   double radius = 1;     ///< mm, above 0
-  int subdivisions = 1;  ///< 0: the icosahedron; each one makes four triangles of one: 20, 80, 320, 1280, ..
+  int subdivisions = 1;  ///< 0: the icosahedron; each divides a triangle into four: 20, 80, 320, 1280, ..
   BallFit fit = BallFit::Inscribed;
 };
 
@@ -19,9 +19,9 @@ struct BallResult {
   double deviation = 0;  ///< mm, largest distance between the polyhedron and the sphere
 };
 
-inline constexpr int mostSubdivisions = 6;
+inline constexpr int maximumSubdivisions = 6;
 
-/// A geodesic ball. Its vertices have the same directions at every radius, so that growing it only moves points.
+/// A geodesic ball. The directions of its vertices do not depend on the radius, so growing it only moves points.
 /// @throws Error InvalidParameter.
 BallResult ball(const BallOptions&);
 

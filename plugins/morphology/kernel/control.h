@@ -10,8 +10,8 @@ struct ControlPoint {
   double t = 0, value = 0;
 };
 
-/// f(t). Ease starts and ends at rest (3t^2 - 2t^3), ease-in starts and ease-out ends so. A curve runs straight between its
-/// points, whose t do not decrease, and level before and after them.
+/// f(t). Ease starts and ends at rest (3t^2 - 2t^3), ease-in starts and ease-out ends at rest. A curve is linear between its
+/// points, whose t must not decrease, and constant before the first and after the last.
 /// @throws Error InvalidParameter when a curve has no points.
 double controlValue(Control, const std::vector<ControlPoint>& curve, double t);
 

@@ -12,26 +12,27 @@
 /// Solids in exact arithmetic and sums of their convex parts. CGAL stays behind these handles.
 namespace blossom::morphology {
 
+/// Solids in exact arithmetic and sums of their convex parts. CGAL is hidden behind these handles.
 struct SolidBody;
 struct PartList;
 
-/// A regular closed polyhedron with exact vertices; holes, voids and several components are allowed. Immutable and shared;
-/// its numbers are evaluated lazily, so one thread at a time.
+/// A regular closed polyhedron with exact vertices; holes, voids and several components are allowed. Immutable and shared,
+/// but evaluated lazily: use each from one thread at a time.
 using Solid = std::shared_ptr<const SolidBody>;
 
-/// Convex pieces (each the hull of its points, of any dimension) whose union is a shape.
+/// Convex pieces (each the hull of its points, of any dimension) whose union is the shape.
 using Parts = std::shared_ptr<const PartList>;
 
-/// What a sum took.
+/// Counts and times of a sum.
 struct SumCounts {
-  std::size_t pairs = 0;       ///< convex pieces added pair by pair
-  std::size_t candidates = 0;  ///< facets of those sums before they are united
+  std::size_t pairs = 0;       ///< number of pairs of convex pieces that were added
+  std::size_t candidates = 0;  ///< facets of their sums before the union
   double sumMs = 0, uniteMs = 0;
 };
 
-/// From closed, oriented, manifold triangles that cross nowhere; shells that look inwards are voids. Coordinates are taken
-/// as they are. Shells may touch themselves in common vertices and edges.
-/// @throws Error InvalidInput in the words of the subject, Cancelled.
+/// The solid of closed, oriented, manifold triangles without intersections; shells oriented inward are voids. Coordinates
+/// are not rounded. Shells may touch themselves in common vertices and edges.
+/// @throws Error InvalidInput that names the subject, Cancelled.
 Solid exactSolid(const Mesh& triangles, const Subject&, const Progress&);
 Solid box(const Bounds&);
 /// nullptr when the points lie in a plane.
@@ -40,28 +41,29 @@ Solid hull(const std::vector<Vec3>& points);
 [[nodiscard]] bool isEmpty(const Solid&);
 [[nodiscard]] bool isConvex(const Solid&);
 
-/// A solid taken apart (CGAL's convex decomposition: walls through the reflex edges, O(r^2) parts for r of them).
+/// Convex decomposition by CGAL: walls through the reflex edges, O(r^2) parts for r of them.
 Parts convexParts(const Solid&, const Progress&);
-/// frame - solid, taken apart.
+/// Convex decomposition of frame - solid.
 Parts convexPartsOutside(const Solid&, const Bounds& frame, const Progress&);
-/// Each piece is given by its corners: a point, a segment, a triangle.
+/// Pieces from their corners: points, segments or triangles.
 Parts piecesOf(const std::vector<std::vector<Vec3>>&);
 [[nodiscard]] std::size_t partCount(const Parts&);
-/// Pieces times `factor` (which may be below 0), moved to coordinates that are multiples of `grid` where they were before.
+/// Pieces times `factor`, which may be negative, with coordinates rounded to multiples of `grid` where they were multiples
+/// before.
 Parts scaled(const Parts&, double factor, double grid);
 
-/// The union of a + b over all pairs of pieces, without what has no volume. Pieces that lie side by side are united first;
-/// CGAL's corefinement does it, Nef polyhedra where the surface would touch itself.
+/// The union of a + b over all pairs of pieces, without parts of zero volume. Adjacent pieces are united first, by CGAL's
+/// corefinement, or as Nef polyhedra where the surface would touch itself.
 Solid sumOf(const Parts& a, const Parts& b, SumCounts&, const Progress&);
-/// factorA a + factorB b by CGAL::minkowski_sum_3 alone: convex parts as CGAL makes them, united as Nef polyhedra. Faces
-/// that lie in one plane cost it nothing. Factors above 0.
+/// factorA a + factorB b by CGAL::minkowski_sum_3 alone: CGAL's convex parts, united as Nef polyhedra. Coplanar faces do not
+/// slow it down. Factors above 0.
 Solid minkowskiSum(const Solid& a, double factorA, const Solid& b, double factorB, const Progress&);
-/// {x : x + b lies in a for every b of `parts`}, for a convex solid: its planes moved inwards.
+/// {x : x + b in a for every b of `parts`}, for a convex solid a: its planes are moved inward.
 Solid shrunk(const Solid& convex, const Parts& parts, const Progress&);
 /// frame - solid.
 Solid cutFrom(const Bounds& frame, const Solid&, const Progress&);
 
-/// Triangles with vertices rounded to doubles, closed and oriented, `shift` added.
+/// Closed, oriented triangles with vertices rounded to doubles, translated by `shift`.
 Mesh rounded(const Solid&, const Vec3& shift, const Progress&);
 
 }  // namespace blossom::morphology

@@ -1,5 +1,5 @@
 #include "kernel/exact_types.h"
-// After Nef polyhedra, whose debugging macros other headers take away.
+// After the header of Nef polyhedra, because other headers undefine its debugging macros.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_3.h>
 

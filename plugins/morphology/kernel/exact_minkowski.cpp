@@ -1,4 +1,4 @@
-// First: the headers after it take away the debugging macros that its own still need.
+// First, because the headers after it undefine debugging macros that it needs.
 #include "kernel/exact_types.h"
 
 #include <CGAL/minkowski_sum_3.h>

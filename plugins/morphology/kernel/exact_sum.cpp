@@ -26,16 +26,16 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 /// Largest number of point pairs that one hull is made of.
-constexpr std::size_t mostPairsOfPoints = 40'000'000;
+constexpr std::size_t maximumPairsOfPoints = 40'000'000;
 
-/// A sum of two pieces, or a union of such, with the place it stands for in the order of unions.
+/// A sum of two pieces, or a union of such sums, with its position in the order of unions.
 struct Piece {
   Solid solid;
   Vec3 place = Vec3::Zero();
 };
 
 SurfaceMesh hullOfSum(const Part& a, const Part& b, Vec3& place) {
-  if (a.points.size() > mostPairsOfPoints / std::max<std::size_t>(1, b.points.size()))
+  if (a.points.size() > maximumPairsOfPoints / std::max<std::size_t>(1, b.points.size()))
     throw Error(ErrorCode::LimitExceeded, "The two shapes have too many vertices to be added.",
                 "Use a ball with fewer subdivisions, or a larger deviation.");
   place = Vec3::Zero();

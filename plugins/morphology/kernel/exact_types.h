@@ -21,13 +21,13 @@ using SurfaceMesh = CGAL::Surface_mesh<Point>;
 using Nef = CGAL::Nef_polyhedron_3<Exact>;
 
 struct SolidBody {
-  SurfaceMesh surface;     ///< triangles; without faces when only `nef` holds the solid
-  std::optional<Nef> nef;  ///< where the surface touches itself
+  SurfaceMesh surface;     ///< triangles; without faces when the solid is stored only in `nef`
+  std::optional<Nef> nef;  ///< when the surface touches itself
   bool convex = false;
-  std::vector<Vec3> gridPoints;  ///< vertices of a convex solid whose coordinates are doubles that sum up exactly
+  std::vector<Vec3> gridPoints;  ///< vertices of a convex solid, if their coordinates are doubles whose sums are exact
 };
 
-/// Hull of `points`; `grid` are the same points where they are doubles that sum up exactly.
+/// Hull of `points`; `grid` are the same points, if they are doubles whose sums are exact.
 struct Part {
   std::vector<Point> points;
   std::vector<Vec3> grid;
@@ -51,22 +51,22 @@ inline Vec3 toVec3(const Point& p) {
 
 Solid solidFrom(SurfaceMesh);
 Solid solidFrom(Nef);
-/// From corners by number. @throws Error InvalidInput naming the subject.
+/// A surface from points and indices. @throws Error InvalidInput naming the subject.
 SurfaceMesh surfaceFrom(const std::vector<Point>& points, const std::vector<std::array<int, 3>>& faces,
                         const std::string& subject);
-/// As Nef polyhedron: shells looking inwards are cut out.
+/// A Nef polyhedron; shells oriented inward are subtracted.
 Nef nefOf(const SolidBody&);
-/// Of one shell that looks outwards and touches itself nowhere.
+/// A Nef polyhedron of one outward shell that does not touch itself.
 Nef nefOf(const SurfaceMesh& shell);
-/// What a shell turned outwards encloses, and whether that is of the solid or a void in it.
+/// The polyhedron enclosed by a shell (oriented outward), and whether it is part of the solid or a void.
 struct NefShell {
   Nef nef;
   Exact::FT volume;
   bool inside = true;
 };
-/// Solids united, voids cut out, the larger ones first.
+/// Unites solids and subtracts voids, larger ones first.
 Nef nefOf(std::vector<NefShell>);
-/// Regularised. Here alone Nef polyhedra are combined: the compiler takes a minute over it.
+/// Regularised Boolean operations. Nef polyhedra are combined only here, because the compiler takes a minute for it.
 Nef unionOf(const Nef&, const Nef&);
 Nef differenceOf(const Nef&, const Nef&);
 Nef symmetricDifferenceOf(const Nef&, const Nef&);
@@ -78,8 +78,8 @@ struct Triangles {
 Triangles trianglesOf(const Nef&);
 SurfaceMesh hullOf(const std::vector<Point>&);
 SurfaceMesh hullOf(const std::vector<Vec3>&);
-/// Neighbouring convex parts joined where their union is nearly convex: the decomposition puts up more
-/// walls than it needs. Parts only grow by it, see joinedPartsFlatness.
+/// Joins neighbouring convex parts where their union is nearly convex, because the decomposition makes more walls than
+/// needed. Parts only grow by it, see joinedPartsFlatness.
 Parts joinedParts(const Parts&, const Progress&);
 bool haveVolume(const std::vector<Point>&);
 

@@ -132,13 +132,13 @@ class Attempts {
 
   /// Polygons that cross something are split: their triangles may run otherwise than those their readers make.
   [[nodiscard]] std::optional<Mesh> withFewerPolygons(Mesh mesh) {
-    constexpr int mostRounds = 8;
-    for (int round = 0; round <= mostRounds; ++round) {
+    constexpr int maximumRounds = 8;
+    for (int round = 0; round <= maximumRounds; ++round) {
       if (auto made = asIs(mesh)) return made;
       if (!crossing_) return std::nullopt;
       const std::size_t before = mesh.faceCount();
       const auto isHit = [&](std::size_t f) { return f == crossing_->first || f == crossing_->second; };
-      mesh = withSplit(mesh, [&](std::size_t f) { return round == mostRounds || isHit(f); });
+      mesh = withSplit(mesh, [&](std::size_t f) { return round == maximumRounds || isHit(f); });
       if (mesh.faceCount() == before) return std::nullopt;
     }
     return asIs(mesh);

@@ -4,13 +4,14 @@
 
 namespace blossom::morphology {
 
-/// The same faces with vertices doubled where only corners or edges touch, so that the surface is a manifold wherever that
-/// needs no new vertices. At an edge with more than two faces, the two at each wedge of the inside belong together.
-/// Vertices that no face uses are dropped. Faces must be oriented and run through every edge as often both ways. O(n log n).
+/// The same faces with vertices duplicated where only corners or edges touch, so that the surface is a manifold as far as
+/// that is possible without new vertices. At an edge with more than two faces, the two faces at each interior wedge are
+/// connected. Unused vertices are removed. Faces must be oriented and traverse every edge equally often in both directions.
+/// O(n log n).
 Mesh manifoldOf(const Mesh&, const Progress& = Progress::none());
 
-/// The same for triangles, with new vertices where it needs them: an edge of which both ends hang together otherwise gets
-/// one in its middle, for each of its wedges.
+/// The same for triangles, with new vertices where needed: an edge whose ends are connected by other faces is divided in the
+/// middle, once for each of its wedges.
 Mesh manifoldOfTriangles(const Mesh& triangles, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

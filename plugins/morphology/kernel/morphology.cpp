@@ -20,7 +20,7 @@ class Work {
  public:
   explicit Work(const Progress& progress) : progress_(progress) {}
 
-  [[nodiscard]] Prepared prepare(const Operand& operand, const Grid& grid, double from, double to) {
+  [[nodiscard]] Prepared prepare(const Operand& operand, const CommonGrid& grid, double from, double to) {
     Stopwatch watch;
     Prepared made = prepared(operand, grid, progress_.part(from, to));
     stats_.checkMs += watch.lap();
@@ -67,7 +67,8 @@ class Work {
 
   /// An exact result as an operand, rounded as if it came from a file: it has faces that are bent by less than rounding, and
   /// every bend would be taken apart. As it is where rounding would make it cross itself.
-  [[nodiscard]] Prepared asOperand(const Solid& solid, const Bounds& bounds, const Grid& grid, double from, double to) {
+  [[nodiscard]] Prepared asOperand(const Solid& solid, const Bounds& bounds, const CommonGrid& grid, double from,
+                                   double to) {
     Prepared made;
     made.solid = solid;
     made.bounds = bounds;
@@ -179,12 +180,12 @@ std::string inSentence(std::string name) {
 constexpr const char* smallerElement = "Choose a smaller second shape.";
 
 struct Pair {
-  Grid grid;
+  CommonGrid grid;
   Prepared a, b;
 };
 
 Pair prepare(Work& work, const Operand& a, const Operand& b) {
-  const Grid grid = gridFor(a.bounds(), b.bounds());
+  const CommonGrid grid = gridFor(a.bounds(), b.bounds());
   Pair pair{grid, work.prepare(a, grid, 0, 0.05), {}};
   pair.b = work.prepare(b, grid, 0.05, 0.1);
   return pair;
@@ -301,7 +302,7 @@ void eachRadius(Work& work, const Operand& a, const GrowOptions& options, const 
   requireSolid(a);
   const double largest = largestOf(options.radii);
   const Operand widest = ballOperand(largest > 0 ? largest : 1, options);
-  const Grid grid = gridFor(a.bounds(), widest.bounds());
+  const CommonGrid grid = gridFor(a.bounds(), widest.bounds());
   const Prepared solid = work.prepare(a, grid, 0, 0.1);
   const double share = 0.9 / static_cast<double>(std::max<std::size_t>(1, options.radii.size()));
   double from = 0.1;
@@ -328,11 +329,12 @@ void eachRadius(Work& work, const Operand& a, const GrowOptions& options, const 
 MorphologyResult inflated(const Operand& a, const GrowOptions& options, const Progress& progress, Way way) {
   Work work(progress);
   Parts parts;
-  eachRadius(work, a, options, [&](const Prepared& solid, const Prepared& element, const Grid&, double from, double to) {
-    if (way == Way::Nef) return work.nefSum(solid, 1, element, 1, from, to);
-    if (!parts) parts = work.apart(solid, from, from + 0.2 * (to - from));
-    return work.sum(parts, partsOf(element, Progress::none()), from + 0.2 * (to - from), to);
-  });
+  eachRadius(work, a, options,
+             [&](const Prepared& solid, const Prepared& element, const CommonGrid&, double from, double to) {
+               if (way == Way::Nef) return work.nefSum(solid, 1, element, 1, from, to);
+               if (!parts) parts = work.apart(solid, from, from + 0.2 * (to - from));
+               return work.sum(parts, partsOf(element, Progress::none()), from + 0.2 * (to - from), to);
+             });
   return work.result();
 }
 
@@ -340,7 +342,7 @@ MorphologyResult melted(const Operand& a, const GrowOptions& options, const Prog
   Work work(progress);
   std::optional<Eroder> eroder;
   eachRadius(work, a, options,
-             [&](const Prepared& solid, const Prepared& element, const Grid& grid, double from, double to) {
+             [&](const Prepared& solid, const Prepared& element, const CommonGrid& grid, double from, double to) {
                if (!eroder) eroder.emplace(work, solid.solid, solid.bounds);
                return eroder->by(partsOf(element, Progress::none()), element.bounds, grid.step, from, to);
              });

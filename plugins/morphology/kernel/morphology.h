@@ -17,23 +17,32 @@
 /// in a solid, O(r^2) convex parts are added pair by pair and united.
 namespace blossom::morphology {
 
-/// Two ways to the same sum, neither of them always the faster.
+/// Morphology of solids (Liu, Chen, Wan, Zhu, "An Algorithm of 3-D Objects Morphing and Its Implementation Based on
+/// Morphology", sections 2 and 3). Coordinates are absolute: the origin matters, and need not lie in either shape.
+///
+/// Operands are rounded to a grid of 2^-44 of their size, then all is computed in exact arithmetic, except that bends too
+/// small to be distinguished from that rounding are ignored (see flatness.h). The corners of results are rounded to doubles,
+/// and an exact test for intersections of faces follows. Solids are regular closed sets: parts without volume are left out.
+/// They may touch themselves in common vertices and edges. A solid with r reflex edges has O(r^2) convex parts, which are
+/// added pair by pair and united.
+///
+/// Two algorithms for the same sum; which is faster depends on the operands.
 enum class Way {
-  Corefined,  ///< convex parts, joined again where that makes fewer, and united by cutting their surfaces along each other
-  Nef         ///< CGAL::minkowski_sum_3 as it is; refuses operands that are no solids
+  Corefined,  ///< sums of convex parts (joined where possible), united by corefinement of their surfaces
+  Nef         ///< CGAL::minkowski_sum_3; both operands must be solids
 };
 
 struct MorphologyStats {
-  Way way = Way::Corefined;            ///< of the last sum
-  std::size_t partsA = 0, partsB = 0;  ///< convex parts of both, or of what lies outside the first (difference)
-  std::size_t pairs = 0;               ///< of parts that were added
-  std::size_t candidates = 0;          ///< facets of the sums of pairs, before they were united
+  Way way = Way::Corefined;            ///< algorithm of the last sum
+  std::size_t partsA = 0, partsB = 0;  ///< convex parts of both; for a difference, of the outside of the first
+  std::size_t pairs = 0;               ///< number of pairs of parts that were added
+  std::size_t candidates = 0;          ///< facets of the sums of pairs before the union
   double checkMs = 0, decomposeMs = 0, sumMs = 0, uniteMs = 0, outputMs = 0;
 };
 
-/// Closed, oriented polygons; faces of one plane are one.
+/// Closed, oriented polygons; coplanar faces are joined.
 struct MorphologyResult {
-  std::vector<Mesh> solids;  ///< one a frame
+  std::vector<Mesh> solids;  ///< one per frame
   MorphologyStats stats;
   std::vector<std::string> warnings;
 };
@@ -41,13 +50,13 @@ struct MorphologyResult {
 /// A + B = {a + b} (Definition 5). @throws Error InvalidInput, Degenerate when it has no volume, LimitExceeded, Cancelled.
 MorphologyResult solidSum(const Operand& a, const Operand& b, const Progress& = Progress::none(), Way = Way::Corefined);
 
-/// {x : x + B inside A}, the complement of (complement of A) + (-B). The paper's Definition 5 erodes by -B; this is the one
-/// that undoes a translation by B. @throws Error as solidSum; Degenerate when nothing is left.
+/// {x : x + B inside A}, the complement of (complement of A) + (-B). The paper's Definition 5 erodes by -B; this definition
+/// makes A - B the inverse of A + B for a translation. @throws Error as solidSum; Degenerate when nothing is left.
 MorphologyResult solidDifference(const Operand& a, const Operand& b, const Progress& = Progress::none());
 
-/// (A - B) + B: what of A is reached by a B that stays inside.
+/// (A - B) + B: the part of A covered by copies of B inside A.
 MorphologyResult solidOpening(const Operand& a, const Operand& b, const Progress& = Progress::none());
-/// (A + B) - B: A and all places that B cannot enter from outside.
+/// (A + B) - B: A and all places that B cannot reach from outside.
 MorphologyResult solidClosing(const Operand& a, const Operand& b, const Progress& = Progress::none());
 
 /// (1 - w) A + w B for every weight w in 0..1 (Definition 9, w = f(t)); A itself at 0, B itself at 1. Both are solids.
@@ -55,15 +64,15 @@ MorphologyResult solidMorph(const Operand& a, const Operand& b, const std::vecto
                             const Progress& = Progress::none(), Way = Way::Corefined);
 
 struct GrowOptions {
-  std::vector<double> radii{1};  ///< mm, one solid each, not decreasing; 0 gives the solid itself
+  std::vector<double> radii{1};  ///< mm, one solid each, not decreasing; 0 for the solid itself
   int subdivisions = 1;          ///< of the ball
   BallFit fit = BallFit::Inscribed;
 };
 
 /// A + ball (section 3.2).
 MorphologyResult inflated(const Operand& a, const GrowOptions&, const Progress& = Progress::none(), Way = Way::Corefined);
-/// A - ball. The paper writes A + tB here, too; meant is the difference. Ends before the first radius at which nothing is
-/// left, with a warning. @throws Error Degenerate when nothing is left at the first.
+/// A - ball. The paper writes A + tB here too, but means the difference. Ends before the first radius at which nothing is
+/// left, with a warning. @throws Error Degenerate when nothing is left at the first radius.
 MorphologyResult melted(const Operand& a, const GrowOptions&, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

@@ -50,7 +50,7 @@ Operand fromMesh(Mesh mesh, Operand out) {
     for (const Vec3& p : mesh.points) out.pieces.push_back({p});
     return out;
   }
-  refuseRubbish(mesh, {out.name});
+  refuseUnusable(mesh, {out.name});
   if (!meshTopology(mesh).closed() && isFlat(mesh)) {
     out.form = Operand::Form::Flat;
     const Mesh triangles = triangulated(mesh).first;
@@ -73,7 +73,7 @@ Operand fromTessellation(const Tessellation& made, Operand out) {
   return out;
 }
 
-/// A drawing of closed outlines stands for what they enclose.
+/// A drawing of closed outlines is the area they enclose.
 bool isOutline(const Curves& drawing) {
   return !drawing.paths.empty() &&
          std::all_of(drawing.paths.begin(), drawing.paths.end(), [](const Path& path) { return path.closed; });

@@ -9,25 +9,24 @@
 
 namespace blossom::morphology {
 
-/// What a morphology operation is made of: a solid, or something thinner that a solid is added to or melted by.
+/// An operand of morphology: a solid, or a thinner shape with which a solid is dilated or eroded.
 struct Operand {
   enum class Form { Body, Flat, Lines, Points };
   Form form = Form::Body;
-  Mesh mesh;                              ///< of a solid
-  std::vector<std::vector<Vec3>> pieces;  ///< otherwise: triangles, segments or points
+  Mesh mesh;                              ///< of a Body
+  std::vector<std::vector<Vec3>> pieces;  ///< of other forms: triangles, segments or points
   std::string name = "The solid";         ///< in messages
   [[nodiscard]] Bounds bounds() const;
 };
 
 struct OperandOptions {
-  double deviation = 0.05;  ///< mm, largest distance between a curved shape and the polyhedron for it
+  double deviation = 0.05;  ///< mm, maximum distance between a curved shape and its polyhedron
   std::string name = "The solid";
-  bool solidOnly = false;  ///< refuse what has no volume
+  bool solidOnly = false;  ///< refuse shapes without volume
 };
 
-/// A mesh or B-rep as a solid; regions, closed outlines, flat faces and open flat
-/// meshes as flat pieces; other curves and wires as segments; a mesh
-/// without faces as points. @throws Error InvalidInput, Cancelled.
+/// A mesh or B-rep becomes a Body; regions, closed outlines, planar faces and open planar meshes become Flat pieces; other
+/// curves and wires Lines; a mesh without faces Points. @throws Error InvalidInput, Cancelled.
 Operand operandOf(const Shape&, const OperandOptions&, const Progress& = Progress::none());
 
 }  // namespace blossom::morphology

@@ -5,12 +5,12 @@
 
 namespace blossom::morphology {
 
-/// What a message speaks of: its name, and where its coordinates begin.
+/// The shape that a message is about: its name and the origin of its local coordinates.
 struct Subject {
   std::string name;            ///< "The first solid"
-  Vec3 origin = Vec3::Zero();  ///< is added to every place named
+  Vec3 origin = Vec3::Zero();  ///< added to local coordinates
 
-  /// A place in a message: "(1, 2.5, -3)", to six digits.
+  /// A position in a message: "(1, 2.5, -3)", to six digits.
   [[nodiscard]] std::string place(const Vec3& local) const { return placeText(local + origin); }
 };
 

@@ -6,8 +6,8 @@
 
 namespace blossom::morphology {
 
-/// Triangles of what lies between loops of points in a plane (to the left of each loop seen against `normal`), as indices of
-/// `points`: a constrained Delaunay triangulation without further points. Nothing when loops cross.
+/// Triangles of the area between loops of coplanar points (to the left of each loop seen against `normal`), as indices of
+/// `points`: a constrained Delaunay triangulation without additional points. Empty when loops cross.
 std::vector<std::array<int, 3>> trianglesBetween(const std::vector<Vec3>& points, const std::vector<std::vector<int>>& loops,
                                                  const Vec3& normal);
 

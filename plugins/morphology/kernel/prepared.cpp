@@ -50,12 +50,12 @@ Solid asConvex(const Mesh& triangles) {
 
 }  // namespace
 
-Grid gridFor(const Bounds& a, const Bounds& b) {
+CommonGrid gridFor(const Bounds& a, const Bounds& b) {
   const double largest = std::max((a.high - a.low).maxCoeff(), (b.high - b.low).maxCoeff());
   return {std::ldexp(1, std::ilogb(std::max(largest, 1e-9)) + 1 - gridBits)};
 }
 
-Prepared prepared(const Operand& operand, const Grid& grid, const Progress& progress) {
+Prepared prepared(const Operand& operand, const CommonGrid& grid, const Progress& progress) {
   Prepared result;
   result.name = operand.name;
   const Bounds box = operand.bounds();

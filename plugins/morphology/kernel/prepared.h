@@ -7,28 +7,28 @@
 
 namespace blossom::morphology {
 
-/// An operand on the grid of its operation, about its own centre, so that sums of coordinates are exact in doubles and
-/// places far from the origin cost no digits.
+/// An operand relative to its own centre and rounded to the grid of the operation, so that sums of coordinates are exact in
+/// doubles and positions far from the origin lose no digits.
 struct Prepared {
-  Solid solid;              ///< nullptr for thinner shapes
-  Parts pieces;             ///< of thinner shapes
-  bool bodiesMeet = false;  ///< bodies of the solid overlap or touch elsewhere than in common vertices and edges
-  Bounds bounds;            ///< about `centre`
+  Solid solid;              ///< nullptr for other forms
+  Parts pieces;             ///< of other forms
+  bool bodiesMeet = false;  ///< bodies of the solid overlap, or touch outside common vertices and edges
+  Bounds bounds;            ///< relative to `centre`
   Vec3 centre = Vec3::Zero();
   std::string name;
   std::vector<std::string> warnings;
 };
 
-/// Of two operands that are used together.
-struct Grid {
+/// Common grid of two operands.
+struct CommonGrid {
   double step = 1;
 };
-Grid gridFor(const Bounds& a, const Bounds& b);
+CommonGrid gridFor(const Bounds& a, const Bounds& b);
 
-/// @throws Error InvalidInput for what is no solid, see checkedSolid.
-Prepared prepared(const Operand&, const Grid&, const Progress&);
+/// @throws Error InvalidInput for a mesh that is no solid, see checkedSolid.
+Prepared prepared(const Operand&, const CommonGrid&, const Progress&);
 
-/// Convex parts of a solid, or the pieces that it is.
+/// The convex parts of a solid, or the pieces of another form.
 Parts partsOf(const Prepared&, const Progress&);
 
 }  // namespace blossom::morphology

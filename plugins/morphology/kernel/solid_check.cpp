@@ -126,7 +126,7 @@ void turnOutwards(CheckedSolid& solid, const Subject& subject) {
 
 }  // namespace
 
-void refuseRubbish(const Mesh& mesh, const Subject& subject) {
+void refuseUnusable(const Mesh& mesh, const Subject& subject) {
   if (mesh.faceCount() == 0)
     throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: it has no faces.", subject.name),
                 "Choose a solid or a closed mesh.");
@@ -149,7 +149,7 @@ void refuseRubbish(const Mesh& mesh, const Subject& subject) {
 }
 
 CheckedSolid checkedSolid(const Mesh& mesh, const Subject& subject, const Progress& progress) {
-  refuseRubbish(mesh, subject);
+  refuseUnusable(mesh, subject);
   progress.report(0, "Checking the input");
   const Mesh shared = withSharedPoints(mesh);
   if (shared.faceCount() == 0)

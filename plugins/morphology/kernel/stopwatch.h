@@ -6,7 +6,7 @@ namespace blossom::morphology {
 /// Milliseconds of the stages of a computation.
 class Stopwatch {
  public:
-  /// Since the last lap, or since it was made.
+  /// Milliseconds since the last lap, or since construction.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double ms = std::chrono::duration<double, std::milli>(now - last_).count();

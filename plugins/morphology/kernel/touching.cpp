@@ -16,7 +16,7 @@ namespace {
 
 std::size_t numbered(int index) { return static_cast<std::size_t>(index); }
 
-/// The faces round each vertex that is asked for.
+/// The faces around each of the given vertices.
 using FacesAt = std::map<int, std::vector<std::size_t>>;
 
 FacesAt facesAt(const Mesh& shell, const std::vector<int>& vertices) {
@@ -65,7 +65,7 @@ Mesh moved(const Mesh& shell, const std::map<int, Vec3>& directions, int attempt
   return result;
 }
 
-/// One vertex after the other goes from its old place to its new one and takes its faces along.
+/// Moves one vertex after the other to its new position, together with its faces.
 std::vector<std::array<Vec3, 4>> swept(const Mesh& from, const Mesh& to, const FacesAt& faces) {
   std::vector<std::array<Vec3, 4>> tetrahedra;
   std::vector<Vec3> places = from.points;

@@ -3,7 +3,7 @@
 
 namespace blossom::morphology {
 
-/// The same solid with bodies that overlap made one, so that its surface crosses nowhere.
+/// The same solid with overlapping bodies united, so that its surface has no intersections.
 Solid united(const Solid&);
 
 }  // namespace blossom::morphology

@@ -6,8 +6,8 @@
 
 namespace blossom::morphology {
 
-/// A handle above the middle of a solid that inflates, or below its top when it melts: dragged up and down, it sets the
-/// parameter `radius`. The document is previewed meanwhile; letting go is one step of undo.
+/// A handle above the middle of a solid that inflates, or below its top when it melts; dragging it up and down sets the
+/// parameter `radius`. The document is previewed meanwhile; the whole drag is one step of undo.
 class RadiusTool final : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -26,13 +26,13 @@ class RadiusTool final : public ui::HandleTool {
   void putBack() override { radius_ = before_; }
   [[nodiscard]] double sign() const { return direction_ == Direction::Outwards ? 1 : -1; }
   [[nodiscard]] Vec3 handle() const { return *top_ + sign() * radius_ * Vec3::UnitZ(); }
-  /// The height over the top where the ray passes nearest to the vertical through it; nothing when it runs along it.
+  /// The height above the top at which the ray passes nearest to the vertical through it; empty when the ray is vertical.
   [[nodiscard]] std::optional<double> heightUnder(const Ray&) const;
   [[nodiscard]] Document with(double radius) const;
 
   Direction direction_;
   Document base_;            ///< the document that a drag starts from
-  std::optional<Vec3> top_;  ///< above the middle of the solid; nothing while the solid is not known
+  std::optional<Vec3> top_;  ///< the point of the top above the middle of the solid; empty while the solid is unknown
   double radius_ = 1;
   double before_ = 1, grabbed_ = 0;
 };

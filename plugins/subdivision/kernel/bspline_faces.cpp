@@ -248,7 +248,7 @@ Gap gapOf(const Surface& face, const CellSurface& limit, const LayoutCell& cell,
   if (cell.irregularCorner[1]) compare(face, limit, right, 0, h, gap);
   if (cell.irregularCorner[2]) compare(face, limit, right, top, h, gap);
   if (cell.irregularCorner[3]) compare(face, limit, 0, top, h, gap);
-  compare(face, limit, (cell.columns - 1) / 2, (cell.rows - 1) / 2, 1, gap);  // one face is looked at as a whole
+  compare(face, limit, (cell.columns - 1) / 2, (cell.rows - 1) / 2, 1, gap);  // one face is compared as a whole
   return gap;
 }
 

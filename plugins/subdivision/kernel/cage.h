@@ -5,9 +5,9 @@
 
 namespace blossom::subdivision {
 
-/// Whether a mesh can be the cage of a subdivision surface: faces with vertices that differ, at most two of them at an edge
-/// and one fan of them round a vertex, all turned alike, no vertex without a face, numbers that are finite, tags that name
-/// edges that exist; triangles only for Loop. O(n log n).
+/// Checks that a mesh can be the cage of a subdivision surface: distinct vertices in each face, at most two faces per edge,
+/// a single fan of faces around each vertex, consistent orientation, no unused vertices, finite coordinates, tags of
+/// existing edges; triangles only for Loop. O(n log n).
 /// @throws Error InvalidInput that names the vertex, edge or face (counted from 1), Cancelled.
 void checkCage(const Mesh&, Scheme, const Progress& = Progress::none());
 

@@ -126,7 +126,7 @@ class Deformation {
 
   [[nodiscard]] double outsideChange() const {
     double largest = 0;
-    for (const Row& row : finder_.spreadRows()) {
+    for (const Row& row : finder_.seedRows()) {
       const bool touched = std::any_of(row.indices.begin(), row.indices.end(), [&](int i) {
         return std::binary_search(result_.freePoints.begin(), result_.freePoints.end(), i);
       });

@@ -8,20 +8,20 @@
 
 namespace blossom::subdivision {
 
-/// A place of the limit shape that is taken hold of, and where it is to go. It stays the same place all the time, while
-/// samples of a target find the closest one again and again.
+/// A point of the limit shape and its target position. The point stays fixed during the iteration, while samples of a target
+/// find their closest point again in each step.
 struct Pull {
-  Vec3 at = Vec3::Zero(), to = Vec3::Zero();  ///< the closest point to `at` counts
+  Vec3 at = Vec3::Zero(), to = Vec3::Zero();  ///< the point of the shape closest to `at` is pulled
 };
 
-/// Enough that points which act little stay calm, little enough that a single pull is followed within one percent.
+/// Large enough that points with little influence stay calm, small enough that a single pull is followed within one percent.
 inline constexpr double defaultLambda = 2.5e-3;
 
 struct DeformOptions {
   FreeRule free = {};
-  double lambda = defaultLambda;  ///< how much points resist, relative to their influence (resistanceOf); 0: the shortest
+  double lambda = defaultLambda;  ///< weight of the resistance relative to influence (resistanceOf); 0: the shortest
                                   ///< movement that fits best
-  int iterations = 20;            ///< at most so often feet are found again
+  int iterations = 20;            ///< maximum number of searches for foot points
   std::vector<Pull> pulls = {};
 };
 
@@ -31,21 +31,21 @@ struct Distances {
 };
 
 struct DeformResult {
-  std::vector<Vec3> points;     ///< all control points; those not free have every bit they had
+  std::vector<Vec3> points;     ///< all control points; those not free are bitwise unchanged
   std::vector<int> freePoints;  ///< sorted
   std::vector<Foot> feet;       ///< of the samples, then of the pulls
   Distances before, after;
-  double farthestMove = 0;        ///< mm, of a control point
-  int farthestPoint = -1;         ///< which one; -1: none moved
-  double outsideChange = 0;       ///< largest movement, in mm, of the shape where no free point acts
-  std::vector<double> objective;  ///< what is minimised, after each solution; never grows
-  bool beyondRange = false;       ///< the free points could not follow: more than half of the distance is left
+  double farthestMove = 0;        ///< mm, maximum movement of a control point
+  int farthestPoint = -1;         ///< index of that point; -1: none moved
+  double outsideChange = 0;       ///< mm, maximum movement of the shape outside the support of the free points
+  std::vector<double> objective;  ///< minimised function after each solution; non-increasing
+  bool beyondRange = false;       ///< more than half of the distance is left
 };
 
-/// Moves some control points so that the limit shape runs near the samples: closest points on the shape, least squares over
-/// the free points, and again while the distance falls. J. G. Li, Local Deformation of Subdivision Curves and Surfaces
-/// (2007), with exact rows in place of interpolated ones. O(iterations * (samples + patches) * log patches).
-/// Pulls are samples too, whose feet are held.
+/// Moves control points so that the limit shape approximates the samples: closest points on the shape, then least squares
+/// over the free points, repeated while the distance decreases. J. G. Li, Local Deformation of Subdivision Curves and
+/// Surfaces (2007), with exact rows instead of interpolated ones. Pulls are samples with fixed foot points. O(iterations *
+/// (samples + patches) * log patches).
 /// @throws Error InvalidInput (neither samples nor pulls, not finite, no free point), InvalidParameter, Degenerate,
 /// Cancelled.
 DeformResult deform(const LimitShape&, std::span<const Vec3> points, std::span<const Vec3> samples, const DeformOptions&,

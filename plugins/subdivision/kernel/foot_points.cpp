@@ -103,10 +103,10 @@ Foot descend(const LimitShape& shape, std::span<const Vec3> points, const Vec3& 
   return {start.patch, at.x(), at.y()};
 }
 
-FootFinder::FootFinder(const LimitShape& shape, const Progress& progress) : shape_(shape), spread_(shape.seeds()) {
-  rows_.resize(spread_.size());
-  parallelFor(spread_.size(), 256, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) rows_[i] = shape_.row(spread_[i]);
+FootFinder::FootFinder(const LimitShape& shape, const Progress& progress) : shape_(shape), seeds_(shape.seeds()) {
+  rows_.resize(seeds_.size());
+  parallelFor(seeds_.size(), 256, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) rows_[i] = shape_.row(seeds_[i]);
   });
 }
 
@@ -127,7 +127,7 @@ std::vector<Foot> FootFinder::feet(std::span<const Vec3> samples, std::span<cons
       if (!before.empty()) starts.push_back(before[s]);
       std::vector<int> tried;
       for (auto each = nearest.begin(); each != nearest.end() && tried.size() < candidates; ++each) {
-        const Foot& start = spread_[each->second];
+        const Foot& start = seeds_[each->second];
         if (!shape_.isCurve() && std::find(tried.begin(), tried.end(), start.patch) != tried.end()) continue;
         tried.push_back(start.patch);
         starts.push_back(start);

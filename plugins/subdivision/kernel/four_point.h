@@ -6,8 +6,8 @@
 namespace blossom::subdivision {
 
 /// The limit curve of the interpolatory four-point scheme (Dyn, Levin & Gregory, CAGD 4, 1987). It has no closed form: a
-/// point is found by refining the six points round it, which determine it, forty times; the tangent, (1, -8, 0, 8, -1)/12,
-/// after twelve. There is no second derivative. O(1) a point.
+/// point is computed by refining the six points that determine it forty times; the tangent, (1, -8, 0, 8, -1)/12, twelve
+/// times. There is no second derivative. O(1) per point.
 class FourPointCurve final : public LimitShape {
  public:
   /// @throws Error InvalidInput, as `refined`.

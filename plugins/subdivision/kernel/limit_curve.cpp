@@ -166,7 +166,7 @@ Row LimitCurve::derivative(double u, int order) const {
   }
   Row row;
   for (const auto& [index, weight] : weights) {
-    if (weight == 0) continue;  // where a mirrored point takes back what another gave
+    if (weight == 0) continue;  // where a mirrored point cancels another contribution
     row.indices.push_back(index);
     row.weights.push_back(weight);
   }

@@ -8,16 +8,16 @@
 
 namespace blossom::subdivision {
 
-/// A polygon that is refined to a cubic B-spline curve.
+/// Control polygon of a subdivision curve.
 struct ControlPolygon {
   std::vector<Vec3> points;
   bool closed = false;  ///< the last point is joined to the first, which is not repeated
 };
 
 /// One step of the scheme; the ends of an open polygon stay. O(n).
-/// Cubic, Lane & Riesenfeld (1980): edges get their middle, points (1, 6, 1)/8. Quadratic, Chaikin (1974): edges are cut at
-/// (3, 1)/4 and (1, 3)/4. Four-point, Dyn, Levin & Gregory (1987): points stay, edges get (-1, 9, 9, -1)/16, where a point
-/// beyond an end mirrors the neighbour of the end.
+/// Cubic, Lane & Riesenfeld (1980): midpoints of edges, points (1, 6, 1)/8. Quadratic, Chaikin (1974): edges are cut at (3,
+/// 1)/4 and (1, 3)/4. Four-point, Dyn, Levin & Gregory (1987): points stay, edges get (-1, 9, 9, -1)/16, where the point
+/// beyond an end is the reflected neighbour of the end.
 /// @throws Error InvalidInput for fewer than 2 points (3 when closed) or points that are not finite.
 ControlPolygon refined(const ControlPolygon&, CurveScheme = CurveScheme::Cubic);
 
@@ -29,10 +29,11 @@ ControlPolygon onLimit(const ControlPolygon&, CurveScheme = CurveScheme::Cubic);
 /// `refined`.
 Curve splineOfPolygon(const ControlPolygon&, CurveScheme);
 
-/// The limit curve of a polygon, or any B-spline curve without weights. Each of its points is one row of basis functions.
+/// The limit curve of a polygon, or any non-rational B-spline curve. Each point of the curve is one row of basis functions.
 class LimitCurve final : public LimitShape {
  public:
-  /// Ends are those of the polygon: a point beyond each mirrors its neighbour (cubic), or repeats the end (quadratic).
+  /// Interpolates the ends of the polygon: the point beyond an end is the reflected neighbour (cubic) or the end itself
+  /// (quadratic).
   /// @pre the scheme is cubic or quadratic. @throws Error InvalidInput, as `refined`.
   explicit LimitCurve(const ControlPolygon&, CurveScheme = CurveScheme::Cubic);
   /// @pre `validate` accepts the curve and all weights are equal.
@@ -50,7 +51,7 @@ class LimitCurve final : public LimitShape {
 
   int degree_ = 3;
   std::vector<double> knots_;
-  std::vector<Row> poles_;  ///< of the control points
+  std::vector<Row> poles_;  ///< as combinations of the control points
   std::size_t count_ = 0;
   bool closed_ = false;
 };

@@ -7,7 +7,7 @@
 
 namespace blossom::subdivision {
 
-/// A limit point as a combination of control points, x = sum weights[i] P[indices[i]]. Exact, not found by interpolation.
+/// A limit point as a linear combination of control points, x = sum weights[i] P[indices[i]]; exact, not interpolated.
 struct Row {
   std::vector<int> indices;
   std::vector<double> weights;
@@ -20,23 +20,23 @@ inline Vec3 combined(const Row& row, std::span<const Vec3> points) {
   return sum;
 }
 
-/// A place on a limit shape.
+/// Parameters of a point on a limit shape.
 struct Foot {
   int patch = 0;
   double u = 0, v = 0;
 };
 
-/// Point and derivatives at a foot; those by v are 0 on a curve.
+/// Point and derivatives at a foot; derivatives by v are 0 on a curve.
 struct Frame {
   Vec3 at = Vec3::Zero(), du = Vec3::Zero(), dv = Vec3::Zero(), duu = Vec3::Zero(), duv = Vec3::Zero(), dvv = Vec3::Zero();
 };
 
-/// What u and v of a patch run through.
+/// Range of u and v of a patch.
 enum class Domain {
-  Square,    ///< 0..1 both
-  Triangle,  ///< 0..1, u + v <= 1
+  Square,    ///< u and v in 0..1
+  Triangle,  ///< u and v in 0..1, u + v <= 1
   Interval,  ///< u in 0..1, v is 0
-  Circle     ///< the same, and 1 is 0
+  Circle     ///< the same, periodic
 };
 
 /// A curve or surface whose points are linear in its control points.
@@ -46,9 +46,9 @@ class LimitShape {
   [[nodiscard]] virtual Domain domain(int patch) const = 0;
   [[nodiscard]] virtual Row row(const Foot&) const = 0;
   [[nodiscard]] virtual Frame frame(const Foot&, std::span<const Vec3> points) const = 0;
-  /// Feet all over the shape, so dense that Newton's method finds the closest point from one of the nearest of them.
+  /// Feet distributed over the shape, dense enough that Newton's method finds the closest point from one of the nearest.
   [[nodiscard]] virtual std::vector<Foot> seeds() const = 0;
-  /// Edges of the cage, of the polygon.
+  /// Edges of the cage or polygon.
   [[nodiscard]] virtual std::vector<std::pair<int, int>> edges() const = 0;
   [[nodiscard]] virtual bool isCurve() const = 0;
 };

@@ -8,14 +8,14 @@
 
 namespace blossom::subdivision {
 
-/// The limit surface of a cage. Every quad (every triangle for Loop) is a patch, other polygons are as many as they have
-/// corners. Regular patches are exact; round extraordinary points and semi-sharp features the surface is isolated ten levels
-/// deep before it is approximated, so that what is left is a millionth of the face.
+/// The limit surface of a cage. Every quad (every triangle for Loop) is a patch, other polygons have one patch per corner.
+/// Regular patches are exact; around extraordinary points and semi-sharp features the surface is subdivided ten levels
+/// before it is approximated, so that the approximation covers a millionth of the face.
 class LimitSurface final : public LimitShape {
  public:
-  /// @pre `checkCage` accepts the cage; it is not kept. O(n). @throws Error Cancelled.
+  /// @pre `checkCage` accepts the cage; no reference to it is kept. O(n). @throws Error Cancelled.
   LimitSurface(const Mesh& cage, Scheme, const Progress& = Progress::none());
-  /// Of the faces marked alone; the others must not be asked for. O(n), but cheap for faces not marked.
+  /// Only the marked faces; the others must not be evaluated. O(n), with a small constant for faces that are not marked.
   LimitSurface(const Mesh& cage, Scheme, const std::vector<bool>& faces, const Progress&);
   ~LimitSurface() override;
   LimitSurface(const LimitSurface&) = delete;
@@ -27,12 +27,12 @@ class LimitSurface final : public LimitShape {
   [[nodiscard]] std::vector<Foot> seeds() const override;
   [[nodiscard]] std::vector<std::pair<int, int>> edges() const override;
   [[nodiscard]] bool isCurve() const override { return false; }
-  /// Corner k of face f as a foot.
+  /// Foot of corner k of face f.
   [[nodiscard]] Foot cornerFoot(std::size_t face, std::size_t k) const;
   [[nodiscard]] std::size_t patchCount() const;
-  /// Faces whose limit surface was made.
+  /// Number of faces whose limit surface was computed.
   [[nodiscard]] std::size_t madeFaces() const;
-  /// The control points that act on a patch.
+  /// The control points that influence a patch.
   [[nodiscard]] std::vector<int> controlPoints(int patch) const;
   /// The limit point of corner k of face f.
   [[nodiscard]] Row cornerRow(std::size_t face, std::size_t k) const;

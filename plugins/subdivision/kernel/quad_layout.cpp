@@ -134,7 +134,7 @@ class Layout {
         continue;
       }
       std::map<std::size_t, Place> places;
-      const bool plain = spreadFrom(f, places);
+      const bool plain = growFrom(f, places);
       looked_ += places.size();
       if (!plain || !isRectangle(places)) {
         fresh_.clear();
@@ -165,7 +165,7 @@ class Layout {
   }
 
   /// Gives every face that is reached without crossing a mark its place; false when one would have two, or two one.
-  bool spreadFrom(std::size_t start, std::map<std::size_t, Place>& places) const {
+  bool growFrom(std::size_t start, std::map<std::size_t, Place>& places) const {
     std::set<std::pair<int, int>> taken{{0, 0}};
     std::deque<std::size_t> queue{start};
     places[start] = {};

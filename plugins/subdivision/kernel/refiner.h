@@ -9,9 +9,9 @@
 // OpenSubdiv shows in this header and in the two files that include it, nowhere else.
 namespace blossom::subdivision {
 
-/// The topology of a cage that `checkCage` accepts, with its sharp edges and vertices. How boundaries run is the tag
-/// `t interpolateboundary 1/0/0 N` of the cage: 1, which is also without the tag, keeps their corners; 2 rounds them.
-/// `t creasemethod` with "chaikin" averages the sharpness of creases.
+/// The OpenSubdiv topology of a cage accepted by `checkCage`, with its sharp edges and vertices. The boundary rule is the
+/// tag `t interpolateboundary 1/0/0 N` of the cage: 1, the default, keeps corners of the boundary; 2 rounds them. `t
+/// creasemethod` with "chaikin" averages the sharpness of creases.
 /// @throws Error InvalidInput for another N.
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeRefiner(const Mesh&, Scheme);
 

@@ -7,16 +7,16 @@ namespace blossom::subdivision {
 
 struct JoinedRims {
   Mesh mesh;
-  std::size_t joined = 0;  ///< vertices that became one with another
+  std::size_t joined = 0;  ///< number of vertices merged into another
 };
 
-/// Edges of the rim that run along each other, one there and one back, within 1e-9 of the size, become one edge: halves that
-/// were mirrored, or seams that a file keeps apart, close. Edges at which more than two would meet stay as they are, and so
-/// do vertices that touch without such an edge. Of two vertices the one with the lower number keeps its place. O(n log n).
-/// @throws Error InvalidInput when a face names a vertex that does not exist, Cancelled.
+/// Merges boundary edges that coincide with opposite directions within 1e-9 of the size, so that mirrored halves, or seams
+/// that a file keeps apart, are closed. Edges at which more than two would meet are unchanged, and so are vertices that
+/// touch without such an edge. Of two vertices the one with the lower index keeps its position. O(n log n).
+/// @throws Error InvalidInput for a vertex index out of range, Cancelled.
 JoinedRims joinRims(const Mesh&, const Progress& = Progress::none());
 
-/// The same where the result is a cage that `checkCage` accepts; else the mesh as it is.
+/// The same if the result is a cage that `checkCage` accepts; else the mesh unchanged.
 JoinedRims joinedCage(const Mesh&, Scheme, const Progress& = Progress::none());
 
 }  // namespace blossom::subdivision

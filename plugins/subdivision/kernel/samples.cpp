@@ -12,7 +12,7 @@
 namespace blossom::subdivision {
 namespace {
 
-constexpr std::size_t mostSamples = 20000;
+constexpr std::size_t maximumSamples = 20000;
 
 double lengthOf(const std::vector<Vec3>& line) {
   double length = 0;
@@ -57,9 +57,9 @@ std::vector<Vec3> samplesOf(const Shape& target, int count, const Progress& prog
   }
   if (samples.empty())
     throw Error(ErrorCode::InvalidInput, "The target has no point.", "Give a drawn curve or at least one point.");
-  if (samples.size() > mostSamples)
+  if (samples.size() > maximumSamples)
     throw Error(ErrorCode::InvalidInput,
-                fmt::format("The target has {} points; {} are the most.", samples.size(), mostSamples),
+                fmt::format("The target has {} points; {} are the most.", samples.size(), maximumSamples),
                 "Thin the points out: a few hundred are enough for a smooth shape.");
   return samples;
 }

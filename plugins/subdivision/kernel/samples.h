@@ -6,7 +6,8 @@
 
 namespace blossom::subdivision {
 
-/// Points that stand for a target: the vertices of a mesh; about `count` points evenly along curves, first to last.
+/// Sample points of a target: the vertices of a mesh; about `count` points at equal distances along curves, both ends
+/// included.
 /// @throws Error InvalidInput when there is none or more than 20,000, Cancelled.
 std::vector<Vec3> samplesOf(const Shape& target, int count, const Progress& = Progress::none());
 

@@ -15,7 +15,7 @@
 namespace blossom::subdivision {
 namespace {
 
-constexpr double mostFacesSettled = 50000;
+constexpr double maximumFacesSettled = 50000;
 constexpr double sharp = 10;
 
 bool isSemiSharp(double sharpness) { return sharpness > 0 && sharpness < sharp; }
@@ -86,7 +86,7 @@ double apartAt(const Mesh& soft, const Mesh& hard, const std::vector<bool>& touc
 SettledCage settledCage(const Mesh& cage, double tolerance, const Progress& progress) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const int levels : levelsToTry(cage)) {
-    if (static_cast<double>(cage.faceVertices.size()) * std::pow(4.0, levels - 1) > mostFacesSettled) break;
+    if (static_cast<double>(cage.faceVertices.size()) * std::pow(4.0, levels - 1) > maximumFacesSettled) break;
     SettledCage settled;
     settled.quads = levels > 0 ? subdivide(cage, {.levels = levels}, progress).mesh : cage;
     if (semiSharp(settled.quads).empty()) return settled;
@@ -98,13 +98,14 @@ SettledCage settledCage(const Mesh& cage, double tolerance, const Progress& prog
     nearest = std::min(nearest, settled.sharpened);
   }
   if (std::isinf(nearest))
-    throw Error(ErrorCode::LimitExceeded,
-                fmt::format("The cage has {} faces; as B-spline faces {} are the most.", cage.faceCount(), mostFacesSettled),
-                "Take a coarser cage, or a limit mesh.");
+    throw Error(
+        ErrorCode::LimitExceeded,
+        fmt::format("The cage has {} faces; as B-spline faces {} are the most.", cage.faceCount(), maximumFacesSettled),
+        "Take a coarser cage, or a limit mesh.");
   throw Error(ErrorCode::LimitExceeded,
               fmt::format("Edges that are sharp for some levels only would need more than {} B-spline faces; made sharp "
                           "for ever they would lie {:.2g} mm off.",
-                          mostFacesSettled, nearest),
+                          maximumFacesSettled, nearest),
               fmt::format("Raise the tolerance above {:.2g} mm, lower the sharpness of the edges, or take a limit mesh.",
                           2 * nearest));
 }

@@ -4,14 +4,14 @@
 
 namespace blossom::subdivision {
 
-/// A cage of quads only, whose edges and vertices are sharp for ever or not at all.
+/// A cage of quads whose edges and vertices are either infinitely sharp or smooth.
 struct SettledCage {
   Mesh quads;
-  double sharpened = 0;  ///< mm that its limit surface lies off that of the cage at most, measured at equal parameters
+  double sharpened = 0;  ///< mm, maximum distance of its limit surface from that of the cage, measured at equal parameters
 };
 
-/// Refines a cage as few times as are needed for what is left of semi-sharp edges and vertices to be made sharp within the
-/// tolerance: one of sharpness s is rounded by about a 2^s-th of a face. O(faces of the result).
+/// Refines a cage until the rest of semi-sharp edges and vertices can be made sharp within the tolerance: an edge of
+/// sharpness s is rounded over about 2^-s of a face. O(faces of the result).
 /// @pre `checkCage` accepts the cage. @throws Error LimitExceeded when that would be too many faces, Cancelled.
 SettledCage settledCage(const Mesh& cage, double tolerance, const Progress& = Progress::none());
 

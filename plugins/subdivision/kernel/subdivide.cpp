@@ -27,10 +27,10 @@ using Points = std::vector<Blend>;
 void checkSize(const Mesh& cage, int levels) {
   if (levels < 0) throw Error(ErrorCode::InvalidParameter, "The number of levels is below 0.", "Give 0 or more.");
   const auto faces = static_cast<double>(cage.faceVertices.size());
-  if (levels == 0 || faces * std::pow(4.0, levels - 1) <= kMostFaces) return;
-  const int most = std::max(0, static_cast<int>(std::floor(std::log(kMostFaces / faces) / std::log(4.0))) + 1);
+  if (levels == 0 || faces * std::pow(4.0, levels - 1) <= kMaximumFaces) return;
+  const int most = std::max(0, static_cast<int>(std::floor(std::log(kMaximumFaces / faces) / std::log(4.0))) + 1);
   throw Error(ErrorCode::LimitExceeded,
-              fmt::format("{} levels would make more than {} million faces.", levels, kMostFaces / 1e6),
+              fmt::format("{} levels would make more than {} million faces.", levels, kMaximumFaces / 1e6),
               fmt::format("This cage can be refined {} times.", most));
 }
 
@@ -47,7 +47,7 @@ Mesh topologyOf(const Far::TopologyLevel& level, const Mesh& cage, const Progres
   }
   for (int e = 0; e < level.GetNumEdges(); ++e) {
     const Far::ConstIndexArray ends = level.GetEdgeVertices(e);
-    if (level.GetEdgeSharpness(e) > 0 && !level.IsEdgeBoundary(e))  // boundaries are sharp without being told
+    if (level.GetEdgeSharpness(e) > 0 && !level.IsEdgeBoundary(e))  // boundaries are sharp without a tag
       mesh.creases.push_back({ends[0], ends[1], static_cast<double>(level.GetEdgeSharpness(e))});
   }
   for (int v = 0; v < level.GetNumVertices(); ++v)
@@ -55,7 +55,7 @@ Mesh topologyOf(const Far::TopologyLevel& level, const Mesh& cage, const Progres
   return mesh;
 }
 
-/// Vertices whose limit masks do not hold yet: they will turn smooth some levels later, or a face there is no quad.
+/// Vertices whose limit masks do not apply yet: they become smooth some levels later, or a face there is no quad.
 std::vector<bool> unsettled(const Mesh& mesh, Scheme scheme) {
   std::vector<bool> marked(mesh.points.size());
   const auto mark = [&](int v) { marked[static_cast<std::size_t>(v)] = true; };

@@ -5,24 +5,23 @@
 
 namespace blossom::subdivision {
 
-/// No refined mesh gets more faces than this.
-inline constexpr double kMostFaces = 4e6;
+/// Maximum number of faces of a refined mesh.
+inline constexpr double kMaximumFaces = 4e6;
 
 struct SubdivideOptions {
   Scheme scheme = Scheme::CatmullClark;
-  int levels = 2;      ///< 0 or more; every level has four times the faces
-  bool limit = false;  ///< vertices are moved to the limit surface
+  int levels = 2;      ///< 0 or more; every level multiplies the faces by four
+  bool limit = false;  ///< move vertices to the limit surface
 };
 
 struct SubdivideResult {
-  Mesh mesh;                      ///< carries the sharpness that is left, so that refining it goes on where this stopped
-  std::size_t limitSurfaces = 0;  ///< faces whose limit surface was needed for limit points without an exact mask
+  Mesh mesh;                      ///< with the remaining sharpness, so that refining it further continues the subdivision
+  std::size_t limitSurfaces = 0;  ///< faces whose limit surface was evaluated for limit points without an exact mask
 };
 
-/// The cage refined `levels` times, edges and vertices sharp as its tags say (DeRose, Kass & Truong 1998). Limit points are
-/// those of the exact limit masks; at vertices that are still semi-sharp, or of polygons
-/// that are no quads, those of the surface isolated ten levels deep. Where a sharp crease ends inside, the smooth mask is an
-/// approximation.
+/// Refines the cage `levels` times with the sharp edges and vertices of its tags (DeRose, Kass & Truong 1998). Limit points
+/// are computed by the exact limit masks; at vertices that are still semi-sharp, or at corners of polygons that are no
+/// quads, from the surface subdivided ten levels. Where a sharp crease ends inside, the smooth mask is an approximation.
 /// O(faces * 4^levels).
 /// @throws Error InvalidInput (see checkCage), LimitExceeded, Cancelled.
 SubdivideResult subdivide(const Mesh& cage, const SubdivideOptions&, const Progress& = Progress::none());

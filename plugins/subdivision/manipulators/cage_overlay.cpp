@@ -99,7 +99,7 @@ vtkSmartPointer<vtkProp> sceneLines(const Polylines& lines, const Color& color, 
 std::vector<vtkSmartPointer<vtkProp>> cageOverlay(const ui::OverlayContext& context) {
   if (context.inputs.empty()) return {};
   const Shape& cage = context.inputs.front();
-  constexpr std::size_t mostPointsShown = 2000;  // more would hide the surface
+  constexpr std::size_t maximumPointsShown = 2000;  // more would hide the surface
   const Polylines lines = linesOf(cage);
   std::vector<vtkSmartPointer<vtkProp>> props{sceneLines(lines, context.look.control, 1)};
   std::vector<Vec3> points;
@@ -107,7 +107,8 @@ std::vector<vtkSmartPointer<vtkProp>> cageOverlay(const ui::OverlayContext& cont
     points = mesh->points;
   else
     for (const auto& line : lines) points.insert(points.end(), line.begin(), line.end());
-  if (points.size() <= mostPointsShown) props.push_back(scenePoints(points, context.look.control, context.look.pointSize));
+  if (points.size() <= maximumPointsShown)
+    props.push_back(scenePoints(points, context.look.control, context.look.pointSize));
   // The target of a deformation, where it is not shown by itself.
   for (std::size_t i = 1; i < context.inputs.size(); ++i) {
     if (const Mesh* cloud = context.inputs[i].get<Mesh>())

@@ -48,7 +48,7 @@ CurveCage ofPolygon(ControlPolygon polygon, CurveScheme scheme) {
 
 }  // namespace
 
-CurveCage curveCage(const Shape& input, Chosen chosen) {
+CurveCage curveCage(const Shape& input, SchemeChoice chosen) {
   const Shape shape = cageOf(input);
   checkScheme(shape, chosen);
   if (auto polygon = polygonOf(shape, chosen)) return ofPolygon(std::move(*polygon), curveScheme(chosen));
@@ -60,7 +60,7 @@ CurveCage curveCage(const Shape& input, Chosen chosen) {
   return cage;
 }
 
-std::vector<Vec3> controlPoints(const Shape& input, Chosen chosen) {
+std::vector<Vec3> controlPoints(const Shape& input, SchemeChoice chosen) {
   const Shape shape = cageOf(input);
   if (auto polygon = polygonOf(shape, chosen)) return std::move(polygon->points);
   return polesOf(splineOf(shape));

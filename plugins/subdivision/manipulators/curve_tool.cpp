@@ -15,13 +15,13 @@
 namespace blossom::subdivision {
 namespace {
 
-constexpr double gripReach = 8;          // pixels
-constexpr std::size_t mostPoints = 500;  // of a polygon whose curve follows at every movement of the mouse
+constexpr double gripReach = 8;             // pixels
+constexpr std::size_t maximumPoints = 500;  // of a polygon whose curve follows at every movement of the mouse
 constexpr int piecesPerSpan = 12;
 
-Chosen chosenOf(const std::string& name) {
+SchemeChoice chosenOf(const std::string& name) {
   const std::vector<std::string> names = schemeChoice().choices;
-  return static_cast<Chosen>(std::find(names.begin(), names.end(), name) - names.begin());
+  return static_cast<SchemeChoice>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 bool liesOnGround(const std::vector<Vec3>& points) {
@@ -55,9 +55,9 @@ void CurveTool::load() {
     scheme_ = chosenOf(place_->scheme.get<std::string>());
     cage_ = curveCage(host().result(place_->base)->evaluated.shape, scheme_);
     flat_ = liesOnGround(cage_.points);
-    if (cage_.points.size() <= mostPoints) findGrips();
+    if (cage_.points.size() <= maximumPoints) findGrips();
   } catch (const Error&) {
-    grips_.clear();  // the features that take the cage say what is wrong with it
+    grips_.clear();  // the features made from the cage report its defects
   }
 }
 
@@ -72,7 +72,7 @@ void CurveTool::readDeform() {
   options_.free = ruleOf(all.at("free").get<std::string>());
 }
 
-/// The joints of the curve, and pulls that took hold between them.
+/// The joints of the curve, and pulls that start between them.
 void CurveTool::findGrips() {
   const std::vector<Vec3> now = pointsNow();
   const auto addGrip = [&](const Foot& foot, std::optional<std::size_t> pull) {
@@ -147,7 +147,7 @@ void CurveTool::drag(const ui::ToolEvent& event) {
     polygon_ = deform(*cage_.curve, cage_.points, {}, options).points;
     follows_ = lineOf(polygon_);
   } catch (const Error&) {
-    return;  // the feature will tell why it cannot be pulled there
+    return;  // the feature reports why it cannot be pulled there
   }
 }
 

@@ -8,9 +8,9 @@
 
 namespace blossom::subdivision {
 
-/// Places of a limit curve that can be dragged while a control polygon's smooth curve is selected. While one is dragged the
-/// curve follows as the deformation will have it; letting go makes the pull part of that deformation, one step of undo. A
-/// drawing is dragged within its plane, a curve in space in the plane that faces the viewer.
+/// Points of a limit curve that can be dragged while the smooth curve of a control polygon is selected. During a drag the
+/// curve is shown as the deformation will make it; the end of the drag adds the pull to that deformation as one step of
+/// undo. A drawing is dragged within its plane, a curve in space in the plane that faces the viewer.
 class CurveTool : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -23,8 +23,8 @@ class CurveTool : public ui::HandleTool {
  private:
   struct Grip {
     Vec3 base = Vec3::Zero();         ///< on the limit curve of the cage as it was
-    Vec3 now = Vec3::Zero();          ///< where it has been pulled to
-    std::optional<std::size_t> pull;  ///< its number
+    Vec3 now = Vec3::Zero();          ///< current position
+    std::optional<std::size_t> pull;  ///< index of its pull
   };
 
   void load() override;
@@ -41,7 +41,7 @@ class CurveTool : public ui::HandleTool {
 
   std::optional<DeformPlace> place_;
   CurveCage cage_;
-  Chosen scheme_ = Chosen::CatmullClark;
+  SchemeChoice scheme_ = SchemeChoice::CatmullClark;
   bool flat_ = false;
   std::vector<Row> line_;  ///< of points along the curve, near enough to each other to draw it
   std::vector<Pull> pulls_;

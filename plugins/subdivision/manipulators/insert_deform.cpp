@@ -20,14 +20,14 @@ Value parameter(const ui::ToolHost& host, const Feature& feature, const char* na
   return completed(host.registry().at(feature.type)->parameters, feature.parameters).at(name);
 }
 
-/// Whether its result is a cage that goes on being one.
-bool givesCage(const ui::ToolHost& host, const Feature& feature) {
+/// Whether its result is a cage that can be deformed further.
+bool producesCage(const ui::ToolHost& host, const Feature& feature) {
   return feature.type == deformType && parameter(host, feature, "as") == "cage";
 }
 
 void takeDeform(const ui::ToolHost& host, const FeatureId& id, DeformPlace& place) {
   const Feature& feature = host.document().at(id);
-  if (givesCage(host, feature) && feature.inputs.size() == 1) {
+  if (producesCage(host, feature) && feature.inputs.size() == 1) {
     place.existing = id;
     place.base = feature.inputs.front();
   } else {
@@ -48,12 +48,12 @@ Feature fresh(const ui::ToolHost& host, const Document& document, const char* ty
 /// How often a cage is refined for its smooth surface to be drawn at every movement of the mouse, even without a graphics
 /// card.
 int levelsFor(const ui::ToolHost& host, const FeatureId& cage) {
-  constexpr std::size_t mostFaces = 50'000;
+  constexpr std::size_t maximumFaces = 50'000;
   const auto result = host.result(cage);
   const Mesh* mesh = result ? result->evaluated.shape.get<Mesh>() : nullptr;
   int levels = mesh ? 1 : 3;
   if (mesh)
-    for (std::size_t faces = 16 * mesh->faceCount(); levels < 3 && faces <= mostFaces; faces *= 4) ++levels;
+    for (std::size_t faces = 16 * mesh->faceCount(); levels < 3 && faces <= maximumFaces; faces *= 4) ++levels;
   return levels;
 }
 
@@ -76,7 +76,7 @@ std::optional<DeformPlace> deformPlace(const ui::ToolHost& host, const FeatureId
     place.smooth = selected;
     takeDeform(host, feature.inputs.front(), place);
     place.scheme = parameter(host, feature, "scheme");
-  } else if (feature.type == deformType && !givesCage(host, feature)) {
+  } else if (feature.type == deformType && !producesCage(host, feature)) {
     return std::nullopt;  // its result is no cage any more
   } else {
     takeDeform(host, selected, place);

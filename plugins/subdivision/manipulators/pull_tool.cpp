@@ -16,8 +16,8 @@ namespace blossom::subdivision {
 namespace {
 
 constexpr double gripPixels = 8;
-constexpr std::size_t mostFaces = 50000;   // of a cage whose points can be dragged live
-constexpr std::size_t facesAtOnce = 1000;  // whose limit surface takes a few milliseconds
+constexpr std::size_t maximumFaces = 50000;  // of a cage whose points can be dragged live
+constexpr std::size_t facesAtOnce = 1000;    // whose limit surface takes a few milliseconds
 
 /// The surface within reach as a net of lines: seen wherever it goes, and drawn in no time where faces, shaded or
 /// translucent, are not.
@@ -51,7 +51,7 @@ void PullTool::load() {
   place_ = deformPlace(host(), feature());
   if (place_) base_ = host().result(place_->base)->evaluated.shape;
   const Mesh* mesh = base_.get<Mesh>();
-  if (!mesh || mesh->faceCount() > mostFaces) return show({});
+  if (!mesh || mesh->faceCount() > maximumFaces) return show({});
   scheme_ = place_->scheme == "loop" ? Scheme::Loop : Scheme::CatmullClark;
   if (!place_->existing.empty()) {
     const Feature& deform = host().document().at(place_->existing);
@@ -83,7 +83,7 @@ PullTool::Loaded PullTool::loaded(std::shared_ptr<const GripSurface> known, cons
     std::vector<Grip> grips = gripsOf(*known, pulls, now, progress);
     return {std::move(known), std::move(grips)};
   } catch (const std::exception&) {
-    return {};  // what is wrong with the cage, the features that take it say
+    return {};  // the features made from the cage report its defects
   }
 }
 
@@ -106,7 +106,7 @@ void PullTool::show(Loaded loaded) {
 std::optional<std::size_t> PullTool::handleUnder(const ui::ToolEvent& event) const {
   if (!surface_) return std::nullopt;
   const double reach = gripPixels * event.millimetresPerPixel;
-  // What the surface hides cannot be taken hold of.
+  // Points hidden by the surface cannot be grabbed.
   const double seen =
       event.pick.feature.empty() ? std::numeric_limits<double>::infinity() : event.pick.part.distance + 3 * reach;
   std::optional<std::size_t> best;

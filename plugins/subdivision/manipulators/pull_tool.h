@@ -11,10 +11,10 @@
 
 namespace blossom::subdivision {
 
-/// Limit points of a cage's vertices that can be dragged while the cage, or its smooth surface, is selected. While one is
-/// dragged, feet and factor are held and the surface within reach follows at once; letting go makes the pull part of a
-/// deformation, one step of undo. What takes longer than a frame, the limit surface of a large cage, is made in the
-/// background.
+/// Limit points of a cage's vertices that can be dragged while the cage, or its smooth surface, is selected. During a drag,
+/// feet and factorisation are kept and the influenced surface follows at once; the end of the drag adds the pull to a
+/// deformation as one step of undo. What takes longer than a frame, such as the limit surface of a large cage, is computed
+/// in the background.
 class PullTool : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -22,7 +22,7 @@ class PullTool : public ui::HandleTool {
   ~PullTool() override;
 
   [[nodiscard]] QString hint() const override;
-  /// A drag asks nothing of the scene.
+  /// No picking during a drag.
   [[nodiscard]] ui::PickMode picks() const override { return held() ? ui::PickMode::None : ui::PickMode::Feature; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
 
@@ -51,11 +51,11 @@ class PullTool : public ui::HandleTool {
   std::shared_ptr<const GripSurface> surface_;
   std::vector<Grip> grips_;
   std::unique_ptr<LivePull> live_;
-  std::vector<std::pair<int, int>> liveEdges_;  ///< of the cage, that move
-  std::size_t moving_ = 0;                      ///< which handle of `live_`
+  std::vector<std::pair<int, int>> liveEdges_;  ///< edges of the cage that move
+  std::size_t moving_ = 0;                      ///< index of the handle in `live_`
   Vec3 grabbed_ = Vec3::Zero(), target_ = Vec3::Zero(), normal_ = Vec3::UnitZ(), towards_ = Vec3::UnitZ();
 
-  CancelToken loading_;  ///< what is under way; cancelled when it is not wanted any more
+  CancelToken loading_;  ///< cancels work in the background that is no longer needed
   ui::Mailbox here_;
   ui::Background thread_;  // ends first
 };

@@ -7,7 +7,7 @@
 
 #include "geometry/shape/bounds.h"
 #include "geometry/tessellate/tessellate.h"
-#include "kernel/stroke.h"
+#include "kernel/curve_through.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::subdivision {
@@ -169,7 +169,7 @@ std::vector<vtkSmartPointer<vtkProp>> StrokeTool::props() const {
     shown.push_back(*hovered_);
   std::vector<vtkSmartPointer<vtkProp>> props;
   if (shown.size() > 1) {
-    const Curve curve = shown.size() > 2 ? splineThrough(shown) : polyline(shown);
+    const Curve curve = shown.size() > 2 ? splineThrough(shown) : polylineThrough(shown);
     const Tessellation line = tessellate(curve, {.chord = pixel_ / 2});
     props.push_back(ui::linesProp(line.edges, look.made, 2.5 * ratio));
   }

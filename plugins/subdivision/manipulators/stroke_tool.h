@@ -6,9 +6,9 @@
 
 namespace blossom::subdivision {
 
-/// Draws a target stroke over a shape: clicks place points, dragging draws by hand. The stroke lies in a plane through its
-/// first point, which X, Y and Z turn. When a cage or its smooth surface is selected, the stroke becomes the target of a
-/// deformation of it.
+/// Draws a target stroke over a shape: clicks place points, dragging draws freehand. The stroke lies in a plane through its
+/// first point, which X, Y and Z turn. When a cage or its smooth surface is selected, the stroke becomes the target of its
+/// deformation.
 class StrokeTool : public ui::Tool {
   Q_OBJECT
  public:
@@ -29,12 +29,12 @@ class StrokeTool : public ui::Tool {
   void add(const Vec3&);
   void finish();
 
-  FeatureId shape_;  ///< that is to follow; empty: the stroke stands alone
+  FeatureId shape_;  ///< the shape to deform; empty: none
   std::optional<DeformPlace> place_;
   std::vector<Vec3> points_;
   std::optional<Vec3> hovered_;
-  bool flat_ = false;        ///< what is to follow lies in the drawing plane, and so do strokes unless a key says otherwise
-  std::optional<int> axis_;  ///< chosen by a key; else the one that looks most towards the viewer
+  bool flat_ = false;        ///< the shape lies in the drawing plane, and so do strokes unless a key sets another plane
+  std::optional<int> axis_;  ///< chosen by a key; else the axis closest to the viewing direction
   Vec3 normal_ = Vec3::UnitY();
   double pixel_ = 1;
   bool drawing_ = false;

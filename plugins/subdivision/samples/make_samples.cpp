@@ -13,7 +13,7 @@ namespace {
 using namespace blossom;
 namespace fs = std::filesystem;
 
-/// A document in the making. What a feature takes is hidden, unless it is to be seen beside the result.
+/// A document under construction. Inputs of a feature are hidden, unless they are to be shown beside the result.
 class Sample {
  public:
   Sample(const App& app, fs::path scratch) : app_(app), scratch_(std::move(scratch)) {}

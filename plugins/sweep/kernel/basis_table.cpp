@@ -17,7 +17,7 @@ std::size_t spanEndingAt(int degree, std::span<const double> knots, std::size_t 
 
 }  // namespace
 
-BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<const double> parameters, Side side) {
+BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<const double> parameters, KnotSide side) {
   const std::size_t order = static_cast<std::size_t>(degree) + 1;
   BasisTable table;
   table.degree = degree;
@@ -27,7 +27,7 @@ BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<co
   std::vector<double> both(2 * order);
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     std::size_t span = findSpan(degree, knots, parameters[k]);
-    if (side == Side::Left && knots[span] == parameters[k]) span = spanEndingAt(degree, knots, span, parameters[k]);
+    if (side == KnotSide::Left && knots[span] == parameters[k]) span = spanEndingAt(degree, knots, span, parameters[k]);
     basisDerivatives(degree, knots, span, parameters[k], 1, both);
     table.first.push_back(span - static_cast<std::size_t>(degree));
     std::copy_n(both.begin(), order, table.value.begin() + static_cast<std::ptrdiff_t>(k * order));

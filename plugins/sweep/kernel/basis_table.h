@@ -5,13 +5,13 @@
 
 namespace blossom::sweep {
 
-/// Which polynomial piece counts at a knot.
-enum class Side { Left, Right };
+/// The polynomial piece evaluated at a knot.
+enum class KnotSide { Left, Right };
 
-/// The non-zero basis functions and their first derivatives at many parameters, tabulated once.
+/// The non-zero basis functions and their first derivatives at many parameters.
 struct BasisTable {
   int degree = 0;
-  std::vector<std::size_t> first;  ///< index of the first pole that matters, one per parameter
+  std::vector<std::size_t> first;  ///< index of the first pole with a non-zero basis function, one per parameter
   std::vector<double> value;       ///< degree + 1 for each parameter
   std::vector<double> derivative;  ///< degree + 1 for each parameter
 
@@ -28,6 +28,6 @@ struct BasisTable {
 
 /// @param knots full vector, clamped or not  @param parameters inside the domain. O(parameters * degree^2).
 BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<const double> parameters,
-                         Side side = Side::Right);
+                         KnotSide side = KnotSide::Right);
 
 }  // namespace blossom::sweep

@@ -56,9 +56,9 @@ CubicBreaks breaksV(const Motion& motion) {
                       false);
 }
 
-CubicBreaks halved(const CubicBreaks& breaks, std::size_t mostSpans) {
+CubicBreaks halved(const CubicBreaks& breaks, std::size_t maximumSpans) {
   const std::size_t spans = breaks.at.size() - 1;
-  if (2 * spans > mostSpans) return breaks;
+  if (2 * spans > maximumSpans) return breaks;
   CubicBreaks result;
   result.periodic = breaks.periodic;
   for (std::size_t i = 0; i < spans; ++i) {
@@ -90,13 +90,13 @@ Rows transposedPoints(const Rows& rows) {
 /// A parameter where a slope is needed, and the side it is taken from.
 struct SlopePlace {
   double at;
-  Side side;
+  KnotSide side;
 };
 std::vector<SlopePlace> slopePlaces(const CubicBreaks& breaks) {
   std::vector<SlopePlace> places;
   for (const auto& [from, to] : breaks.segments()) {
-    places.push_back({breaks.at[from], Side::Right});
-    places.push_back({breaks.at[to], Side::Left});
+    places.push_back({breaks.at[from], KnotSide::Right});
+    places.push_back({breaks.at[to], KnotSide::Left});
   }
   return places;
 }
@@ -107,7 +107,7 @@ Rows pointsAtBreaks(const Motion& motion, const CubicBreaks& u, const CubicBreak
   Rows values = makeRows(grid.countU, grid.countV);
   for (std::size_t i = 0; i < grid.countU; ++i)
     for (std::size_t j = 0; j < grid.countV; ++j) put(values, i, j, grid.pointAt(i, j));
-  // The seam holds to the last bit.
+  // Both sides of the seam are bitwise equal.
   if (motion.closedU != ClosedU::No) values.row(values.rows() - 1) = values.row(0);
   return values;
 }
@@ -125,7 +125,7 @@ Surface interpolate(const Motion& motion, const CubicBreaks& u, const CubicBreak
   }
   for (std::size_t i = 0; i < u.at.size(); ++i)
     for (std::size_t j = 0; j < placesV.size(); ++j)
-      put(slopesV, i, j, evaluate(motion, u.at[i], placesV[j].at, Side::Right, placesV[j].side).dv);
+      put(slopesV, i, j, evaluate(motion, u.at[i], placesV[j].at, KnotSide::Right, placesV[j].side).dv);
   if (motion.closedU != ClosedU::No) slopesV.row(slopesV.rows() - 1) = slopesV.row(0);
 
   const Rows poles = interpolateCubic(v, transposedPoints(interpolateCubic(u, values, slopesU)),
@@ -181,13 +181,13 @@ CubicResult approximateCubic(const Motion& motion, const CubicOptions& options, 
   CubicResult result;
   while (true) {
     const std::size_t spansU = u.at.size() - 1, spansV = v.at.size() - 1;
-    progress.report(0.1 + 0.8 * static_cast<double>(std::max(spansU, spansV)) / static_cast<double>(options.mostSpans),
+    progress.report(0.1 + 0.8 * static_cast<double>(std::max(spansU, spansV)) / static_cast<double>(options.maximumSpans),
                     "Approximating");
     result.surface = interpolate(motion, u, v, progress);
     result.spansU = spansU, result.spansV = spansV;
     result.deviation = deviation(motion, result.surface, 8, options.tolerance, progress);
     if (result.deviation <= options.tolerance) return result;
-    u = halved(u, options.mostSpans), v = halved(v, options.mostSpans);
+    u = halved(u, options.maximumSpans), v = halved(v, options.maximumSpans);
     if (u.at.size() - 1 == spansU && v.at.size() - 1 == spansV)
       throw Error(
           ErrorCode::LimitExceeded,

@@ -7,24 +7,24 @@
 namespace blossom::sweep {
 
 struct CubicOptions {
-  double tolerance = 1e-3;       ///< mm, largest distance from x(u,v) at equal parameters
-  std::size_t mostSpans = 1024;  ///< in each direction
+  double tolerance = 1e-3;          ///< mm, maximum distance from x(u,v) at equal parameters
+  std::size_t maximumSpans = 1024;  ///< maximum number of spans in each direction
 };
 
 struct CubicResult {
-  Surface surface;       ///< polynomial (all weights 1), bicubic, clamped; first and last row the same when closed in u
-  double deviation = 0;  ///< mm, largest distance measured, 8 x 8 samples in every span and its edges
+  Surface surface;       ///< polynomial (all weights 1), bicubic, clamped; first and last row equal when closed in u
+  double deviation = 0;  ///< mm, maximum distance measured at 8 x 8 samples in every span and on its edges
   std::size_t spansU = 0, spansV = 0;
 };
 
-/// A bicubic B-spline surface near the swept surface, for receivers that cannot take rational surfaces of high degree. It
-/// interpolates the motion at its breaks and is C2 wherever the motion is; the spans of the motion are halved until the
-/// deviation, measured and not estimated, is at most the tolerance.
-/// @throws Error LimitExceeded with the deviation reached; Degenerate; Cancelled. Cost: O(samples), about 20 ns each.
+/// A bicubic B-spline approximation of the swept surface, for receivers that cannot read rational surfaces of high degree.
+/// It interpolates the motion at its breaks and is C2 wherever the motion is; the spans of the motion are halved until the
+/// measured deviation is at most the tolerance.
+/// @throws Error LimitExceeded with the deviation reached; Degenerate; Cancelled. O(samples), about 20 ns each.
 CubicResult approximateCubic(const Motion&, const CubicOptions& = {}, const Progress& = Progress::none());
 
-/// Largest distance at equal parameters between the motion and a surface, at samples x samples places of each span and on
-/// its edges. Stops early once `enough` is passed.
+/// Maximum distance at equal parameters between the motion and a surface, at samples x samples points of each span and on
+/// its edges. Returns early once the distance exceeds `enough`.
 double deviation(const Motion&, const Surface&, int samples, double enough, const Progress& = Progress::none());
 
 }  // namespace blossom::sweep

@@ -5,25 +5,25 @@
 
 namespace blossom::sweep {
 
-/// Rows of numbers, one row for each break; all columns are interpolated alike.
+/// A matrix with one row per break; all columns are interpolated alike.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Where a piecewise cubic function is smooth and where it may bend. C2 at breaks of multiplicity 1, C1 at 2, C0 at 3.
+/// Breaks of a piecewise cubic function with its continuity: C2 at breaks of multiplicity 1, C1 at 2, C0 at 3.
 struct CubicBreaks {
   std::vector<double> at;         ///< increasing
-  std::vector<int> multiplicity;  ///< one per break, 1 to 3; those of the ends do not count
-  bool periodic = false;          ///< the ends are one C2 break; only with multiplicity 1 everywhere
+  std::vector<int> multiplicity;  ///< one per break, 1 to 3; those of the ends are ignored
+  bool periodic = false;          ///< the ends are the same C2 break; requires multiplicity 1 everywhere
 
-  /// Breaks between which the spline is C2: index pairs [from, to]. None when periodic.
+  /// Ranges of breaks between which the spline is C2: index pairs [from, to]. None when periodic.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> segments() const;
   /// Full clamped knot vector of degree 3.
   [[nodiscard]] std::vector<double> knots() const;
 };
 
-/// Poles of the cubic B-splines that pass through `values` (one row for each break) and have the derivatives `slopes` at
-/// both ends of every segment (rows 2k and 2k+1 for segment k; none when periodic). Solves a tridiagonal system for the
-/// slopes at the breaks (de Boor, A Practical Guide to Splines, chapter IV); the ends of a periodic spline give identical
-/// poles. O(rows * columns).
+/// Poles of the cubic B-splines that interpolate `values` (one row per break) with the derivatives `slopes` at both ends of
+/// every segment (rows 2k and 2k+1 for segment k; none when periodic). Solves a tridiagonal system for the derivatives at
+/// the breaks (de Boor, A Practical Guide to Splines, chapter IV); first and last pole of a periodic spline are identical.
+/// O(rows * columns).
 Rows interpolateCubic(const CubicBreaks&, const Rows& values, const Rows& slopes);
 
 }  // namespace blossom::sweep

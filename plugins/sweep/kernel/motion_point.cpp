@@ -24,7 +24,7 @@ Jet operator/(const Jet& a, const Jet& b) {
 
 using Jet4 = std::array<Jet, 4>;
 
-Jet4 evaluateSurface(const Surface& surface, double u, double v, Side sideU, Side sideV) {
+Jet4 evaluateSurface(const Surface& surface, double u, double v, KnotSide sideU, KnotSide sideV) {
   const BasisTable bu = tabulateBasis(surface.degreeU, surface.knotsU, {&u, 1}, sideU);
   const BasisTable bv = tabulateBasis(surface.degreeV, surface.knotsV, {&v, 1}, sideV);
   Jet4 result;
@@ -38,7 +38,7 @@ Jet4 evaluateSurface(const Surface& surface, double u, double v, Side sideU, Sid
   return result;
 }
 
-Jet4 evaluateCurve(const Curve& curve, double v, Side side) {
+Jet4 evaluateCurve(const Curve& curve, double v, KnotSide side) {
   const BasisTable basis = tabulateBasis(curve.degree, curve.knots, {&v, 1}, side);
   Jet4 result;
   for (std::size_t j = 0; j < basis.value.size(); ++j)
@@ -51,7 +51,7 @@ Jet4 evaluateCurve(const Curve& curve, double v, Side side) {
 
 }  // namespace
 
-MotionPoint evaluate(const Motion& motion, double u, double v, Side sideU, Side sideV) {
+MotionPoint evaluate(const Motion& motion, double u, double v, KnotSide sideU, KnotSide sideV) {
   const Jet4 t = evaluateCurve(motion.trajectory, v, sideV);
   const auto [w, x, y, z] = evaluateSurface(motion.orientation, u, v, sideU, sideV);
   const auto [sx, sy, sz, sw] = evaluateSurface(motion.scaling, u, v, sideU, sideV);

@@ -10,8 +10,8 @@ struct MotionPoint {
   double weight = 0;  ///< W = tw |r|^2 sw, the denominator of the rational surface
 };
 
-/// x(u,v) = M(u,v) p straight from the factors, with the derivatives x_u, x_v and x_uv (Yoon & Lee 2009, section 3).
-/// At a knot where the motion is not smooth, `sideU` and `sideV` choose the piece. O(degree^2).
-MotionPoint evaluate(const Motion&, double u, double v, Side sideU = Side::Right, Side sideV = Side::Right);
+/// x(u,v) = M(u,v) p computed from the factors, with the derivatives x_u, x_v and x_uv (Yoon & Lee 2009, section 3). At a
+/// knot where the motion is not smooth, `sideU` and `sideV` choose the piece. O(degree^2).
+MotionPoint evaluate(const Motion&, double u, double v, KnotSide sideU = KnotSide::Right, KnotSide sideV = KnotSide::Right);
 
 }  // namespace blossom::sweep

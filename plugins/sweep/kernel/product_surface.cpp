@@ -53,7 +53,7 @@ Surface multiply(const Motion& motion) {
   const PatchPolynomial dsw = product(sum(ww, xx, 1, yy, 1, zz, 1), sw);
   const PatchPolynomial* const scales[3] = {&sx, &sy, &sz};
   const auto coordinate = [&](std::size_t k) {
-    // Components of p that are zero take no part.
+    // Components of p that are zero contribute nothing.
     PatchPolynomial turned(dsw.patches(), dsw.degreeU(), dsw.degreeV());
     for (std::size_t c = 0; c < 3; ++c)
       if (const double p = motion.point[static_cast<Eigen::Index>(c)]; p != 0) turned.addProduct(rows[k][c], *scales[c], p);

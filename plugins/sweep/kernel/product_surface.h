@@ -5,21 +5,21 @@
 namespace blossom::sweep {
 
 struct ProductOptions {
-  int refinements = 6;  ///< how often knots may be inserted to make every weight positive
+  int refinements = 6;  ///< maximum number of knot insertions to make every weight positive
 };
 
 struct ProductResult {
   Surface
       surface;  ///< poles (X, Y, Z, W), clamped; scaled by a power of two so that the largest weight is between 1/2 and 1
   double smallestWeight = 0;  ///< of the poles; the largest is between 1/2 and 1
-  int refinements = 0;        ///< how often knots were inserted
+  int refinements = 0;        ///< number of knot insertions
 };
 
-/// The swept surface as one rational B-spline surface with the parameters of the motion, x(u,v) = M(u,v) p exactly
-/// (Yoon & Lee 2009, section 3; the paper's r21 lacks its factor 2). With d = |r|^2 and y = Q(r) (sx px, sy py, sz pz):
-/// X = tw y + (tx, ty, tz) d sw, W = tw d sw. Degrees 2 ru + su and tv + 2 rv + sv: 9 and 12 from cubics.
-/// A closed motion gives a surface over one period whose first and last row of poles are the same.
-/// Weights that are not positive are mended by knot insertion (the coefficients converge to W > 0).
+/// The swept surface as one rational B-spline surface with the parameters of the motion, x(u,v) = M(u,v) p exactly (Yoon &
+/// Lee 2009, section 3; the paper's r21 lacks its factor 2). With d = |r|^2 and y = Q(r) (sx px, sy py, sz pz): X = tw y +
+/// (tx, ty, tz) d sw, W = tw d sw. Degrees 2 ru + su and tv + 2 rv + sv: 9 and 12 for cubics. A closed motion results in a
+/// surface over one period with equal first and last rows of poles. Weights that are not positive are made positive by knot
+/// insertion (the coefficients converge to W > 0).
 /// @throws Error Degenerate where the quaternions vanish or weights stay negative; LimitExceeded above degree 25; Cancelled.
 ProductResult productSurface(const Motion&, const ProductOptions& = {}, const Progress& = Progress::none());
 

@@ -42,7 +42,7 @@ double sizeOf(const Surface& surface) {
   return (high - low).norm();
 }
 
-/// Copies line `from` of poles over line `to` when they stand for the same curve: the same points, weights in one ratio.
+/// Copies line `from` of poles to line `to` when they represent the same curve: the same points, weights in a fixed ratio.
 /// @param step,lines stride inside a line and between positions, as indices into the pole array
 bool mergeLines(Surface& surface, std::size_t from, std::size_t to, std::size_t step, std::size_t count, double size) {
   const double ratio = surface.poles[to][3] / surface.poles[from][3];
@@ -72,9 +72,9 @@ Vec3 centre(const std::vector<Vec4>& poles) {
 
 /// Normal of the plane through all poles within `tolerance`.
 std::optional<Vec3> planeNormal(const std::vector<Vec4>& poles, const Vec3& origin, double tolerance) {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec4& pole : poles) spread += (euclidean(pole) - origin) * (euclidean(pole) - origin).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Vec4& pole : poles) scatter += (euclidean(pole) - origin) * (euclidean(pole) - origin).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const Vec3 normal = solver.eigenvectors().col(0);
   for (const Vec4& pole : poles)
     if (std::abs(normal.dot(euclidean(pole) - origin)) > tolerance) return {};
@@ -128,7 +128,7 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
   return {EndCap::Cone, toFace(cone(surface, poles, origin))};
 }
 
-/// Faces become one closed shell. Planar caps hold the side's own edges already; cones are joined by sewing.
+/// Joins the faces to one closed shell. Planar caps share the edges of the side already; cones are joined by sewing.
 TopoDS_Shell sew(const std::vector<TopoDS_Face>& faces, double size) {
   BRepBuilderAPI_Sewing sewing(std::max(1e-7, same * size));
   for (const TopoDS_Face& face : faces) sewing.Add(face);

@@ -7,12 +7,12 @@
 /// The one part of this kernel that builds on OCCT.
 namespace blossom::sweep {
 
-/// How an end of a tube is shut.
+/// How an end of a tube is closed.
 enum class EndCap {
-  None,    ///< the ends meet: a torus
-  Point,   ///< the end runs into a point
-  Planar,  ///< a plane
-  Cone     ///< the end is not planar: straight lines to its centre
+  None,    ///< none, because the ends meet: a torus
+  Point,   ///< the end is a single point
+  Planar,  ///< a planar face
+  Cone     ///< straight lines to the centre of an end that is not planar
 };
 
 struct SolidResult {
@@ -20,12 +20,11 @@ struct SolidResult {
   EndCap start = EndCap::None, end = EndCap::None;
 };
 
-/// The body inside a swept tube: a surface that closes in u, shut at both ends in v or closed there too. Caps are bounded by
-/// the very edges of the surface, so the seams hold exactly. Faces look outward; BRepCheck finds the solid valid and closed,
-/// and its triangles do not cross each other. Rows or columns of poles that agree within 1e-9 of the size count as the same
-/// and are made so.
-/// @throws Error InvalidInput when the surface does not close in u; Degenerate when no valid solid comes out or it
-/// crosses itself, with the place; Cancelled.
+/// The solid inside a swept tube: a surface closed in u, and in v either closed or capped at both ends. Caps share their
+/// edges with the surface, so there are no gaps. Faces are oriented outward; the solid is valid and closed (BRepCheck) and
+/// its triangles do not intersect. Rows or columns of poles that are equal within 1e-9 of the size are made equal.
+/// @throws Error InvalidInput when the surface is not closed in u; Degenerate when the solid is invalid or intersects
+/// itself, with the place; Cancelled.
 SolidResult makeSolid(const Surface&, const Progress& = Progress::none());
 
 }  // namespace blossom::sweep

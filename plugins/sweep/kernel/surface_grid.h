@@ -7,7 +7,7 @@
 
 namespace blossom::sweep {
 
-/// Points of a rational surface over a grid of parameters; entry (k, l) stands at [k * vs.size() + l] of each coordinate.
+/// Points of a rational surface over a grid of parameters; entry (k, l) of each coordinate has index k * vs.size() + l.
 std::array<std::vector<double>, 3> evaluateGrid(const Surface&, std::span<const double> us, std::span<const double> vs);
 
 }  // namespace blossom::sweep

@@ -42,11 +42,11 @@ std::size_t lowestAlong(const std::vector<Vec4>& poles, const Vec4& direction) {
 /// direction is sought by Wolfe's algorithm for the point of the hull that is nearest to zero (Wolfe, Mathematical
 /// Programming 11, 1976); whatever it finds, the comparison alone decides.
 bool hullKeepsAway(const std::vector<Vec4>& poles, double minimum) {
-  constexpr int mostSteps = 40;
+  constexpr int maximumSteps = 40;
   std::vector<std::size_t> chosen{0};
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(1);
   Vec4 nearest = poles[0];
-  for (int step = 0; step < mostSteps; ++step) {
+  for (int step = 0; step < maximumSteps; ++step) {
     if (!(nearest.norm() >= minimum)) return false;
     const std::size_t lowest = lowestAlong(poles, nearest);
     if (poles[lowest].dot(nearest) >= minimum * nearest.norm()) return true;
@@ -79,16 +79,16 @@ class Search {
   Search(int degreeU, int degreeV, double scale, const Progress& progress)
       : rows_(static_cast<std::size_t>(degreeU) + 1),
         columns_(static_cast<std::size_t>(degreeV) + 1),
-        least_(nearZero * scale),
+        minimum_(nearZero * scale),
         progress_(progress) {}
 
   /// Proves distances of half of what is refused: between the two, patches need not shrink without end.
   void settle(const Patch& patch) const {
     progress_.check();
-    if (hullKeepsAway(patch.poles, least_ / 2)) return;
-    const double alongU = spread(patch, true), alongV = spread(patch, false);
+    if (hullKeepsAway(patch.poles, minimum_ / 2)) return;
+    const double alongU = extent(patch, true), alongV = extent(patch, false);
     const Vec4& corner = patch.poles.front();
-    if (corner.norm() < least_ || std::max(alongU, alongV) < least_ / 1000)
+    if (corner.norm() < minimum_ || std::max(alongU, alongV) < minimum_ / 1000)
       throw Error(
           ErrorCode::Degenerate,
           fmt::format(
@@ -103,7 +103,7 @@ class Search {
 
  private:
   /// Largest distance between neighbouring poles in one direction.
-  [[nodiscard]] double spread(const Patch& patch, bool alongU) const {
+  [[nodiscard]] double extent(const Patch& patch, bool alongU) const {
     double largest = 0;
     const std::size_t step = alongU ? columns_ : 1;
     for (std::size_t i = 0; i < rows_ - (alongU ? 1 : 0); ++i)
@@ -132,7 +132,7 @@ class Search {
   }
 
   std::size_t rows_, columns_;
-  double least_;
+  double minimum_;
   const Progress& progress_;
 };
 

@@ -46,7 +46,7 @@ BrepImport readBrep(const std::string& path, const Progress& progress) {
   return withOcctErrors(ErrorCode::FormatDamaged, "It cannot be understood as BREP.", [&] {
     TopoDS_Shape shape;
     std::ifstream stream(path, std::ios::binary);
-    // Where the file ends too soon, OCCT goes on with counts that nobody has read: for seconds, or for ever.
+    // When the file ends too soon, OCCT continues with uninitialised counts, for seconds or forever.
     stream.exceptions(std::ios::failbit | std::ios::badbit);
     Handle(OcctProgress) watcher = new OcctProgress(progress, "Reading");
     try {

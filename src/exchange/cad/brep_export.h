@@ -9,14 +9,15 @@
 
 namespace blossom {
 
-/// Writes a shape to a path that OCCT understands as it is; it runs in the child process.
+/// Writer of a B-rep; it runs in the worker process. `path` contains only characters that OCCT can handle.
 using BrepWriter = void (*)(const Brep&, const std::string& path, const Value& options, const Progress&);
 
-/// Makes a writer callable in `blossom-worker` under a name such as "step.write".
+/// Registers a writer in `blossom-worker` under a name such as "step.write".
 void registerBrepWriter(const std::string& call, BrepWriter);
 
-/// Writes a file by such a writer, in a child process: OCCT's writers fall over some shapes that its readers give.
-/// @throws Error InvalidInput for an empty shape; as the writer; what runInWorker throws.
+/// Writes a file by a registered writer in a worker process, because OCCT's writers crash on some shapes that its readers
+/// produce.
+/// @throws Error InvalidInput for an empty shape; errors of the writer and of runInWorker.
 void exportBrep(const std::string& call, const Brep&, const std::filesystem::path&, const Value& options, const Progress&);
 
 void writeStep(const Brep&, const std::string& path, const Value& options, const Progress&);

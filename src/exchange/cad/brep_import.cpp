@@ -41,8 +41,8 @@ Value serve(BrepReader reader, const fs::path& folder, const Progress& progress)
 
 /// OCCT reads about 2 MB a second; a damaged file can send it round for ever.
 double cpuLimit(const fs::path& path) {
-  constexpr double leastSeconds = 15, secondsPerMegabyte = 20;
-  return leastSeconds + secondsPerMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
+  constexpr double minimumSeconds = 15, secondsPerMegabyte = 20;
+  return minimumSeconds + secondsPerMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
 }
 
 }  // namespace

@@ -8,25 +8,25 @@
 
 namespace blossom {
 
-/// What a reader of B-reps gives; it runs in the child process.
+/// Result of a reader of B-reps; readers run in the worker process.
 struct BrepImport {
   Brep brep;
   Value skipped = Value::object();
   std::vector<std::string> warnings;
 };
 
-/// Reads the file whose path OCCT understands as it is. Messages need not name the file.
+/// Reads the file at `path`, which contains only characters that OCCT can handle. Messages need not name the file.
 using BrepReader = BrepImport (*)(const std::string& path, const Progress&);
 
-/// Makes a reader callable in `blossom-worker` under a name such as "step.read".
+/// Registers a reader in `blossom-worker` under a name such as "step.read".
 void registerBrepReader(const std::string& call, BrepReader);
 
-/// Reads a file by such a reader, in a child process: a crash on a damaged file ends the child, cancel ends it at once, and
-/// a reader that spins on rubbish is ended after 15 s of computing and 20 s more for each MB.
-/// @throws Error as the reader; FormatDamaged when the file holds no geometry; what runInWorker throws.
+/// Reads a file by a registered reader in a worker process: a crash on a damaged file ends only that process, cancelling
+/// ends it at once, and a reader that loops on damaged data is ended after 15 s of CPU time plus 20 s per MB.
+/// @throws Error FormatDamaged when the file contains no geometry; errors of the reader and of runInWorker.
 Imported importBrep(const std::string& call, const std::filesystem::path&, const Progress&);
 
-/// Last bytes of a file, at most `count`.
+/// The last `count` bytes of a file, or all of it when it is shorter.
 std::string tailOf(const std::filesystem::path&, std::size_t count);
 
 BrepImport readStep(const std::string& path, const Progress&);

@@ -45,15 +45,15 @@ bool print(IGESControl_Writer& writer, const std::string& path) {
   return printed && stream.good();
 }
 
-/// Only B-Rep entities can hold a body; loose faces are left to the trimmed surfaces that every program reads.
-bool holdsSolid(const Brep& brep) { return TopExp_Explorer(brep.shape(), TopAbs_SOLID).More(); }
+/// Only B-Rep entities can represent a solid; loose faces are written as trimmed surfaces, which every program reads.
+bool containsSolid(const Brep& brep) { return TopExp_Explorer(brep.shape(), TopAbs_SOLID).More(); }
 
 }  // namespace
 
 void writeIges(const Brep& brep, const std::string& path, const Value& options, const Progress& progress) {
   const OcctSession session;
   const OcctSetting unit("write.iges.unit", "MM");
-  const OcctSetting mode("write.iges.brep.mode", options.value("brep", true) && holdsSolid(brep) ? 1 : 0);
+  const OcctSetting mode("write.iges.brep.mode", options.value("brep", true) && containsSolid(brep) ? 1 : 0);
   const OcctSetting product("write.iges.header.product", "Blossom");
   const OcctSetting author("write.iges.header.author", "Blossom");
   const OcctSetting company("write.iges.header.company", "");

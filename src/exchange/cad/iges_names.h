@@ -4,8 +4,8 @@
 
 namespace blossom {
 
-/// Gives the entities of what was transferred the names of their uses and parts, in the order of the document. OCCT's own
-/// way (SetNameMode) goes by the addresses of shapes, and falls over a use that has no name.
+/// Sets the names of the transferred IGES entities to those of the instances and parts, in the order of the document. OCCT's
+/// own way (SetNameMode) depends on the addresses of shapes, and crashes on an instance without a name.
 void writeIgesNames(IGESCAFControl_Writer&, const Handle(TDocStd_Document) &);
 
 }  // namespace blossom

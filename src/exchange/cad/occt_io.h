@@ -9,8 +9,8 @@
 
 namespace blossom {
 
-/// While one lives, its thread alone uses OCCT's translators, whose settings are global and whose units are static. Also
-/// keeps them from printing to stdout.
+/// Lock for OCCT's translators, whose settings are global and whose units are static: while one exists, only its thread uses
+/// them. Also suppresses their output to stdout.
 class OcctSession {
  public:
   OcctSession();
@@ -19,7 +19,7 @@ class OcctSession {
   std::unique_lock<std::recursive_mutex> lock_;
 };
 
-/// One of OCCT's global settings ("write.step.schema"), put back at the end. Needs an OcctSession.
+/// Sets one of OCCT's global settings ("write.step.schema") and restores it in the destructor. Requires an OcctSession.
 class OcctSetting {
  public:
   OcctSetting(const char* name, int value);
@@ -33,11 +33,11 @@ class OcctSetting {
   std::string before_;
 };
 
-/// Format by which OCCT's writers give numbers enough digits to be read back as the same double; their own has 12.
-/// Trailing zeros must stay: suppressing them, OCCT 7.6 drops the exponent of numbers this long.
+/// Number format for OCCT's writers with enough digits to read back the same double; the default has 12. Trailing zeros must
+/// be kept: OCCT 7.6 drops the exponent of numbers this long when it suppresses them.
 inline constexpr const char* exactNumber = "%.16E";
 
-/// Calls `work`; an exception of OCCT comes out as an Error with `code` and `sentence`.
+/// Calls `work` and converts an exception of OCCT to an Error with `code` and `sentence`.
 template <class Work>
 auto withOcctErrors(ErrorCode code, const std::string& sentence, Work&& work) {
   try {

@@ -2,7 +2,7 @@
 
 namespace blossom {
 
-/// Makes the readers and writers of STEP, IGES and BREP callable in `blossom-worker`.
+/// Registers the readers and writers of STEP, IGES and BREP in `blossom-worker`.
 void registerExchangeCalls();
 
 }  // namespace blossom

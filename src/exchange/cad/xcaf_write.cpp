@@ -108,7 +108,7 @@ class DocumentWriter {
   std::map<const BrepPart*, int> uses_;
 };
 
-/// Uses of parts that hold something: OCCT's translators look into every part they are given.
+/// Instances of parts that are not empty, because OCCT's translators access the shape of every part.
 std::vector<BrepInstance> withGeometry(const std::vector<BrepInstance>& uses, PartsWithGeometry& known);
 
 std::shared_ptr<const BrepPart> withGeometry(const std::shared_ptr<const BrepPart>& part, PartsWithGeometry& known) {

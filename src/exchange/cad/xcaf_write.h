@@ -6,10 +6,9 @@
 
 namespace blossom {
 
-/// The Brep that a STEP, IGES or BREP file can hold of a shape: faces of surfaces, regions and meshes, edges and wires of
-/// curves. A surface becomes one face that keeps its parametrisation and knots.
-/// @throws Error LimitExceeded for a mesh of more than 100,000 faces; OutputNotSupported for other kinds; what toOcct
-/// throws.
+/// The Brep of a shape that a STEP, IGES or BREP file can store: faces for surfaces, regions and meshes, edges and wires for
+/// curves. A surface becomes one face with the same parametrisation and knots.
+/// @throws Error LimitExceeded for a mesh of more than 100,000 faces; OutputNotSupported for other kinds; errors of toOcct.
 Brep toBrep(const Shape&);
 
 /// An XCAF document with the structure, names and colours of a Brep; lengths in mm. Parts without geometry are left out.

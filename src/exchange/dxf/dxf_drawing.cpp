@@ -60,7 +60,7 @@ class Collector final : public DL_CreationAdapter {
     return std::move(drawing_);
   }
 
-  // dxflib calls this after every object, so it tells which one is at hand.
+  // dxflib calls this after every object, so it identifies the current one.
   void endSection() override {
     if (++objects_ % 1024 == 0) progress_.check();
   }
@@ -311,7 +311,7 @@ void Collector::finishSpline() {
 }
 
 std::optional<Segment> Collector::hatchSegment(const DL_HatchEdgeData& e) const {
-  // Clockwise edges tell their angles clockwise.
+  // Clockwise edges measure their angles clockwise.
   const double sign = e.type == 2 || e.type == 3 ? (e.ccw ? 1 : -1) : 1;
   switch (e.type) {
     case 1:

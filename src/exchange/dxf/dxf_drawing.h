@@ -10,17 +10,17 @@
 
 namespace blossom {
 
-/// Layer and colour of an entity as they stand in the file.
+/// Layer and colour of an entity as written in the file.
 struct DxfInk {
   std::string layer = "0";
-  int index = 256;  ///< AutoCAD colour index; 0: as the block, 256: as the layer
-  int rgb = -1;     ///< 0xrrggbb, -1 when not given
+  int index = 256;  ///< AutoCAD colour index; 0: BYBLOCK, 256: BYLAYER
+  int rgb = -1;     ///< 0xrrggbb; -1: none
 };
 
-/// A block used at a place, or at the places of a grid.
+/// A reference to a block at a point, or at the points of a grid.
 struct DxfInsert {
   std::string block;
-  Eigen::Matrix<double, 2, 3> plane;  ///< from the plane it is drawn in to the drawing
+  Eigen::Matrix<double, 2, 3> plane;  ///< from the plane of the entity to the drawing
   Vec2 at{0, 0}, scale{1, 1}, spacing{0, 0};
   double angle = 0;  ///< radians
   int columns = 1, rows = 1;
@@ -28,8 +28,8 @@ struct DxfInsert {
 
 struct DxfItem {
   DxfInk ink;
-  Path path;                        ///< its layer and colour are not set yet
-  std::optional<DxfInsert> insert;  ///< in place of a path
+  Path path;                        ///< layer and colour are not set yet
+  std::optional<DxfInsert> insert;  ///< instead of a path
   std::size_t line = 0;
 };
 
@@ -38,7 +38,7 @@ struct DxfBlock {
   std::vector<DxfItem> items;
 };
 
-/// A drawing as it stands in the file: blocks not yet put in their places, lengths in its own unit.
+/// Content of the file: blocks not yet inserted, lengths in the unit of the file.
 struct DxfDrawing {
   DxfBlock model;
   std::map<std::string, DxfBlock> blocks;  ///< by name in capitals
@@ -47,18 +47,17 @@ struct DxfDrawing {
   std::size_t flattened = 0, interpolated = 0, degenerate = 0;
 };
 
-/// Lets dxflib interpret the cleaned text. @throws Error FormatDamaged, Cancelled.
+/// Interprets the cleaned text with dxflib. @throws Error FormatDamaged, Cancelled.
 DxfDrawing readDxfDrawing(const CleanDxf&, const Progress&);
 
-/// Puts every block in its places and lengths in mm.
-/// @throws Error FormatDamaged for a block that contains itself or does not exist, LimitExceeded when arrays grow without
-/// measure.
+/// Inserts all blocks and converts lengths to mm.
+/// @throws Error FormatDamaged for a block that contains itself or does not exist, LimitExceeded for arrays that are too
+/// large.
 Curves expandDxf(const DxfDrawing&, std::vector<std::string>& warnings, const Progress&);
 
-/// Circular arc between two points with bulge = tan(sweep / 4); a line for a bulge of 0.
+/// Circular arc between two points with bulge = tan(sweep / 4); a line when the bulge is 0.
 Segment bulgeSegment(const Vec2& from, const Vec2& to, double bulge);
-/// The plane of an entity drawn under an extrusion direction (the arbitrary axis algorithm of the DXF reference), seen from
-/// above.
+/// The plane of an entity with an extrusion direction (arbitrary axis algorithm of the DXF reference), projected along z.
 Eigen::Matrix<double, 2, 3> dxfPlane(Vec3 extrusion, double elevation);
 /// Colour of an AutoCAD colour index; empty for 7, which is black on paper and white on a dark screen.
 std::optional<Color> dxfColor(int index);

@@ -15,10 +15,10 @@ using namespace parse;
 namespace {
 
 /// Blocks in blocks multiply: this many items and segments are more than any drawing made by people.
-constexpr std::size_t mostItems = 1'000'000, mostSegments = 2'000'000;
+constexpr std::size_t maximumItems = 1'000'000, maximumSegments = 2'000'000;
 constexpr std::size_t deepestNesting = 64;
 
-/// mm per unit of $INSUNITS, 0 for units nobody draws in.
+/// mm per unit of $INSUNITS, 0 for unusual units.
 double millimetres(int unit) {
   static constexpr std::array<double, 17> table{1,       25.4,  304.8, 1609344, 1,    10,  1000,  1e6,   25.4e-6,
                                                 25.4e-3, 914.4, 1e-7,  1e-6,    1e-3, 100, 10000, 100000};
@@ -51,9 +51,9 @@ class Expander {
  private:
   void block(const DxfBlock& content, const Context& context) {
     for (const DxfItem& item : content.items) {
-      if (++items_ > mostItems)
+      if (++items_ > maximumItems)
         throw Error(ErrorCode::LimitExceeded,
-                    fmt::format("Its blocks and arrays unfold into more than {} entities.", mostItems));
+                    fmt::format("Its blocks and arrays unfold into more than {} entities.", maximumItems));
       if (items_ % 4096 == 0) progress_.check();
       if (item.insert)
         insert(item, context);
@@ -80,8 +80,8 @@ class Expander {
 
   void path(const DxfItem& item, const Context& context) {
     segments_ += item.path.segments.size();
-    if (segments_ > mostSegments)
-      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and arcs.", mostSegments));
+    if (segments_ > maximumSegments)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and arcs.", maximumSegments));
     Path placed = context.isPlaced ? transformed(item.path, Eigen::Matrix<double, 2, 3>(context.place.affine())) : item.path;
     if (!allFinite(placed)) throw damaged(item.line, "an entity has a coordinate that is not a number.");
     placed.layer = layerOf(item.ink, context);
@@ -111,9 +111,9 @@ class Expander {
 
   void cell(const DxfBlock& content, const DxfInsert& use, int row, int column, const Context& context, Context& inner) {
     // Empty blocks count as well, so that an array of nothing ends too.
-    if (++items_ > mostItems)
+    if (++items_ > maximumItems)
       throw Error(ErrorCode::LimitExceeded,
-                  fmt::format("Its blocks and arrays unfold into more than {} entities.", mostItems));
+                  fmt::format("Its blocks and arrays unfold into more than {} entities.", maximumItems));
     Eigen::Affine2d plane = Eigen::Affine2d::Identity();
     plane.affine() = use.plane;
     inner.place = context.place * plane * Eigen::Translation2d(use.at) * Eigen::Rotation2Dd(use.angle) *

@@ -42,7 +42,7 @@ class DxfWriter {
   /// @param inSpace a curve beside them, or none
   DxfWriter(const Curves& curves, const Curve* inSpace, const std::filesystem::path& path)
       : curves_(curves), inSpace_(inSpace), file_(path.string()) {
-    // Opening by dxflib tells it the version; the writer of ours then writes the same file anew.
+    // Opening the file with dxflib sets its version; our own writer then overwrites the file.
     delete dxf_.out(file_.c_str(), DL_Codes::AC1015);
     writer_ = std::make_unique<ExactWriter>(file_.c_str(), DL_Codes::AC1015);
     if (writer_->failed()) throw Error(ErrorCode::FileUnwritable, fmt::format("\"{}\" cannot be written.", file_));
@@ -154,7 +154,7 @@ class DxfWriter {
   }
 
   void polyline(const Path& p) {
-    // A bulge cannot tell a full circle: arcs of more than half a turn go in two pieces.
+    // A bulge cannot represent a full circle: arcs of more than half a turn are divided in two.
     std::vector<std::pair<Vec2, double>> vertices;
     for (const Segment& s : p.segments) {
       const Arc2* arc = std::get_if<Arc2>(&s);

@@ -7,7 +7,7 @@
 
 namespace blossom {
 
-/// Curves or a region as DXF R2000 in mm: LINE, ARC, CIRCLE, LWPOLYLINE with bulges, SPLINE with weights.
+/// Writes curves or a region as DXF R2000 in mm: LINE, ARC, CIRCLE, LWPOLYLINE with bulges, SPLINE with weights.
 /// @throws Error FileUnwritable, Cancelled.
 void writeDxf(const Shape&, const std::filesystem::path&, const Value& options, const Progress&);
 

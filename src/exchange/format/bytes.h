@@ -10,7 +10,7 @@
 
 namespace blossom {
 
-/// Reads numbers of either byte order from a block of memory and never beyond its end.
+/// Reads numbers of either byte order from a block of memory, with a check for its end.
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, std::endian order) : bytes_(bytes), swap_(order != std::endian::native) {}

@@ -9,7 +9,7 @@ struct DrawnBox {
   Vec2 low{0, 0}, high{0, 0};
 };
 
-/// The box around all curves of the drawings, up to the chord; a point at the origin where there are none.
+/// Bounding box of all curves of the drawings, up to the chord; a point at the origin when there are none.
 DrawnBox drawnBox(const std::vector<Curves>& drawings, double chord);
 
 }  // namespace blossom

@@ -12,7 +12,7 @@
 namespace blossom {
 namespace {
 
-/// Binary STL holds single-precision numbers: far from the origin little is left of a small shape.
+/// Binary STL stores single-precision numbers: far from the origin a small shape loses its digits.
 std::optional<std::string> roundingOfStl(const Shape& shape, const Value& options) {
   if (options.value("ascii", false)) return std::nullopt;
   const Bounds box = bounds(shape);
@@ -27,7 +27,7 @@ std::optional<std::string> roundingOfStl(const Shape& shape, const Value& option
       reach, std::numbers::sqrt3 * rounding);
 }
 
-/// Meshes of large shapes do not fill the disk because of a chord that nobody chose.
+/// Keeps meshes of large shapes from filling the disk because of the default chord.
 std::optional<std::string> boundChord(const Shape& shape, Value& options, const Progress& progress) {
   const auto chord = options.find("chord");
   if (chord == options.end() || !chord->is_number()) return std::nullopt;

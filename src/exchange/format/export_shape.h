@@ -8,16 +8,16 @@
 
 namespace blossom {
 
-/// What is to be said about a file that was written.
+/// Findings about a written file.
 struct ExportReport {
-  std::optional<double> gouge;        ///< mm, of a program as it stands in the file, where the part is known
+  std::optional<double> gouge;        ///< mm, measured on the program as written, when its part is known
   std::vector<std::string> warnings;  ///< full sentences
 };
 
-/// Writes a shape as writeShape does and tells what the file is worth: a program is read back and measured against its
-/// part; numbers too short for where a shape lies are told; unless `chordGiven`, the chord of a large shape is raised until
-/// its triangles stay affordable (see affordableChord).
-/// @throws Error as writeShape and checkWritten do.
+/// Writes a shape as writeShape and checks the file: a program is read back and measured against its part, and a warning
+/// says when coordinates have too few digits for the position of the shape. Unless `chordGiven`, the chord of a large shape
+/// is raised until the number of triangles is acceptable (see affordableChord).
+/// @throws Error as writeShape and checkWritten.
 ExportReport exportShape(const FormatRegistry&, const Shape&, const std::filesystem::path&, const Value& options,
                          bool chordGiven, const Progress& = Progress::none());
 

@@ -3,7 +3,7 @@
 
 namespace blossom {
 
-/// Whether every coordinate of a path is a number; what a reader owes to all who use its curves.
+/// Whether all coordinates of a path are finite, which every reader has to guarantee.
 bool allFinite(const Path&);
 
 }  // namespace blossom

@@ -115,12 +115,12 @@ Imported guardedRead(const Format& format, const fs::path& path, const Value& op
 
 }  // namespace
 
-bool holds(const Format& format, ShapeKind kind) {
+bool canStore(const Format& format, ShapeKind kind) {
   return std::find(format.writes.begin(), format.writes.end(), kind) != format.writes.end();
 }
 
-void refuseUnlessHeld(const Format& format, std::span<const ShapeKind> kinds) {
-  if (std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return holds(format, kind); })) return;
+void refuseUnlessStorable(const Format& format, std::span<const ShapeKind> kinds) {
+  if (std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return canStore(format, kind); })) return;
   if (kinds.size() == 1 && kinds.front() == ShapeKind::None)
     throw Error(ErrorCode::OutputNotSupported, "There is nothing to write.", "Give a shape that is not empty.");
   throw Error(ErrorCode::OutputNotSupported, fmt::format("{} files cannot hold {}.", format.title, kindNames(kinds, true)),
@@ -151,7 +151,7 @@ Imported readShape(const FormatRegistry& registry, const fs::path& path, const V
   const Format& format = formatFor(registry, path, true);
   refuseWrongContent(registry, format, path, head);
   std::error_code status;
-  if (fs::file_size(path, status) > largestFile)
+  if (fs::file_size(path, status) > maximumFileSize)
     throw Error(ErrorCode::LimitExceeded, fmt::format("The file \"{}\" is larger than 2 GB.", path.filename().string()));
   progress.check();
   return guardedRead(format, path, completed(format.readOptions, options), progress);
@@ -181,7 +181,7 @@ void writeShape(const FormatRegistry& registry, const Shape& shape, const fs::pa
   const Format& format = formatFor(registry, path, false);
   const Value all = completed(format.writeOptions, options);
   const std::vector<FileOfShape> files = filesOf(format, shape, path, all);
-  for (const ShapeKind kind : kindsInFiles(format, shape, all)) refuseUnlessHeld(format, {&kind, 1});
+  for (const ShapeKind kind : kindsInFiles(format, shape, all)) refuseUnlessStorable(format, {&kind, 1});
   for (std::size_t i = 0; i < files.size(); ++i) {
     const double count = static_cast<double>(files.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);

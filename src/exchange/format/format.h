@@ -12,8 +12,7 @@
 
 namespace blossom {
 
-/// What a reader gives. `entities` counts what the file holds by type of entity ("LINE": 4, "face": 6), `skipped` what was
-/// left out.
+/// Result of a reader. `entities` counts the entities of the file by type ("LINE": 4, "face": 6), `skipped` those left out.
 struct Imported {
   Shape shape;
   Value entities = Value::object();
@@ -21,7 +20,7 @@ struct Imported {
   std::vector<std::string> warnings;  ///< full sentences
 };
 
-/// One file format: reader, writer and their options, declared once (file dialogs, `convert`, `--help` are made from it).
+/// A file format: reader, writer and their options, declared once. File dialogs, `convert` and `--help` are derived from it.
 struct Format {
   using Read = std::function<Imported(const std::filesystem::path&, const Value& options, const Progress&)>;
   using Write = std::function<void(const Shape&, const std::filesystem::path&, const Value& options, const Progress&)>;
@@ -32,15 +31,15 @@ struct Format {
   std::vector<ParameterSpec> readOptions;
   std::vector<ParameterSpec> writeOptions;
   Read read;                      ///< empty: cannot be read
-  Write write;                    ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
-  std::vector<ShapeKind> writes;  ///< kinds the writer takes; for the message when another comes
-  bool zipped = false;            ///< its files are zips
+  Write write;                    ///< empty: cannot be written. writeShape makes it atomic
+  std::vector<ShapeKind> writes;  ///< kinds that the writer accepts
+  bool zipped = false;            ///< its files are zip archives
 };
 
-/// Whether its files can hold a shape of the kind; a sequence has files of its frames where they cannot.
-bool holds(const Format&, ShapeKind);
-/// @throws Error OutputNotSupported saying what its files can hold when that is none of `kinds`.
-void refuseUnlessHeld(const Format&, std::span<const ShapeKind> kinds);
+/// Whether files of the format can store a shape of the kind; a sequence may be stored as one file per frame.
+bool canStore(const Format&, ShapeKind);
+/// @throws Error OutputNotSupported naming the kinds that the format can store, when it can store none of `kinds`.
+void refuseUnlessStorable(const Format&, std::span<const ShapeKind> kinds);
 
 class FormatRegistry {
  public:
@@ -53,22 +52,21 @@ class FormatRegistry {
   std::vector<Format> formats_;
 };
 
-/// Every format of this room. `scene` adds those that need drawing.
+/// Every format of src/exchange.
 FormatRegistry standardFormats();
 
-/// Reads a file by its extension. Options are completed from their defaults.
-/// @throws Error FileNotFound, FileUnreadable, FormatUnknown, FormatDamaged, LimitExceeded, WorkerDied, Cancelled. A file
-/// whose content is of another format than its extension says is FormatDamaged with a hint that names the format it looks
-/// like.
+/// Reads a file by its extension. Missing options have their defaults.
+/// @throws Error FileNotFound, FileUnreadable, FormatUnknown, FormatDamaged, LimitExceeded, WorkerDied, Cancelled. Content
+/// of another format than the extension says is FormatDamaged, with a hint that names the format.
 Imported readShape(const FormatRegistry&, const std::filesystem::path&, const Value& options = Value::object(),
                    const Progress& = Progress::none());
 
-/// Writes a shape by the extension of the path, atomically: nothing half-written remains after an error.
+/// Writes a shape by the extension of the path, atomically: an error leaves no partial file.
 /// @throws Error FormatUnknown, OutputNotSupported, FileUnwritable, Cancelled.
 void writeShape(const FormatRegistry&, const Shape&, const std::filesystem::path&, const Value& options = Value::object(),
                 const Progress& = Progress::none());
 
-/// Name of the format that the first bytes of a file look like; empty when unknown.
+/// Name of the format recognised by the first bytes of a file; empty when unknown.
 std::string sniffFormat(std::string_view head);
 
 // One per file of this room.

@@ -9,7 +9,7 @@ namespace {
 
 bool goesIntoOneFile(const Format& format, const Shape& shape, const Value& options) {
   if (shape.kind() != ShapeKind::Sequence) return true;
-  if (!holds(format, ShapeKind::Sequence)) return false;
+  if (!canStore(format, ShapeKind::Sequence)) return false;
   const std::string flag(framesInOneFile);
   const bool isChoice = std::any_of(format.writeOptions.begin(), format.writeOptions.end(),
                                     [&](const ParameterSpec& spec) { return spec.name == flag; });

@@ -6,21 +6,22 @@
 
 namespace blossom {
 
-/// One of the files that a shape becomes.
+/// A file in which a shape, or a frame of it, is stored.
 struct FileOfShape {
   std::filesystem::path path;
   Shape shape;
 };
 
-/// The flag among a format's write options that puts all frames of a sequence into one file.
+/// Name of the write option that stores all frames of a sequence in one file.
 inline constexpr std::string_view framesInOneFile = "animate";
 
-/// A sequence goes into one file where the format takes sequences (and its flag "animate", when it has one, is on). Else
-/// every frame has a file of its own: out.svg stands for out-0001.svg, out-0002.svg and so on. Everything else is one file.
+/// The files in which a shape is stored. A sequence is stored in one file when the format accepts sequences (and its option
+/// "animate", if it has one, is set), else in one file per frame: out-0001.svg, out-0002.svg and so on for out.svg. Any
+/// other shape is stored in one file.
 std::vector<FileOfShape> filesOf(const Format&, const Shape&, const std::filesystem::path&, const Value& options);
 
-/// The kinds of shape that the files of a shape hold: its own, or those of its frames, each once; None where
-/// there is nothing.
+/// The kinds of shapes stored in the files of a shape: its own kind, or those of its frames, each once; None when it is
+/// empty.
 std::vector<ShapeKind> kindsInFiles(const Format&, const Shape&, const Value& options);
 
 }  // namespace blossom

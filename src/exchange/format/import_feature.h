@@ -7,11 +7,11 @@
 
 namespace blossom {
 
-/// The feature type `exchange.import` (command `import`): a shape read from a file. Parameter `file`, and for every format
-/// whose reader has options a record of them under the id of the format: `control-points` {"degree-u", "degree-v"}.
+/// The feature type `exchange.import` (command `import`): a shape read from a file. Its parameters are `file` and, for every
+/// format with read options, a record of them named by the id of the format: `control-points` {"degree-u", "degree-v"}.
 FeatureType importFeature(const FormatRegistry&);
 
-/// Whether a parameter of the import says anything about that file: false for the options of another format.
+/// Whether a parameter of the import affects that file: false for the options of other formats.
 bool importUses(const FormatRegistry&, std::string_view parameter, const std::filesystem::path& file);
 
 }  // namespace blossom

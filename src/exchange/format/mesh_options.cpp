@@ -11,7 +11,7 @@ namespace blossom {
 ParameterSpec chordOption() {
   ParameterSpec spec = length();
   spec.name = "chord";
-  spec.help = "Largest distance between a curved shape and its polygons; 0 takes a thousandth of its size.";
+  spec.help = "Largest distance between a curved shape and its polygons; 0: a thousandth of its size.";
   spec.fallback = 0.05;
   spec.minimum = 0;
   return spec;

@@ -10,16 +10,16 @@
 /// What the writers of polygon meshes share.
 namespace blossom {
 
-/// `chord`: how near the polygons come to a curved shape.
+/// Option `chord`: maximum distance of the polygons from a curved shape.
 ParameterSpec chordOption();
-/// `ascii`: text in place of binary.
+/// Option `ascii`: text instead of binary.
 ParameterSpec asciiOption();
 TessellationOptions tessellationOptions(const Value& options);
-/// Kinds that become polygons.
+/// Kinds that can be tessellated.
 std::vector<ShapeKind> meshableKinds();
 /// @throws Error FormatDamaged when the mesh has no face.
 Imported importedMesh(Mesh, std::vector<std::string> warnings = {});
-/// Calls `write(i)` for every i below `count`, telling how far it is. @throws Error Cancelled.
+/// Calls `write(i)` for every i below `count` and reports progress. @throws Error Cancelled.
 template <class Write>
 void writeEach(std::size_t count, const Progress& progress, Write&& write) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -27,7 +27,7 @@ void writeEach(std::size_t count, const Progress& progress, Write&& write) {
     write(i);
   }
 }
-/// Text or bytes to a file that the caller made room for. @throws Error FileUnwritable.
+/// Writes to a file whose folder exists; not atomic. @throws Error FileUnwritable.
 void writeBytes(const std::filesystem::path&, std::string_view);
 
 }  // namespace blossom

@@ -4,7 +4,8 @@
 
 namespace blossom {
 
-/// Whether size and count of facets agree as in a binary STL file; tells those that begin with "solid" apart from text.
+/// Whether file size and facet count match as in a binary STL file; distinguishes binary files that begin with "solid" from
+/// text.
 bool looksLikeBinaryStl(std::string_view head, std::uintmax_t fileSize);
 
 }  // namespace blossom

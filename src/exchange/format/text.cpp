@@ -8,7 +8,7 @@
 namespace blossom::parse {
 namespace {
 
-constexpr std::size_t mostNames = 200;
+constexpr std::size_t maximumNames = 200;
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v'; }
 
@@ -125,7 +125,7 @@ void Counter::add(std::string_view name) {
     ++it->second;
     return;
   }
-  if (counts_.size() >= mostNames)
+  if (counts_.size() >= maximumNames)
     throw Error(ErrorCode::FormatDamaged, "Most of its statements are unknown.",
                 "The file is damaged or of another format.");
   counts_.emplace(utf8(name.substr(0, 60)), 1);

@@ -8,15 +8,15 @@
 
 namespace blossom {
 
-/// What a file is worth that was just written.
+/// Result of the check of a written file.
 struct WrittenCheck {
-  double gouge = 0;                   ///< mm, by the program as it stands in the file
+  double gouge = 0;                   ///< mm, measured on the program as written
   std::vector<std::string> warnings;  ///< full sentences
 };
 
-/// Reads a program back from its file and measures it against the part that its toolpath was made for; nothing for other
-/// shapes, and where the part is not known.
-/// @throws Error as readShape does, Cancelled.
+/// Reads a written program back and measures it against the part of its toolpath; empty for other shapes and when the part
+/// is not known.
+/// @throws Error as readShape, Cancelled.
 std::optional<WrittenCheck> checkWritten(const FormatRegistry&, const Shape&, const std::filesystem::path&, const Progress&);
 
 }  // namespace blossom

@@ -4,7 +4,7 @@
 
 namespace blossom {
 
-/// Text as it stands in an attribute of XML; control characters, which XML has not, are left out.
+/// Text escaped for an XML attribute; control characters, which XML does not allow, are left out.
 std::string escapedXml(std::string_view);
 
 }  // namespace blossom

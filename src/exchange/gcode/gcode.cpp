@@ -29,7 +29,7 @@ Arc2 arcOf(const GcodeMove& move) {
   return {move.center, first.norm(), start, sweep};
 }
 
-/// Polylines stand for G5.2 curves in toolpaths within this distance.
+/// Maximum distance of polylines from G5.2 curves in toolpaths, mm.
 constexpr double nurbsChord = 1e-3;
 
 /// Where a height is not told, the tool is as high as the program ever takes it; above its zero in any case, for nobody
@@ -170,7 +170,7 @@ std::vector<std::string> doubtsOf(const GcodeProgram& program) {
   return sentences;
 }
 
-/// .. and of one that is read as a drawing; `meant` is whether its moves were asked for first.
+/// .. and of one that is read as a drawing; `meant` is whether a toolpath was requested.
 std::vector<std::string> drawingDoubtsOf(const GcodeProgram& program, bool meant) {
   std::vector<std::string> sentences;
   if (program.unrolled)

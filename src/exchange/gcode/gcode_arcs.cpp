@@ -14,16 +14,16 @@ namespace {
 
 /// Two ends and a centre, each rounded to half a step in x and y, and the centre to a start that was rounded before.
 constexpr double roundedSteps = 4.3;
-/// mm; what controls of any kind take for rounding.
-constexpr double leastMiss = 0.001, mostMiss = 0.0127;
+/// mm; deviations that every control accepts as rounding.
+constexpr double minimumMiss = 0.001, maximumMiss = 0.0127;
 /// mm; the same where all other arcs of a program are better.
 constexpr double finestMiss = 0.00015;
-constexpr std::size_t mostArcDoubts = 3;
-/// Arcs that stand for free-form curves are shorter, and their centres may lie anywhere.
-constexpr double longSweep = 0.17 * fullTurn, leastSweep = 0.05 * fullTurn;
+constexpr std::size_t maximumArcDoubts = 3;
+/// Arcs that approximate free-form curves are shorter, and their centres may be anywhere.
+constexpr double longSweep = 0.17 * fullTurn, minimumSweep = 0.05 * fullTurn;
 
 /// mm that one wrong number of a centre is taken to be off by.
-constexpr double leastSlip = 0.015, mostSlip = 0.12;
+constexpr double minimumSlip = 0.015, maximumSlip = 0.12;
 
 std::string missedSentence(std::size_t line, double begins, double ends) {
   return fmt::format("line {}: the arc begins {:.4f} mm from its centre and ends {:.4f} mm from it", line, begins, ends);
@@ -101,18 +101,18 @@ void GcodeArcs::straight(const Vec2& from, const Vec2& to) {
 double GcodeArcs::step() const {
   const bool inches = unit_ > 1;
   const std::size_t coarsest = inches ? 3 : 2;
-  constexpr std::size_t slips = 2, leastShare = 50;
+  constexpr std::size_t slips = 2, minimumShare = 50;
   std::size_t words = 0, finer = 0;
   for (const std::size_t count : places_) words += count;
   for (std::size_t places = places_.size() - 1; places >= coarsest; --places) {
     finer += places_[places];
-    if (finer > slips && finer * leastShare >= words) return unit_ * std::pow(10.0, -static_cast<double>(places));
+    if (finer > slips && finer * minimumShare >= words) return unit_ * std::pow(10.0, -static_cast<double>(places));
   }
   return unit_ * (inches ? 1e-4 : 1e-3);
 }
 
 void GcodeArcs::missedEnds(double step, std::vector<std::pair<std::size_t, std::string>>& found) const {
-  const double allowed = std::clamp(roundedSteps * step, leastMiss, mostMiss);
+  const double allowed = std::clamp(roundedSteps * step, minimumMiss, maximumMiss);
   for (const Arc& arc : arcs_)
     if (arc.named && std::abs(arc.begins() - arc.ends()) > allowed)
       found.emplace_back(arc.line, missedSentence(arc.line, arc.begins(), arc.ends()));
@@ -128,17 +128,17 @@ std::vector<GcodeArcs::Trait> GcodeArcs::traits(const Arc& arc, double step) con
     if (joint.length == 0) return;
     const Trait trait{(end - arc.center).dot(joint.direction), -joint.direction, corner * (2 + 3 * radius / joint.length),
                       true};
-    if (std::abs(trait.off) <= mostSlip + trait.rounding) found.push_back(trait);
+    if (std::abs(trait.off) <= maximumSlip + trait.rounding) found.push_back(trait);
   };
   smooth(arc.before, arc.from);
   smooth(arc.after, arc.to);
   const auto share = [&](const Trait& trait) {  // of a circle, which small ones are near by chance
-    if (std::abs(trait.off) <= std::min(mostSlip + trait.rounding, radius / 8)) found.push_back(trait);
+    if (std::abs(trait.off) <= std::min(maximumSlip + trait.rounding, radius / 8)) found.push_back(trait);
   };
   const Vec2 first = arc.from - arc.center, last = arc.to - arc.center;
   const Vec2 aside = Vec2(-chord.y(), chord.x()).normalized();
-  if (chord.norm() > mostSlip) share({first.dot(aside), -aside, 2 * corner});  // half a circle
-  share({first.dot(last) / radius, -(first + last) / radius, 4 * corner});     // a quarter
+  if (chord.norm() > maximumSlip) share({first.dot(aside), -aside, 2 * corner});  // half a circle
+  share({first.dot(last) / radius, -(first + last) / radius, 4 * corner});        // a quarter
   return found;
 }
 
@@ -153,7 +153,7 @@ std::optional<Vec2> GcodeArcs::meantCenter(const Arc& arc, double step) const {
       bottom += slope * slope / (trait.rounding * trait.rounding);
     }
     const double slip = bottom > 0 ? top / bottom : 0;
-    if (std::abs(slip) < leastSlip || std::abs(slip) > mostSlip) continue;
+    if (std::abs(slip) < minimumSlip || std::abs(slip) > maximumSlip) continue;
     const auto clear = std::count_if(all.begin(), all.end(), [&](const Trait& t) {
       return std::abs(t.slope.dot(axis) * slip) > clearly * t.rounding && std::abs(t.off) > clearly * t.rounding;
     });
@@ -183,9 +183,9 @@ void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::strin
                                 arc.line, meant->x(), meant->y(), (*meant - arc.center).norm()));
   }
   const std::size_t few = std::max<std::size_t>(2, arcs_.size() / 50),
-                    mostUnsmooth = std::max<std::size_t>(6, arcs_.size() / 4);
+                    maximumUnsmooth = std::max<std::size_t>(6, arcs_.size() / 4);
   if (missed.size() <= few) found.insert(found.end(), missed.begin(), missed.end());
-  if (moved.empty() || unsmooth > mostUnsmooth) return;
+  if (moved.empty() || unsmooth > maximumUnsmooth) return;
   if (moved.size() > few)
     moved = {{moved.front().first,
               fmt::format("{}, as it is with {} of {} arcs", moved.front().second, moved.size(), arcs_.size())}};
@@ -201,7 +201,7 @@ void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std
   Cells cells(same);
   for (const Arc& arc : arcs_) {
     progress.check();
-    if (!arc.named || arc.sweep < leastSweep) continue;
+    if (!arc.named || arc.sweep < minimumSweep) continue;
     std::size_t own = centers.size();
     cells.around(arc.center, [&](std::size_t i) {
       if ((centers[i].at - arc.center).norm() <= same) own = std::min(own, i);
@@ -223,7 +223,7 @@ void GcodeArcs::strayCenters(double step, std::vector<std::pair<std::size_t, std
       const SharedCenter& other = centers[i];
       const Vec2 off = other.at - lone.at;
       const bool oneNumber = std::min(std::abs(off.x()), std::abs(off.y())) <= same;
-      if (off.norm() > beside || (lone.sweep < longSweep && !(oneNumber && off.norm() >= leastSlip))) return;
+      if (off.norm() > beside || (lone.sweep < longSweep && !(oneNumber && off.norm() >= minimumSlip))) return;
       if (!near || other.arcs > near->arcs) near = &other;
     });
     if (near)
@@ -245,7 +245,7 @@ std::vector<std::string> GcodeArcs::doubts(const Progress& progress) const {
   std::size_t last = 0, more = 0;
   for (const auto& [line, what] : found) {
     if (line == std::exchange(last, line)) continue;
-    if (sentences.size() < mostArcDoubts)
+    if (sentences.size() < maximumArcDoubts)
       sentences.push_back(what);
     else
       ++more;

@@ -10,27 +10,27 @@
 #include "core/progress.h"
 #include "core/vector.h"
 
-/// Whether the arcs of a program are where its author meant them.
+/// Check of the arcs of a program for mistakes in their centres.
 namespace blossom {
 
-/// Collects arcs whose centres are named (I, J), and the places after the point that its words have.
+/// Collects the arcs whose centres are given by I and J, and the numbers of decimals that the program uses.
 class GcodeArcs {
  public:
   void number(std::string_view written,
-              double unit);  ///< "-10.500": a length as it stands in the program, and its unit in mm
-  /// An arc, counter-clockwise or not; `named`: its centre is told by I and J rather than by a radius.
+              double unit);  ///< a length as written, "-10.500", and its unit in mm
+  /// Adds an arc. @param named the centre is given by I and J instead of a radius
   void arc(std::size_t line, const Vec2& from, const Vec2& to, const Vec2& center, bool counterclockwise, bool named);
-  /// Any other move in the plane of the arcs; one that stays where it is in it ends the way that arcs join.
+  /// Adds any other move in the plane of the arcs. A move without a component in that plane interrupts the path.
   void straight(const Vec2& from, const Vec2& to);
 
-  /// Arcs whose ends lie at different distances from their centre, more than rounding explains; and arcs whose centre lies
-  /// close beside one that several others share, or beside one with which the arc joins its neighbours smoothly or is half
-  /// or a quarter of a circle: what a slip in a single number leaves where the ends cannot tell.
-  /// The first three of them, and how many more there are. @throws Error Cancelled.
+  /// Reports arcs whose ends are at different distances from the centre, by more than rounding explains; and arcs whose
+  /// centre is slightly off a centre shared by several others, or off the centre for which the arc would join its neighbours
+  /// smoothly or be half or a quarter of a circle. Such arcs come from a slip in a single number. Returns sentences for the
+  /// first three, and one with the number of all others. @throws Error Cancelled.
   [[nodiscard]] std::vector<std::string> doubts(const Progress&) const;
 
  private:
-  /// The direction of the way at a joint, and how long the move is that it belongs to; none: length 0.
+  /// Direction of the path at a joint, and length of the move; length 0 means none.
   struct Joint {
     Vec2 direction = Vec2::Zero();
     double length = 0;
@@ -45,20 +45,21 @@ class GcodeArcs {
     [[nodiscard]] double ends() const { return (to - center).norm(); }
   };
   void join(const Joint& begins);
-  /// mm of one step in the last place that words of this program use.
+  /// mm, smallest step in the last decimal used in this program.
   [[nodiscard]] double step() const;
   void missedEnds(double step, std::vector<std::pair<std::size_t, std::string>>& found) const;
-  /// What holds for an arc as it was meant: ends equally far from the centre, a smooth way at either end, half or a quarter
+  /// A property of an intended arc: ends at equal distances from the centre, a smooth path at either end, half or a quarter
   /// of a circle.
   struct Trait {
-    double off;          ///< mm by which it does not hold
-    Vec2 slope;          ///< how that changes with the centre
-    double rounding;     ///< mm that rounded numbers explain at most
-    bool joint = false;  ///< about the way before or after the arc
+    double off;          ///< mm, deviation from the property
+    Vec2 slope;          ///< gradient of the deviation with respect to the centre
+    double rounding;     ///< mm, maximum deviation that rounded numbers explain
+    bool joint = false;  ///< the property concerns the path before or after the arc
   };
-  /// First the ends; of the others those that nearly hold.
+  /// First the property of the ends, then those of the others that nearly hold.
   [[nodiscard]] std::vector<Trait> traits(const Arc&, double step) const;
-  /// The centre for which all of them hold, where it differs in one of its numbers and two of them tell it.
+  /// The centre for which all properties hold, when it differs in only one coordinate and at least two properties determine
+  /// it.
   [[nodiscard]] std::optional<Vec2> meantCenter(const Arc&, double step) const;
   void slips(double step, std::vector<std::pair<std::size_t, std::string>>& found, const Progress&) const;
   void strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found, const Progress&) const;
@@ -66,7 +67,7 @@ class GcodeArcs {
   std::vector<Arc> arcs_;
   Joint last_;                           ///< of the move before
   bool joinsArc_ = false;                ///< .. which was the last arc
-  std::array<std::size_t, 8> places_{};  ///< how many words have so many places after the point
+  std::array<std::size_t, 8> places_{};  ///< number of words by their number of decimals
   double unit_ = 1;
 };
 

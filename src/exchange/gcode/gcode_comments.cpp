@@ -16,7 +16,7 @@ class HeaderComment {
   bool word(std::string_view wanted) { return parse::takeWord(rest_) == wanted; }
   double number() {
     const auto value = parse::toNumber(parse::takeWord(rest_));
-    good_ = good_ && value && std::abs(*value) < farthestInGcode;
+    good_ = good_ && value && std::abs(*value) < maximumGcodeCoordinate;
     return good_ ? *value : 0;
   }
   [[nodiscard]] bool good() const { return good_; }

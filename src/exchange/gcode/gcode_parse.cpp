@@ -177,7 +177,7 @@ double GcodeParser::number(const GcodeWord& word) const {
 
 double GcodeParser::coordinate(const GcodeWord& word) const {
   const double mm = number(word) * unit_;
-  if (std::abs(mm) > farthestInGcode) damaged(fmt::format("the word {} is farther away than 10 km", word.letter));
+  if (std::abs(mm) > maximumGcodeCoordinate) damaged(fmt::format("the word {} is farther away than 10 km", word.letter));
   return mm;
 }
 

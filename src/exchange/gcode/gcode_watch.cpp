@@ -7,12 +7,12 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t mostOfAKind = 3;
+constexpr std::size_t maximumOfAKind = 3;
 
 }  // namespace
 
 void GcodeWatch::note(Noted& where, std::size_t line, std::string what) {
-  if (where.size() < mostOfAKind) where.emplace_back(line, std::move(what));
+  if (where.size() < maximumOfAKind) where.emplace_back(line, std::move(what));
 }
 
 void GcodeWatch::toolChanged() {

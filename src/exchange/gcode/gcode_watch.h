@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-/// What whoever stands at the machine should hear of a program before it starts.
+/// Warnings for the operator of the machine about a program that is read.
 namespace blossom {
 
-/// Follows the modes of the machine that do not move the tool, and doubts what a careful reader would: lengths without
-/// units, a tool's length that is another tool's, a spindle that stands still, corners that may be cut without a limit.
+/// Follows the modes of the machine that do not move the tool, and reports what looks like a mistake: lengths without a
+/// unit, the length offset of another tool, cuts with a stopped spindle, corners rounded without a limit.
 class GcodeWatch {
  public:
   void at(std::size_t line) { line_ = line; }
@@ -25,12 +25,12 @@ class GcodeWatch {
   void spindleStops();
   void blendsWithoutLimit();  ///< G64 without P
 
-  void moves();  ///< a motion with lengths
-  void cuts();   ///< .. that is no rapid
+  void moves();  ///< a motion with coordinates
+  void cuts();   ///< a motion with coordinates other than a rapid
 
-  /// "line 12 cuts ..": in the order of their lines, at most a few of a kind.
+  /// Sentences such as "line 12 cuts ..", in the order of their lines, with a limit for each kind.
   [[nodiscard]] std::vector<std::string> doubts() const;
-  /// Of them those that a drawing of the program has as well.
+  /// The doubts that also concern a drawing made of the program.
   [[nodiscard]] std::vector<std::string> drawingDoubts() const;
 
  private:

@@ -27,7 +27,7 @@ struct Post {
   bool blendsPath;      ///< G64 P
   bool framed;          ///< "%" and a program number
   bool pointed;         ///< whole numbers need a decimal point: X10.
-  int mostDecimals;     ///< in mm; finer ones are an alarm or cut off by the control
+  int maximumDecimals;  ///< in mm; finer ones are an alarm or cut off by the control
   std::string_view modes, end;
   std::string_view top;    ///< up to the machine's top, wherever the tool is; empty where the control need not know it
   std::string_view dwell;  ///< until the spindle has its speed
@@ -48,10 +48,10 @@ const Post& postNamed(const std::string& name) {
 }
 
 /// LinuxCNC may round corners by so much to keep its speed, where the toolpath does not say less; mm.
-constexpr double mostBlending = 0.005;
-/// Largest difference of an arc's radius at its two ends that every control takes; mm.
+constexpr double maximumBlending = 0.005;
+/// Largest difference of an arc's radius at its two ends that every control accepts; mm.
 constexpr double largestMismatch = 0.005;
-/// Arcs of larger radii are straight as far as a control can tell; mm.
+/// Arcs of larger radii are straight within the resolution of a control; mm.
 constexpr double largestRadius = 1e4;
 /// LinuxCNC refuses arcs of smaller radii as points; mm.
 constexpr double smallestRadius = 0.005;
@@ -64,7 +64,7 @@ class GcodeWriter {
       : path_(path), post_(postNamed(options.value("post", "linuxcnc"))) {
     inch_ = options.value("unit", "mm") == "inch";
     numbered_ = options.value("line-numbers", false);
-    decimals_ = std::min(static_cast<int>(options.value("decimals", 4.0)), post_.mostDecimals) + (inch_ ? 1 : 0);
+    decimals_ = std::min(static_cast<int>(options.value("decimals", 4.0)), post_.maximumDecimals) + (inch_ ? 1 : 0);
     perMm_ = std::pow(10, decimals_) / (inch_ ? millimetresPerInch : 1);
   }
 
@@ -92,7 +92,7 @@ class GcodeWriter {
   void validate() const {
     if (path_.moves.empty())
       throw Error(ErrorCode::InvalidInput, "The toolpath has no moves.", "Make one of a part that the tool fits into.");
-    const auto isNear = [](const Vec3& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() < farthestInGcode; };
+    const auto isNear = [](const Vec3& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() < maximumGcodeCoordinate; };
     const std::string hint = "Move the part or the work's zero: programs reach 10 km at most.";
     if (!isNear(path_.start)) throw Error(ErrorCode::InvalidInput, "The toolpath begins too far away.", hint);
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
@@ -114,7 +114,7 @@ class GcodeWriter {
   }
   void comment(const std::string& words) { text_ += fmt::format("({})\n", words); }
 
-  /// What the reader takes back (the first three) and what whoever stands at the machine wants to know. Lengths in mm.
+  /// Data for Blossom's own reader (the first three) and information for the operator. Lengths in mm.
   void header() {
     const Cutter& c = path_.cutter;
     comment("Blossom");
@@ -138,7 +138,7 @@ class GcodeWriter {
     if (path_.gouge && path_.residue) measuredAt_ = text_.size();
   }
 
-  /// The program is measured as it stands, rounding and all, by whoever knows the part.
+  /// The program is measured as written, with rounding, when the part is known.
   void tellGouge(const Progress& progress) {
     if (!measuredAt_) return;
     const std::string residue = fmt::format("residue before rounding {:.4f} mm2", *path_.residue);
@@ -155,7 +155,7 @@ class GcodeWriter {
   void setup() {
     line(fmt::format("{} {}", inch_ ? "G20" : "G21", post_.modes));
     // In its own digits: rounded to 0 it would allow any corner to be cut.
-    const double blending = path_.blending > 0 ? std::min(path_.blending, mostBlending) : mostBlending;
+    const double blending = path_.blending > 0 ? std::min(path_.blending, maximumBlending) : maximumBlending;
     if (post_.blendsPath)
       line(inch_ ? fmt::format("G64 P{:.7f}", blending / millimetresPerInch)
                  : fmt::format("G64 P{}", formatNumber(blending)));
@@ -248,7 +248,7 @@ class GcodeWriter {
     if (!words.empty()) emit(motion, words, feed);
   }
 
-  /// False when rounding leaves no arc that every control takes.
+  /// False when rounding leaves no arc that every control accepts.
   bool round(const Vec3& from, const ToolMove& m) {
     if ((m.center - from.head<2>()).norm() > 2 * largestRadius) return false;  // and may be beyond all ticks
     const Ticks to = ticks(m.to);
@@ -288,7 +288,7 @@ class GcodeWriter {
   int number_ = 0;
   Ticks at_{};
   std::string motion_, feed_, text_;
-  std::optional<std::size_t> measuredAt_;  ///< where the head tells the gouge
+  std::optional<std::size_t> measuredAt_;  ///< position in the head where the gouge is inserted
 };
 
 }  // namespace

@@ -35,7 +35,7 @@ class OffReader {
   }
 
  private:
-  /// Next line that holds something besides a comment.
+  /// Next line that is not empty after removing comments.
   std::string_view dataLine(const std::string& expected) {
     std::string_view line;
     while (lines_.next(line)) {
@@ -56,7 +56,7 @@ class OffReader {
   std::size_t count(std::string_view word, const char* what) {
     if (word == "BINARY") throw damaged(lines_.number(), "binary OFF files are not read.");
     const std::optional<int> value = toInteger(word);
-    // Every vertex and face takes a line of two bytes or more.
+    // Every vertex and face has a line of two bytes or more.
     if (!value || *value < 0 || static_cast<std::size_t>(*value) > size_ / 2)
       throw damaged(lines_.number(), fmt::format("the number of {} is {}, which this file cannot hold.", what, shown(word)));
     return static_cast<std::size_t>(*value);

@@ -52,7 +52,7 @@ class PlyValues {
 
   std::size_t takeCount(const PlyProperty& list) {
     const double count = take(*list.countType);
-    const double room = static_cast<double>(isText_ ? text_.size() / 2 + 1 : bytes_.remaining() / sizeOf(list.type));
+    const double room = static_cast<double>(isText_ ? text_.size() / 2 + 1 : bytes_.remaining() / byteSize(list.type));
     if (!(count >= 0 && count <= room) || count != std::floor(count))
       throw Error(ErrorCode::FormatDamaged,
                   fmt::format("A list of {} announces {} values, which this file cannot hold.", shown(list.name), count));

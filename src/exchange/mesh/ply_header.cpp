@@ -42,11 +42,11 @@ PlyEncoding plyEncoding(std::string_view word, std::size_t line) {
   throw damaged(line, fmt::format("{} is not an encoding of PLY.", shown(word)));
 }
 
-/// Least number of bytes that one element takes; what its count is checked against.
-std::size_t leastSize(const PlyElement& element, PlyEncoding encoding) {
+/// Minimum size of one element in bytes, to check its count.
+std::size_t minimumSize(const PlyElement& element, PlyEncoding encoding) {
   std::size_t size = 0;
   for (const PlyProperty& p : element.properties)
-    size += encoding == PlyEncoding::Text ? 2 : sizeOf(p.countType.value_or(p.type));
+    size += encoding == PlyEncoding::Text ? 2 : byteSize(p.countType.value_or(p.type));
   return size;
 }
 
@@ -110,7 +110,7 @@ class PlyHeaderReader {
     if (header_.bytes < content_.size() && content_[header_.bytes] == '\r') ++header_.bytes;
     if (header_.bytes < content_.size() && content_[header_.bytes] == '\n') ++header_.bytes;
     for (const PlyElement& e : header_.elements) {
-      const std::size_t minimum = leastSize(e, header_.encoding);
+      const std::size_t minimum = minimumSize(e, header_.encoding);
       if (e.count > 0 && minimum > 0 && e.count > (content_.size() - header_.bytes + 2) / minimum)
         throw damaged(header_.lines,
                       fmt::format("the header announces {} of {}, which this file cannot hold.", e.count, shown(e.name)));
@@ -126,7 +126,7 @@ class PlyHeaderReader {
 
 }  // namespace
 
-std::size_t sizeOf(PlyType type) {
+std::size_t byteSize(PlyType type) {
   constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
   return sizes[static_cast<std::size_t>(type)];
 }

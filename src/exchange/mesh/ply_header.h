@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// The header of a PLY file: which elements follow, with which properties, and how they are written.
+/// The header of a PLY file: its elements, their properties and the encoding.
 namespace blossom {
 
 enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
@@ -31,10 +31,10 @@ struct PlyHeader {
   std::size_t bytes = 0;
 };
 
-/// Bytes of one value in a binary file.
-std::size_t sizeOf(PlyType);
+/// Size in bytes of one value in a binary file.
+std::size_t byteSize(PlyType);
 
-/// Counts are checked against the size of the content. @throws Error FormatDamaged with the line.
+/// Checks counts against the size of the content. @throws Error FormatDamaged with the line.
 PlyHeader readPlyHeader(std::string_view content);
 
 }  // namespace blossom

@@ -151,7 +151,7 @@ class TextStl {
 Imported readStl(const std::filesystem::path& path, const Value&, const Progress& progress) {
   const std::string content = readFile(path);
   const bool saysSolid = trimmed(std::string_view(content).substr(0, 64)).substr(0, 5) == "solid";
-  // The name in a binary header may begin with "solid" as well: then the size tells.
+  // The name in a binary header may begin with "solid" as well; then the size decides.
   if (looksLikeBinaryStl(content, content.size()) || (!saysSolid && content.size() >= 84))
     return readBinary(content, progress);
   return TextStl(content).read(progress);

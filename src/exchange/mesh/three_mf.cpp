@@ -8,7 +8,7 @@
 #include "exchange/mesh/three_mf_read.h"
 #include "geometry/mesh/mesh_topology.h"
 
-// 3D Manufacturing Format, what printers' programs take: a zip (an OPC package) whose part 3D/3dmodel.model is XML.
+// 3D Manufacturing Format, for 3D printing: a zip (an OPC package) whose part 3D/3dmodel.model is XML.
 // Source: 3MF Core Specification 1.3.
 namespace blossom {
 namespace {

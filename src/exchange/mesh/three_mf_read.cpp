@@ -27,9 +27,9 @@ using three_mf::localName;
 using three_mf::partName;
 using Placement = Eigen::Transform<double, 3, Eigen::AffineCompact>;
 
-constexpr int deepest = 64;                     ///< components within components
-constexpr std::size_t mostPlaced = 100'000;     ///< objects, each time they are placed
-constexpr std::size_t mostFaces = 100'000'000;  ///< a small file can place one mesh many times
+constexpr int deepest = 64;                        ///< components within components
+constexpr std::size_t maximumPlaced = 100'000;     ///< objects, each time they are placed
+constexpr std::size_t maximumFaces = 100'000'000;  ///< a small file can place one mesh many times
 
 Error damage(const std::string& sentence) {
   return Error(ErrorCode::FormatDamaged, sentence, "The file is damaged or was not written completely.");
@@ -169,7 +169,8 @@ class Builder {
     while (!trimmed(rest).empty()) {
       const std::string_view prefix = takeWord(rest);
       std::string space = part.model.attribute(fmt::format("xmlns:{}", prefix).c_str()).value();
-      space.erase(0, space.find("/3dmanufacturing") + 1);  // what all have in front tells nothing; not found: nothing erased
+      space.erase(
+          0, space.find("/3dmanufacturing") + 1);  // the common prefix carries no information; not found: nothing erased
       const auto isHarmless = [&](std::string_view name) { return space.find(name) != std::string::npos; };
       if (!isHarmless("/production/") && !isHarmless("/material/") && !isHarmless("/trianglesets/"))
         warnings_.push_back(
@@ -187,8 +188,8 @@ class Builder {
 
   void place(const std::string& partName, std::string_view id, const Placement& placement, int depth) {
     if (depth > deepest) throw damage(fmt::format("The object {} is a component of itself.", shown(id)));
-    if (++placed_ > mostPlaced)
-      throw Error(ErrorCode::LimitExceeded, fmt::format("It places more than {} objects.", mostPlaced));
+    if (++placed_ > maximumPlaced)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("It places more than {} objects.", maximumPlaced));
     progress_.check();
     const ModelPart& part = package_.part(partName);
     const auto object = part.objects.find(id);
@@ -238,8 +239,8 @@ class Builder {
     std::size_t number = 0;
     for (const xml_node& each : triangles.children()) {
       if (mesh_.faceCount() % 8192 == 0) progress_.check();
-      if (mesh_.faceCount() >= mostFaces)
-        throw Error(ErrorCode::LimitExceeded, fmt::format("It places more than {} triangles.", mostFaces));
+      if (mesh_.faceCount() >= maximumFaces)
+        throw Error(ErrorCode::LimitExceeded, fmt::format("It places more than {} triangles.", maximumFaces));
       std::array<int, 3> corners{};
       constexpr std::array<std::string_view, 3> names{"v1", "v2", "v3"};
       for (std::size_t i = 0; i < 3; ++i) {

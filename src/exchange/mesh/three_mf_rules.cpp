@@ -14,7 +14,7 @@ namespace {
 using parse::shown;
 using pugi::xml_node;
 
-constexpr std::size_t mostTold = 8;
+constexpr std::size_t maximumReports = 8;
 constexpr std::string_view modelContent = "application/vnd.ms-package.3dmanufacturing-3dmodel+xml";
 constexpr std::string_view relationContent = "application/vnd.openxmlformats-package.relationships+xml";
 
@@ -44,7 +44,7 @@ void checkRelations(const PackageParts& parts, const std::string& source, Faults
   const auto text = parts.texts.find(source.empty() ? "_rels/.rels" : relationsOf(source));
   if (text == parts.texts.end()) return;
   pugi::xml_document document;
-  if (!document.load_buffer(text->second.data(), text->second.size())) return;  // told by who reads it
+  if (!document.load_buffer(text->second.data(), text->second.size())) return;  // the reader reports it
   std::map<std::string, int> models, tickets;
   std::set<std::string_view> ids;
   for (const xml_node& each : document.document_element().children()) {
@@ -62,7 +62,7 @@ void checkRelations(const PackageParts& parts, const std::string& source, Faults
   if (tickets["ticket"] > 1) faults.add("a part has more than one print ticket");
 }
 
-/// The content type that the package gives to a part; empty when it gives none.
+/// The content type of a part; empty when the package declares none.
 std::string contentTypeOf(const xml_node& types, const std::string& part) {
   const std::string extension = part.substr(part.rfind('.') + 1);
   std::string byExtension;
@@ -127,7 +127,7 @@ std::string_view prefixOf(std::string_view name) {
   return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
 }
 
-/// The namespace that a prefix stands for in an element; empty when it is declared nowhere.
+/// The namespace of a prefix in an element; empty when it is not declared.
 std::string_view spaceOf(const xml_node& element, std::string_view prefix) {
   const std::string declaration = prefix.empty() ? "xmlns" : fmt::format("xmlns:{}", prefix);
   for (xml_node at = element; at; at = at.parent())
@@ -232,7 +232,7 @@ void checkMetadata(const xml_node& model, Faults& faults) {
 }  // namespace
 
 void Faults::add(std::string what) {
-  if (told_.size() < mostTold)
+  if (told_.size() < maximumReports)
     told_.push_back(std::move(what));
   else
     ++more_;

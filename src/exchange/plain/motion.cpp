@@ -59,7 +59,7 @@ Value surfaceJson(const Surface& surface, ClosedU closed) {
   const std::size_t p = static_cast<std::size_t>(surface.degreeU), rows = surface.countU() - (closed == ClosedU::No ? 0 : p);
   std::vector<double> knotsU = surface.knotsU;
   if (closed != ClosedU::No) {
-    // One period is enough when it gives back exactly the same knots.
+    // One period is sufficient when the same knots can be restored from it exactly.
     const std::vector<double> period(knotsU.begin() + surface.degreeU, knotsU.end() - surface.degreeU);
     if (unwrappedKnots(surface.degreeU, period) == knotsU) knotsU = period;
   }
@@ -72,7 +72,7 @@ Value surfaceJson(const Surface& surface, ClosedU closed) {
   return {{"degree", {surface.degreeU, surface.degreeV}}, {"knots", {knotsU, surface.knotsV}}, {"poles", std::move(poles)}};
 }
 
-/// One weight and one Euclidean pole whose product gives back the homogeneous pole to the last bit where that is possible.
+/// A weight and a Euclidean pole whose product is bitwise the homogeneous pole, where that is possible.
 Vec3 euclidean(const Vec4& pole) {
   Vec3 point = pole.head<3>() / pole[3];
   for (int k = 0; k < 3; ++k)

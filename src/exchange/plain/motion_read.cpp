@@ -15,7 +15,7 @@ namespace blossom {
 namespace {
 
 constexpr int largestDegree = 25;
-constexpr std::size_t mostPoles = 1'000'000;
+constexpr std::size_t maximumPoles = 1'000'000;
 /// 1,000 km: products of such numbers keep a meaning, and no measure of them drowns in rounding noise.
 constexpr double largestNumber = 1e9;
 
@@ -46,7 +46,8 @@ struct Node {
   }
   [[nodiscard]] std::size_t arraySize(const char* what) const {
     if (!value.is_array() || value.empty()) fail(fmt::format("must be a list of {}", what));
-    if (value.size() > mostPoles) fail(fmt::format("holds {} entries; at most {} can be read", value.size(), mostPoles));
+    if (value.size() > maximumPoles)
+      fail(fmt::format("holds {} entries; at most {} can be read", value.size(), maximumPoles));
     return value.size();
   }
   [[nodiscard]] double number() const {
@@ -145,8 +146,8 @@ std::size_t readPoles(const Node& node, const SurfaceForm& form, std::vector<Vec
     const std::size_t count = row.arraySize("poles, one for each v");
     if (i == 0) columns = count;
     if (count != columns) row.fail(fmt::format("must hold {} poles like the first row; it holds {}", columns, count));
-    if (rows * columns > mostPoles)
-      node.fail(fmt::format("holds {} poles; at most {} can be read", rows * columns, mostPoles));
+    if (rows * columns > maximumPoles)
+      node.fail(fmt::format("holds {} poles; at most {} can be read", rows * columns, maximumPoles));
     for (std::size_t j = 0; j < count; ++j) {
       const Node at = row[j];
       poles.push_back(at.numbers<4>(form.pole));

@@ -26,7 +26,7 @@ std::string_view takeField(std::string_view& rest) {
 
 bool isComment(std::string_view line) { return line.empty() || line.front() == '#' || line.starts_with("//"); }
 
-/// A line before all points that names columns, or holds their number alone.
+/// A line before all points with the names of the columns, or with the number of points.
 bool isHeading(std::string_view line) {
   const std::string_view first = takeField(line);
   return !toNumber(first) ? first.find_first_of("0123456789") == std::string_view::npos : trimmed(line).empty();

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/error.h"
-#include "exchange/format/bezier_pieces.h"
+#include "exchange/format/cubic_pieces.h"
 #include "exchange/format/drawn_box.h"
 #include "exchange/format/format.h"
 #include "exchange/format/mesh_options.h"
@@ -128,7 +128,7 @@ Format pageFormat(std::string id, std::string title, MakeSurface make) {
 
 cairo_surface_t* pdfSurface(cairo_write_func_t write, void* closure, double width, double height) {
   cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(write, closure, width, height);
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same drawing gives the same file
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same drawing makes the same file
   return surface;
 }
 

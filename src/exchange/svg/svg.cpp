@@ -19,7 +19,7 @@ Format svgFormat() {
 
   ParameterSpec seconds = number(0.01, 3600);
   seconds.name = "seconds";
-  seconds.help = "How long one run of an animation takes; it repeats without end.";
+  seconds.help = "Duration of an animation in seconds; it repeats endlessly.";
   seconds.fallback = 2.0;
 
   Format format;

@@ -24,7 +24,7 @@ namespace {
 using Affine = Eigen::Affine2d;
 using pugi::xml_node;
 
-constexpr std::size_t mostElements = 500'000, mostSegments = 2'000'000;
+constexpr std::size_t maximumElements = 500'000, maximumSegments = 2'000'000;
 constexpr int deepestNesting = 200;
 
 bool isShape(std::string_view name) {
@@ -33,7 +33,7 @@ bool isShape(std::string_view name) {
   return std::find(shapes.begin(), shapes.end(), name) != shapes.end();
 }
 
-/// What children take over from their parents.
+/// Attributes inherited from the parent.
 struct Style {
   std::string fill = "black", stroke = "none", color;
   bool paintGiven = false;  ///< fill or stroke stand in the file; a default black is no colour of its own
@@ -152,8 +152,8 @@ class Reader {
   }
 
   void element(const xml_node& node, const Affine& outer, const Style& inherited, int depth) {
-    if (++elements_ > mostElements)
-      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} elements.", mostElements));
+    if (++elements_ > maximumElements)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} elements.", maximumElements));
     if (elements_ % 1024 == 0) progress_.check();
     const std::string_view name = nameOf(node);
     const bool isContainer = name == "g" || name == "a" || name == "switch" || name == "svg" || name == "use";
@@ -247,8 +247,8 @@ class Reader {
 
   void add(Path path, const Affine& place, const Style& style, bool filled) {
     segments_ += path.segments.size();
-    if (segments_ > mostSegments)
-      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and curves.", mostSegments));
+    if (segments_ > maximumSegments)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("It unfolds into more than {} lines and curves.", maximumSegments));
     if (filled && !path.closed) close(path);
     Path placed = transformed(path, Eigen::Matrix<double, 2, 3>(place.affine()));
     if (!allFinite(placed)) throw Error(ErrorCode::FormatDamaged, "A shape has a coordinate that is not a number.");

@@ -10,24 +10,24 @@
 #include "exchange/svg/svg_values.h"
 #include "geometry/planar/region.h"
 
-/// The basic shapes of SVG (W3C SVG 1.1, chapters 7 and 9) and the lengths that they are given with.
+/// The basic shapes of SVG (W3C SVG 1.1, chapters 7 and 9) and the lengths in their attributes.
 namespace blossom::svg {
 
-/// Name without the prefix of the SVG namespace.
+/// Name without the SVG namespace prefix.
 std::string_view nameOf(const pugi::xml_node&);
 
-/// Lengths of attributes in user units, and where in the text an element stands, for messages.
+/// Lengths of attributes in user units, and line numbers of elements for messages.
 class Lengths {
  public:
   explicit Lengths(const std::string& content) : content_(content) {}
 
-  /// The line of the text, counted from 1, that holds a byte.
+  /// Number of the line, from 1, that contains a byte of the text.
   [[nodiscard]] std::size_t lineOf(std::ptrdiff_t offset) const;
-  /// Empty when there is none, or one without a size. @throws Error FormatDamaged.
+  /// Empty when there is none or its size is zero. @throws Error FormatDamaged.
   [[nodiscard]] std::optional<std::vector<double>> viewBox(const pugi::xml_node&) const;
-  /// A length in user units; `whole` is what 100 % stands for.
+  /// A length in user units; `whole` corresponds to 100 %.
   [[nodiscard]] double userUnits(const Length&, double whole) const;
-  /// An attribute; `fallback` where it is not given. @throws Error FormatDamaged.
+  /// An attribute as a length in user units; `fallback` when it is missing. @throws Error FormatDamaged.
   [[nodiscard]] double along(const pugi::xml_node&, const char* name, double whole, double fallback = 0) const;
   [[nodiscard]] double x(const pugi::xml_node& node, const char* name, double fallback = 0) const {
     return along(node, name, viewport.x(), fallback);
@@ -38,7 +38,7 @@ class Lengths {
 
   bool physical = false;    ///< the page has a size
   bool hasViewBox = false;  ///< the page has a viewBox
-  Vec2 viewport{0, 0};      ///< of the svg around, in user units
+  Vec2 viewport{0, 0};      ///< size of the enclosing svg element, in user units
 
  private:
   const std::string& content_;

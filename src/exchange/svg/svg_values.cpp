@@ -19,7 +19,7 @@ namespace {
 
 bool isSeparator(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ','; }
 
-/// Takes a number off the front, as long as it can be: "1.5.5" gives 1.5.
+/// Removes the longest possible number from the front: 1.5 from "1.5.5".
 std::optional<double> takeNumber(std::string_view& text) {
   std::string_view digits = text;
   if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') digits.remove_prefix(1);

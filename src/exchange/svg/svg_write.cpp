@@ -9,7 +9,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/units.h"
-#include "exchange/format/bezier_pieces.h"
+#include "exchange/format/cubic_pieces.h"
 #include "exchange/format/drawn_box.h"
 #include "exchange/format/format.h"
 #include "exchange/format/mesh_options.h"
@@ -62,9 +62,9 @@ class PathWriter {
   void addPiece(const BezierPiece& p) {
     const bool polynomial = isPolynomial(p);
     if (polynomial && p.size() == 2)
-      out_ += "L" + pair(toPlane(p[1]));
+      out_ += "L" + pair(euclidean(p[1]));
     else if (polynomial && p.size() == 3)
-      out_ += "Q" + pair(toPlane(p[1])) + " " + pair(toPlane(p[2]));
+      out_ += "Q" + pair(euclidean(p[1])) + " " + pair(euclidean(p[2]));
     else if (p.size() != 3 || !addConic(p))
       for (const auto& cubic : cubicsOf(p, tolerance_))
         out_ += "C" + pair(cubic[1]) + " " + pair(cubic[2]) + " " + pair(cubic[3]);
@@ -75,7 +75,7 @@ class PathWriter {
   bool addConic(const BezierPiece& p) {
     const double w = p[1].z() / std::sqrt(p[0].z() * p[2].z());
     if (!(w > 1e-6) || !(w < 1 - 1e-9)) return false;
-    const Vec2 start = toPlane(p[0]), corner = toPlane(p[1]), end = toPlane(p[2]);
+    const Vec2 start = euclidean(p[0]), corner = euclidean(p[1]), end = euclidean(p[2]);
     const double sine = std::sqrt(1 - w * w);
     Eigen::Matrix2d axes;  // conjugate half-diameters
     axes.col(0) = (corner - 0.5 * (start + end)) * w / (sine * sine);
@@ -94,7 +94,7 @@ class PathWriter {
 };
 
 std::string attributes(const std::string& layer, const std::optional<Color>& color, bool filled, FillRule rule) {
-  // Without a colour of its own a path takes the default, black, which reads back as no colour.
+  // A path without a colour gets the default, black, which is read back as no colour.
   std::string result;
   if (filled && color) result = fmt::format(" fill=\"{}\"", toHex(*color));
   if (!filled)

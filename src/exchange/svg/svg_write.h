@@ -7,9 +7,9 @@
 
 namespace blossom::svg {
 
-/// Curves or a region as SVG paths in mm: lines, arcs and Béziers up to degree 3 stay what they are, other splines become
-/// cubics within the option `tolerance`. A sequence of these is an animation (SMIL) of the option `seconds`, of which a
-/// program that plays none shows the first frame. @throws Error FileUnwritable, OutputNotSupported, Cancelled.
+/// Writes curves or a region as SVG paths in mm. Lines, arcs and Béziers up to degree 3 are written exactly, other splines
+/// as cubics within the option `tolerance`. A sequence becomes an animation (SMIL) of `seconds`; viewers without animation
+/// show the first frame. @throws Error FileUnwritable, OutputNotSupported, Cancelled.
 void writeDocument(const Shape&, const std::filesystem::path&, const Value& options, const Progress&);
 
 }  // namespace blossom::svg

@@ -8,19 +8,20 @@
 #include "geometry/bspline/surface.h"
 
 /// Operations on B-spline curves and surfaces with values in R^4. Numbers in brackets: Piegl & Tiller, The NURBS Book, 2nd
-/// ed. Every function takes clamped and unclamped knot vectors alike unless it says otherwise, and expects what `validate`
-/// accepts. A parameter outside the domain continues the first or the last piece.
+/// ed. Every function accepts clamped and unclamped knot vectors unless it says otherwise, and requires what `validate`
+/// checks. Outside the domain the first or the last polynomial piece is continued.
 namespace blossom {
 
-/// Highest degree handled anywhere, also of products and elevated curves. OCCT and most formats stop at 25.
+/// Maximum degree of any curve or surface, also of products and elevated curves. OCCT and most formats stop at 25.
 inline constexpr int kMaximumDegree = 60;
 
-/// @throws Error InvalidInput saying what is wrong: degree below 1, sizes, decreasing knots, multiplicity above degree + 1,
-/// an empty domain, values that are not finite. LimitExceeded above kMaximumDegree.
+/// @throws Error InvalidInput naming the mistake: degree below 1, sizes that do not match, decreasing knots, multiplicity
+/// above degree + 1, an empty domain, values that are not finite; LimitExceeded above kMaximumDegree.
 void validate(const Curve&);
 void validate(const Surface&);
 
-/// Index k with knots[k] <= t < knots[k+1] within the domain; the last non-empty span at its end. [A2.1] O(log n).
+/// Index k with knots[k] <= t < knots[k+1] within the domain; at the end of the domain the last non-empty span. [A2.1] O(log
+/// n).
 std::size_t findSpan(int degree, std::span<const double> knots, double t);
 /// The degree + 1 non-zero basis functions at t and their derivatives up to `order`, row-major [order + 1][degree + 1]; they
 /// belong to the poles span - degree .. span. [A2.3] O(p^2).
@@ -50,11 +51,11 @@ SurfaceFrame frame(const Surface&, double u, double v);
 Curve insertKnots(const Curve&, std::span<const double> knots);
 Surface insertKnotsU(const Surface&, std::span<const double> knots);
 Surface insertKnotsV(const Surface&, std::span<const double> knots);
-/// Same shape under a knot vector with multiplicity degree + 1 at both ends of the domain.
+/// Same curve or surface with knots of multiplicity degree + 1 at both ends of the domain.
 Curve clamped(const Curve&);
 Surface clamped(const Surface&);
-/// Same shape, `times` degrees higher, clamped; continuity at the knots is kept. Every new pole averages blossoms of the old
-/// curve (Prautzsch 1984), so that no digit is lost.
+/// Same curve or surface, `times` degrees higher, clamped; continuity at the knots is kept. Every new pole is an average of
+/// blossoms of the old curve (Prautzsch 1984), so there is no loss of accuracy.
 Curve elevateDegree(const Curve&, int times);
 Surface elevateDegree(const Surface&, int timesU, int timesV);
 
@@ -72,13 +73,13 @@ struct BezierSurface {
 };
 BezierSurface toBezier(const Surface&);
 
-/// Surface traced backwards in u, or with u and v exchanged.
+/// Same surface with u reversed, or with u and v exchanged.
 Surface reversedU(const Surface&);
 Surface transposed(const Surface&);
-/// Iso-parametric curve.
+/// Iso-parametric curve at constant u, and at constant v.
 Curve isoU(const Surface&, double u);
 Curve isoV(const Surface&, double v);
-/// Smallest weight (w component) of all poles.
+/// Minimum weight (w component) of all poles.
 double smallestWeight(const Curve&);
 double smallestWeight(const Surface&);
 

@@ -6,7 +6,7 @@
 #include "geometry/bspline/product.h"
 
 /// Algebra of scalar functions that are polynomials on every patch of a grid: the fast way to sums of products of many
-/// B-spline components, of which only the result becomes a B-spline. For a motion X = tw y + tx d sw, for example:
+/// B-spline components, because only the result is converted to a B-spline. For a motion X = tw y + tx d sw, for example:
 ///
 ///     const PatchGrid grid(knotsU, knotsV);                        // knotsU, knotsV = productKnots(factors..)
 ///     const auto r = patchPolynomials(orientation, grid), t = patchPolynomialsInV(trajectory, grid);
@@ -36,11 +36,10 @@ class PatchGrid {
   std::vector<double> breaksU_, breaksV_;
 };
 
-/// One scalar function on all patches. Operations on functions with different patch counts are a mistake of the caller
-/// (Internal).
+/// One scalar function on all patches. Combining functions with different patch counts is a programming error (Internal).
 class PatchPolynomial {
  public:
-  /// Patches are worked on this many at a time, one in each lane, which is what makes products fast at every degree.
+  /// Number of patches processed together, one per SIMD lane.
   static constexpr std::size_t kLanes = 8;
 
   /// The zero function.
@@ -55,9 +54,9 @@ class PatchPolynomial {
     return coefficients_[index(patch, i, j)];
   }
 
-  /// Adds factor * a * b, whose degrees must add up to the degrees of this.
+  /// Adds factor * a * b. The degrees of a and b must add up to the degrees of this function.
   PatchPolynomial& addProduct(const PatchPolynomial& a, const PatchPolynomial& b, double factor = 1);
-  /// Adds factor * a, of the same degrees.
+  /// Adds factor * a; a has the degrees of this function.
   PatchPolynomial& add(const PatchPolynomial& a, double factor = 1);
 
  private:
@@ -75,13 +74,13 @@ class PatchPolynomial {
 
 PatchPolynomial product(const PatchPolynomial& a, const PatchPolynomial& b, double factor = 1);
 
-/// The four components of a factor on the grid. Its knots must be among the grid's breaks.
+/// The four components of a surface on the grid. Its knots must be among the breaks of the grid.
 std::array<PatchPolynomial, 4> patchPolynomials(const Surface&, const PatchGrid&);
 /// The four components of a curve in v, constant (degree 0) in u.
 std::array<PatchPolynomial, 4> patchPolynomialsInV(const Curve&, const PatchGrid&);
 
-/// The surface whose homogeneous components these are, over the grid's product knots.
-/// @throws Error Internal when the degrees are not the grid's product degrees.
+/// The surface with these homogeneous components, over the product knots of the grid.
+/// @throws Error Internal when the degrees differ from those of the grid's product knots.
 Surface assemble(const std::array<PatchPolynomial, 4>& components, const PatchGrid&);
 
 }  // namespace blossom

@@ -50,7 +50,8 @@ double direction(const TopoDS_Shape& shape) { return shape.Orientation() == TopA
 // --- Planar faces
 // -----------------------------------------------------------------------------------------------------------
 
-/// What an integral over edges of this extent can be asked for: farther from the origin, coordinates carry more rounding.
+/// Attainable accuracy of an integral over edges of this extent: coordinates far from the origin have larger rounding
+/// errors.
 double absoluteFor(const std::vector<TopoDS_Edge>& edges, const Vec3& reference) {
   double extent = 0;
   for (const TopoDS_Edge& edge : edges) {
@@ -231,7 +232,7 @@ TwoIntegrals alongBoundary(const Element& element, const Breaks& breaks, const s
     return sum;
   };
   // Parameter curves in files are only good to 1e-7 and wiggle on that scale: going on halving would chase their noise.
-  constexpr Adaptivity adaptivity{.nodes = 8, .deepest = 8};
+  constexpr Adaptivity adaptivity{.nodes = 8, .maximumDepth = 8};
   TwoIntegrals sum(0, 0);
   for (const BoundaryCurve& boundaryCurve : curves) {
     const std::vector<double> pieces = smoothBreaks(boundaryCurve.curve);

@@ -28,13 +28,13 @@ Measures measureRegion(const Region& region, const Progress& progress) {
   return {"region",
           {{"area", total, MeasureUnit::Area},
            {"perimeter", perimeter, MeasureUnit::Length},
-           count("loops", region.loops.size()),
-           count("holes", region.loops.size() - outer),
-           count("components", outer),
-           count("vertices", lines + arcs + splines),  // as many as segments, in closed loops
-           count("lines", lines),
-           count("arcs", arcs),
-           count("splines", splines)}};
+           countMeasure("loops", region.loops.size()),
+           countMeasure("holes", region.loops.size() - outer),
+           countMeasure("components", outer),
+           countMeasure("vertices", lines + arcs + splines),  // as many as segments, in closed loops
+           countMeasure("lines", lines),
+           countMeasure("arcs", arcs),
+           countMeasure("splines", splines)}};
 }
 
 Measures measureCurves(const Curves& curves, const Progress& progress) {
@@ -46,10 +46,10 @@ Measures measureCurves(const Curves& curves, const Progress& progress) {
     closed += path.closed ? 1 : 0;
   }
   return {"curves",
-          {count("curves", curves.paths.size()),
+          {countMeasure("curves", curves.paths.size()),
            {"length", sum, MeasureUnit::Length},
-           count("open", curves.paths.size() - closed),
-           count("closed", closed)}};
+           countMeasure("open", curves.paths.size() - closed),
+           countMeasure("closed", closed)}};
 }
 
 bool hasPositiveWeights(const Curve& curve) {
@@ -74,7 +74,7 @@ double curveLength(const Curve& curve, const Progress& progress) {
 }
 
 Measures measureCurve(const Curve& curve, const Progress& progress) {
-  Measures measures{"curve", {{"degree", std::int64_t{curve.degree}}, count("poles", curve.poles.size())}};
+  Measures measures{"curve", {{"degree", std::int64_t{curve.degree}}, countMeasure("poles", curve.poles.size())}};
   if (hasPositiveWeights(curve)) measures.values.push_back({"length", curveLength(curve, progress), MeasureUnit::Length});
   return measures;
 }
@@ -94,12 +94,12 @@ std::string closedName(ClosedU closed) {
 Measures measureMotion(const Motion& motion) {
   Measures measures{"motion",
                     {{"trajectory_degree", std::int64_t{motion.trajectory.degree}},
-                     count("trajectory_poles", motion.trajectory.poles.size())}};
+                     countMeasure("trajectory_poles", motion.trajectory.poles.size())}};
   const auto add = [&](const std::string& name, const Surface& surface) {
     measures.values.push_back({name + "_degree_u", std::int64_t{surface.degreeU}});
     measures.values.push_back({name + "_degree_v", std::int64_t{surface.degreeV}});
-    measures.values.push_back(count(name + "_poles_u", surface.countU()));
-    measures.values.push_back(count(name + "_poles_v", surface.countV()));
+    measures.values.push_back(countMeasure(name + "_poles_u", surface.countU()));
+    measures.values.push_back(countMeasure(name + "_poles_v", surface.countV()));
   };
   add("orientation", motion.orientation);
   add("scaling", motion.scaling);
@@ -108,7 +108,7 @@ Measures measureMotion(const Motion& motion) {
 }
 
 Measures measureSequence(const Sequence& sequence) {
-  Measures measures{"sequence", {count("frames", sequence.frames.size())}};
+  Measures measures{"sequence", {countMeasure("frames", sequence.frames.size())}};
   if (!sequence.times.empty()) {
     measures.values.push_back({"start", sequence.times.front(), MeasureUnit::None});
     measures.values.push_back({"end", sequence.times.back(), MeasureUnit::None});
@@ -120,20 +120,20 @@ Measures measureMedialAxis(const MedialAxis& axis) {
   const auto certified = static_cast<std::size_t>(
       std::count_if(axis.vertices.begin(), axis.vertices.end(), [](const MedialVertex& v) { return v.certified; }));
   return {"medial axis",
-          {count("edges", axis.edges.size()),
-           count("vertices", axis.vertices.size()),
-           count("certified", certified),
-           count("uncertified", axis.vertices.size() - certified),
+          {countMeasure("edges", axis.edges.size()),
+           countMeasure("vertices", axis.vertices.size()),
+           countMeasure("certified", certified),
+           countMeasure("uncertified", axis.vertices.size() - certified),
            {"length", lengthOf(axis), MeasureUnit::Length}}};
 }
 
-/// What nobody simulated is left out.
+/// Figures that were not simulated are left out.
 Measures measureToolpath(const Toolpath& path) {
   Measures measures{"toolpath",
                     {{"length_mm", lengthOf(path), MeasureUnit::Length}, {"time_s", secondsOf(path), MeasureUnit::Time}}};
   if (path.gouge) measures.values.push_back({"gouge_mm", *path.gouge, MeasureUnit::Length});
   if (path.residue) measures.values.push_back({"residue_mm2", *path.residue, MeasureUnit::Area});
-  measures.values.push_back(count("passes", path.passes));
+  measures.values.push_back(countMeasure("passes", path.passes));
   return measures;
 }
 
@@ -152,7 +152,7 @@ struct Visitor {
   Measures operator()(const Toolpath& path) const { return measureToolpath(path); }
 };
 
-/// A figure that is none would be told as nothing at all.
+/// JSON would print a figure that is not finite as null.
 void refuseInfinite(const Measures& measures) {
   for (const Measure& each : measures.values) {
     const double* value = std::get_if<double>(&each.value);

@@ -17,7 +17,7 @@ struct Measure {
   MeasureUnit unit = MeasureUnit::None;
 };
 
-/// What `info` prints and the result panel shows. The names are alike for all shapes of a kind:
+/// Measures printed by `info` and shown in the result panel, with the same names for all shapes of a kind.
 /// region: area perimeter loops holes components vertices lines arcs splines;
 /// mesh, solid: volume area faces vertices genus components closed; surface: degree_u degree_v poles_u poles_v min_weight
 /// area; sequence: frames; curves: curves length; medial axis: edges vertices certified uncertified length;
@@ -27,9 +27,9 @@ struct Measures {
   std::vector<Measure> values;
 };
 
-/// Measures of any shape. A Brep with a solid is of kind "solid"; a single B-spline face is a "surface"; other faces are of
-/// kind "faces", wires and edges "curves". `volume` of an open mesh is left out. Areas and volumes of free-form shapes are
-/// integrals to 1e-6 relative or better; of meshes exact up to rounding.
+/// Measures of any shape. A Brep with a solid is of kind "solid", a single B-spline face "surface", other faces "faces",
+/// wires and edges "curves". An open mesh has no `volume`. Areas and volumes of free-form shapes are integrals with a
+/// relative error of at most 1e-6; those of meshes are exact up to rounding.
 /// @throws Error Cancelled.
 Measures measure(const Shape&, const Progress& = Progress::none());
 

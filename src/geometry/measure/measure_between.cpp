@@ -73,7 +73,7 @@ TopoDS_Shape faceOf(const Triangle3& t) {
   return face.IsDone() ? TopoDS_Shape(face.Face()) : TopoDS_Shape();
 }
 
-/// Only the triangles that can hold the nearest point meet the exact shape.
+/// Only triangles that may contain the nearest point are compared with the exact shape.
 FootPoints exactToTriangles(const TopoDS_Shape& exact, const std::vector<Triangle3>& triangles, const Progress& progress) {
   const Bounds box = bounds(Shape(Brep(exact)));
   const double chord = std::max(1e-3 * box.diagonal(), 1e-6);
@@ -103,7 +103,7 @@ FootPoints surfaceDistance(const PartGeometry& a, const PartGeometry& b, const P
 FootPoints footPoints(const PartGeometry& a, const PartGeometry& b, const Progress& progress) {
   FootPoints found = surfaceDistance(a, b, progress);
   if (found.distance() <= Tolerance().confusion) return {found.first, found.first};
-  if (!a.exact.IsNull() && !b.exact.IsNull()) return found;  // solids were looked at already
+  if (!a.exact.IsNull() && !b.exact.IsNull()) return found;  // solids are handled already
   if (const auto point = inside(pointsOfParts(a), b, progress)) return {*point, *point};
   if (const auto point = inside(pointsOfParts(b), a, progress)) return {*point, *point};
   return found;

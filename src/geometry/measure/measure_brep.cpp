@@ -130,12 +130,12 @@ Measures measureSolids(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape
   return {"solid",
           {{"volume", total, MeasureUnit::Volume},
            {"area", totalArea(shape, progress), MeasureUnit::Area},
-           count("faces", distinctShapes(shape, TopAbs_FACE).size()),
-           count("edges", distinctShapes(shape, TopAbs_EDGE).size()),
-           count("vertices", distinctShapes(shape, TopAbs_VERTEX).size()),
+           countMeasure("faces", distinctShapes(shape, TopAbs_FACE).size()),
+           countMeasure("edges", distinctShapes(shape, TopAbs_EDGE).size()),
+           countMeasure("vertices", distinctShapes(shape, TopAbs_VERTEX).size()),
            {"genus", std::int64_t{genusSum}},
-           count("components", solids.size()),
-           count("shells", shells.size()),
+           countMeasure("components", solids.size()),
+           countMeasure("shells", shells.size()),
            {"closed", closed}}};
 }
 
@@ -146,18 +146,18 @@ Measures measureSplineFace(const TopoDS_Face& face, const Progress& progress) {
   return {"surface",
           {{"degree_u", std::int64_t{surface.degreeU}},
            {"degree_v", std::int64_t{surface.degreeV}},
-           count("poles_u", surface.countU()),
-           count("poles_v", surface.countV()),
+           countMeasure("poles_u", surface.countU()),
+           countMeasure("poles_v", surface.countV()),
            {"min_weight", smallestWeight(surface)},
            {"area", totalArea(face, progress), MeasureUnit::Area}}};
 }
 
 Measures measureFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Shape>& faces, const Progress& progress) {
   return {"faces",
-          {count("faces", faces.size()),
+          {countMeasure("faces", faces.size()),
            {"area", totalArea(shape, progress), MeasureUnit::Area},
-           count("edges", distinctShapes(shape, TopAbs_EDGE).size()),
-           count("vertices", distinctShapes(shape, TopAbs_VERTEX).size())}};
+           countMeasure("edges", distinctShapes(shape, TopAbs_EDGE).size()),
+           countMeasure("vertices", distinctShapes(shape, TopAbs_VERTEX).size())}};
 }
 
 Measures measureEdges(const TopoDS_Shape& shape, const Progress& progress) {
@@ -169,9 +169,9 @@ Measures measureEdges(const TopoDS_Shape& shape, const Progress& progress) {
   std::size_t curves = distinctShapes(shape, TopAbs_WIRE).size();
   for (TopExp_Explorer free(shape, TopAbs_EDGE, TopAbs_WIRE); free.More(); free.Next()) ++curves;
   return {"curves",
-          {count("curves", curves),
+          {countMeasure("curves", curves),
            {"length", sum, MeasureUnit::Length},
-           count("vertices", distinctShapes(shape, TopAbs_VERTEX).size())}};
+           countMeasure("vertices", distinctShapes(shape, TopAbs_VERTEX).size())}};
 }
 
 Measures measureShape(const TopoDS_Shape& shape, const Progress& progress) {

@@ -16,11 +16,11 @@ Measures measureMesh(const Mesh& mesh, const Progress& progress) {
   Measures measures{"mesh", {}};
   if (topology.closed()) measures.values.push_back({"volume", signedVolume(triangles), MeasureUnit::Volume});
   measures.values.push_back({"area", area(triangles), MeasureUnit::Area});
-  measures.values.push_back(count("faces", mesh.faceCount()));
-  measures.values.push_back(count("vertices", mesh.points.size()));
-  measures.values.push_back(count("edges", topology.edges.size()));
+  measures.values.push_back(countMeasure("faces", mesh.faceCount()));
+  measures.values.push_back(countMeasure("vertices", mesh.points.size()));
+  measures.values.push_back(countMeasure("edges", topology.edges.size()));
   measures.values.push_back({"genus", static_cast<std::int64_t>(genus)});
-  measures.values.push_back(count("components", topology.components.size()));
+  measures.values.push_back(countMeasure("components", topology.components.size()));
   measures.values.push_back({"closed", topology.closed()});
   return measures;
 }

@@ -7,7 +7,7 @@
 #include "geometry/mesh/mesh.h"
 #include "geometry/shape/brep.h"
 
-/// The kinds of `measure`, one file each.
+/// The parts of `measure` for single kinds of shapes, one file each.
 namespace blossom {
 
 Measures measureMesh(const Mesh&, const Progress&);
@@ -18,16 +18,17 @@ Measures measureBrep(const Brep&, const Progress&);
 /// smooth.
 double surfaceArea(const Surface&, const Progress&);
 
-/// What a face adds to the area and to the volume of its solid (the cone over it from `reference`), its orientation counted.
+/// Contribution of a face to the area of its solid, and to the volume as that of the cone over the face with apex
+/// `reference`; signed by the orientation of the face.
 struct FaceIntegral {
   double area = 0;
   double volume = 0;
 };
-/// Planar faces by Green's formula along their edges, faces over a rectangle of parameters by Gauss quadrature span by span,
-/// others by OCCT's adaptive one.
+/// Planar faces are integrated by Green's formula along their edges, faces over a rectangle of parameters by Gauss
+/// quadrature span by span, all others by OCCT's adaptive quadrature.
 FaceIntegral integrateFace(const TopoDS_Face&, const Vec3& reference, const Progress&);
 
-inline Measure count(std::string name, std::size_t value) {
+inline Measure countMeasure(std::string name, std::size_t value) {
   return {std::move(name), static_cast<std::int64_t>(value), MeasureUnit::None};
 }
 

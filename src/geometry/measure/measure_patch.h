@@ -12,7 +12,7 @@
 
 namespace blossom {
 
-/// One face, edge or vertex as a function of 2, 1 or no parameters over a rectangle, with its trimming.
+/// A face, edge or vertex as a function of 2, 1 or 0 parameters over a rectangle, with its trimming.
 class MeasurePatch {
  public:
   using Parameters = std::array<double, 2>;
@@ -24,7 +24,7 @@ class MeasurePatch {
   struct Sample {
     Vec3 point;
     Parameters at{0, 0};
-    int i = 0, j = 0;  ///< place in the grid of samples
+    int i = 0, j = 0;  ///< indices in the grid of samples
   };
 
   /// @pre not a degenerated edge. @throws Error InvalidInput when it is unbounded.
@@ -35,13 +35,13 @@ class MeasurePatch {
   [[nodiscard]] const Parameters& low() const { return low_; }
   [[nodiscard]] const Parameters& high() const { return high_; }
   [[nodiscard]] Derivatives derivatives(const Parameters&) const;
-  /// Within the trimming of a face, its boundary included.
+  /// Whether the parameters lie within the trimming of a face or on its boundary.
   [[nodiscard]] bool contains(const Parameters&) const;
-  /// Points spread over the patch, at least one; made when they are first asked for.
+  /// Points distributed over the patch, at least one; computed on first use.
   [[nodiscard]] const std::vector<Sample>& samples() const;
-  /// Those of `values`, one per sample, that no neighbour in the grid is below.
+  /// Indices of the values, one per sample, that are not above any neighbour in the grid.
   [[nodiscard]] std::vector<std::size_t> localMinima(const std::vector<double>& values) const;
-  /// About the farthest a point of the patch is from a sample.
+  /// Approximate maximum distance of a point of the patch from the nearest sample.
   [[nodiscard]] double spacing() const;
 
  private:
@@ -56,7 +56,7 @@ class MeasurePatch {
   Parameters low_{0, 0}, high_{0, 0};
   Bounds box_;
   mutable std::vector<Sample> samples_;
-  mutable std::vector<int> grid_;  // u-major; place in samples_, -1 where the patch is cut away
+  mutable std::vector<int> grid_;  // u-major; index in samples_, -1 where the patch is trimmed away
   mutable int countU_ = 1, countV_ = 1;
   mutable double spacing_ = 0;
 };

@@ -53,8 +53,8 @@ Measures measureSurface(const Surface& surface, const Progress& progress) {
   Measures measures{"surface",
                     {{"degree_u", std::int64_t{surface.degreeU}},
                      {"degree_v", std::int64_t{surface.degreeV}},
-                     count("poles_u", surface.countU()),
-                     count("poles_v", surface.countV()),
+                     countMeasure("poles_u", surface.countU()),
+                     countMeasure("poles_v", surface.countV()),
                      {"min_weight", weight}}};
   // Without positive weights the surface may run through infinity: it has no area to speak of.
   if (weight > 0) measures.values.push_back({"area", surfaceArea(surface, progress), MeasureUnit::Area});

@@ -27,7 +27,7 @@ PartForm around(Kind kind, const gp_Ax1& axis, double radius = 0, double minor =
   return form;
 }
 
-/// A spline that runs on a line or a circle, as its samples tell.
+/// A spline that is a line or a circle, recognised by its samples.
 PartForm recognised(const BRepAdaptor_Curve& curve) {
   constexpr int count = 33;
   std::vector<Vec3> points;

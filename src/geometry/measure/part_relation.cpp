@@ -13,7 +13,7 @@ namespace {
 
 using Kind = PartForm::Kind;
 
-constexpr double parallel = 1e-7;  // radians; files give directions with some eight digits
+constexpr double parallel = 1e-7;  // radians; files store directions with about eight digits
 
 /// Two directions and the angle from one to the other, which an arc around `at` shows.
 struct Angle {

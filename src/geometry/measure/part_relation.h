@@ -4,7 +4,7 @@
 
 namespace blossom {
 
-/// Adds what two parts are to one another beside their distance: angle, distances of planes, axes and centres. Where they
+/// Adds the figures of two parts other than their distance: angle, distances of planes, axes and centres. Where the parts
 /// touch at an angle, the angle comes first and is drawn.
 void addRelation(Measurement&, const PartGeometry&, const PartGeometry&, const FootPoints&);
 

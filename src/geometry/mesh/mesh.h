@@ -10,7 +10,7 @@
 
 namespace blossom {
 
-/// Sharpness of an edge or a vertex of a subdivision cage (OpenSubdiv's `t crease` and `t corner` tags). 10 and more is
+/// Sharpness of an edge or a vertex of a subdivision cage (OpenSubdiv's `t crease` and `t corner` tags). 10 and above means
 /// infinitely sharp.
 struct Crease {
   int from = 0, to = 0;  ///< vertex indices
@@ -31,7 +31,7 @@ struct Mesh {
   std::vector<int> faceVertices;
   std::vector<Crease> creases;
   std::vector<Corner> corners;
-  std::vector<std::string> otherTags;  ///< `t` lines that Blossom keeps but does not read, word for word
+  std::vector<std::string> otherTags;  ///< `t` lines with other tags, kept verbatim
   std::string name;
   std::optional<Color> color;
 

@@ -157,7 +157,7 @@ std::optional<MeshCrossing> firstCrossing(const Mesh& mesh, const Progress& prog
   std::optional<MeshCrossing> found;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     progress.check();
-    // Of a polygon all triangles are looked at before the first crossing is told.
+    // All triangles of a polygon are tested before the first crossing is returned.
     if (found && triangles[k].face != found->first) break;
     const auto here = crossingOf(k, triangles, tree, [](const Triangle3&, const Triangle3&) { return true; });
     if (here && (!found || here->second < found->second)) found = here;

@@ -11,24 +11,24 @@
 
 namespace blossom {
 
-/// Two faces of a mesh that meet elsewhere than in the vertex or the edge they share.
+/// Two faces of a mesh that intersect outside the vertex or edge they share.
 struct MeshCrossing {
-  Vec3 place;                         ///< in both faces, rounded to doubles
+  Vec3 place;                         ///< a common point, rounded to doubles
   std::size_t first = 0, second = 0;  ///< faces, first <= second; the same face twice when it crosses itself
 };
 
-/// The crossing of the lowest first face, and among those of the lowest second; nothing when no two faces meet anywhere else
-/// than in what they share. Decided by exact predicates on the coordinates as they are. Corners at one place are one vertex,
-/// whatever their indices, so faces that only touch in a common corner or along a whole common edge do not cross; a corner
-/// that lies on another face or within another edge does. Polygons count as the triangles of `triangulated`; triangles
-/// without area are left out. Open and closed meshes alike. O(n log n) for surfaces that seldom come near themselves.
-/// @throws Error InvalidInput for a face that names no vertex and for coordinates that are no numbers, Cancelled.
+/// The intersection with the lowest first face and then the lowest second face; empty when faces meet only in what they
+/// share. Decided by exact predicates on the given coordinates. Corners at the same position are the same vertex whatever
+/// their indices, so faces that touch in a common corner or along a whole common edge do not intersect; a corner on another
+/// face or inside another edge counts as an intersection. Polygons are represented by the triangles of `triangulated`;
+/// triangles without area are ignored. For open and closed meshes. O(n log n) for surfaces with few close parts.
+/// @throws Error InvalidInput for a vertex index out of range and for coordinates that are not finite, Cancelled.
 std::optional<MeshCrossing> firstCrossing(const Mesh&, const Progress& = Progress::none());
 
-/// Whether the crossing of two triangles is one that counts.
+/// Whether the intersection of two triangles counts.
 using CrossingJudge = std::function<bool(const Triangle3&, const Triangle3&)>;
 
-/// One crossing that counts of each triangle that has any with one behind it, in their order.
+/// For each triangle that has intersections which count with later triangles, one of them; in the order of the triangles.
 std::vector<MeshCrossing> crossings(const Mesh&, const CrossingJudge&, const Progress& = Progress::none());
 
 }  // namespace blossom

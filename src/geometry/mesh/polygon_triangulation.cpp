@@ -29,7 +29,7 @@ std::vector<Vec2> flattened(std::span<const Vec3> polygon) {
   return result;
 }
 
-/// Below this, a distance from an edge may be rounding of the polygon's corners, or stands for nothing.
+/// A distance from an edge below this may be rounding of the polygon's corners, or is insignificant.
 double nothing(std::span<const Vec3> polygon) {
   double largest = 0, extent = 0;
   for (const Vec3& p : polygon) {

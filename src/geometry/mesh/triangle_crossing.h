@@ -5,11 +5,12 @@
 
 namespace blossom {
 
-/// No area, decided exactly.
+/// Whether the area is zero, decided exactly.
 bool isCollapsed(const Triangle3&);
 
-/// Where two triangles meet elsewhere than in the corner or the side they share by place, if they do: decided exactly, the
-/// place rounded. Triangles in one place meet everywhere. @pre neither is collapsed, all coordinates are numbers
+/// A point where two triangles intersect outside the corner or side they share by position; empty when there is none.
+/// Decided exactly, the point rounded. Triangles with the same three corners intersect. @pre neither is collapsed, all
+/// coordinates are finite
 std::optional<Vec3> crossingElsewhere(const Triangle3&, const Triangle3&);
 
 }  // namespace blossom

@@ -59,7 +59,7 @@ Vec3 closestOnTriangle(const Vec3& p, const Triangle3& t) {
 }
 
 FootPoints closestOnSegments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  // The nearest points of the lines, if both are on the segments; else one of the four ends takes part.
+  // The nearest points of the lines, if both are on the segments; else one of them is one of the four ends.
   FootPoints best{a0, closestOnSegment(a0, b0, b1)};
   keep(best, {a1, closestOnSegment(a1, b0, b1)});
   keep(best, {closestOnSegment(b0, a0, a1), b0});

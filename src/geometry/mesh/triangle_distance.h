@@ -11,7 +11,7 @@ namespace blossom {
 
 using Triangle3 = std::array<Vec3, 3>;
 
-/// A point of each of two things, as near to one another as they come.
+/// The nearest points of two objects.
 struct FootPoints {
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();
   [[nodiscard]] double distance() const { return (second - first).norm(); }
@@ -20,18 +20,18 @@ struct FootPoints {
 Vec3 closestOnTriangle(const Vec3& point, const Triangle3&);
 /// Segments may have length zero.
 FootPoints closestOnSegments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1);
-/// The same point twice where they cross. Triangles may have collapsed to a segment or a point.
+/// The same point twice where the triangles intersect. Triangles may be degenerate: segments or points.
 FootPoints closestOnTriangles(const Triangle3&, const Triangle3&);
 
-/// A tree of boxes around triangles; points and segments go as collapsed triangles.
+/// Bounding-volume tree of triangles; points and segments are stored as degenerate triangles.
 class TriangleTree {
  public:
   /// O(n log n). @pre not empty
   explicit TriangleTree(std::vector<Triangle3>);
   [[nodiscard]] const std::vector<Triangle3>& triangles() const { return triangles_; }
-  /// The nearest points of two sets of triangles. About O(log n) where they are apart. @throws Error Cancelled
+  /// The nearest points of two sets of triangles. About O(log n) for sets that do not touch. @throws Error Cancelled
   [[nodiscard]] FootPoints closest(const TriangleTree&, const Progress&) const;
-  /// Triangles whose boxes come within `reach` of the other tree's boxes of single triangles.
+  /// Indices of the triangles whose boxes are at most `reach` away from the box of a triangle of the other tree.
   [[nodiscard]] std::vector<std::size_t> within(const TriangleTree&, double reach, const Progress&) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t mostNodes = 32;
+constexpr std::size_t maximumNodes = 32;
 
 struct StoredRule {
   std::vector<double> nodes, weights;
@@ -49,11 +49,11 @@ StoredRule makeRule(std::size_t n) {
 
 GaussRule gaussRule(std::size_t n) {
   static const auto rules = [] {
-    std::array<StoredRule, mostNodes + 1> all;
-    for (std::size_t k = 1; k <= mostNodes; ++k) all[k] = makeRule(k);
+    std::array<StoredRule, maximumNodes + 1> all;
+    for (std::size_t k = 1; k <= maximumNodes; ++k) all[k] = makeRule(k);
     return all;
   }();
-  const StoredRule& rule = rules[std::clamp<std::size_t>(n, 1, mostNodes)];
+  const StoredRule& rule = rules[std::clamp<std::size_t>(n, 1, maximumNodes)];
   return {rule.nodes, rule.weights};
 }
 

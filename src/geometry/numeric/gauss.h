@@ -5,14 +5,14 @@
 
 namespace blossom {
 
-/// Gauss-Legendre rule on [0, 1]; exact for polynomials of degree 2 n - 1.
+/// Gauss-Legendre rule with n nodes on [0, 1]; exact for polynomials of degree 2 n - 1.
 struct GaussRule {
   std::span<const double> nodes;
   std::span<const double> weights;
 };
 
-/// Rule with n nodes, 1 <= n <= 32. Nodes are roots of Legendre polynomials found by Newton's method, good to the last bit
-/// or two.
+/// Rule with n nodes, 1 <= n <= 32. The nodes are roots of Legendre polynomials found by Newton's method, accurate to one or
+/// two units in the last place.
 GaussRule gaussRule(std::size_t n);
 
 namespace detail {
@@ -29,7 +29,7 @@ double integrateHalves(const F& f, const GaussRule& rule, double from, double to
   const double middle = 0.5 * (from + to);
   const double left = gaussSum(f, rule, from, middle);
   const double right = gaussSum(f, rule, middle, to);
-  // Halving goes on only for a difference that is there: of what is not finite, all halves are alike.
+  // Values that are not finite end the halving, because halves of them would differ forever.
   if (depth == 0 || !(std::abs(left + right - whole) > absolute) || !std::isfinite(left + right)) return left + right;
   return integrateHalves(f, rule, from, middle, left, absolute, depth - 1) +
          integrateHalves(f, rule, middle, to, right, absolute, depth - 1);
@@ -39,14 +39,14 @@ double integrateHalves(const F& f, const GaussRule& rule, double from, double to
 
 struct Adaptivity {
   std::size_t nodes = 16;
-  int deepest = 24;  ///< halvings; enough for a cusp, while smooth integrands stop at 1 or 2
+  int maximumDepth = 24;  ///< maximum number of halvings; enough for a cusp, smooth integrands need 1 or 2
 };
 
 /// Adaptive integral of a smooth function; each interval is halved until both halves agree with the whole within `absolute`.
 template <class F>
 double integrate(const F& f, double from, double to, double absolute, const Adaptivity& adaptivity = {}) {
   const GaussRule rule = gaussRule(adaptivity.nodes);
-  return detail::integrateHalves(f, rule, from, to, detail::gaussSum(f, rule, from, to), absolute, adaptivity.deepest);
+  return detail::integrateHalves(f, rule, from, to, detail::gaussSum(f, rule, from, to), absolute, adaptivity.maximumDepth);
 }
 
 }  // namespace blossom

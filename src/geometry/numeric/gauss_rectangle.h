@@ -6,7 +6,7 @@
 
 namespace blossom {
 
-/// Two integrals taken together, e.g. area and volume.
+/// Two integrals computed together, such as area and volume.
 using TwoIntegrals = Eigen::Array2d;
 
 struct Rectangle {
@@ -24,13 +24,13 @@ TwoIntegrals gaussSum(const F& f, const Rectangle& r, std::size_t n) {
   return sum * ((r.u1 - r.u0) * (r.v1 - r.v0));
 }
 
-/// Adaptive tensor Gauss quadrature: a rectangle is quartered until 10 and 14 nodes a side agree within `absolute`.
-/// A kink along a curve ends at `depth` levels, where its share is about 4^-depth.
+/// Adaptive tensor-product Gauss quadrature: a rectangle is quartered until the rules with 10 and 14 nodes per side agree
+/// within `absolute`. Along a kink the division stops after `depth` levels, where the remaining share is about 4^-depth.
 template <class F>
 TwoIntegrals integrate(const F& f, const Rectangle& r, const TwoIntegrals& absolute, int depth = 7) {
   const TwoIntegrals coarse = gaussSum(f, r, 10);
   TwoIntegrals fine = gaussSum(f, r, 14);
-  // Quartering goes on only for a difference that is there: of what is not finite, all quarters are alike.
+  // Values that are not finite end the quartering, because quarters of them would differ forever.
   if (depth == 0 || !((fine - coarse).abs() > absolute).any() || !fine.allFinite()) return fine;
   const double u = (r.u0 + r.u1) / 2;
   const double v = (r.v0 + r.v1) / 2;

@@ -6,8 +6,8 @@
 
 namespace blossom {
 
-/// For every point the index of the first point within `distance` of it. O(n).
-/// Chains of near points become one only when each is near the first.
+/// For every point the index of the first point within `distance` of it. Chains of near points are merged only as far as
+/// each is near the first. O(n).
 std::vector<int> mergeClosePoints(std::span<const Vec3> points, double distance);
 
 }  // namespace blossom

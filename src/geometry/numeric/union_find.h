@@ -5,7 +5,7 @@
 
 namespace blossom {
 
-/// Disjoint sets with path halving; nearly O(1) a call.
+/// Disjoint sets with path halving; almost O(1) per call.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -14,7 +14,7 @@ class UnionFind {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// The smaller root stays, so that numbering does not depend on the order of the calls.
+  /// The smaller root remains, so that the numbering does not depend on the order of the calls.
   void unite(std::size_t a, std::size_t b) {
     a = find(a);
     b = find(b);

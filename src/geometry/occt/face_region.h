@@ -4,9 +4,9 @@
 
 namespace blossom {
 
-/// The area of flat faces that lie square to z at one height (which is dropped), with their holes; lines, circles and
-/// B-splines stay what they are.
-/// @throws Error InvalidInput for a solid, or faces that are curved, tilted or at several heights: each names the place.
+/// The region covered by planar faces perpendicular to z at one height (which is dropped), with their holes. Lines, circles
+/// and B-splines keep their type.
+/// @throws Error InvalidInput, with the place, for a solid and for faces that are curved, tilted or at several heights.
 Region toRegion(const Brep&);
 
 }  // namespace blossom

@@ -17,7 +17,7 @@ namespace blossom {
 namespace {
 
 constexpr double same = 1e-6;  ///< of the rectangle's size
-constexpr int probes = 8;      ///< intervals between the places where a parameter curve is looked at
+constexpr int probes = 8;      ///< intervals between the samples of a parameter curve
 
 /// An edge in the parameters of its face.
 struct Trace {
@@ -89,19 +89,19 @@ std::optional<Surface> cut(Handle(Geom_BSplineSurface) spline, const Rectangle2&
 }
 
 /// On which side the edge lies and how it runs there; nothing when it leaves the sides.
-std::optional<std::pair<Side, SideEdge>> onSide(const Trace& trace, const Rectangle2& r, const Vec2& shift) {
+std::optional<std::pair<GridSide, SideEdge>> onSide(const Trace& trace, const Rectangle2& r, const Vec2& shift) {
   const Vec2 slack = same * r.size();
   const auto stays = [&](int axis, double value) {
     return std::all_of(trace.places.begin(), trace.places.end(),
                        [&](const Vec2& p) { return std::abs(p[axis] - value) <= slack[axis]; });
   };
-  std::optional<Side> side;
-  if (stays(1, r.low.y())) side = Side::V0;
-  if (stays(1, r.high.y())) side = Side::V1;
-  if (stays(0, r.low.x())) side = Side::U0;
-  if (stays(0, r.high.x())) side = Side::U1;
+  std::optional<GridSide> side;
+  if (stays(1, r.low.y())) side = GridSide::V0;
+  if (stays(1, r.high.y())) side = GridSide::V1;
+  if (stays(0, r.low.x())) side = GridSide::U0;
+  if (stays(0, r.high.x())) side = GridSide::U1;
   if (!side) return std::nullopt;
-  const int axis = *side == Side::V0 || *side == Side::V1 ? 0 : 1;
+  const int axis = *side == GridSide::V0 || *side == GridSide::V1 ? 0 : 1;
   const double from = trace.places.front()[axis], to = trace.places.back()[axis];
   for (int i = 0; i <= probes; ++i)
     if (std::abs(trace.places[static_cast<std::size_t>(i)][axis] - (from + (to - from) * i / probes)) > slack[axis])
@@ -152,10 +152,11 @@ std::optional<GridFace> gridFace(const TopoDS_Face& given) {
         return side.size() > 1 && std::any_of(side.begin(), side.end(), [](const auto& e) { return e.degenerated; });
       }))
     return std::nullopt;
-  const auto filled = [&](Side side, double low, double high) {
+  const auto filled = [&](GridSide side, double low, double high) {
     return fills(result.sides[static_cast<std::size_t>(side)], low, high);
   };
-  if (!filled(Side::V0, u0, u1) || !filled(Side::V1, u0, u1) || !filled(Side::U0, v0, v1) || !filled(Side::U1, v0, v1))
+  if (!filled(GridSide::V0, u0, u1) || !filled(GridSide::V1, u0, u1) || !filled(GridSide::U0, v0, v1) ||
+      !filled(GridSide::U1, v0, v1))
     return std::nullopt;
   return result;
 }

@@ -8,16 +8,16 @@
 #include "core/vector.h"
 #include "geometry/bspline/surface.h"
 
-/// Faces that are a whole rectangle of a B-spline surface: a structured grid serves them far better than a general mesher.
+/// Faces that are a whole rectangle of a B-spline surface; a structured grid meshes them far better than a general mesher.
 namespace blossom {
 
-enum class Side { V0, U1, V1, U0 };
+enum class GridSide { V0, U1, V1, U0 };
 
-/// An edge on a side of the rectangle. Its parameter runs linearly from one parameter of the surface to another.
+/// An edge on a side of the rectangle. Its parameter is a linear function of the surface parameter along the side.
 struct SideEdge {
-  TopoDS_Edge edge;            ///< as it lies in the forward face
+  TopoDS_Edge edge;            ///< oriented as in the forward face
   double first = 0, last = 0;  ///< range of the edge's parameter
-  double from = 0, to = 0;     ///< the surface's parameter along the side at these
+  double from = 0, to = 0;     ///< surface parameter along the side at `first` and `last`
   bool degenerated = false;
 
   [[nodiscard]] double low() const { return from < to ? from : to; }
@@ -28,15 +28,15 @@ struct SideEdge {
 
 struct GridFace {
   TopoDS_Face face;
-  Surface surface;                             ///< over just the rectangle, in the face's own frame
+  Surface surface;                             ///< restricted to the rectangle, in the local frame of the face
   Vec2 shift = Vec2::Zero();                   ///< from the parameters of `surface` to those of the face
-  std::array<std::vector<SideEdge>, 4> sides;  ///< by Side, in order of their parameter
+  std::array<std::vector<SideEdge>, 4> sides;  ///< by Side, sorted by their parameter
 
-  [[nodiscard]] const std::vector<SideEdge>& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
+  [[nodiscard]] const std::vector<SideEdge>& side(GridSide s) const { return sides[static_cast<std::size_t>(s)]; }
 };
 
-/// The face as a rectangle with edges all along its sides (seams and degenerate edges included), or nothing when it is
-/// another kind of face. Periodic and trimmed surfaces are cut to the rectangle.
+/// The face as a rectangle whose sides are covered by edges (seams and degenerate edges included); empty for any other face.
+/// Periodic and trimmed surfaces are restricted to the rectangle.
 std::optional<GridFace> gridFace(const TopoDS_Face&);
 
 }  // namespace blossom

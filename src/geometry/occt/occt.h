@@ -12,8 +12,8 @@
 
 namespace blossom {
 
-/// Conversion to and from OCCT. Knot values and parametrisation are kept; degrees up to 25 (OCCT's limit).
-/// Non-clamped knot vectors are clamped by knot insertion first.
+/// Conversion to and from OCCT. Knot values and parametrisation are kept; degrees up to 25 (OCCT's limit). Unclamped knot
+/// vectors are clamped by knot insertion first.
 /// @throws Error InvalidInput (weight <= 0, degree > 25), Degenerate.
 Handle(Geom_BSplineCurve) toOcct(const Curve&);
 Handle(Geom_BSplineSurface) toOcct(const Surface&);
@@ -22,14 +22,13 @@ Surface fromOcct(const Handle(Geom_BSplineSurface) &);
 
 /// A face over the whole domain.
 TopoDS_Face toFace(const Surface&);
-/// Planar face(s) in z = 0, a compound when there are several components.
+/// Planar faces in z = 0, one per component; a compound when there are several.
 TopoDS_Shape toFaces(const Region&);
 /// Wires in z = 0, one per path.
 TopoDS_Shape toWires(const Curves&);
-/// Edges and wires of a shape that lie in a plane z = const, as planar curves; lines, circles and B-splines stay what they
-/// are.
+/// Edges and wires of a shape in a plane z = const as planar curves. Lines, circles and B-splines keep their type.
 Curves planarCurves(const TopoDS_Shape&);
-/// A face per triangle or planar polygon, sewn; a solid when the mesh is closed.
+/// A sewn shell with a face per planar polygon or triangle; a solid when the mesh is closed.
 TopoDS_Shape toShape(const Mesh&);
 
 }  // namespace blossom

@@ -60,7 +60,7 @@ bool isNothing(const Segment& segment) {
   return line && (line->to - line->from).norm() <= Precision::Confusion();
 }
 
-/// Built edge by edge: the vertices between segments take a tolerance as wide as the gap they bridge.
+/// Built edge by edge: the tolerance of a vertex between segments is the gap it bridges.
 [[noreturn]] void throwNothing(const Path& path) {
   std::string place;
   if (!path.segments.empty()) {

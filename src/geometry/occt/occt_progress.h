@@ -6,8 +6,8 @@
 
 namespace blossom {
 
-/// Lets OCCT's long algorithms report to a Progress and stop when it is cancelled. Use: `handle->Start()` gives the range
-/// they take; afterwards call `progress.check()`, because OCCT only returns early.
+/// Adapter that makes OCCT's long algorithms report to a Progress and stop when it is cancelled. Pass `handle->Start()` as
+/// the algorithm's Message_ProgressRange, and call `progress.check()` afterwards, because OCCT only returns early.
 class OcctProgress final : public Message_ProgressIndicator {
  public:
   OcctProgress(Progress progress, std::string stage) : progress_(std::move(progress)), stage_(std::move(stage)) {}

@@ -5,7 +5,7 @@
 
 namespace blossom {
 
-/// What an exception of OCCT says, without a full stop; many say nothing but what they are.
+/// Message of an exception of OCCT without a full stop; the name of its type when the message is empty.
 inline std::string reasonOf(const Standard_Failure& failure) {
   std::string text = failure.GetMessageString() ? failure.GetMessageString() : "";
   while (!text.empty() && (text.back() == '.' || text.back() == ' ' || text.back() == '\n')) text.pop_back();

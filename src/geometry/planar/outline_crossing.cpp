@@ -17,13 +17,13 @@ constexpr double touching = 1e-6;  // mm
 constexpr double bend = 1e-7;      // mm between a piece and its chord
 
 struct PieceBox {
-  Vec2 minimum = Vec2::Constant(1e300), most = Vec2::Constant(-1e300);
+  Vec2 minimum = Vec2::Constant(1e300), maximum = Vec2::Constant(-1e300);
   void add(const Vec2& p) {
     minimum = minimum.cwiseMin(p);
-    most = most.cwiseMax(p);
+    maximum = maximum.cwiseMax(p);
   }
   [[nodiscard]] bool near(const PieceBox& other) const {
-    return ((minimum - other.most).array() <= touching).all() && ((other.minimum - most).array() <= touching).all();
+    return ((minimum - other.maximum).array() <= touching).all() && ((other.minimum - maximum).array() <= touching).all();
   }
 };
 
@@ -75,7 +75,7 @@ std::vector<Piece> piecesOf(const Path& path) {
     for (const BezierPiece& curve : curvesOf(segment)) {
       // The line that closes a rounded end is none: its neighbours follow each other.
       const PieceBox box = boxOf(curve);
-      if ((box.most - box.minimum).norm() > touching) addPieces(curve, deepest, pieces);
+      if ((box.maximum - box.minimum).norm() > touching) addPieces(curve, deepest, pieces);
     }
   return pieces;
 }
@@ -175,7 +175,7 @@ class Finder {
   std::vector<Vec2> refused_;
 };
 
-double extentOf(const Piece& piece) { return (piece.box.most - piece.box.minimum).norm(); }
+double extentOf(const Piece& piece) { return (piece.box.maximum - piece.box.minimum).norm(); }
 
 Joint jointAt(const Piece& a, const Piece& b, const Vec3& pole) {
   return {euclidean(pole), std::max(1e-5, 1e-3 * std::min(extentOf(a), extentOf(b)))};
@@ -208,7 +208,7 @@ std::optional<Vec2> firstOfNearPairs(const std::vector<Piece>& pieces, const Pro
   std::vector<std::size_t> open;
   for (const std::size_t k : order) {
     progress.check();
-    std::erase_if(open, [&](std::size_t other) { return pieces[other].box.most.x() < left(k) - touching; });
+    std::erase_if(open, [&](std::size_t other) { return pieces[other].box.maximum.x() < left(k) - touching; });
     for (const std::size_t other : open) {
       if (!pieces[k].box.near(pieces[other].box)) continue;
       if (auto place = meet(std::min(k, other), std::max(k, other))) return place;

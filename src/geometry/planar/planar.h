@@ -13,10 +13,10 @@ Vec2 startPoint(const Segment&);
 Vec2 endPoint(const Segment&);
 Vec2 startPoint(const Path&);
 Vec2 endPoint(const Path&);
-/// The same points run through in the other direction.
+/// The same points in reverse order.
 Segment reversed(const Segment&);
 Path reversed(const Path&);
-/// Arc length, to 1e-12 relative for smooth splines.
+/// Arc length in mm, for smooth splines with a relative error of 1e-12.
 double length(const Segment&);
 double length(const Path&);
 /// Polyline within `chord` mm of the segment, both ends included.
@@ -33,27 +33,28 @@ double area(const Region&);
 Curve toCurve(const Spline2&);
 Spline2 toSpline(const Curve&);
 
-/// Elliptic arc as an exact rational quadratic spline. `axis` is the half-axis vector where the angle is 0, `ratio` the
-/// length of the other half-axis over it (negative for a clockwise ellipse). Angles in radians of the ellipse's own
+/// Elliptic arc as an exact rational quadratic spline. `axis` is the half-axis vector at angle 0, `ratio` the length of the
+/// other half-axis divided by that of `axis` (negative for a clockwise ellipse). Angles in radians of the ellipse's own
 /// parameter.
 Spline2 ellipticArc(const Vec2& center, const Vec2& axis, double ratio, double start, double sweep);
-/// Affine image: arcs stay arcs under similarities and become splines otherwise.
-/// @throws Error Degenerate when the map flattens the plane.
+/// Affine image: arcs remain arcs under similarities and become splines otherwise.
+/// @throws Error Degenerate when the map is singular.
 Segment transformed(const Segment&, const Eigen::Matrix<double, 2, 3>& affine);
 Path transformed(const Path&, const Eigen::Matrix<double, 2, 3>& affine);
 
-/// Joins open paths whose ends meet within `tolerance.joining` into longer ones, and closes those that come back. Keeps file
-/// order. Where several ends meet, the nearest one of the same layer goes on. O(n log n).
+/// Joins open paths whose ends are within `tolerance.joining` into longer ones and closes those whose ends meet, in file
+/// order. Where several ends meet, the nearest one of the same layer is joined. O(n log n).
 Curves joined(const Curves&, const Tolerance& = {});
 
-/// How often a closed path turns around a point, counter-clockwise positive. Exact geometry: lines, arcs and splines are
+/// Winding number of a closed path around a point, counter-clockwise positive. Exact geometry: lines, arcs and splines are
 /// subdivided only near the point. Undefined for points on the path.
 int windingNumber(const Path&, const Vec2& point);
-/// A point well inside a closed path that does not cross itself. @throws Error Degenerate when it encloses nothing.
+/// A point inside a closed path without self-crossings, away from the path. @throws Error Degenerate when the path encloses
+/// nothing.
 Vec2 interiorPoint(const Path&);
 
-/// Area enclosed by the closed paths by their fill rule. Open paths are joined first. Loops must not cross.
-/// @throws Error InvalidInput naming the place when a path is open or nothing is enclosed.
+/// The region enclosed by closed paths under their fill rule. Open paths are joined first. Loops must not cross.
+/// @throws Error InvalidInput with the place when a path is open or nothing is enclosed.
 Region toRegion(const Curves&, const Tolerance& = {});
 Curves toCurves(const Region&);
 

@@ -4,7 +4,7 @@
 
 #include "geometry/planar/region.h"
 
-/// Rational Bézier pieces of planar splines, with what flattening, integration and winding numbers need.
+/// Rational Bézier pieces of planar splines, for flattening, integration and winding numbers.
 namespace blossom {
 
 /// Homogeneous poles (w x, w y, w) of one piece over [0, 1].

@@ -65,7 +65,7 @@ bool moveEnd(Segment& segment, const Vec2& to) {
   return line != nullptr;
 }
 
-/// Lines give way so that the ends meet exactly; arcs and splines keep their form and the gap.
+/// Ends of lines are moved so that the ends meet exactly; arcs and splines keep their shape and the gap.
 void append(Path& path, Path next) {
   if (!moveEnd(path.segments.back(), startPoint(next))) moveStart(next.segments.front(), endPoint(path));
   path.segments.insert(path.segments.end(), next.segments.begin(), next.segments.end());

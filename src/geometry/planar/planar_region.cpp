@@ -15,7 +15,7 @@ namespace {
 
 struct Box {
   Vec2 low, high;
-  [[nodiscard]] bool holds(const Vec2& p) const {
+  [[nodiscard]] bool contains(const Vec2& p) const {
     return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
   }
   void add(const Vec2& p) {
@@ -63,7 +63,7 @@ std::vector<std::vector<std::size_t>> containers(const std::vector<Loop>& loops)
     const Loop& inner = loops[bySize[i]];
     for (std::size_t j = 0; j < i; ++j) {
       const Loop& outer = loops[bySize[j]];
-      if (outer.box.holds(inner.inside) && windingNumber(*outer.path, inner.inside) != 0)
+      if (outer.box.contains(inner.inside) && windingNumber(*outer.path, inner.inside) != 0)
         result[bySize[i]].push_back(bySize[j]);
     }
   }

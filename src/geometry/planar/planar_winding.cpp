@@ -56,7 +56,7 @@ int crossings(const Arc2& arc, const ArcPiece& piece, const Vec2& q, int depth) 
   if (std::abs(sweep) <= std::numbers::pi / 2) {
     const double half = (piece.start - piece.end).norm() / 2;
     const bool outside =
-        (q - (piece.start + piece.end) / 2).squaredNorm() > half * half;  // this disc holds up to a half circle
+        (q - (piece.start + piece.end) / 2).squaredNorm() > half * half;  // this disc contains an arc of up to a half circle
     if (outside || depth == 0) return crossing(piece.start, piece.end, q);
   }
   const double middle = (piece.from + piece.to) / 2;

@@ -33,7 +33,7 @@ struct Spline2 {
 
 using Segment = std::variant<Line2, Arc2, Spline2>;
 
-/// Segments that follow one another, end to start. A closed path ends where it starts.
+/// Consecutive segments: each starts where the one before it ends. A closed path ends where it starts.
 struct Path {
   std::vector<Segment> segments;
   bool closed = false;
@@ -42,10 +42,10 @@ struct Path {
   friend bool operator==(const Path&, const Path&) = default;
 };
 
-/// How overlapping closed paths make an area.
+/// Rule by which overlapping closed paths enclose an area.
 enum class FillRule { NonZero, EvenOdd };
 
-/// Planar curves as drawn, open and closed, in file order: what a DXF or an SVG holds.
+/// Planar curves, open and closed, in file order: the content of a DXF or an SVG.
 struct Curves {
   std::vector<Path> paths;
   FillRule fillRule = FillRule::EvenOdd;

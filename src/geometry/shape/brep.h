@@ -13,10 +13,10 @@ namespace blossom {
 
 struct BrepPart;
 
-/// One use of a part in an assembly.
+/// One occurrence of a part in an assembly.
 struct BrepInstance {
   std::string name;
-  std::optional<Color> color;  ///< overrides the part's own
+  std::optional<Color> color;  ///< overrides the colour of the part
   gp_Trsf location;
   std::shared_ptr<const BrepPart> part;
 };
@@ -26,12 +26,13 @@ struct BrepPart {
   std::string name;
   std::optional<Color> color;
   TopoDS_Shape shape;
-  std::vector<std::pair<TopoDS_Shape, Color>> subShapeColors;  ///< faces (or solids, edges) of `shape` coloured on their own
+  std::vector<std::pair<TopoDS_Shape, Color>>
+      subShapeColors;  ///< faces (or solids, edges) of `shape` with colours of their own
   std::vector<BrepInstance> children;
 };
 
-/// Boundary representation: OCCT shapes with the names, colours and instances of an assembly. Lengths in mm.
-/// The OCCT shapes are shared and never modified.
+/// Boundary representation: OCCT shapes with the names, colours and instances of an assembly. Lengths in mm. The OCCT shapes
+/// are shared and never modified.
 class Brep {
  public:
   Brep() = default;
@@ -39,7 +40,7 @@ class Brep {
   explicit Brep(std::vector<BrepInstance> roots);
 
   [[nodiscard]] const std::vector<BrepInstance>& roots() const { return roots_; }
-  /// Everything in place as one shape: the shape itself when there is one, else a compound.
+  /// All instances at their locations as one shape: a single shape itself, else a compound.
   [[nodiscard]] const TopoDS_Shape& shape() const { return shape_; }
 
  private:

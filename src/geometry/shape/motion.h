@@ -10,12 +10,12 @@
 
 namespace blossom {
 
-/// How the orientation closes in u. One full turn takes a quaternion q to -q, hence "anti-periodic".
+/// Closure of the orientation in u. A full turn maps a quaternion q to -q, hence "anti-periodic".
 enum class ClosedU { No, Periodic, AntiPeriodic };
 
-/// A motion in two parameters, x(u,v) = T(v) R(u,v) S(u,v) p (Yoon & Lee 2009, section 3). All factors share one domain.
-/// When closed in u, the surfaces hold the *unwrapped* poles: the first degreeU rows again at the end (negated in the
-/// orientation if anti-periodic) under an unclamped knot vector.
+/// A motion in two parameters, x(u,v) = T(v) R(u,v) S(u,v) p (Yoon & Lee 2009, section 3). All factors have the same domain.
+/// When closed in u, the surfaces store the *unwrapped* poles: the first degreeU rows are repeated at the end (negated in
+/// the orientation if anti-periodic) under an unclamped knot vector.
 struct Motion {
   Curve trajectory;     ///< t(v), homogeneous (w x, w y, w z, w)
   Surface orientation;  ///< r(u,v), quaternions (w, x, y, z), not normalised
@@ -28,28 +28,29 @@ struct Motion {
   friend bool operator==(const Motion&, const Motion&) = default;
 };
 
-/// Full knot vector of a periodic spline from its knots over one period, u0..un: `degree` knots more on both sides.
+/// Full knot vector of a periodic spline from its knots over one period, u0..un, continued periodically by `degree` knots on
+/// both sides.
 std::vector<double> unwrappedKnots(int degree, const std::vector<double>& period);
 
-/// The n = knots.size() - 1 rows of a periodic surface under knots u0..un, made into an unwrapped surface: the first degreeU
-/// rows follow again at the end, times `sign` for each period passed (-1 for anti-periodic quaternions).
+/// Unwrapped surface from the n = periodU.size() - 1 rows of a periodic one over the knots u0..un: the first degreeU rows
+/// are repeated at the end, times `sign` for each period passed (-1 for anti-periodic quaternions).
 Surface unwrapped(int degreeU, int degreeV, const std::vector<double>& periodU, std::vector<double> knotsV,
                   std::vector<Vec4> poles, double sign);
 
-/// @throws Error InvalidInput that names the factor and what is wrong with it: sizes, knots, domains that differ, values
-/// that are not finite, weights that are not positive, a closed factor whose last rows are not its first ones.
+/// @throws Error InvalidInput naming the factor and the mistake: sizes, knots, domains that differ, values that are not
+/// finite, weights that are not positive, a closed factor whose last rows do not repeat its first ones.
 void validate(const Motion&);
 
-/// What alignQuaternions did.
+/// Result of alignQuaternions.
 struct QuaternionAlignment {
   std::size_t flipped = 0;  ///< poles whose sign was changed
   std::size_t opposed = 0;  ///< neighbouring poles that still point away from each other (more than half a turn apart)
-  std::size_t row = 0, column = 0;  ///< the first of these
+  std::size_t row = 0, column = 0;  ///< of the first opposed pair
 };
 
-/// q and -q are the same rotation, but a spline between them passes near zero. Chooses the signs of the orientation's poles
-/// so that neighbours point the same way, in u and v and across the seam of a closed motion; leaves all as they are when no
-/// choice is better. O(poles).
+/// Chooses the signs of the orientation's poles so that neighbours point the same way, in u and v and across the seam of a
+/// closed motion, because q and -q are the same rotation but a spline between them passes near zero. Leaves all signs
+/// unchanged when no choice is better. O(poles).
 QuaternionAlignment alignQuaternions(Motion&);
 
 }  // namespace blossom

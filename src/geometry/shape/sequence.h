@@ -5,7 +5,7 @@ namespace blossom {
 
 class Shape;
 
-/// Shapes over time, as an animation or an onion skin shows them.
+/// Shapes over time, for animations.
 struct Sequence {
   std::vector<Shape> frames;
   std::vector<double> times;  ///< one per frame, non-decreasing, usually 0..1

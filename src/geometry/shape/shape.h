@@ -20,11 +20,11 @@ namespace blossom {
 
 enum class ShapeKind { None, Region, Curves, Curve, Surface, Brep, Mesh, Motion, Sequence, MedialAxis, Toolpath };
 
-/// "region", "curves", "surface", .. as a user reads it.
+/// The name as users read it: "region", "curves", "surface", ..
 std::string_view shapeKindName(ShapeKind) noexcept;
 
-/// What flows between features: one immutable value of any kind. Copies share it, so a Shape is cheap to pass by value and
-/// safe to read from any thread.
+/// An immutable value of any kind, passed between features. Copies share the value, so a Shape is cheap to copy and safe to
+/// read from any thread.
 class Shape {
  public:
   using Value =
@@ -43,7 +43,7 @@ class Shape {
   [[nodiscard]] const T* get() const noexcept {
     return value_ ? std::get_if<T>(value_.get()) : nullptr;
   }
-  /// Calls visitor with the value held (std::monostate when empty).
+  /// Calls the visitor with the value (std::monostate when empty).
   template <class Visitor>
   decltype(auto) visit(Visitor&& visitor) const {
     static const Value none;
@@ -54,7 +54,8 @@ class Shape {
   std::shared_ptr<const Value> value_;
 };
 
-/// The planar curves that stand for a shape in a drawing: of regions, curves, medial axes and toolpaths; nothing of others.
+/// The planar curves that represent a shape in a drawing: for regions, curves, medial axes and toolpaths; empty for other
+/// kinds.
 std::optional<Curves> drawingOf(const Shape&);
 
 }  // namespace blossom

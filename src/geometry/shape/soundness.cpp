@@ -78,7 +78,7 @@ struct FlawOf {
           return fmt::format("face {} asks for point {}, and there are {} points", f + 1, v + 1, count);
     return {};
   }
-  std::string operator()(const Motion&) const { return {}; }  // told by the sweep that follows it, with its place
+  std::string operator()(const Motion&) const { return {}; }  // the sweep made from it reports defects with their place
   std::string operator()(const Sequence& sequence) const {
     for (std::size_t k = 0; k < sequence.frames.size(); ++k)
       if (const std::string flaw = unsoundness(sequence.frames[k]); !flaw.empty())

@@ -5,9 +5,9 @@
 
 namespace blossom {
 
-/// What keeps a shape from being used at all, as a clause such as "point 4 is not a number" or "loop 2 has no segments";
-/// empty when there is nothing. Looks at what every algorithm takes for granted (finite coordinates, indices in range, knots
-/// that fit their poles, positive weights), not at what only some need (closed, without crossings). O(n).
+/// Why a shape cannot be used at all, as a clause such as "point 4 is not a number" or "loop 2 has no segments"; empty when
+/// the shape is sound. Checks what every algorithm requires (finite coordinates, indices in range, knots that match the
+/// poles, positive weights), not what only some require (closed, no crossings). O(n).
 std::string unsoundness(const Shape&);
 
 }  // namespace blossom

@@ -57,7 +57,7 @@ class ShapeMesher {
   }
 
  private:
-  /// B-spline rectangles become grids; BRepMesh does the other faces and takes over the edges of the grids.
+  /// B-spline rectangles become grids; BRepMesh meshes the other faces and uses the edges of the grids.
   void triangulate() {
     grids_ = meshGridFaces(faceMap_, options_, progress_);
     triangulateOthers();
@@ -70,16 +70,16 @@ class ShapeMesher {
 
   /// OCCT does not always keep its deflection on free-form faces: measured, and the faces in question meshed again finer.
   void triangulateOthers() {
-    constexpr int mostRounds = 4;
+    constexpr int maximumRounds = 4;
     collectFaces();
     double deflection = options_.chord;
-    for (int round = 0; round < mostRounds; ++round) {
+    for (int round = 0; round < maximumRounds; ++round) {
       if (std::all_of(faces_.begin(), faces_.end(), [](const FaceMesh& mesh) { return mesh.normals; })) break;
       runBRepMesh(deflection);
       collectFaces();
       const std::vector<double> sags = largestSags();
       const double worst = *std::max_element(sags.begin(), sags.end());
-      if (worst <= options_.chord || round + 1 == mostRounds) break;
+      if (worst <= options_.chord || round + 1 == maximumRounds) break;
       forgetTooCoarse(sags, round > 0);
       deflection = std::max(deflection * std::max(0.15, 0.8 * options_.chord / worst), 10 * Precision::Confusion());
     }
@@ -153,7 +153,7 @@ class ShapeMesher {
       if (again[f]) BRepTools::Clean(faces_[f].face);
   }
 
-  /// A deflection of 0 is fine enough whatever is asked for next.
+  /// A stored deflection of 0 satisfies any later request.
   static void keep(const FaceMesh& mesh) {
     if (mesh.triangulation.IsNull()) return;
     mesh.triangulation->Deflection(0);

@@ -9,29 +9,29 @@
 
 namespace blossom {
 
-/// A face with OCCT's triangles of it.
+/// A face and its triangulation by OCCT.
 struct FaceMesh {
   TopoDS_Face face;
   TopLoc_Location location;
   Handle(Poly_Triangulation) triangulation;
-  const std::vector<Vec3>* normals = nullptr;  ///< of a structured grid, whose chord is kept already
-  int offset = 0;                              ///< of its points in the result
+  const std::vector<Vec3>* normals = nullptr;  ///< of a structured grid, which already satisfies the chord
+  int offset = 0;                              ///< index of its first point in the result
 };
 
-/// Parameters in the middle of a face, towards which a degenerate normal is sought.
+/// Parameters in the middle of a face; a degenerate normal is evaluated a little towards them.
 gp_Pnt2d parameterCenter(const Poly_Triangulation&);
 
-/// The unit normal of a surface; at a pole, that of a point a little way inside.
+/// The unit normal of a surface; at a pole, that of a point a little inside.
 Vec3 normalAt(const BRepAdaptor_Surface&, const gp_Pnt2d& uv, const gp_Pnt2d& center);
 
-/// The parameter that means nothing at a node: where a surface shrinks to a point, as in the tip of a cone, all values of
-/// the one that runs round it are the same place.
+/// The parameter without influence on the position of a node, where an iso-parametric line of the surface shrinks to a
+/// point, as at the apex of a cone.
 enum class Collapsed { No, U, V };
 
-/// One for each node.
+/// The collapsed parameter of each node.
 std::vector<Collapsed> collapsedParameters(const Poly_Triangulation&, const BRepAdaptor_Surface&);
 
-/// Distance from a triangle's plane to the surface point in the middle of its parameters.
+/// Distance of a triangle's plane from the surface point at the mean of its parameters.
 double sag(const FaceMesh&, const BRepAdaptor_Surface&, const Poly_Triangle&, const std::vector<Collapsed>&);
 
 }  // namespace blossom

@@ -10,7 +10,7 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t mostPoints = std::size_t{1} << 24;
+constexpr std::size_t maximumPoints = std::size_t{1} << 24;
 
 double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -24,8 +24,8 @@ using Steps = std::vector<int>;
 
 struct Fineness {
   Steps u, v;
-  Steps leastU,
-      leastV;  ///< what the angle asks for, and what keeps within the chord where the middle of a step does not tell
+  Steps minimumU,
+      minimumV;  ///< what the angle asks for, and what keeps within the chord where the middle of a step does not tell
 };
 
 /// Steps so that the second-order error h^2 |S''| / 8 keeps within a third of the chord in each direction, and the normal
@@ -33,7 +33,7 @@ struct Fineness {
 /// the surface by less than a fifth of the chord is too small to be seen and may exceed the angle.
 Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, const std::vector<double>& breaksV,
                   const TessellationOptions& options) {
-  constexpr int mostByAngle = 64;
+  constexpr int maximumByAngle = 64;
   constexpr double seen = 0.2;
   constexpr std::array<double, 4> places{0.02, 0.35, 0.65, 0.98};
   const Steps onesU(breaksU.size() - 1, 1), onesV(breaksV.size() - 1, 1);
@@ -42,7 +42,7 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
     if (wanted > steps) steps = static_cast<int>(std::ceil(std::min(wanted, 1e4)));
   };
   const auto raise = [&](int& steps, int& minimum, double span, double bend, double speed) {
-    const double byAngle = speed > 0 ? std::min<double>(mostByAngle, span * bend / (speed * options.angle)) : 1;
+    const double byAngle = speed > 0 ? std::min<double>(maximumByAngle, span * bend / (speed * options.angle)) : 1;
     const double byBend = span * std::sqrt(bend / (8 * options.chord));
     lift(minimum, std::max(byBend, std::min(byAngle, byBend / std::sqrt(seen))));
     lift(steps, std::max<double>(minimum, byBend * std::sqrt(3)));
@@ -54,8 +54,8 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
           const double spanU = breaksU[a + 1] - breaksU[a];
           const double spanV = breaksV[b + 1] - breaksV[b];
           const SecondOrder at = secondOrder(surface, breaksU[a] + pu * spanU, breaksV[b] + pv * spanV);
-          raise(fineness.u[a], fineness.leastU[a], spanU, at.bendUU, at.speedU);
-          raise(fineness.v[b], fineness.leastV[b], spanV, at.bendVV, at.speedV);
+          raise(fineness.u[a], fineness.minimumU[a], spanU, at.bendUU, at.speedU);
+          raise(fineness.v[b], fineness.minimumV[b], spanV, at.bendVV, at.speedV);
           // The twist term h k |Suv| / 4 is shared out to the direction that is still coarse.
           const double twist = at.bendUV * spanU * spanV * 3 / (4 * options.chord);
           const double steps = static_cast<double>(fineness.u[a]) * fineness.v[b];
@@ -81,20 +81,20 @@ class GridFitter {
         breaksU_(domainBreaks(surface.degreeU, surface.knotsU)),
         breaksV_(domainBreaks(surface.degreeV, surface.knotsV)),
         fineness_(estimate(surface, breaksU_, breaksV_, options)) {
-    const int leastSteps = border == GridBorder::Shared ? 2 : 1;
-    for (Steps* minimum : {&fineness_.leastU, &fineness_.leastV})
-      if (static_cast<int>(minimum->size()) < leastSteps) minimum->front() = std::max(minimum->front(), leastSteps);
+    const int minimumSteps = border == GridBorder::Shared ? 2 : 1;
+    for (Steps* minimum : {&fineness_.minimumU, &fineness_.minimumV})
+      if (static_cast<int>(minimum->size()) < minimumSteps) minimum->front() = std::max(minimum->front(), minimumSteps);
   }
 
   SurfaceGrid run() {
     // The estimate is cautious: where the errors turn out small, fewer steps do. First both directions get their share of
     // the chord, for the errors add up; then what is left of it.
     const Errors first = measured(2);
-    relax(fineness_.u, fineness_.leastU, first.u, 0.45);
-    relax(fineness_.v, fineness_.leastV, first.v, 0.45);
+    relax(fineness_.u, fineness_.minimumU, first.u, 0.45);
+    relax(fineness_.v, fineness_.minimumV, first.v, 0.45);
     const Errors second = measured(2);
-    relax(fineness_.u, fineness_.leastU, second.cellsU, 0.8);
-    relax(fineness_.v, fineness_.leastV, second.cellsV, 0.8);
+    relax(fineness_.u, fineness_.minimumU, second.cellsU, 0.8);
+    relax(fineness_.v, fineness_.minimumV, second.cellsV, 0.8);
     refineUntilWithinChord();
     return evaluated(1, GridNormals::Yes);
   }
@@ -110,7 +110,7 @@ class GridFitter {
     const Kinks kinks = border_ == GridBorder::Own ? Kinks::Twice : Kinks::Once;
     const auto u = samples(surface_.degreeU, surface_.knotsU, breaksU_, fineness_.u, times, kinks);
     const auto v = samples(surface_.degreeV, surface_.knotsV, breaksV_, fineness_.v, times, kinks);
-    if (u.size() * v.size() > mostPoints)
+    if (u.size() * v.size() > maximumPoints)
       throw Error(ErrorCode::LimitExceeded, "The surface needs too many triangles for this chord.", "Give a larger chord.");
     return evaluateGrid(surface_, u, v, progress_, normals);
   }
@@ -161,8 +161,8 @@ class GridFitter {
   }
 
   void refineUntilWithinChord() {
-    constexpr int mostRounds = 6;
-    for (int round = 0; round < mostRounds; ++round) {
+    constexpr int maximumRounds = 6;
+    for (int round = 0; round < maximumRounds; ++round) {
       const Errors errors = measured(4);
       const bool moreU = refine(fineness_.u, errors.u);
       const bool moreV = refine(fineness_.v, errors.v);

@@ -17,7 +17,7 @@
 namespace blossom {
 namespace {
 
-constexpr std::array<Side, 4> allSides{Side::V0, Side::U1, Side::V1, Side::U0};
+constexpr std::array<GridSide, 4> allSides{GridSide::V0, GridSide::U1, GridSide::V1, GridSide::U0};
 
 /// Parameters of the points of every edge, by the edge's own shape.
 using EdgePoints = std::map<const TopoDS_TShape*, std::vector<double>>;
@@ -26,9 +26,10 @@ struct FittedFace {
   GridFace face;
   SurfaceGrid grid;
 
-  [[nodiscard]] std::vector<double> parameters(Side side) const {
+  [[nodiscard]] std::vector<double> parameters(GridSide side) const {
     std::vector<double> result;
-    for (const GridSample& sample : side == Side::V0 || side == Side::V1 ? grid.u : grid.v) result.push_back(sample.t);
+    for (const GridSample& sample : side == GridSide::V0 || side == GridSide::V1 ? grid.u : grid.v)
+      result.push_back(sample.t);
     return result;
   }
 };
@@ -48,7 +49,7 @@ EdgePoints edgePoints(const std::vector<FittedFace>& faces) {
   EdgePoints points;
   std::map<const TopoDS_TShape*, std::pair<double, double>> ranges;
   for (const FittedFace& fitted : faces) {
-    for (const Side side : allSides) {
+    for (const GridSide side : allSides) {
       const std::vector<double> parameters = fitted.parameters(side);
       for (const SideEdge& edge : fitted.face.side(side)) {
         auto& values = points[edge.edge.TShape().get()];
@@ -76,10 +77,10 @@ class GridFaceMesher {
     for (std::size_t i = 1; i < lastU; ++i)
       for (std::size_t j = 1; j < lastV; ++j)
         addNode(grid().u[i].t, grid().v[j].t, grid().point(i, j), grid().normals[i * grid().v.size() + j]);
-    for (const Side side : allSides) addBorder(side);
+    for (const GridSide side : allSides) addBorder(side);
     for (std::size_t i = 1; i + 1 < lastU; ++i)
       for (std::size_t j = 1; j + 1 < lastV; ++j) addCell(i, j);
-    for (const Side side : allSides) addStrip(side);
+    for (const GridSide side : allSides) addStrip(side);
   }
 
   /// Stores triangles and polygons in the face and its edges.
@@ -90,7 +91,7 @@ class GridFaceMesher {
     TopLoc_Location location;
     BRep_Tool::Triangulation(fitted_.face.face, location);
     std::set<const TopoDS_TShape*> done;
-    for (const Side side : allSides) {
+    for (const GridSide side : allSides) {
       for (const SideEdge& edge : fitted_.face.side(side)) {
         if (!done.insert(edge.edge.TShape().get()).second) continue;
         const TopoDS_Edge forward = TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD));
@@ -122,17 +123,17 @@ class GridFaceMesher {
     return static_cast<int>((i - 1) * (grid().v.size() - 2) + j - 1);
   }
 
-  static bool alongU(Side side) { return side == Side::V0 || side == Side::V1; }
+  static bool alongU(GridSide side) { return side == GridSide::V0 || side == GridSide::V1; }
 
   /// Nodes of a side; corners belong to two sides and come with the first of them. A degenerate edge is one point.
-  void addBorder(Side side) {
+  void addBorder(GridSide side) {
     const Surface& surface = fitted_.face.surface;
     Border& border = borders_[static_cast<std::size_t>(side)];
     border.parameters = sideParameters(side);
     const std::size_t last = border.parameters.size() - 1;
     const auto [u0, u1] = surface.domainU();
     const auto [v0, v1] = surface.domainV();
-    const double across = side == Side::V0 ? v0 : side == Side::V1 ? v1 : side == Side::U0 ? u0 : u1;
+    const double across = side == GridSide::V0 ? v0 : side == GridSide::V1 ? v1 : side == GridSide::U0 ? u0 : u1;
     auto u = samplesAt(surface.degreeU, surface.knotsU, alongU(side) ? border.parameters : std::vector{across});
     auto v = samplesAt(surface.degreeV, surface.knotsV, alongU(side) ? std::vector{across} : border.parameters);
     const SurfaceGrid line = evaluateGrid(surface, std::move(u), std::move(v), Progress::none());
@@ -154,7 +155,7 @@ class GridFaceMesher {
     return -1;
   }
 
-  [[nodiscard]] std::vector<double> sideParameters(Side side) const {
+  [[nodiscard]] std::vector<double> sideParameters(GridSide side) const {
     std::vector<double> result;
     for (const SideEdge& edge : fitted_.face.side(side)) {
       const std::vector<double>& points = points_.at(edge.edge.TShape().get());
@@ -188,17 +189,17 @@ class GridFaceMesher {
   }
 
   /// Triangles between the points of a side and the nearest inner row, whichever is behind going on.
-  void addStrip(Side side) {
+  void addStrip(GridSide side) {
     const Border& border = borders_[static_cast<std::size_t>(side)];
     const std::size_t lastU = grid().u.size() - 1, lastV = grid().v.size() - 1;
     const auto& along = alongU(side) ? grid().u : grid().v;
     const auto row = [&](std::size_t k) {
-      return side == Side::V0   ? inner(k, 1)
-             : side == Side::V1 ? inner(k, lastV - 1)
-             : side == Side::U0 ? inner(1, k)
-                                : inner(lastU - 1, k);
+      return side == GridSide::V0   ? inner(k, 1)
+             : side == GridSide::V1 ? inner(k, lastV - 1)
+             : side == GridSide::U0 ? inner(1, k)
+                                    : inner(lastU - 1, k);
     };
-    const bool turned = side == Side::V1 || side == Side::U0;
+    const bool turned = side == GridSide::V1 || side == GridSide::U0;
     const double rounding = 1e-6 * (along.back().t - along.front().t);
     const auto distance = [&](int a, int b) {
       return (nodes_[static_cast<std::size_t>(a)] - nodes_[static_cast<std::size_t>(b)]).squaredNorm();
@@ -238,7 +239,7 @@ class GridFaceMesher {
 
   /// The nodes of an edge in one of its two directions, in order of its parameter; none when it has no such use here.
   [[nodiscard]] Handle(Poly_PolygonOnTriangulation) polygon(const TopoDS_TShape* wanted, TopAbs_Orientation way) const {
-    for (const Side side : allSides) {
+    for (const GridSide side : allSides) {
       std::size_t start = 0;
       for (const SideEdge& edge : fitted_.face.side(side)) {
         const std::vector<double>& points = points_.at(edge.edge.TShape().get());
@@ -250,7 +251,7 @@ class GridFaceMesher {
   }
 
   [[nodiscard]] Handle(Poly_PolygonOnTriangulation)
-      polygon(const SideEdge& edge, Side side, std::size_t start, const std::vector<double>& points) const {
+      polygon(const SideEdge& edge, GridSide side, std::size_t start, const std::vector<double>& points) const {
     const int count = static_cast<int>(points.size());
     TColStd_Array1OfInteger nodes(1, count);
     TColStd_Array1OfReal parameters(1, count);

@@ -16,7 +16,7 @@
 namespace blossom {
 namespace {
 
-/// Crossings of one tessellation that are looked at closely, evenly chosen: a real one is a curve with many of them.
+/// Number of crossings of one tessellation that are examined, evenly chosen: a real crossing is a curve with many of them.
 constexpr std::size_t crossingsTried = 16;
 /// Share of the size, far below what the finest tessellation could find.
 constexpr double depthThatIsNone = 1e-8;

@@ -1,7 +1,7 @@
 #pragma once
 #include "geometry/tessellate/tessellate.h"
 
-/// The kinds of `tessellate`, one file each. `options.chord` is positive here.
+/// The parts of `tessellate` for single kinds of shapes, one file each. `options.chord` is positive here.
 namespace blossom {
 
 Tessellation tessellateSurface(const Surface&, const TessellationOptions&, const Progress&);
@@ -9,7 +9,8 @@ Tessellation tessellateBrep(const Brep&, const TessellationOptions&, const Progr
 Tessellation tessellateMesh(const Mesh&, const Progress&);
 Tessellation tessellateRegion(const Region&, const TessellationOptions&, const Progress&);
 
-/// Polyline within `chord` of a curve with positive weights, by halving Bézier pieces until their poles are near the chord.
+/// Polyline within `chord` of a curve with positive weights, by halving Bézier pieces until their poles are close to the
+/// chord.
 /// @throws Error Degenerate when the curve runs through infinity.
 std::vector<Vec3> polyline(const Curve&, double chord);
 

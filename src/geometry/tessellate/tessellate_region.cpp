@@ -28,7 +28,7 @@ Tessellation tessellateRegion(const Region& region, const TessellationOptions& o
   const double wanted = area(region);
   double perimeter = 0;
   for (const Path& loop : region.loops) perimeter += length(loop);
-  // Where loops nearly touch, their polygons may cross at a coarse chord; the missing area tells.
+  // Where loops nearly touch, their polygons may cross at a coarse chord; the missing area shows it.
   TessellationOptions finer = options;
   for (int attempt = 0; attempt < 5; ++attempt) {
     Tessellation result = meshShape(faces, finer, progress);

@@ -3,7 +3,7 @@
 
 namespace blossom {
 
-/// A box along the axes.
+/// Axis-aligned box.
 struct Bounds {
   Vec3 low = Vec3::Zero();
   Vec3 high = Vec3::Zero();

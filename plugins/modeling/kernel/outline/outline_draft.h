@@ -7,37 +7,37 @@
 
 namespace blossom::modeling {
 
-/// An outline while it is being drawn: a state machine fed with points, keys and typed measures. Knows neither mouse nor
-/// screen. A line takes a click for its end; a tangent arc likewise; an arc through three points its end, then a point on
-/// it; a spline a click for each point, until another sort of segment is chosen.
+/// An outline while it is being drawn: a state machine fed with points, keys and typed values, independent of mouse and
+/// screen. A line or tangent arc is placed by one click at its end; an arc through three points by its end and then a point
+/// on it; a spline by one click per point, until another kind of segment is chosen.
 class OutlineDraft {
  public:
-  /// Strokes that stand.
+  /// The segments placed so far.
   [[nodiscard]] const DrawnOutline& outline() const { return outline_; }
   [[nodiscard]] bool started() const { return started_; }
   [[nodiscard]] bool closed() const { return outline_.closed; }
-  /// Can it be finished as it is: is there a stroke?
+  /// Whether it can be finished as it is: it has a segment.
   [[nodiscard]] bool complete() const { return !outline_.segments.empty(); }
 
   [[nodiscard]] DrawnKind mode() const { return mode_; }
   [[nodiscard]] bool tangent() const { return tangent_ && direction().has_value(); }
-  /// The next segment's sort. The same one again: arcs and splines change between tangent and free; a spline that goes on
-  /// ends, and a new one begins.
+  /// Sets the kind of the next segment. Choosing the current kind again toggles arcs and splines between tangent and free,
+  /// and ends a spline in progress so that a new one begins.
   void choose(DrawnKind);
-  /// The end of a three-point arc stands; the next point lies on it.
+  /// Whether the end of a three-point arc is placed and the next point lies on the arc.
   [[nodiscard]] bool wantsMiddle() const { return arcEnd_.has_value(); }
 
-  /// Where the next segment begins, and in which direction the one before arrives there.
+  /// Start point of the next segment, and end direction of the segment before it.
   [[nodiscard]] std::optional<Vec2> from() const;
   [[nodiscard]] std::optional<Vec2> direction() const;
-  /// Would a click on the first point close the outline?
+  /// Whether a click on the first point would close the outline.
   [[nodiscard]] bool canClose() const;
-  /// What the mouse is caught by besides the scene. @param reach, grid, mouse as in SnapQuery.
+  /// The query for snapping to the scene. @param reach, grid, mouse as in SnapQuery.
   [[nodiscard]] SnapQuery query(const Vec2& mouse, double reach, double grid) const;
-  /// The scene with the drawing's own points and lines.
+  /// The scene with the points and lines of the draft added.
   [[nodiscard]] SnapScene sceneWith(SnapScene others) const;
 
-  /// In which typed lengths without a unit are.
+  /// Sets the unit of typed lengths without a unit.
   void setLengthUnit(const LengthUnit& unit) {
     if (unit != entry_.unit()) entry_ = TypedEntry(unit);
   }
@@ -46,16 +46,16 @@ class OutlineDraft {
 
   void hover(const Snap& snap) { hover_ = snap; }
   [[nodiscard]] const std::optional<Snap>& hovered() const { return hover_; }
-  /// Where a click would place its point: the hovered one, held to what is typed.
+  /// The point that a click would place: the hovered point, constrained by the typed values.
   [[nodiscard]] std::optional<Vec2> target() const;
-  /// Adds the target. Nothing happens, and the answer is false, when it determines no segment.
+  /// Adds the target. Does nothing and returns false when it determines no segment.
   bool place();
-  /// Takes the last point back. @returns whether there was one.
+  /// Removes the last point. @returns whether there was one.
   bool back();
-  /// Closes as a click on the first point does; false when it cannot.
+  /// Closes the outline like a click on the first point; false when that is impossible.
   bool close();
 
-  /// The segment that `place` would add, and the outline with it; nothing when the target determines none.
+  /// The segment that `place` would add, and the outline with it; empty when the target determines none.
   [[nodiscard]] std::optional<Segment> rubber() const;
   [[nodiscard]] std::optional<DrawnOutline> preview() const;
 

@@ -19,7 +19,7 @@ bool comesBack(const DrawnOutline& outline) {
 
 Vec2 beginOf(const DrawnOutline& outline, std::size_t k) { return k == 0 ? outline.start : outline.segments[k - 1].to; }
 
-/// The turn and scale that take one chord to another, applied to p.
+/// The similarity that maps one chord to another, applied to p.
 Vec2 carried(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& newA, const Vec2& newB) {
   const Vec2 before = b - a, after = newB - newA, offset = p - a;
   if (before.squaredNorm() == 0) return p + (newA - a);

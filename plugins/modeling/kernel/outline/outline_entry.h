@@ -8,18 +8,18 @@
 
 namespace blossom::modeling {
 
-/// What a user types while drawing: "25" (a length), "25<30" (length and angle from the x axis), "10,20" (a place) or
-/// "@10,20" (from the last point). Lengths take units and expressions, as every length does.
+/// Values typed while drawing: "25" (a length), "25<30" (length and angle from the x axis), "10,20" (a position) or "@10,20"
+/// (relative to the last point). Lengths may have units and be expressions.
 class TypedEntry {
  public:
-  explicit TypedEntry(LengthUnit unit = {}) : unit_(std::move(unit)) {}  ///< of lengths without one
+  explicit TypedEntry(LengthUnit unit = {}) : unit_(std::move(unit)) {}  ///< unit of lengths without one
   [[nodiscard]] const LengthUnit& unit() const { return unit_; }
   [[nodiscard]] bool open() const { return !fields_[0].empty() || !fields_[1].empty() || relative_; }
-  /// May this character begin an entry?
+  /// Whether an entry may begin with this character.
   static bool begins(char);
-  /// @returns whether the character was taken.
+  /// @returns whether the character was accepted.
   bool type(char);
-  bool back();         ///< takes the last character away
+  bool back();         ///< deletes the last character
   void switchField();  ///< between length and angle
   void clear() { *this = TypedEntry(unit_); }
   [[nodiscard]] std::string text() const;
@@ -28,11 +28,11 @@ class TypedEntry {
   struct Values {
     std::optional<double> length, angle;  ///< mm, degrees
     std::optional<Vec2> place;
-    bool relative = false;  ///< the place counts from the last point
+    bool relative = false;  ///< `place` is relative to the last point
   };
   /// @throws Error InvalidParameter.
   [[nodiscard]] Values values() const;
-  /// The values, or why they are not understood.
+  /// Why the values cannot be parsed; empty when they can.
   [[nodiscard]] std::string problem() const;
 
  private:

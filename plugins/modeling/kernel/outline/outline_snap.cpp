@@ -135,7 +135,7 @@ std::optional<Snap> crossingNear(const std::vector<Guide>& guides, const SnapQue
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
-/// Level and plumb guides also take the grid lines that they cross.
+/// Horizontal and vertical guides also snap to the grid lines that they cross.
 Snap onGuide(const Guide& guide, const SnapQuery& query) {
   Snap snap{foot(guide, query.mouse), guide.kind, {guide}};
   if (!(query.grid > 0)) return snap;
@@ -156,7 +156,7 @@ std::optional<Snap> gridNear(const SnapQuery& query) {
 
 }  // namespace
 
-Snap snapped(const SnapScene& scene, const SnapQuery& query) {
+Snap snappedPoint(const SnapScene& scene, const SnapQuery& query) {
   if (const auto start = pointNear(scene, query, true)) return *start;
   if (const auto point = pointNear(scene, query, false)) return *point;
   if (const auto perpendicular = footNear(scene, query)) return *perpendicular;

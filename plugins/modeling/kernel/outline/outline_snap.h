@@ -6,15 +6,15 @@
 
 namespace blossom::modeling {
 
-/// What a point of a drawing was caught by, weakest first.
+/// Object that a point was snapped to, weakest first.
 enum class SnapKind {
   None,
-  Grid,           ///< a crossing of grid lines, or one grid line met by a guide
+  Grid,           ///< a crossing of grid lines, or of a grid line and a guide
   OnCurve,        ///< the nearest point of a line or arc
   Horizontal,     ///< guides through the last point ..
   Vertical,       ///<
   Diagonal,       ///< .. at 45 degrees
-  Aligned,        ///< level with, or plumb below or above, the first point
+  Aligned,        ///< horizontally or vertically aligned with the first point
   Tangent,        ///< straight on from the last segment
   Square,         ///< at right angles to the last segment
   Crossing,       ///< of two guides
@@ -30,7 +30,7 @@ struct SnapPoint {
   SnapKind kind = SnapKind::Point;
 };
 
-/// What there is to catch the mouse.
+/// The objects to snap to.
 struct SnapScene {
   std::vector<SnapPoint> points;
   std::vector<Segment> curves;  ///< lines and arcs are used
@@ -38,14 +38,14 @@ struct SnapScene {
 
 struct SnapQuery {
   Vec2 mouse = Vec2::Zero();
-  double reach = 0;               ///< mm within which the mouse is caught
+  double reach = 0;               ///< mm, snapping distance
   double grid = 0;                ///< mm between grid lines; 0: no grid
-  std::optional<Vec2> from;       ///< where the segment that is being drawn begins
-  std::optional<Vec2> direction;  ///< in which the segment before arrives there
+  std::optional<Vec2> from;       ///< start of the segment that is being drawn
+  std::optional<Vec2> direction;  ///< end direction of the segment before
   std::optional<Vec2> start;      ///< first point of the drawing, to align with
 };
 
-/// A straight help line through a point, shown while the mouse is caught by it.
+/// A construction line through a point, shown while the mouse is snapped to it.
 struct Guide {
   Vec2 origin = Vec2::Zero();
   Vec2 direction = Vec2::UnitX();  ///< unit length
@@ -55,14 +55,14 @@ struct Guide {
 struct Snap {
   Vec2 point = Vec2::Zero();
   SnapKind kind = SnapKind::None;
-  std::vector<Guide> guides;  ///< that hold the point
+  std::vector<Guide> guides;  ///< guides through the point
 };
 
-/// The point that is meant by the mouse: the nearest thing of the strongest sort within reach (points, feet of
-/// perpendiculars, crossings of guides, guides, curves, grid), else the mouse itself. O(points + curves).
-Snap snapped(const SnapScene&, const SnapQuery&);
+/// The snapped point: the nearest object of the strongest kind within reach (points, feet of perpendiculars, crossings of
+/// guides, guides, curves, grid), else the mouse itself. O(points + curves).
+Snap snappedPoint(const SnapScene&, const SnapQuery&);
 
-/// Points and curves of drawn shapes: ends, middles and centres. Splines give their ends alone.
+/// Adds points and curves of drawn shapes: ends, midpoints and centres; of splines only the ends.
 void addToScene(SnapScene&, const Path&);
 
 }  // namespace blossom::modeling

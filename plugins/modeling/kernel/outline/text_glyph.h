@@ -7,7 +7,7 @@
 
 namespace blossom::modeling {
 
-/// An open font file; measures in font units. Not thread-safe, so each caller opens its own.
+/// An open font file; measures are in font units. Not thread-safe: open one per thread.
 class GlyphSource {
  public:
   /// @throws Error FileUnreadable.
@@ -16,14 +16,14 @@ class GlyphSource {
   GlyphSource(const GlyphSource&) = delete;
   GlyphSource& operator=(const GlyphSource&) = delete;
 
-  /// 0: the font has no such character.
+  /// Index of the glyph of a character; 0 when the font has none.
   [[nodiscard]] unsigned glyphOf(char32_t character) const;
   [[nodiscard]] double advance(unsigned glyph) const;
   [[nodiscard]] double kerning(unsigned left, unsigned right) const;
   [[nodiscard]] double lineHeight() const;
   /// Height of a capital H.
   [[nodiscard]] double capitalHeight() const;
-  /// Closed contours as they stand in the file, filled by the non-zero rule.
+  /// Closed contours as in the file, to be filled by the non-zero rule.
   [[nodiscard]] std::vector<Path> contours(unsigned glyph) const;
 
  private:

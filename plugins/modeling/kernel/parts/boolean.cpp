@@ -38,10 +38,10 @@ const char* nameOf(BooleanOperation operation) {
 bool checkInputs(const std::vector<TopoDS_Shape>& shapes) {
   if (shapes.size() < 2)
     throw Error(ErrorCode::InvalidInput, "A Boolean operation needs at least two shapes.", "Add another input.");
-  const bool solids = !partsOf(shapes.front(), TopAbs_SOLID).empty();
+  const bool solids = !subShapesOf(shapes.front(), TopAbs_SOLID).empty();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     // Solids without loose faces, or faces alone.
-    const bool hasSolids = !partsOf(shapes[i], TopAbs_SOLID).empty();
+    const bool hasSolids = !subShapesOf(shapes[i], TopAbs_SOLID).empty();
     const bool hasLooseFaces = !looseParts(shapes[i], TopAbs_FACE, TopAbs_SOLID).empty();
     if (hasSolids == solids && hasLooseFaces == !solids) continue;
     throw Error(ErrorCode::InvalidInput,
@@ -85,7 +85,7 @@ class Combiner {
 
   [[nodiscard]] TopoDS_Shape finished(const TopoDS_Shape& shape) const {
     const TopAbs_ShapeEnum kind = solids_ ? TopAbs_SOLID : TopAbs_FACE;
-    const auto parts = partsOf(shape, kind);
+    const auto parts = subShapesOf(shape, kind);
     if (parts.empty()) throwNothingLeft();
     return solids_ ? finishedSolid(together(parts), complaint()) : finishedSheet(together(parts), complaint());
   }

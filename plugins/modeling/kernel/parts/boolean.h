@@ -11,8 +11,8 @@ enum class BooleanOperation { Union, Difference, Intersection };
 
 struct BooleanOptions {
   BooleanOperation operation = BooleanOperation::Union;
-  double fuzzy = 0;      ///< mm within which faces and edges count as touching; 0: as exact as the shapes are
-  bool simplify = true;  ///< joins faces of one surface and edges of one curve
+  double fuzzy = 0;      ///< mm within which faces and edges count as touching; 0: the tolerances of the shapes
+  bool simplify = true;  ///< join faces on the same surface and edges on the same curve
 };
 
 struct BooleanResult {
@@ -20,8 +20,8 @@ struct BooleanResult {
   std::vector<std::string> warnings;
 };
 
-/// Union of all, the first without all others, or what all have in common. All shapes are solids, or all flat faces in one
-/// plane. The shapes given stay as they are.
+/// The union of all shapes, the first minus all others, or the intersection of all. The shapes are either solids or planar
+/// faces in a common plane; they are not modified.
 /// @throws Error InvalidInput (fewer than two, not solids), Degenerate (nothing is left, OCCT fails), Cancelled.
 BooleanResult combine(const std::vector<TopoDS_Shape>&, const BooleanOptions&, const Progress& = Progress::none());
 

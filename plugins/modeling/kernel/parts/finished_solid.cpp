@@ -19,7 +19,7 @@ namespace {
 bool isValid(const TopoDS_Shape& shape) { return BRepCheck_Analyzer(shape).IsValid(); }
 
 bool isClosed(const TopoDS_Shape& solid) {
-  const auto shells = partsOf(solid, TopAbs_SHELL);
+  const auto shells = subShapesOf(solid, TopAbs_SHELL);
   for (const TopoDS_Shape& shell : shells)
     if (!BRep_Tool::IsClosed(shell)) return false;
   return !shells.empty();
@@ -27,7 +27,7 @@ bool isClosed(const TopoDS_Shape& solid) {
 
 /// Below this a solid is a sheet folded onto itself.
 bool hasVolume(const TopoDS_Shape& solid) {
-  const double size = sizeOf(solid);
+  const double size = diagonalOf(solid);
   return std::abs(volumeOf(solid)) > 1e-12 * size * size * size;
 }
 
@@ -50,7 +50,7 @@ TopoDS_Shape mended(const TopoDS_Shape& shape) {
 /// Null when one of them cannot be made good.
 TopoDS_Shape goodSolids(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> solids;
-  for (const TopoDS_Shape& each : partsOf(shape, TopAbs_SOLID)) {
+  for (const TopoDS_Shape& each : subShapesOf(shape, TopAbs_SOLID)) {
     const auto solid = outward(each);
     if (!solid) return {};
     solids.push_back(*solid);

@@ -5,10 +5,10 @@
 
 namespace blossom::modeling {
 
-/// Throws what an exception of OCCT means to a user: `message` with `hint`; want of memory is told as such.
+/// Throws an Error with `message` and `hint` for an exception of OCCT; running out of memory has a message of its own.
 [[noreturn]] void throwOcctFailure(const Standard_Failure&, const std::string& message, const std::string& hint);
 
-/// Runs `work` and turns the exceptions of OCCT that come out of it into an Error InvalidInput; other exceptions pass.
+/// Calls `work` and converts exceptions of OCCT to an Error InvalidInput; other exceptions pass.
 template <class Work>
 auto guarded(const std::string& message, const std::string& hint, Work&& work) -> decltype(work()) {
   try {

@@ -7,11 +7,11 @@
 
 namespace blossom::modeling {
 
-/// The largest size below `failing` for which `works` holds, to 0.1 %, by bisection; nothing when not even a thousandth
-/// works. At most 21 attempts, each preceded by a look at the progress. `works` may throw Standard_Failure.
+/// The largest size below `failing` for which `works` returns true, to 0.1 %, by bisection; empty when even a thousandth of
+/// it fails. At most 21 calls; polls `progress` before each. `works` may throw Standard_Failure.
 std::optional<double> largestSize(double failing, const std::function<bool(double size)>& works, const Progress&);
 
-/// "about 4.998": four digits, rounded down, so that the number told works.
+/// "about 4.998": four digits, rounded down so that the printed size works.
 std::string roundedDown(double size);
 
 }  // namespace blossom::modeling

@@ -8,7 +8,7 @@
 
 namespace blossom::modeling {
 
-/// Where a primitive stands: its origin, the direction of its own z axis and a turn about it.
+/// Placement of a primitive: its origin, the direction of its z axis and a turn about it.
 struct Placement {
   Vec3 position{0, 0, 0};
   Vec3 axis{0, 0, 1};
@@ -16,9 +16,10 @@ struct Placement {
 };
 
 gp_Pnt toPoint(const Vec3&);
-/// @throws Error InvalidParameter for the zero vector, which `what` names in the message ("axis").
+/// @throws Error InvalidParameter for the zero vector; `what` is its name in the message ("axis").
 gp_Dir toDirection(const Vec3&, const char* what);
-/// The frame of a placement. Its x axis is the world's, made square to the axis (the world's y axis where that vanishes).
+/// The coordinate system of a placement. Its x axis is the world's x axis projected perpendicular to z (the world's y axis
+/// where that vanishes), turned.
 gp_Ax2 frameOf(const Placement&);
 
 }  // namespace blossom::modeling

@@ -61,7 +61,7 @@ gp_Pln planeThrough(const gp_Lin& line) {
 /// The direction of the only line in a wire of collinear edges; false when it turns.
 bool isStraight(const TopoDS_Wire& wire, gp_Lin& line) {
   bool first = true;
-  for (const TopoDS_Shape& each : partsOf(wire, TopAbs_EDGE)) {
+  for (const TopoDS_Shape& each : subShapesOf(wire, TopAbs_EDGE)) {
     const BRepAdaptor_Curve curve(TopoDS::Edge(each));
     if (curve.GetType() != GeomAbs_Line) return false;
     if (first) line = curve.Line();
@@ -94,10 +94,10 @@ std::vector<TopoDS_Wire> looseWires(const TopoDS_Shape& shape) {
 
 Profile profileOf(const TopoDS_Shape& shape) {
   Profile profile;
-  if (!partsOf(shape, TopAbs_SOLID).empty())
+  if (!subShapesOf(shape, TopAbs_SOLID).empty())
     throw Error(ErrorCode::InvalidInput, "A solid is not an outline that could be swept.",
                 "Choose one of its flat faces, or give a region.");
-  for (const TopoDS_Shape& face : partsOf(shape, TopAbs_FACE)) profile.faces.push_back(TopoDS::Face(face));
+  for (const TopoDS_Shape& face : subShapesOf(shape, TopAbs_FACE)) profile.faces.push_back(TopoDS::Face(face));
   profile.wires = looseWires(shape);
   if (profile.faces.empty() && profile.wires.empty())
     throw Error(ErrorCode::InvalidInput, "There is no outline to sweep: the input is empty.",

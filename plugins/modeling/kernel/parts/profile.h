@@ -8,24 +8,24 @@
 
 namespace blossom::modeling {
 
-/// What is swept: faces give solids; wires that bound no face give sheets.
+/// The shape that is swept: faces make solids, wires without a face make sheets.
 struct Profile {
   std::vector<TopoDS_Face> faces;
   std::vector<TopoDS_Wire> wires;
 };
 
 /// The faces, wires and edges of a shape; loose edges are joined into wires where they meet.
-/// @throws Error InvalidInput when there is nothing to sweep or the shape holds solids.
+/// @throws Error InvalidInput when there is nothing to sweep or the shape contains solids.
 Profile profileOf(const TopoDS_Shape&);
 
-/// The wires that bound no face, and loose edges joined into wires where they meet; open wires are joined with them.
+/// The wires that bound no face; loose edges and open wires are joined where they meet.
 std::vector<TopoDS_Wire> looseWires(const TopoDS_Shape&);
 
-/// The plane of a face with its normal out of the face, or of a wire (the xy plane's direction for a straight one).
-/// @throws Error InvalidInput when it is not flat.
+/// The plane of a face with the normal out of the face, or of a wire (for a straight one a plane parallel to xy).
+/// @throws Error InvalidInput when it is not planar.
 gp_Pln planeOf(const TopoDS_Face&);
 gp_Pln planeOf(const TopoDS_Wire&);
-/// The one plane that a wire lies in; nothing when it is straight or not flat.
+/// The unique plane of a wire; empty when it is straight or not planar.
 std::optional<gp_Pln> onlyPlaneOf(const TopoDS_Wire&);
 
 }  // namespace blossom::modeling

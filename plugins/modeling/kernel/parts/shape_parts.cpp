@@ -13,7 +13,7 @@
 
 namespace blossom::modeling {
 
-std::vector<TopoDS_Shape> partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   TopTools_IndexedMapOfShape map;
   if (!shape.IsNull()) TopExp::MapShapes(shape, type, map);
   return {map.cbegin(), map.cend()};
@@ -47,7 +47,7 @@ double areaOf(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
-double sizeOf(const TopoDS_Shape& shape) {
+double diagonalOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
   if (!shape.IsNull()) BRepBndLib::Add(shape, box, Standard_False);
   return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());

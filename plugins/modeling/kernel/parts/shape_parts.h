@@ -5,16 +5,16 @@
 
 namespace blossom::modeling {
 
-/// The parts of one type, each once, in the order of their numbers (geometry/occt/sub_shape.h).
-std::vector<TopoDS_Shape> partsOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
-/// Those parts that do not belong to a part of type `within`: wires that bound no face.
+/// The sub-shapes of one type, each once, in the order of their numbers (geometry/occt/sub_shape.h).
+std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
+/// Those that belong to no sub-shape of type `within`, such as wires that bound no face.
 std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape&, TopAbs_ShapeEnum type, TopAbs_ShapeEnum within);
-/// The shape itself when it is alone, else a compound.
+/// A single shape itself, else a compound.
 TopoDS_Shape together(const std::vector<TopoDS_Shape>&);
-/// Signed volume; negative when the faces look inward.
+/// Signed volume; negative when the faces are oriented inward.
 double volumeOf(const TopoDS_Shape&);
 double areaOf(const TopoDS_Shape&);
-/// Diagonal of the box around the shape; 0 when it is empty.
-double sizeOf(const TopoDS_Shape&);
+/// Diagonal of the bounding box; 0 when the shape is empty.
+double diagonalOf(const TopoDS_Shape&);
 
 }  // namespace blossom::modeling

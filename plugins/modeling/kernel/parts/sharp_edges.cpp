@@ -55,7 +55,7 @@ EdgeSort EdgeSorter::sort(const TopoDS_Edge& edge) const {
 std::vector<TopoDS_Edge> sharpEdges(const TopoDS_Shape& shape) {
   const EdgeSorter sorter(shape);
   std::vector<TopoDS_Edge> sharp;
-  for (const TopoDS_Shape& each : partsOf(shape, TopAbs_EDGE))
+  for (const TopoDS_Shape& each : subShapesOf(shape, TopAbs_EDGE))
     if (sorter.sort(TopoDS::Edge(each)) == EdgeSort::Sharp) sharp.push_back(TopoDS::Edge(each));
   return sharp;
 }

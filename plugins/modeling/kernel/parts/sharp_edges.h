@@ -6,15 +6,15 @@
 
 namespace blossom::modeling {
 
-/// How the faces beside an edge meet.
+/// Continuity of the faces at an edge.
 enum class EdgeSort {
   Sharp,
-  Smooth,  ///< within half a degree
-  Seam,    ///< one face on both sides, or no length
+  Smooth,  ///< normals within half a degree
+  Seam,    ///< the same face on both sides, or no length
   Free     ///< not exactly two faces
 };
 
-/// Sorts the edges of a shape by the faces beside them.
+/// Classifies the edges of a shape by their faces.
 class EdgeSorter {
  public:
   explicit EdgeSorter(const TopoDS_Shape&);
@@ -24,7 +24,7 @@ class EdgeSorter {
   TopTools_IndexedDataMapOfShapeListOfShape faces_;
 };
 
-/// Every sharp edge, in the order of their numbers.
+/// All sharp edges, in the order of their numbers.
 std::vector<TopoDS_Edge> sharpEdges(const TopoDS_Shape&);
 
 }  // namespace blossom::modeling

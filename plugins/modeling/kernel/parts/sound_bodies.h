@@ -7,10 +7,11 @@
 
 namespace blossom::modeling {
 
-/// The solids that a profile swept, made one sound shape: none crosses itself (geometry/tessellate/self_crossing.h), and
-/// those that overlap are united, so that no space counts twice. Solids that only touch stay apart. BRepCheck sees neither,
-/// for it looks at each face alone. A Boolean operation for each pair of solids whose boxes overlap.
-/// @throws Error Degenerate with the place of a crossing and the hint of the complaint, Cancelled.
+/// One valid shape of the solids that were swept from a profile: none intersects itself
+/// (geometry/tessellate/self_crossing.h), and overlapping ones are united, so that no space counts twice. Solids that only
+/// touch remain separate. BRepCheck detects neither, because it checks each face alone. Takes a Boolean operation per pair
+/// of solids with overlapping boxes.
+/// @throws Error Degenerate with the place of an intersection and the hint of the complaint, Cancelled.
 TopoDS_Shape soundBodies(const std::vector<TopoDS_Shape>& solids, const Complaint&, const Progress&);
 
 }  // namespace blossom::modeling

@@ -44,7 +44,7 @@ class Blender {
     return edges;
   }
 
-  /// Null when it fails or gives no good solid.
+  /// Null when it fails or the solid is invalid.
   [[nodiscard]] TopoDS_Shape tried(const std::vector<TopoDS_Edge>& edges, double size) const {
     try {
       const TopoDS_Shape made = attempt_(shape_, edges, size);
@@ -60,7 +60,7 @@ class Blender {
     const TopoDS_Edge* failing = &edges.front();
     for (std::size_t i = 0; edges.size() > 1; ++i) {
       progress_.check();
-      failing = i < std::min(edges.size(), mostTried) ? &edges[i] : nullptr;
+      failing = i < std::min(edges.size(), maximumTried) ? &edges[i] : nullptr;
       if (!failing || tried({*failing}, size_).IsNull()) break;
     }
     progress_.report(0.6, fmt::format("Looking for the largest {}", words_.size));
@@ -71,7 +71,7 @@ class Blender {
   }
 
  private:
-  static constexpr std::size_t mostTried = 60;  ///< above, the search would take longer than it is worth
+  static constexpr std::size_t maximumTried = 60;  ///< above, the search would take longer than it is worth
 
   static std::string mm(double size) { return formatNumber(size); }
   [[nodiscard]] int numberOf(const TopoDS_Edge& edge) const { return numbers_.FindIndex(edge) - 1; }
@@ -116,7 +116,7 @@ class Blender {
 
 BlendResult blend(const TopoDS_Shape& shape, const std::vector<int>& indices, double size, const BlendWords& words,
                   const BlendAttempt& attempt, const Progress& progress) {
-  if (partsOf(shape, TopAbs_SOLID).empty())
+  if (subShapesOf(shape, TopAbs_SOLID).empty())
     throw Error(ErrorCode::InvalidInput, fmt::format("Only edges of a solid can be {}; the input is none.", words.done),
                 "Extrude it, or close its surfaces to a solid.");
   if (!(size > 1e-6))

@@ -9,17 +9,17 @@ struct FilletOptions {
 };
 using FilletResult = BlendResult;
 
-/// Rounds edges of a solid by rolling a ball along them. @throws Error as blend.
+/// Rounds edges of a solid with a rolling ball. @throws Error as blend.
 FilletResult fillet(const TopoDS_Shape&, const FilletOptions&, const Progress& = Progress::none());
 
 struct ChamferOptions {
   double distance = 2;     ///< mm from the edge along both faces
-  double second = 0;       ///< mm along the second face; 0: as along the first
+  double second = 0;       ///< mm along the second face; 0: equal to `distance`
   std::vector<int> edges;  ///< numbers; none: all sharp edges
 };
 using ChamferResult = BlendResult;
 
-/// Cuts edges of a solid off by a flat strip. @throws Error as blend.
+/// Bevels edges of a solid. @throws Error as blend.
 ChamferResult chamfer(const TopoDS_Shape&, const ChamferOptions&, const Progress& = Progress::none());
 
 }  // namespace blossom::modeling

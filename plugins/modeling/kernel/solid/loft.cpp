@@ -46,7 +46,7 @@ Section sectionOf(const TopoDS_Shape& shape, std::size_t index) {
   if (!profile.wires.empty()) return {profile.wires.front(), {}};
   Section section;
   section.outline = BRepTools::OuterWire(profile.faces.front());
-  for (const TopoDS_Shape& wire : partsOf(profile.faces.front(), TopAbs_WIRE))
+  for (const TopoDS_Shape& wire : subShapesOf(profile.faces.front(), TopAbs_WIRE))
     if (!wire.IsSame(section.outline)) section.holes.push_back(wire);
   return section;
 }
@@ -57,7 +57,7 @@ gp_Pnt centreOf(const TopoDS_Shape& wire) {
   return properties.CentreOfMass();
 }
 
-/// Each hole goes on in the hole of the next section that is nearest to it.
+/// Each hole is connected to the nearest hole of the next section.
 void matchHoles(std::vector<Section>& sections) {
   for (std::size_t i = 1; i < sections.size(); ++i)
     for (std::size_t k = 0; k < sections[i].holes.size(); ++k) {

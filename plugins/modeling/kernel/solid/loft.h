@@ -7,7 +7,7 @@
 namespace blossom::modeling {
 
 struct LoftOptions {
-  bool ruled = false;  ///< straight between neighbours instead of smooth through all
+  bool ruled = false;  ///< ruled surfaces between neighbours instead of a smooth surface through all
   bool solid = true;   ///< closed at both ends; needs closed sections
 };
 
@@ -15,8 +15,8 @@ struct LoftResult {
   TopoDS_Shape shape;
 };
 
-/// The skin through two or more sections in their order: faces (with holes, if all have equally many), wires, and single
-/// points at the ends. Sections of different corners are matched by length.
+/// The surface through two or more sections in their order: faces (with holes, if all have equally many), wires, and single
+/// points at the ends. Sections with different numbers of corners are matched by length.
 /// @throws Error InvalidInput that names the section, Degenerate, Cancelled.
 LoftResult loft(const std::vector<TopoDS_Shape>& sections, const LoftOptions&, const Progress& = Progress::none());
 

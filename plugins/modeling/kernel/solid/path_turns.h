@@ -5,15 +5,15 @@
 
 namespace blossom::modeling {
 
-/// Where a path turns the most.
+/// The tightest bend and the sharpest corner of a path.
 struct PathTurns {
-  double radius = std::numeric_limits<double>::infinity();  ///< mm, of its tightest bend ..
-  gp_Pnt bend;                                              ///< .. which is here
-  double corner = 0;                                        ///< radians, of its sharpest corner ..
-  gp_Pnt cornerAt;                                          ///< .. which is here
+  double radius = std::numeric_limits<double>::infinity();  ///< mm, minimum radius of curvature ..
+  gp_Pnt bend;                                              ///< .. at this point
+  double corner = 0;                                        ///< radians, maximum angle of a corner ..
+  gp_Pnt cornerAt;                                          ///< .. at this point
 };
 
-/// Bends are sampled at 33 places of each edge.
+/// Curvature is sampled at 33 points per edge.
 PathTurns turnsOf(const TopoDS_Wire& path);
 
 }  // namespace blossom::modeling

@@ -33,7 +33,7 @@ namespace blossom::modeling {
 namespace {
 
 TopoDS_Wire onePath(const TopoDS_Shape& shape) {
-  if (!partsOf(shape, TopAbs_FACE).empty())
+  if (!subShapesOf(shape, TopAbs_FACE).empty())
     throw Error(ErrorCode::InvalidInput, "The path is an area, not a curve.", "Give a curve as the second input.");
   const Profile profile = profileOf(shape);
   if (profile.wires.size() != 1)
@@ -116,7 +116,7 @@ class Piper {
     const TopoDS_Wire outer = BRepTools::OuterWire(face);
     TopoDS_Shape body = along(outer, true);
     bool cut = false;
-    for (const TopoDS_Shape& hole : partsOf(face, TopAbs_WIRE)) {
+    for (const TopoDS_Shape& hole : subShapesOf(face, TopAbs_WIRE)) {
       progress.check();
       if (hole.IsSame(outer)) continue;
       body = BRepAlgoAPI_Cut(body, along(TopoDS::Wire(hole), true)).Shape();

@@ -10,18 +10,19 @@ namespace blossom::modeling {
 enum class PipeCorners { Mitred, Round };
 
 struct PipeOptions {
-  PipeCorners corners = PipeCorners::Mitred;  ///< where the path has a corner
-  bool place = true;  ///< the origin of the profile's xy plane is put on the start of the path, square to it
+  PipeCorners corners = PipeCorners::Mitred;  ///< at corners of the path
+  bool place =
+      true;  ///< move the profile so that its xy plane is perpendicular to the path at its start, origin on the path
 };
 
 struct PipeResult {
   TopoDS_Shape shape;
   bool solid = false;
-  std::vector<std::string> warnings;  ///< where the pipe is wider than the path's bend
+  std::vector<std::string> warnings;  ///< where the pipe is wider than the radius of a bend
 };
 
-/// Moves an outline along a path without twisting it (corrected Frenet frame). Faces give solids (their holes are kept),
-/// wires give sheets.
+/// Sweeps an outline along a path without twist (corrected Frenet frame). Faces make solids with their holes, wires make
+/// sheets.
 /// @throws Error InvalidInput, Degenerate, Cancelled.
 PipeResult pipe(const TopoDS_Shape& profile, const TopoDS_Shape& path, const PipeOptions&,
                 const Progress& = Progress::none());

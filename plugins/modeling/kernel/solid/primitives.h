@@ -7,7 +7,7 @@
 /// All throw Error InvalidParameter for measures that make no solid.
 namespace blossom::modeling {
 
-/// Which point of a box stands at its position.
+/// Point of a box that lies at its position.
 enum class BoxAnchor { Corner, Base, Centre };
 
 struct BoxOptions {
@@ -19,7 +19,7 @@ struct BoxOptions {
 };
 TopoDS_Shape makeBox(const BoxOptions&);
 
-/// The centre of its base stands at the position. `angle` below 360 makes a wedge.
+/// The centre of the base is at the position. An `angle` below 360 makes a wedge.
 struct CylinderOptions {
   double radius = 10;
   double height = 30;
@@ -45,7 +45,7 @@ struct SphereOptions {
 };
 TopoDS_Shape makeSphere(const SphereOptions&);
 
-/// `tube` is the radius of the circle that runs round the axis at `radius`.
+/// `tube` is the radius of the tube around the circle of `radius`.
 struct TorusOptions {
   double radius = 20;
   double tube = 5;

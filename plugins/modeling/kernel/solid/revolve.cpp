@@ -43,7 +43,7 @@ std::pair<double, double> reach(const TopoDS_Shape& shape, const gp_Ax1& axis, c
 
 /// Where the outline of a face meets the axis in its plane.
 Vec3 placeOfCrossing(const TopoDS_Face& face, const gp_Ax1& axis, const Progress& progress) {
-  const double size = sizeOf(face) + gp_Lin(axis).Distance(toPoint(representatives(face).front()));
+  const double size = diagonalOf(face) + gp_Lin(axis).Distance(toPoint(representatives(face).front()));
   const gp_Pnt middle = ElCLib::Value(ElCLib::Parameter(gp_Lin(axis), toPoint(representatives(face).front())), gp_Lin(axis));
   const gp_Lin line(middle, axis.Direction());
   return closestPoints(BRepTools::OuterWire(face), BRepBuilderAPI_MakeEdge(line, -size, size).Edge(), progress).first;

@@ -17,9 +17,9 @@ struct RevolveResult {
   bool solid = false;
 };
 
-/// Turns flat faces (to solids) and wires (to sheets) about an axis. The outline may touch the axis, not cross it. Solids
-/// that overlap are united.
-/// @throws Error InvalidInput, InvalidParameter, Degenerate with the place where a solid would cut through itself.
+/// Revolves planar faces (to solids) and wires (to sheets) about an axis. The outline may touch the axis but not cross it.
+/// Overlapping solids are united.
+/// @throws Error InvalidInput, InvalidParameter, Degenerate with the place where a solid would intersect itself.
 RevolveResult revolve(const TopoDS_Shape& profile, const RevolveOptions&, const Progress& = Progress::none());
 
 }  // namespace blossom::modeling

@@ -30,7 +30,7 @@ TopoDS_Shape opened(const TopoDS_Shape& solid, const TopTools_ListOfShape& open,
 }
 
 TopoDS_Shape onlyShell(const TopoDS_Shape& shape) {
-  const auto shells = partsOf(shape, TopAbs_SHELL);
+  const auto shells = subShapesOf(shape, TopAbs_SHELL);
   return shells.size() == 1 ? shells.front() : TopoDS_Shape();
 }
 
@@ -74,7 +74,7 @@ TopTools_ListOfShape facesToOpen(const TopoDS_Shape& shape, const std::vector<in
   const Brep brep(shape);
   for (const int index : indices)
     if (const TopoDS_Face face = faceOf(brep, index); !open.Contains(face)) open.Append(face);
-  if (open.Extent() == static_cast<int>(partsOf(shape, TopAbs_FACE).size()))
+  if (open.Extent() == static_cast<int>(subShapesOf(shape, TopAbs_FACE).size()))
     throw Error(ErrorCode::InvalidInput, "All faces are to be opened, so no wall is left.", "Leave some faces closed.");
   return open;
 }
@@ -82,7 +82,7 @@ TopTools_ListOfShape facesToOpen(const TopoDS_Shape& shape, const std::vector<in
 }  // namespace
 
 ShellResult shell(const TopoDS_Shape& shape, const ShellOptions& o, const Progress& progress) {
-  const auto solids = partsOf(shape, TopAbs_SOLID);
+  const auto solids = subShapesOf(shape, TopAbs_SOLID);
   if (solids.size() != 1)
     throw Error(ErrorCode::InvalidInput,
                 solids.empty() ? "Only a solid can be hollowed; the input is none."

@@ -10,16 +10,16 @@ enum class ShellSide { Inside, Outside };
 
 struct ShellOptions {
   double thickness = 2;
-  ShellSide side = ShellSide::Inside;  ///< of the given faces where the wall grows
-  std::vector<int> openFaces;          ///< numbers of faces that are left away; none: a closed hollow
+  ShellSide side = ShellSide::Inside;  ///< side of the original faces on which the wall lies
+  std::vector<int> openFaces;          ///< numbers of faces to remove; none: a closed hollow
 };
 
 struct ShellResult {
   TopoDS_Shape shape;
 };
 
-/// Turns a solid into walls of even thickness. Outside, corners stay sharp.
-/// @throws Error NotFound, InvalidInput (with the thickest wall that works), Degenerate, Cancelled.
+/// Hollows a solid to walls of constant thickness. Outside walls keep sharp corners.
+/// @throws Error NotFound, InvalidInput (with the maximum thickness that works), Degenerate, Cancelled.
 ShellResult shell(const TopoDS_Shape&, const ShellOptions&, const Progress& = Progress::none());
 
 }  // namespace blossom::modeling

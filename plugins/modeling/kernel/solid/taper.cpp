@@ -50,7 +50,7 @@ bool isSide(const TopoDS_Face& face, const gp_Pln& base, double height) {
 
 /// A circle that shrinks to a point goes on beyond it as a second cone, tip to tip with the first.
 bool passesAnApex(const TopoDS_Shape& shape) {
-  for (const TopoDS_Shape& each : partsOf(shape, TopAbs_FACE)) {
+  for (const TopoDS_Shape& each : subShapesOf(shape, TopAbs_FACE)) {
     const BRepAdaptor_Surface surface(TopoDS::Face(each));
     if (surface.GetType() != GeomAbs_Cone) continue;
     const gp_Cone cone = surface.Cone();
@@ -65,7 +65,7 @@ bool passesAnApex(const TopoDS_Shape& shape) {
 TopoDS_Shape leaning(const TopoDS_Shape& prism, const gp_Pln& base, double height, double taper) {
   BRepOffsetAPI_DraftAngle draft(prism);
   const gp_Dir up = height > 0 ? base.Axis().Direction() : base.Axis().Direction().Reversed();
-  for (const TopoDS_Shape& each : partsOf(prism, TopAbs_FACE)) {
+  for (const TopoDS_Shape& each : subShapesOf(prism, TopAbs_FACE)) {
     const TopoDS_Face face = TopoDS::Face(each);
     if (!isSide(face, base, height)) continue;
     draft.Add(face, up, toRadians(taper), base);
@@ -84,7 +84,7 @@ TopoDS_Shape prismOf(const TopoDS_Face& face, const gp_Pln& plane, double height
 /// The edges at the far end of a solid over a plane.
 std::vector<TopoDS_Shape> farEdges(const TopoDS_Shape& solid, const gp_Pln& base, double height) {
   std::vector<TopoDS_Shape> edges;
-  for (const TopoDS_Shape& each : partsOf(solid, TopAbs_EDGE)) {
+  for (const TopoDS_Shape& each : subShapesOf(solid, TopAbs_EDGE)) {
     const BRepAdaptor_Curve curve(TopoDS::Edge(each));
     const auto isFar = [&](double t) {
       const gp_Vec up(base.Location(), curve.Value(t));
@@ -96,15 +96,15 @@ std::vector<TopoDS_Shape> farEdges(const TopoDS_Shape& solid, const gp_Pln& base
 }
 
 bool shareAVertex(const TopoDS_Shape& a, const TopoDS_Shape& b) {
-  for (const TopoDS_Shape& p : partsOf(a, TopAbs_VERTEX))
-    for (const TopoDS_Shape& q : partsOf(b, TopAbs_VERTEX))
+  for (const TopoDS_Shape& p : subShapesOf(a, TopAbs_VERTEX))
+    for (const TopoDS_Shape& q : subShapesOf(b, TopAbs_VERTEX))
       if (p.IsSame(q)) return true;
   return false;
 }
 
 /// The narrowest place between edges: the middle of the shortest, or where two that are no neighbours come nearest.
 std::optional<gp_Pnt> narrowestPlace(const std::vector<TopoDS_Shape>& edges, const Progress& progress) {
-  constexpr std::size_t most = 100;  // pairs are looked at one by one
+  constexpr std::size_t most = 100;  // all pairs are tested
   if (edges.size() > most) return {};
   std::optional<gp_Pnt> place;
   double narrowest = std::numeric_limits<double>::infinity();
@@ -150,10 +150,10 @@ std::optional<gp_Pnt> narrowestPlace(const std::vector<TopoDS_Shape>& edges, con
 
 /// The circle around a disc without holes, which a drawing may make of several arcs.
 std::optional<gp_Circ> circleAround(const TopoDS_Face& face) {
-  if (partsOf(face, TopAbs_WIRE).size() != 1) return {};
+  if (subShapesOf(face, TopAbs_WIRE).size() != 1) return {};
   std::optional<gp_Circ> around;
   double turned = 0;
-  for (const TopoDS_Shape& each : partsOf(face, TopAbs_EDGE)) {
+  for (const TopoDS_Shape& each : subShapesOf(face, TopAbs_EDGE)) {
     const BRepAdaptor_Curve curve(TopoDS::Edge(each));
     if (curve.GetType() != GeomAbs_Circle) return {};
     const gp_Circ circle = curve.Circle();

@@ -15,9 +15,9 @@ struct PlanSquare {
   double half;
 };
 
-constexpr double mostMargin = 0.03;  // mm
+constexpr double maximumMargin = 0.03;  // mm
 
-/// Heights above the tip that tell the shape of a cutter.
+/// Heights above the tip that represent the shape of a cutter.
 std::vector<double> heightsOf(const Cutter& cutter) {
   const double whole = cutter.vAngle > 0 ? cutter.diameter / 2 / std::tan(cutter.vAngle / 2) : cutter.cornerRadius;
   if (!(whole > 0)) return {0};
@@ -30,7 +30,7 @@ std::vector<double> heightsOf(const Cutter& cutter) {
 
 Cleared::Cleared(const Cutter& cutter, double top, const Bounds& stock)
     : cutter_(cutter),
-      margin_(std::min(mostMargin, cutter.diameter / 20)),
+      margin_(std::min(maximumMargin, cutter.diameter / 20)),
       top_(top),
       stock_(stock),
       heights_(heightsOf(cutter)) {}
@@ -50,7 +50,7 @@ bool Cleared::isHit(const Vec3& from, const ToolMove& move, const Progress& prog
   return isHit(*part, progress);
 }
 
-/// All of a move as deep as its deepest place; when that hits, its halves, down to steps that no margin tells apart.
+/// Tests a whole move at the depth of its deepest point; when that hits, its halves, down to steps smaller than the margin.
 bool Cleared::isHit(const MoveBelow& move, const Progress& progress) const {
   const double level = margin_ / 2;
   std::vector<MoveBelow> open{move};
@@ -81,7 +81,7 @@ bool Cleared::mayLieInStock(const Vec2& middle, double reach) const {
 
 bool Cleared::liesInStock(const Vec2& p) const { return mayLieInStock(p, 0); }
 
-/// What a cut took at a height: where it is level its whole way, where it falls the pieces that are deep enough.
+/// The path of a cut at a height: all of a horizontal cut, of a descending one the pieces that are deep enough.
 void Cleared::addAt(const Cut& cut, double height, std::vector<Swept>& swept) const {
   const Vec3 &from = cut.move.from, &to = cut.move.to;
   const double reached = height + margin_;

@@ -8,26 +8,27 @@
 
 namespace blossom::pocket {
 
-/// The material that cuts have taken away so far, and whether the tool can go somewhere without touching what is left.
+/// The material removed by cuts so far; tests whether a move of the tool touches the rest.
 ///
-/// A cut takes what the tool sweeps, and all above it. Squares over the tool's plan are quartered until each lies within
-/// what one cut took or shows a point that none did; at several heights where the tool is not a cylinder.
+/// A cut removes the volume that the tool sweeps and everything above it. Squares over the plan of the tool are quartered
+/// until each lies within one cut or contains a point outside all cuts; at several heights when the tool is not a cylinder.
 class Cleared {
  public:
-  /// Material lies below `top`, within the stock when it is known, else everywhere.
+  /// The material is below `top`, within the stock when it is known, else unbounded.
   Cleared(const Cutter&, double top, const Bounds& stock);
 
   void cut(const Vec3& from, const ToolMove&);
-  /// Whether the tool goes more than twice the margin into material on this move; the moves of one path in their order.
+  /// Whether the tool goes more than twice the margin into material on this move. Call it for the moves of a path in their
+  /// order.
   [[nodiscard]] bool isHit(const Vec3& from, const ToolMove&, const Progress&) const;
 
  private:
   struct Cut {
     MoveBelow move;
-    Vec2 low, high;  ///< of its way
+    Vec2 low, high;  ///< box of its path
     double deepest;
   };
-  /// A way at one height, and how wide it was cut there.
+  /// A path at one height, and the width of the cut there.
   struct Swept {
     Stroke way;
     double radius;
@@ -40,10 +41,10 @@ class Cleared {
   [[nodiscard]] bool liesInStock(const Vec2& p) const;
 
   Cutter cutter_;
-  double margin_;  ///< mm; less cannot be told from rounding
+  double margin_;  ///< mm; smaller depths cannot be distinguished from rounding
   double top_;
   Bounds stock_;
-  std::vector<double> heights_;  ///< above the tip, where the tool is looked at
+  std::vector<double> heights_;  ///< heights above the tip at which the tool is tested
   std::vector<Cut> cuts_;
 };
 

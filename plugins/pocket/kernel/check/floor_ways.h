@@ -6,10 +6,10 @@
 
 namespace blossom::pocket {
 
-/// Where the tool's centre goes at the floor.
+/// Paths of the tool's centre at the floor.
 struct FloorWays {
   std::vector<Stroke> strokes;
-  std::vector<Vec2> ends;  ///< where a disc is to be added: between ways that do not go straight on
+  std::vector<Vec2> ends;  ///< centres of discs to add, at joints that are not smooth
 };
 
 FloorWays floorWays(const Toolpath&, double floor);

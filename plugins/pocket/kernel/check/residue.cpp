@@ -14,7 +14,7 @@ namespace blossom::pocket {
 
 namespace {
 
-constexpr std::size_t mostPlaces = 64;
+constexpr std::size_t maximumPlaces = 64;
 
 /// How far from where it begins a round corner has risen to a height.
 double widthOfCorner(double corner, double height) {
@@ -124,7 +124,7 @@ class ResidueSearch {
 
   void mark(Residue& found, const Vec2& p) const {
     const auto near = [&](const Vec2& q) { return (p - q).norm() < radius_; };
-    if (found.places.size() < mostPlaces && std::none_of(found.places.begin(), found.places.end(), near))
+    if (found.places.size() < maximumPlaces && std::none_of(found.places.begin(), found.places.end(), near))
       found.places.push_back(p);
   }
 
@@ -163,7 +163,7 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
   const Region centers = diagram.offset(away, Side::Inside, progress);
   if (centers.loops.empty()) return total;
   // Squares of the last size lie along the rim.
-  constexpr double squaresAlong = 12;  // looked at for each length of the tolerance along the rim
+  constexpr double squaresAlong = 12;  // tested per length of the tolerance along the border
   double length = perimeter(centers);
   if (problem.corner > 0)
     for (const Stroke& s : problem.cut) length += 2 * s.length();  // ridges have two sides

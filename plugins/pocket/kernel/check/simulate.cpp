@@ -96,7 +96,7 @@ class GougeSearch {
 
 /// A rapid below the stock's top may only run where the tool has cut before.
 void countRapidsInStock(const Toolpath& path, double top, SimulationResult& result, const Progress& progress) {
-  // Where the program tells the part's top, the stock may be higher beside it: the solid that the part is a face of.
+  // When the program states the part's top, the stock may be higher beside it: it is the solid of the face.
   const double stockTop = path.stock.empty || path.task ? top : std::max(top, path.stock.high.z());
   Cleared cleared(path.cutter, stockTop, path.stock);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {

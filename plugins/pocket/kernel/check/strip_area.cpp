@@ -170,14 +170,14 @@ StripArea stripArea(const std::vector<const Slab*>& whole, const std::vector<con
   for (const Slab* slab : covers) cuts.push_back(endsOf(*slab, low, high));
   StripArea area;
   area.reach = gapsOfBoxes(parts, cuts, true);
-  area.most = height * total(area.reach);
-  area.minimum = area.most == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
-  if (area.most == 0) return area;
+  area.maximum = height * total(area.reach);
+  area.minimum = area.maximum == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
+  if (area.maximum == 0) return area;
   const auto upper = InOrder(parts, cuts, true, slack).width();
   const auto lower = upper ? InOrder(parts, cuts, false, slack).width() : std::nullopt;
   if (upper && lower) {
     const double rounding = 2 * slack * static_cast<double>(parts.size() + area.reach.size());
-    area.most = std::min(area.most, height * (*upper + rounding));
+    area.maximum = std::min(area.maximum, height * (*upper + rounding));
     area.minimum = std::max(area.minimum, height * std::max(0.0, *lower - rounding));
   }
   area.gaps = gapsAt(whole, covers, middle);

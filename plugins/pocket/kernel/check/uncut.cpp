@@ -51,8 +51,8 @@ class UncutSearch {
     const auto count = static_cast<double>(cells_.size());
     fine_.perBox = share / 2 * partArea_ / boxes;
     fine_.perCell = share / 2 * partArea_ / count;
-    constexpr double mostWork = 5e8, mostWorkOfCell = 1e5;  // slabs looked at
-    fine_.work = std::min(mostWorkOfCell, mostWork / count);
+    constexpr double maximumWork = 5e8, maximumWorkOfCell = 1e5;  // slabs processed
+    fine_.work = std::min(maximumWorkOfCell, maximumWork / count);
     std::vector<std::vector<UncutStrip>> strips(cells_.size());
     std::vector<std::size_t> steps(cells_.size());
     std::atomic<std::size_t> done = 0;
@@ -67,14 +67,14 @@ class UncutSearch {
     Uncut uncut;
     uncut.partArea = partArea_;
     uncut.steps = std::accumulate(steps.begin(), steps.end(), steps_);
-    double minimum = 0, most = 0;
+    double minimum = 0, maximum = 0;
     for (const auto& some : strips)
       for (const UncutStrip& strip : some) {
         minimum += strip.area.minimum;
-        most += strip.area.most;
+        maximum += strip.area.maximum;
       }
-    uncut.area = (minimum + most) / 2;
-    uncut.within = (most - minimum) / 2 + chord_ * perimeter_;
+    uncut.area = (minimum + maximum) / 2;
+    uncut.within = (maximum - minimum) / 2 + chord_ * perimeter_;
     const UncutDepths depths{.radius = radius_, .farAway = perimeter_, .deepEnough = o_.tolerance};
     uncut.places = uncutPlaces(cells_, strips, fine_, ways_, depths, progress, progress.part(0.9, 1));
     return uncut;

@@ -7,7 +7,7 @@ namespace blossom::pocket {
 
 namespace {
 
-/// Curves do not change their direction in x, so the ends tell.
+/// Curves are monotone in x, so the ends bound them.
 bool hides(const UncutCover& cover, const UncutCell& cell) {
   const Slab& slab = cover.slab;
   if (slab.low > cell.low.y() || slab.high < cell.high.y()) return false;

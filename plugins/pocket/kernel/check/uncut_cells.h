@@ -9,18 +9,18 @@
 
 namespace blossom::pocket {
 
-/// A piece of what the tool sweeps.
+/// A piece of the swept area.
 struct UncutCover {
   Slab slab;
-  double left = 0, right = 0;  ///< as far as it reaches anywhere
+  double left = 0, right = 0;  ///< its range in x
 };
 
-/// An upright box, and what of the part and of the sweeps lies in it.
+/// An axis-aligned box, and the parts of the outline and of the sweeps in it.
 struct UncutCell {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
   std::vector<Rim> rims;
   std::vector<const UncutCover*> covers;
-  int depth = 0;  ///< how often it was halved
+  int depth = 0;  ///< number of halvings
 
   [[nodiscard]] std::size_t size() const { return rims.size() + covers.size(); }
   [[nodiscard]] double area() const { return (high - low).prod(); }
@@ -30,10 +30,10 @@ bool reaches(const UncutCover&, const UncutCell&);
 
 struct UncutCells {
   std::vector<UncutCell> cells;
-  std::size_t steps = 0;  ///< curves looked at
+  std::size_t steps = 0;  ///< number of curves processed
 };
 
-/// Cells of a few curves each, which together hold all of the part that no single sweep hides.
+/// Cells of a few curves each, which together contain every part that no single sweep covers.
 UncutCells uncutCells(UncutCell whole, const Progress&);
 
 }  // namespace blossom::pocket

@@ -94,7 +94,7 @@ class PlaceSearch {
   void addStrip(const UncutStrip& strip) {
     double width = 0;
     for (const auto& [left, right] : strip.area.gaps) width += right - left;
-    const double mean = (strip.area.minimum + strip.area.most) / 2;
+    const double mean = (strip.area.minimum + strip.area.maximum) / 2;
     for (const auto& gap : strip.area.gaps) {
       Gap each{strip.at,
                strip.low,
@@ -136,7 +136,7 @@ class PlaceSearch {
       }
   }
 
-  /// The distance from what is cut changes no faster than the place: near the last one it need not be asked for.
+  /// The distance from the cut area has a Lipschitz constant of 1: near the last point it need not be computed.
   template <class Depth>
   static void probe(Growing& growing, std::size_t gap, const Vec2& p, const Depth& depthAt) {
     if (growing.depth + (p - growing.probed).norm() <= growing.place.depth) return;

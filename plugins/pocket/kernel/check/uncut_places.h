@@ -8,14 +8,14 @@
 
 namespace blossom::pocket {
 
-/// How deep a place must be to count, and what depths are measured from.
+/// Minimum depth of a listed place, and the reference of depths.
 struct UncutDepths {
   double radius = 0;      ///< mm, of the tool
-  double farAway = 0;     ///< mm from what is cut, where nothing is
-  double deepEnough = 0;  ///< mm from what is cut, that a place must reach
+  double farAway = 0;     ///< mm, depth when nothing is cut
+  double deepEnough = 0;  ///< mm, minimum depth of a place
 };
 
-/// Joins what cells leave uncut into places, the largest first.
+/// Joins the uncut parts of cells into connected places, the largest first.
 std::vector<UncutPlace> uncutPlaces(const std::vector<UncutCell>&, const std::vector<std::vector<UncutStrip>>&,
                                     const UncutFineness&, const FloorWays&, const UncutDepths&, const Progress& joining,
                                     const Progress& measuring);

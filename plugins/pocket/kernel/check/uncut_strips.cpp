@@ -68,7 +68,7 @@ class CellStrips {
   void measure(double low, double high, const Rows& whole, const Rows& covers) {
     const Vec2 side = cell_.high - cell_.low;
     const double apart = fine_.perBox * side.x() + fine_.perCell / side.y();  // mm2 in a mm of height
-    // Thousands of gaps side by side would take ever so long: then the bounds stay further apart, and `within` tells.
+    // Thousands of gaps side by side would take too long: then the bounds remain farther apart, and `within` says so.
     int halvings = 8;
     std::vector<std::pair<double, double>> open{{low, high}};
     while (!open.empty()) {
@@ -76,8 +76,8 @@ class CellStrips {
       open.pop_back();
       steps_ += whole.size() + covers.size();
       StripArea area = stripArea(whole, covers, a, b, fine_.slack);
-      if (area.most - area.minimum <= apart * (b - a) || b - a <= fine_.thinnest || !mayHalve(halvings, whole, covers)) {
-        if (area.most > 0) add(a, b, std::move(area), whole, covers);
+      if (area.maximum - area.minimum <= apart * (b - a) || b - a <= fine_.thinnest || !mayHalve(halvings, whole, covers)) {
+        if (area.maximum > 0) add(a, b, std::move(area), whole, covers);
         continue;
       }
       if (++halved_ % 64 == 0) progress_.check();

@@ -9,29 +9,29 @@
 
 namespace blossom::pocket {
 
-/// A strip whose area is bounded well enough.
+/// A strip with sufficiently close bounds of its area.
 struct UncutStrip {
   double low = 0, high = 0;
   double at = 0;  ///< the height of its gaps
   StripArea area;
 };
 
-/// How finely strips are measured.
+/// Accuracy and limits of the strips.
 struct UncutFineness {
-  double perBox = 0, perCell = 0;  ///< mm2 that bounds may be apart: in a mm2 of box, and besides in every cell
-  double work = 0;                 ///< slabs that a cell may look at, above what every strip may
-  double thinnest = 0;             ///< mm: lower strips are not halved
-  double slack = 0;                ///< what rounding may do to x
-  double same = 0;                 ///< heights closer to one another are one
-  double apart = 0;                ///< of the rows that are drawn
-  /// The first row not below a height, and whether one is there.
+  double perBox = 0, perCell = 0;  ///< mm2, allowed difference of the bounds: per mm2 of a box, and in addition per cell
+  double work = 0;                 ///< maximum number of slabs processed per cell, in addition to those of every strip
+  double thinnest = 0;             ///< mm: strips of less height are not halved
+  double slack = 0;                ///< rounding error of x
+  double same = 0;                 ///< heights closer than this are equal
+  double apart = 0;                ///< distance of the rows that are drawn
+  /// The first row at or above a height, and whether there is a row at it.
   [[nodiscard]] double rowFrom(double y) const { return apart * std::ceil((y - slack) / apart); }
   [[nodiscard]] bool isRow(double y) const { return rowFrom(y) - y <= slack; }
 };
 
 struct UncutStrips {
   std::vector<UncutStrip> strips;  ///< from below
-  std::size_t steps = 0;           ///< curves looked at
+  std::size_t steps = 0;           ///< number of curves processed
 };
 
 UncutStrips uncutStrips(const UncutCell&, const UncutFineness&, const Progress&);

@@ -16,7 +16,7 @@ namespace blossom::pocket {
 
 namespace {
 
-constexpr std::size_t mostPieces = 2'000'000;
+constexpr std::size_t maximumPieces = 2'000'000;
 /// Radians: a curve that turns more than this from chord to chord has a corner inside.
 constexpr double innerTurn = 0.8;
 
@@ -51,7 +51,7 @@ void checkClosed(const Path& path) {
 }
 
 template <class Kind>
-bool holdsAny(const Region& region) {
+bool containsAny(const Region& region) {
   return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& path) {
     return std::any_of(path.segments.begin(), path.segments.end(),
                        [](const Segment& segment) { return std::holds_alternative<Kind>(segment); });
@@ -64,7 +64,7 @@ bool holdsAny(const Region& region) {
 double chordOnGrid(const Region& region, double chord, double step, double size) {
   const double minimum = 2 * step;
   if (chord >= minimum) return chord;
-  if (holdsAny<Spline2>(region)) {
+  if (containsAny<Spline2>(region)) {
     constexpr double chordsPerTolerance = 4;
     throw Error(
         ErrorCode::InvalidParameter,
@@ -72,7 +72,7 @@ double chordOnGrid(const Region& region, double chord, double step, double size)
                     chordsPerTolerance * chord, size),
         fmt::format("Give at least {:.2g} mm.", std::ceil(chordsPerTolerance * minimum * 1e9) / 1e9));
   }
-  return holdsAny<Arc2>(region) ? minimum : chord;
+  return containsAny<Arc2>(region) ? minimum : chord;
 }
 
 /// The outlines without straight segments shorter than a length; the next one begins where the one before ends.
@@ -115,13 +115,13 @@ Boundary::Boundary(const Region& region, double chord, const Progress& progress)
 }
 
 void Boundary::takeWithoutCrossing(const Region& region, const Progress& progress) {
-  // Chords of curves that nearly touch may cross where the curves do not: finer ones tell.
+  // Chords of curves that nearly touch may cross where the curves do not; finer chords decide.
   constexpr int attempts = 3;
   const double wanted = chord_;
   std::optional<Trouble> trouble;
   for (int attempt = 0; attempt < attempts; ++attempt, chord_ /= 8) {
     take(region, progress);
-    const double chord = attempt == 0 ? chordOnGrid(region, chord_, Grid(middle_, size_, 0).step(), size_) : chord_;
+    const double chord = attempt == 0 ? chordOnGrid(region, chord_, TurnedGrid(middle_, size_, 0).step(), size_) : chord_;
     if (chord > chord_) {
       chord_ = chord;
       take(region, progress);
@@ -130,7 +130,7 @@ void Boundary::takeWithoutCrossing(const Region& region, const Progress& progres
     trouble = crossing(progress);
     if (!trouble) return;
   }
-  // Jogs far below the tolerance may look like crossings on the diagram's grid: the outline without them tells.
+  // Jogs far below the tolerance may look like crossings on the grid of the diagram; the outline without them decides.
   for (const double jog : {wanted / 256, wanted / 16, wanted / 4}) {
     const Region smooth = withoutJogs(region, jog);
     if (smooth == region) continue;
@@ -179,9 +179,9 @@ void Boundary::take(const Path& path) {
     for (TrueCurve& curve : trueCurves(segment)) {
       if (!(curve.lengthBound() > weld_)) continue;
       const std::vector<CurveSample> samples = flattened(curve, chord_);
-      if (pieces_.size() + samples.size() > mostPieces)
+      if (pieces_.size() + samples.size() > maximumPieces)
         throw Error(ErrorCode::LimitExceeded,
-                    fmt::format("The outline needs more than {} straight pieces at this tolerance.", mostPieces),
+                    fmt::format("The outline needs more than {} straight pieces at this tolerance.", maximumPieces),
                     "Raise the tolerance.");
       double t = 0;
       if (!last) last = samples.front().point;
@@ -264,7 +264,7 @@ double Boundary::flatDistance(const Vec2& x) const {
   return best;
 }
 
-bool Boundary::holds(const Vec2& x, const Nearest& nearest) const {
+bool Boundary::contains(const Vec2& x, const Nearest& nearest) const {
   const Piece& piece = pieces_[nearest.piece];
   const Vec2 offset = x - nearest.foot;
   const auto leftOf = [&](std::size_t curve, double t) { return cross(curves_[curve].tangent(t), offset) > 0; };

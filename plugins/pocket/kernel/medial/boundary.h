@@ -11,9 +11,9 @@
 
 namespace blossom::pocket {
 
-/// How the boundary goes on where a piece ends.
+/// Continuation of the boundary at the end of a piece.
 enum class Joint {
-  Inner,   ///< a vertex that only the flattening made
+  Inner,   ///< a vertex added by the flattening
   Smooth,  ///< another curve follows in the same direction
   Corner
 };
@@ -21,7 +21,7 @@ enum class Joint {
 /// A straight piece of the flattened boundary; the region lies to its left.
 struct Piece {
   Vec2 from, to;
-  std::size_t curve = 0;  ///< the curve it stands for ..
+  std::size_t curve = 0;  ///< the curve that it approximates ..
   double t0 = 0, t1 = 1;  ///< .. between these parameters
   std::size_t previous = 0, next = 0;
   Joint end = Joint::Corner;
@@ -29,7 +29,7 @@ struct Piece {
   [[nodiscard]] Vec2 along() const { return to - from; }
 };
 
-/// A region's boundary, flattened with the curves remembered. Immutable.
+/// The boundary of a region, flattened, with references to its curves. Immutable.
 class Boundary {
  public:
   /// @param chord mm between a curve and its pieces
@@ -42,7 +42,7 @@ class Boundary {
   [[nodiscard]] double chord() const { return chord_; }
   [[nodiscard]] double size() const { return size_; }  ///< mm, the larger side of its box
   [[nodiscard]] const Vec2& middle() const { return middle_; }
-  /// Vertices closer than this (mm) are one; the grid of the diagram is finer.
+  /// mm; vertices closer than this are merged. The grid of the diagram is finer.
   [[nodiscard]] double weld() const { return weld_; }
 
   struct Nearest {
@@ -55,15 +55,15 @@ class Boundary {
   [[nodiscard]] Nearest nearest(const Vec2&) const;
   /// Distance to the flattened boundary. O(log n).
   [[nodiscard]] double flatDistance(const Vec2&) const;
-  /// Whether x, whose nearest point is given, lies in the region.
-  [[nodiscard]] bool holds(const Vec2& x, const Nearest&) const;
+  /// Whether x lies in the region, given its nearest boundary point.
+  [[nodiscard]] bool contains(const Vec2& x, const Nearest&) const;
 
  private:
   void take(const Region&, const Progress&);
   void take(const Path&);
   struct Trouble {
     Vec2 at;
-    bool along;  ///< pieces lie on one another
+    bool along;  ///< pieces overlap
   };
   void splitWhereTouched(const Progress&);
   [[nodiscard]] std::optional<Trouble> crossing(const Progress&) const;
@@ -78,9 +78,9 @@ class Boundary {
   Vec2 middle_ = Vec2::Zero();
 };
 
-/// Radians by which a boundary may turn at a joint and still count as smooth.
+/// Radians, maximum turn of the boundary at a smooth joint.
 inline constexpr double smoothTurn = 1e-3;
-/// Radians between two directions, 0 to pi.
+/// Angle between two directions, 0 to pi.
 double turnBetween(const Vec2& a, const Vec2& b);
 
 /// "(12.5, 3)", for messages.

@@ -14,10 +14,10 @@ namespace blossom::pocket {
 namespace {
 
 struct GridPiece {
-  GridPoint from, to;
+  TurnedPoint from, to;
 };
 
-bool between(const GridPoint& a, const GridPoint& b, const GridPoint& p) {
+bool between(const TurnedPoint& a, const TurnedPoint& b, const TurnedPoint& p) {
   return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
 }
 
@@ -44,9 +44,9 @@ Clash clash(const GridPiece& a, const GridPiece& b) {
   const int shared = int(ff) + int(ft) + int(tf) + int(tt);
   if (shared == 0) return intersect(a, b) ? Clash::Crossing : Clash::None;
   if (shared > 1) return Clash::Along;
-  const GridPoint& at = ff || ft ? a.from : a.to;
-  const GridPoint& p = ff || ft ? a.to : a.from;
-  const GridPoint& q = ff || tf ? b.to : b.from;
+  const TurnedPoint& at = ff || ft ? a.from : a.to;
+  const TurnedPoint& p = ff || ft ? a.to : a.from;
+  const TurnedPoint& q = ff || tf ? b.to : b.from;
   if (orientation(at, p, q) != 0) return Clash::None;
   const auto forward =
       (std::int64_t{p.x} - at.x) * (std::int64_t{q.x} - at.x) + (std::int64_t{p.y} - at.y) * (std::int64_t{q.y} - at.y);
@@ -128,7 +128,7 @@ void Boundary::splitWhereTouched(const Progress& progress) {
 }
 
 std::optional<Boundary::Trouble> Boundary::crossing(const Progress& progress) const {
-  const Grid grid(middle_, size_, 0);
+  const TurnedGrid grid(middle_, size_, 0);
   std::vector<GridPiece> onGrid;
   onGrid.reserve(pieces_.size());
   for (const Piece& piece : pieces_) onGrid.push_back({grid(piece.from), grid(piece.to)});

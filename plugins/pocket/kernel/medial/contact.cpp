@@ -9,7 +9,7 @@ namespace blossom::pocket {
 
 namespace {
 
-constexpr int mostSteps = 30;
+constexpr int maximumSteps = 30;
 
 struct Pull {
   double distance = 0;
@@ -47,7 +47,7 @@ Vec2 footOn(Contact& contact, const Vec2& x) {
 
 std::optional<Vec2> pointAtDistance(Contact a, Contact b, double d, const Vec2& guess, double reach) {
   Vec2 x = guess;
-  for (int step = 0; step < mostSteps; ++step) {
+  for (int step = 0; step < maximumSteps; ++step) {
     const Pull pa = pullOf(a, x);
     const Pull pb = pullOf(b, x);
     const double determinant = cross(pa.direction, pb.direction);
@@ -64,7 +64,7 @@ std::optional<Vec2> pointAtDistance(Contact a, Contact b, double d, const Vec2& 
 
 std::optional<Vec2> pointBetween(Contact a, Contact b, const Vec2& guess, double reach) {
   Vec2 x = guess;
-  for (int step = 0; step < mostSteps; ++step) {
+  for (int step = 0; step < maximumSteps; ++step) {
     const Pull pa = pullOf(a, x);
     const Pull pb = pullOf(b, x);
     const Vec2 across = pa.direction - pb.direction;
@@ -82,7 +82,7 @@ std::optional<Disc> discTouching(std::vector<Contact> contacts, const Disc& gues
   double r = guess.radius;
   const auto count = static_cast<Eigen::Index>(contacts.size());
   if (count < 3) return std::nullopt;
-  for (int step = 0; step < mostSteps; ++step) {
+  for (int step = 0; step < maximumSteps; ++step) {
     Eigen::MatrixX3d rows(count, 3);
     Eigen::VectorXd residual(count);
     for (Eigen::Index i = 0; i < count; ++i) {

@@ -10,7 +10,7 @@ namespace blossom::pocket {
 
 enum class Where : std::uint8_t { Unknown, Inside, Outside };
 
-/// A Voronoi edge is cut where its clearance is least, so that the clearance only rises or only falls along each part.
+/// Part of a Voronoi edge; edges are divided at their minimum clearance, so that the clearance is monotone along each part.
 struct EdgePart {
   double from = 0, to = 0;  ///< clearances in the direction of the even half-edge; infinite at infinity
   Where where = Where::Unknown;
@@ -23,23 +23,23 @@ struct EdgeParts {
   bool primary = true;  ///< not between a piece and its own end
 };
 
-/// A checked Voronoi diagram of a boundary with the clearance of everything in it. Immutable.
+/// A verified Voronoi diagram of a boundary, with the clearance of its vertices and edges. Immutable.
 class Diagram {
  public:
-  /// Builds sweep-line diagrams on turned grids until one passes all checks, then tries exact predicates (or
+  /// Builds sweep-line diagrams on rotated grids until one passes all checks, then tries exact predicates (or
   /// these at once).
-  /// @throws Error Degenerate when none passes (with what failed), Cancelled.
+  /// @throws Error Degenerate with the failed check when none passes, Cancelled.
   Diagram(const Boundary&, bool exactPredicates, const Progress&);
 
   [[nodiscard]] const VoronoiGraph& graph() const { return graph_; }
   [[nodiscard]] double clearance(std::size_t vertex) const { return clearance_[vertex]; }
   [[nodiscard]] Where where(std::size_t vertex) const { return where_[vertex]; }
   [[nodiscard]] const EdgeParts& parts(std::size_t edge) const { return parts_[edge]; }
-  /// The point of a part with clearance d, which lies between those of its ends.
+  /// The point of a part with clearance d, which must lie between the clearances of its ends.
   [[nodiscard]] Vec2 pointAt(std::size_t edge, int part, double d) const;
-  /// A bounded half-edge from its origin to its target as (x, y, clearance), straight in between within `chord`.
+  /// A bounded half-edge from its origin to its target as (x, y, clearance), a polyline within `chord`.
   [[nodiscard]] std::vector<Vec3> polyline(std::size_t half, double chord) const;
-  /// Inner vertex with the largest clearance.
+  /// The inner vertex with the maximum clearance.
   [[nodiscard]] std::size_t deepest() const { return deepest_; }
   [[nodiscard]] std::size_t attempts() const { return attempts_; }
   [[nodiscard]] bool exactPredicates() const { return exact_; }
@@ -50,7 +50,7 @@ class Diagram {
   void findSides(const Boundary&);
   void findParts();
   void markParts();
-  /// mm by which rounding to the grid may move things at clearance r.
+  /// mm, error at clearance r caused by rounding to the grid.
   [[nodiscard]] double slackAt(double r) const { return slack_ * (1 + r / size_); }
   void certify(const Boundary&, const Progress&) const;
   [[nodiscard]] EdgeParts partsOf(std::size_t edge) const;

@@ -190,7 +190,7 @@ void Diagram::accept(VoronoiGraph graph, const Boundary& boundary, const Progres
 Diagram::Diagram(const Boundary& boundary, bool exactPredicates, const Progress& progress) : pieces_(&boundary.pieces()) {
   constexpr std::size_t sweeps = 6;
   size_ = boundary.size();
-  slack_ = 32 * Grid(boundary.middle(), boundary.size(), 0).step();
+  slack_ = 32 * TurnedGrid(boundary.middle(), boundary.size(), 0).step();
   std::string why;
   for (attempts_ = exactPredicates ? sweeps + 1 : 1; attempts_ <= sweeps + 1; ++attempts_) {
     exact_ = attempts_ > sweeps;

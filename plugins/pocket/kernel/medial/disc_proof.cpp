@@ -55,7 +55,7 @@ DiscProof::DiscProof(const Region& region, double bulge, const Progress& progres
   tree_ = PieceTree(boxes);
 }
 
-bool DiscProof::holdsNothing(const Vec2& center, double radius) const {
+bool DiscProof::isClear(const Vec2& center, double radius) const {
   bool nothing = true;
   tree_.near(
       center, [&](std::size_t i) { nothing = nothing && distance(pieces_[i].stroke, center) - pieces_[i].bulge >= radius; },

@@ -201,7 +201,7 @@ class AxisMaker {
     renumber(used);
   }
 
-  /// The straight bit up to a leaf goes on from the chain it was added to.
+  /// The straight piece up to a leaf continues the chain it was added to.
   void joinLeaves(std::vector<bool>& used) {
     std::vector<std::vector<std::size_t>> at(axis_.vertices.size());
     for (std::size_t e = 0; e < axis_.edges.size(); ++e) {
@@ -248,13 +248,13 @@ class AxisMaker {
     }
   }
 
-  /// Certified is a vertex whose disc touches the boundary and is proved to hold nothing of it, on the curves as drawn.
+  /// A vertex is certified when its disc touches the boundary and is proved to contain no point of the curves as drawn.
   void certify() {
     const DiscProof proof(boundary_.region(), tolerance_ / 8, progress_);
     for (MedialVertex& vertex : axis_.vertices) {
       progress_.check();
       vertex.certified = std::abs(boundary_.nearest(vertex.at).distance - vertex.clearance) <= tolerance_ / 2 &&
-                         proof.holdsNothing(vertex.at, vertex.clearance - tolerance_ / 2);
+                         proof.isClear(vertex.at, vertex.clearance - tolerance_ / 2);
     }
   }
 

@@ -8,7 +8,7 @@ namespace blossom::pocket {
 namespace {
 
 /// The pieces that a half-edge leads away from: from the foot on its left, along the boundary, to the foot on its right.
-/// Calls `visit(vertex, piece that begins there)`; stops and gives false at a corner or when `visit` does.
+/// Calls `visit(vertex, piece that begins there)`; stops and returns false at a corner or when `visit` returns false.
 template <class Visit>
 bool walkCovered(const Boundary& boundary, const Diagram& diagram, std::size_t half, const Progress& progress,
                  const Visit& visit) {

@@ -8,20 +8,20 @@
 
 namespace blossom::pocket {
 
-/// Which edges of a diagram belong to the medial axis of the drawing.
+/// The edges of a diagram that belong to the medial axis of the drawing.
 struct KeptEdges {
   std::vector<bool> edge;           ///< by edge
   std::vector<int> degree;          ///< by vertex, kept edges only
-  std::vector<std::size_t> tips;    ///< half-edges away from vertices where branches of the flattening were cut off
-  std::vector<std::size_t> lonely;  ///< vertices of which nothing else is left: the region is a disc there
+  std::vector<std::size_t> tips;    ///< half-edges away from vertices where branches caused by the flattening were removed
+  std::vector<std::size_t> lonely;  ///< vertices without remaining edges, where the region is a disc
 };
 
-/// Cuts branches off from their ends at vertices of the flattening, as long as the boundary that they lead to stays within
-/// `tolerance` of their discs: two pieces of one smooth curve are one site.
+/// Removes branches that end at vertices of the flattening, as long as the boundary at their ends stays within `tolerance`
+/// of their discs: two pieces of one smooth curve are one site.
 KeptEdges keptEdges(const Boundary&, const Diagram&, double tolerance, const Progress&);
 
-/// The leaf of the true medial axis beyond a tip: the centre of curvature where the boundary that the tip leads to bends
-/// most.
+/// The leaf of the true medial axis beyond a tip: the centre of curvature where the boundary beyond the tip has its maximum
+/// curvature.
 std::optional<Disc> leafBeyond(const Boundary&, const Diagram&, std::size_t tip);
 
 }  // namespace blossom::pocket

@@ -11,7 +11,7 @@ namespace blossom::pocket {
 namespace {
 
 /// Chords of small features turn by no more than this (radians), however fine they are.
-constexpr double mostTurn = 0.3;
+constexpr double maximumTurn = 0.3;
 constexpr int deepestHalving = 24;
 
 TrueCurve::Frame frameOf(const BezierPiece& poles, double t) {
@@ -52,11 +52,11 @@ double footOnArc(const Arc2& arc, const Vec2& x, double guess) {
 /// Newton's iteration on the derivative of the squared distance. Near the centre of curvature that is flat: steps that go
 /// up are shortened, and there may be many.
 double footOnBezier(const TrueCurve& curve, const Vec2& x, double guess, double margin) {
-  constexpr int mostSteps = 60;
+  constexpr int maximumSteps = 60;
   constexpr double resolved = 1e-15, rounding = 1e-15;
   double t = guess;
   TrueCurve::Frame here = curve.at(t);
-  for (int i = 0; i < mostSteps; ++i) {
+  for (int i = 0; i < maximumSteps; ++i) {
     const Vec2 offset = here.point - x;
     const double speed = here.first.squaredNorm(), slope = speed + offset.dot(here.second);
     if (!(speed > 0)) return t;
@@ -89,7 +89,7 @@ bool isStraight(const TrueCurve& curve, double from, double to, double chord) {
   if (size < 1e-3 * chord) return true;
   const Vec2 start = curve.tangent(from);
   const Vec2 end = curve.tangent(to);
-  return std::atan2(std::abs(cross(start, end)), start.dot(end)) < mostTurn;
+  return std::atan2(std::abs(cross(start, end)), start.dot(end)) < maximumTurn;
 }
 
 void halve(const TrueCurve& curve, double from, double to, double chord, int depth, std::vector<CurveSample>& out) {
@@ -160,7 +160,7 @@ std::vector<CurveSample> flattened(const TrueCurve& curve, double chord) {
     out.push_back({1, curve.point(1)});
   } else if (const Arc2* arc = curve.arc()) {
     const double ratio = std::clamp(chord / (2 * arc->radius), 0.0, 1.0);
-    const double step = std::min(mostTurn, 4 * std::asin(std::sqrt(ratio)));
+    const double step = std::min(maximumTurn, 4 * std::asin(std::sqrt(ratio)));
     const int steps = std::max(1, static_cast<int>(std::min(1e7, std::ceil(std::abs(arc->sweep) / step - 1e-9))));
     for (int i = 1; i <= steps; ++i) out.push_back({double(i) / steps, curve.point(double(i) / steps)});
   } else {

@@ -8,7 +8,7 @@
 
 namespace blossom::pocket {
 
-/// One smooth piece of a boundary as it was drawn: a line, an arc or a rational Bézier piece, over [0, 1].
+/// A smooth piece of a boundary as drawn: a line, an arc or a rational Bézier piece, over [0, 1].
 class TrueCurve {
  public:
   explicit TrueCurve(Line2);
@@ -25,13 +25,13 @@ class TrueCurve {
   /// 1 / mm, positive when the curve bends to the left; 0 where the derivative vanishes.
   [[nodiscard]] double curvature(double t) const;
 
-  /// Parameter of the foot of the perpendicular from `x` that Newton's iteration reaches from `guess`. It may leave [0, 1]
-  /// by `margin` in parameter, so that a foot which rounding puts beyond an end is still one.
+  /// Parameter of the foot of the perpendicular from `x` found by Newton's iteration from `guess`. It may leave [0, 1] by
+  /// `margin`, so that a foot slightly beyond an end because of rounding is accepted.
   [[nodiscard]] double foot(const Vec2& x, double guess, double margin) const;
 
   [[nodiscard]] const Line2* line() const { return std::get_if<Line2>(&value_); }
   [[nodiscard]] const Arc2* arc() const { return std::get_if<Arc2>(&value_); }
-  /// mm, not less than the arc length.
+  /// mm, upper bound of the arc length.
   [[nodiscard]] double lengthBound() const { return length_; }
 
  private:
@@ -47,7 +47,7 @@ struct CurveSample {
   Vec2 point;
 };
 
-/// Points along the curve whose chords stay within `chord` mm of it and turn little from one to the next; both ends
+/// Points along the curve with chords within `chord` mm of it and small angles between consecutive chords; both ends
 /// included.
 std::vector<CurveSample> flattened(const TrueCurve&, double chord);
 

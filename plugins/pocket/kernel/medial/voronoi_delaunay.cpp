@@ -42,8 +42,8 @@ class DualMaker {
     const auto& pieces = boundary_.pieces();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       progress.check();
-      const GridPoint a = grid_(pieces[i].from);
-      const GridPoint b = grid_(pieces[i].to);
+      const TurnedPoint a = grid_(pieces[i].from);
+      const TurnedPoint b = grid_(pieces[i].to);
       const Kernel::Point_2 p(a.x, a.y);
       const Kernel::Point_2 q(b.x, b.y);
       starts_.emplace(placeOf(p), i);
@@ -103,7 +103,7 @@ class DualMaker {
   }
 
   const Boundary& boundary_;
-  Grid grid_;
+  TurnedGrid grid_;
   Delaunay delaunay_;
   VoronoiGraph graph_;
   std::map<Place, std::size_t> starts_;

@@ -8,7 +8,7 @@
 
 namespace blossom::pocket {
 
-/// What a Voronoi cell belongs to: the interior of a piece, or the point where it begins.
+/// The object of a Voronoi cell: the interior of a piece, or its start point.
 struct Site {
   bool isPoint = false;
   std::size_t piece = 0;
@@ -23,7 +23,7 @@ struct HalfEdge {
   std::size_t cell = 0;
 };
 
-/// A Voronoi diagram of pieces and their ends as a library gave it: to be checked before it is used.
+/// A Voronoi diagram of pieces and their ends as computed by a library; to be verified before use.
 struct VoronoiGraph {
   std::vector<Site> cells;
   std::vector<Vec2> vertices;  ///< mm
@@ -32,9 +32,9 @@ struct VoronoiGraph {
   [[nodiscard]] std::size_t target(std::size_t h) const { return edges[h ^ 1].origin; }
 };
 
-/// By Fortune's sweep line (Boost.Polygon) on a grid of whole numbers, turned by `angle` radians. O(n log n).
+/// By Fortune's sweep line (Boost.Polygon) on an integer grid rotated by `angle` radians. O(n log n).
 VoronoiGraph sweepLineGraph(const Boundary&, double angle, const Progress&);
-/// As the dual of CGAL's segment Delaunay graph, by exact predicates; some fifty times slower.
+/// As the dual of CGAL's segment Delaunay graph, with exact predicates; about fifty times slower.
 VoronoiGraph delaunayGraph(const Boundary&, const Progress&);
 
 }  // namespace blossom::pocket

@@ -21,11 +21,11 @@ Site siteOf(const SweepDiagram::cell_type& cell, const Boundary& boundary) {
 }  // namespace
 
 VoronoiGraph sweepLineGraph(const Boundary& boundary, double angle, const Progress& progress) {
-  const Grid grid(boundary.middle(), boundary.size(), angle);
+  const TurnedGrid grid(boundary.middle(), boundary.size(), angle);
   boost::polygon::voronoi_builder<std::int32_t> builder;
   for (const Piece& piece : boundary.pieces()) {
-    const GridPoint a = grid(piece.from);
-    const GridPoint b = grid(piece.to);
+    const TurnedPoint a = grid(piece.from);
+    const TurnedPoint b = grid(piece.to);
     builder.insert_segment(a.x, a.y, b.x, b.y);
   }
   SweepDiagram diagram;

@@ -14,7 +14,7 @@ namespace {
 double turnFrom(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
 
 /// The arc that leaves a in direction `tangent` and ends at b.
-Segment arcFrom(const Vec2& a, const Vec2& tangent, const Vec2& b) { return arcThrough(a, b, 2 * turnFrom(tangent, b - a)); }
+Segment arcFrom(const Vec2& a, const Vec2& tangent, const Vec2& b) { return arcBetween(a, b, 2 * turnFrom(tangent, b - a)); }
 
 /// One arc or line when it will do, else two arcs that meet smoothly.
 std::vector<Segment> biarc(const TangentPoint& a, const TangentPoint& b) {
@@ -49,7 +49,7 @@ bool isNear(const std::vector<Segment>& fit, const std::vector<TangentPoint>& sa
   return true;
 }
 
-/// Samples must not only lie near the fit, its middle must lie near the samples: else it may take the long way round.
+/// Not only must the samples be near the fit, its middle must be near the samples too: it may be the complementary arc.
 bool staysNear(const std::vector<Segment>& fit, const std::vector<TangentPoint>& samples, std::size_t from, std::size_t to,
                double tolerance) {
   double perimeter = 0;
@@ -61,7 +61,7 @@ bool staysNear(const std::vector<Segment>& fit, const std::vector<TangentPoint>&
 
 }  // namespace
 
-Segment arcThrough(const Vec2& a, const Vec2& b, double sweep) {
+Segment arcBetween(const Vec2& a, const Vec2& b, double sweep) {
   const Vec2 chord = b - a;
   // The height of the arc above its chord is chord / 2 tan(sweep / 4).
   if (std::abs(chord.norm() * std::tan(sweep / 4)) < 1e-10) return Line2{a, b};

@@ -6,19 +6,19 @@
 
 namespace blossom::pocket {
 
-/// A point of a curve with its direction of travel.
+/// A point of a curve with its unit tangent.
 struct TangentPoint {
   Vec2 at, tangent;
 };
 
-/// The arc from a to b that sweeps `sweep` radians (a line when that is next to nothing).
-Segment arcThrough(const Vec2& a, const Vec2& b, double sweep);
+/// The arc from a to b that sweeps `sweep` radians (a line when the sweep is close to 0).
+Segment arcBetween(const Vec2& a, const Vec2& b, double sweep);
 
-/// Lines and arcs that pass from the first sample to the last, within `tolerance` mm of all samples: biarcs through as few
-/// of them as it takes (Bolton, "Biarc curves", CAD 7(2), 1975; the joint with equal control lengths). O(n log n).
+/// Lines and arcs from the first sample to the last, within `tolerance` mm of all samples: biarcs through as few samples as
+/// possible (Bolton, "Biarc curves", CAD 7(2), 1975; the joint with equal control lengths). O(n log n).
 std::vector<Segment> fittedArcs(const std::vector<TangentPoint>& samples, double tolerance);
 
-/// Distance of a point to a line or arc.
+/// Distance of a point from a line or arc.
 double distanceTo(const Segment&, const Vec2&);
 
 }  // namespace blossom::pocket

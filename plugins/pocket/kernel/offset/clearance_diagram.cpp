@@ -101,7 +101,7 @@ Vec2 ClearanceDiagram::largestCenter() const { return parts_->largest.center; }
 
 double ClearanceDiagram::clearance(const Vec2& x) const {
   const Boundary::Nearest nearest = parts_->boundary.nearest(x);
-  return parts_->boundary.holds(x, nearest) ? nearest.distance : -nearest.distance;
+  return parts_->boundary.contains(x, nearest) ? nearest.distance : -nearest.distance;
 }
 
 const Region& ClearanceDiagram::region() const { return parts_->boundary.region(); }

@@ -13,38 +13,38 @@ namespace blossom::pocket {
 enum class Side { Inside, Outside };
 
 struct ClearanceOptions {
-  double tolerance = 1e-3;       ///< mm, most that a point of an offset may be off its distance
-  bool exactPredicates = false;  ///< build the Delaunay graph at once; slow, the peer of the sweep line in tests
+  double tolerance = 1e-3;       ///< mm, maximum error of the distance of an offset
+  bool exactPredicates = false;  ///< build the Delaunay graph at once; slow, used in tests for comparison
 };
 
-/// How a diagram came about, for users who ask.
+/// Statistics of the construction of a diagram.
 struct DiagramStats {
   std::size_t sites = 0;     ///< straight pieces of the flattened boundary
-  std::size_t vertices = 0;  ///< of the Voronoi diagram, both sides
-  std::size_t attempts = 0;  ///< diagrams built until one passed its checks
+  std::size_t vertices = 0;  ///< number of Voronoi vertices on both sides
+  std::size_t attempts = 0;  ///< number of diagrams built until one passed its checks
   std::string method;        ///< "sweep line", or "Delaunay graph" when that one failed
   double milliseconds = 0;
 };
 
-/// The Voronoi diagram of a region's boundary, from which offsets at any distance, the medial axis and clearances are read.
-/// Immutable after it is built; copies share it; safe to use from several threads at once.
+/// The Voronoi diagram of a region's boundary, from which offsets at any distance, the medial axis and clearances are
+/// derived. Immutable; copies share it; usable from several threads at once.
 ///
-/// The boundary is flattened to a quarter of the tolerance and every piece remembers the curve it came from, so that the
-/// results lie on the offsets of the true curves (Jeong & Kim, "Offset of free-form curves by Voronoi diagrams"). All
-/// lengths in mm. Building takes O(n log n) for n pieces, an offset O(n).
+/// The boundary is flattened to a quarter of the tolerance and every piece refers to its curve, so that the results lie on
+/// the offsets of the true curves (Jeong & Kim, "Offset of free-form curves by Voronoi diagrams"). All lengths in mm.
+/// Construction takes O(n log n) for n pieces, an offset O(n).
 class ClearanceDiagram {
  public:
   /// @throws Error InvalidInput (empty, not finite, crossing itself; the message names the place), InvalidParameter
   /// (tolerance), LimitExceeded (more than two million pieces), Cancelled.
   explicit ClearanceDiagram(const Region&, const ClearanceOptions& = {}, const Progress& = Progress::none());
 
-  /// What is left of the region when everything nearer than `distance` to its boundary is taken away (inside), or the region
-  /// with everything within `distance` of it added (outside). Loops of lines and arcs, outer ones counter-clockwise, holes
-  /// clockwise; empty when nothing is left. @throws Error InvalidParameter when distance is negative or not finite.
+  /// The region eroded (inside) or dilated (outside) by a disc of radius `distance`. Loops of lines and arcs, outer loops
+  /// counter-clockwise, holes clockwise; empty when nothing is left. @throws Error InvalidParameter when distance is
+  /// negative or not finite.
   [[nodiscard]] Region offset(double distance, Side, const Progress& = Progress::none()) const;
 
-  /// The centres of all discs in the region that no other disc in it holds. Branches that only the flattening makes are left
-  /// out; leaves of smooth boundaries stand at centres of curvature.
+  /// The centres of all maximal discs in the region. Branches caused by the flattening are left out; leaves of smooth
+  /// boundaries are centres of curvature.
   [[nodiscard]] MedialAxis medialAxis(const Progress& = Progress::none()) const;
 
   /// Radius and centre of the largest disc in the region.

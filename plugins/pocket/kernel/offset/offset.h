@@ -6,16 +6,16 @@ namespace blossom::pocket {
 struct OffsetOptions {
   double distance = 1;  ///< mm, above 0
   Side side = Side::Inside;
-  double tolerance = 1e-3;  ///< mm, most that a point of the result may be off the distance
+  double tolerance = 1e-3;  ///< mm, maximum error of the distance
 };
 
 struct OffsetResult {
   Region region;               ///< loops of lines and arcs, outer ccw, holes cw; empty when nothing is left
-  double largestDistance = 0;  ///< mm, up to which something is left inside
+  double largestDistance = 0;  ///< mm, maximum inside distance with a result that is not empty
 };
 
-/// One offset of a region. Whoever needs several distances builds a ClearanceDiagram.
-/// @throws Error as ClearanceDiagram and its `offset` do.
+/// One offset of a region. For several distances build a ClearanceDiagram.
+/// @throws Error as ClearanceDiagram and its `offset`.
 OffsetResult offset(const Region&, const OffsetOptions&, const Progress& = Progress::none());
 
 }  // namespace blossom::pocket

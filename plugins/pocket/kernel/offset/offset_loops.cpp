@@ -195,7 +195,7 @@ class LoopMaker {
       return Arc2{center, a.norm(), std::atan2(a.y(), a.x()), sweep};
     const double off = std::max(std::abs(a.norm() - radius), std::abs(b.norm() - radius));
     if (std::abs(sweep) > 1e-9 && off < 1e-11 * (1 + radius)) return Arc2{center, radius, std::atan2(a.y(), a.x()), sweep};
-    return arcThrough(from, to, sweep);
+    return arcBetween(from, to, sweep);
   }
 
   [[nodiscard]] TangentPoint exactAt(const TrueCurve& curve, double t) const {

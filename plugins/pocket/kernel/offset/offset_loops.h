@@ -10,8 +10,8 @@ struct LoopOptions {
   double tolerance = 1e-3;  ///< mm, the boundary is flattened to a quarter of it
 };
 
-/// What a traced loop of the flattened boundary stands for, on the true curves: a line for a line, an arc for an arc and for
-/// a corner, arcs fitted to the exact offset for a free-form curve; their joints are solved for by Newton's iteration.
+/// A traced loop of the flattened boundary on the true curves: a line for a line, an arc for an arc and for a corner, arcs
+/// fitted to the exact offset for a free-form curve; their joints are computed by Newton's iteration.
 Path loopOnTrueCurves(const Boundary&, const TracedLoop&, const LoopOptions&);
 
 }  // namespace blossom::pocket

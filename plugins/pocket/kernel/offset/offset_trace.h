@@ -6,7 +6,7 @@
 
 namespace blossom::pocket {
 
-/// The part of an offset that one cell holds: parallel to its piece, or around its point. It runs as the boundary does.
+/// The part of an offset in one Voronoi cell: parallel to its piece, or around its point. Directed like the boundary.
 struct TracedPiece {
   Site site;
   Vec2 from, to;

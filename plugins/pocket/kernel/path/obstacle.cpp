@@ -54,7 +54,7 @@ class Shadow {
   [[nodiscard]] double top() const { return top_; }
   [[nodiscard]] double away(const Stroke& way, double bound) const { return edges_.nearest(way, bound).distance; }
   [[nodiscard]] double away(const Vec2& p) const { return edges_.nearest(p).distance; }
-  [[nodiscard]] bool holds(const Vec2& p) const {
+  [[nodiscard]] bool contains(const Vec2& p) const {
     return std::any_of(shades_.begin(), shades_.end(), [&](const Shade& shade) { return covers(shade, p); });
   }
 
@@ -96,7 +96,7 @@ std::optional<ObstacleHit> obstacleHit(const Toolpath& path, const Triangles& tr
     }
     const Stroke way = wayOf(from, move);
     // Who is inside of the shadow came across its edges, or came down there.
-    const bool within = !down && shadow.holds(way.from);
+    const bool within = !down && shadow.contains(way.from);
     down = true;
     const double depth = within ? radius + shadow.away(way.from) : radius - shadow.away(way, radius);
     if (depth <= options.margin || (worst && depth <= worst->depth)) continue;

@@ -13,7 +13,7 @@ namespace blossom::pocket {
 
 namespace {
 
-constexpr std::size_t mostLevels = 20000;
+constexpr std::size_t maximumLevels = 20000;
 /// Loops shorter than this clear nothing.
 constexpr double shortestPass = 1e-6;
 
@@ -94,7 +94,7 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
 }  // namespace
 
 double slotSlack(const ClearanceDiagram& diagram) {
-  // Wider than the diagram's grid tells distances apart, far below what the path may be off.
+  // Above the resolution of the diagram's grid, far below the tolerance of the path.
   const double tolerance = diagram.tolerance();
   return std::clamp(1e-8 * perimeterOf(diagram.region()), tolerance / 1000, tolerance / 40);
 }
@@ -141,8 +141,8 @@ PassTree passTree(const ClearanceDiagram& diagram, const PassOptions& options, c
     const double distance = options.first + static_cast<double>(level) * options.step;
     if (distance > largest + (level == 0 ? slotSlack(diagram) : 0)) break;
     progress.report((distance - options.first) / std::max(largest - options.first, 1e-9), "Laying the passes");
-    if (level >= mostLevels)
-      throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} passes side by side are needed.", mostLevels),
+    if (level >= maximumLevels)
+      throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} passes side by side are needed.", maximumLevels),
                   "Use a larger stepover or a larger tool.");
     std::vector<Grown> grown = nodesAt(diagram, distance, level, options.climb, progress);
     if (grown.empty()) break;

@@ -8,7 +8,7 @@
 
 namespace blossom::pocket {
 
-/// A closed loop that the tool's centre runs along, by arc length.
+/// A closed loop of the tool's centre, parametrised by arc length.
 class Pass {
  public:
   Pass() = default;
@@ -22,7 +22,8 @@ class Pass {
     double distance = 1e300;
   };
   [[nodiscard]] Foot nearest(const Vec2&) const;
-  /// Calls `visit(stroke)` for the way from one length to another, which may go around several times.
+  /// Calls `visit(stroke)` for the part of the loop of length `distance` from arc length `from`; it may go around several
+  /// times.
   template <class Visit>
   void walk(double from, double distance, const Visit& visit) const {
     from = std::fmod(from, length());
@@ -48,14 +49,14 @@ class Pass {
   std::vector<double> ends_;  ///< length up to the end of each stroke
 };
 
-/// A way along the medial axis and back, from a foot on a pass: what lies there is out of reach of the passes beside it.
+/// A path along the medial axis and back, from a foot on a pass, through an area that the neighbouring passes do not reach.
 struct Spoke {
   std::size_t pass = 0;    ///< of its node
-  Pass::Foot foot;         ///< where it leaves the pass
-  std::vector<Vec2> walk;  ///< begins and ends at one point
+  Pass::Foot foot;         ///< where it starts from the pass
+  std::vector<Vec2> walk;  ///< a closed path
 };
 
-/// The passes at one distance from the walls that bound one connected area: an outer one and those around islands.
+/// The passes at one distance from the walls around one connected area: an outer one and those around islands.
 struct PassNode {
   std::size_t level = 0;
   std::vector<Pass> passes;
@@ -63,7 +64,7 @@ struct PassNode {
   std::vector<std::size_t> inner;  ///< nodes of the next level within it
 };
 
-/// Passes from the walls inwards. Inner nodes come after those they lie in.
+/// Passes from the walls inwards. Inner nodes come after the nodes that contain them.
 struct PassTree {
   std::vector<PassNode> nodes;
   std::vector<std::size_t> roots;  ///< nodes along the walls
@@ -74,19 +75,19 @@ struct PassOptions {
   double first = 0;   ///< mm from the walls to the outermost pass
   double step = 0;    ///< mm between passes
   double radius = 0;  ///< mm, of the tool
-  bool climb = true;  ///< material to be cut stays on the right
+  bool climb = true;  ///< material is on the right of the tool
 };
 
-/// mm by which the widest place may be narrower than a first pass asks for: a slot just as wide as the tool, but for
-/// rounding, is cut along its middle.
+/// mm by which the widest place may be narrower than a first pass requires, so that a slot exactly as wide as the tool, up
+/// to rounding, is cut along its middle.
 double slotSlack(const ClearanceDiagram&);
 
-/// Whether there is any pass at a distance from the walls.
+/// Whether there is a pass at a distance from the walls.
 bool hasPass(const ClearanceDiagram&, double distance, const Progress&);
 
-/// Every point that the tool can open lies within its radius of a pass as long as the step is at most the radius: uphill
-/// from any wall, clearance grows as fast as one walks. At larger steps what may be missed has clearances between a pass
-/// plus the radius and the next pass, on lines that end on the medial axis; spokes along those parts of the axis clear it.
+/// Every point of the opening lies within the tool's radius of a pass when the step is at most the radius, because uphill
+/// from a wall the clearance grows at unit rate. With larger steps the missed points have clearances between a pass plus the
+/// radius and the next pass, on lines that end on the medial axis; spokes along those parts of the axis clear them.
 /// @throws Error LimitExceeded (more than 20,000 levels), Cancelled.
 PassTree passTree(const ClearanceDiagram&, const PassOptions&, const Progress&);
 

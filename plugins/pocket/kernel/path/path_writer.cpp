@@ -6,7 +6,7 @@ namespace blossom::pocket {
 
 namespace {
 
-/// Arcs shorter than this go out as lines: their ends could not be told apart.
+/// Arcs shorter than this are written as lines, because their ends cannot be distinguished.
 constexpr double shortestArc = 1e-4;
 
 }  // namespace

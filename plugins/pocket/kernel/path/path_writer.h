@@ -9,7 +9,7 @@ struct PathHeights {
   double approach = 1;  ///< mm above material, where rapids down end
 };
 
-/// Adds moves to a toolpath, each from where the last one ended.
+/// Appends moves to a toolpath, each from the end of the one before.
 class PathWriter {
  public:
   PathWriter(Toolpath& path, double feed, double plungeFeed, const PathHeights& heights)
@@ -20,13 +20,13 @@ class PathWriter {
   [[nodiscard]] bool isDown() const { return begun_ && at_.z() < heights_.safe; }
 
   void lift();
-  /// Across at the safe height, quickly down to just above `material`, and slowly to it.
+  /// Moves across at the safe height, rapidly down to just above `material`, and to it at the plunge feed.
   void approach(const Vec2&, double material);
   void straight(const Vec2& to, double z);
   void straight(const Vec2& to) { straight(to, at_.z()); }
   void along(const Stroke&, double z);
   void along(const Stroke& stroke) { along(stroke, at_.z()); }
-  /// A way along a pass, falling evenly to `z`.
+  /// Follows a pass for a distance, descending linearly to `z`.
   void along(const Pass&, double from, double distance, double z);
 
  private:

@@ -10,12 +10,12 @@
 
 namespace blossom::pocket {
 
-/// Makes the path of one pocket: clears it pass by pass at each depth, then finishes the walls. The parts of this work stand
-/// in pocket_cutter.cpp, pocket_entry.cpp and pocket_finish.cpp.
+/// Computes the path of one pocket: clears it pass by pass at each depth, then finishes the walls. The implementation is
+/// divided into pocket_cutter.cpp, pocket_entry.cpp and pocket_finish.cpp.
 class PocketCutter {
  public:
   PocketCutter(const Region& region, const PocketOptions& options, const Progress& progress);
-  PocketResult cut();  ///< once
+  PocketResult cut();  ///< call it once
 
  private:
   struct Beside {
@@ -33,58 +33,58 @@ class PocketCutter {
       cutOne();
     }
   }
-  /// Diameter of the tool that just gets into the widest place.
+  /// Diameter of the largest tool that fits into the widest place.
   [[nodiscard]] double widestTool() const;
-  /// To be told: tried, and within a thousandth.
+  /// The largest diameter that fits, verified, to a thousandth; for messages.
   [[nodiscard]] double largestThatFits() const;
   void refuseLargeTool() const;
   [[noreturn]] void refuseTool() const;
-  /// Parts of the region that no pass lies in.
+  /// Finds the parts of the region without a pass.
   void findNarrow(const PassTree& tree);
   std::size_t takeNearest(std::vector<std::size_t>& roots) const;
-  /// Clears what lies within a node, then along its own passes. Walks the tree without recursion: narrow steps make it deep.
+  /// Clears the area inside a node, then along its own passes. Iterative, because narrow steps make the tree deep.
   void clear(const PassTree& tree, std::size_t root);
   void clearPasses(const PassNode& node);
-  /// Which of the passes is nearest to where the tool is; the first one when it is above the stock.
+  /// The pass nearest to the tool; the first one when the tool is above the stock.
   [[nodiscard]] std::pair<std::size_t, Pass::Foot> nearestOf(const PassNode& node,
                                                              const std::vector<std::size_t>& passes) const;
-  /// Once around a pass, out along its spokes and back on the way.
+  /// Goes once around a pass, out along its spokes and back.
   void runAround(const PassNode& node, std::size_t index, double from);
 
-  // pocket_entry.cpp: how the tool gets down, and from pass to pass.
+  // pocket_entry.cpp: entries, and links from pass to pass.
   double linked(const Pass::Foot& foot);
-  /// The tool's centre stays where it may be, and the way is so short that it hardly cuts more than the pass it leads to.
+  /// Whether the tool may move at depth: its centre stays in the allowed area, and the move is so short that it hardly cuts
+  /// more than the pass it leads to.
   [[nodiscard]] bool mayStayDown(const Vec2& from, const Vec2& to) const;
-  /// Gets down to the floor somewhere on the pass and tells where.
+  /// Enters to the floor somewhere on the pass and returns that position.
   double entered(const Pass& pass);
-  /// Down by a helix in the largest disc of the node, to where the nearest pass can be reached straight; false when there is
-  /// no room for one.
+  /// Enters by a helix in the largest disc of the node, to where the nearest pass can be reached in a straight line; false
+  /// when there is no room for one.
   bool helix(const PassNode& node);
-  /// The vertex of the medial axis with the largest clearance in a node.
+  /// The vertex of the medial axis with the maximum clearance in a node.
   std::pair<Vec2, double> widest(const PassNode& node);
 
-  // pocket_finish.cpp: the last pass along the walls.
-  /// Takes off what the passes left on the walls.
+  /// Removes the stock that the passes left on the walls.
   void finish();
-  /// Whether any of the clearing passes lies within a loop along the walls.
+  /// Whether a clearing pass lies within a loop along the walls.
   [[nodiscard]] bool isCleared(std::size_t root) const;
   void finish(const PassNode& node, std::size_t index);
-  /// Where a pass is nearest to those that cleared, and how far from them it goes.
+  /// The position on a pass nearest to the clearing passes, and the maximum distance of the pass from them.
   [[nodiscard]] std::pair<Beside, double> besidePasses(const Pass& pass) const;
-  /// Down to the floor in what the passes cleared, yet slowly: no pass need have been exactly here.
+  /// Plunges to the floor in the cleared area at the plunge feed, because no pass need have been exactly here.
   void plungeBeside(const Vec2& p);
-  /// Once around at the floor, by quarter circles from and to what the passes cleared; where there is room for none,
-  /// straight from the nearest place on them.
+  /// Goes once around at the floor, with quarter circles from and to the cleared area as lead-in and lead-out; where there
+  /// is no room for them, straight from the nearest cleared position.
   void finish(const Pass& pass, double nearest);
-  /// Where on a pass a quarter circle leads in and out within what the passes cleared; the side is +1 to the left.
+  /// Position on a pass with room in the cleared area for quarter circles as lead-in and lead-out; the side is +1 for left.
   [[nodiscard]] std::optional<std::pair<double, double>> leadPlace(const Pass& pass, double radius) const;
 
   const PocketOptions o_;
   const Progress progress_;
   const double radius_;
   const ClearanceDiagram diagram_;
-  PassTree tree_;   ///< clears
-  PassTree walls_;  ///< along the walls, when a finishing pass is wanted
+  PassTree tree_;   ///< clearing passes
+  PassTree walls_;  ///< finishing passes along the walls
   StrokeTree rim_;
   InsideTest inside_;
   std::optional<MedialAxis> axis_;

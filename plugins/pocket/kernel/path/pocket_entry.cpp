@@ -11,7 +11,7 @@ namespace blossom::pocket {
 namespace {
 
 /// Of the tool's radius: a tool that winds down on a smaller circle drills, whatever its way is called.
-constexpr double leastTurn = 0.4;
+constexpr double minimumTurn = 0.4;
 
 }  // namespace
 
@@ -35,8 +35,8 @@ double PocketCutter::entered(const Pass& pass) {
   const Vec2 start = pass.strokes().front().from;
   writer_.approach(start, above_);
   const double distance = (above_ - floor_) / std::tan(o_.rampAngle);
-  constexpr double mostTurns = 40;
-  const bool room = pass.length() > fullTurn * leastTurn * radius_ && distance < mostTurns * pass.length();
+  constexpr double maximumTurns = 40;
+  const bool room = pass.length() > fullTurn * minimumTurn * radius_ && distance < maximumTurns * pass.length();
   if (o_.entry == Entry::Plunge || !room) {
     if (o_.entry != Entry::Plunge) ++result_.plunged;
     writer_.straight(start, floor_);
@@ -50,7 +50,7 @@ bool PocketCutter::helix(const PassNode& node) {
   const auto [middle, clearance] = widest(node);
   const double room = clearance - radius_ - o_.leaveWall - o_.finish;
   const double turn = std::min(0.8 * radius_, room);
-  if (turn < leastTurn * radius_) return false;
+  if (turn < minimumTurn * radius_) return false;
   ++result_.entries;
   const double side = o_.climb ? 1 : -1;
   const Stroke there = Stroke::arc(middle, turn, 0, side * fullTurn / 2);

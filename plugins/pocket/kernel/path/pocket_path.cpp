@@ -53,9 +53,9 @@ PocketOptions checkedOptions(PocketOptions o) {
   if (o.leaveFloor >= o.depth)
     refuse("The stock to leave on the floor is as thick as the pocket is deep.", "Leave less, or go deeper.");
   if (o.rampAngle > fullTurn / 4 - 1e-3) o.entry = Entry::Plunge;
-  constexpr std::size_t mostDepths = 10000;
-  if (o.depth / o.stepdown > mostDepths)
-    throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} depths are needed.", mostDepths),
+  constexpr std::size_t maximumDepths = 10000;
+  if (o.depth / o.stepdown > maximumDepths)
+    throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} depths are needed.", maximumDepths),
                 "Use a larger stepdown.");
   return o;
 }

@@ -31,7 +31,7 @@ class Band {
       add(edge);
     }
     for (std::size_t i = 0; i < axis.vertices.size(); ++i)
-      if (!met[i] && holds(axis.vertices[i].clearance)) addPoint(axis.vertices[i].at, axis.vertices[i].clearance);
+      if (!met[i] && contains(axis.vertices[i].clearance)) addPoint(axis.vertices[i].at, axis.vertices[i].clearance);
   }
 
   void addPoint(const Vec2& p, double clearance) {
@@ -58,9 +58,9 @@ class Band {
   }
 
  private:
-  [[nodiscard]] bool holds(double clearance) const { return clearance > low_ && clearance < high_; }
+  [[nodiscard]] bool contains(double clearance) const { return clearance > low_ && clearance < high_; }
 
-  /// Whether something on the lines that end here may be missed by the next pass. `near`: mm to the points asked about too.
+  /// Whether points on the lines that end here may be missed by the next pass. `near`: mm, range of points to include.
   [[nodiscard]] bool isMissed(const Vec3& p, double near) const {
     const double away = next_.nearest(p.head<2>(), 2 * radius_ + near).distance;
     return away + (p.z() - low_) > radius_ - near - boundSlack;

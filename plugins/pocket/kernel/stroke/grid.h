@@ -6,19 +6,19 @@
 
 namespace blossom::pocket {
 
-struct GridPoint {
+struct TurnedPoint {
   std::int32_t x = 0, y = 0;
-  friend bool operator==(const GridPoint&, const GridPoint&) = default;
+  friend bool operator==(const TurnedPoint&, const TurnedPoint&) = default;
 };
 
-/// Whole coordinates for a square of `size` mm about `middle`, turned by an angle. They stay below 2^29, so that the
-/// orientation of three points fits into 64 bits.
-class Grid {
+/// Integer coordinates, below 2^29, for a square of `size` mm around `middle`, rotated by an angle; the orientation of three
+/// points fits into 64 bits.
+class TurnedGrid {
  public:
-  Grid(const Vec2& middle, double size, double angle)
+  TurnedGrid(const Vec2& middle, double size, double angle)
       : middle_(middle), scale_(static_cast<double>(1 << 28) / size), turn_(std::cos(angle), std::sin(angle)) {}
 
-  [[nodiscard]] GridPoint operator()(const Vec2& p) const {
+  [[nodiscard]] TurnedPoint operator()(const Vec2& p) const {
     const Vec2 q = scale_ * (p - middle_);
     return {static_cast<std::int32_t>(std::lround(turn_.x() * q.x() - turn_.y() * q.y())),
             static_cast<std::int32_t>(std::lround(turn_.y() * q.x() + turn_.x() * q.y()))};
@@ -26,7 +26,7 @@ class Grid {
   [[nodiscard]] Vec2 back(double x, double y) const {
     return middle_ + Vec2(turn_.x() * x + turn_.y() * y, turn_.x() * y - turn_.y() * x) / scale_;
   }
-  /// mm
+  /// mm, spacing of the grid.
   [[nodiscard]] double step() const { return 1 / scale_; }
 
  private:
@@ -36,7 +36,7 @@ class Grid {
 };
 
 /// Above 0 when c lies to the left of the line from a to b. Exact.
-inline std::int64_t orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+inline std::int64_t orientation(const TurnedPoint& a, const TurnedPoint& b, const TurnedPoint& c) {
   const auto difference = [](std::int32_t p, std::int32_t q) { return std::int64_t{p} - q; };
   return difference(b.x, a.x) * difference(c.y, a.y) - difference(b.y, a.y) * difference(c.x, a.x);
 }

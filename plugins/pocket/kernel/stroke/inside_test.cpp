@@ -16,12 +16,12 @@ InsideTest::Slope::Slope(const Stroke& piece)
       high_(std::max(piece.from.y(), piece.to.y())) {
   if (low_ == high_) return;  // spans no height
   const double below = at(low_), above = at(high_);
-  least_ = std::min(below, above);
-  most_ = std::max(below, above);
+  minimum_ = std::min(below, above);
+  maximum_ = std::max(below, above);
   if (!round_ || center_.y() <= low_ || center_.y() >= high_) return;
   const double beside = at(center_.y());
-  least_ = std::min(least_, beside);
-  most_ = std::max(most_, beside);
+  minimum_ = std::min(minimum_, beside);
+  maximum_ = std::max(maximum_, beside);
 }
 
 double InsideTest::Slope::at(double y) const {
@@ -32,8 +32,8 @@ double InsideTest::Slope::at(double y) const {
 }
 
 bool InsideTest::Slope::isRightOf(const Vec2& p) const {
-  if (least_ > p.x()) return true;
-  return most_ > p.x() && at(p.y()) > p.x();
+  if (minimum_ > p.x()) return true;
+  return maximum_ > p.x() && at(p.y()) > p.x();
 }
 
 InsideTest::InsideTest(const std::vector<Stroke>& strokes) {
@@ -72,7 +72,7 @@ void InsideTest::fillRows() {
     row.reachedBy.reserve(row.across.size());
     double reached = 0;
     for (const Index i : row.across) {
-      reached = row.reachedBy.empty() ? slopes_[i].most() : std::max(reached, slopes_[i].most());
+      reached = row.reachedBy.empty() ? slopes_[i].maximum() : std::max(reached, slopes_[i].maximum());
       row.reachedBy.push_back(reached);
     }
   }

@@ -7,11 +7,11 @@
 
 namespace blossom::pocket {
 
-/// Whether points lie in the area that closed loops of strokes enclose, by the even-odd rule: how often the boundary crosses
-/// the ray to the right. Immutable, safe to use from several threads.
+/// Point location in the area enclosed by closed loops of strokes, by the even-odd rule: counts the crossings of the
+/// boundary with the ray to the right. Immutable, usable from several threads.
 ///
-/// Rows of even height tell which strokes to look at. Those that cross the whole row are sorted, so that a point only looks
-/// at the ones about as far right as it is: O(log n + strokes that end in the row + strokes above or below the point).
+/// Strokes are indexed by rows of equal height. Those that cross the whole row are sorted, so that only the ones with about
+/// the abscissa of the point are tested: O(log n + strokes that end in the row + strokes above or below the point).
 class InsideTest {
  public:
   InsideTest() = default;
@@ -19,17 +19,17 @@ class InsideTest {
   [[nodiscard]] bool operator()(const Vec2&) const;
 
  private:
-  /// A piece of a stroke that rises or falls throughout.
+  /// A part of a stroke that is monotone in y.
   class Slope {
    public:
     explicit Slope(const Stroke&);
     [[nodiscard]] double low() const { return low_; }
     [[nodiscard]] double high() const { return high_; }
-    [[nodiscard]] double minimum() const { return least_; }
+    [[nodiscard]] double minimum() const { return minimum_; }
     [[nodiscard]] bool spans(double y) const { return low_ <= y && y < high_; }  ///< half open: a vertex counts once
-    /// Whether it lies to the right of a point whose height it spans.
+    /// Whether it lies to the right of a point within its range of heights.
     [[nodiscard]] bool isRightOf(const Vec2& p) const;
-    [[nodiscard]] double most() const { return most_; }
+    [[nodiscard]] double maximum() const { return maximum_; }
 
    private:
     [[nodiscard]] double at(double y) const;
@@ -37,13 +37,13 @@ class InsideTest {
     double radius_ = 0;
     bool round_ = false, onRight_ = false;  ///< of its centre
     double low_ = 0, high_ = 0;             ///< in y
-    double least_ = 0, most_ = 0;  ///< of what `at` gives: no rounding leads out of them, for every step is monotone
+    double minimum_ = 0, maximum_ = 0;      ///< bounds of `at`, also with rounding, because every step is monotone
   };
   using Index = std::uint32_t;
   struct Row {
     std::vector<Index> ending;      ///< slopes that begin or end in it
-    std::vector<Index> across;      ///< slopes through all of it, by their least x
-    std::vector<double> reachedBy;  ///< the greatest x of each of these and all before it
+    std::vector<Index> across;      ///< slopes through the whole row, by their minimum x
+    std::vector<double> reachedBy;  ///< maximum x of each of these and all before it
   };
 
   void fillRows();

@@ -26,7 +26,7 @@ class PieceTree {
   template <class Visit, class Best>
   void near(const Vec2& x, const Visit& visit, const Best& best) const {
     if (nodes_.empty()) return;
-    std::array<std::pair<double, std::size_t>, mostOpen> open;
+    std::array<std::pair<double, std::size_t>, maximumOpen> open;
     open[0] = {nodes_[0].box.distance(x), 0};
     for (std::size_t waiting = 1; waiting > 0;) {
       const auto [distance, index] = open[--waiting];
@@ -50,7 +50,7 @@ class PieceTree {
   template <class Visit>
   void meeting(const FlatBox& box, const Visit& visit) const {
     if (nodes_.empty()) return;
-    std::array<std::size_t, mostOpen> open{0};
+    std::array<std::size_t, maximumOpen> open{0};
     for (std::size_t waiting = 1; waiting > 0;) {
       const std::size_t index = open[--waiting];
       const Node& node = nodes_[index];
@@ -65,7 +65,7 @@ class PieceTree {
   }
 
  private:
-  static constexpr std::size_t mostOpen = 128;  // halving keeps the tree below half as deep
+  static constexpr std::size_t maximumOpen = 128;  // halving keeps the tree below half as deep
 
   /// The left child follows its parent; `first` is the right child, or of a leaf the first of its pieces.
   struct Node {

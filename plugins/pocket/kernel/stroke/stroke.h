@@ -7,7 +7,7 @@
 
 namespace blossom::pocket {
 
-/// A straight line or a circular arc in the plane: what a tool's centre runs along, and what walls are made of. mm, radians.
+/// A line or circular arc in the plane, as a path of the tool's centre or a piece of a wall. mm, radians.
 struct Stroke {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
   bool round = false;
@@ -18,21 +18,21 @@ struct Stroke {
   static Stroke arc(const Vec2& center, double radius, double start, double sweep);
 
   [[nodiscard]] double length() const;
-  /// The point at a share 0..1 of its length, and the unit direction there.
+  /// The point, and the unit direction, at a fraction 0..1 of the length.
   [[nodiscard]] Vec2 at(double share) const;
   [[nodiscard]] Vec2 direction(double share) const;
-  /// From one share of the length to another; backwards when `last` is below `first`.
+  /// The part between two fractions of the length; reversed when `last` is below `first`.
   [[nodiscard]] Stroke part(double first, double last) const;
   [[nodiscard]] Stroke reversed() const { return part(1, 0); }
   /// Corners of its box.
   [[nodiscard]] std::pair<Vec2, Vec2> box() const;
-  /// The share of its length where it is nearest to p.
+  /// The fraction of the length of the point nearest to p.
   [[nodiscard]] double nearestShare(const Vec2& p) const;
 };
 
 double distance(const Stroke&, const Vec2&);
-/// Least distance of two strokes, in closed form; 0 when they meet. The candidates are the four ends, the points where the
-/// strokes cross, and the pairs of inner points whose connection is normal to both.
+/// Minimum distance of two strokes, in closed form; 0 when they meet. The candidates are the four ends, the crossings of the
+/// strokes, and the pairs of inner points whose connection is normal to both.
 double distance(const Stroke&, const Stroke&);
 
 /// The segments of a path; splines as lines within `chord` mm. Each begins exactly where the one before ends.

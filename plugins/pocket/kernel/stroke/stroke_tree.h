@@ -6,7 +6,7 @@
 
 namespace blossom::pocket {
 
-/// Bounding volume hierarchy over strokes: least distances in O(log n). Immutable, safe to use from several threads.
+/// Bounding volume hierarchy of strokes: minimum distances in O(log n). Immutable, usable from several threads.
 class StrokeTree {
  public:
   StrokeTree() = default;
@@ -19,7 +19,7 @@ class StrokeTree {
     double distance;
     std::size_t stroke;  ///< the number of strokes when none is nearer than the bound
   };
-  /// The nearest stroke, when it is nearer than `bound`; else `bound` itself.
+  /// The nearest stroke, if it is nearer than `bound`; else `bound` itself.
   [[nodiscard]] Nearest nearest(const Vec2&, double bound = 1e300) const;
   [[nodiscard]] Nearest nearest(const Stroke&, double bound = 1e300) const;
 

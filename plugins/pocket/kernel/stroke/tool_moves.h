@@ -6,10 +6,10 @@
 
 namespace blossom::pocket {
 
-/// The move seen from above.
+/// The move projected to the XY plane.
 Stroke wayOf(const Vec3& from, const ToolMove&);
 
-/// The part of a move that lies below a height.
+/// The part of a move below a height.
 struct MoveBelow {
   Vec3 from, to;
   Stroke way;

@@ -17,19 +17,19 @@ double farthestFromArc(const Stroke& piece, const Stroke& arc) {
   const double centre = (piece.at(0.5) - arc.center).norm() - half;
   const bool closes = std::abs(arc.sweep) >= fullTurn - 1e-9;
   if (centre < half || (!closes && fullTurn - std::abs(arc.sweep) < widestGap)) return 1e300;
-  double most = 0;
+  double maximum = 0;
   for (const double share : {0.0, 0.5, 1.0}) {
     const Vec2 p = piece.at(share);
     const double along = arc.nearestShare(p);
     if (!closes && (along <= 0 || along >= 1)) return 1e300;
-    most = std::max(most, std::abs((p - arc.center).norm() - arc.radius));
+    maximum = std::max(maximum, std::abs((p - arc.center).norm() - arc.radius));
   }
   const double bend = 1 / centre + (piece.round ? 1 / piece.radius : 0);
-  return most + bend * half * half / 2;
+  return maximum + bend * half * half / 2;
 }
 
 /// The distance to anything convex is greatest at an end of a line; an arc bends away from its chord.
-double greatestAtEnds(const Stroke& piece, const Stroke& convex) {
+double maximumAtEnds(const Stroke& piece, const Stroke& convex) {
   const double half = piece.length() / 2;
   return std::max(distance(convex, piece.from), distance(convex, piece.to)) +
          (piece.round ? half * half / (2 * piece.radius) : 0);
@@ -39,8 +39,8 @@ double greatestAtEnds(const Stroke& piece, const Stroke& convex) {
 
 /// A part of a way: how deep the tool cuts in its middle, and at most anywhere on it.
 struct Walls::Interval {
-  double from, to, depth, most;
-  friend bool operator<(const Interval& a, const Interval& b) { return a.most < b.most; }
+  double from, to, depth, maximum;
+  friend bool operator<(const Interval& a, const Interval& b) { return a.maximum < b.maximum; }
 };
 
 Walls::Walls(const Region& part, double chord) {
@@ -66,9 +66,9 @@ double Walls::farthest(const Stroke& piece) const {
   const double reach = next.distance + piece.length() / 2;
   if (next.stroke >= tree_.strokes().size()) return reach;
   const Stroke& wall = tree_.strokes()[next.stroke];
-  if (!wall.round) return std::min(reach, greatestAtEnds(piece, wall));
+  if (!wall.round) return std::min(reach, maximumAtEnds(piece, wall));
   const Vec2 foot = wall.at(wall.nearestShare(middle));
-  return std::min({reach, greatestAtEnds(piece, Stroke::line(foot, foot)), farthestFromArc(piece, wall)});
+  return std::min({reach, maximumAtEnds(piece, Stroke::line(foot, foot)), farthestFromArc(piece, wall)});
 }
 
 Walls::Interval Walls::looked(const Stroke& way, double from, double to, double radius) const {
@@ -83,21 +83,21 @@ Walls::Interval Walls::looked(const Stroke& way, double from, double to, double 
 
 std::pair<double, double> Walls::gouge(const Stroke& way, double radius, const Progress& progress) const {
   constexpr double fineness = 1e-5;
-  constexpr int most = 100'000;
+  constexpr int maximum = 100'000;
   double best = 0, share = 0.5;
   std::priority_queue<Interval> open;
   const auto add = [&](double from, double to) {
     const Interval found = looked(way, from, to, radius);
     if (found.depth > best) best = found.depth, share = (from + to) / 2;
-    if (found.most > best + fineness) open.push(found);
+    if (found.maximum > best + fineness) open.push(found);
   };
   for (const double end : {0.0, 1.0})
     if (const double there = depth(way.at(end), radius); there > best) best = there, share = end;
   add(0, 1);
-  for (int i = 0; !open.empty() && open.top().most > best + fineness; ++i) {
+  for (int i = 0; !open.empty() && open.top().maximum > best + fineness; ++i) {
     if (i % 64 == 0) progress.check();
     const Interval v = open.top();
-    if (i == most) return {v.most, (v.from + v.to) / 2};
+    if (i == maximum) return {v.maximum, (v.from + v.to) / 2};
     open.pop();
     const double middle = (v.from + v.to) / 2;
     add(v.from, middle);

@@ -8,18 +8,18 @@
 
 namespace blossom::pocket {
 
-/// The boundary of a part as strokes, with what is inside.
+/// The boundary of a part as strokes, with an inside test.
 class Walls {
  public:
-  /// @param chord mm by which lines may leave free-form walls
+  /// @param chord mm, maximum distance of lines from free-form walls
   Walls(const Region& part, double chord);
 
-  /// How far a tool of this radius cuts beyond the walls with its axis at p; negative within them.
+  /// Depth of the cut beyond the walls of a tool of this radius with its axis at p; negative inside.
   [[nodiscard]] double depth(const Vec2& p, double radius) const;
 
-  /// How far a tool of this radius cuts beyond the walls on its way, at most and within 1e-5 mm, and the share of the way.
-  /// In closed form where the axis stays inside; where it leaves the part by best-first search among intervals. Ways of
-  /// which that takes too long are told an upper bound.
+  /// Maximum depth of the cut beyond the walls of a tool of this radius along a path, within 1e-5 mm, and the fraction of
+  /// the path. In closed form where the axis stays inside; by best-first search among intervals where it leaves the part.
+  /// When the search takes too long, the result is an upper bound.
   /// @throws Error Cancelled.
   [[nodiscard]] std::pair<double, double> gouge(const Stroke& way, double radius, const Progress&) const;
 

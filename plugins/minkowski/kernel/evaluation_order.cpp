@@ -1,4 +1,4 @@
-#include "kernel/evaluation.h"
+#include "kernel/evaluation_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Choice {
   std::size_t count = 1;
 };
 
-/// Whether a level needs sums; at 0 and 1 de Casteljau's algorithm takes one of two shapes as it is.
+/// Whether a level needs sums; at 0 and 1 de Casteljau's algorithm uses one of two shapes unchanged.
 bool isBlend(double t) { return t != 0 && t != 1; }
 
 std::size_t bottomUpSums(std::span<const double> t) {
@@ -80,24 +80,24 @@ std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t) 
   return weights;
 }
 
-std::size_t sumsNeeded(Evaluation way, std::span<const Arguments> arguments, const std::vector<bool>& convex) {
+std::size_t sumsNeeded(EvaluationOrder way, std::span<const Arguments> arguments, const std::vector<bool>& convex) {
   std::size_t sums = 0;
   std::set<std::pair<std::size_t, std::size_t>> repetitions;
   for (const Arguments& t : arguments) {
     // Both ends are the control shapes themselves.
     if (std::all_of(t.begin(), t.end(), [&](double level) { return level == t.front() && !isBlend(level); })) continue;
     switch (way) {
-      case Evaluation::Recursive:
+      case EvaluationOrder::Recursive:
         sums += recursiveSums(t);
         break;
-      case Evaluation::BottomUp:
+      case EvaluationOrder::BottomUp:
         sums += bottomUpSums(t);
         break;
-      case Evaluation::Convex:
+      case EvaluationOrder::Convex:
         sums += convexSums(t);
         break;
-      case Evaluation::Automatic:
-      case Evaluation::Explicit:
+      case EvaluationOrder::Automatic:
+      case EvaluationOrder::Explicit:
         sums += explicitSums(t, convex, repetitions);
         break;
     }
@@ -105,10 +105,11 @@ std::size_t sumsNeeded(Evaluation way, std::span<const Arguments> arguments, con
   return sums;
 }
 
-Evaluation wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex) {
-  std::vector<Evaluation> ways{Evaluation::Explicit, Evaluation::BottomUp};
-  if (std::all_of(convex.begin() + 1, convex.end() - 1, [](bool each) { return each; })) ways.push_back(Evaluation::Convex);
-  return *std::min_element(ways.begin(), ways.end(), [&](Evaluation a, Evaluation b) {
+EvaluationOrder wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex) {
+  std::vector<EvaluationOrder> ways{EvaluationOrder::Explicit, EvaluationOrder::BottomUp};
+  if (std::all_of(convex.begin() + 1, convex.end() - 1, [](bool each) { return each; }))
+    ways.push_back(EvaluationOrder::Convex);
+  return *std::min_element(ways.begin(), ways.end(), [&](EvaluationOrder a, EvaluationOrder b) {
     return sumsNeeded(a, arguments, convex) < sumsNeeded(b, arguments, convex);
   });
 }

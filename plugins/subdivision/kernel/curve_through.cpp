@@ -1,4 +1,4 @@
-#include "kernel/stroke.h"
+#include "kernel/curve_through.h"
 
 namespace blossom::subdivision {
 namespace {
@@ -34,7 +34,7 @@ std::vector<Vec3> slopes(std::span<const Vec3> points, const std::vector<double>
 
 }  // namespace
 
-Curve polyline(std::span<const Vec3> points) {
+Curve polylineThrough(std::span<const Vec3> points) {
   Curve curve;
   curve.degree = 1;
   double along = 0;

@@ -1,4 +1,4 @@
-#include "geometry/occt/together.h"
+#include "geometry/occt/merged_shape.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <algorithm>
@@ -57,7 +57,7 @@ Brep assembled(const std::vector<NamedShape>& shapes) {
 
 }  // namespace
 
-ShapeKind kindTogether(const std::vector<ShapeKind>& kinds) {
+ShapeKind mergedKind(const std::vector<ShapeKind>& kinds) {
   if (kinds.size() == 1) return kinds.front();
   const auto all = [&](auto is) { return !kinds.empty() && std::all_of(kinds.begin(), kinds.end(), is); };
   if (all(isDrawing)) return ShapeKind::Curves;
@@ -65,12 +65,12 @@ ShapeKind kindTogether(const std::vector<ShapeKind>& kinds) {
   return all(isExact) ? ShapeKind::Brep : ShapeKind::None;
 }
 
-Shape together(const std::vector<NamedShape>& shapes) {
+Shape mergedShape(const std::vector<NamedShape>& shapes) {
   std::vector<ShapeKind> kinds;
   kinds.reserve(shapes.size());
   for (const NamedShape& each : shapes) kinds.push_back(each.shape.kind());
   if (shapes.size() == 1) return shapes.front().shape;
-  switch (kindTogether(kinds)) {
+  switch (mergedKind(kinds)) {
     case ShapeKind::Curves:
       return drawn(shapes);
     case ShapeKind::Brep:

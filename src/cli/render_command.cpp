@@ -7,6 +7,7 @@
 #include "cli/output.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
+#include "document/edits.h"
 #include "scene/scene.h"
 
 namespace blossom {

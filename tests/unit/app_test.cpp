@@ -5,6 +5,8 @@
 #include <QTemporaryDir>
 
 #include "core/file.h"
+#include "document/edits.h"
+#include "document/embedded_files.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -61,9 +63,9 @@ void AppTest::aLinkedFileIsEmbeddedOnRequest() {
   FeatureId id;
   const Document linked = withLinked(app_, Document(), file("triangle.off"), &id);
   QVERIFY(linked.assets().empty());
-  const Document embedded = withFilesEmbedded(app_, linked);
+  const Document embedded = withFilesEmbedded(*app_.registry, linked);
   QCOMPARE(embedded.assets().size(), std::size_t{1});
-  QVERIFY(withFilesEmbedded(app_, embedded).at(id) == embedded.at(id));
+  QVERIFY(withFilesEmbedded(*app_.registry, embedded).at(id) == embedded.at(id));
 }
 
 void AppTest::filesThatCannotBeImported() {
@@ -81,12 +83,12 @@ void AppTest::aFeatureMovesIntoAnotherDocument() {
   writeAtomically(file("other.off"), "OFF\n3 1 0\n0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n");
   const Document two = withImported(app_, Document(), file("other.off"), &second);
   QCOMPARE(first, second);
-  const Document both = withFeatureOf(app_, one, two, second, &added);
+  const Document both = withFeatureOf(*app_.registry, one, two, second, &added);
   QCOMPARE(both.features().size(), std::size_t{2});
   QVERIFY(added != first);
   QCOMPARE(both.assets().size(), std::size_t{2});
   QCOMPARE(both.at(added).name, std::string("other"));
-  VERIFY_ERROR(withFeatureOf(app_, one, two, "none", &added), ErrorCode::NotFound);
+  VERIFY_ERROR(withFeatureOf(*app_.registry, one, two, "none", &added), ErrorCode::NotFound);
 }
 
 void AppTest::theLastFeatureIsTheLastThatWorks() {

@@ -6,19 +6,19 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "app/import_feature.h"
 #include "app/literal_feature.h"
+#include "app/picture_format.h"
 #include "core/error.h"
 #include "document/embedded_files.h"
 #include "document/file_access.h"
-#include "exchange/format/import_feature.h"
-#include "scene/scene.h"
+#include "exchange/formats.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* importType = "exchange.import";
-constexpr const char* sweepType = "sweep.sweep";
 
 /// A file name as the tree shows it; bytes that are not UTF-8 cannot stand in a document.
 std::string readableName(const fs::path& file) {
@@ -39,14 +39,16 @@ const Format& readableFormat(const App& app, const fs::path& file) {
 }  // namespace
 
 App loadApp(const std::vector<fs::path>& pluginFolders) {
-  auto formats = std::make_shared<FormatRegistry>(standardFormats());
-  addPictureFormats(*formats);
   auto registry = std::make_shared<Registry>();
-  registry->add(importFeature(*formats));
+  const FormatRegistry standard = standardFormats();
+  for (const Format& format : standard.formats()) registry->add(format);
+  registry->add(pngFormat());
+  registry->add(importFeature(registry->formats()));
   registry->add(literalFeature(registry));
   App app;
   app.plugins = loadPlugins(*registry, pluginFolders);
-  app.formats = std::move(formats);
+  registry->replace(importFeature(registry->formats()));  // now it reads the formats of the plugins, too
+  app.formats = std::shared_ptr<const FormatRegistry>(registry, &registry->formats());
   app.registry = std::move(registry);
   return app;
 }
@@ -118,16 +120,16 @@ OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
   if (isDocument(file)) return openDocument(file, salvage);
   FeatureId import;
   OpenedDocument opened{withImported(app, Document(), file, &import), {}};
-  const auto sweep = app.registry->find(sweepType);
-  if (readableFormat(app, file).id == "motion" && sweep) {
-    Feature motion = opened.document.at(import);
-    motion.visible = false;
-    Feature swept;
-    swept.type = sweepType;
-    swept.id = opened.document.freshId(sweep->command);
-    swept.name = sweep->title;
-    swept.inputs = {import};
-    opened.document = opened.document.with(std::move(motion)).with(std::move(swept));
+  const auto opener = app.registry->opening(readableFormat(app, file).reads);
+  if (opener) {
+    Feature read = opened.document.at(import);
+    read.visible = false;
+    Feature made;
+    made.type = opener->id;
+    made.id = opened.document.freshId(opener->command);
+    made.name = opener->title;
+    made.inputs = {import};
+    opened.document = opened.document.with(std::move(read)).with(std::move(made));
   }
   return opened;
 }

@@ -40,8 +40,8 @@ Document withImported(const App&, const Document&, const std::filesystem::path& 
 /// The same, but the feature names the file where it lies: for documents that live no longer than a command.
 Document withLinked(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
 
-/// A document from any file: a .blossom is opened, anything else imported into a new document; a motion file becomes an
-/// import followed by the sweep that it describes.
+/// A document from any file: a .blossom is opened, anything else imported into a new document. Where the format tells what
+/// kind of shape it reads and a feature type opens that kind (a sweep opens motions), a feature of that type follows.
 OpenedDocument openAny(const App&, const std::filesystem::path&, bool salvage = false);
 
 /// Is it a Blossom document by its extension?

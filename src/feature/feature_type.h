@@ -96,6 +96,8 @@ struct FeatureType {
   std::vector<std::string> examples;  ///< command lines for --help
   ChoiceByOutput byOutput = {};
   InputByFlags inputByFlags = {};
+  /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
+  ShapeKind opens = ShapeKind::None;
   Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
 };
 
@@ -140,6 +142,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& produces(std::vector<ShapeKind> kinds) {
     type_.produces = std::move(kinds);
+    return *this;
+  }
+  FeatureBuilder& opens(ShapeKind kind) {
+    type_.opens = kind;
     return *this;
   }
   FeatureBuilder& inputByFlags(InputByFlags flags) {

@@ -23,6 +23,7 @@ class AppTest : public QObject {
   void theLastFeatureIsTheLastThatWorks();
   void openAnyTakesDocumentsAndFiles();
   void aMotionFileBecomesASweep();
+  void whatOpensAKindOfShapeFollowsTheImport();
   void resourcesAreFound();
   void samplesNameNoFolderOfAMachine();
   void whatIsTakenInKeepsItsNameAlone();
@@ -119,6 +120,38 @@ void AppTest::aMotionFileBecomesASweep() {
   QCOMPARE(lastFeature(opened.document).type, std::string("sweep.sweep"));
   const Results results = Evaluator(app_.registry).evaluate(opened.document, Progress::none());
   for (const auto& [id, result] : results) QVERIFY2(!result->error, result->error ? result->error->what() : "");
+}
+
+// Nothing in `app` knows the sweep: any feature type that declares it opens what a format reads.
+void AppTest::whatOpensAKindOfShapeFollowsTheImport() {
+  struct None {};
+  const auto registry = std::make_shared<Registry>();
+  Format dots;
+  dots.id = "dots";
+  dots.title = "Dots";
+  dots.extensions = {"dots"};
+  dots.reads = ShapeKind::Mesh;
+  dots.read = [](const auto&, const auto&, const auto&) { return Imported{Mesh(), {}, {}, {}}; };
+  registry->add(dots);
+  registry->add(*app_.registry->at("import"));
+  registry->add(feature<None>("made-up.count", "Count", "Counts dots.")
+                    .input({"dots", "The dots.", {ShapeKind::Mesh}})
+                    .opens(ShapeKind::Mesh)
+                    .evaluate([](const None&, const Inputs& inputs, const Progress&) -> Evaluated {
+                      return {inputs.of(0)[0], {}, {}};
+                    }));
+  App app;
+  app.registry = registry;
+  app.formats = std::shared_ptr<const FormatRegistry>(registry, &registry->formats());
+  writeAtomically(file("three.dots"), "...");
+  const Document document = openAny(app, file("three.dots")).document;
+  QCOMPARE(document.features().size(), std::size_t{2});
+  const Feature& counted = lastFeature(document);
+  QCOMPARE(counted.type, std::string("made-up.count"));
+  QCOMPARE(counted.name, std::string("Count"));
+  QCOMPARE(counted.inputs, std::vector<FeatureId>{document.features()[0]->id});
+  QVERIFY(!document.features()[0]->visible && counted.visible);
+  QCOMPARE(openAny(app_, file("triangle.off")).document.features().size(), std::size_t{1});  // nobody opens meshes
 }
 
 namespace {

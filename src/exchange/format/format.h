@@ -12,8 +12,8 @@
 
 namespace blossom {
 
-/// What a reader gives. `entities` counts what the file holds by type of entity ("LINE": 4, "face": 6), `skipped` what was
-/// left out.
+/// The shape read from a file. `entities` counts what the file holds by type of entity ("LINE": 4, "face": 6), `skipped`
+/// what was left out.
 struct Imported {
   Shape shape;
   Value entities = Value::object();
@@ -34,7 +34,8 @@ struct Format {
   Read read;                      ///< empty: cannot be read
   Write write;                    ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
   std::vector<ShapeKind> writes;  ///< kinds the writer takes; for the message when another comes
-  bool zipped = false;            ///< its files are zips
+  ShapeKind reads = ShapeKind::None;  ///< the kind of every shape read, where that is known before; else None
+  bool zipped = false;                ///< its files are zips
 };
 
 /// Whether its files can hold a shape of the kind; a sequence has files of its frames where they cannot.
@@ -53,9 +54,6 @@ class FormatRegistry {
   std::vector<Format> formats_;
 };
 
-/// Every format of this room. `scene` adds those that need drawing.
-FormatRegistry standardFormats();
-
 /// Reads a file by its extension. Options are completed from their defaults.
 /// @throws Error FileNotFound, FileUnreadable, FormatUnknown, FormatDamaged, LimitExceeded, WorkerDied, Cancelled. A file
 /// whose content is of another format than its extension says is FormatDamaged with a hint that names the format it looks
@@ -70,24 +68,5 @@ void writeShape(const FormatRegistry&, const Shape&, const std::filesystem::path
 
 /// Name of the format that the first bytes of a file look like; empty when unknown.
 std::string sniffFormat(std::string_view head);
-
-// One per file of this room.
-Format stepFormat();
-Format igesFormat();
-Format brepFormat();
-Format stlFormat();
-Format objFormat();
-Format offFormat();
-Format plyFormat();
-Format threeMfFormat();
-Format xyzFormat();
-Format dxfFormat();
-Format svgFormat();
-Format pdfFormat();
-Format psFormat();
-Format motionFormat();
-Format gcodeFormat();
-Format controlPointsFormat();
-Format outlinesFormat();
 
 }  // namespace blossom

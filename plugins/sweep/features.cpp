@@ -104,6 +104,7 @@ FeatureType sweepFeature() {
                  "The exact surface or solid that one point sweeps under a motion in two parameters.")
           .command("sweep")
           .produces({ShapeKind::Surface, ShapeKind::Brep})
+          .opens(ShapeKind::Motion)
           .input({.name = "motion", .help = "A motion: trajectory, orientation and scaling.", .kinds = {ShapeKind::Motion}})
           .parameter("solid", &P::solid, flag(), "Close the ends of a motion that closes in u and make a solid.")
           .parameter("mode", &P::mode, choice({"exact", "cubic"}),

@@ -5,87 +5,25 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <set>
 
+#include "app/import_feature.h"
 #include "app/literal_feature.h"
+#include "app/picture_format.h"
 #include "core/error.h"
-#include "core/file.h"
-#include "core/zip_archive.h"
+#include "document/embedded_files.h"
 #include "document/file_access.h"
-#include "document/file_values.h"
-#include "exchange/format/import_feature.h"
-#include "scene/scene.h"
+#include "exchange/formats.h"
 
 namespace blossom {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* importType = "exchange.import";
-constexpr const char* sweepType = "sweep.sweep";
 
 /// A file name as the tree shows it; bytes that are not UTF-8 cannot stand in a document.
 std::string readableName(const fs::path& file) {
   const std::string name = file.stem().string();
   return Value::parse(Value(name).dump(-1, ' ', false, Value::error_handler_t::replace)).get<std::string>();
-}
-
-bool isEmbedded(const Value& file) { return !file.value("asset", std::string()).empty(); }
-
-/// The path of a file value becomes an asset.
-void embed(Value& file, Document& document) {
-  const std::string path = file.value("path", std::string());
-  const FileAccess* const access = document.access().get();
-  if (isEmbedded(file) || path.empty() || (access && !access->permits(path))) return;
-  auto content = std::make_shared<const std::string>(readFile(access ? access->opened(path) : fs::path(path)));
-  if (content->size() > ZipLimits{}.entry)
-    throw Error(ErrorCode::LimitExceeded,
-                fmt::format("The file {} has {} MB; a document can keep files of at most {} MB.", path,
-                            content->size() >> 20, ZipLimits{}.entry >> 20),
-                "Divide the file, or make it smaller.");
-  const std::string hash = contentHash(*content);
-  document = document.withAsset(hash, std::move(content));
-  // Where it lay on this machine is nobody else's business.
-  file = Value{{"path", fs::path(path).filename().string()}, {"asset", hash}};
-}
-
-using FileVisit = std::function<void(Value& file, Document&)>;
-
-/// The document with every file value as `visit` leaves it.
-Document withFilesVisited(const App& app, const Document& document, const FileVisit& visit) {
-  Document result = document;
-  for (const auto& each : document.features()) {
-    const auto type = app.registry->find(each->type);
-    if (!type || !hasFileParameter(type->parameters)) continue;
-    Feature changed = *each;
-    eachFile(type->parameters, changed.parameters, [&](Value& file) { visit(file, result); });
-    if (!(changed == *each)) result = result.with(std::move(changed));
-  }
-  return result;
-}
-
-/// A file that a feature of `other` names means in `into` the same file, and may be read there only if it might before.
-void settle(Value& file, const Document& other, Document& into) {
-  const FileAccess* const access = other.access().get();
-  const std::string path = file.value("path", std::string());
-  if (!access || path.empty() || other.assets().contains(file.value("asset", std::string()))) return;
-  const fs::path place = access->resolved(path);
-  file["path"] = place.string();
-  if (!access->permits(place)) {
-    if (!into.access()) into = into.withAccess(FileAccess::everywhere());
-    into.access()->refuse(place);
-  } else if (into.access()) {
-    into.access()->allow(place);
-  }
-}
-
-void takeAncestors(const Document& document, const FeatureId& id, std::set<FeatureId>& taken) {
-  if (!taken.insert(id).second) return;
-  for (const FeatureId& input : document.at(id).inputs) takeAncestors(document, input, taken);
-}
-
-std::string commandOf(const App& app, const std::string& type) {
-  if (const auto known = app.registry->find(type)) return known->command;
-  return type.substr(type.rfind('.') + 1);
 }
 
 const Format& readableFormat(const App& app, const fs::path& file) {
@@ -101,14 +39,16 @@ const Format& readableFormat(const App& app, const fs::path& file) {
 }  // namespace
 
 App loadApp(const std::vector<fs::path>& pluginFolders) {
-  auto formats = std::make_shared<FormatRegistry>(standardFormats());
-  addPictureFormats(*formats);
   auto registry = std::make_shared<Registry>();
-  registry->add(importFeature(*formats));
+  const FormatRegistry standard = standardFormats();
+  for (const Format& format : standard.formats()) registry->add(format);
+  registry->add(pngFormat());
+  registry->add(importFeature(registry->formats()));
   registry->add(literalFeature(registry));
   App app;
   app.plugins = loadPlugins(*registry, pluginFolders);
-  app.formats = std::move(formats);
+  registry->replace(importFeature(registry->formats()));  // now it reads the formats of the plugins, too
+  app.formats = std::shared_ptr<const FormatRegistry>(registry, &registry->formats());
   app.registry = std::move(registry);
   return app;
 }
@@ -160,7 +100,7 @@ Document withLinked(const App& app, const Document& document, const fs::path& fi
   readableFormat(app, file);
   Feature import;
   import.type = importType;
-  import.id = document.freshId(commandOf(app, importType));
+  import.id = document.freshId(app.registry->at(importType)->command);
   import.name = readableName(file);
   const fs::path named = document.access() ? fs::absolute(file) : file;  // whose own paths begin elsewhere
   if (document.access()) document.access()->allow(named);
@@ -173,75 +113,23 @@ Document withImported(const App& app, const Document& document, const fs::path& 
   FeatureId id;
   const Document linked = withLinked(app, document, file, &id);
   if (added) *added = id;
-  return withFilesEmbedded(app, linked);
-}
-
-Document withFilesEmbedded(const App& app, const Document& document) { return withFilesVisited(app, document, embed); }
-
-Document withFoundFilesEmbedded(const App& app, const Document& document) {
-  return withFilesVisited(app, document, [](Value& file, Document& result) {
-    try {
-      embed(file, result);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::FileNotFound && error.code() != ErrorCode::FileUnreadable) throw;
-    }
-  });
-}
-
-std::vector<fs::path> withheldFiles(const App& app, const Document& document) {
-  std::set<fs::path> withheld;
-  withFilesVisited(app, document, [&](Value& file, Document&) {
-    const fs::path path = file.value("path", std::string());
-    const bool kept = document.assets().contains(file.value("asset", std::string()));
-    if (!kept && !path.empty() && document.access() && !document.access()->permits(path))
-      withheld.insert(document.access()->resolved(path));
-  });
-  return {withheld.begin(), withheld.end()};
-}
-
-Document withFeatureOf(const App& app, const Document& into, const Document& other, const FeatureId& wanted,
-                       FeatureId* added) {
-  std::set<FeatureId> taken;
-  takeAncestors(other, wanted, taken);
-  Document result = into;
-  for (const auto& [hash, content] : other.assets()) result = result.withAsset(hash, content);
-  std::map<FeatureId, FeatureId> renamed;
-  for (const auto& each : other.features()) {
-    if (!taken.contains(each->id)) continue;
-    Feature copy = *each;
-    if (result.contains(copy.id)) copy.id = result.freshId(commandOf(app, copy.type));
-    renamed[each->id] = copy.id;
-    for (FeatureId& input : copy.inputs) input = renamed.at(input);
-    if (const auto type = app.registry->find(copy.type))
-      eachFile(type->parameters, copy.parameters, [&](Value& file) { settle(file, other, result); });
-    result = result.with(std::move(copy));
-  }
-  if (added) *added = renamed.at(wanted);
-  return result;
-}
-
-const Feature& lastFeature(const Document& document) {
-  const auto features = document.features();
-  const auto last = std::find_if(features.rbegin(), features.rend(), [](const auto& each) { return !each->suppressed; });
-  if (last == features.rend())
-    throw Error(ErrorCode::InvalidInput, "The document holds no feature.", "Add one, or choose another document.");
-  return **last;
+  return withFilesEmbedded(*app.registry, linked);
 }
 
 OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
   if (isDocument(file)) return openDocument(file, salvage);
   FeatureId import;
   OpenedDocument opened{withImported(app, Document(), file, &import), {}};
-  const auto sweep = app.registry->find(sweepType);
-  if (readableFormat(app, file).id == "motion" && sweep) {
-    Feature motion = opened.document.at(import);
-    motion.visible = false;
-    Feature swept;
-    swept.type = sweepType;
-    swept.id = opened.document.freshId(sweep->command);
-    swept.name = sweep->title;
-    swept.inputs = {import};
-    opened.document = opened.document.with(std::move(motion)).with(std::move(swept));
+  const auto opener = app.registry->opening(readableFormat(app, file).reads);
+  if (opener) {
+    Feature read = opened.document.at(import);
+    read.visible = false;
+    Feature made;
+    made.type = opener->id;
+    made.id = opened.document.freshId(opener->command);
+    made.name = opener->title;
+    made.inputs = {import};
+    opened.document = opened.document.with(std::move(read)).with(std::move(made));
   }
   return opened;
 }

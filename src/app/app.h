@@ -40,26 +40,8 @@ Document withImported(const App&, const Document&, const std::filesystem::path& 
 /// The same, but the feature names the file where it lies: for documents that live no longer than a command.
 Document withLinked(const App&, const Document&, const std::filesystem::path& file, FeatureId* added = nullptr);
 
-/// The content of every file that a feature names by its path is taken into the document as an asset, so that the document
-/// can be moved away from its files; of the path the name of the file is kept. Files that the document may not read stay
-/// named and are not read. @throws Error FileNotFound, FileUnreadable, LimitExceeded.
-Document withFilesEmbedded(const App&, const Document&);
-/// The same, but files that are not there stay named, too.
-Document withFoundFilesEmbedded(const App&, const Document&);
-
-/// The files outside of its folder that the document names and may not read.
-std::vector<std::filesystem::path> withheldFiles(const App&, const Document&);
-
-/// `into` with the features of `other` added that `wanted` needs, itself included, under free ids; `added` is what `wanted`
-/// is called there. What `other` may not read is not read there either. @throws Error NotFound.
-Document withFeatureOf(const App&, const Document& into, const Document& other, const FeatureId& wanted, FeatureId* added);
-
-/// The feature that a document makes: its last one that is not suppressed.
-/// @throws Error InvalidInput when there is none.
-const Feature& lastFeature(const Document&);
-
-/// A document from any file: a .blossom is opened, anything else imported into a new document; a motion file becomes an
-/// import followed by the sweep that it describes.
+/// A document from any file: a .blossom is opened, anything else imported into a new document. Where the format tells what
+/// kind of shape it reads and a feature type opens that kind (a sweep opens motions), a feature of that type follows.
 OpenedDocument openAny(const App&, const std::filesystem::path&, bool salvage = false);
 
 /// Is it a Blossom document by its extension?

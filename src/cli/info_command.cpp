@@ -10,6 +10,7 @@
 #include "cli/input.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
+#include "document/edits.h"
 
 namespace blossom {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "document/edits.h"
 #include "document/file_access.h"
 
 namespace blossom {
@@ -65,7 +66,7 @@ FeatureId addFromDocument(const Session& session, Document& document, const fs::
                              : fmt::format("Did you mean {}?", near));
   }
   FeatureId added;
-  document = withFeatureOf(session.app, document, opened.document, id, &added);
+  document = withFeatureOf(*session.app.registry, document, opened.document, id, &added);
   return added;
 }
 

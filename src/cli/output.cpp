@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "document/embedded_files.h"
 #include "exchange/format/frames.h"
 
 namespace blossom {
@@ -142,7 +143,7 @@ std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& plan
       outputs[i].report =
           exportShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, outputs[i].chordGiven, part);
     } else {
-      saveDocument(withFilesEmbedded(app, document), outputs[i].path, part);
+      saveDocument(withFilesEmbedded(*app.registry, document), outputs[i].path, part);
     }
   }
   return outputs;

@@ -2,12 +2,13 @@
 
 #include <ostream>
 
+#include "app/picture_format.h"
 #include "cli/command_line.h"
 #include "cli/input.h"
 #include "cli/output.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
-#include "scene/scene.h"
+#include "document/edits.h"
 
 namespace blossom {
 namespace {

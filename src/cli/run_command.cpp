@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
+#include "document/edits.h"
 #include "document/file_access.h"
 #include "document/file_values.h"
 

@@ -96,7 +96,9 @@ struct FeatureType {
   std::vector<std::string> examples;  ///< command lines for --help
   ChoiceByOutput byOutput = {};
   InputByFlags inputByFlags = {};
-  Evaluate evaluate;  ///< pure; parameters are complete and canonical, inputs are of accepted kinds
+  /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
+  ShapeKind opens = ShapeKind::None;
+  Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
 };
 
 /// Assigns the shapes to the inputs in the order of declaration: each input receives the shapes it accepts until it is full,
@@ -140,6 +142,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& produces(std::vector<ShapeKind> kinds) {
     type_.produces = std::move(kinds);
+    return *this;
+  }
+  FeatureBuilder& opens(ShapeKind kind) {
+    type_.opens = kind;
     return *this;
   }
   FeatureBuilder& inputByFlags(InputByFlags flags) {

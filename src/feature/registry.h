@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "exchange/format/format.h"
 #include "feature/feature_type.h"
 
 namespace blossom {
@@ -16,14 +17,18 @@ struct LiteralForm {
   std::function<Shape(std::string_view text)> parse;
 };
 
-/// All feature types and literal forms of this process; filled at start, read-only afterwards.
+/// All feature types, literal forms and file formats known to this process. Filled at start, then only read.
 class Registry {
  public:
   /// Adds a feature type and converts its defaults to canonical form.
   /// @throws Error PluginBroken when id or command is taken, or the declaration is incomplete or contradictory.
   void add(FeatureType);
   void add(LiteralForm);
-  /// Adds everything of `other`, or nothing when it throws. @throws Error PluginBroken as `add`.
+  /// @throws Error PluginBroken when the id or an extension is taken, or the declaration is incomplete.
+  void add(Format);
+  /// Puts a declaration in place of the one with the same id and command. @throws Error PluginBroken.
+  void replace(FeatureType);
+  /// Everything of `other`, or nothing when it throws. @throws Error PluginBroken as add does.
   void merge(const Registry& other);
   template <class... Rest>
   void addAll(Rest&&... rest) {
@@ -32,17 +37,21 @@ class Registry {
 
   [[nodiscard]] const std::vector<std::shared_ptr<const FeatureType>>& types() const { return types_; }
   [[nodiscard]] const std::vector<LiteralForm>& literals() const { return literals_; }
-  /// Finds a type by command or id; nullptr when there is none.
+  [[nodiscard]] const FormatRegistry& formats() const { return formats_; }
+  /// By command or id; nullptr when there is none.
   [[nodiscard]] std::shared_ptr<const FeatureType> find(std::string_view commandOrId) const;
   /// Like find. @throws Error NotFound with the nearest name as hint.
   [[nodiscard]] std::shared_ptr<const FeatureType> at(std::string_view commandOrId) const;
-  /// The shape written as a literal such as "ball:5:3"; empty when no form has that name.
+  /// The first feature type that opens shapes of that kind; nullptr when there is none.
+  [[nodiscard]] std::shared_ptr<const FeatureType> opening(ShapeKind) const;
+  /// The shape that a literal such as "ball:5:3" stands for; empty when no form has that name.
   /// @throws Error InvalidParameter.
   [[nodiscard]] Shape literal(std::string_view text) const;
 
  private:
   std::vector<std::shared_ptr<const FeatureType>> types_;
   std::vector<LiteralForm> literals_;
+  FormatRegistry formats_;
 };
 
 }  // namespace blossom

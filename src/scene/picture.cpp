@@ -13,7 +13,6 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "exchange/format/mesh_options.h"
 #include "scene/offscreen.h"
 #include "scene/onion_skin.h"
 #include "scene/scene.h"
@@ -109,7 +108,8 @@ void layOver(Image& image, const Look& look) {
   }
 }
 
-void writePng(const Image& image, const std::filesystem::path& path, int channels) {
+/// The content of a PNG file; `path` is what an error calls it.
+std::string pngOf(const Image& image, const std::filesystem::path& path, int channels) {
   auto data = vtkSmartPointer<vtkImageData>::New();
   data->SetDimensions(image.width, image.height, 1);
   data->AllocateScalars(VTK_UNSIGNED_CHAR, channels);
@@ -128,8 +128,7 @@ void writePng(const Image& image, const std::filesystem::path& path, int channel
   vtkUnsignedCharArray* bytes = writer->GetResult();
   if (writer->GetErrorCode() != 0 || !bytes)
     throw Error(ErrorCode::FileUnwritable, fmt::format("The picture {} could not be made.", path.string()));
-  writeBytes(path,
-             {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())});
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
 
 }  // namespace
@@ -147,8 +146,7 @@ void renderPicture(const std::vector<Shape>& shapes, const std::filesystem::path
       [&](vtkRenderer* renderer) { fillScene(renderer, drawn, look, options, widthFactor(options, supersampling)); },
       progress.part(0.5, 0.95));
   if (!options.transparent) layOver(image, look);
-  writeAtomically(png,
-                  [&](const std::filesystem::path& temporary) { writePng(image, temporary, options.transparent ? 4 : 3); });
+  writeAtomically(png, pngOf(image, png, options.transparent ? 4 : 3));
   progress.report(1);
 }
 

@@ -9,7 +9,6 @@
 #include "geometry/tessellate/tessellate.h"
 #include "geometry/values/color.h"
 
-#include <nlohmann/json_fwd.hpp>
 // A vtkSmartPointer can only be copied where its type is complete.
 #include <vtkActor.h>
 #include <vtkPoints.h>
@@ -90,17 +89,10 @@ struct PictureOptions {
 void renderPicture(const std::vector<Shape>&, const std::filesystem::path& png, const PictureOptions&,
                    const Progress& = Progress::none());
 
-/// Options from the values of the picture format's write options. @throws Error InvalidParameter.
-PictureOptions readPictureOptions(const nlohmann::ordered_json& values);
-
-/// Redirects the messages of VTK, such as GLEW's about a missing display, to memory instead of a window or stderr. Called by
-/// all code of src/scene that renders.
+/// Sends what VTK has to say (GLEW's complaints about a missing display among it) to memory instead of a window or stderr.
+/// Called by everything in this room that renders.
 void quietVtk();
 /// The messages of VTK since the last call, one per line.
 std::vector<std::string> takeVtkMessages();
-
-class FormatRegistry;
-/// Registers PNG as a format for writing.
-void addPictureFormats(FormatRegistry&);
 
 }  // namespace blossom

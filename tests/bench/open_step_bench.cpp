@@ -12,7 +12,7 @@
 #include <cstdlib>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/occt/occt.h"
 #include "support/support.h"
 

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "support/support.h"
 
 using namespace blossom;

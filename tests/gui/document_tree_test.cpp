@@ -6,12 +6,12 @@
 #include <QMimeData>
 #include <QPushButton>
 
+#include "document/edits.h"
 #include "support/mouse.h"
 #include "tree_fixture.h"
 #include "ui/panel/fault_bar.h"
 #include "ui/tree/document_clipboard.h"
 #include "ui/tree/document_delegate.h"
-#include "ui/tree/document_edits.h"
 #include "ui/tree/document_model.h"
 #include "ui/tree/document_tree_panel.h"
 #include "ui/window/status_line.h"
@@ -90,13 +90,13 @@ void DocumentTreeTest::isolatedAndBack() {
   QVERIFY(!document().at("c").visible);
   choose({"a", "b"});
   trigger("edit.isolate");
-  QVERIFY(isIsolated(document(), {"a", "b"}));
+  QVERIFY(areOnlyVisible(document(), {"a", "b"}));
   QCOMPARE(undoText(), QStringLiteral("Isolate 2 features"));
   trigger("edit.isolate");
   QVERIFY(document().at("a").visible && document().at("b").visible && document().at("d").visible);
   QVERIFY2(!document().at("c").visible, "what was hidden before stays hidden");
   undo();
-  QVERIFY(isIsolated(document(), {"a", "b"}));
+  QVERIFY(areOnlyVisible(document(), {"a", "b"}));
   undo();
   QVERIFY(document().at("d").visible && !document().at("c").visible);
 }

@@ -3,9 +3,9 @@
 #include <QFile>
 #include <QSlider>
 
+#include "document/edits.h"
 #include "geometry/measure/measure.h"
 #include "support/polyhedra.h"
-#include "ui/tree/document_edits.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
@@ -110,7 +110,7 @@ void MorphologyWindowTest::twoSolidsAreAddedOneMeltsAndTheResultIsSaved() {
   const QString picture = qEnvironmentVariable("BLOSSOM_TEST_PICTURES");
   if (!picture.isEmpty()) {
     Session& session = window_->session();
-    session.commit(isolated(session.document(), {core}), QStringLiteral("Isolate"));
+    session.commit(withOnlyVisible(session.document(), {core}), QStringLiteral("Isolate"));
     window_->resize(1400, 900);
     run("view.fit");
     (void)canvas();
@@ -135,7 +135,7 @@ void MorphologyWindowTest::aMorphPlaysInTheTimeline() {
   edit("frames", "5");
   waitUntilComputed();
   Session& session = window_->session();
-  session.commit(isolated(session.document(), {morph}), QStringLiteral("Isolate"));
+  session.commit(withOnlyVisible(session.document(), {morph}), QStringLiteral("Isolate"));
   auto* const timeline = window_->findChild<QWidget*>(QStringLiteral("timeline"));
   QTRY_VERIFY(timeline->isVisible());
   QCOMPARE(window_->page().playback().count(), 5);
@@ -152,7 +152,7 @@ void MorphologyWindowTest::aMorphPlaysInTheTimeline() {
   edit("radius", "0.4 mm");
   edit("frames", "3");
   waitUntilComputed();
-  session.commit(isolated(session.document(), {last()}), QStringLiteral("Isolate"));
+  session.commit(withOnlyVisible(session.document(), {last()}), QStringLiteral("Isolate"));
   QTRY_COMPARE(window_->page().playback().count(), 3);
 }
 

@@ -1,7 +1,7 @@
 // How long the window's thread does not answer while jobs run. Prints figures; what they have to be is for others to say.
 #include <QPushButton>
 
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/mesh/mesh.h"
 #include "ui/files/start_page.h"
 #include "ui/thread/stall_watch.h"

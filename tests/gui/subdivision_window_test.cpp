@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/measure/measure.h"
 #include "geometry/planar/planar.h"
 #include "subdivision/kernel/limit_surface.h"

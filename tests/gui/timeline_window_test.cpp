@@ -2,7 +2,7 @@
 #include <QSlider>
 #include <QToolButton>
 
-#include "ui/tree/document_edits.h"
+#include "document/edits.h"
 #include "window_fixture.h"
 
 using namespace blossom;
@@ -58,7 +58,7 @@ void TimelineWindowTest::init() {
   edit("frames", "11");
   waitUntilComputed();
   Session& session = window_->session();
-  session.commit(isolated(session.document(), {last()}), QStringLiteral("Isolate"));
+  session.commit(withOnlyVisible(session.document(), {last()}), QStringLiteral("Isolate"));
   QTRY_VERIFY(timeline().isVisible());
   QCOMPARE(playback().count(), 11);
 }

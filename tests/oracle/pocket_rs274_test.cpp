@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/planar/planar.h"
 #include "pocket/kernel/offset/clearance_diagram.h"
 #include "pocket/kernel/path/pocket_path.h"

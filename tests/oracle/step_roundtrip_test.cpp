@@ -22,7 +22,7 @@
 #include <numbers>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
 #include "geometry/occt/occt.h"
 #include "support/support.h"

@@ -1,6 +1,6 @@
 #include <map>
 
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"
 #include "support/support.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "support/support.h"
 
 namespace blossom::test {

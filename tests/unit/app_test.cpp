@@ -5,6 +5,8 @@
 #include <QTemporaryDir>
 
 #include "core/file.h"
+#include "document/edits.h"
+#include "document/embedded_files.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -21,6 +23,7 @@ class AppTest : public QObject {
   void theLastFeatureIsTheLastThatWorks();
   void openAnyTakesDocumentsAndFiles();
   void aMotionFileBecomesASweep();
+  void whatOpensAKindOfShapeFollowsTheImport();
   void resourcesAreFound();
   void samplesNameNoFolderOfAMachine();
   void whatIsTakenInKeepsItsNameAlone();
@@ -61,9 +64,9 @@ void AppTest::aLinkedFileIsEmbeddedOnRequest() {
   FeatureId id;
   const Document linked = withLinked(app_, Document(), file("triangle.off"), &id);
   QVERIFY(linked.assets().empty());
-  const Document embedded = withFilesEmbedded(app_, linked);
+  const Document embedded = withFilesEmbedded(*app_.registry, linked);
   QCOMPARE(embedded.assets().size(), std::size_t{1});
-  QVERIFY(withFilesEmbedded(app_, embedded).at(id) == embedded.at(id));
+  QVERIFY(withFilesEmbedded(*app_.registry, embedded).at(id) == embedded.at(id));
 }
 
 void AppTest::filesThatCannotBeImported() {
@@ -81,12 +84,12 @@ void AppTest::aFeatureMovesIntoAnotherDocument() {
   writeAtomically(file("other.off"), "OFF\n3 1 0\n0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n");
   const Document two = withImported(app_, Document(), file("other.off"), &second);
   QCOMPARE(first, second);
-  const Document both = withFeatureOf(app_, one, two, second, &added);
+  const Document both = withFeatureOf(*app_.registry, one, two, second, &added);
   QCOMPARE(both.features().size(), std::size_t{2});
   QVERIFY(added != first);
   QCOMPARE(both.assets().size(), std::size_t{2});
   QCOMPARE(both.at(added).name, std::string("other"));
-  VERIFY_ERROR(withFeatureOf(app_, one, two, "none", &added), ErrorCode::NotFound);
+  VERIFY_ERROR(withFeatureOf(*app_.registry, one, two, "none", &added), ErrorCode::NotFound);
 }
 
 void AppTest::theLastFeatureIsTheLastThatWorks() {
@@ -117,6 +120,38 @@ void AppTest::aMotionFileBecomesASweep() {
   QCOMPARE(lastFeature(opened.document).type, std::string("sweep.sweep"));
   const Results results = Evaluator(app_.registry).evaluate(opened.document, Progress::none());
   for (const auto& [id, result] : results) QVERIFY2(!result->error, result->error ? result->error->what() : "");
+}
+
+// Nothing in `app` knows the sweep: any feature type that declares it opens what a format reads.
+void AppTest::whatOpensAKindOfShapeFollowsTheImport() {
+  struct None {};
+  const auto registry = std::make_shared<Registry>();
+  Format dots;
+  dots.id = "dots";
+  dots.title = "Dots";
+  dots.extensions = {"dots"};
+  dots.reads = ShapeKind::Mesh;
+  dots.read = [](const auto&, const auto&, const auto&) { return Imported{Mesh(), {}, {}, {}}; };
+  registry->add(dots);
+  registry->add(*app_.registry->at("import"));
+  registry->add(feature<None>("made-up.count", "Count", "Counts dots.")
+                    .input({"dots", "The dots.", {ShapeKind::Mesh}})
+                    .opens(ShapeKind::Mesh)
+                    .evaluate([](const None&, const Inputs& inputs, const Progress&) -> Evaluated {
+                      return {inputs.of(0)[0], {}, {}};
+                    }));
+  App app;
+  app.registry = registry;
+  app.formats = std::shared_ptr<const FormatRegistry>(registry, &registry->formats());
+  writeAtomically(file("three.dots"), "...");
+  const Document document = openAny(app, file("three.dots")).document;
+  QCOMPARE(document.features().size(), std::size_t{2});
+  const Feature& counted = lastFeature(document);
+  QCOMPARE(counted.type, std::string("made-up.count"));
+  QCOMPARE(counted.name, std::string("Count"));
+  QCOMPARE(counted.inputs, std::vector<FeatureId>{document.features()[0]->id});
+  QVERIFY(!document.features()[0]->visible && counted.visible);
+  QCOMPARE(openAny(app_, file("triangle.off")).document.features().size(), std::size_t{1});  // nobody opens meshes
 }
 
 namespace {

@@ -2,10 +2,11 @@
 #include <sstream>
 
 #include "app/app.h"
+#include "app/import_feature.h"
 #include "app/literal_feature.h"
 #include "cli/cli.h"
 #include "core/file.h"
-#include "exchange/format/import_feature.h"
+#include "exchange/formats.h"
 #include "support/support.h"
 
 using namespace blossom;

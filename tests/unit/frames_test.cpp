@@ -4,6 +4,7 @@
 #include <map>
 
 #include "exchange/format/frames.h"
+#include "exchange/formats.h"
 #include "geometry/planar/planar.h"
 #include "support/regions.h"
 #include "support/support.h"

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/measure/measure.h"
 #include "support/rs274.h"
 #include "support/support.h"

@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "exchange/gcode/gcode_program.h"
 #include "exchange/gcode/gcode_write.h"
 #include "support/splines.h"

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/planar/planar.h"
 #include "support/support.h"
 

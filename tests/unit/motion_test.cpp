@@ -1,7 +1,7 @@
 #include <fstream>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "support/motions.h"
 #include "support/support.h"
 

@@ -1,5 +1,5 @@
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/planar.h"
 #include "support/support.h"

@@ -55,6 +55,13 @@ FeatureType withInputs(std::vector<InputSpec> inputs) {
   return type;
 }
 
+ParameterSpec withName(ParameterSpec spec, std::string name, Value fallback) {
+  spec.name = std::move(name);
+  spec.help = "To test.";
+  spec.fallback = std::move(fallback);
+  return spec;
+}
+
 /// A closed circle.
 Curves circle() {
   Curves curves;
@@ -184,6 +191,88 @@ class RegistryTest : public QObject {
     VERIFY_ERROR(registry.merge(bad), ErrorCode::PluginBroken);
     QCOMPARE(registry.types().size(), std::size_t{3});
     QVERIFY(registry.find("bad.a2") == nullptr);
+  }
+
+  void aTypeOpensAKindOfShape() {
+    const auto opener = [](std::string id, ShapeKind kind) {
+      FeatureType type = thing(std::move(id));
+      type.inputs = {{.name = "given", .help = "What was read.", .kinds = {kind}}};
+      type.opens = kind;
+      return type;
+    };
+    Registry registry;
+    registry.addAll(thing(), opener("test.turn", ShapeKind::Motion), opener("test.again", ShapeKind::Motion));
+    QCOMPARE(registry.opening(ShapeKind::Motion)->id, std::string("test.turn"));
+    QVERIFY(!registry.opening(ShapeKind::Mesh));
+    QVERIFY(!registry.opening(ShapeKind::None));
+    // It must be content with what was read.
+    const auto refused = [&](const std::function<void(FeatureType&)>& change) {
+      FeatureType type = opener("test.changed", ShapeKind::Mesh);
+      change(type);
+      VERIFY_ERROR(registry.add(type), ErrorCode::PluginBroken);
+    };
+    refused([](FeatureType& t) { t.inputs.clear(); });
+    refused([](FeatureType& t) { t.inputs[0].minimum = 2, t.inputs[0].most = 3; });
+    refused([](FeatureType& t) { t.inputs[0].kinds = {ShapeKind::Motion}; });
+    refused([](FeatureType& t) { t.inputs.push_back({"more", "", {ShapeKind::Mesh}}); });
+    refused([](FeatureType& t) { t.parameters[0].fallback = nullptr; });
+    registry.add(opener("test.changed", ShapeKind::Mesh));
+    QCOMPARE(registry.opening(ShapeKind::Mesh)->id, std::string("test.changed"));
+  }
+
+  void aDeclarationIsReplacedInItsPlace() {
+    Registry registry;
+    registry.addAll(thing(), thing("test.other"));
+    FeatureType changed = thing();
+    changed.title = "Changed";
+    registry.replace(changed);
+    QCOMPARE(registry.types().size(), std::size_t{2});
+    QCOMPARE(registry.types()[0]->title, std::string("Changed"));
+    changed.command = "other";
+    VERIFY_ERROR(registry.replace(changed), ErrorCode::PluginBroken);
+    VERIFY_ERROR(registry.replace(thing("test.none")), ErrorCode::PluginBroken);
+  }
+
+  void formatsAreChecked() {
+    const auto format = [] {
+      Format made;
+      made.id = "dots";
+      made.title = "Dots";
+      made.extensions = {"dot", "dots"};
+      made.readOptions = {withName(count(1), "size", 3)};
+      made.read = [](const auto&, const auto&, const auto&) { return Imported(); };
+      return made;
+    };
+    Registry registry;
+    registry.add(format());
+    QCOMPARE(registry.formats().find("DOT")->id, std::string("dots"));
+    const auto refused = [&](const std::function<void(Format&)>& change) {
+      Format other = format();
+      other.id = "other";
+      other.extensions = {"other"};
+      change(other);
+      VERIFY_ERROR(registry.add(other), ErrorCode::PluginBroken);
+    };
+    refused([](Format& f) { f.id = "dots"; });
+    refused([](Format& f) { f.id = "Two Words"; });
+    refused([](Format& f) { f.id = "json"; });
+    refused([](Format& f) { f.id = "file"; });  // a parameter of the import
+    refused([](Format& f) { f.id = "3d"; });    // with options it is one, too
+    refused([](Format& f) { f.title.clear(); });
+    refused([](Format& f) { f.extensions.clear(); });
+    refused([](Format& f) { f.extensions = {"dot"}; });
+    refused([](Format& f) { f.extensions = {".other"}; });
+    refused([](Format& f) { f.extensions = {"blossom"}; });
+    refused([](Format& f) { f.read = {}; });
+    refused([](Format& f) { f.writes = {ShapeKind::Mesh}; });
+    refused([](Format& f) { f.readOptions[0].fallback = 0; });
+    refused([](Format& f) { f.readOptions.push_back(f.readOptions[0]); });
+    QCOMPARE(registry.formats().formats().size(), std::size_t{1});
+    // All or nothing.
+    Registry second;
+    second.addAll(thing(), format());
+    VERIFY_ERROR(registry.merge(second), ErrorCode::PluginBroken);
+    QVERIFY(registry.types().empty());
   }
 
   void literalsGoByTheirName() {

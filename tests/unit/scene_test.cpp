@@ -8,6 +8,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include "app/picture_format.h"
 #include "core/file.h"
 #include "exchange/format/format.h"
 #include "scene/camera.h"
@@ -211,7 +212,7 @@ void SceneTest::badOptionsAreRefused() {
 
 void SceneTest::pngIsARegisteredFormat() {
   FormatRegistry formats;
-  addPictureFormats(formats);
+  formats.add(pngFormat());
   const TemporaryFolder folder;
   const auto png = folder.path() / "ball.png";
   writeShape(formats, ball(5), png, Value{{"size", "64x48"}, {"theme", "light"}});

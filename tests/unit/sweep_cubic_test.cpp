@@ -1,4 +1,4 @@
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"

@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/measure/measure.h"
 #include "support/motions.h"
 #include "support/support.h"

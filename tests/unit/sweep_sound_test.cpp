@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/file.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
 #include "geometry/measure/measure.h"
 #include "support/motions.h"

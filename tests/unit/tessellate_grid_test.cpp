@@ -14,7 +14,7 @@
 #include <TopoDS_Compound.hxx>
 #include <numbers>
 
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/occt/grid_face.h"
 #include "support/exchange.h"

@@ -3,12 +3,12 @@
 #include <QMenu>
 #include <QPointer>
 
+#include "document/edits.h"
 #include "geometry/shape/bounds.h"
 #include "ui/commands/commands.h"
 #include "ui/look/text.h"
 #include "ui/page/feature_menus.h"
 #include "ui/page/page.h"
-#include "ui/tree/document_edits.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/document_tree_panel.h"
 #include "ui/view/view_widget.h"
@@ -185,7 +185,7 @@ void DocumentCommands::refreshWords() {
   const Feature& first = document.at(ids.front());
   commands_.action(QStringLiteral("edit.show-hide"))->setText(first.visible ? tr("&Hide") : tr("S&how"));
   commands_.action(QStringLiteral("edit.suppress"))->setText(first.suppressed ? tr("Compute a&gain") : tr("&Suppress"));
-  const bool alone = isIsolated(document, ids) && document.features().size() > ids.size();
+  const bool alone = areOnlyVisible(document, ids) && document.features().size() > ids.size();
   commands_.action(QStringLiteral("edit.isolate"))->setText(alone ? tr("End &isolation") : tr("&Isolate"));
 }
 

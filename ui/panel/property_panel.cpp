@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/import_feature.h"
 #include "app/reference_page.h"
 #include "core/error.h"
-#include "exchange/format/import_feature.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "document/embedded_files.h"
 #include "document/file_access.h"
 #include "document/file_values.h"
 #include "ui/fields/parameter_field.h"
@@ -105,7 +106,7 @@ void PropertyPanel::takeFiles(ParameterField* field, const Document& document) {
   const QPointer<ParameterField> asking = field;
   session_.job().start(
       tr("Reading the file"),
-      [embedded, app = session_.app()](const Progress&) { *embedded = withFilesEmbedded(app, *embedded); },
+      [embedded, app = session_.app()](const Progress&) { *embedded = withFilesEmbedded(*app.registry, *embedded); },
       [this, embedded, asking, feature = shown_, spec = field->spec()](const std::optional<Error>& error) {
         if (!session_.document().contains(feature)) return;
         if (error) {

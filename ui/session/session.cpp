@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "document/embedded_files.h"
 #include "document/file_access.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"
@@ -182,7 +183,7 @@ bool Session::outdated(const FeatureId& id) const { return views_.contains(id) &
 void Session::compute() { evaluate(); }
 
 void Session::tellWithheld() {
-  std::vector<std::filesystem::path> now = withheldFiles(app_, document());
+  std::vector<std::filesystem::path> now = withheldFiles(*app_.registry, document());
   const bool news = std::any_of(now.begin(), now.end(), [this](const auto& file) {
     return std::find(withheld_.begin(), withheld_.end(), file) == withheld_.end();
   });

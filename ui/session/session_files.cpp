@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "document/edits.h"
+#include "document/embedded_files.h"
 #include "document/storage.h"
 #include "exchange/format/export_shape.h"
 #include "exchange/format/frames.h"
@@ -134,7 +136,8 @@ void Session::import(const std::vector<std::filesystem::path>& files) {
         if (!result->features.empty()) {
           Document joined = history_.committed();
           FeatureId last;
-          for (const FeatureId& id : result->features) joined = withFeatureOf(app_, joined, result->imported, id, &last);
+          for (const FeatureId& id : result->features)
+            joined = withFeatureOf(*app_.registry, joined, result->imported, id, &last);
           commit(std::move(joined), what);
           emit featureAdded(qt(last));
         }
@@ -149,7 +152,7 @@ void Session::save(const std::filesystem::path& file, std::function<void()> then
       tr("Saving %1").arg(fileName(file)),
       [this, file, stamp, saved = history_.committed()](const Progress& progress) {
         refuseResource(file);
-        saveDocument(withFoundFilesEmbedded(app_, saved), file, progress);
+        saveDocument(withFoundFilesEmbedded(*app_.registry, saved), file, progress);
         *stamp = FileStamp::of(file);
       },
       [this, file, step = history_.step(), stamp, then = then ? std::move(then) : removeNothing] {
@@ -220,7 +223,8 @@ void Session::addFeatureFromFile(const FeatureType& type, const std::filesystem:
       [this, file, result](const Progress&) { result->imported = withImported(app_, Document(), file, &result->feature); },
       [this, result, type] {
         FeatureId input;
-        const Document joined = withFeatureOf(app_, history_.committed(), result->imported, result->feature, &input);
+        const Document joined =
+            withFeatureOf(*app_.registry, history_.committed(), result->imported, result->feature, &input);
         const Feature feature = newFeature(joined, type, {input});
         commit(joined.with(feature), tr("Add %1").arg(qt(type.title)));
         emit featureAdded(qt(feature.id));

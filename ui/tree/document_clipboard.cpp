@@ -4,8 +4,8 @@
 #include <QMimeData>
 
 #include "core/error.h"
+#include "document/edits.h"
 #include "document/storage.h"
-#include "ui/tree/document_edits.h"
 
 namespace blossom::ui {
 

@@ -6,10 +6,10 @@
 #include <QMouseEvent>
 #include <algorithm>
 
+#include "document/edits.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 #include "ui/tree/document_delegate.h"
-#include "ui/tree/document_edits.h"
 #include "ui/tree/document_model.h"
 
 namespace blossom::ui {

@@ -3,10 +3,10 @@
 #include <QGuiApplication>
 #include <algorithm>
 
+#include "document/edits.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 #include "ui/tree/document_clipboard.h"
-#include "ui/tree/document_edits.h"
 #include "ui/tree/document_model.h"
 #include "ui/tree/document_tree.h"
 
@@ -65,7 +65,7 @@ void DocumentTree::isolateSelected() {
   const std::vector<FeatureId> ids = selected();
   if (ids.empty()) return;
   const Document& document = session_.document();
-  if (!beforeIsolation_.empty() && isIsolated(document, ids)) {
+  if (!beforeIsolation_.empty() && areOnlyVisible(document, ids)) {
     const std::map<FeatureId, bool> before = std::exchange(beforeIsolation_, {});
     attempt(tr("End isolation"), [&] {
       std::vector<FeatureId> shown, hidden;
@@ -77,7 +77,7 @@ void DocumentTree::isolateSelected() {
   }
   std::map<FeatureId, bool> before;
   for (const auto& feature : document.features()) before[feature->id] = feature->visible;
-  if (attempt(titled(ids, tr("Isolate %1"), tr("Isolate %1 features")), [&] { return isolated(document, ids); }))
+  if (attempt(titled(ids, tr("Isolate %1"), tr("Isolate %1 features")), [&] { return withOnlyVisible(document, ids); }))
     beforeIsolation_ = std::move(before);
 }
 

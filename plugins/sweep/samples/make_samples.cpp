@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "samples.h"
 
 /// make_sweep_samples FOLDER: writes the sample motions as JSON files.

@@ -137,15 +137,6 @@ const Format* FormatRegistry::find(std::string_view extensionOrId) const {
   return nullptr;
 }
 
-FormatRegistry standardFormats() {
-  FormatRegistry registry;
-  for (const auto& format :
-       {stepFormat, igesFormat, brepFormat, stlFormat, objFormat, offFormat, plyFormat, threeMfFormat, xyzFormat, dxfFormat,
-        svgFormat, pdfFormat, psFormat, motionFormat, gcodeFormat, controlPointsFormat, outlinesFormat})
-    registry.add(format());
-  return registry;
-}
-
 Imported readShape(const FormatRegistry& registry, const fs::path& path, const Value& options, const Progress& progress) {
   const std::string head = headOf(path);
   const Format& format = formatFor(registry, path, true);

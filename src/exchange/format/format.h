@@ -12,7 +12,8 @@
 
 namespace blossom {
 
-/// Result of a reader. `entities` counts the entities of the file by type ("LINE": 4, "face": 6), `skipped` those left out.
+/// The shape read from a file. `entities` counts what the file holds by type of entity ("LINE": 4, "face": 6), `skipped`
+/// what was left out.
 struct Imported {
   Shape shape;
   Value entities = Value::object();
@@ -31,9 +32,10 @@ struct Format {
   std::vector<ParameterSpec> readOptions;
   std::vector<ParameterSpec> writeOptions;
   Read read;                      ///< empty: cannot be read
-  Write write;                    ///< empty: cannot be written. writeShape makes it atomic
-  std::vector<ShapeKind> writes;  ///< kinds that the writer accepts
-  bool zipped = false;            ///< its files are zip archives
+  Write write;                    ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
+  std::vector<ShapeKind> writes;  ///< kinds the writer takes; for the message when another comes
+  ShapeKind reads = ShapeKind::None;  ///< the kind of every shape read, where that is known before; else None
+  bool zipped = false;                ///< its files are zips
 };
 
 /// Whether files of the format can store a shape of the kind; a sequence may be stored as one file per frame.
@@ -52,12 +54,10 @@ class FormatRegistry {
   std::vector<Format> formats_;
 };
 
-/// Every format of src/exchange.
-FormatRegistry standardFormats();
-
-/// Reads a file by its extension. Missing options have their defaults.
-/// @throws Error FileNotFound, FileUnreadable, FormatUnknown, FormatDamaged, LimitExceeded, WorkerDied, Cancelled. Content
-/// of another format than the extension says is FormatDamaged, with a hint that names the format.
+/// Reads a file by its extension. Options are completed from their defaults.
+/// @throws Error FileNotFound, FileUnreadable, FormatUnknown, FormatDamaged, LimitExceeded, WorkerDied, Cancelled. A file
+/// whose content is of another format than its extension says is FormatDamaged with a hint that names the format it looks
+/// like.
 Imported readShape(const FormatRegistry&, const std::filesystem::path&, const Value& options = Value::object(),
                    const Progress& = Progress::none());
 
@@ -68,24 +68,5 @@ void writeShape(const FormatRegistry&, const Shape&, const std::filesystem::path
 
 /// Name of the format recognised by the first bytes of a file; empty when unknown.
 std::string sniffFormat(std::string_view head);
-
-// One per file of this room.
-Format stepFormat();
-Format igesFormat();
-Format brepFormat();
-Format stlFormat();
-Format objFormat();
-Format offFormat();
-Format plyFormat();
-Format threeMfFormat();
-Format xyzFormat();
-Format dxfFormat();
-Format svgFormat();
-Format pdfFormat();
-Format psFormat();
-Format motionFormat();
-Format gcodeFormat();
-Format controlPointsFormat();
-Format outlinesFormat();
 
 }  // namespace blossom

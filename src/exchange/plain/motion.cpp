@@ -144,7 +144,8 @@ Format motionFormat() {
           .writeOptions = {},
           .read = readMotionFile,
           .write = write,
-          .writes = {ShapeKind::Motion}};
+          .writes = {ShapeKind::Motion},
+          .reads = ShapeKind::Motion};
 }
 
 }  // namespace blossom

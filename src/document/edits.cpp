@@ -1,11 +1,15 @@
-#include "ui/tree/document_edits.h"
+#include "document/edits.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
-namespace blossom::ui {
+#include "core/error.h"
+#include "document/file_access.h"
+#include "document/file_values.h"
+#include "feature/registry.h"
+
+namespace blossom {
 
 namespace {
 
@@ -50,6 +54,21 @@ bool isSame(const Document& into, const Feature& feature) {
   return other.type == feature.type && other.parameters == feature.parameters && other.inputs == feature.inputs;
 }
 
+/// A file that a feature of `other` names means in `into` the same file, and may be read there only if it might before.
+void settleFile(Value& file, const Document& other, Document& into) {
+  const FileAccess* const access = other.access().get();
+  const std::string path = file.value("path", std::string());
+  if (!access || path.empty() || other.assets().contains(file.value("asset", std::string()))) return;
+  const std::filesystem::path place = access->resolved(path);
+  file["path"] = place.string();
+  if (!access->permits(place)) {
+    if (!into.access()) into = into.withAccess(FileAccess::everywhere());
+    into.access()->refuse(place);
+  } else if (into.access()) {
+    into.access()->allow(place);
+  }
+}
+
 }  // namespace
 
 std::vector<FeatureId> dependants(const Document& document, const std::vector<FeatureId>& ids) {
@@ -83,14 +102,14 @@ Document withoutAll(Document document, const std::vector<FeatureId>& ids) {
   return document;
 }
 
-Document isolated(Document document, const std::vector<FeatureId>& ids) {
+Document withOnlyVisible(Document document, const std::vector<FeatureId>& ids) {
   const Set shown = setOf(ids);
   Set all;
   for (const auto& feature : document.features()) all.insert(feature->id);
   return changed(std::move(document), all, [&](Feature& feature) { feature.visible = shown.contains(feature.id); });
 }
 
-bool isIsolated(const Document& document, const std::vector<FeatureId>& ids) {
+bool areOnlyVisible(const Document& document, const std::vector<FeatureId>& ids) {
   const Set shown = setOf(ids);
   const auto features = document.features();
   return !shown.empty() && std::all_of(features.begin(), features.end(),
@@ -167,4 +186,33 @@ Document excerpt(const Document& document, const std::vector<FeatureId>& wanted)
   return result;
 }
 
-}  // namespace blossom::ui
+Document withFeatureOf(const Registry& registry, const Document& into, const Document& other, const FeatureId& wanted,
+                       FeatureId* added) {
+  const Set needed = withInputs(other, {other.at(wanted).id});
+  Document result = into;
+  for (const auto& [hash, content] : other.assets()) result = result.withAsset(hash, content);
+  std::map<FeatureId, FeatureId> renamed;
+  for (const auto& each : other.features()) {
+    if (!needed.contains(each->id)) continue;
+    Feature copy = *each;
+    const auto type = registry.find(copy.type);
+    if (result.contains(copy.id))
+      copy.id = result.freshId(type ? type->command : copy.type.substr(copy.type.rfind('.') + 1));
+    renamed[each->id] = copy.id;
+    for (FeatureId& input : copy.inputs) input = renamed.at(input);
+    if (type) eachFile(type->parameters, copy.parameters, [&](Value& file) { settleFile(file, other, result); });
+    result = result.with(std::move(copy));
+  }
+  if (added) *added = renamed.at(wanted);
+  return result;
+}
+
+const Feature& lastFeature(const Document& document) {
+  const auto features = document.features();
+  const auto last = std::find_if(features.rbegin(), features.rend(), [](const auto& each) { return !each->suppressed; });
+  if (last == features.rend())
+    throw Error(ErrorCode::InvalidInput, "The document holds no feature.", "Add one, or choose another document.");
+  return **last;
+}
+
+}  // namespace blossom

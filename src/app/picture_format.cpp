@@ -1,10 +1,10 @@
+#include "app/picture_format.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
 
 #include "core/error.h"
-#include "exchange/format/format.h"
-#include "scene/scene.h"
 
 namespace blossom {
 
@@ -58,7 +58,7 @@ PictureOptions readPictureOptions(const Value& values) {
   return options;
 }
 
-void addPictureFormats(FormatRegistry& registry) {
+Format pngFormat() {
   Format png;
   png.id = "png";
   png.title = "Picture (PNG)";
@@ -67,7 +67,7 @@ void addPictureFormats(FormatRegistry& registry) {
   png.write = writePicture;
   png.writes = {ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve,      ShapeKind::Surface, ShapeKind::Brep,
                 ShapeKind::Mesh,   ShapeKind::Motion, ShapeKind::MedialAxis, ShapeKind::Toolpath};
-  registry.add(std::move(png));
+  return png;
 }
 
 }  // namespace blossom

@@ -1,4 +1,4 @@
-#include "exchange/format/import_feature.h"
+#include "app/import_feature.h"
 
 #include <fmt/format.h>
 

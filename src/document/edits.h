@@ -5,9 +5,10 @@
 
 #include "document/document.h"
 
-namespace blossom::ui {
+/// Edits of a document as functions from values to values: each result is one step of undo.
+namespace blossom {
 
-/// What the document tree does to a document, as functions from values to values: each result is one step of undo.
+class Registry;
 
 /// Everything that is made from one of `ids`, directly or not, without those themselves; in document order.
 std::vector<FeatureId> dependants(const Document&, const std::vector<FeatureId>& ids);
@@ -19,8 +20,8 @@ Document withSuppressed(Document, const std::vector<FeatureId>& ids, bool suppre
 Document withoutAll(Document, const std::vector<FeatureId>& ids);
 
 /// Only `ids` are visible.
-Document isolated(Document, const std::vector<FeatureId>& ids);
-bool isIsolated(const Document&, const std::vector<FeatureId>& ids);
+Document withOnlyVisible(Document, const std::vector<FeatureId>& ids);
+bool areOnlyVisible(const Document&, const std::vector<FeatureId>& ids);
 
 /// `ids` stand one after the other, in document order, before what is in row `row` now; row == size: at the end.
 /// @throws Error InvalidInput when one would stand before an input or after a user of its own.
@@ -38,4 +39,13 @@ Document withCopies(const Document& into, const Document& clip, const std::vecto
 /// The part of a document that `wanted` needs: these, and everything they are made from.
 Document excerpt(const Document&, const std::vector<FeatureId>& wanted);
 
-}  // namespace blossom::ui
+/// `into` with the features of `other` added that `wanted` needs, itself included, under free ids made from the commands of
+/// their types; `added` is what `wanted` is called there. Files that `other` may not read are not read there either.
+/// @throws Error NotFound.
+Document withFeatureOf(const Registry&, const Document& into, const Document& other, const FeatureId& wanted,
+                       FeatureId* added);
+
+/// The feature that a document makes: its last one that is not suppressed. @throws Error InvalidInput when there is none.
+const Feature& lastFeature(const Document&);
+
+}  // namespace blossom

@@ -1,0 +1,123 @@
+#include "feature/declaration.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "core/error.h"
+
+namespace blossom::declaration {
+namespace {
+
+/// Flags that every command has, and the "no-" by which the command line turns a flag off.
+bool isReserved(const std::string& name) {
+  constexpr std::array<std::string_view, 8> common{"allow-files", "help",    "json",    "output",
+                                                   "progress",    "salvage", "threads", "version"};
+  return std::find(common.begin(), common.end(), name) != common.end() || name.starts_with("no-");
+}
+
+/// Checks a declaration and brings its default into canonical form.
+void settle(const std::string& owner, ParameterSpec& spec, bool element = false) {
+  const std::string what = fmt::format("The parameter \"{}\" of {}", spec.name, owner);
+  if (!element && !isName(spec.name)) broken(what, "has no proper name; use lower-case letters, digits and hyphens");
+  if (spec.kind == ParameterKind::Choice && spec.choices.empty()) broken(what, "offers no choices");
+  if (spec.kind == ParameterKind::List && spec.fields.size() != 1) broken(what, "must declare exactly one element");
+  if (spec.kind == ParameterKind::Record && spec.fields.empty()) broken(what, "declares no fields");
+  std::set<std::string> names;
+  for (auto& field : spec.fields) {
+    settle(owner, field, spec.kind == ParameterKind::List);
+    if (!names.insert(field.name).second) broken(what, fmt::format("declares the field \"{}\" twice", field.name));
+  }
+  if (spec.fallback.is_null()) return;
+  try {
+    spec.fallback = checked(spec, spec.fallback);
+  } catch (const Error& e) {
+    broken(what, "has a default that it does not allow itself: " + e.message());
+  }
+}
+
+void checkInputByFlags(const std::string& what, const FeatureType& type, const std::set<std::string>& parameters) {
+  const InputByFlags& flags = type.inputByFlags;
+  if (flags.asks.empty()) return;
+  if (!type.inputs.empty()) broken(what, "cannot be an input by flags alone, for it takes inputs itself");
+  if (type.produces.empty()) broken(what, "cannot be an input by flags alone, for it does not declare what it gives");
+  for (const std::string& name : flags.plain)
+    if (!parameters.contains(name)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", name));
+  if (!parameters.contains(flags.asks)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", flags.asks));
+}
+
+/// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.
+void checkOpening(const std::string& what, const FeatureType& type) {
+  if (type.opens == ShapeKind::None) return;
+  std::size_t needed = 0;
+  for (const InputSpec& input : type.inputs) needed += input.minimum;
+  const auto takes = [&](const InputSpec& input) {
+    return input.kinds.empty() || std::find(input.kinds.begin(), input.kinds.end(), type.opens) != input.kinds.end();
+  };
+  if (needed != 1 || !takes(type.inputs.front()))
+    broken(what, fmt::format("cannot open a {}: it must take one as its only input", shapeKindName(type.opens)));
+  for (const ParameterSpec& spec : type.parameters)
+    if (spec.fallback.is_null() && !spec.mayBeAbsent)
+      broken(what,
+             fmt::format("cannot open a {}: the parameter \"{}\" has no default", shapeKindName(type.opens), spec.name));
+}
+
+}  // namespace
+
+void broken(const std::string& what, const std::string& why) {
+  throw Error(ErrorCode::PluginBroken, fmt::format("{} {}.", what, why), "This is a mistake in its declaration.");
+}
+
+bool isName(std::string_view text, bool dots) {
+  if (text.empty() || text.front() < 'a' || text.front() > 'z') return false;
+  return std::all_of(text.begin(), text.end(), [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || (dots && (c == '.' || c == '_'));
+  });
+}
+
+void check(FeatureType& type) {
+  const std::string what = fmt::format("The feature type \"{}\"", type.id);
+  if (!isName(type.id, true) || type.id.find('.') == std::string::npos) broken(what, "has no proper id; write plugin.name");
+  if (!isName(type.command))
+    broken(what, fmt::format("has the command \"{}\"; use lower-case letters, digits and hyphens", type.command));
+  if (type.title.empty() || type.summary.empty()) broken(what, "has no title or no summary");
+  if (!type.evaluate) broken(what, "cannot be evaluated");
+  for (const auto& input : type.inputs)
+    if (input.name.empty() || input.minimum > input.most || input.most == 0)
+      broken(what, fmt::format("declares the input \"{}\" wrongly", input.name));
+  std::set<std::string> names;
+  for (auto& spec : type.parameters) {
+    settle(type.id, spec);
+    if (isReserved(spec.name))
+      broken(fmt::format("The parameter \"{}\" of {}", spec.name, type.id), "has a name that every command needs itself");
+    if (!names.insert(spec.name).second) broken(what, fmt::format("declares the parameter \"{}\" twice", spec.name));
+  }
+  checkInputByFlags(what, type, names);
+  checkOpening(what, type);
+}
+
+void check(Format& format) {
+  const std::string what = fmt::format("The format \"{}\"", format.id);
+  // "3mf" begins with a digit; with options, the id is also the name of a parameter of the import.
+  if (!isName("a" + format.id) || format.id.empty() || (!format.readOptions.empty() && !isName(format.id)))
+    broken(what, "has no proper id; use lower-case letters, digits and hyphens");
+  if (isReserved(format.id) || format.id == "file") broken(what, "has an id that commands need themselves");
+  if (format.title.empty()) broken(what, "has no title");
+  if (!format.read && !format.write) broken(what, "can neither be read nor written");
+  if (format.writes.empty() != !format.write) broken(what, "must say which kinds of shape it writes, if it writes any");
+  if (format.extensions.empty()) broken(what, "has no extension");
+  for (const std::string& extension : format.extensions)
+    if (!isName("a" + extension) || extension.empty() || extension == "blossom")
+      broken(what, fmt::format("cannot have the extension \"{}\"", extension));
+  for (auto* options : {&format.readOptions, &format.writeOptions}) {
+    std::set<std::string> names;
+    for (ParameterSpec& spec : *options) {
+      settle("the format " + format.id, spec);
+      if (!names.insert(spec.name).second) broken(what, fmt::format("declares the option \"{}\" twice", spec.name));
+    }
+  }
+}
+
+}  // namespace blossom::declaration

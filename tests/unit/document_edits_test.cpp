@@ -1,0 +1,182 @@
+#include "document/edits.h"
+
+#include <algorithm>
+
+#include "core/file.h"
+#include "document/file_access.h"
+#include "feature/registry.h"
+#include "support/support.h"
+
+using namespace blossom;
+
+namespace {
+
+using Ids = std::vector<FeatureId>;
+
+Feature made(const FeatureId& id, Ids inputs = {}) {
+  Feature feature;
+  feature.id = feature.name = id;
+  feature.type = "test.thing";
+  feature.inputs = std::move(inputs);
+  return feature;
+}
+
+/// a and b, c of both, d alone, e of c.
+Document sample() {
+  return Document().with(made("a")).with(made("b")).with(made("c", {"a", "b"})).with(made("d")).with(made("e", {"c"}));
+}
+
+Ids order(const Document& document) {
+  Ids ids;
+  for (const auto& feature : document.features()) ids.push_back(feature->id);
+  return ids;
+}
+
+Ids visible(const Document& document) {
+  Ids ids;
+  for (const auto& feature : document.features())
+    if (feature->visible) ids.push_back(feature->id);
+  return ids;
+}
+
+/// A type with a file among its parameters, under the command "reading".
+Registry readers() {
+  FeatureType type;
+  type.id = "test.thing";
+  type.command = "reading";
+  type.title = type.summary = "Reading";
+  ParameterSpec given = file("txt");
+  given.name = "file";
+  given.mayBeAbsent = true;
+  type.parameters = {given};
+  type.evaluate = [](const Value&, const Inputs&, const Progress&) { return Evaluated(); };
+  Registry registry;
+  registry.add(type);
+  return registry;
+}
+
+}  // namespace
+
+class DocumentEditsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void dependantsAreAllThatIsMadeOfThem() {
+    QCOMPARE(dependants(sample(), {"a"}), (Ids{"c", "e"}));
+    QCOMPARE(dependants(sample(), {"b", "c"}), (Ids{"e"}));
+    QCOMPARE(dependants(sample(), {"d", "e"}), Ids{});
+  }
+
+  void visibilityAndSuppressionChangeNothingElse() {
+    const Document before = sample();
+    const Document hidden = withVisible(before, {"a", "d"}, false);
+    QCOMPARE(visible(hidden), (Ids{"b", "c", "e"}));
+    QVERIFY(hidden.features()[1] == before.features()[1]);  // shared
+    QCOMPARE(visible(withVisible(hidden, {"d"}, true)), (Ids{"b", "c", "d", "e"}));
+    const Document suppressed = withSuppressed(before, {"c"}, true);
+    QVERIFY(suppressed.at("c").suppressed && !suppressed.at("e").suppressed);
+    QVERIFY(withSuppressed(suppressed, {"c"}, false).at("c") == before.at("c"));
+  }
+
+  void oneAloneIsVisible() {
+    const Document alone = withOnlyVisible(sample(), {"b", "e"});
+    QCOMPARE(visible(alone), (Ids{"b", "e"}));
+    QVERIFY(areOnlyVisible(alone, {"e", "b"}));
+    QVERIFY(!areOnlyVisible(alone, {"b"}));
+    QVERIFY(!areOnlyVisible(sample(), {"b"}));
+    QVERIFY(!areOnlyVisible(Document(), {}));
+  }
+
+  void usersGoBeforeWhatTheyUse() {
+    QCOMPARE(order(withoutAll(sample(), {"c", "a", "e"})), (Ids{"b", "d"}));
+    VERIFY_ERROR(withoutAll(sample(), {"a"}), ErrorCode::InUse);
+  }
+
+  void theyMoveTogether() {
+    QCOMPARE(order(withMoved(sample(), {"b", "d"}, 0)), (Ids{"b", "d", "a", "c", "e"}));
+    QCOMPARE(order(withMoved(sample(), {"d", "e"}, 5)), (Ids{"a", "b", "c", "d", "e"}));
+    QCOMPARE(order(withMoved(sample(), {"a", "d"}, 2)), (Ids{"b", "a", "d", "c", "e"}));
+    VERIFY_ERROR(withMoved(sample(), {"c"}, 0), ErrorCode::InvalidInput);
+    VERIFY_ERROR(withMoved(sample(), {"a"}, 4), ErrorCode::InvalidInput);
+    QCOMPARE(order(*withStepped(sample(), {"d"}, -1)), (Ids{"a", "b", "d", "c", "e"}));
+    QCOMPARE(order(*withStepped(sample(), {"d"}, 1)), (Ids{"a", "b", "c", "e", "d"}));
+    QVERIFY(!withStepped(sample(), {"a"}, -1));
+    QVERIFY(!withStepped(sample(), {"e"}, 1));
+    QVERIFY(!withStepped(sample(), {}, 1));
+  }
+
+  void namesAreCountedOn() {
+    const Document document = Document().with(made("Box")).with(made("Box 2")).with(made("M8"));
+    QCOMPARE(freeName(document, "Box"), std::string("Box 3"));
+    QCOMPARE(freeName(document, "Box 2"), std::string("Box 3"));
+    QCOMPARE(freeName(document, "M8"), std::string("M8 2"));
+    QCOMPARE(freeName(document, "Ball"), std::string("Ball"));
+  }
+
+  void anExcerptHoldsWhatIsNeeded() {
+    const Document document = sample().withAsset("hash", std::make_shared<const std::string>("content"));
+    QCOMPARE(order(excerpt(document, {"c"})), (Ids{"a", "b", "c"}));
+    QCOMPARE(excerpt(document, {"d"}).assets().size(), std::size_t{1});
+  }
+
+  void copiesUseWhatIsThereAlready() {
+    Ids added;
+    const Document copied = withCopies(sample(), excerpt(sample(), {"c"}), {"c"}, added);
+    QCOMPARE(added.size(), std::size_t{1});
+    QCOMPARE(copied.features().size(), std::size_t{6});
+    QCOMPARE(copied.at(added[0]).inputs, (Ids{"a", "b"}));
+    QCOMPARE(copied.at(added[0]).name, std::string("c 2"));
+    // Elsewhere, what they are made from comes along.
+    added.clear();
+    const Document fresh = withCopies(Document(), excerpt(sample(), {"c"}), {"c"}, added);
+    QCOMPARE(order(fresh), (Ids{"a", "b", "c"}));
+    QCOMPARE(added, Ids{"c"});
+    // An input that is another one there does not serve.
+    Feature other = made("a");
+    other.parameters["size"] = 2;
+    added.clear();
+    const Document beside = withCopies(Document().with(other), excerpt(sample(), {"c"}), {"c"}, added);
+    QCOMPARE(beside.features().size(), std::size_t{4});
+    QVERIFY(beside.at("c").inputs[0] != "a");
+  }
+
+  void aFeatureMovesWithItsFiles() {
+    const Registry registry = readers();
+    Feature reading = made("b");
+    reading.parameters["file"] = {{"path", "note.txt"}, {"asset", ""}};
+    const TemporaryFolder folder;
+    const Document other =
+        Document().with(made("a")).with(reading).with(made("c", {"a", "b"})).withAccess(FileAccess::below(folder.path()));
+    FeatureId added;
+    const Document joined = withFeatureOf(registry, Document().with(made("a")), other, "c", &added);
+    QCOMPARE(added, FeatureId("c"));
+    QCOMPARE(joined.features().size(), std::size_t{4});
+    QCOMPARE(joined.at("c").inputs, (Ids{"reading-1", "b"}));  // "a" is taken by another
+    // Its relative path begins in the folder of the document that it came from.
+    const std::filesystem::path named = joined.at("b").parameters.at("file").at("path").get<std::string>();
+    QCOMPARE(named, std::filesystem::weakly_canonical(folder.path()) / "note.txt");
+    VERIFY_ERROR(withFeatureOf(registry, Document(), other, "none", &added), ErrorCode::NotFound);
+  }
+
+  void aFileThatMayNotBeReadMayNotBeReadElsewhere() {
+    const Registry registry = readers();
+    Feature reading = made("b");
+    reading.parameters["file"] = {{"path", "/somewhere/note.txt"}, {"asset", ""}};
+    const TemporaryFolder folder;
+    const Document other = Document().with(reading).withAccess(FileAccess::below(folder.path()));
+    FeatureId added;
+    const Document joined = withFeatureOf(registry, Document(), other, "b", &added);
+    QVERIFY(joined.access());
+    QVERIFY(!joined.access()->permits("/somewhere/note.txt"));
+    QVERIFY(joined.access()->permits("/somewhere/else.txt"));
+  }
+
+  void theLastFeatureIsNotSuppressed() {
+    QCOMPARE(lastFeature(sample()).id, FeatureId("e"));
+    QCOMPARE(lastFeature(withSuppressed(sample(), {"e"}, true)).id, FeatureId("d"));
+    VERIFY_ERROR(lastFeature(Document()), ErrorCode::InvalidInput);
+  }
+};
+
+QTEST_GUILESS_MAIN(DocumentEditsTest)
+#include "document_edits_test.moc"

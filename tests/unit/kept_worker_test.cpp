@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
+#include <array>
 #include <atomic>
 #include <functional>
 #include <future>
@@ -155,6 +156,26 @@ class KeptWorkerTest : public QObject {
     const int kept = servingPid({.idleSeconds = 1e6});
     QCOMPARE(servingPid({.idleSeconds = 1e-3}), kept);
     QTRY_VERIFY(!exists(kept));
+  }
+
+  void anIdleChildEndsWithItsParent() {
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // orphans of our child become ours, so that their end can be waited for
+    std::array<int, 2> ends{};
+    QCOMPARE(::pipe(ends.data()), 0);
+    const pid_t parent = ::fork();
+    if (parent == 0) {
+      const int pid = servingPid();
+      (void)!::write(ends[1], &pid, sizeof pid);
+      for (;;) ::pause();
+    }
+    int child = 0;
+    QCOMPARE(::read(ends[0], &child, sizeof child), static_cast<ssize_t>(sizeof child));
+    QVERIFY(exists(child));
+    ::kill(parent, SIGKILL);
+    QCOMPARE(::waitpid(parent, nullptr, 0), parent);
+    QCOMPARE(::waitpid(child, nullptr, 0), child);
+    for (const int end : ends) ::close(end);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 0);
   }
 
   void oneThatIsNotToBeKeptEndsAtOnce() { QVERIFY(!exists(servingPid({.idleSeconds = 0}))); }

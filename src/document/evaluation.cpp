@@ -11,6 +11,9 @@
 namespace blossom {
 namespace {
 
+/// Where a feature type that runs in a child process tells what that costs beside its kernel.
+constexpr const char* workerTime = "worker_ms";
+
 /// Whether the same content would meet the same error again.
 bool lasting(const std::optional<Error>& error) {
   if (!error) return true;
@@ -99,10 +102,12 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     checkResult(*type, result->evaluated.shape);
     refuseInfiniteFigures(result->evaluated);
   });
+  result->kernelMs -= result->evaluated.stats.value(workerTime, 0.0);
   if (known) {
     result = std::make_shared<FeatureResult>(*known);
     result->fromCache = true;
     result->kernelMs = 0;
+    result->evaluated.stats.erase(workerTime);
   } else if (!key.empty() && lasting(result->error)) {
     cache_.store(key, result);
   }

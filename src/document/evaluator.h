@@ -17,7 +17,7 @@ namespace blossom {
 struct FeatureResult {
   Evaluated evaluated;         ///< empty shape when it failed
   std::optional<Error> error;  ///< its own error, or "The input .. failed."
-  double kernelMs = 0;         ///< time of the evaluate function; 0 from the cache
+  double kernelMs = 0;         ///< time of the evaluate function less `worker_ms` of its stats; 0 from the cache
   bool fromCache = false;
 };
 

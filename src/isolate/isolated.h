@@ -10,7 +10,7 @@ namespace blossom {
 struct IsolationOptions {
   std::string activity{};          ///< completes "The helper process .. crashed": "for the Boolean operation"
   std::filesystem::path module{};  ///< the plugin's own module, as `moduleOf(&anchor)` tells it
-  /// Limits it to evaluations that are worth the start of a process (50 to 100 ms); empty: all.
+  /// Limits it to evaluations that are worth a process: its first call costs 50 to 100 ms, the next ones a few; empty: all.
   std::function<bool(const Value& parameters, const Inputs&)> when{};
   /// Another way to the same result, tried beside the first in a second child when that takes longer than `headStart`; the
   /// first result wins (see race.h). Empty: none. The second child may take half of the machine's memory.
@@ -19,8 +19,11 @@ struct IsolationOptions {
 };
 
 /// The same feature type, evaluated in a child process: what cannot poll `Progress` can so be cancelled at once, and may
-/// crash without harm. Takes and gives regions, curves, B-reps, meshes, motions and sequences of them; a B-rep made has name
-/// and colour of the first B-rep given.
+/// crash without harm. Takes and returns regions, curves, surfaces, B-reps, meshes, motions and sequences of them, with
+/// their names, colours and layers; a B-rep that is made without these gets name and colour of the first B-rep given.
+///
+/// The statistics get "worker_ms": what the evaluation took beside the kernel, which is the way to the child and back, and
+/// its start when none was kept (see runInWorker).
 ///
 /// The module that declares it needs BLOSSOM_WORKER_CALLS() { .. } that declares its feature types once more, in the child.
 FeatureType isolated(FeatureType, IsolationOptions);

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "worker/per_process.h"
 #include "worker/worker.h"
 
 namespace blossom {
@@ -56,21 +57,16 @@ class SpawnSettings {
   posix_spawnattr_t attributes_;
 };
 
-/// All children there are. Never destroyed: threads may still wait for theirs while the process ends.
+/// All children there are.
 struct Children {
   std::mutex mutex;
   std::set<pid_t> running;
 };
 
-Children& children() {
-  static auto& all = *new Children;
-  return all;
-}
-
 }  // namespace
 
 void endAllWorkers() noexcept {
-  Children& all = children();
+  Children& all = ofThisProcess<Children>();
   const std::lock_guard lock(all.mutex);
   for (const pid_t pid : all.running) ::kill(-pid, SIGKILL);
   // Left as zombies for those who wait for them; gone already when one of these was quicker.
@@ -85,7 +81,7 @@ ChildProcess::ChildProcess(const std::filesystem::path& program) {
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw Error(ErrorCode::Internal,
                 std::string("No channel to a helper process could be opened: ") + std::strerror(errno) + ".");
-  Children& all = children();
+  Children& all = ofThisProcess<Children>();
   std::unique_lock lock(all.mutex);
   const int problem = SpawnSettings(ends[1]).spawn(pid_, program.string());
   if (problem == 0) all.running.insert(pid_);
@@ -121,12 +117,17 @@ bool ChildProcess::exchange(std::string& pending, std::string& received, int mil
   return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
+bool ChildProcess::silent() const {
+  pollfd watched{channel_, POLLIN, 0};
+  return ::poll(&watched, 1, 0) == 0;
+}
+
 int ChildProcess::wait() {
   int status = 0;
   siginfo_t ended;
   while (::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
   }
-  Children& all = children();
+  Children& all = ofThisProcess<Children>();
   const std::lock_guard lock(all.mutex);
   all.running.erase(pid_);  // before its number can belong to another process
   while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {

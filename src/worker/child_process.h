@@ -24,6 +24,8 @@ class ChildProcess {
   /// `milliseconds`.
   /// @returns false when the child has closed its end.
   bool exchange(std::string& pending, std::string& received, int milliseconds);
+  /// Whether it is there and has sent nothing that was not received.
+  [[nodiscard]] bool silent() const;
   /// Waits for the end. @returns the status as of waitpid.
   int wait();
 

@@ -6,11 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdlib>
+#include <optional>
 
 #include "core/error.h"
-#include "worker/child_process.h"
+#include "worker/kept_children.h"
 
 namespace blossom {
 
@@ -42,18 +42,15 @@ std::string requestLine(const std::string& name, const Value& arguments, const f
   return request.dump(-1, ' ', false, Value::error_handler_t::replace) + "\n";
 }
 
-/// Serves one line of the child. @returns true and fills `result` when the call is done.
-bool serve(const std::string& line, const Progress& progress, Value& result) {
-  const Value message = Value::parse(line, nullptr, false);
+/// Handles one line of the child. @returns the message with the result when the call is done.
+std::optional<Value> answerOf(const std::string& line, const Progress& progress) {
+  Value message = Value::parse(line, nullptr, false);
   if (!message.is_object()) throw Error(ErrorCode::WorkerDied, "A helper process sent a message that is not understood.");
   if (const auto error = message.find("error"); error != message.end())
     throw Error(errorCodeFromName(error->value("code", "")), error->value("message", ""), error->value("hint", ""));
-  if (const auto found = message.find("result"); found != message.end()) {
-    result = *found;
-    return true;
-  }
+  if (message.contains("result")) return message;
   progress.report(message.value("progress", 0.0), message.value("stage", ""));
-  return false;
+  return {};
 }
 
 std::string signalName(int number) {
@@ -89,19 +86,26 @@ fs::path moduleOf(const void* address) {
 Value runInWorker(const std::string& name, const Value& arguments, const fs::path& folder, const Progress& progress,
                   const WorkerOptions& options) {
   progress.check();
-  ChildProcess child(workerProgram());
+  const std::string module = options.module.string();
+  auto child = takeChild(workerProgram(), module);
   std::string pending = requestLine(name, arguments, folder, options);
   std::string received;
-  Value result;
+  std::size_t searched = 0;  // no line ends before
   for (bool open = true; open;) {
-    open = child.exchange(pending, received, 20);
+    open = child->process.exchange(pending, received, 20);
     progress.check();
     std::size_t start = 0;
-    for (std::size_t end; (end = received.find('\n', start)) != std::string::npos; start = end + 1)
-      if (serve(received.substr(start, end - start), progress, result)) return result;
+    for (std::size_t end; (end = received.find('\n', searched)) != std::string::npos; start = searched = end + 1) {
+      std::optional<Value> answer = answerOf(received.substr(start, end - start), progress);
+      if (!answer) continue;
+      child->modules.insert(module);
+      if (answer->value("again", false) && options.idleSeconds > 0) keepChild(std::move(child), options.idleSeconds);
+      return std::move(answer->at("result"));
+    }
     received.erase(0, start);
+    searched = received.size();
   }
-  throwDied(child.wait(), name, options);
+  throwDied(child->process.wait(), name, options);
 }
 
 }  // namespace blossom

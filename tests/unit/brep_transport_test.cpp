@@ -1,4 +1,4 @@
-#include "exchange/cad/brep_transport.h"
+#include "transport/brep_transport.h"
 
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "core/file.h"
+#include "exchange/cad/entity_count.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -24,8 +25,8 @@ double volume(const TopoDS_Shape& shape) {
 
 Brep thereAndBack(const Brep& brep) {
   const TemporaryFolder folder;
-  saveBrep(brep, folder.path());
-  return loadBrep(folder.path());
+  const Value value = Value::parse(saveBrep(brep, folder.path(), "a").dump());
+  return loadBrep(value, folder.path());
 }
 
 gp_Trsf shifted(double x) {
@@ -134,12 +135,16 @@ class BrepTransportTest : public QObject {
 
   void damagedFilesAreAnError() {
     const TemporaryFolder folder;
-    saveBrep(assembly(), folder.path());
-    std::ofstream(folder.path() / "structure.json") << "{\"roots\": [";
-    VERIFY_ERROR(loadBrep(folder.path()), ErrorCode::Internal);
-    saveBrep(assembly(), folder.path());
-    std::ofstream(folder.path() / "shapes.bin") << "rubbish";
-    VERIFY_ERROR(loadBrep(folder.path()), ErrorCode::Internal);
+    const Value value = saveBrep(assembly(), folder.path(), "a");
+    std::ofstream(folder.path() / "a.brep") << "rubbish";
+    VERIFY_ERROR(loadBrep(value, folder.path()), ErrorCode::Internal);
+    test::fs::remove(folder.path() / "a.brep");
+    VERIFY_ERROR(loadBrep(value, folder.path()), ErrorCode::Internal);
+  }
+
+  void nothingIsRefused() {
+    const TemporaryFolder folder;
+    VERIFY_ERROR(saveBrep(Brep(), folder.path(), "a"), ErrorCode::InvalidInput);
   }
 };
 

@@ -12,7 +12,7 @@
 #include "core/file.h"
 #include "core/temporaries.h"
 #include "support/command_line.h"
-#include "worker/worker.h"
+#include "support/worker.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -147,6 +147,19 @@ class InterruptionTest : public QObject {
     program.endedBy(SIGTERM);
     QVERIFY(!lives(helper));
     QCOMPARE(entriesIn(folder_), std::size_t(0));
+  }
+
+  /// Those that wait for a further call, too.
+  void idleHelpersGoToo() {
+    qputenv("BLOSSOM_WORKER", (buildFolder() / "bin/blossom-worker").c_str());
+    Program program(true, [](const auto& tell) {
+      tell(std::to_string(servingPid()));
+      deafWork();
+    });
+    const pid_t helper = std::stoi(program.first());
+    QVERIFY(lives(helper));
+    program.endedBy(SIGTERM);
+    QVERIFY(!lives(helper));
   }
 
   /// After a kill that nothing can follow, the next program tidies up; the folders of the living stay.

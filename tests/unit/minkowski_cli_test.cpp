@@ -91,6 +91,7 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(apart.code, 0);
     QCOMPARE(sums(apart), 1);
     QVERIFY(apart.result("area") > 0 && apart.result("components") == 1);
+    QVERIFY(apart.json["stats"].contains("worker_ms") && !here.json["stats"].contains("worker_ms"));
   }
 
   /// The numbers and names that documents of earlier versions hold.

@@ -1,51 +1,23 @@
 #include "worker/worker.h"
 
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <future>
 
-#include "core/file.h"
-#include "support/support.h"
+#include "support/worker.h"
 
 using namespace blossom;
-
-namespace {
-
-Value selftest(const Value& arguments, const Progress& progress = Progress::none(), const WorkerOptions& options = {}) {
-  const TemporaryFolder folder;
-  return runInWorker("worker.selftest", arguments, folder.path(), progress, options);
-}
-
-/// Error of a call that is expected to fail.
-Error failure(const Value& arguments, const Progress& progress = Progress::none(), const WorkerOptions& options = {}) {
-  try {
-    selftest(arguments, progress, options);
-  } catch (const Error& error) {
-    return error;
-  }
-  return Error(ErrorCode::Internal, "nothing was thrown");
-}
-
-bool exists(int pid) { return ::kill(pid, 0) == 0 || errno != ESRCH; }
-
-/// Does something to the waiting child as soon as it has told its process id.
-Progress whenWaiting(const CancelToken& token, std::function<void(int pid)> act) {
-  return Progress(token, [act = std::move(act)](double, const std::string& stage) { act(std::stoi(stage)); });
-}
-
-}  // namespace
+using namespace blossom::test;
 
 class WorkerTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() { qputenv("BLOSSOM_WORKER", (test::buildFolder() / "bin/blossom-worker").c_str()); }
+  void initTestCase() { qputenv("BLOSSOM_WORKER", (buildFolder() / "bin/blossom-worker").c_str()); }
 
   void argumentsComeBackUnchanged() {
     const Value arguments{{"mode", "echo"}, {"number", 0.1}, {"text", "Grüße \"\n\\"}, {"list", {1, 2.5, nullptr, true}}};
@@ -162,12 +134,14 @@ class WorkerTest : public QObject {
 
   void noDescriptorIsLeftBehind() {
     const auto descriptors = [] {
-      return std::distance(test::fs::directory_iterator("/proc/self/fd"), test::fs::directory_iterator());
+      return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
     };
-    selftest({{"mode", "echo"}});
+    endIdleWorkers();
     const auto before = descriptors();
     for (int i = 0; i < 3; ++i) selftest({{"mode", "echo"}});
     failure({{"mode", "abort"}});
+    selftest({{"mode", "echo"}});
+    endIdleWorkers();
     QCOMPARE(descriptors(), before);
   }
 };

@@ -101,6 +101,7 @@ QString measureLabel(const std::string& name) {
                                                      {"closed_u", QStringLiteral("Closing in u")},
                                                      {"entities", QStringLiteral("In the file")},
                                                      {"caps", QStringLiteral("Ends")},
+                                                     {"worker_ms", QStringLiteral("Helper process")},
                                                      {"refinements", QStringLiteral("Knots inserted")},
                                                      {"skipped", QStringLiteral("Left out")}};
   const auto it = labels.find(name);

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "exchange/cad/brep_transport.h"
+#include "transport/brep_transport.h"
 #include "worker/worker.h"
 
 namespace blossom {
@@ -14,16 +14,16 @@ namespace fs = std::filesystem;
 /// Name of the link to the file: what OCCT gets is short and plain whatever the file is called.
 constexpr const char* outputLink = "output";
 
-Value serveWriter(BrepWriter writer, const Value& options, const fs::path& folder, const Progress& progress) {
-  writer(loadBrep(folder), (folder / outputLink).string(), options, progress);
+Value serveWriter(BrepWriter writer, const Value& arguments, const fs::path& folder, const Progress& progress) {
+  writer(loadBrep(arguments.at("shape"), folder), (folder / outputLink).string(), arguments.at("options"), progress);
   return Value::object();
 }
 
 }  // namespace
 
 void registerBrepWriter(const std::string& call, BrepWriter writer) {
-  registerWorkerCall(call, [writer](const Value& options, const fs::path& folder, const Progress& progress) {
-    return serveWriter(writer, options, folder, progress);
+  registerWorkerCall(call, [writer](const Value& arguments, const fs::path& folder, const Progress& progress) {
+    return serveWriter(writer, arguments, folder, progress);
   });
 }
 
@@ -31,9 +31,9 @@ void exportBrep(const std::string& call, const Brep& brep, const fs::path& path,
                 const Progress& progress) {
   if (brep.shape().IsNull()) throw Error(ErrorCode::InvalidInput, "The shape is empty; there is nothing to write.");
   const TemporaryFolder folder;
-  saveBrep(brep, folder.path());
+  const Value arguments{{"shape", saveBrep(brep, folder.path(), "shape")}, {"options", options}};
   fs::create_symlink(fs::absolute(path), folder.path() / outputLink);
-  runInWorker(call, options, folder.path(), progress, {.activity = "that writes the file"});
+  runInWorker(call, arguments, folder.path(), progress, {.activity = "that writes the file"});
 }
 
 }  // namespace blossom

@@ -7,7 +7,8 @@
 
 #include "core/error.h"
 #include "core/file.h"
-#include "exchange/cad/brep_transport.h"
+#include "exchange/cad/entity_count.h"
+#include "transport/brep_transport.h"
 #include "worker/worker.h"
 
 namespace blossom {
@@ -35,8 +36,10 @@ Value serve(BrepReader reader, const fs::path& folder, const Progress& progress)
   if (read.brep.shape().IsNull())
     throw Error(ErrorCode::FormatDamaged, "It holds no geometry.", "It may be empty, or hold only drawings or annotations.");
   if (!isComplete(read.brep.shape())) throw Error(ErrorCode::FormatDamaged, "Some of its faces or edges have no geometry.");
-  saveBrep(read.brep, folder);
-  return {{"entities", countEntities(read.brep)}, {"skipped", read.skipped}, {"warnings", read.warnings}};
+  return {{"shape", saveBrep(read.brep, folder, "shape")},
+          {"entities", countEntities(read.brep)},
+          {"skipped", read.skipped},
+          {"warnings", read.warnings}};
 }
 
 /// OCCT reads about 2 MB a second; a damaged file can send it round for ever.
@@ -59,7 +62,7 @@ Imported importBrep(const std::string& call, const fs::path& path, const Progres
   const WorkerOptions options{.activity = "reading " + path.filename().string(), .cpuSeconds = cpuLimit(path)};
   Value answer = runInWorker(call, Value::object(), folder.path(), progress, options);
   Imported imported;
-  imported.shape = loadBrep(folder.path());
+  imported.shape = loadBrep(answer.at("shape"), folder.path());
   imported.entities = std::move(answer.at("entities"));
   imported.skipped = std::move(answer.at("skipped"));
   imported.warnings = answer.at("warnings").get<std::vector<std::string>>();

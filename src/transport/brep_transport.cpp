@@ -1,7 +1,8 @@
-#include "exchange/cad/brep_transport.h"
+#include "transport/brep_transport.h"
 
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
@@ -9,28 +10,16 @@
 #include <fstream>
 #include <map>
 #include <memory>
-#include <set>
 
-#include "core/file.h"
-#include "exchange/cad/occt_io.h"
+#include "core/error.h"
+#include "transport/bulk_file.h"
+#include "transport/numbers.h"
 
 namespace blossom {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* shapesFile = "shapes.bin";
-constexpr const char* structureFile = "structure.json";
-
-Value colorValue(const std::optional<Color>& color) {
-  return color ? Value::array({color->red, color->green, color->blue}) : Value();
-}
-
-std::optional<Color> toColor(const Value& value) {
-  if (value.is_null()) return {};
-  return Color{value.at(0), value.at(1), value.at(2)};
-}
 
 /// Rows of the 3x4 matrix; null for the identity, which must stay one: a shape moved by a matrix of ones is another shape.
 Value locationValue(const gp_Trsf& location) {
@@ -135,67 +124,42 @@ class Loader {
   std::vector<std::shared_ptr<const BrepPart>> parts_;
 };
 
-void countInto(Value& counts, const TopoDS_Shape& shape) {
-  static constexpr std::pair<TopAbs_ShapeEnum, const char*> kinds[] = {{TopAbs_SOLID, "solid"},
-                                                                       {TopAbs_SHELL, "shell"},
-                                                                       {TopAbs_FACE, "face"},
-                                                                       {TopAbs_EDGE, "edge"},
-                                                                       {TopAbs_VERTEX, "vertex"}};
-  TopTools_IndexedMapOfShape all;
-  TopExp::MapShapes(shape, all);
-  for (const auto& [kind, name] : kinds) {
-    int count = 0;
-    for (int i = 1; i <= all.Extent(); ++i) count += all(i).ShapeType() == kind;
-    if (count > 0) counts[name] = counts.value(name, 0) + count;
+void writeShapes(const TopoDS_Shape& shapes, const fs::path& file) {
+  std::ofstream stream(file, std::ios::binary);
+  try {
+    BinTools::Write(shapes, stream);
+  } catch (const Standard_Failure&) {
+    throw Error(ErrorCode::InvalidInput, "The shape cannot be handed over to a helper process.");
   }
+  finishBulkFile(stream, file);
 }
 
-void countInto(Value& counts, const std::vector<BrepInstance>& instances, std::set<const BrepPart*>& seen) {
-  for (const BrepInstance& instance : instances) {
-    const BrepPart* part = instance.part.get();
-    if (!part || !seen.insert(part).second) continue;
-    const char* kind = part->children.empty() ? "part" : "assembly";
-    counts[kind] = counts.value(kind, 0) + 1;
-    if (!part->shape.IsNull()) countInto(counts, part->shape);
-    countInto(counts, part->children, seen);
+TopoDS_Shape readShapes(const fs::path& file) {
+  TopoDS_Shape shapes;
+  std::ifstream stream(file, std::ios::binary);
+  try {
+    BinTools::Read(shapes, stream);
+  } catch (const Standard_Failure&) {
+    throwUnreadableShapes();
   }
+  if (shapes.IsNull()) throwUnreadableShapes();
+  return shapes;
 }
 
 }  // namespace
 
-void saveBrep(const Brep& brep, const fs::path& folder) {
+Value saveBrep(const Brep& brep, const fs::path& folder, const std::string& name) {
+  if (brep.shape().IsNull()) throw Error(ErrorCode::InvalidInput, "The input is empty.");
+  const fs::path file = folder / (name + ".brep");
   Saver saver;
-  Value structure{{"roots", saver.instances(brep.roots())}, {"parts", Value()}};
-  structure["parts"] = saver.parts();
-  std::ofstream shapes(folder / shapesFile, std::ios::binary);
-  withOcctErrors(ErrorCode::Internal, "The shapes could not be handed over.",
-                 [&] { BinTools::Write(saver.shapes(), shapes); });
-  std::ofstream text(folder / structureFile, std::ios::binary);
-  text << structure.dump(-1, ' ', false, Value::error_handler_t::replace);
-  shapes.close();
-  text.close();
-  if (!shapes || !text)
-    throw Error(ErrorCode::FileUnwritable, "There is no room for temporary files in \"" + folder.string() + "\".",
-                "Free some disk space.");
+  Value roots = saver.instances(brep.roots());
+  writeShapes(saver.shapes(), file);
+  return {{"file", file.filename().string()}, {"roots", std::move(roots)}, {"parts", saver.parts()}};
 }
 
-Brep loadBrep(const fs::path& folder) {
-  const char* broken = "The result of a helper process cannot be read.";
-  const Value structure = Value::parse(readFile(folder / structureFile), nullptr, false);
-  if (!structure.is_object()) throw Error(ErrorCode::Internal, broken);
-  TopoDS_Shape shapes;
-  std::ifstream stream(folder / shapesFile, std::ios::binary);
-  withOcctErrors(ErrorCode::Internal, broken, [&] { BinTools::Read(shapes, stream); });
-  if (shapes.IsNull()) throw Error(ErrorCode::Internal, broken);
-  const Loader loader(shapes, structure.at("parts"));
-  return Brep(loader.instances(structure.at("roots")));
-}
-
-Value countEntities(const Brep& brep) {
-  Value counts = Value::object();
-  std::set<const BrepPart*> seen;
-  countInto(counts, brep.roots(), seen);
-  return counts;
+Brep loadBrep(const Value& value, const fs::path& folder) {
+  const Loader loader(readShapes(folder / value.at("file").get<std::string>()), value.at("parts"));
+  return Brep(loader.instances(value.at("roots")));
 }
 
 }  // namespace blossom

@@ -15,7 +15,8 @@ class StartPage : public QFrame {
  public:
   explicit StartPage(QWidget* parent = nullptr);
   /// Lies over this widget from here on, wherever that goes.
-  void cover(QWidget*);
+  void showOver(QWidget*);
+  void putAway();
 
  signals:
   void newWanted();

@@ -42,6 +42,7 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       errors_(new ErrorBar),
       faults_(new FaultBar(session_)),
       timeline_(new TimelineBar(playback_)) {
+  view_->setSource({[this] { return itemsNow(); }, [this] { return overlayNow(); }});
   buildWidgets();
   connectSession();
   connectWidgets();
@@ -88,7 +89,8 @@ bool DocumentPage::untouched() const {
 
 void DocumentPage::connectSession() {
   connect(&session_, &Session::documentChanged, this, [this] {
-    refreshView();
+    refreshTimeline();
+    view_->markItems();
     measurements_.documentChanged();
     if (Tool* const active = tool()) active->documentChanged();
     refreshHandles();
@@ -105,14 +107,8 @@ void DocumentPage::connectSession() {
     emit opened();
   });
   connect(&session_, &Session::fileChanged, this, &DocumentPage::stateChanged);
-  connect(&session_, &Session::viewChanged, this, [this](const QString& id) {
-    refreshView();
-    measurements_.documentChanged();
-    if (id.toStdString() == tree_->current()) refreshOverlay();
-    if (Tool* const active = tool()) active->documentChanged();
-    refreshHandles();
-  });
-  connect(&session_, &Session::evaluationOverdue, this, &DocumentPage::refreshView);
+  connect(&session_, &Session::viewsChanged, this, &DocumentPage::followViews);
+  connect(&session_, &Session::evaluationOverdue, view_, &ViewWidget::markItems);
   connect(&session_, &Session::evaluationStarted, this, [this] { emit workChanged(evaluationKey, tr("Computing"), 0); });
   connect(&session_, &Session::evaluationProgressed, this, [this](double fraction, const QString& stage) {
     emit workChanged(evaluationKey, stage.isEmpty() ? tr("Computing") : stage, fraction);
@@ -120,8 +116,8 @@ void DocumentPage::connectSession() {
   connect(&session_, &Session::evaluationFinished, this, [this] {
     emit workEnded(evaluationKey);
     if (fitPending_ && tree_->selected().empty()) selectLast();
-    refreshView();
-    refreshOverlay();
+    view_->markItems();
+    view_->markOverlay();
     fitWhenFirstShown();
   });
   connect(&session_, &Session::featureAdded, this, [this](const QString& id) { tree_->select(id.toStdString()); });
@@ -153,20 +149,29 @@ void DocumentPage::connectSession() {
   });
 }
 
+void DocumentPage::followViews(const std::set<FeatureId>& features) {
+  refreshTimeline();
+  view_->markItems();
+  if (features.contains(tree_->current())) view_->markOverlay();
+  measurements_.documentChanged();
+  if (Tool* const active = tool()) active->documentChanged();
+  refreshHandles();
+}
+
 void DocumentPage::connectWidgets() {
-  connect(&measurements_, &Measurements::changed, this, &DocumentPage::refreshOverlay);
-  connect(&playback_, &Playback::moved, this, &DocumentPage::refreshView);
+  connect(&measurements_, &Measurements::changed, view_, &ViewWidget::markOverlay);
+  connect(&playback_, &Playback::moved, view_, &ViewWidget::markItems);
   const auto tellTime = [this] { properties_->setTimeline(playback_.frame(), playback_.count()); };
   connect(&playback_, &Playback::moved, this, tellTime);
   connect(&playback_, &Playback::changed, this, tellTime);
   connect(&playback_, &Playback::changed, this, &DocumentPage::stateChanged);
   connect(properties_, &PropertyPanel::frameWanted, &playback_, &Playback::show);
-  connect(&playback_, &Playback::changed, this, &DocumentPage::refreshOverlay);
+  connect(&playback_, &Playback::changed, view_, &ViewWidget::markOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
     if (!fillPanelLater_) showProperties();
     faults_->setSelected(tree_->selected().empty() ? FeatureId() : tree_->current());
-    refreshView();
-    refreshOverlay();
+    view_->markItems();
+    view_->markOverlay();
     refreshHandles();
     emit selectionChanged();
   });
@@ -195,7 +200,7 @@ void DocumentPage::connectWidgets() {
   connect(&ThemeManager::instance(), &ThemeManager::changed, this, [this] {
     look_ = theme().look();
     view_->setLook(look_);
-    refreshOverlay();
+    view_->markOverlay();
     tree_->viewport()->update();
   });
 }
@@ -227,8 +232,7 @@ SceneData DocumentPage::sceneNow(const FeatureView& view) const {
   return view.frames->at(static_cast<std::size_t>(playback_.frameOf(static_cast<int>(view.frames->size()))));
 }
 
-void DocumentPage::refreshView() {
-  refreshTimeline();
+std::vector<ViewItem> DocumentPage::itemsNow() const {
   const std::vector<FeatureId> selected = tree_->selected();
   std::vector<FeatureId> controls;
   for (const FeatureId& id : selected)
@@ -245,16 +249,16 @@ void DocumentPage::refreshView() {
                                                          : ItemRole::Plain;
     items.push_back({feature->id, sceneNow(*view), role, session_.outdated(feature->id)});
   }
-  view_->setItems(items);
+  return items;
 }
 
-void DocumentPage::refreshOverlay() {
+std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {
   std::vector<vtkSmartPointer<vtkProp>> props = overlayOfSelected();
   const auto skins = skinsOfShown();
   props.insert(props.begin(), skins.begin(), skins.end());
   const auto measured = measurements_.props();
   props.insert(props.end(), measured.begin(), measured.end());
-  view_->setOverlay(std::move(props));
+  return props;
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::skinsOfShown() const {

@@ -20,6 +20,7 @@ class FaultBar;
 class PropertyPanel;
 class TimelineBar;
 class ViewWidget;
+struct ViewItem;
 
 /// One open document in the window: its session, its side (tree and properties) and its canvas (what went wrong, and the
 /// view). Also what a tool sees of the workbench.
@@ -94,10 +95,11 @@ class DocumentPage : public QObject, public ToolHost {
   void connectSession();
   void connectWidgets();
   void followPreference(const QString& name);
-  void refreshView();
   void refreshTimeline();
+  void followViews(const std::set<FeatureId>&);
+  [[nodiscard]] std::vector<ViewItem> itemsNow() const;
   [[nodiscard]] SceneData sceneNow(const FeatureView&) const;
-  void refreshOverlay();
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayNow();
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> skinsOfShown() const;
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();
   void showProperties();

@@ -95,6 +95,7 @@ void DocumentPage::refreshHandles() {
   const bool usable = !wanted.empty() && document().contains(wanted) && document().at(wanted).visible && result(wanted);
   if (usable && handles_ && handled_ == wanted) return;
   if (!usable && !handles_) return;
+  const bool before = handles_ != nullptr;
   if (handles_) {
     view_->setTool(nullptr);
     const std::unique_ptr<Tool> ended = std::move(handles_);
@@ -102,7 +103,7 @@ void DocumentPage::refreshHandles() {
   }
   const MakeTool* make = usable && !handles_ ? manipulators_.handles(document().at(wanted).type) : nullptr;
   if (make) makeHandles(*make, wanted);
-  giveViewItsTool();
+  if (before || handles_) giveViewItsTool();
 }
 
 // A feature with a parameter that is out of range, or that a newer plugin wrote, has an error of its own, and no handles.

@@ -17,6 +17,7 @@
 #include "ui/panel/result_table.h"
 #include "ui/plugin/tool.h"
 #include "ui/session/session.h"
+#include "ui/thread/refreshes.h"
 
 namespace blossom::ui {
 
@@ -67,15 +68,9 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   setFocusPolicy(Qt::NoFocus);
   buildColumn();
   connect(&session, &Session::documentChanged, this, [this] { show(shown_); });
-  connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
-    if (feature.toStdString() == shown_) {
-      refreshTimes();
-      return refreshResult();
-    }
-    // The kind of another feature's result may tell which inputs it fits.
-    for (InputEditor* input : inputs_) input->refresh();
-  });
-  connect(&session, &Session::evaluationFinished, this, &PropertyPanel::sendPreview);
+  connect(&session, &Session::viewsChanged, this, &PropertyPanel::followViews);
+  // In a turn of its own: the results that have come are shown first.
+  connect(&session, &Session::evaluationFinished, this, &PropertyPanel::sendPreview, Qt::QueuedConnection);
   connect(&session, &Session::evaluationStarted, this, [this] {
     if (result_->showsCancelled()) refreshResult();
   });
@@ -294,8 +289,23 @@ void PropertyPanel::refreshField(ParameterField& field, const Value& given) {
   told = fault;
 }
 
+void PropertyPanel::followViews(const std::set<FeatureId>& features) {
+  if (shown_.empty()) return;
+  const bool own = features.contains(shown_), others = features.size() > (own ? 1U : 0U);
+  if (own) {
+    refreshTimes();
+    refreshResult();
+  } else if (!inputs_.empty()) {
+    countRefresh(WindowPart::Panel);
+  }
+  // The kind of another feature's result may tell which inputs it fits.
+  if (others)
+    for (InputEditor* input : inputs_) input->refresh();
+}
+
 void PropertyPanel::refreshResult() {
   if (shown_.empty() || !session_.document().contains(shown_)) return;
+  countRefresh(WindowPart::Panel);
   if (session_.cancelled(shown_)) return result_->showCancelled();
   std::vector<std::string> besides;  // what is set above need not be told below
   for (const ParameterField* field : fields_) besides.push_back(field->spec().name);

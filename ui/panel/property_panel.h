@@ -3,6 +3,7 @@
 #include <QScrollArea>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "document/document.h"
@@ -65,6 +66,7 @@ class PropertyPanel : public QScrollArea {
   void refreshFields();
   void refreshField(ParameterField&, const Value& given);
   void refreshResult();
+  void followViews(const std::set<FeatureId>&);
   void showFault();
   void preview(ParameterField*, const Value&);
   void sendPreview();

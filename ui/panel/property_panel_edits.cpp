@@ -78,7 +78,7 @@ void PropertyPanel::preview(ParameterField* field, const Value& value) {
 // Only the newest value goes off, and only when the evaluation before has come to its end: dragging never queues up, and
 // slow features still show something while they are dragged.
 void PropertyPanel::sendPreview() {
-  if (!waiting_ || !previewed_) return;
+  if (!waiting_ || !previewed_ || session_.evaluating()) return;
   const Value value = std::move(*waiting_);
   waiting_.reset();
   session_.preview(session_.document().with(changed(previewed_->spec().name, value)));

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 #include "document/file_access.h"
 #include "ui/look/preferences.h"
@@ -27,6 +28,8 @@ Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app
   patience_.setSingleShot(true);
   patience_.setInterval(patienceMs);
   connect(&patience_, &QTimer::timeout, this, &Session::evaluationOverdue);
+  telling_.setSingleShot(true);
+  connect(&telling_, &QTimer::timeout, this, &Session::tellViews);
   connect(&autosave_, &QTimer::timeout, this, [this] {
     if (journal_) journal_->snapshot();
   });
@@ -87,15 +90,21 @@ void Session::changed() {
   ++edits_;
   dropOldViews();
   emit documentChanged();
-  emit fileChanged();
   evaluate();
 }
 
 void Session::dropOldViews() {
   std::erase_if(views_, [&](const auto& entry) { return !document().contains(entry.first); });
+  std::erase_if(untold_, [&](const FeatureId& id) { return !document().contains(id); });
 }
 
-// Results, drawings and measures are made on the evaluator's thread and arrive here one by one.
+void Session::tellViews() {
+  telling_.stop();
+  if (!untold_.empty()) emit viewsChanged(std::exchange(untold_, {}));
+}
+
+// Results, drawings and measures are made on the evaluator's thread and arrive here one by one; listeners are told of all
+// that have come in a turn of the event loop together.
 void Session::evaluate() {
   displayToken_.cancel();
   displayToken_ = CancelToken();
@@ -105,6 +114,7 @@ void Session::evaluate() {
   cut_ = false;
   arrived_.clear();
   watched_.emplace();
+  cache_->makeRoomFor(document().features().size());
   emit evaluationStarted();
   const auto here = [this, generation](auto function) {
     here_.post([this, generation, function] {
@@ -129,13 +139,15 @@ void Session::evaluate() {
           if (!document().contains(id)) return;
           views_[id] = view;
           arrived_.insert(id);
-          emit viewChanged(qt(id));
+          untold_.insert(id);
+          telling_.start();
         });
       },
       [this, here](const Results&) {
         here([this] {
           evaluating_ = false;
           patience_.stop();
+          tellViews();
           emit evaluationFinished();
           if (!evaluating_) watched_.reset();
         });
@@ -156,6 +168,7 @@ void Session::cancelEvaluation() {
   patience_.stop();
   cut_ = true;
   watched_.reset();
+  tellViews();
   emit evaluationCancelled();
   emit evaluationFinished();
   emit noted(tr("Computing was cancelled; what was ready is shown."));
@@ -207,6 +220,7 @@ void Session::replace(Document document, const std::filesystem::path& file, cons
   history_.markSaved();
   nothingToKeep();
   views_.clear();
+  untold_.clear();
   file_ = file;
   emit opened();
   changed();

@@ -89,8 +89,9 @@ class Session : public QObject {
  signals:
   void documentChanged();  ///< another document is shown, by an edit or a file
   void opened();           ///< a document of another file is shown
-  void fileChanged();      ///< file name or modified mark
-  void viewChanged(const QString& feature);
+  void fileChanged();      ///< file name or modified mark, by anything but documentChanged
+  /// New views have come, of one or many features: once in a turn of the event loop, and before evaluationFinished.
+  void viewsChanged(const std::set<blossom::FeatureId>& features);
   void evaluationStarted();
   void evaluationOverdue();  ///< it takes more than a moment: what has not come yet is awaited
   void evaluationProgressed(double fraction, const QString& stage);
@@ -116,6 +117,7 @@ class Session : public QObject {
   bool begin(const QString& title, Job::Work, std::function<void()> then, const std::filesystem::path& file,
              std::function<void()> otherwise = {});
   void dropOldViews();
+  void tellViews();
   // session_safety.cpp
   void keep(const QString& what);
   void nothingToKeep();
@@ -129,6 +131,8 @@ class Session : public QObject {
   std::shared_ptr<DisplayCache> cache_ = std::make_shared<DisplayCache>();
   std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
   std::set<FeatureId> arrived_;                  // of the last evaluation
+  std::set<FeatureId> untold_;                   // of those that arrived
+  QTimer telling_;                               // of them, in the next turn of the event loop
   bool cut_ = false;                             // the last evaluation was cancelled
   std::set<FeatureId> late_;                     // awaited since before the evaluation under way
   QTimer patience_;                              // what is computed at once is not said to be awaited

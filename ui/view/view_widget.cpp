@@ -63,7 +63,7 @@ void ViewWidget::paintEvent(QPaintEvent* event) {
   if (!problem().isEmpty()) return paintProblem(*event);
   sizePicture();
   if (blank_ && before_.isNull()) drawNow();  // better late than empty
-  if (outdated_) wantFrame();
+  if (outdated_ || stale()) wantFrame();
   QPainter(this).drawImage(rect(), blank_ ? before_ : picture_);
   // Painting is done, and the window is shown, when this event has been handled.
   if (std::exchange(changed_, false)) QMetaObject::invokeMethod(this, &ViewWidget::framePainted, Qt::QueuedConnection);

@@ -6,8 +6,10 @@
 #include <QPointer>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ui/plugin/tool.h"
@@ -35,6 +37,15 @@ class ViewWidget : public QWidget {
   explicit ViewWidget(QWidget* parent = nullptr);
   ~ViewWidget() override;
 
+  /// Where the view takes its contents from once they are said to be out of date: before its next picture, or before
+  /// something is looked up in it. So they are made once for a picture, however often something changes.
+  struct Source {
+    std::function<std::vector<ViewItem>()> items;
+    std::function<std::vector<vtkSmartPointer<vtkProp>>()> overlay;
+  };
+  void setSource(Source source) { source_ = std::move(source); }
+  void markItems();    ///< they are out of date
+  void markOverlay();  ///< likewise
   void setItems(const std::vector<ViewItem>&);
   void setOverlay(std::vector<vtkSmartPointer<vtkProp>>);
   /// Gets mouse and keys first until another is set; nullptr: none. Not owned. `handles` are there beside what the view does
@@ -59,11 +70,11 @@ class ViewWidget : public QWidget {
   [[nodiscard]] PickMode pickMode() const { return pickMode_; }
   /// Faces, edges and points that are selected; in Feature mode there are none, features are selected by who listens.
   void setSelectedParts(const std::vector<Pick>&);
-  [[nodiscard]] const std::vector<Pick>& selectedParts() const { return selected_.picks(); }
+  [[nodiscard]] const std::vector<Pick>& selectedParts();
   /// What is under a point of the view, logical pixels.
-  [[nodiscard]] Pick pickAt(QPointF, PickMode) const;
+  [[nodiscard]] Pick pickAt(QPointF, PickMode);
   /// What lies in a rectangle: wholly, or in part when `crossing`.
-  [[nodiscard]] std::vector<Pick> picksIn(const QRectF&, PickMode, bool crossing) const;
+  [[nodiscard]] std::vector<Pick> picksIn(const QRectF&, PickMode, bool crossing);
   [[nodiscard]] const Pick& hoveredPick() const { return hovered_; }
 
   void fit(bool animated = true);
@@ -72,12 +83,12 @@ class ViewWidget : public QWidget {
   void zoomBy(double factor);
   [[nodiscard]] const CameraControl& camera() const { return camera_; }
   [[nodiscard]] CameraControl& camera() { return camera_; }
-  [[nodiscard]] Bounds extent() const;                                  ///< of all that is shown
+  [[nodiscard]] Bounds extent();                                        ///< of all that is shown
   [[nodiscard]] double gridSpacing() const { return grid_.spacing(); }  ///< mm
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
   [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
   /// All edges are smoothed; at first, and while the camera moves, that is left out where it would stutter.
-  [[nodiscard]] bool sharp() const { return !frame_ && smooth(); }
+  [[nodiscard]] bool sharp() const { return !frame_ && !stale() && smooth(); }
 
   [[nodiscard]] QString problem() const;  ///< why nothing can be drawn; empty when all is well
   /// What is shown, drawn before when it is out of date.
@@ -117,6 +128,8 @@ class ViewWidget : public QWidget {
 
   void buildRenderer();
   void applyLook();
+  [[nodiscard]] bool stale() const { return itemsStale_ || overlayStale_; }
+  void bringUpToDate();
   // Frames: begun here, drawn beside what the window does, shown when they are there.
   [[nodiscard]] bool smooth() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
   void sizePicture();
@@ -132,7 +145,7 @@ class ViewWidget : public QWidget {
   void keepGridLast();
   void keepGridInSight();
   [[nodiscard]] Look scaledLook() const;
-  [[nodiscard]] std::vector<Vec3> everything() const;
+  [[nodiscard]] std::vector<Vec3> everything();
   void placeCube();
   void redrawMoving();
   void redraw();  // soon and fast; smoothed when things have come to rest
@@ -140,7 +153,7 @@ class ViewWidget : public QWidget {
   // What the mouse does.
   [[nodiscard]] QString restingHint() const;
   [[nodiscard]] PickOptions pickOptions() const;
-  [[nodiscard]] ToolEvent toolEvent(QPointF at, Qt::MouseButton, Qt::KeyboardModifiers) const;
+  [[nodiscard]] ToolEvent toolEvent(QPointF at, Qt::MouseButton, Qt::KeyboardModifiers);
   void showToolProps();
   bool offerKey(const QKeyEvent&);
   void hoverAt(QPointF at, Qt::KeyboardModifiers);
@@ -155,6 +168,8 @@ class ViewWidget : public QWidget {
   std::shared_ptr<Painter> painter_;
   QImage picture_;
   vtkSmartPointer<vtkRenderer> renderer_;
+  Source source_;
+  bool itemsStale_ = false, overlayStale_ = false;
   ViewItems items_;
   PartHighlight hoverLight_, selected_;
   std::vector<vtkSmartPointer<vtkProp>> overlay_, toolProps_;

@@ -59,8 +59,10 @@ void ViewWidget::sizePicture() {
 
 void ViewWidget::beginFrame() {
   if (frame_ || !isVisible() || !problem().isEmpty()) return;  // its arrival, or painting, asks again
+  bringUpToDate();
   sizePicture();
   if (sharp() || picture_.isNull()) return;
+  next_.stop();  // what is asked for up to here is in this frame
   frameTimer_.start();
   prepareFrame();
   outdated_ = false;
@@ -91,6 +93,8 @@ void ViewWidget::takeFrame() {
   showFrame(*pixels);
   if (items_.incomplete() || outdated_)
     redraw();
+  else if (stale())
+    wantFrame();
   else
     chooseSmoothing();
 }
@@ -112,6 +116,7 @@ void ViewWidget::showFrame(const std::vector<std::uint32_t>& pixels) {
 /// Where a picture is needed at once: what is on its way is waited for, and drawn anew when it is out of date.
 void ViewWidget::drawNow() {
   takeFrame();
+  bringUpToDate();
   if (smoothing_.taken() > 0 && !outdated_) return;
   moving_ = false;
   beginFrame();

@@ -26,9 +26,13 @@ PickOptions ViewWidget::pickOptions() const {
           .cut = section_};
 }
 
-Pick ViewWidget::pickAt(QPointF at, PickMode mode) const { return items_.pick(camera_.rayThrough(at), pickOptions(), mode); }
+Pick ViewWidget::pickAt(QPointF at, PickMode mode) {
+  bringUpToDate();
+  return items_.pick(camera_.rayThrough(at), pickOptions(), mode);
+}
 
-std::vector<Pick> ViewWidget::picksIn(const QRectF& rect, PickMode mode, bool crossing) const {
+std::vector<Pick> ViewWidget::picksIn(const QRectF& rect, PickMode mode, bool crossing) {
+  bringUpToDate();
   return items_.within(camera_.boundsOf(rect), mode, crossing);
 }
 
@@ -37,6 +41,11 @@ void ViewWidget::setPickMode(PickMode mode) {
   pickMode_ = mode;
   setHovered({});
   setSelectedParts({});
+}
+
+const std::vector<Pick>& ViewWidget::selectedParts() {
+  bringUpToDate();
+  return selected_.picks();
 }
 
 void ViewWidget::setSelectedParts(const std::vector<Pick>& parts) {
@@ -63,7 +72,8 @@ void ViewWidget::showToolProps() {
   redraw();
 }
 
-ToolEvent ViewWidget::toolEvent(QPointF at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const {
+ToolEvent ViewWidget::toolEvent(QPointF at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+  bringUpToDate();
   ToolEvent event;
   event.at = at;
   event.ray = camera_.rayThrough(at);

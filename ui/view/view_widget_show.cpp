@@ -4,15 +4,33 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "ui/thread/refreshes.h"
 #include "ui/view/view_widget.h"
 
 namespace blossom::ui {
 
+void ViewWidget::markItems() {
+  itemsStale_ = true;
+  wantFrame();
+}
+
+void ViewWidget::markOverlay() {
+  overlayStale_ = true;
+  wantFrame();
+}
+
+void ViewWidget::bringUpToDate() {
+  if (std::exchange(itemsStale_, false)) setItems(source_.items());
+  if (std::exchange(overlayStale_, false)) setOverlay(source_.overlay());
+}
+
 void ViewWidget::setItems(const std::vector<ViewItem>& items) {
-  const std::vector<FeatureId> changed = items_.set(items);
+  countRefresh(WindowPart::View);
+  const ItemsChange change = items_.set(items);
   const auto isChanged = [&](const Pick& pick) {
-    return std::find(changed.begin(), changed.end(), pick.feature) != changed.end();
+    return std::find(change.shapes.begin(), change.shapes.end(), pick.feature) != change.shapes.end();
   };
   if (!hovered_.feature.empty() && isChanged(hovered_)) setHovered({});
   // The parts of a new shape are counted anew: what was selected may be another part now.
@@ -20,8 +38,8 @@ void ViewWidget::setItems(const std::vector<ViewItem>& items) {
   std::copy_if(selected_.picks().begin(), selected_.picks().end(), std::back_inserter(kept),
                [&](const Pick& pick) { return !isChanged(pick); });
   if (kept.size() != selected_.picks().size()) setSelectedParts(kept);
-  keepGridLast();
-  redraw();
+  if (!change.shapes.empty()) keepGridLast();
+  if (change.any()) redraw();
 }
 
 // It is blended over what is drawn before it.
@@ -31,6 +49,8 @@ void ViewWidget::keepGridLast() {
 }
 
 void ViewWidget::setOverlay(std::vector<vtkSmartPointer<vtkProp>> overlay) {
+  countRefresh(WindowPart::Handles);
+  if (overlay.empty() && overlay_.empty()) return;
   for (const auto& prop : overlay_) renderer_->RemoveViewProp(prop);
   overlay_ = std::move(overlay);
   for (const auto& prop : overlay_) renderer_->AddViewProp(prop);
@@ -73,14 +93,18 @@ void ViewWidget::setSection(const std::optional<CutPlane>& section) {
   redraw();
 }
 
-std::vector<Vec3> ViewWidget::everything() const {
+std::vector<Vec3> ViewWidget::everything() {
+  bringUpToDate();
   std::vector<Vec3> points = visiblePoints(renderer_);
   const std::vector<Vec3> coming = items_.pointsToCome();
   points.insert(points.end(), coming.begin(), coming.end());
   return points;
 }
 
-Bounds ViewWidget::extent() const { return items_.extent(); }
+Bounds ViewWidget::extent() {
+  bringUpToDate();
+  return items_.extent();
+}
 
 void ViewWidget::fit(bool animated) { camera_.frame(everything(), camera_.turn(), animated); }
 

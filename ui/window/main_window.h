@@ -9,6 +9,7 @@
 #include "ui/commands/commands.h"
 #include "ui/page/page.h"
 #include "ui/plugin/manipulator.h"
+#include "ui/window/action_state.h"
 
 class QStackedWidget;
 
@@ -94,6 +95,7 @@ class MainWindow : public QMainWindow {
   void buildHelpMenu();
   void buildToolBar();
   void refreshActions();
+  void followState();
   QAction* add(QMenu*, const CommandSpec&, std::function<void()>);
   // main_window_palette.cpp
   void buildPalette();
@@ -130,6 +132,7 @@ class MainWindow : public QMainWindow {
   QMenu* recentMenu_ = nullptr;
   DocumentPage* startFor_ = nullptr;  // the page that the start page lies over while it is untouched
   ViewCommands* viewCommands_ = nullptr;
+  ActionState actionsShow_;
   Discarded discarded_;  // what was answered when the window was to be closed
 };
 

@@ -19,6 +19,7 @@
 #include "ui/palette/command_palette.h"
 #include "ui/panel/error_bar.h"
 #include "ui/settings/preferences_commands.h"
+#include "ui/thread/refreshes.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/find_field.h"
 #include "ui/view/view_widget.h"
@@ -161,7 +162,13 @@ void MainWindow::buildToolBar() {
   setContextMenuPolicy(Qt::PreventContextMenu);
 }
 
+void MainWindow::followState() {
+  if (actionState(page()) != actionsShow_) refreshActions();
+}
+
 void MainWindow::refreshActions() {
+  countRefresh(WindowPart::Actions);
+  actionsShow_ = actionState(page());
   const Session& shown = session();
   setWindowTitle(QStringLiteral("%1[*] – Blossom").arg(shown.title()));
   setWindowModified(shown.modified());

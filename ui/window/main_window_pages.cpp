@@ -43,12 +43,12 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(sender, &DocumentPage::workEnded, this, whenShown([this](const QString& key) { status_->endWork(key); }));
   connect(sender, &DocumentPage::selectionChanged, this, whenShown([this] {
             featureMenus_->setSelection(tree().selected());
-            refreshActions();
+            followState();
           }));
   connect(sender, &DocumentPage::stateChanged, this, [this, sender] {
     refreshTabs();
     if (sender != &this->page()) return;
-    refreshActions();
+    followState();
     refreshStart();
   });
   connect(sender, &DocumentPage::toolChanged, this, whenShown([this] {

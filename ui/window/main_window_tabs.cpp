@@ -27,28 +27,22 @@ void MainWindow::connectTabs() {
 
 // A single document needs no tabs.
 void MainWindow::refreshTabs() {
-  const QSignalBlocker quiet(tabs_);
-  while (tabs_->count() > static_cast<int>(pages_.size())) tabs_->removeTab(tabs_->count() - 1);
-  while (tabs_->count() < static_cast<int>(pages_.size())) tabs_->addTab({});
-  for (std::size_t i = 0; i < pages_.size(); ++i) {
-    const Session& shown = pages_[i]->session();
-    const int tab = static_cast<int>(i);
+  std::vector<DocumentTab> tabs;
+  for (const auto& each : pages_) {
+    const Session& shown = each->session();
     const QString file = qt(shown.file().string());
-    tabs_->setTabText(tab, shown.modified() ? shown.title() + QStringLiteral(" •") : shown.title());
-    tabs_->setTabToolTip(tab, shown.title() + u'\n' + (file.isEmpty() ? tr("Not saved yet") : file));
-    tabs_->setTabData(tab, file);
+    tabs.push_back({shown.modified() ? shown.title() + QStringLiteral(" •") : shown.title(),
+                    shown.title() + u'\n' + (file.isEmpty() ? tr("Not saved yet") : file), file});
   }
-  tabs_->setCurrentIndex(static_cast<int>(current_));
+  tabs_->setTabs(tabs, static_cast<int>(current_));
   tabs_->setVisible(pages_.size() > 1 || !page().untouched());
 }
 
 void MainWindow::refreshStart() {
-  const bool wanted = startFor_ == &page() && page().untouched();
-  if (wanted) {
-    start_->cover(&view());
-    start_->raise();
-  }
-  start_->setVisible(wanted);
+  if (startFor_ == &page() && page().untouched())
+    start_->showOver(&view());
+  else
+    start_->putAway();
 }
 
 void MainWindow::showStartPage() {

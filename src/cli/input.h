@@ -2,18 +2,18 @@
 #include <string>
 #include <vector>
 
-#include "cli/session.h"
+#include "cli/invocation.h"
 
 namespace blossom {
 
 /// Adds the feature that an INPUT of the command line stands for: a file, a shape written down (ball:5:3), a document
 /// (model.blossom: its last feature) or a feature of one (model.blossom#sweep-1).
 /// @throws Error FileNotFound, FormatUnknown, NotFound; UsageError when the text is empty.
-FeatureId addInput(const Session&, Document&, const std::string& text, std::vector<std::string>& warnings);
+FeatureId addInput(const Invocation&, Document&, const std::string& text, std::vector<std::string>& warnings);
 
 /// A document, or any other file as a new one; with --salvage what is readable of a damaged document.
 /// @throws Error as openAny; the hint at damage tells whether --salvage would help.
-OpenedDocument openInput(const Session&, const std::filesystem::path&);
+OpenedDocument openInput(const Invocation&, const std::filesystem::path&);
 
 /// The file that an INPUT names; empty for a shape written down.
 std::filesystem::path fileOfInput(const std::string& text);

@@ -19,7 +19,7 @@ class UsageError : public Error {
 };
 
 /// What one run of `blossom` shares with its command.
-struct Session {
+struct Invocation {
   const App& app;
   const Terminal& terminal;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();

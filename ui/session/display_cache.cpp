@@ -10,7 +10,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr std::size_t versions = 2;  // of every feature of a document
+constexpr std::size_t keptVersions = 2;  // of every feature of a document
 
 bool isSolid(const Measures& measures) {
   if (measures.kind == "solid") return true;
@@ -80,7 +80,7 @@ void draw(FeatureView& view, const Shape& shape, double chord, const Progress& p
 
 void DisplayCache::makeRoomFor(std::size_t features) {
   const std::scoped_lock lock(guard_);
-  most_ = std::max(most_, versions * features);
+  most_ = std::max(most_, keptVersions * features);
 }
 
 std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result, double chord,

@@ -10,6 +10,12 @@
 
 namespace blossom::ui {
 
+QStringList toList(const std::vector<std::string>& sentences) {
+  QStringList list;
+  for (const std::string& sentence : sentences) list << qt(sentence);
+  return list;
+}
+
 namespace {
 
 constexpr int patienceMs = 150;
@@ -30,9 +36,7 @@ Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app
   connect(&patience_, &QTimer::timeout, this, &Session::evaluationOverdue);
   telling_.setSingleShot(true);
   connect(&telling_, &QTimer::timeout, this, &Session::tellViews);
-  connect(&autosave_, &QTimer::timeout, this, [this] {
-    if (journal_) journal_->snapshot();
-  });
+  connect(&safety_, &SafetyCopy::failed, this, &Session::unsafe);
   connect(&Preferences::instance(), &Preferences::changed, this, [this](const QString& name) {
     if (name == QLatin1String("drawing-tolerance")) evaluate();  // results are at hand; they are drawn anew
   });
@@ -72,6 +76,16 @@ void Session::endPreview() {
   history_.revert();
   changed();
 }
+
+// Called after every step; without one that is unsaved there is nothing to keep.
+void Session::keep(const QString& what) {
+  if (history_.modified())
+    safety_.record(history_.committed(), what.toStdString(), {file_, title().toStdString()});
+  else
+    safety_.clear();
+}
+
+void Session::abandon() { safety_.clear(); }
 
 void Session::undo() {
   const QString what = tr("Undo: %1").arg(qt(history_.undoText()));
@@ -218,7 +232,7 @@ void Session::replace(Document document, const std::filesystem::path& file, cons
   history_ = History(guarded(std::move(document), file));
   withheld_.clear();
   history_.markSaved();
-  nothingToKeep();
+  safety_.clear();
   views_.clear();
   untold_.clear();
   file_ = file;

@@ -12,11 +12,11 @@
 #include "app/app.h"
 #include "core/error.h"
 #include "document/history.h"
-#include "document/journal.h"
 #include "document/recovery_area.h"
 #include "ui/session/display_cache.h"
 #include "ui/session/file_stamp.h"
 #include "ui/session/job.h"
+#include "ui/session/safety_copy.h"
 #include "ui/thread/mailbox.h"
 
 namespace blossom::ui {
@@ -118,10 +118,7 @@ class Session : public QObject {
              std::function<void()> otherwise = {});
   void dropOldViews();
   void tellViews();
-  // session_safety.cpp
   void keep(const QString& what);
-  void nothingToKeep();
-  void forgetLost();
 
   App app_;
   History history_;
@@ -144,9 +141,7 @@ class Session : public QObject {
   std::optional<StallWatch::Work> watched_;
   FileStamp stamp_;  // of the file when it was opened or saved here
   Mailbox here_;     // outlives all that post to it
-  std::shared_ptr<Journal> journal_;
-  std::filesystem::path lostCopy_;  // that this document came from
-  QTimer autosave_;
+  SafetyCopy safety_;
   CancelToken displayToken_;
   Evaluator evaluator_;
   Job job_;

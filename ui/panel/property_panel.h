@@ -1,5 +1,4 @@
 #pragma once
-#include <QPointer>
 #include <QScrollArea>
 #include <map>
 #include <optional>
@@ -8,7 +7,8 @@
 
 #include "document/document.h"
 #include "feature/feature_type.h"
-#include "ui/fields/pick_request.h"
+#include "ui/panel/panel_picking.h"
+#include "ui/panel/sequence_time.h"
 
 class QVBoxLayout;
 
@@ -20,7 +20,6 @@ class ParameterField;
 class ResultTable;
 class Session;
 struct FieldContext;
-struct Pick;
 
 /// What the selected feature is made from and what it came to: a form made from the declared inputs and parameters, and the
 /// measures. While something is dragged at most one evaluation is under way and the newest value waits for it.
@@ -36,11 +35,11 @@ class PropertyPanel : public QScrollArea {
   [[nodiscard]] InputEditor* input(const QString& name) const;
 
   /// What is wanted from the view now.
-  [[nodiscard]] const std::optional<PickRequest>& wanted() const { return wanted_; }
+  [[nodiscard]] const std::optional<PickRequest>& wanted() const { return picking_.wanted(); }
   /// Something was picked in the view. Does nothing while nothing is wanted.
-  void offerPick(const Pick&);
+  void offerPick(const Pick& pick) { picking_.offer(pick); }
   /// The view does not pick any more (Esc, another tool).
-  void endPick();
+  void endPick() { picking_.end(); }
   /// Where the timeline stands. The t of a feature that makes a sequence is the time of the frame that is seen.
   void setTimeline(int frame, int frames);
 
@@ -72,8 +71,6 @@ class PropertyPanel : public QScrollArea {
   void sendPreview();
   void commit(ParameterField*, const Value&);
   void takeFiles(ParameterField*, const Document&);
-  // property_panel_time.cpp
-  [[nodiscard]] const std::vector<double>* timesFor(const ParameterField&) const;
   [[nodiscard]] bool refreshTime(ParameterField&);
   void refreshTimes();
   [[nodiscard]] bool wantTime(ParameterField&, const Value& time, bool preview = false);
@@ -101,12 +98,8 @@ class PropertyPanel : public QScrollArea {
   ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
   QString fault_;
 
-  int frame_ = 0, frames_ = 0;       // of the timeline
-  std::optional<double> steppedTo_;  // by keys or wheel, until they rest
-
-  std::optional<PickRequest> wanted_;
-  QPointer<ParameterField> pickingField_;
-  QPointer<InputEditor> pickingInput_;
+  SequenceTime time_;
+  PanelPicking picking_;
 };
 
 }  // namespace blossom::ui

@@ -117,7 +117,7 @@ Options readOptions() {
 // A frame counts once it holds a shape: the evaluation has handed it to the view before.
 void tellFirstFrame(MainWindow& window) {
   auto shape = std::make_shared<bool>(false);
-  QObject::connect(&window.session(), &Session::viewChanged, &window.view(), [shape] { *shape = true; });
+  QObject::connect(&window.session(), &Session::viewsChanged, &window.view(), [shape] { *shape = true; });
   QObject::connect(&window.view(), &ViewWidget::framePainted, &window.view(),
                    [shape] { reached(*shape ? "first frame with a shape" : "first frame"); });
 }

@@ -648,6 +648,33 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
+    <name>blossom::ui::DocumentClosing</name>
+    <message>
+        <source>%1 (sample, untitled)</source>
+        <translation>%1 (Beispiel, unbenannt)</translation>
+    </message>
+    <message>
+        <source>%1 (untitled)</source>
+        <translation>%1 (unbenannt)</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Änderungen an %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Without saving, they are lost.</source>
+        <translation>Ohne Speichern gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>%1, tab %2</source>
+        <translation>%1, Reiter %2</translation>
+    </message>
+    <message>
+        <source>%1 is still being written; it is closed then.</source>
+        <translation>%1 wird noch geschrieben; danach wird es geschlossen.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::DocumentCommands</name>
     <message>
         <source>Edit</source>
@@ -896,6 +923,84 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>&amp;Make from it</source>
         <translation>Daraus &amp;machen</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::DocumentExport</name>
+    <message>
+        <source>The %1 selected results as one file</source>
+        <translation>Die %1 gewählten Ergebnisse als eine Datei</translation>
+    </message>
+    <message>
+        <source>All %1 visible results as one file</source>
+        <translation>Alle %1 sichtbaren Ergebnisse als eine Datei</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::DocumentFiles</name>
+    <message>
+        <source>Blossom documents (*.blossom)</source>
+        <translation>Blossom-Dokumente (*.blossom)</translation>
+    </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1 ist nicht da.</translation>
+    </message>
+    <message>
+        <source>%1 has no extension that Blossom reads.</source>
+        <translation>%1 hat keine Endung, die Blossom liest.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files cannot be opened.</source>
+        <translation>%1 von %2 Dateien können nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program.</source>
+        <translation>%1 wurde von einem anderen Programm geändert.</translation>
+    </message>
+    <message>
+        <source>Since it was opened here, somebody else has written it. Saving replaces what they wrote.</source>
+        <translation>Seit es hier geöffnet wurde, hat es jemand anders geschrieben. Speichern ersetzt das.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Saving replaces it.</source>
+        <translation>Speichern ersetzt es.</translation>
     </message>
 </context>
 <context>
@@ -1261,6 +1366,169 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Everything of %1</source>
         <translation>Alles aus %1</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close the workbench.</source>
+        <translation>Die Werkbank schließen.</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Start an empty document.</source>
+        <translation>Ein leeres Dokument beginnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open documents, or geometry in new ones.</source>
+        <translation>Dokumente öffnen, oder Geometrie in neuen.</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open a s&amp;ample</source>
+        <translation>&amp;Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>&amp;Startseite</translation>
+    </message>
+    <message>
+        <source>Show samples and recent documents.</source>
+        <translation>Beispiele und letzte Dokumente zeigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Add geometry from files to this document.</source>
+        <translation>Geometrie aus Dateien zu diesem Dokument hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the selected results, or all that is visible, as STEP, STL, a picture, …</source>
+        <translation>Die gewählten Ergebnisse oder alles Sichtbare als STEP, STL, Bild, … schreiben.</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save this document.</source>
+        <translation>Dieses Dokument speichern.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save this document under another name.</source>
+        <translation>Dieses Dokument unter anderem Namen speichern.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt document</source>
+        <translation>Näch&amp;stes Dokument</translation>
+    </message>
+    <message>
+        <source>Show the document in the next tab.</source>
+        <translation>Das Dokument im nächsten Reiter zeigen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Tab</source>
+        <translation>Ctrl+Tab</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgDown</source>
+        <translation>Ctrl+PgDown</translation>
+    </message>
+    <message>
+        <source>&amp;Previous document</source>
+        <translation>&amp;Voriges Dokument</translation>
+    </message>
+    <message>
+        <source>Show the document in the tab before.</source>
+        <translation>Das Dokument im Reiter davor zeigen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Tab</source>
+        <translation>Ctrl+Shift+Tab</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgUp</source>
+        <translation>Ctrl+PgUp</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close this document.</source>
+        <translation>Dieses Dokument schließen.</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Close ot&amp;hers</source>
+        <translation>An&amp;dere schließen</translation>
+    </message>
+    <message>
+        <source>Close every document but this one.</source>
+        <translation>Jedes Dokument außer diesem schließen.</translation>
+    </message>
+    <message>
+        <source>%1 (not there any more)</source>
+        <translation>%1 (nicht mehr da)</translation>
+    </message>
+    <message>
+        <source>Takes it off this list</source>
+        <translation>Nimmt es von der Liste</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>The document is empty.</source>
+        <translation>Das Dokument ist leer.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since it was saved.</source>
+        <translation>Seit dem Speichern hat sich nichts geändert.</translation>
     </message>
 </context>
 <context>
@@ -1760,244 +2028,12 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>The document is empty.</source>
-        <translation>Das Dokument ist leer.</translation>
-    </message>
-    <message>
-        <source>Nothing has changed since it was saved.</source>
-        <translation>Seit dem Speichern hat sich nichts geändert.</translation>
-    </message>
-    <message>
-        <source>Save the changes of %1?</source>
-        <translation>Änderungen an %1 speichern?</translation>
-    </message>
-    <message>
-        <source>Without saving, they are lost.</source>
-        <translation>Ohne Speichern gehen sie verloren.</translation>
-    </message>
-    <message>
-        <source>The %1 selected results as one file</source>
-        <translation>Die %1 gewählten Ergebnisse als eine Datei</translation>
-    </message>
-    <message>
-        <source>All %1 visible results as one file</source>
-        <translation>Alle %1 sichtbaren Ergebnisse als eine Datei</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>untitled</source>
-        <translation>unbenannt</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>&amp;New</source>
-        <translation>&amp;Neu</translation>
-    </message>
-    <message>
-        <source>Start an empty document.</source>
-        <translation>Ein leeres Dokument beginnen.</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>&amp;Öffnen…</translation>
-    </message>
-    <message>
-        <source>Open documents, or geometry in new ones.</source>
-        <translation>Dokumente öffnen, oder Geometrie in neuen.</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Open a s&amp;ample</source>
-        <translation>&amp;Beispiel öffnen</translation>
-    </message>
-    <message>
-        <source>S&amp;tart page</source>
-        <translation>&amp;Startseite</translation>
-    </message>
-    <message>
-        <source>Show samples and recent documents.</source>
-        <translation>Beispiele und letzte Dokumente zeigen.</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importieren…</translation>
-    </message>
-    <message>
-        <source>Add geometry from files to this document.</source>
-        <translation>Geometrie aus Dateien zu diesem Dokument hinzufügen.</translation>
-    </message>
-    <message>
-        <source>Ctrl+I</source>
-        <translation>Ctrl+I</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
-        <source>Write the selected results, or all that is visible, as STEP, STL, a picture, …</source>
-        <translation>Die gewählten Ergebnisse oder alles Sichtbare als STEP, STL, Bild, … schreiben.</translation>
-    </message>
-    <message>
-        <source>Ctrl+E</source>
-        <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save this document.</source>
-        <translation>Dieses Dokument speichern.</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>Speichern &amp;unter…</translation>
-    </message>
-    <message>
-        <source>Save this document under another name.</source>
-        <translation>Dieses Dokument unter anderem Namen speichern.</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Close the workbench.</source>
-        <translation>Die Werkbank schließen.</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt document</source>
-        <translation>Näch&amp;stes Dokument</translation>
-    </message>
-    <message>
-        <source>Show the document in the next tab.</source>
-        <translation>Das Dokument im nächsten Reiter zeigen.</translation>
-    </message>
-    <message>
-        <source>Ctrl+Tab</source>
-        <translation>Ctrl+Tab</translation>
-    </message>
-    <message>
-        <source>Ctrl+PgDown</source>
-        <translation>Ctrl+PgDown</translation>
-    </message>
-    <message>
-        <source>&amp;Previous document</source>
-        <translation>&amp;Voriges Dokument</translation>
-    </message>
-    <message>
-        <source>Show the document in the tab before.</source>
-        <translation>Das Dokument im Reiter davor zeigen.</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+Tab</source>
-        <translation>Ctrl+Shift+Tab</translation>
-    </message>
-    <message>
-        <source>Ctrl+PgUp</source>
-        <translation>Ctrl+PgUp</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
-    </message>
-    <message>
-        <source>Close this document.</source>
-        <translation>Dieses Dokument schließen.</translation>
-    </message>
-    <message>
-        <source>Ctrl+W</source>
-        <translation>Ctrl+W</translation>
-    </message>
-    <message>
-        <source>Close ot&amp;hers</source>
-        <translation>An&amp;dere schließen</translation>
-    </message>
-    <message>
-        <source>Close every document but this one.</source>
-        <translation>Jedes Dokument außer diesem schließen.</translation>
-    </message>
-    <message>
-        <source>%1 (not there any more)</source>
-        <translation>%1 (nicht mehr da)</translation>
-    </message>
-    <message>
-        <source>Takes it off this list</source>
-        <translation>Nimmt es von der Liste</translation>
-    </message>
-    <message>
-        <source>Clear this list</source>
-        <translation>Liste leeren</translation>
-    </message>
-    <message>
-        <source>Blossom documents (*.blossom)</source>
-        <translation>Blossom-Dokumente (*.blossom)</translation>
-    </message>
-    <message>
-        <source>%1 is not there.</source>
-        <translation>%1 ist nicht da.</translation>
-    </message>
-    <message>
-        <source>%1 has no extension that Blossom reads.</source>
-        <translation>%1 hat keine Endung, die Blossom liest.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 files cannot be opened.</source>
-        <translation>%1 von %2 Dateien können nicht geöffnet werden.</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program.</source>
-        <translation>%1 wurde von einem anderen Programm geändert.</translation>
-    </message>
-    <message>
-        <source>Since it was opened here, somebody else has written it. Saving replaces what they wrote.</source>
-        <translation>Seit es hier geöffnet wurde, hat es jemand anders geschrieben. Speichern ersetzt das.</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-    <message>
         <source>Save as…</source>
         <translation>Speichern unter…</translation>
-    </message>
-    <message>
-        <source>Save as</source>
-        <translation>Speichern unter</translation>
-    </message>
-    <message>
-        <source>%1 already exists.</source>
-        <translation>%1 gibt es schon.</translation>
-    </message>
-    <message>
-        <source>Saving replaces it.</source>
-        <translation>Speichern ersetzt es.</translation>
     </message>
     <message>
         <source>No safety copy of %1 can be kept: %2</source>
@@ -2006,26 +2042,6 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>%1: find a command · Drop files to open them</source>
         <translation>%1: Befehl suchen · Dateien zum Öffnen hierher ziehen</translation>
-    </message>
-    <message>
-        <source>Not saved yet</source>
-        <translation>Noch nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>%1 is still being written; it is closed then.</source>
-        <translation>%1 wird noch geschrieben; danach wird es geschlossen.</translation>
-    </message>
-    <message>
-        <source>%1 (sample, untitled)</source>
-        <translation>%1 (Beispiel, unbenannt)</translation>
-    </message>
-    <message>
-        <source>%1 (untitled)</source>
-        <translation>%1 (unbenannt)</translation>
-    </message>
-    <message>
-        <source>%1, tab %2</source>
-        <translation>%1, Reiter %2</translation>
     </message>
     <message>
         <source>Theme of the &amp;desktop</source>
@@ -2192,6 +2208,29 @@ Das Handbuch hat keine Seite „%1“.</translation>
     </message>
 </context>
 <context>
+    <name>blossom::ui::MouseNavigation</name>
+    <message>
+        <source>Orbiting</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Panning</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Zooming</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Selects what the box touches</source>
+        <translation>Wählt, was der Rahmen berührt</translation>
+    </message>
+    <message>
+        <source>Selects what lies wholly in the box</source>
+        <translation>Wählt, was ganz im Rahmen liegt</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::Navigation</name>
     <message>
         <source>left and middle drag</source>
@@ -2261,6 +2300,13 @@ Das Handbuch hat keine Seite „%1“.</translation>
 Drag sideways to change it.</source>
         <translation>%1
 Seitwärts ziehen ändert ihn.</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::OpenDocuments</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -3236,26 +3282,6 @@ Seitwärts ziehen ändert ihn.</translation>
 </context>
 <context>
     <name>blossom::ui::ViewWidget</name>
-    <message>
-        <source>Orbiting</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Panning</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Zooming</source>
-        <translation>Zoomen</translation>
-    </message>
-    <message>
-        <source>Selects what the box touches</source>
-        <translation>Wählt, was der Rahmen berührt</translation>
-    </message>
-    <message>
-        <source>Selects what lies wholly in the box</source>
-        <translation>Wählt, was ganz im Rahmen liegt</translation>
-    </message>
     <message>
         <source>grid %1</source>
         <translation>Raster %1</translation>

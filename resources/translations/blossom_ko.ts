@@ -648,6 +648,33 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     </message>
 </context>
 <context>
+    <name>blossom::ui::DocumentClosing</name>
+    <message>
+        <source>%1 (sample, untitled)</source>
+        <translation>%1 (예제, 제목 없음)</translation>
+    </message>
+    <message>
+        <source>%1 (untitled)</source>
+        <translation>%1 (제목 없음)</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>%1의 변경을 저장하겠습니까?</translation>
+    </message>
+    <message>
+        <source>Without saving, they are lost.</source>
+        <translation>저장하지 않으면 사라집니다.</translation>
+    </message>
+    <message>
+        <source>%1, tab %2</source>
+        <translation>%1, 탭 %2</translation>
+    </message>
+    <message>
+        <source>%1 is still being written; it is closed then.</source>
+        <translation>%1을(를) 아직 쓰는 중입니다. 다 쓰면 닫습니다.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::DocumentCommands</name>
     <message>
         <source>Edit</source>
@@ -896,6 +923,84 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>&amp;Make from it</source>
         <translation>이것으로 만들기(&amp;M)</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::DocumentExport</name>
+    <message>
+        <source>The %1 selected results as one file</source>
+        <translation>고른 결과 %1개를 한 파일로</translation>
+    </message>
+    <message>
+        <source>All %1 visible results as one file</source>
+        <translation>보이는 결과 %1개를 한 파일로</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>내보내기</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>제목 없음</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::DocumentFiles</name>
+    <message>
+        <source>Blossom documents (*.blossom)</source>
+        <translation>Blossom 문서 (*.blossom)</translation>
+    </message>
+    <message>
+        <source>%1 is not there.</source>
+        <translation>%1이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 has no extension that Blossom reads.</source>
+        <translation>%1의 확장자는 Blossom이 읽지 못합니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files cannot be opened.</source>
+        <translation>파일 %2개 가운데 %1개를 열 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>열기</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>가져오기</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program.</source>
+        <translation>%1이(가) 다른 프로그램에서 바뀌었습니다.</translation>
+    </message>
+    <message>
+        <source>Since it was opened here, somebody else has written it. Saving replaces what they wrote.</source>
+        <translation>여기서 연 뒤에 다른 곳에서 그 파일을 썼습니다. 저장하면 그 내용을 덮어씁니다.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>바꾸기</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>다른 이름으로 저장…</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>제목 없음</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>다른 이름으로 저장</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1이(가) 이미 있습니다.</translation>
+    </message>
+    <message>
+        <source>Saving replaces it.</source>
+        <translation>저장하면 덮어씁니다.</translation>
     </message>
 </context>
 <context>
@@ -1261,6 +1366,169 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Everything of %1</source>
         <translation>%1 전체</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::FileCommands</name>
+    <message>
+        <source>File</source>
+        <translation>파일</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>끝내기(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close the workbench.</source>
+        <translation>작업대를 닫습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>새로 만들기(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Start an empty document.</source>
+        <translation>빈 문서를 시작합니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>열기(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open documents, or geometry in new ones.</source>
+        <translation>문서를 열거나 형상 파일을 새 문서로 엽니다.</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>최근 파일 열기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open a s&amp;ample</source>
+        <translation>예제 열기(&amp;A)</translation>
+    </message>
+    <message>
+        <source>S&amp;tart page</source>
+        <translation>시작 화면(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Show samples and recent documents.</source>
+        <translation>예제와 최근 문서를 보입니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>가져오기(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Add geometry from files to this document.</source>
+        <translation>파일의 형상을 이 문서에 추가합니다.</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>내보내기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the selected results, or all that is visible, as STEP, STL, a picture, …</source>
+        <translation>고른 결과나 보이는 모든 것을 STEP, STL, 그림 등으로 씁니다.</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save this document.</source>
+        <translation>이 문서를 저장합니다.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>다른 이름으로 저장(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save this document under another name.</source>
+        <translation>이 문서를 다른 이름으로 저장합니다.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt document</source>
+        <translation>다음 문서(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show the document in the next tab.</source>
+        <translation>다음 탭의 문서를 보입니다.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Tab</source>
+        <translation>Ctrl+Tab</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgDown</source>
+        <translation>Ctrl+PgDown</translation>
+    </message>
+    <message>
+        <source>&amp;Previous document</source>
+        <translation>이전 문서(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the document in the tab before.</source>
+        <translation>이전 탭의 문서를 보입니다.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Tab</source>
+        <translation>Ctrl+Shift+Tab</translation>
+    </message>
+    <message>
+        <source>Ctrl+PgUp</source>
+        <translation>Ctrl+PgUp</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>닫기(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Close this document.</source>
+        <translation>이 문서를 닫습니다.</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>Close ot&amp;hers</source>
+        <translation>나머지 닫기(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Close every document but this one.</source>
+        <translation>이 문서만 남기고 모두 닫습니다.</translation>
+    </message>
+    <message>
+        <source>%1 (not there any more)</source>
+        <translation>%1 (이제 없음)</translation>
+    </message>
+    <message>
+        <source>Takes it off this list</source>
+        <translation>목록에서 뺍니다</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>목록 비우기</translation>
+    </message>
+    <message>
+        <source>The document is empty.</source>
+        <translation>문서가 비어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed since it was saved.</source>
+        <translation>저장한 뒤로 바뀐 것이 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -1760,244 +2028,12 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>도구</translation>
     </message>
     <message>
-        <source>The document is empty.</source>
-        <translation>문서가 비어 있습니다.</translation>
-    </message>
-    <message>
-        <source>Nothing has changed since it was saved.</source>
-        <translation>저장한 뒤로 바뀐 것이 없습니다.</translation>
-    </message>
-    <message>
-        <source>Save the changes of %1?</source>
-        <translation>%1의 변경을 저장하겠습니까?</translation>
-    </message>
-    <message>
-        <source>Without saving, they are lost.</source>
-        <translation>저장하지 않으면 사라집니다.</translation>
-    </message>
-    <message>
-        <source>The %1 selected results as one file</source>
-        <translation>고른 결과 %1개를 한 파일로</translation>
-    </message>
-    <message>
-        <source>All %1 visible results as one file</source>
-        <translation>보이는 결과 %1개를 한 파일로</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>내보내기</translation>
-    </message>
-    <message>
-        <source>untitled</source>
-        <translation>제목 없음</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>파일(&amp;F)</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>파일</translation>
-    </message>
-    <message>
-        <source>&amp;New</source>
-        <translation>새로 만들기(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Start an empty document.</source>
-        <translation>빈 문서를 시작합니다.</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>열기(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open documents, or geometry in new ones.</source>
-        <translation>문서를 열거나 형상 파일을 새 문서로 엽니다.</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>최근 파일 열기(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Open a s&amp;ample</source>
-        <translation>예제 열기(&amp;A)</translation>
-    </message>
-    <message>
-        <source>S&amp;tart page</source>
-        <translation>시작 화면(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Show samples and recent documents.</source>
-        <translation>예제와 최근 문서를 보입니다.</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>가져오기(&amp;I)…</translation>
-    </message>
-    <message>
-        <source>Add geometry from files to this document.</source>
-        <translation>파일의 형상을 이 문서에 추가합니다.</translation>
-    </message>
-    <message>
-        <source>Ctrl+I</source>
-        <translation>Ctrl+I</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>내보내기(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Write the selected results, or all that is visible, as STEP, STL, a picture, …</source>
-        <translation>고른 결과나 보이는 모든 것을 STEP, STL, 그림 등으로 씁니다.</translation>
-    </message>
-    <message>
-        <source>Ctrl+E</source>
-        <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>저장(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save this document.</source>
-        <translation>이 문서를 저장합니다.</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>다른 이름으로 저장(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>Save this document under another name.</source>
-        <translation>이 문서를 다른 이름으로 저장합니다.</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+S</source>
-        <translation>Ctrl+Shift+S</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>끝내기(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>Close the workbench.</source>
-        <translation>작업대를 닫습니다.</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt document</source>
-        <translation>다음 문서(&amp;X)</translation>
-    </message>
-    <message>
-        <source>Show the document in the next tab.</source>
-        <translation>다음 탭의 문서를 보입니다.</translation>
-    </message>
-    <message>
-        <source>Ctrl+Tab</source>
-        <translation>Ctrl+Tab</translation>
-    </message>
-    <message>
-        <source>Ctrl+PgDown</source>
-        <translation>Ctrl+PgDown</translation>
-    </message>
-    <message>
-        <source>&amp;Previous document</source>
-        <translation>이전 문서(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Show the document in the tab before.</source>
-        <translation>이전 탭의 문서를 보입니다.</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+Tab</source>
-        <translation>Ctrl+Shift+Tab</translation>
-    </message>
-    <message>
-        <source>Ctrl+PgUp</source>
-        <translation>Ctrl+PgUp</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>닫기(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Close this document.</source>
-        <translation>이 문서를 닫습니다.</translation>
-    </message>
-    <message>
-        <source>Ctrl+W</source>
-        <translation>Ctrl+W</translation>
-    </message>
-    <message>
-        <source>Close ot&amp;hers</source>
-        <translation>나머지 닫기(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Close every document but this one.</source>
-        <translation>이 문서만 남기고 모두 닫습니다.</translation>
-    </message>
-    <message>
-        <source>%1 (not there any more)</source>
-        <translation>%1 (이제 없음)</translation>
-    </message>
-    <message>
-        <source>Takes it off this list</source>
-        <translation>목록에서 뺍니다</translation>
-    </message>
-    <message>
-        <source>Clear this list</source>
-        <translation>목록 비우기</translation>
-    </message>
-    <message>
-        <source>Blossom documents (*.blossom)</source>
-        <translation>Blossom 문서 (*.blossom)</translation>
-    </message>
-    <message>
-        <source>%1 is not there.</source>
-        <translation>%1이(가) 없습니다.</translation>
-    </message>
-    <message>
-        <source>%1 has no extension that Blossom reads.</source>
-        <translation>%1의 확장자는 Blossom이 읽지 못합니다.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 files cannot be opened.</source>
-        <translation>파일 %2개 가운데 %1개를 열 수 없습니다.</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>열기</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>가져오기</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program.</source>
-        <translation>%1이(가) 다른 프로그램에서 바뀌었습니다.</translation>
-    </message>
-    <message>
-        <source>Since it was opened here, somebody else has written it. Saving replaces what they wrote.</source>
-        <translation>여기서 연 뒤에 다른 곳에서 그 파일을 썼습니다. 저장하면 그 내용을 덮어씁니다.</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>바꾸기</translation>
-    </message>
-    <message>
         <source>Save as…</source>
         <translation>다른 이름으로 저장…</translation>
-    </message>
-    <message>
-        <source>Save as</source>
-        <translation>다른 이름으로 저장</translation>
-    </message>
-    <message>
-        <source>%1 already exists.</source>
-        <translation>%1이(가) 이미 있습니다.</translation>
-    </message>
-    <message>
-        <source>Saving replaces it.</source>
-        <translation>저장하면 덮어씁니다.</translation>
     </message>
     <message>
         <source>No safety copy of %1 can be kept: %2</source>
@@ -2006,26 +2042,6 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>%1: find a command · Drop files to open them</source>
         <translation>%1: 명령 찾기 · 파일을 놓으면 열립니다</translation>
-    </message>
-    <message>
-        <source>Not saved yet</source>
-        <translation>아직 저장하지 않음</translation>
-    </message>
-    <message>
-        <source>%1 is still being written; it is closed then.</source>
-        <translation>%1을(를) 아직 쓰는 중입니다. 다 쓰면 닫습니다.</translation>
-    </message>
-    <message>
-        <source>%1 (sample, untitled)</source>
-        <translation>%1 (예제, 제목 없음)</translation>
-    </message>
-    <message>
-        <source>%1 (untitled)</source>
-        <translation>%1 (제목 없음)</translation>
-    </message>
-    <message>
-        <source>%1, tab %2</source>
-        <translation>%1, 탭 %2</translation>
     </message>
     <message>
         <source>Theme of the &amp;desktop</source>
@@ -2192,6 +2208,29 @@ The manual has no page &quot;%1&quot;.</source>
     </message>
 </context>
 <context>
+    <name>blossom::ui::MouseNavigation</name>
+    <message>
+        <source>Orbiting</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>Panning</source>
+        <translation>이동</translation>
+    </message>
+    <message>
+        <source>Zooming</source>
+        <translation>확대</translation>
+    </message>
+    <message>
+        <source>Selects what the box touches</source>
+        <translation>상자에 닿는 것을 선택합니다</translation>
+    </message>
+    <message>
+        <source>Selects what lies wholly in the box</source>
+        <translation>상자에 완전히 든 것을 선택합니다</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::Navigation</name>
     <message>
         <source>left and middle drag</source>
@@ -2261,6 +2300,13 @@ The manual has no page &quot;%1&quot;.</source>
 Drag sideways to change it.</source>
         <translation>%1
 옆으로 끌면 바뀝니다.</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::OpenDocuments</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>아직 저장하지 않음</translation>
     </message>
 </context>
 <context>
@@ -3236,26 +3282,6 @@ Drag sideways to change it.</source>
 </context>
 <context>
     <name>blossom::ui::ViewWidget</name>
-    <message>
-        <source>Orbiting</source>
-        <translation>회전</translation>
-    </message>
-    <message>
-        <source>Panning</source>
-        <translation>이동</translation>
-    </message>
-    <message>
-        <source>Zooming</source>
-        <translation>확대</translation>
-    </message>
-    <message>
-        <source>Selects what the box touches</source>
-        <translation>상자에 닿는 것을 선택합니다</translation>
-    </message>
-    <message>
-        <source>Selects what lies wholly in the box</source>
-        <translation>상자에 완전히 든 것을 선택합니다</translation>
-    </message>
     <message>
         <source>grid %1</source>
         <translation>격자 %1</translation>

@@ -93,8 +93,8 @@ std::string didYouMean(const std::string& word, const std::vector<std::string>& 
   throw UsageError(fmt::format("{} has no use for \"{}\".", app.get_name(), word), help);
 }
 
-const Command* chosenCommand(const CommandLine& line) {
-  for (const Command& command : line.commands)
+const Subcommand* chosenCommand(const CommandLine& line) {
+  for (const Subcommand& command : line.commands)
     if (command.app->parsed()) return &command;
   return nullptr;
 }
@@ -105,32 +105,32 @@ void warnAboutPlugins(const App& app, const Terminal& terminal) {
       terminal.err << "blossom: warning: the plugin " << plugin.manifest.id << " was skipped: " << plugin.problem << '\n';
 }
 
-/// CLI11 requests help and version by exceptions; errors about unknown words come first.
-int parseAndRun(CommandLine& line, Session& session, std::vector<std::string> words) {
-  std::reverse(words.begin(), words.end());  // CLI11 expects them in reverse order
+/// CLI11 asks for help and version by exception; what nobody understood is said first.
+int parseAndRun(CommandLine& line, Invocation& invocation, std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
   try {
     line.root.parse(std::move(words));
   } catch (const CLI::Success& request) {
     if (!line.root.remaining(false).empty()) refuseWord(line, line.root, line.root.remaining(false));
-    line.root.exit(request, session.terminal.out, session.terminal.err);
+    line.root.exit(request, invocation.terminal.out, invocation.terminal.err);
     return Done;
   } catch (const CLI::ArgumentMismatch& error) {
     // "--output: 1 required FILE,.. missing"
     const std::string what = error.what();
-    const Command* command = chosenCommand(line);
+    const Subcommand* command = chosenCommand(line);
     throw UsageError(what.substr(0, what.find(':')) + " needs a value.",
                      fmt::format("\"blossom {}--help\" lists the flags and what they take.",
                                  command ? command->app->get_name() + " " : ""));
   } catch (const CLI::ParseError& error) {
-    const Command* command = chosenCommand(line);
+    const Subcommand* command = chosenCommand(line);
     throw UsageError(error.what(), command ? fmt::format("\"blossom {} --help\" lists its flags.", command->app->get_name())
                                            : "\"blossom --help\" lists the commands.");
   }
-  const Command* command = chosenCommand(line);
+  const Subcommand* command = chosenCommand(line);
   if (!line.root.remaining(false).empty()) refuseWord(line, line.root, line.root.remaining(false));
   if (!command) throw UsageError("A command is missing.", "\"blossom --help\" lists the commands.");
   if (!command->app->remaining(true).empty()) refuseWord(line, *command->app, command->app->remaining(true));
-  setThreadLimit(session.threads);
+  setThreadLimit(invocation.threads);
   return command->run();
 }
 
@@ -155,13 +155,13 @@ int guarded(const Terminal& terminal, bool json, const std::function<int()>& wor
 
 int runWords(const App& app, const std::vector<std::string>& words, const Terminal& terminal,
              std::chrono::steady_clock::time_point start) {
-  Session session{app, terminal, start};
+  Invocation invocation{app, terminal, start};
   warnAboutPlugins(app, terminal);
   CommandLine line;
   for (const auto add : {addConvertCommand, addInfoCommand, addRenderCommand, addRunCommand, addFeaturesCommand,
                          addFormatsCommand, addPluginsCommand, addCompletionCommand, addHelpCommand, addFeatureCommands})
-    add(line, session);
-  return parseAndRun(line, session, words);
+    add(line, invocation);
+  return parseAndRun(line, invocation, words);
 }
 
 /// Loads what is needed, runs, and sees that the result has really left the program.

@@ -74,27 +74,28 @@ CommandLine::CommandLine()
              "blossom info part.step --json", "blossom help sweep"});
 }
 
-CLI::App& CommandLine::add(const std::string& name, const std::string& summary, Session& session, std::function<int()> run) {
+CLI::App& CommandLine::add(const std::string& name, const std::string& summary, Invocation& invocation,
+                           std::function<int()> run) {
   CLI::App& command = *root.add_subcommand(name, summary);
   command.allow_extras();
-  command.add_flag("--json", session.json, "Print exactly one JSON object on standard output.");
-  command.add_flag("--progress", session.progressLines, "Print progress as plain lines on standard error.");
-  command.add_option("--threads", session.threads, "Most threads to use; 0: as many as the machine has.")
+  command.add_flag("--json", invocation.json, "Print exactly one JSON object on standard output.");
+  command.add_flag("--progress", invocation.progressLines, "Print progress as plain lines on standard error.");
+  command.add_option("--threads", invocation.threads, "Most threads to use; 0: as many as the machine has.")
       ->type_name("COUNT")
       ->check(CLI::Range(0, 4096).description(""));
   commands.push_back({&command, std::move(run)});
   return command;
 }
 
-void CommandLine::addDocumentFlags(CLI::App& command, Session& session) {
-  command.add_flag("--salvage", session.salvage, "Open what is readable of a damaged document; the rest is a warning.");
-  command.add_flag("--allow-files", session.allowFiles,
+void CommandLine::addDocumentFlags(CLI::App& command, Invocation& invocation) {
+  command.add_flag("--salvage", invocation.salvage, "Open what is readable of a damaged document; the rest is a warning.");
+  command.add_flag("--allow-files", invocation.allowFiles,
                    "Let documents read the files that they name outside of their own folder.");
 }
 
 const CLI::App* CommandLine::find(const std::string& name) const {
   const auto found =
-      std::find_if(commands.begin(), commands.end(), [&](const Command& each) { return each.app->check_name(name); });
+      std::find_if(commands.begin(), commands.end(), [&](const Subcommand& each) { return each.app->check_name(name); });
   return found == commands.end() ? nullptr : found->app;
 }
 
@@ -102,7 +103,7 @@ bool CommandLine::has(const std::string& name) const { return find(name) != null
 
 std::vector<std::string> CommandLine::commandNames() const {
   std::vector<std::string> names;
-  for (const Command& each : commands) names.push_back(each.app->get_name());
+  for (const Subcommand& each : commands) names.push_back(each.app->get_name());
   return names;
 }
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/session.h"
+#include "cli/invocation.h"
 
 namespace blossom {
 
-/// A subcommand and its action; `run` returns the exit code and may throw Error.
-struct Command {
+/// One subcommand and what it does; `run` returns the exit code and may throw Error.
+struct Subcommand {
   CLI::App* app;
   std::function<int()> run;
 };
@@ -20,11 +20,11 @@ struct Command {
 struct CommandLine {
   CommandLine();
 
-  /// Adds a subcommand with the common flags (--json, --progress, --threads).
-  CLI::App& add(const std::string& name, const std::string& summary, Session&, std::function<int()> run);
-  /// Adds the flags of commands that open documents (--salvage, --allow-files).
-  static void addDocumentFlags(CLI::App&, Session&);
-  /// Keeps an object alive as long as the grammar, because the flags of a command write into it.
+  /// A subcommand with the flags that all have (--json, --progress, --threads).
+  CLI::App& add(const std::string& name, const std::string& summary, Invocation&, std::function<int()> run);
+  /// The flags of the commands that open documents (--salvage, --allow-files).
+  static void addDocumentFlags(CLI::App&, Invocation&);
+  /// Keeps what the flags of a command write into alive as long as the grammar.
   void keep(std::shared_ptr<void> owner) { owners.push_back(std::move(owner)); }
   [[nodiscard]] bool has(const std::string& name) const;
   /// Finds a command by name or by the id of its feature type; nullptr when there is none.
@@ -32,7 +32,7 @@ struct CommandLine {
   [[nodiscard]] std::vector<std::string> commandNames() const;
 
   CLI::App root;
-  std::vector<Command> commands;
+  std::vector<Subcommand> commands;
   std::vector<std::shared_ptr<void>> owners;
   std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< of options whose value is one of a few words
 };
@@ -40,16 +40,16 @@ struct CommandLine {
 /// Sets the examples at the end of the `--help` of a command.
 void setExamples(CLI::App&, const std::vector<std::string>& lines);
 
-// One file each. Built-in commands are added first; a feature type with the name of a built-in command is reached by its id.
-void addConvertCommand(CommandLine&, Session&);
-void addInfoCommand(CommandLine&, Session&);
-void addRenderCommand(CommandLine&, Session&);
-void addRunCommand(CommandLine&, Session&);
-void addFeaturesCommand(CommandLine&, Session&);
-void addFormatsCommand(CommandLine&, Session&);
-void addPluginsCommand(CommandLine&, Session&);
-void addCompletionCommand(CommandLine&, Session&);
-void addHelpCommand(CommandLine&, Session&);
-void addFeatureCommands(CommandLine&, Session&);
+// One file each. Built-in commands come first: a feature type of the same command name is then reached by its id alone.
+void addConvertCommand(CommandLine&, Invocation&);
+void addInfoCommand(CommandLine&, Invocation&);
+void addRenderCommand(CommandLine&, Invocation&);
+void addRunCommand(CommandLine&, Invocation&);
+void addFeaturesCommand(CommandLine&, Invocation&);
+void addFormatsCommand(CommandLine&, Invocation&);
+void addPluginsCommand(CommandLine&, Invocation&);
+void addCompletionCommand(CommandLine&, Invocation&);
+void addHelpCommand(CommandLine&, Invocation&);
+void addFeatureCommands(CommandLine&, Invocation&);
 
 }  // namespace blossom

@@ -37,7 +37,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string bashScript(const CommandLine& line) {
   std::string flags, choices;
-  for (const Command& command : line.commands) {
+  for (const Subcommand& command : line.commands) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.app->get_options()) {
       for (const auto& name : flagNames(*option)) names.push_back(name);
@@ -80,7 +80,7 @@ std::string zshText(const std::string& text) {
 
 std::string zshScript(const CommandLine& line) {
   std::string commands, cases;
-  for (const Command& command : line.commands) {
+  for (const Subcommand& command : line.commands) {
     commands += fmt::format("    {}\n", quoted(command.app->get_name() + ":" + zshText(command.app->get_description())));
     cases += fmt::format("    {})\n      _arguments", command.app->get_name());
     for (const CLI::Option* option : command.app->get_options()) {
@@ -117,7 +117,7 @@ compdef _blossom blossom
 
 std::string fishScript(const CommandLine& line) {
   std::string script = "# fish completion for blossom; load it with: blossom completion fish | source\n";
-  for (const Command& command : line.commands) {
+  for (const Subcommand& command : line.commands) {
     const std::string name = command.app->get_name();
     script += fmt::format("complete -c blossom -n __fish_use_subcommand -f -a {} -d {}\n", quoted(name),
                           quoted(command.app->get_description()));
@@ -138,15 +138,15 @@ std::string fishScript(const CommandLine& line) {
 }
 
 struct CompletionCommand {
-  CompletionCommand(CommandLine& line, Session& session) {
-    CLI::App& app = line.add("completion", "Print a script that completes commands and flags in a shell.", session,
-                             [this, &line, &session] {
+  CompletionCommand(CommandLine& line, Invocation& invocation) {
+    CLI::App& app = line.add("completion", "Print a script that completes commands and flags in a shell.", invocation,
+                             [this, &line, &invocation] {
                                if (shell == "bash")
-                                 session.terminal.out << bashScript(line);
+                                 invocation.terminal.out << bashScript(line);
                                else if (shell == "zsh")
-                                 session.terminal.out << zshScript(line);
+                                 invocation.terminal.out << zshScript(line);
                                else if (shell == "fish")
-                                 session.terminal.out << fishScript(line);
+                                 invocation.terminal.out << fishScript(line);
                                else
                                  throw UsageError(shell.empty() ? "completion needs the name of a shell."
                                                                 : fmt::format("There is no completion for \"{}\".", shell),
@@ -162,8 +162,8 @@ struct CompletionCommand {
 
 }  // namespace
 
-void addCompletionCommand(CommandLine& line, Session& session) {
-  line.keep(std::make_shared<CompletionCommand>(line, session));
+void addCompletionCommand(CommandLine& line, Invocation& invocation) {
+  line.keep(std::make_shared<CompletionCommand>(line, invocation));
 }
 
 }  // namespace blossom

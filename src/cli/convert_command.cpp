@@ -14,8 +14,9 @@ namespace {
 /// A file in, the same shape out in other formats.
 class ConvertCommand {
  public:
-  ConvertCommand(CommandLine& line, Session& session)
-      : session_(session), app_(line.add("convert", "Write a file in another format.", session, [this] { return run(); })) {
+  ConvertCommand(CommandLine& line, Invocation& invocation)
+      : invocation_(invocation),
+        app_(line.add("convert", "Write a file in another format.", invocation, [this] { return run(); })) {
     app_.add_option("IN", words_, "The file to read (or model.blossom#feature), then the files to write.")
         ->type_name("OUT..")
         ->expected(0, -1);
@@ -23,8 +24,9 @@ class ConvertCommand {
         ->type_name("FILE,..")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    CommandLine::addDocumentFlags(app_, session_);
-    formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Reading | FormatFlags::Writing);
+    CommandLine::addDocumentFlags(app_, invocation_);
+    formats_ =
+        std::make_unique<FormatFlags>(line, app_, *invocation.app.formats, FormatFlags::Reading | FormatFlags::Writing);
     setExamples(app_, {"blossom convert part.igs part.step", "blossom convert part.step part.stl part.obj --chord 0.01",
                        "blossom convert model.blossom#sweep-1 sweep.step"});
   }
@@ -41,16 +43,16 @@ class ConvertCommand {
     const auto start = std::chrono::steady_clock::now();
     Source source;
     std::vector<std::string> warnings;
-    const FeatureId id = addInput(session_, source.document, text, warnings);
+    const FeatureId id = addInput(invocation_, source.document, text, warnings);
     if (!isDocument(file) && !file.empty()) giveOptions(source.document, id, file);
-    source.made = evaluateFor(session_.app, source.document, id, progress)->evaluated;
+    source.made = evaluateFor(invocation_.app, source.document, id, progress)->evaluated;
     source.made.warnings.insert(source.made.warnings.begin(), warnings.begin(), warnings.end());
     source.readMs = millisecondsSince(start);
     return source;
   }
 
   void giveOptions(Document& document, const FeatureId& import, const std::filesystem::path& file) const {
-    const Format& format = *session_.app.formats->find(file.extension().string());
+    const Format& format = *invocation_.app.formats->find(file.extension().string());
     Value options = formats_->reading(format);
     if (options.empty()) return;
     Feature changed = document.at(import);
@@ -69,30 +71,30 @@ class ConvertCommand {
       throw UsageError("convert needs a file to write.", fmt::format("\"blossom info {}\" only looks at the file.", in));
     const std::filesystem::path file = fileOfInput(in);
     auto planned =
-        plannedOutputs(*session_.app.formats, outputPaths(*session_.app.formats, targets), {file}, formats_.get());
-    std::vector<const Format*> used{session_.app.formats->find(file.extension().string())};
+        plannedOutputs(*invocation_.app.formats, outputPaths(*invocation_.app.formats, targets), {file}, formats_.get());
+    std::vector<const Format*> used{invocation_.app.formats->find(file.extension().string())};
     for (const Output& output : planned) used.push_back(output.format);
     formats_->refuseUnused(used);
 
-    ProgressDisplay display(session_);
+    ProgressDisplay display(invocation_);
     const Progress progress = display.progress();
     Source source = readSource(in, file, progress.part(0, 0.5));
     // What cannot be measured is not written either.
     Measures measures = measure(source.made.shape, progress.part(0.5, 0.55));
     const auto writing = std::chrono::steady_clock::now();
-    planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
+    planned = writeOutputs(invocation_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
     Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
     addReports(planned, measures, source.made.warnings);
     for (const char* counts : {"entities", "skipped"}) stats[counts] = source.made.stats.value(counts, Value::object());
-    stats["total_ms"] = session_.elapsedMs();
+    stats["total_ms"] = invocation_.elapsedMs();
     report(in, planned, measures, stats, source.made.warnings);
     return 0;
   }
 
   void report(const std::string& in, const std::vector<Output>& planned, const Measures& measures, const Value& stats,
               const std::vector<std::string>& warnings) const {
-    std::ostream& out = session_.terminal.out;
-    if (session_.json) {
+    std::ostream& out = invocation_.terminal.out;
+    if (invocation_.json) {
       printJson(out, {{"input", in},
                       {"outputs", pathsJson(planned)},
                       {"result", resultJson(measures)},
@@ -105,10 +107,10 @@ class ConvertCommand {
     addRows(rows, stats);
     for (const Output& output : planned) rows.push_back({"written", output.path.string(), ""});
     printRows(out, rows);
-    for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';
+    for (const std::string& warning : warnings) invocation_.terminal.err << "blossom: warning: " << warning << '\n';
   }
 
-  Session& session_;
+  Invocation& invocation_;
   CLI::App& app_;
   std::vector<std::string> words_, outputs_;
   std::unique_ptr<FormatFlags> formats_;
@@ -116,6 +118,8 @@ class ConvertCommand {
 
 }  // namespace
 
-void addConvertCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<ConvertCommand>(line, session)); }
+void addConvertCommand(CommandLine& line, Invocation& invocation) {
+  line.keep(std::make_shared<ConvertCommand>(line, invocation));
+}
 
 }  // namespace blossom

@@ -19,10 +19,10 @@ namespace {
 /// One feature type as a command: INPUT.. --parameter value .. -o OUT..
 class FeatureCommand {
  public:
-  FeatureCommand(CommandLine& line, Session& session, std::shared_ptr<const FeatureType> type)
-      : session_(session), type_(std::move(type)) {
+  FeatureCommand(CommandLine& line, Invocation& invocation, std::shared_ptr<const FeatureType> type)
+      : invocation_(invocation), type_(std::move(type)) {
     const std::string name = line.has(type_->command) ? type_->id : type_->command;
-    app_ = &line.add(name, type_->summary, session_, [this] { return run(); });
+    app_ = &line.add(name, type_->summary, invocation_, [this] { return run(); });
     if (name != type_->id) app_->alias(type_->id);
     declareInputs();
     app_->add_option("-o,--output", outputs_, "Where the result goes; several files as a comma list or with several -o.")
@@ -30,8 +30,8 @@ class FeatureCommand {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     parameters_ = std::make_unique<ParameterFlags>(line, *app_, type_->parameters, "", "Parameters");
-    made_ = std::make_unique<FlagInputs>(line, *app_, *session_.app.registry, *type_);
-    formats_ = std::make_unique<FormatFlags>(line, *app_, *session_.app.formats, FormatFlags::Writing, type_->produces);
+    made_ = std::make_unique<FlagInputs>(line, *app_, *invocation_.app.registry, *type_);
+    formats_ = std::make_unique<FormatFlags>(line, *app_, *invocation_.app.formats, FormatFlags::Writing, type_->produces);
     setExamples(*app_, type_->examples);
   }
 
@@ -49,7 +49,7 @@ class FeatureCommand {
         ->type_name("")
         ->expected(0, -1);
     declareNamedInputs();
-    CommandLine::addDocumentFlags(*app_, session_);
+    CommandLine::addDocumentFlags(*app_, invocation_);
   }
 
   /// Where every input is a single one of its own kind, those after the first can also be given by name: --part FILE.
@@ -109,7 +109,7 @@ class FeatureCommand {
     const auto made = made_->features();
     if (made.empty()) return "Several outputs are a comma list: -o a.step,b.stl.";
     return fmt::format("--{} makes one of them; leave it out, or one of the others.",
-                       session_.app.registry->at(made.front().second.type)->inputByFlags.asks);
+                       invocation_.app.registry->at(made.front().second.type)->inputByFlags.asks);
   }
 
   [[nodiscard]] Value parameters() const {
@@ -132,7 +132,7 @@ class FeatureCommand {
     std::vector<std::filesystem::path> files;
     for (const std::string& input : inputs_) files.push_back(fileOfInput(input));
     auto planned =
-        plannedOutputs(*session_.app.formats, outputPaths(*session_.app.formats, outputs_), files, formats_.get());
+        plannedOutputs(*invocation_.app.formats, outputPaths(*invocation_.app.formats, outputs_), files, formats_.get());
     std::vector<const Format*> used;
     used.reserve(planned.size());
     for (const Output& output : planned) {
@@ -156,8 +156,8 @@ class FeatureCommand {
   /// Files and what is written down, and between them, each in its place, what flags make.
   [[nodiscard]] std::vector<FeatureId> addInputs(Document& document, std::vector<std::string>& warnings) const {
     std::vector<FeatureId> ids;
-    for (const std::string& input : inputs_) ids.push_back(addInput(session_, document, input, warnings));
-    for (auto& [place, made] : made_->features()) {
+    for (const std::string& input : inputs_) ids.push_back(addInput(invocation_, document, input, warnings));
+    for (auto& [place, made] : made_->given()) {
       made.id = document.freshId(made.id);
       ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(std::min(place, ids.size())), made.id);
       document = document.with(std::move(made));
@@ -192,30 +192,30 @@ class FeatureCommand {
     std::vector<std::string> warnings;
     FeatureId id;
     const Document made = document(given, id, warnings);
-    ProgressDisplay display(session_);
+    ProgressDisplay display(invocation_);
     const Progress progress = display.progress();
     Results results;
-    const auto result = evaluateFor(session_.app, made, id, progress.part(0, 0.8), &results);
+    const auto result = evaluateFor(invocation_.app, made, id, progress.part(0, 0.8), &results);
     for (const auto& feature : made.features())
       if (const auto each = results.find(feature->id); each != results.end())
         warnings.insert(warnings.end(), each->second->evaluated.warnings.begin(), each->second->evaluated.warnings.end());
     const auto writing = std::chrono::steady_clock::now();
-    planned = writeOutputs(session_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
+    planned = writeOutputs(invocation_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
     const double writeMs = millisecondsSince(writing);
     Measures measures = measured(result->evaluated, progress.part(0.95, 1));
     addReports(planned, measures, warnings);
     Value stats{{"kernel_ms", result->kernelMs}, {"total_ms", 0.0}};
     if (!planned.empty()) stats["write_ms"] = writeMs;
     stats.update(result->evaluated.stats);
-    stats["total_ms"] = session_.elapsedMs();
+    stats["total_ms"] = invocation_.elapsedMs();
     report(planned, measures, stats, warnings);
     return 0;
   }
 
   void report(const std::vector<Output>& planned, const Measures& measures, const Value& stats,
               const std::vector<std::string>& warnings) const {
-    std::ostream& out = session_.terminal.out;
-    if (session_.json) {
+    std::ostream& out = invocation_.terminal.out;
+    if (invocation_.json) {
       printJson(out, {{"feature", type_->id},
                       {"outputs", pathsJson(planned)},
                       {"result", resultJson(measures)},
@@ -228,10 +228,10 @@ class FeatureCommand {
     addRows(rows, stats);
     for (const Output& output : planned) rows.push_back({"written", output.path.string(), ""});
     printRows(out, rows);
-    for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';
+    for (const std::string& warning : warnings) invocation_.terminal.err << "blossom: warning: " << warning << '\n';
   }
 
-  Session& session_;
+  Invocation& invocation_;
   std::shared_ptr<const FeatureType> type_;
   CLI::App* app_ = nullptr;
   std::vector<std::string> inputs_, outputs_;
@@ -244,8 +244,9 @@ class FeatureCommand {
 
 }  // namespace
 
-void addFeatureCommands(CommandLine& line, Session& session) {
-  for (const auto& type : session.app.registry->types()) line.keep(std::make_shared<FeatureCommand>(line, session, type));
+void addFeatureCommands(CommandLine& line, Invocation& invocation) {
+  for (const auto& type : invocation.app.registry->types())
+    line.keep(std::make_shared<FeatureCommand>(line, invocation, type));
 }
 
 }  // namespace blossom

@@ -1,7 +1,7 @@
 #pragma once
 #include <iosfwd>
 
-#include "cli/session.h"
+#include "cli/invocation.h"
 
 namespace blossom {
 

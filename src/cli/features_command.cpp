@@ -70,9 +70,9 @@ void printType(std::ostream& out, const FeatureType& type) {
 
 class FeaturesCommand {
  public:
-  FeaturesCommand(CommandLine& line, Session& session) : session_(session) {
+  FeaturesCommand(CommandLine& line, Invocation& invocation) : invocation_(invocation) {
     CLI::App& app =
-        line.add("features", "List the features, or all there is to know about one.", session, [this] { return run(); });
+        line.add("features", "List the features, or all there is to know about one.", invocation, [this] { return run(); });
     app.add_option("FEATURE", name_, "Command or id of a feature.")->type_name("");
     app.add_flag("--markdown", markdown_, "Print the manual's pages.");
     setExamples(app, {"blossom features", "blossom features sweep", "blossom features --markdown >reference.md"});
@@ -80,10 +80,10 @@ class FeaturesCommand {
 
  private:
   int run() {
-    std::ostream& out = session_.terminal.out;
+    std::ostream& out = invocation_.terminal.out;
     if (!name_.empty()) {
-      const auto type = session_.app.registry->at(name_);
-      if (session_.json)
+      const auto type = invocation_.app.registry->at(name_);
+      if (invocation_.json)
         printJson(out, typeJson(*type));
       else if (markdown_)
         out << referencePage(*type);
@@ -93,26 +93,28 @@ class FeaturesCommand {
     }
     Value all = Value::array();
     std::vector<std::vector<std::string>> lines;
-    for (const auto& type : session_.app.registry->types()) {
+    for (const auto& type : invocation_.app.registry->types()) {
       all.push_back(typeJson(*type));
       lines.push_back({type->command, type->id, type->summary});
     }
-    if (session_.json)
+    if (invocation_.json)
       printJson(out, {{"features", all}});
     else if (markdown_)
-      for (const auto& type : session_.app.registry->types()) out << referencePage(*type) << '\n';
+      for (const auto& type : invocation_.app.registry->types()) out << referencePage(*type) << '\n';
     else
       printTable(out, {"COMMAND", "ID", "SUMMARY"}, lines);
     return 0;
   }
 
-  Session& session_;
+  Invocation& invocation_;
   std::string name_;
   bool markdown_ = false;
 };
 
 }  // namespace
 
-void addFeaturesCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<FeaturesCommand>(line, session)); }
+void addFeaturesCommand(CommandLine& line, Invocation& invocation) {
+  line.keep(std::make_shared<FeaturesCommand>(line, invocation));
+}
 
 }  // namespace blossom

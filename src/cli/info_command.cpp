@@ -18,11 +18,11 @@ namespace {
 /// The content of a file, measured like the result of a feature.
 class InfoCommand {
  public:
-  InfoCommand(CommandLine& line, Session& session)
-      : session_(session), app_(line.add("info", "Measure what files hold.", session, [this] { return run(); })) {
+  InfoCommand(CommandLine& line, Invocation& invocation)
+      : invocation_(invocation), app_(line.add("info", "Measure what files hold.", invocation, [this] { return run(); })) {
     app_.add_option("FILE", files_, "Files to look at (or model.blossom#feature).")->type_name("..")->expected(0, -1);
-    CommandLine::addDocumentFlags(app_, session_);
-    formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Reading);
+    CommandLine::addDocumentFlags(app_, invocation_);
+    formats_ = std::make_unique<FormatFlags>(line, app_, *invocation.app.formats, FormatFlags::Reading);
     setExamples(app_, {"blossom info part.step", "blossom info drawing.dxf --json"});
   }
 
@@ -34,14 +34,14 @@ class InfoCommand {
 
   Info ofFile(const std::filesystem::path& file, const Progress& progress) const {
     const auto start = std::chrono::steady_clock::now();
-    const Format* format = session_.app.formats->find(file.extension().string());
+    const Format* format = invocation_.app.formats->find(file.extension().string());
     const Imported imported =
-        readShape(*session_.app.formats, file, format ? formats_->reading(*format) : Value::object(), progress);
+        readShape(*invocation_.app.formats, file, format ? formats_->reading(*format) : Value::object(), progress);
     const double readMs = millisecondsSince(start);
     Info info{Value{{"file", file.string()}, {"format", format->id}}, measure(imported.shape, progress)};
     info.json["result"] = resultJson(info.measures);
     info.json["stats"] = {{"read_ms", readMs},
-                          {"total_ms", session_.elapsedMs()},
+                          {"total_ms", invocation_.elapsedMs()},
                           {"entities", imported.entities},
                           {"skipped", imported.skipped}};
     info.json["warnings"] = imported.warnings;
@@ -49,13 +49,13 @@ class InfoCommand {
   }
 
   Info ofDocument(const std::filesystem::path& file, const Progress& progress) const {
-    const OpenedDocument opened = openInput(session_, file);
+    const OpenedDocument opened = openInput(invocation_, file);
     Info info{
         Value{{"file", file.string()}, {"format", "blossom"}, {"features", Value::array()}, {"result", Value::object()}},
         {}};
     std::vector<std::string> warnings = opened.warnings;
     if (!opened.document.features().empty()) {
-      const Results results = Evaluator(session_.app.registry).evaluate(opened.document, progress);
+      const Results results = Evaluator(invocation_.app.registry).evaluate(opened.document, progress);
       info.json["features"] = featuresJson(opened.document, results, progress);
       const FeatureId last = lastFeature(opened.document).id;
       const auto& result = *results.at(last);
@@ -65,7 +65,7 @@ class InfoCommand {
       else
         info.json["result"] = resultJson(info.measures = measured(result.evaluated, progress));
     }
-    info.json["stats"] = {{"total_ms", session_.elapsedMs()}};
+    info.json["stats"] = {{"total_ms", invocation_.elapsedMs()}};
     info.json["warnings"] = warnings;
     return info;
   }
@@ -73,12 +73,12 @@ class InfoCommand {
   Info ofPart(const std::string& text, const Progress& progress) const {
     Document document;
     std::vector<std::string> warnings;
-    const FeatureId id = addInput(session_, document, text, warnings);
-    const auto result = evaluateFor(session_.app, document, id, progress);
+    const FeatureId id = addInput(invocation_, document, text, warnings);
+    const auto result = evaluateFor(invocation_.app, document, id, progress);
     warnings.insert(warnings.end(), result->evaluated.warnings.begin(), result->evaluated.warnings.end());
     Info info{Value{{"file", text}}, measured(result->evaluated, progress)};
     info.json["result"] = resultJson(info.measures);
-    info.json["stats"] = {{"kernel_ms", result->kernelMs}, {"total_ms", session_.elapsedMs()}};
+    info.json["stats"] = {{"kernel_ms", result->kernelMs}, {"total_ms", invocation_.elapsedMs()}};
     info.json["stats"].update(result->evaluated.stats);
     info.json["warnings"] = warnings;
     return info;
@@ -105,7 +105,7 @@ class InfoCommand {
   }
 
   void printFailure(const Value& info) const {
-    std::ostream& err = session_.terminal.err;
+    std::ostream& err = invocation_.terminal.err;
     err << "blossom: " << info.at("error").at("message").get<std::string>() << '\n';
     if (const auto hint = info.at("error").at("hint").get<std::string>(); !hint.empty()) err << "  " << hint << '\n';
   }
@@ -113,34 +113,34 @@ class InfoCommand {
   void print(const Info& all) const {
     const Value& info = all.json;
     if (info.contains("error")) return printFailure(info);
-    std::ostream& out = session_.terminal.out;
+    std::ostream& out = invocation_.terminal.out;
     out << info.at("file").get<std::string>() << '\n';
     if (info.contains("features")) printFeatureTable(out, info.at("features"));
     auto rows = all.measures.kind.empty() ? std::vector<ReportRow>() : rowsOf(all.measures);
     addRows(rows, info.at("stats"));
     printRows(out, rows);
     for (const auto& warning : info.at("warnings"))
-      session_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';
+      invocation_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';
   }
 
   int run() {
     if (files_.empty()) throw UsageError("info needs a file.", "\"blossom info part.step\" measures what the file holds.");
-    ProgressDisplay display(session_);
+    ProgressDisplay display(invocation_);
     const Progress progress = display.progress();
     if (files_.size() == 1) {
       const Info info = about(files_.front(), progress);
-      if (session_.json)
-        printJson(session_.terminal.out, info.json);
+      if (invocation_.json)
+        printJson(invocation_.terminal.out, info.json);
       else
         print(info);
       return 0;
     }
     std::vector<Info> all;
     for (const std::string& file : files_) all.push_back(aboutOrWhyNot(file, progress));
-    if (session_.json) {
+    if (invocation_.json) {
       Value objects = Value::array();
       for (const Info& each : all) objects.push_back(each.json);
-      printJson(session_.terminal.out, Value{{"files", objects}});
+      printJson(invocation_.terminal.out, Value{{"files", objects}});
     } else {
       for (const Info& each : all) print(each);
     }
@@ -148,7 +148,7 @@ class InfoCommand {
     return failed ? 1 : 0;
   }
 
-  Session& session_;
+  Invocation& invocation_;
   CLI::App& app_;
   std::vector<std::string> files_;
   std::unique_ptr<FormatFlags> formats_;
@@ -156,6 +156,8 @@ class InfoCommand {
 
 }  // namespace
 
-void addInfoCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<InfoCommand>(line, session)); }
+void addInfoCommand(CommandLine& line, Invocation& invocation) {
+  line.keep(std::make_shared<InfoCommand>(line, invocation));
+}
 
 }  // namespace blossom

@@ -52,9 +52,9 @@ std::string salvageHint(const App& app, const fs::path& file) {
   }
 }
 
-FeatureId addFromDocument(const Session& session, Document& document, const fs::path& file, const std::string& wanted,
+FeatureId addFromDocument(const Invocation& invocation, Document& document, const fs::path& file, const std::string& wanted,
                           std::vector<std::string>& warnings) {
-  const OpenedDocument opened = openInput(session, file);
+  const OpenedDocument opened = openInput(invocation, file);
   warnings.insert(warnings.end(), opened.warnings.begin(), opened.warnings.end());
   const FeatureId id = wanted.empty() ? lastFeature(opened.document).id : wanted;
   if (!opened.document.contains(id)) {
@@ -66,7 +66,7 @@ FeatureId addFromDocument(const Session& session, Document& document, const fs::
                              : fmt::format("Did you mean {}?", near));
   }
   FeatureId added;
-  document = withFeatureOf(*session.app.registry, document, opened.document, id, &added);
+  document = withFeatureOf(invocation.app, document, opened.document, id, &added);
   return added;
 }
 
@@ -78,30 +78,31 @@ fs::path fileOfInput(const std::string& text) {
   return fs::exists(file, ec) ? file : fs::path();
 }
 
-OpenedDocument openInput(const Session& session, const fs::path& file) {
+OpenedDocument openInput(const Invocation& invocation, const fs::path& file) {
   try {
-    OpenedDocument opened = openAny(session.app, file, session.salvage);
-    if (session.allowFiles && isDocument(file))
+    OpenedDocument opened = openAny(invocation.app, file, invocation.salvage);
+    if (invocation.allowFiles && isDocument(file))
       opened.document = opened.document.withAccess(FileAccess::everywhere(fs::absolute(file).parent_path()));
     return opened;
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::FormatDamaged || session.salvage || !isDocument(file)) throw;
-    throw Error(error.code(), error.message(), salvageHint(session.app, file));
+    if (error.code() != ErrorCode::FormatDamaged || invocation.salvage || !isDocument(file)) throw;
+    throw Error(error.code(), error.message(), salvageHint(invocation.app, file));
   }
 }
 
-FeatureId addInput(const Session& session, Document& document, const std::string& text, std::vector<std::string>& warnings) {
+FeatureId addInput(const Invocation& invocation, Document& document, const std::string& text,
+                   std::vector<std::string>& warnings) {
   if (text.empty()) throw UsageError("An input is empty.", "Give the name of a file or a shape such as ball:5:3.");
   const auto [file, wanted] = splitFeature(text);
   std::error_code ec;
   if (!fs::exists(file, ec)) {
-    if (isLiteral(session.app, text)) return addLiteral(document, text);
+    if (isLiteral(invocation.app, text)) return addLiteral(document, text);
     throw Error(ErrorCode::FileNotFound, fmt::format("The file {} does not exist.", file.string()),
-                literalHint(session.app, text));
+                literalHint(invocation.app, text));
   }
-  if (isDocument(file) && !fs::is_directory(file, ec)) return addFromDocument(session, document, file, wanted, warnings);
+  if (isDocument(file) && !fs::is_directory(file, ec)) return addFromDocument(invocation, document, file, wanted, warnings);
   FeatureId added;
-  document = withLinked(session.app, document, file, &added);
+  document = withLinked(invocation.app, document, file, &added);
   return added;
 }
 

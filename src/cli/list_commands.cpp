@@ -21,10 +21,10 @@ std::vector<std::string> flagsOf(const std::string& id, const std::vector<Parame
   return flags;
 }
 
-int listFormats(const Session& session) {
+int listFormats(const Invocation& invocation) {
   Value all = Value::array();
   std::vector<std::vector<std::string>> lines{{".blossom", "reads", "writes", "Blossom document", ""}};
-  for (const Format& format : session.app.formats->formats()) {
+  for (const Format& format : invocation.app.formats->formats()) {
     const auto options = [&](const std::vector<ParameterSpec>& specs) { return flagsOf(format.id, specs); };
     all.push_back({{"id", format.id},
                    {"title", format.title},
@@ -39,17 +39,17 @@ int listFormats(const Session& session) {
     lines.push_back({"." + joined(format.extensions, " ."), format.read ? "reads" : "", format.write ? "writes" : "",
                      format.title, joined(flags, " ")});
   }
-  if (session.json)
-    printJson(session.terminal.out, {{"formats", all}});
+  if (invocation.json)
+    printJson(invocation.terminal.out, {{"formats", all}});
   else
-    printTable(session.terminal.out, {"EXTENSIONS", "READS", "WRITES", "FORMAT", "OPTIONS"}, lines);
+    printTable(invocation.terminal.out, {"EXTENSIONS", "READS", "WRITES", "FORMAT", "OPTIONS"}, lines);
   return 0;
 }
 
-int listPlugins(const Session& session) {
+int listPlugins(const Invocation& invocation) {
   Value all = Value::array();
   std::vector<std::vector<std::string>> lines;
-  for (const LoadedPlugin& plugin : session.app.plugins) {
+  for (const LoadedPlugin& plugin : invocation.app.plugins) {
     const PluginManifest& manifest = plugin.manifest;
     all.push_back({{"id", manifest.id},
                    {"title", manifest.title},
@@ -62,18 +62,18 @@ int listPlugins(const Session& session) {
     lines.push_back({manifest.id, manifest.version, plugin.problem.empty() ? "loaded" : "skipped",
                      plugin.problem.empty() ? manifest.summary : plugin.problem, manifest.folder.string()});
   }
-  if (session.json)
-    printJson(session.terminal.out, {{"plugins", all}});
+  if (invocation.json)
+    printJson(invocation.terminal.out, {{"plugins", all}});
   else
-    printTable(session.terminal.out, {"PLUGIN", "VERSION", "STATE", "SUMMARY", "FOLDER"}, lines);
+    printTable(invocation.terminal.out, {"PLUGIN", "VERSION", "STATE", "SUMMARY", "FOLDER"}, lines);
   return 0;
 }
 
 struct HelpCommand {
-  HelpCommand(CommandLine& line, Session& session) {
-    CLI::App& app = line.add("help", "Print the help of a command.", session, [this, &line, &session] {
+  HelpCommand(CommandLine& line, Invocation& invocation) {
+    CLI::App& app = line.add("help", "Print the help of a command.", invocation, [this, &line, &invocation] {
       if (name.empty()) {
-        session.terminal.out << line.root.help();
+        invocation.terminal.out << line.root.help();
         return 0;
       }
       const CLI::App* command = line.find(name);
@@ -83,7 +83,7 @@ struct HelpCommand {
                          near.empty() ? "\"blossom --help\" lists the commands." : "Did you mean " + near + "?",
                          ErrorCode::NotFound);
       }
-      session.terminal.out << command->help("blossom", CLI::AppFormatMode::Normal);
+      invocation.terminal.out << command->help("blossom", CLI::AppFormatMode::Normal);
       return 0;
     });
     app.add_option("COMMAND", name, "A command, or the id of a feature.")->type_name("");
@@ -94,18 +94,20 @@ struct HelpCommand {
 
 }  // namespace
 
-void addFormatsCommand(CommandLine& line, Session& session) {
-  setExamples(
-      line.add("formats", "List the file formats with their options.", session, [&session] { return listFormats(session); }),
-      {"blossom formats"});
+void addFormatsCommand(CommandLine& line, Invocation& invocation) {
+  setExamples(line.add("formats", "List the file formats with their options.", invocation,
+                       [&invocation] { return listFormats(invocation); }),
+              {"blossom formats"});
 }
 
-void addPluginsCommand(CommandLine& line, Session& session) {
-  setExamples(line.add("plugins", "List the plugins, also those that could not be loaded.", session,
-                       [&session] { return listPlugins(session); }),
+void addPluginsCommand(CommandLine& line, Invocation& invocation) {
+  setExamples(line.add("plugins", "List the plugins, also those that could not be loaded.", invocation,
+                       [&invocation] { return listPlugins(invocation); }),
               {"blossom plugins"});
 }
 
-void addHelpCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<HelpCommand>(line, session)); }
+void addHelpCommand(CommandLine& line, Invocation& invocation) {
+  line.keep(std::make_shared<HelpCommand>(line, invocation));
+}
 
 }  // namespace blossom

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <string>
 
-#include "cli/session.h"
+#include "cli/invocation.h"
 
 namespace blossom {
 
@@ -11,7 +11,7 @@ namespace blossom {
 /// delay, so that short work shows none, and is erased at the end.
 class ProgressDisplay {
  public:
-  explicit ProgressDisplay(const Session&);
+  explicit ProgressDisplay(const Invocation&);
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -23,7 +23,7 @@ class ProgressDisplay {
   void show(double fraction, const std::string& stage);
   void drawBar(double fraction, const std::string& stage);
 
-  const Session& session_;
+  const Invocation& invocation_;
   std::mutex mutex_;  // work reports from several threads
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool drawn_ = false;

@@ -16,14 +16,15 @@ namespace {
 /// A picture of files, drawn without a display. Its flags are the write options of the PNG format.
 class RenderCommand {
  public:
-  RenderCommand(CommandLine& line, Session& session)
-      : session_(session),
-        app_(line.add("render", "Draw files into a PNG picture; needs no display.", session, [this] { return run(); })) {
+  RenderCommand(CommandLine& line, Invocation& invocation)
+      : invocation_(invocation),
+        app_(line.add("render", "Draw files into a PNG picture; needs no display.", invocation, [this] { return run(); })) {
     app_.add_option("FILE", files_, "Files to draw together (or model.blossom#feature).")->type_name("..")->expected(0, -1);
     app_.add_option("-o,--output", output_, "The picture.")->type_name("FILE.png");
     app_.add_flag("--light", light_, "The same as --theme light.");
-    CommandLine::addDocumentFlags(app_, session_);
-    options_ = std::make_unique<ParameterFlags>(line, app_, session.app.formats->find("png")->writeOptions, "", "Picture");
+    CommandLine::addDocumentFlags(app_, invocation_);
+    options_ =
+        std::make_unique<ParameterFlags>(line, app_, invocation.app.formats->find("png")->writeOptions, "", "Picture");
     setExamples(app_,
                 {"blossom render part.step -o part.png", "blossom render propeller.json -o p.png --size 1920x1080 --light"});
   }
@@ -34,15 +35,15 @@ class RenderCommand {
     const std::filesystem::path file = fileOfInput(text);
     if (file.string() != text) {
       Document document;
-      const FeatureId id = addInput(session_, document, text, warnings_);
-      shapes.push_back(evaluateFor(session_.app, document, id, progress)->evaluated.shape);
+      const FeatureId id = addInput(invocation_, document, text, warnings_);
+      shapes.push_back(evaluateFor(invocation_.app, document, id, progress)->evaluated.shape);
       return;
     }
-    const OpenedDocument opened = openInput(session_, file);
+    const OpenedDocument opened = openInput(invocation_, file);
     warnings_.insert(warnings_.end(), opened.warnings.begin(), opened.warnings.end());
     const FeatureId last = lastFeature(opened.document).id;
     Results results;
-    const auto result = evaluateFor(session_.app, opened.document, last, progress, &results);
+    const auto result = evaluateFor(invocation_.app, opened.document, last, progress, &results);
     const std::size_t before = shapes.size();
     for (const auto& feature : opened.document.features())
       if (const auto found = results.find(feature->id);
@@ -65,12 +66,12 @@ class RenderCommand {
     }
     std::vector<std::filesystem::path> inputs;
     for (const std::string& file : files_) inputs.push_back(fileOfInput(file));
-    const auto planned = plannedOutputs(*session_.app.formats, {output_}, inputs, nullptr);
+    const auto planned = plannedOutputs(*invocation_.app.formats, {output_}, inputs, nullptr);
     if (!planned[0].format || planned[0].format->id != "png")
       throw Error(ErrorCode::FormatUnknown, fmt::format("The picture {} is no PNG file.", output_),
                   "Give it a name that ends in .png.");
 
-    ProgressDisplay display(session_);
+    ProgressDisplay display(invocation_);
     const Progress progress = display.progress();
     std::vector<Shape> shapes;
     for (const std::string& file : files_) addShapes(file, progress.part(0, 0.5), shapes);
@@ -82,9 +83,9 @@ class RenderCommand {
 
   void report(const std::vector<Output>& planned, const PictureOptions& options, double drawMs) const {
     Value result{{"kind", "picture"}, {"width", options.width}, {"height", options.height}};
-    Value stats{{"render_ms", drawMs}, {"total_ms", session_.elapsedMs()}};
-    std::ostream& out = session_.terminal.out;
-    if (session_.json) {
+    Value stats{{"render_ms", drawMs}, {"total_ms", invocation_.elapsedMs()}};
+    std::ostream& out = invocation_.terminal.out;
+    if (invocation_.json) {
       printJson(out, {{"outputs", pathsJson(planned)}, {"result", result}, {"stats", stats}, {"warnings", warnings_}});
       return;
     }
@@ -93,10 +94,10 @@ class RenderCommand {
     result.update(stats);
     result["written"] = output_;
     printRows(out, rowsOf(result));
-    for (const std::string& warning : warnings_) session_.terminal.err << "blossom: warning: " << warning << '\n';
+    for (const std::string& warning : warnings_) invocation_.terminal.err << "blossom: warning: " << warning << '\n';
   }
 
-  Session& session_;
+  Invocation& invocation_;
   CLI::App& app_;
   std::vector<std::string> files_, warnings_;
   std::string output_;
@@ -106,8 +107,8 @@ class RenderCommand {
 
 }  // namespace
 
-void addRenderCommand(CommandLine& line, Session& session) {
-  if (session.app.formats->find("png")) line.keep(std::make_shared<RenderCommand>(line, session));
+void addRenderCommand(CommandLine& line, Invocation& invocation) {
+  if (invocation.app.formats->find("png")) line.keep(std::make_shared<RenderCommand>(line, invocation));
 }
 
 }  // namespace blossom

@@ -24,8 +24,9 @@ struct Export {
 /// A document evaluated as a whole, perhaps with other values, and exported.
 class RunCommand {
  public:
-  RunCommand(CommandLine& line, Session& session)
-      : session_(session), app_(line.add("run", "Evaluate all features of a document.", session, [this] { return run(); })) {
+  RunCommand(CommandLine& line, Invocation& invocation)
+      : invocation_(invocation),
+        app_(line.add("run", "Evaluate all features of a document.", invocation, [this] { return run(); })) {
     app_.add_option("DOC", file_, "A .blossom document, or any file that Blossom reads.")->type_name("");
     app_.add_option("--set", settings_, "Another value for a parameter of a feature; may be repeated.")
         ->type_name("FEATURE.PARAMETER[.FIELD]=VALUE")
@@ -36,8 +37,8 @@ class RunCommand {
         ->type_name("[FEATURE=]FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    CommandLine::addDocumentFlags(app_, session_);
-    formats_ = std::make_unique<FormatFlags>(line, app_, *session.app.formats, FormatFlags::Writing);
+    CommandLine::addDocumentFlags(app_, invocation_);
+    formats_ = std::make_unique<FormatFlags>(line, app_, *invocation.app.formats, FormatFlags::Writing);
     setExamples(app_, {"blossom run model.blossom --json",
                        "blossom run model.blossom --set sweep-1.tolerance=0.01 --export sweep-1=sweep.step",
                        "blossom run model.blossom --set sweep-1.solid=yes --export other.blossom"});
@@ -52,7 +53,7 @@ class RunCommand {
     for (const auto& each : document.features()) {
       if (each->id == name) return *each;
       if (each->name == name) byName = each.get();
-      const auto type = session_.app.registry->find(each->type);
+      const auto type = invocation_.app.registry->find(each->type);
       if (each->type == name || (type && type->command == name)) ofType.push_back(each.get());
       known.push_back(each->id);
     }
@@ -71,7 +72,7 @@ class RunCommand {
   [[nodiscard]] bool names(const Document& document, const std::string& name) const {
     const auto features = document.features();
     return std::any_of(features.begin(), features.end(), [&](const auto& each) {
-      const auto type = session_.app.registry->find(each->type);
+      const auto type = invocation_.app.registry->find(each->type);
       return each->id == name || each->name == name || each->type == name || (type && type->command == name);
     });
   }
@@ -124,7 +125,7 @@ class RunCommand {
     const Setting setting = settingOf(document, text);
     const std::size_t equals = text.find('=');
     Feature changed = featureNamed(document, setting.feature);
-    const auto type = session_.app.registry->find(changed.type);
+    const auto type = invocation_.app.registry->find(changed.type);
     if (!type)
       throw Error(ErrorCode::PluginBroken, fmt::format("The feature type {} is not there.", changed.type),
                   "\"blossom plugins\" lists the plugins that are loaded.");
@@ -157,10 +158,10 @@ class RunCommand {
     for (const std::string& text : exports_) {
       const auto equals = text.find('=');
       if (equals == std::string::npos || text.find('/') < equals) {
-        for (const std::string& path : outputPaths(*session_.app.formats, {text})) all.push_back({"", path});
+        for (const std::string& path : outputPaths(*invocation_.app.formats, {text})) all.push_back({"", path});
       } else {
         const FeatureId id = featureNamed(document, text.substr(0, equals)).id;
-        for (const std::string& path : outputPaths(*session_.app.formats, {text.substr(equals + 1)}))
+        for (const std::string& path : outputPaths(*invocation_.app.formats, {text.substr(equals + 1)}))
           all.push_back({id, path});
       }
     }
@@ -173,14 +174,14 @@ class RunCommand {
     std::vector<std::string> shapes, documents;
     for (const Export& each : exports) (isDocument(each.path) ? documents : shapes).push_back(each.path);
     const std::filesystem::path file = fileOfInput(file_);
-    (void)plannedOutputs(*session_.app.formats, shapes, {file}, formats_.get());
+    (void)plannedOutputs(*invocation_.app.formats, shapes, {file}, formats_.get());
     // What was salvaged must not overwrite what could not be read.
-    const std::vector<std::filesystem::path> kept{session_.salvage ? file : std::filesystem::path()};
-    (void)plannedOutputs(*session_.app.formats, documents, kept, nullptr);
+    const std::vector<std::filesystem::path> kept{invocation_.salvage ? file : std::filesystem::path()};
+    (void)plannedOutputs(*invocation_.app.formats, documents, kept, nullptr);
     std::vector<Output> outputs;
     std::vector<const Format*> used;
     for (const Export& each : exports) {
-      outputs.push_back(plannedOutputs(*session_.app.formats, {each.path}, {}, formats_.get()).front());
+      outputs.push_back(plannedOutputs(*invocation_.app.formats, {each.path}, {}, formats_.get()).front());
       used.push_back(outputs.back().format);
     }
     formats_->refuseUnused(used);
@@ -190,15 +191,15 @@ class RunCommand {
   int run() {
     if (file_.empty())
       throw UsageError("run needs a document.", "\"blossom run model.blossom\" evaluates all its features.");
-    OpenedDocument opened = openInput(session_, file_);
+    OpenedDocument opened = openInput(invocation_, file_);
     for (const std::string& setting : settings_) opened.document = withSetting(opened.document, setting);
     const auto exports = exportsFor(opened.document);
     const auto outputs = planned(exports);
     (void)lastFeature(opened.document);
 
-    ProgressDisplay display(session_);
+    ProgressDisplay display(invocation_);
     const Progress progress = display.progress();
-    const Results results = Evaluator(session_.app.registry).evaluate(opened.document, progress.part(0, 0.8));
+    const Results results = Evaluator(invocation_.app.registry).evaluate(opened.document, progress.part(0, 0.8));
     const Value features = featuresJson(opened.document, results, progress.part(0.8, 0.85));
     std::vector<Output> written;
     std::optional<Error> problem = firstFailure(opened.document, results);
@@ -226,7 +227,7 @@ class RunCommand {
 
   std::vector<Output> writeOne(const Document& document, const Results& results, const Export& wanted, const Output& output,
                                const Progress& progress) const {
-    if (!output.format) return writeOutputs(session_.app, {output}, {}, document, progress);
+    if (!output.format) return writeOutputs(invocation_.app, {output}, {}, document, progress);
     const FeatureId id = wanted.feature.empty() ? lastFeature(document).id : wanted.feature;
     const auto found = results.find(id);
     if (found == results.end())
@@ -234,31 +235,31 @@ class RunCommand {
     if (found->second->error)
       throw Error(found->second->error->code(), fmt::format("{} was not written, because \"{}\" failed.", wanted.path, id),
                   found->second->error->message());
-    return writeOutputs(session_.app, {output}, found->second->evaluated.shape, document, progress);
+    return writeOutputs(invocation_.app, {output}, found->second->evaluated.shape, document, progress);
   }
 
   void report(const Value& features, const std::vector<std::string>& warnings, const std::vector<Output>& written,
               const std::optional<Error>& problem) const {
-    std::ostream& out = session_.terminal.out;
-    if (session_.json) {
+    std::ostream& out = invocation_.terminal.out;
+    if (invocation_.json) {
       Value all{{"document", file_}, {"features", features}, {"outputs", pathsJson(written)}};
-      all["stats"] = {{"total_ms", session_.elapsedMs()}};
+      all["stats"] = {{"total_ms", invocation_.elapsedMs()}};
       all["warnings"] = warnings;
       if (problem) all["error"] = toJson(*problem);
       return printJson(out, all);
     }
     printFeatureTable(out, features);
     for (const Output& output : written) out << "written  " << output.path.string() << '\n';
-    for (const std::string& warning : warnings) session_.terminal.err << "blossom: warning: " << warning << '\n';
+    for (const std::string& warning : warnings) invocation_.terminal.err << "blossom: warning: " << warning << '\n';
     for (const Value& row : features)
       for (const auto& warning : row.value("warnings", Value::array()))
-        session_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';
+        invocation_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';
     if (problem)
-      session_.terminal.err << "blossom: " << problem->message() << '\n'
-                            << (problem->hint().empty() ? "" : "  " + problem->hint() + "\n");
+      invocation_.terminal.err << "blossom: " << problem->message() << '\n'
+                               << (problem->hint().empty() ? "" : "  " + problem->hint() + "\n");
   }
 
-  Session& session_;
+  Invocation& invocation_;
   CLI::App& app_;
   std::string file_;
   std::vector<std::string> settings_, exports_;
@@ -267,6 +268,6 @@ class RunCommand {
 
 }  // namespace
 
-void addRunCommand(CommandLine& line, Session& session) { line.keep(std::make_shared<RunCommand>(line, session)); }
+void addRunCommand(CommandLine& line, Invocation& invocation) { line.keep(std::make_shared<RunCommand>(line, invocation)); }
 
 }  // namespace blossom

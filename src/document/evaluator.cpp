@@ -10,7 +10,7 @@
 namespace blossom {
 namespace {
 
-struct Job {
+struct BackgroundRun {
   Document document;
   Progress progress;
   Evaluator::Done done;
@@ -30,7 +30,7 @@ struct Evaluator::State {
   // never held while a callback runs or a job is destroyed.
   std::mutex mutex;
   std::condition_variable changed;
-  std::optional<Job> waiting;
+  std::optional<BackgroundRun> waiting;
   std::optional<CancelToken> running;  ///< of the job under way
   bool ending = false;
   std::thread thread;
@@ -40,10 +40,10 @@ struct Evaluator::State {
   }
 
   void work();
-  void perform(const Job&);
+  void perform(const BackgroundRun&);
 };
 
-void Evaluator::State::perform(const Job& job) {
+void Evaluator::State::perform(const BackgroundRun& job) {
   try {
     Results results =
         evaluate(job.document, job.progress, [&](const FeatureId& id, const std::shared_ptr<const FeatureResult>& result) {
@@ -61,7 +61,7 @@ void Evaluator::State::work() {
   while (true) {
     changed.wait(lock, [&] { return ending || waiting; });
     if (ending) return;
-    std::optional<Job> job;
+    std::optional<BackgroundRun> job;
     job.swap(waiting);
     running = job->progress.token();
     lock.unlock();
@@ -92,8 +92,8 @@ Results Evaluator::evaluate(const Document& document, const Progress& progress, 
 
 void Evaluator::evaluateInBackground(Document document, std::function<void(double, const std::string&)> progress, Done done,
                                      std::function<void(Results)> finished) {
-  std::optional<Job> job(
-      Job{std::move(document), Progress(CancelToken(), std::move(progress)), std::move(done), std::move(finished)});
+  std::optional<BackgroundRun> job(BackgroundRun{std::move(document), Progress(CancelToken(), std::move(progress)),
+                                                 std::move(done), std::move(finished)});
   const std::lock_guard lock(state_->mutex);
   if (state_->running) state_->running->cancel();
   state_->waiting.swap(job);  // the one replaced is destroyed after the lock is gone: `job` is older than `lock`
@@ -102,7 +102,7 @@ void Evaluator::evaluateInBackground(Document document, std::function<void(doubl
 }
 
 void Evaluator::cancelBackground() {
-  std::optional<Job> dropped;
+  std::optional<BackgroundRun> dropped;
   const std::lock_guard lock(state_->mutex);
   if (state_->running) state_->running->cancel();
   dropped.swap(state_->waiting);

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/files/show_in_folder.h"
+#include "ui/thread/refreshes.h"
 
 namespace blossom::ui {
 
@@ -27,6 +28,23 @@ DocumentTabs::DocumentTabs(QWidget* parent) : QTabBar(parent) {
   setElideMode(Qt::ElideRight);
   setUsesScrollButtons(true);
   setFocusPolicy(Qt::NoFocus);
+}
+
+void DocumentTabs::setTabs(const std::vector<DocumentTab>& tabs, int current) {
+  if (tabs == shown_ && current == currentIndex()) return;
+  countRefresh(WindowPart::Tabs);
+  shown_ = tabs;
+  const QSignalBlocker quiet(this);
+  const int wanted = static_cast<int>(tabs.size());
+  while (count() > wanted) removeTab(count() - 1);
+  while (count() < wanted) addTab({});
+  for (int i = 0; i < wanted; ++i) {
+    const DocumentTab& tab = tabs[static_cast<std::size_t>(i)];
+    setTabText(i, tab.text);
+    setTabToolTip(i, tab.toolTip);
+    setTabData(i, tab.file);
+  }
+  setCurrentIndex(current);
 }
 
 // Qt makes tabs as narrow as a letter or two before it offers to scroll.

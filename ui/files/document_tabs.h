@@ -1,13 +1,23 @@
 #pragma once
 #include <QTabBar>
+#include <vector>
 
 namespace blossom::ui {
+
+/// What the tab of a document shows.
+struct DocumentTab {
+  QString text, toolTip;
+  QString file;  ///< empty: it has none
+  bool operator==(const DocumentTab&) const = default;
+};
 
 /// The open documents. A middle click closes one; the context menu has the rest.
 class DocumentTabs : public QTabBar {
   Q_OBJECT
  public:
   explicit DocumentTabs(QWidget* parent = nullptr);
+  /// Shows these, when they are not shown already; tells nobody.
+  void setTabs(const std::vector<DocumentTab>&, int current);
 
  signals:
   void closeOthersWanted(int index);
@@ -20,6 +30,7 @@ class DocumentTabs : public QTabBar {
   void contextMenuEvent(QContextMenuEvent*) override;
 
  private:
+  std::vector<DocumentTab> shown_;
   int pressed_ = -1;  // by the middle button
 };
 

@@ -20,6 +20,7 @@
 #include "ui/files/tile_grid.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
+#include "ui/thread/refreshes.h"
 
 namespace blossom::ui {
 
@@ -196,11 +197,21 @@ void StartPage::showMenu(const QString& file, bool pinned, const QPoint& at) {
   menu->popup(at);
 }
 
-void StartPage::cover(QWidget* widget) {
+void StartPage::showOver(QWidget* widget) {
+  raise();
+  if (covered_ == widget && !isHidden()) return;
+  countRefresh(WindowPart::StartPage);
   if (covered_) covered_->removeEventFilter(this);
   covered_ = widget;
   widget->installEventFilter(this);
   follow();
+  show();
+}
+
+void StartPage::putAway() {
+  if (isHidden()) return;
+  countRefresh(WindowPart::StartPage);
+  hide();
 }
 
 void StartPage::follow() {

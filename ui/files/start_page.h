@@ -14,8 +14,9 @@ class StartPage : public QFrame {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
-  /// Covers this widget from now on, also when it is moved or resized.
-  void cover(QWidget*);
+  /// Lies over this widget from here on, wherever that goes.
+  void showOver(QWidget*);
+  void putAway();
 
  signals:
   void newWanted();

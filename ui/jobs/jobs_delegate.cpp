@@ -12,11 +12,11 @@ namespace {
 
 constexpr int rowHeight = 38, sideMargin = 16, iconSize = 16, textLeft = 28, timeWidth = 90, barWidth = 140, barHeight = 4;
 
-struct Look {
+struct StateLook {
   const char *icon, *color;
 };
 
-Look lookOf(JobsList::State state) {
+StateLook lookOf(JobsList::State state) {
   switch (state) {
     case JobsList::State::Running:
       return {"pending", "made"};
@@ -57,7 +57,7 @@ QSize JobsDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) co
 void JobsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const Theme& colors = theme();
   const auto state = static_cast<JobsList::State>(index.data(JobsList::StateRole).toInt());
-  const Look look = lookOf(state);
+  const StateLook look = lookOf(state);
   const bool running = state == JobsList::State::Running;
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);

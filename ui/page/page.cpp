@@ -5,7 +5,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "scene/onion_skin.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
@@ -13,6 +12,9 @@
 #include "ui/panel/fault_bar.h"
 #include "ui/panel/property_panel.h"
 #include "ui/timeline/timeline_bar.h"
+#include "ui/tools/measure_tool.h"
+#include "ui/tools/pick_tool.h"
+#include "ui/tools/section_tool.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/document_tree_panel.h"
 #include "ui/view/view_widget.h"
@@ -41,7 +43,9 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       view_(new ViewWidget),
       errors_(new ErrorBar),
       faults_(new FaultBar(session_)),
-      timeline_(new TimelineBar(playback_)) {
+      timeline_(new TimelineBar(playback_)),
+      tools_(std::make_unique<PageTools>(*this, manipulators_, *view_)) {
+  view_->setSource({[this] { return scene_.items(tree_->selected()); }, [this] { return overlayNow(); }});
   buildWidgets();
   connectSession();
   connectWidgets();
@@ -50,9 +54,7 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
 
 // The widgets look at the session: they go first.
 DocumentPage::~DocumentPage() {
-  view_->setTool(nullptr);
-  tool_.reset();
-  handles_.reset();
+  tools_->drop();
   delete side_;
   delete canvas_;
 }
@@ -83,15 +85,16 @@ void DocumentPage::buildWidgets() {
 
 bool DocumentPage::untouched() const {
   return session_.document().features().empty() && session_.file().empty() && !session_.modified() &&
-         !session_.job().running() && !tool_;
+         !session_.job().running() && !toolStarted();
 }
 
 void DocumentPage::connectSession() {
   connect(&session_, &Session::documentChanged, this, [this] {
-    refreshView();
+    refreshTimeline();
+    view_->markItems();
     measurements_.documentChanged();
     if (Tool* const active = tool()) active->documentChanged();
-    refreshHandles();
+    tools_->refreshHandles();
     emit stateChanged();
   });
   connect(&session_, &Session::opened, this, [this] {
@@ -105,14 +108,8 @@ void DocumentPage::connectSession() {
     emit opened();
   });
   connect(&session_, &Session::fileChanged, this, &DocumentPage::stateChanged);
-  connect(&session_, &Session::viewChanged, this, [this](const QString& id) {
-    refreshView();
-    measurements_.documentChanged();
-    if (id.toStdString() == tree_->current()) refreshOverlay();
-    if (Tool* const active = tool()) active->documentChanged();
-    refreshHandles();
-  });
-  connect(&session_, &Session::evaluationOverdue, this, &DocumentPage::refreshView);
+  connect(&session_, &Session::viewsChanged, this, &DocumentPage::followViews);
+  connect(&session_, &Session::evaluationOverdue, view_, &ViewWidget::markItems);
   connect(&session_, &Session::evaluationStarted, this, [this] { emit workChanged(evaluationKey, tr("Computing"), 0); });
   connect(&session_, &Session::evaluationProgressed, this, [this](double fraction, const QString& stage) {
     emit workChanged(evaluationKey, stage.isEmpty() ? tr("Computing") : stage, fraction);
@@ -120,8 +117,8 @@ void DocumentPage::connectSession() {
   connect(&session_, &Session::evaluationFinished, this, [this] {
     emit workEnded(evaluationKey);
     if (fitPending_ && tree_->selected().empty()) selectLast();
-    refreshView();
-    refreshOverlay();
+    view_->markItems();
+    view_->markOverlay();
     fitWhenFirstShown();
   });
   connect(&session_, &Session::featureAdded, this, [this](const QString& id) { tree_->select(id.toStdString()); });
@@ -153,21 +150,30 @@ void DocumentPage::connectSession() {
   });
 }
 
+void DocumentPage::followViews(const std::set<FeatureId>& features) {
+  refreshTimeline();
+  view_->markItems();
+  if (features.contains(tree_->current())) view_->markOverlay();
+  measurements_.documentChanged();
+  if (Tool* const active = tool()) active->documentChanged();
+  tools_->refreshHandles();
+}
+
 void DocumentPage::connectWidgets() {
-  connect(&measurements_, &Measurements::changed, this, &DocumentPage::refreshOverlay);
-  connect(&playback_, &Playback::moved, this, &DocumentPage::refreshView);
+  connect(&measurements_, &Measurements::changed, view_, &ViewWidget::markOverlay);
+  connect(&playback_, &Playback::moved, view_, &ViewWidget::markItems);
   const auto tellTime = [this] { properties_->setTimeline(playback_.frame(), playback_.count()); };
   connect(&playback_, &Playback::moved, this, tellTime);
   connect(&playback_, &Playback::changed, this, tellTime);
   connect(&playback_, &Playback::changed, this, &DocumentPage::stateChanged);
   connect(properties_, &PropertyPanel::frameWanted, &playback_, &Playback::show);
-  connect(&playback_, &Playback::changed, this, &DocumentPage::refreshOverlay);
+  connect(&playback_, &Playback::changed, view_, &ViewWidget::markOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
     if (!fillPanelLater_) showProperties();
     faults_->setSelected(tree_->selected().empty() ? FeatureId() : tree_->current());
-    refreshView();
-    refreshOverlay();
-    refreshHandles();
+    view_->markItems();
+    view_->markOverlay();
+    tools_->refreshHandles();
     emit selectionChanged();
   });
   connect(view_, &ViewWidget::picked, this,
@@ -189,13 +195,16 @@ void DocumentPage::connectWidgets() {
   });
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
   connect(properties_, &PropertyPanel::manualWanted, this, &DocumentPage::manualWanted);
+  connect(tools_.get(), &PageTools::changed, this, &DocumentPage::toolChanged);
+  connect(tools_.get(), &PageTools::hint, this, &DocumentPage::hint);
+  connect(tools_.get(), &PageTools::failed, this, [this](const Error& error) { showError(error); });
   connectPicking();
   view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
   connect(&Preferences::instance(), &Preferences::changed, this, &DocumentPage::followPreference);
   connect(&ThemeManager::instance(), &ThemeManager::changed, this, [this] {
     look_ = theme().look();
     view_->setLook(look_);
-    refreshOverlay();
+    view_->markOverlay();
     tree_->viewport()->update();
   });
 }
@@ -208,84 +217,62 @@ void DocumentPage::followPreference(const QString& name) {
   tree_->viewport()->update();
   view_->setLook(look_);  // the grid
   emit measurements_.changed();
-  if (tool_) tool_->documentChanged();
+  if (Tool* const started = tools_->started()) started->documentChanged();
+}
+
+// The same command again puts the tool away.
+void DocumentPage::startMeasuring() {
+  if (measuring()) return endTool();
+  start(std::make_unique<MeasureTool>(*this, measurements_, view_));
+}
+void DocumentPage::startSection() {
+  if (dynamic_cast<SectionTool*>(tools_->started())) return endTool();
+  start(std::make_unique<SectionTool>(*this, view_));
+}
+
+bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_->started()) != nullptr; }
+
+void DocumentPage::connectPicking() {
+  connect(view_, &ViewWidget::toolDismissed, this, &DocumentPage::endTool);
+  const auto picking = [this] { return qobject_cast<PickTool*>(tools_->started()) != nullptr; };
+  connect(properties_, &PropertyPanel::pickWanted, this, [this](const PickRequest& request) {
+    auto tool = std::make_unique<PickTool>(*this, request);
+    connect(tool.get(), &PickTool::answered, properties_, &PropertyPanel::offerPick);
+    start(std::move(tool));
+  });
+  connect(properties_, &PropertyPanel::pickEnded, this, [this, picking] {
+    if (picking()) endTool();
+  });
+  connect(this, &DocumentPage::toolChanged, properties_, [this, picking] {
+    if (!picking() && properties_->wanted()) properties_->endPick();
+  });
 }
 
 // Sequences of features that are shown move together; the longest gives the count.
 void DocumentPage::refreshTimeline() {
-  std::size_t count = 0;
-  for (const auto& feature : document().features()) {
-    const auto view = session_.view(feature->id);
-    if (feature->visible && !feature->suppressed && view && view->frames) count = std::max(count, view->frames->size());
-  }
-  playback_.setCount(static_cast<int>(count));
+  const int count = static_cast<int>(scene_.frames());
+  playback_.setCount(count);
   timeline_->setVisible(count > 1);
 }
 
-SceneData DocumentPage::sceneNow(const FeatureView& view) const {
-  if (!view.frames) return view.scene;
-  return view.frames->at(static_cast<std::size_t>(playback_.frameOf(static_cast<int>(view.frames->size()))));
-}
-
-void DocumentPage::refreshView() {
-  refreshTimeline();
-  const std::vector<FeatureId> selected = tree_->selected();
-  std::vector<FeatureId> controls;
-  for (const FeatureId& id : selected)
-    if (document().contains(id)) {
-      const auto& inputs = document().at(id).inputs;
-      controls.insert(controls.end(), inputs.begin(), inputs.end());
-    }
-  std::vector<ViewItem> items;
-  for (const auto& feature : document().features()) {
-    const auto view = session_.view(feature->id);
-    if (!feature->visible || feature->suppressed || !view || view->scene.empty()) continue;
-    const ItemRole role = holds(selected, feature->id)   ? ItemRole::Made
-                          : holds(controls, feature->id) ? ItemRole::Control
-                                                         : ItemRole::Plain;
-    items.push_back({feature->id, sceneNow(*view), role, session_.outdated(feature->id)});
-  }
-  view_->setItems(items);
-}
-
-void DocumentPage::refreshOverlay() {
-  std::vector<vtkSmartPointer<vtkProp>> props = overlayOfSelected();
-  const auto skins = skinsOfShown();
-  props.insert(props.begin(), skins.begin(), skins.end());
-  const auto measured = measurements_.props();
-  props.insert(props.end(), measured.begin(), measured.end());
-  view_->setOverlay(std::move(props));
-}
-
-std::vector<vtkSmartPointer<vtkProp>> DocumentPage::skinsOfShown() const {
-  std::vector<vtkSmartPointer<vtkProp>> all;
-  if (!playback_.onionSkin()) return all;
-  for (const auto& feature : document().features()) {
-    const auto view = session_.view(feature->id);
-    if (!feature->visible || feature->suppressed || !view || !view->frames) continue;
-    const auto skins = onionSkin(*view->frames, look_, pixelRatio());
-    all.insert(all.end(), skins.begin(), skins.end());
-  }
-  return all;
+std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {
+  std::vector<vtkSmartPointer<vtkProp>> props = scene_.skins(look_, pixelRatio());
+  const auto add = [&](const std::vector<vtkSmartPointer<vtkProp>>& more) {
+    props.insert(props.end(), more.begin(), more.end());
+  };
+  add(overlayOfSelected());
+  add(measurements_.props());
+  return props;
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayOfSelected() {
-  const FeatureId id = tree_->selected().size() == 1 ? tree_->selected().front() : FeatureId();
-  const auto view = session_.view(id);
-  if (id.empty() || !document().contains(id) || !view || view->result->error) return {};
-  const Feature& feature = document().at(id);
-  const Overlay* overlay = feature.visible ? manipulators_.overlay(feature.type) : nullptr;
-  std::vector<Shape> inputs;
-  for (const FeatureId& input : feature.inputs) {
-    const auto shown = session_.view(input);
-    if (!shown) return {};
-    inputs.push_back(shown->result->evaluated.shape);
-  }
-  if (!overlay) return {};
+  const std::vector<FeatureId> selected = tree_->selected();
+  if (selected.size() != 1) return {};
   try {
-    return (*overlay)({feature, inputs, view->result->evaluated.shape, look_});
+    return scene_.overlayOf(selected.front(), look_);
   } catch (const std::exception& problem) {
-    errors_->showError(tr("The handles of %1 cannot be shown.").arg(qt(feature.name)), qt(problem.what()));
+    errors_->showError(tr("The handles of %1 cannot be shown.").arg(qt(document().at(selected.front()).name)),
+                       qt(problem.what()));
     return {};
   }
 }

@@ -2,7 +2,10 @@
 #include <QObject>
 #include <QPointer>
 #include <memory>
+#include <utility>
 
+#include "ui/page/page_scene.h"
+#include "ui/page/page_tools.h"
 #include "ui/plugin/manipulator.h"
 #include "ui/plugin/tool.h"
 #include "ui/session/session.h"
@@ -44,12 +47,14 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] bool untouched() const;
 
   /// The tool gets mouse and keys until it has finished; the one before is reverted.
-  void start(std::unique_ptr<Tool>);
+  void start(std::unique_ptr<Tool> tool) { tools_->start(std::move(tool)); }
   /// Draws a new feature of a type, or edits one; false when the type has no tool of its own.
-  bool startDrawing(const std::string& featureType, const FeatureId& edited = {});
-  [[nodiscard]] Tool* tool() const { return tool_ ? tool_.get() : handles_.get(); }
-  [[nodiscard]] bool toolStarted() const { return tool_ != nullptr; }  ///< by the user; handles do not count
-  void endTool();
+  bool startDrawing(const std::string& featureType, const FeatureId& edited = {}) {
+    return tools_->startDrawing(featureType, edited);
+  }
+  [[nodiscard]] Tool* tool() const { return tools_->tool(); }
+  [[nodiscard]] bool toolStarted() const { return tools_->started() != nullptr; }  ///< by the user; handles do not count
+  void endTool() { tools_->end(); }
   void startMeasuring();
   void startSection();
   [[nodiscard]] bool measuring() const;
@@ -94,20 +99,13 @@ class DocumentPage : public QObject, public ToolHost {
   void connectSession();
   void connectWidgets();
   void followPreference(const QString& name);
-  void refreshView();
   void refreshTimeline();
-  [[nodiscard]] SceneData sceneNow(const FeatureView&) const;
-  void refreshOverlay();
-  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> skinsOfShown() const;
+  void followViews(const std::set<FeatureId>&);
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayNow();
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();
   void showProperties();
   void selectLast();
   void fitWhenFirstShown();
-  // page_tools.cpp
-  void refreshHandles();
-  void makeHandles(const MakeTool&, const FeatureId&);
-  void giveViewItsTool();
-  void follow(Tool&);
   void connectPicking();
 
   const ManipulatorRegistry& manipulators_;
@@ -121,11 +119,10 @@ class DocumentPage : public QObject, public ToolHost {
   ErrorBar* errors_;
   FaultBar* faults_;  // features that fail
   Playback playback_;
+  PageScene scene_{session_, playback_, manipulators_};
   TimelineBar* timeline_;
   QPointer<QWidget> side_, canvas_;
-  std::unique_ptr<Tool> tool_;     // started by the user
-  std::unique_ptr<Tool> handles_;  // of the selected feature, while no tool is active
-  FeatureId handled_;
+  std::unique_ptr<PageTools> tools_;
   bool fitPending_ = true;
   bool fillPanelLater_ = false;
 };

@@ -21,7 +21,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int betweenColumns = 10;
+constexpr int besideCaption = 10;
 
 QString iconOf(const Registry& registry, const Feature& feature) {
   const auto type = registry.find(feature.type);
@@ -53,7 +53,7 @@ InputEditor::InputEditor(Session& session, FeatureId feature, std::shared_ptr<co
       problem_(new QLabel) {
   setObjectName(QStringLiteral("input:") + qt(input().name));
   grid_->setContentsMargins(0, 0, 0, 0);
-  grid_->setHorizontalSpacing(betweenColumns);
+  grid_->setHorizontalSpacing(besideCaption);
   grid_->setVerticalSpacing(3);
   auto* name = new FieldLabel(sentenceCase(qt(input().name)));
   name->setFixedWidth(labelWidth);
@@ -132,7 +132,7 @@ void InputEditor::placeLine() {
   if (!line_) return;
   int wanted = chipWidth_ + line_->spacing() + pick_->sizeHint().width();
   if (!add_->isHidden()) wanted += line_->spacing() + add_->sizeHint().width();
-  const bool below = wanted > width() - labelWidth - betweenColumns;
+  const bool below = wanted > width() - labelWidth - besideCaption;
   if (below == below_) return;
   below_ = below;
   grid_->removeItem(line_);

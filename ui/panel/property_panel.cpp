@@ -3,7 +3,6 @@
 #include <QLabel>
 #include <QScrollBar>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "app/import_feature.h"
@@ -12,11 +11,13 @@
 #include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
+#include "ui/panel/field_of_error.h"
 #include "ui/panel/input_editor.h"
 #include "ui/panel/input_slots.h"
 #include "ui/panel/result_table.h"
 #include "ui/plugin/tool.h"
 #include "ui/session/session.h"
+#include "ui/thread/refreshes.h"
 
 namespace blossom::ui {
 
@@ -33,19 +34,6 @@ QLabel* title(const QString& text, QWidget* parent) {
   QLabel* label = styled(text, "sectionTitle", parent);
   label->setMinimumHeight(20);
   return label;
-}
-
-/// "height must be ..", "x of height must be ..", "item 2 of heights must ..".
-bool isAbout(const QString& message, const QString& parameter) {
-  for (qsizetype at = message.indexOf(parameter, 0, Qt::CaseInsensitive); at >= 0;
-       at = message.indexOf(parameter, at + 1, Qt::CaseInsensitive)) {
-    const QString before = message.left(at), after = message.mid(at + parameter.size());
-    const bool starts = before.isEmpty() || before == QLatin1String("The ") || before.endsWith(QLatin1String(" of ")) ||
-                        before.endsWith(u'"');
-    const bool ends = after.isEmpty() || !after.front().isLetterOrNumber();
-    if (starts && ends && !before.contains(QLatin1String(" must "))) return true;
-  }
-  return false;
 }
 
 /// An import shows the options of the format that its file has, and not those of the others.
@@ -67,20 +55,19 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
   setFocusPolicy(Qt::NoFocus);
   buildColumn();
   connect(&session, &Session::documentChanged, this, [this] { show(shown_); });
-  connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
-    if (feature.toStdString() == shown_) {
-      refreshTimes();
-      return refreshResult();
-    }
-    // The kind of another feature's result may tell which inputs it fits.
-    for (InputEditor* input : inputs_) input->refresh();
-  });
-  connect(&session, &Session::evaluationFinished, this, &PropertyPanel::sendPreview);
+  connect(&session, &Session::viewsChanged, this, &PropertyPanel::followViews);
+  // In a turn of its own: the results that have come are shown first.
+  connect(&session, &Session::evaluationFinished, this, &PropertyPanel::sendPreview, Qt::QueuedConnection);
   connect(&session, &Session::evaluationStarted, this, [this] {
     if (result_->showsCancelled()) refreshResult();
   });
   connect(&session, &Session::evaluationOverdue, this, &PropertyPanel::refreshResult);
   connect(&session, &Session::evaluationCancelled, this, &PropertyPanel::refreshResult);
+  connect(&picking_, &PanelPicking::begun, this, [this](const PickRequest& request) {
+    emit hint(request.hint);
+    emit pickWanted(request);
+  });
+  connect(&picking_, &PanelPicking::ended, this, &PropertyPanel::pickEnded);
   connect(result_, &ResultTable::copied, this, &PropertyPanel::hint);
   connect(result_, &ResultTable::computeWanted, &session, &Session::compute);
   rebuild();
@@ -205,7 +192,7 @@ void PropertyPanel::addInputs() {
     connect(input, &InputEditor::pickWanted, this,
             [this](InputEditor* from, const PickRequest& request) { wantPick(nullptr, from, request); });
     connect(input, &InputEditor::pickUnwanted, this, [this](InputEditor* from) {
-      if (from == pickingInput_) endPick();
+      if (picking_.isFor(from)) endPick();
     });
     column_->addWidget(input);
     inputs_.push_back(input);
@@ -240,7 +227,7 @@ void PropertyPanel::connectField(ParameterField* field) {
     wantPick(from, nullptr, request);
   });
   connect(field, &ParameterField::pickUnwanted, this, [this](ParameterField* from) {
-    if (from == pickingField_) endPick();
+    if (picking_.isFor(from)) endPick();
   });
 }
 
@@ -294,8 +281,55 @@ void PropertyPanel::refreshField(ParameterField& field, const Value& given) {
   told = fault;
 }
 
+void PropertyPanel::followViews(const std::set<FeatureId>& features) {
+  if (shown_.empty()) return;
+  const bool own = features.contains(shown_), others = features.size() > (own ? 1U : 0U);
+  if (own) {
+    refreshTimes();
+    refreshResult();
+  } else if (!inputs_.empty()) {
+    countRefresh(WindowPart::Panel);
+  }
+  // The kind of another feature's result may tell which inputs it fits.
+  if (others)
+    for (InputEditor* input : inputs_) input->refresh();
+}
+
+/// False when the field shows no time of a frame.
+bool PropertyPanel::refreshTime(ParameterField& field) {
+  const auto now = time_.shownBy(field, session_.view(shown_).get());
+  if (now && !field.editing() && field.value() != Value(*now)) field.setValue(*now);
+  return now.has_value();
+}
+
+// What showed the time of a frame and does no longer shows what the document holds.
+void PropertyPanel::refreshTimes() {
+  if (shown_.empty() || !session_.document().contains(shown_)) return;
+  const Feature& feature = session_.document().at(shown_);
+  for (ParameterField* field : fields_) {
+    if (field->spec().name != "t" || refreshTime(*field) || field == previewed_) continue;
+    const auto given = feature.parameters.find("t");
+    refreshField(*field, given == feature.parameters.end() || given->is_null() ? field->spec().fallback : *given);
+  }
+}
+
+void PropertyPanel::setTimeline(int frame, int frames) {
+  time_.setTimeline(frame, frames);
+  refreshTimes();
+}
+
+/// True when the wish is one for another frame instead of an edit.
+bool PropertyPanel::wantTime(ParameterField& field, const Value& time, bool preview) {
+  const std::optional<int> frame = time_.frameFor(field, session_.view(shown_).get(), time, preview);
+  if (!frame) return false;
+  emit frameWanted(*frame);
+  refreshTimes();
+  return true;
+}
+
 void PropertyPanel::refreshResult() {
   if (shown_.empty() || !session_.document().contains(shown_)) return;
+  countRefresh(WindowPart::Panel);
   if (session_.cancelled(shown_)) return result_->showCancelled();
   std::vector<std::string> besides;  // what is set above need not be told below
   for (const ParameterField* field : fields_) besides.push_back(field->spec().name);
@@ -311,11 +345,9 @@ void PropertyPanel::showFault() {
   const auto view = session_.view(shown_);
   if (!view || !view->result->error || view->result->error->code() != ErrorCode::InvalidParameter) return;
   const QString message = qt(view->result->error->message());
-  const auto named = std::find_if(fields_.begin(), fields_.end(), [&](const ParameterField* field) {
-    return isAbout(message, qt(label(field->spec()))) || isAbout(message, qt(field->spec().name));
-  });
-  if (named == fields_.end() || !(*named)->problem().isEmpty()) return;
-  faulty_ = *named;
+  ParameterField* const named = fieldOfError(fields_, message);
+  if (!named || !named->problem().isEmpty()) return;
+  faulty_ = named;
   fault_ = sentenceCase(message);
   faulty_->setFault(fault_);
 }

@@ -1,13 +1,14 @@
 #pragma once
-#include <QPointer>
 #include <QScrollArea>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "document/document.h"
 #include "feature/feature_type.h"
-#include "ui/fields/pick_request.h"
+#include "ui/panel/panel_picking.h"
+#include "ui/panel/sequence_time.h"
 
 class QVBoxLayout;
 
@@ -19,7 +20,6 @@ class ParameterField;
 class ResultTable;
 class Session;
 struct FieldContext;
-struct Pick;
 
 /// Inputs, parameters and result of the selected feature: a form made from the declaration, and the measures. During a drag
 /// at most one evaluation runs, and the newest value waits for it.
@@ -34,13 +34,13 @@ class PropertyPanel : public QScrollArea {
   [[nodiscard]] ParameterField* field(const QString& parameter) const;
   [[nodiscard]] InputEditor* input(const QString& name) const;
 
-  /// The current request for a pick in the view.
-  [[nodiscard]] const std::optional<PickRequest>& wanted() const { return wanted_; }
-  /// Handles a pick in the view; ignored when no pick is requested.
-  void offerPick(const Pick&);
-  /// Ends the request, because the view stopped picking (Esc, another tool).
-  void endPick();
-  /// Position of the timeline. The parameter t of a feature that makes a sequence is the time of the visible frame.
+  /// What is wanted from the view now.
+  [[nodiscard]] const std::optional<PickRequest>& wanted() const { return picking_.wanted(); }
+  /// Something was picked in the view. Does nothing while nothing is wanted.
+  void offerPick(const Pick& pick) { picking_.offer(pick); }
+  /// The view does not pick any more (Esc, another tool).
+  void endPick() { picking_.end(); }
+  /// Where the timeline stands. The t of a feature that makes a sequence is the time of the frame that is seen.
   void setTimeline(int frame, int frames);
 
  signals:
@@ -65,13 +65,12 @@ class PropertyPanel : public QScrollArea {
   void refreshFields();
   void refreshField(ParameterField&, const Value& given);
   void refreshResult();
+  void followViews(const std::set<FeatureId>&);
   void showFault();
   void preview(ParameterField*, const Value&);
   void sendPreview();
   void commit(ParameterField*, const Value&);
   void takeFiles(ParameterField*, const Document&);
-  // property_panel_time.cpp
-  [[nodiscard]] const std::vector<double>* timesFor(const ParameterField&) const;
   [[nodiscard]] bool refreshTime(ParameterField&);
   void refreshTimes();
   [[nodiscard]] bool wantTime(ParameterField&, const Value& time, bool preview = false);
@@ -99,12 +98,8 @@ class PropertyPanel : public QScrollArea {
   ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
   QString fault_;
 
-  int frame_ = 0, frames_ = 0;       // of the timeline
-  std::optional<double> steppedTo_;  // by keys or wheel, until they rest
-
-  std::optional<PickRequest> wanted_;
-  QPointer<ParameterField> pickingField_;
-  QPointer<InputEditor> pickingInput_;
+  SequenceTime time_;
+  PanelPicking picking_;
 };
 
 }  // namespace blossom::ui

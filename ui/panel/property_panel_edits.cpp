@@ -1,4 +1,4 @@
-// The part of PropertyPanel that changes the document: previews, edits, files, and what is picked in the view.
+// The part of PropertyPanel that changes the document: previews, edits and files.
 #include <algorithm>
 #include <set>
 
@@ -79,7 +79,7 @@ void PropertyPanel::preview(ParameterField* field, const Value& value) {
 // Only the newest value goes off, and only when the evaluation before has come to its end: dragging never queues up, and
 // slow features still show something while they are dragged.
 void PropertyPanel::sendPreview() {
-  if (!waiting_ || !previewed_) return;
+  if (!waiting_ || !previewed_ || session_.evaluating()) return;
   const Value value = std::move(*waiting_);
   waiting_.reset();
   session_.preview(session_.document().with(changed(previewed_->spec().name, value)));
@@ -132,35 +132,12 @@ void PropertyPanel::rename(const QString& name) {
 }
 
 void PropertyPanel::wantPick(ParameterField* field, InputEditor* input, PickRequest request) {
-  if (wanted_) endPick();
   if (request.want == PickRequest::Want::Feature) {
     const InputSlots taken(session_, session_.document().at(shown_), *type_);
     for (std::size_t k = 0; k < inputs_.size(); ++k)
       if (inputs_[k] == input) request.features = taken.candidates(k);
   }
-  pickingField_ = field;
-  pickingInput_ = input;
-  wanted_ = request;
-  emit hint(request.hint);
-  emit pickWanted(request);
-}
-
-void PropertyPanel::offerPick(const Pick& pick) {
-  if (!wanted_) return;
-  const bool taken = pickingField_ ? pickingField_->takePick(pick) : pickingInput_ && pickingInput_->takePick(pick);
-  if (taken && wanted_ && !wanted_->several) endPick();
-}
-
-void PropertyPanel::endPick() {
-  if (!wanted_) return;
-  wanted_.reset();
-  const QPointer<ParameterField> field = pickingField_;
-  const QPointer<InputEditor> input = pickingInput_;
-  pickingField_.clear();
-  pickingInput_.clear();
-  if (field) field->pickEnded();
-  if (input) input->pickEnded();
-  emit pickEnded();
+  picking_.want(field, input, request);
 }
 
 }  // namespace blossom::ui

@@ -10,7 +10,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr std::size_t maximumEntries = 96;
+constexpr std::size_t keptVersions = 2;  // of every feature of a document
 
 bool isSolid(const Measures& measures) {
   if (measures.kind == "solid") return true;
@@ -78,6 +78,11 @@ void draw(FeatureView& view, const Shape& shape, double chord, const Progress& p
 
 }  // namespace
 
+void DisplayCache::makeRoomFor(std::size_t features) {
+  const std::scoped_lock lock(guard_);
+  most_ = std::max(most_, keptVersions * features);
+}
+
 std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result, double chord,
                                                       const Progress& progress) {
   auto view = std::make_shared<FeatureView>();
@@ -105,7 +110,7 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
   {
     const std::scoped_lock lock(guard_);
     entries_.push_front({chord, shape, *view});
-    if (entries_.size() > maximumEntries) entries_.pop_back();
+    if (entries_.size() > most_) entries_.pop_back();
   }
   return finish();
 }

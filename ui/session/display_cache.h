@@ -25,6 +25,8 @@ class DisplayCache {
   /// @param chord mm that what is drawn may lie from the shape; 0: as fine as the window shows it (see tessellate.h).
   /// @throws Error Cancelled. A shape that cannot be drawn or measured becomes a view whose result carries the error.
   std::shared_ptr<const FeatureView> view(const std::shared_ptr<const FeatureResult>&, double chord, const Progress&);
+  /// The shapes of a document with so many features are kept, and some of the ones before. It never becomes smaller.
+  void makeRoomFor(std::size_t features);
 
  private:
   struct Entry {
@@ -34,6 +36,7 @@ class DisplayCache {
   };
   std::mutex guard_;
   std::list<Entry> entries_;  // newest first
+  std::size_t most_ = 96;
 };
 
 }  // namespace blossom::ui

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 #include "document/embedded_files.h"
 #include "document/file_access.h"
@@ -9,6 +10,12 @@
 #include "ui/look/text.h"
 
 namespace blossom::ui {
+
+QStringList toList(const std::vector<std::string>& sentences) {
+  QStringList list;
+  for (const std::string& sentence : sentences) list << qt(sentence);
+  return list;
+}
 
 namespace {
 
@@ -28,9 +35,9 @@ Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app
   patience_.setSingleShot(true);
   patience_.setInterval(patienceMs);
   connect(&patience_, &QTimer::timeout, this, &Session::evaluationOverdue);
-  connect(&autosave_, &QTimer::timeout, this, [this] {
-    if (journal_) journal_->snapshot();
-  });
+  telling_.setSingleShot(true);
+  connect(&telling_, &QTimer::timeout, this, &Session::tellViews);
+  connect(&safety_, &SafetyCopy::failed, this, &Session::unsafe);
   connect(&Preferences::instance(), &Preferences::changed, this, [this](const QString& name) {
     if (name == QLatin1String("drawing-tolerance")) evaluate();  // results are at hand; they are drawn anew
   });
@@ -71,6 +78,16 @@ void Session::endPreview() {
   changed();
 }
 
+// Called after every step; without one that is unsaved there is nothing to keep.
+void Session::keep(const QString& what) {
+  if (history_.modified())
+    safety_.record(history_.committed(), what.toStdString(), {file_, title().toStdString()});
+  else
+    safety_.clear();
+}
+
+void Session::abandon() { safety_.clear(); }
+
 void Session::undo() {
   const QString what = tr("Undo: %1").arg(qt(history_.undoText()));
   if (!history_.undo()) return;
@@ -88,15 +105,21 @@ void Session::changed() {
   ++edits_;
   dropOldViews();
   emit documentChanged();
-  emit fileChanged();
   evaluate();
 }
 
 void Session::dropOldViews() {
   std::erase_if(views_, [&](const auto& entry) { return !document().contains(entry.first); });
+  std::erase_if(untold_, [&](const FeatureId& id) { return !document().contains(id); });
 }
 
-// Results, drawings and measures are made on the evaluator's thread and arrive here one by one.
+void Session::tellViews() {
+  telling_.stop();
+  if (!untold_.empty()) emit viewsChanged(std::exchange(untold_, {}));
+}
+
+// Results, drawings and measures are made on the evaluator's thread and arrive here one by one; listeners are told of all
+// that have come in a turn of the event loop together.
 void Session::evaluate() {
   displayToken_.cancel();
   displayToken_ = CancelToken();
@@ -106,6 +129,7 @@ void Session::evaluate() {
   cut_ = false;
   arrived_.clear();
   watched_.emplace();
+  cache_->makeRoomFor(document().features().size());
   emit evaluationStarted();
   const auto here = [this, generation](auto function) {
     here_.post([this, generation, function] {
@@ -130,13 +154,15 @@ void Session::evaluate() {
           if (!document().contains(id)) return;
           views_[id] = view;
           arrived_.insert(id);
-          emit viewChanged(qt(id));
+          untold_.insert(id);
+          telling_.start();
         });
       },
       [this, here](const Results&) {
         here([this] {
           evaluating_ = false;
           patience_.stop();
+          tellViews();
           emit evaluationFinished();
           if (!evaluating_) watched_.reset();
         });
@@ -157,6 +183,7 @@ void Session::cancelEvaluation() {
   patience_.stop();
   cut_ = true;
   watched_.reset();
+  tellViews();
   emit evaluationCancelled();
   emit evaluationFinished();
   emit noted(tr("Computing was cancelled; what was ready is shown."));
@@ -206,8 +233,9 @@ void Session::replace(Document document, const std::filesystem::path& file, cons
   history_ = History(guarded(std::move(document), file));
   withheld_.clear();
   history_.markSaved();
-  nothingToKeep();
+  safety_.clear();
   views_.clear();
+  untold_.clear();
   file_ = file;
   emit opened();
   changed();

@@ -12,11 +12,11 @@
 #include "app/app.h"
 #include "core/error.h"
 #include "document/history.h"
-#include "document/journal.h"
 #include "document/recovery_area.h"
 #include "ui/session/display_cache.h"
 #include "ui/session/file_stamp.h"
 #include "ui/session/job.h"
+#include "ui/session/safety_copy.h"
 #include "ui/thread/mailbox.h"
 
 namespace blossom::ui {
@@ -89,8 +89,9 @@ class Session : public QObject {
  signals:
   void documentChanged();  ///< another document is shown, by an edit or a file
   void opened();           ///< a document of another file is shown
-  void fileChanged();      ///< file name or modified mark
-  void viewChanged(const QString& feature);
+  void fileChanged();      ///< file name or modified mark, by anything but documentChanged
+  /// New views have come, of one or many features: once in a turn of the event loop, and before evaluationFinished.
+  void viewsChanged(const std::set<blossom::FeatureId>& features);
   void evaluationStarted();
   void evaluationOverdue();  ///< it takes more than a moment: what has not come yet is awaited
   void evaluationProgressed(double fraction, const QString& stage);
@@ -116,10 +117,8 @@ class Session : public QObject {
   bool begin(const QString& title, Job::Work, std::function<void()> then, const std::filesystem::path& file,
              std::function<void()> otherwise = {});
   void dropOldViews();
-  // session_safety.cpp
+  void tellViews();
   void keep(const QString& what);
-  void nothingToKeep();
-  void forgetLost();
 
   App app_;
   History history_;
@@ -129,6 +128,8 @@ class Session : public QObject {
   std::shared_ptr<DisplayCache> cache_ = std::make_shared<DisplayCache>();
   std::map<FeatureId, std::shared_ptr<const FeatureView>> views_;
   std::set<FeatureId> arrived_;                  // of the last evaluation
+  std::set<FeatureId> untold_;                   // of those that arrived
+  QTimer telling_;                               // of them, in the next turn of the event loop
   bool cut_ = false;                             // the last evaluation was cancelled
   std::set<FeatureId> late_;                     // awaited since before the evaluation under way
   QTimer patience_;                              // what is computed at once is not said to be awaited
@@ -140,9 +141,7 @@ class Session : public QObject {
   std::optional<StallWatch::Work> watched_;
   FileStamp stamp_;  // of the file when it was opened or saved here
   Mailbox here_;     // outlives all that post to it
-  std::shared_ptr<Journal> journal_;
-  std::filesystem::path lostCopy_;  // that this document came from
-  QTimer autosave_;
+  SafetyCopy safety_;
   CancelToken displayToken_;
   Evaluator evaluator_;
   Job job_;

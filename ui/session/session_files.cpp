@@ -41,6 +41,15 @@ Feature newFeature(const Document& document, const FeatureType& type, std::vecto
   return feature;
 }
 
+/// As it was when that step was made; another state, which nothing equals, when somebody has written it since.
+FileStamp stampBefore(const std::filesystem::path& file, std::int64_t millisecondsOfStep) {
+  using namespace std::chrono;
+  const FileStamp now = FileStamp::of(file);
+  if (!now.exists) return now;
+  const auto changed = duration_cast<milliseconds>(file_clock::to_sys(now.time).time_since_epoch());
+  return changed.count() > millisecondsOfStep ? FileStamp{} : now;
+}
+
 }  // namespace
 
 bool Session::begin(const QString& title, Job::Work work, std::function<void()> then, const std::filesystem::path& file,
@@ -52,9 +61,8 @@ bool Session::begin(const QString& title, Job::Work work, std::function<void()> 
     return false;
   }
   // Whatever comes, what was done so far is safe before it begins.
-  if (journal_) {
-    journal_->snapshot();
-    work = [journal = journal_, work = std::move(work)](const Progress& progress) {
+  if (const std::shared_ptr<Journal> journal = safety_.snapshot()) {
+    work = [journal, work = std::move(work)](const Progress& progress) {
       journal->settle();
       work(progress);
     };
@@ -167,6 +175,32 @@ void Session::save(const std::filesystem::path& file, std::function<void()> then
       file, [this] { emit saveFailed(); });
   writing_ |= begun;
 }
+
+void Session::recover(const LostDocument& lost) {
+  auto result = std::make_shared<OpenedDocument>();
+  const std::uint64_t edits = edits_;
+  begin(
+      tr("Recovering %1").arg(qt(lost.summary.origin.name)),
+      [result, folder = lost.folder](const Progress&) { *result = recoverDocument(folder); },
+      [this, result, lost, edits] {
+        const JournalOrigin& origin = lost.summary.origin;
+        if (!untouchedSince(edits, qt(origin.name))) return;
+        replace(std::move(result->document), origin.file, qt(origin.name));
+        stamp_ = stampBefore(origin.file, lost.summary.milliseconds);
+        history_.markUnsaved();
+        keep(qt(lost.summary.lastStep));
+        safety_.replaces(lost.folder);
+        emit fileChanged();
+        if (result->warnings.empty())
+          emit noted(tr("%1 is as it was after \"%2\".").arg(title(), qt(lost.summary.lastStep)));
+        else
+          emit warned(toList(result->warnings));
+        tellWithheld();
+      },
+      {});
+}
+
+bool Session::changedOnDisk() const { return !file_.empty() && FileStamp::of(file_) != stamp_; }
 
 void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::filesystem::path& file, const Value& options) {
   std::vector<NamedShape> shapes;

@@ -2,12 +2,12 @@
 
 #include <QMimeData>
 #include <algorithm>
-#include <map>
-#include <set>
+#include <utility>
 
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
+#include "ui/thread/refreshes.h"
 
 namespace blossom::ui {
 
@@ -46,16 +46,44 @@ QString iconOfKind(ShapeKind kind) {
 DocumentModel::DocumentModel(Session& session, QObject* parent) : QAbstractListModel(parent), session_(session) {
   connect(&session, &Session::evaluationOverdue, this, &DocumentModel::refreshState);
   connect(&session, &Session::documentChanged, this, &DocumentModel::refresh);
-  connect(&session, &Session::viewChanged, this, [this](const QString& feature) {
-    const QModelIndex index = indexOf(feature.toStdString());
-    if (index.isValid()) emit dataChanged(index, index);
-  });
+  connect(&session, &Session::viewsChanged, this, &DocumentModel::refreshRows);
   connect(&session, &Session::evaluationFinished, this, &DocumentModel::refreshState);
   refresh();
 }
 
 void DocumentModel::refreshState() {
-  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
+  std::erase_if(shown_, [this](const auto& entry) { return !session_.document().contains(entry.first); });
+  std::vector<int> changed;
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (renew(row)) changed.push_back(static_cast<int>(row));
+  tell(changed);
+}
+
+void DocumentModel::refreshRows(const std::set<FeatureId>& features) {
+  std::vector<int> changed;
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (features.contains(rows_[row]->id) && renew(row)) changed.push_back(static_cast<int>(row));
+  tell(changed);
+}
+
+/// False when the row shows what it showed before.
+bool DocumentModel::renew(std::size_t row) {
+  const Feature& feature = *rows_[row];
+  Shown now{rows_[row],       stateOf(feature), remedyOf(feature), iconOf(feature),
+            pending(feature), failed(feature),  warned(feature)};
+  Shown& before = shown_[feature.id];
+  if (now == before) return false;
+  before = std::move(now);
+  return true;
+}
+
+/// Neighbours are told of together.
+void DocumentModel::tell(const std::vector<int>& rows) {
+  if (!rows.empty()) countRefresh(WindowPart::Tree);
+  for (std::size_t from = 0, to = 0; from < rows.size(); from = to) {
+    for (to = from + 1; to < rows.size() && rows[to] == rows[to - 1] + 1;) ++to;
+    emit dataChanged(index(rows[from]), index(rows[to - 1]));
+  }
 }
 
 // Rows that stay keep their selection: what is gone is removed, what stays is put in order, what is new is inserted.
@@ -158,10 +186,21 @@ QString DocumentModel::iconOf(const Feature& feature) const {
   return view ? iconOfKind(view->result->evaluated.shape.kind()) : QStringLiteral("pending");
 }
 
+bool DocumentModel::failed(const Feature& feature) const {
+  const auto view = session_.view(feature.id);
+  return !feature.suppressed && !computing(feature) && view && view->result->error.has_value();
+}
+
+bool DocumentModel::warned(const Feature& feature) const {
+  const auto view = session_.view(feature.id);
+  return view && !view->result->evaluated.warnings.empty();
+}
+
+bool DocumentModel::pending(const Feature& feature) const { return !session_.view(feature.id) || computing(feature); }
+
 QVariant DocumentModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const Feature& feature = at(index);
-  const auto view = session_.view(feature.id);
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
@@ -178,11 +217,11 @@ QVariant DocumentModel::data(const QModelIndex& index, int role) const {
     case TypeRole:
       return typeOf(feature);
     case FailedRole:
-      return !feature.suppressed && !computing(feature) && view && view->result->error.has_value();
+      return failed(feature);
     case WarnedRole:
-      return view && !view->result->evaluated.warnings.empty();
+      return warned(feature);
     case PendingRole:
-      return !view || computing(feature);
+      return pending(feature);
     case IconRole:
       return iconOf(feature);
     case VisibleRole:

@@ -1,5 +1,8 @@
 #pragma once
 #include <QAbstractListModel>
+#include <map>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "document/document.h"
@@ -46,12 +49,26 @@ class DocumentModel : public QAbstractListModel {
   [[nodiscard]] QString tipOf(const Feature&) const;
   [[nodiscard]] QString typeOf(const Feature&) const;
   [[nodiscard]] QString iconOf(const Feature&) const;
+  /// What the row of a feature shows beside what is read off the document.
+  struct Shown {
+    std::shared_ptr<const Feature> feature;
+    QString state, remedy, icon;
+    bool pending = false, failed = false, warned = false;
+    bool operator==(const Shown&) const = default;
+  };
+  [[nodiscard]] bool failed(const Feature&) const;
+  [[nodiscard]] bool warned(const Feature&) const;
+  [[nodiscard]] bool pending(const Feature&) const;
   void refreshState();
+  void refreshRows(const std::set<FeatureId>&);
+  [[nodiscard]] bool renew(std::size_t row);
+  void tell(const std::vector<int>& rows);
   void removeGone();
   void reorder();
 
   Session& session_;
   std::vector<std::shared_ptr<const Feature>> rows_;
+  std::map<FeatureId, Shown> shown_;
 };
 
 }  // namespace blossom::ui

@@ -12,9 +12,11 @@
 #include <QOpenGLFunctions>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "scene/camera.h"
 #include "scene/shading.h"
+#include "ui/thread/refreshes.h"
 
 namespace blossom::ui {
 
@@ -44,35 +46,45 @@ void flushBefore(vtkActor& piece) {
 ViewItems::ViewItems(vtkRenderer* renderer) : renderer_(renderer), clip_(vtkSmartPointer<vtkPlane>::New()) {}
 ViewItems::~ViewItems() = default;
 
-std::vector<FeatureId> ViewItems::set(const std::vector<ViewItem>& items) {
-  std::vector<FeatureId> changed;
+ItemsChange ViewItems::set(const std::vector<ViewItem>& items) {
+  ItemsChange change;
+  std::set<FeatureId> wanted;
+  for (const ViewItem& item : items) wanted.insert(item.id);
   for (auto it = shown_.begin(); it != shown_.end();) {
-    const bool gone = std::none_of(items.begin(), items.end(), [&](const ViewItem& item) { return item.id == it->first; });
+    const bool gone = !wanted.contains(it->first);
     if (gone) {
       hide(it->second);
-      changed.push_back(it->first);
+      change.shapes.push_back(it->first);
     }
     it = gone ? shown_.erase(it) : std::next(it);
   }
   for (const ViewItem& item : items) {
     Shown& shown = shown_[item.id];
+    const bool recolored = shown.role != item.role || shown.outdated != item.outdated;
     shown.role = item.role;
     shown.outdated = item.outdated;
-    const bool same = shown.scene.faces == item.scene.faces && shown.scene.edges == item.scene.edges &&
-                      shown.scene.points == item.scene.points;
-    if (!same || shown.actors.empty()) {
-      replace(shown);
-      shown.scene = item.scene;
-      if (!shown.scene.picks) shown.scene.picks = std::make_shared<const PickIndex>(shown.scene);
-      show(shown);
-      changed.push_back(item.id);
-    }
-    paint(item.id, shown);
+    const bool renewed = renew(shown, item);
+    if (renewed) change.shapes.push_back(item.id);
+    if (recolored || renewed) paint(item.id, shown);
+    change.colors = change.colors || recolored;
   }
-  return changed;
+  return change;
+}
+
+/// False when the shape is the one that is shown already.
+bool ViewItems::renew(Shown& shown, const ViewItem& item) {
+  const bool same = shown.scene.faces == item.scene.faces && shown.scene.edges == item.scene.edges &&
+                    shown.scene.points == item.scene.points;
+  if (same && !shown.actors.empty()) return false;
+  replace(shown);
+  shown.scene = item.scene;
+  if (!shown.scene.picks) shown.scene.picks = std::make_shared<const PickIndex>(shown.scene);
+  show(shown);
+  return true;
 }
 
 void ViewItems::show(Shown& shown) {
+  countRefresh(WindowPart::Actors);
   shown.actors = makeActors(shown.scene, look_);
   applyMode(shown);
   applySection(shown);

@@ -30,14 +30,21 @@ struct ViewItem {
   bool outdated = false;  ///< it is not what the document says now: drawn faintly
 };
 
+/// What new items have changed.
+struct ItemsChange {
+  std::vector<FeatureId> shapes;  ///< features whose shape is new or gone
+  bool colors = false;            ///< of shapes that stay
+  [[nodiscard]] bool any() const { return colors || !shapes.empty(); }
+};
+
 /// The shapes in the view: their actors in the renderer, how they are painted, and what a ray meets of them.
 class ViewItems {
  public:
   explicit ViewItems(vtkRenderer*);
   ~ViewItems();
 
-  /// Shapes that stay the same keep their place on the graphics card. @returns the features whose shape is new or gone.
-  std::vector<FeatureId> set(const std::vector<ViewItem>&);
+  /// Shapes that stay the same keep their place on the graphics card, and what has not changed is not touched.
+  ItemsChange set(const std::vector<ViewItem>&);
   void setLook(const Look&);  ///< with widths in device pixels
   void setDisplayMode(DisplayMode);
   [[nodiscard]] DisplayMode displayMode() const { return mode_; }
@@ -77,6 +84,7 @@ class ViewItems {
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
   };
+  [[nodiscard]] bool renew(Shown&, const ViewItem&);
   void show(Shown&);
   void replace(Shown&);
   void hide(Shown&);

@@ -1,72 +1,51 @@
 #include "ui/view/view_widget.h"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
-
 #include <QPaintEvent>
 #include <QPainter>
+#include <QTimer>
+#include <algorithm>
 #include <utility>
 
-#include "ui/view/painter.h"
+#include "ui/thread/refreshes.h"
+#include "ui/view/mouse_navigation.h"
 #include "ui/view/rehearsal.h"
-#include "ui/view/view_band.h"
 #include "ui/view/view_cube.h"
 
 namespace blossom::ui {
 
-namespace {
-
-constexpr int lookMs = 2;  // between looks whether a frame is there
-
-}  // namespace
-
 ViewWidget::ViewWidget(QWidget* parent)
     : QWidget(parent),
-      painter_(Painter::shared()),
-      renderer_(vtkSmartPointer<vtkRenderer>::New()),
-      items_(renderer_),
-      hoverLight_(renderer_),
-      selected_(renderer_),
+      picture_(new LivePicture(*this, *this)),
       cube_(new ViewCube(this)),
-      band_(new SelectionBand(this)) {
+      navigation_(new MouseNavigation(camera_, *this)) {
   quietVtk();
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
-  buildRenderer();
-  for (QTimer* timer : {&settle_, &next_}) timer->setSingleShot(true);
-  connect(&next_, &QTimer::timeout, this, &ViewWidget::beginFrame);
-  connect(&settle_, &QTimer::timeout, this, &ViewWidget::comeToRest);
-  arrival_.setInterval(lookMs);
-  arrival_.setTimerType(Qt::PreciseTimer);
-  connect(&arrival_, &QTimer::timeout, this, &ViewWidget::lookForFrame);
-  connect(&camera_, &CameraControl::moved, this, &ViewWidget::redrawMoving);
+  connectParts();
+  picture_->redraw();
+  QTimer::singleShot(0, this, [this] { rehearse(picture_->painter()); });
+}
+
+ViewWidget::~ViewWidget() = default;
+
+void ViewWidget::connectParts() {
+  connect(picture_.get(), &LivePicture::shown, this, [this] { cube_->setTurn(frameTurn_); });
+  connect(picture_.get(), &LivePicture::painted, this, &ViewWidget::framePainted);
+  connect(picture_.get(), &LivePicture::scaleChanged, this, [this] {
+    stage_.setScale(picture_->scale());
+    showToolProps();  // in the widths of this scale
+  });
+  connect(&camera_, &CameraControl::moved, picture_.get(), &LivePicture::redrawMoving);
+  connect(navigation_, &MouseNavigation::hint, this, &ViewWidget::hint);
   connect(cube_, &ViewCube::sideChosen, this, [this](const QString& view) { lookFrom(view); });
   connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);
-  QTimer::singleShot(0, this, [this] { rehearse(*painter_); });
 }
-
-ViewWidget::~ViewWidget() { painter_->remove(renderer_); }
-
-void ViewWidget::buildRenderer() {
-  painter_->add(renderer_);
-  renderer_->AddActor(grid_.actor());
-  setUpRenderer(renderer_, look_);
-  applyLook();
-}
-
-QString ViewWidget::problem() const { return painter_->problem(); }
 
 void ViewWidget::paintEvent(QPaintEvent* event) {
   if (!problem().isEmpty()) return paintProblem(*event);
-  sizePicture();
-  if (blank_ && before_.isNull()) drawNow();  // better late than empty
-  if (outdated_) wantFrame();
-  QPainter(this).drawImage(rect(), blank_ ? before_ : picture_);
-  // Painting is done, and the window is shown, when this event has been handled.
-  if (std::exchange(changed_, false)) QMetaObject::invokeMethod(this, &ViewWidget::framePainted, Qt::QueuedConnection);
+  picture_->paint();
 }
 
 void ViewWidget::paintProblem(const QPaintEvent& event) {
@@ -79,16 +58,101 @@ void ViewWidget::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   placeCube();
   camera_.setViewSize(size());
-  redraw();
+  picture_->redraw();
 }
 
 void ViewWidget::placeCube() { cube_->move(width() - cube_->width() - 14, 12); }
 
-Look ViewWidget::scaledLook() const {
-  Look look = look_;
-  look.edgeWidth *= scale_;
-  look.pointSize *= scale_;
-  return look;
+void ViewWidget::prepareFrame(QPointF offset, QSize picture) {
+  frameTurn_ = camera_.turn();
+  stage_.prepare(camera_, size(), offset, picture);
 }
+
+void ViewWidget::markItems() {
+  itemsStale_ = true;
+  picture_->wantFrame();
+}
+
+void ViewWidget::markOverlay() {
+  overlayStale_ = true;
+  picture_->wantFrame();
+}
+
+void ViewWidget::bringUpToDate() {
+  if (std::exchange(itemsStale_, false)) setItems(source_.items());
+  if (std::exchange(overlayStale_, false)) setOverlay(source_.overlay());
+}
+
+void ViewWidget::setItems(const std::vector<ViewItem>& items) {
+  countRefresh(WindowPart::View);
+  const ItemsChange change = stage_.setItems(items);
+  const auto isChanged = [&](const Pick& pick) {
+    return std::find(change.shapes.begin(), change.shapes.end(), pick.feature) != change.shapes.end();
+  };
+  if (!hovered_.feature.empty() && isChanged(hovered_)) setHovered({});
+  // The parts of a new shape are counted anew: what was selected may be another part now.
+  const std::vector<Pick>& selected = stage_.selected();
+  std::vector<Pick> kept;
+  std::copy_if(selected.begin(), selected.end(), std::back_inserter(kept),
+               [&](const Pick& pick) { return !isChanged(pick); });
+  if (kept.size() != selected.size()) setSelectedParts(kept);
+  if (change.any()) picture_->redraw();
+}
+
+void ViewWidget::setOverlay(std::vector<vtkSmartPointer<vtkProp>> overlay) {
+  countRefresh(WindowPart::Handles);
+  if (overlay.empty() && !stage_.hasOverlay()) return;
+  stage_.setOverlay(std::move(overlay));
+  picture_->redraw();
+}
+
+void ViewWidget::setLook(const Look& look) {
+  stage_.setLook(look);
+  showToolProps();  // in the colours of this look
+}
+
+void ViewWidget::setGridVisible(bool visible) {
+  stage_.setGridVisible(visible);
+  picture_->redraw();
+}
+
+bool ViewWidget::gridVisible() const { return stage_.gridVisible(); }
+
+void ViewWidget::setParallel(bool parallel) { camera_.setParallel(parallel); }
+
+void ViewWidget::setDisplayMode(DisplayMode mode) {
+  stage_.items().setDisplayMode(mode);
+  picture_->redraw();
+}
+
+void ViewWidget::setSection(const std::optional<CutPlane>& section) {
+  stage_.setSection(section);
+  picture_->redraw();
+}
+
+std::vector<Vec3> ViewWidget::everything() {
+  bringUpToDate();
+  return stage_.points();
+}
+
+Bounds ViewWidget::extent() {
+  bringUpToDate();
+  return stage_.items().extent();
+}
+
+void ViewWidget::fit(bool animated) { camera_.frame(everything(), camera_.turn(), animated); }
+
+void ViewWidget::lookFrom(const QString& view, bool animated) {
+  const std::vector<Vec3> points = everything();
+  if (view != QLatin1String("auto")) {
+    camera_.frame(points, turnOf(view.toStdString()), animated);
+    return;
+  }
+  const bool flat = stage_.items().planar();
+  camera_.setParallel(flat);
+  camera_.frame(points, turnOf(flat ? "top" : "iso"), animated);
+}
+
+void ViewWidget::zoomBy(double factor) { camera_.zoom(QPointF(width(), height()) / 2, factor); }
 
 }  // namespace blossom::ui

@@ -6,7 +6,6 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "ui/files/start_page.h"
 #include "ui/help/help_menu.h"
 #include "ui/jobs/log_and_jobs.h"
 #include "ui/look/icons.h"
@@ -19,10 +18,12 @@
 #include "ui/palette/command_palette.h"
 #include "ui/panel/error_bar.h"
 #include "ui/settings/preferences_commands.h"
+#include "ui/thread/refreshes.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/find_field.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/feature_tool_bar.h"
+#include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tour_steps.h"
@@ -47,7 +48,7 @@ QAction* MainWindow::add(QMenu* menu, const CommandSpec& spec, std::function<voi
 }
 
 void MainWindow::buildActions() {
-  buildFileMenu();
+  fileCommands_->addTo(*menuBar()->addMenu(tr("&File")));
   buildEditMenu();
   buildViewMenu();
   featureMenus_->addTo(menuBar());
@@ -161,17 +162,18 @@ void MainWindow::buildToolBar() {
   setContextMenuPolicy(Qt::PreventContextMenu);
 }
 
+void MainWindow::followState() {
+  if (actionState(page()) != actionsShow_) refreshActions();
+}
+
 void MainWindow::refreshActions() {
+  countRefresh(WindowPart::Actions);
+  actionsShow_ = actionState(page());
   const Session& shown = session();
   setWindowTitle(QStringLiteral("%1[*] – Blossom").arg(shown.title()));
   setWindowModified(shown.modified());
   documentCommands_->refresh();
-  const bool something = !shown.document().features().empty(), unsaved = shown.modified() || shown.file().empty();
-  const QString empty = tr("The document is empty.");
-  commands_.setEnabled(QStringLiteral("file.export"), something, empty);
-  commands_.setEnabled(QStringLiteral("file.save-as"), something, empty);
-  commands_.setEnabled(QStringLiteral("file.save"), something && unsaved,
-                       something ? tr("Nothing has changed since it was saved.") : empty);
+  fileCommands_->refresh();
   commands_.action(QStringLiteral("view.parallel"))->setChecked(view().parallel());
   commands_.action(QStringLiteral("view.grid"))->setChecked(view().gridVisible());
   commands_.action(themeCommand(nameOf(ThemeManager::instance().choice())))->setChecked(true);

@@ -18,8 +18,8 @@ class UsageError : public Error {
       : Error(code, std::move(message), std::move(hint)) {}
 };
 
-/// Context and common flags of one run of `blossom`.
-struct Session {
+/// What one run of `blossom` shares with its command.
+struct Invocation {
   const App& app;
   const Terminal& terminal;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();

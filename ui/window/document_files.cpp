@@ -1,31 +1,35 @@
-// Files of the main window: choosing, opening, importing, saving, recovering.
+#include "ui/window/document_files.h"
+
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
+#include <QUrl>
 
 #include "ui/files/document_picture.h"
 #include "ui/files/recent_files.h"
 #include "ui/files/start_page.h"
 #include "ui/look/text.h"
 #include "ui/page/feature_menus.h"
+#include "ui/page/page.h"
 #include "ui/panel/error_bar.h"
 #include "ui/session/file_places.h"
-#include "ui/window/main_window.h"
+#include "ui/window/open_documents.h"
 
 namespace blossom::ui {
 
 namespace {
 
-QString documentFilter() { return MainWindow::tr("Blossom documents (*.blossom)"); }
+QString documentFilter() { return DocumentFiles::tr("Blossom documents (*.blossom)"); }
 
 /// As far as it can be told without reading it; empty when it may be opened.
 QString problemWith(const App& app, const QString& file) {
   const QFileInfo info(file);
-  if (!info.isFile()) return MainWindow::tr("%1 is not there.").arg(info.fileName());
+  if (!info.isFile()) return DocumentFiles::tr("%1 is not there.").arg(info.fileName());
   const Format* format = app.formats->find(info.suffix().toStdString());
   if (isDocument(file.toStdString()) || (format && format->read)) return {};
-  return MainWindow::tr("%1 has no extension that Blossom reads.").arg(info.fileName());
+  return DocumentFiles::tr("%1 has no extension that Blossom reads.").arg(info.fileName());
 }
 
 std::vector<Shape> visibleShapes(const Session& session) {
@@ -40,70 +44,73 @@ std::vector<Shape> visibleShapes(const Session& session) {
 
 }  // namespace
 
-void MainWindow::openFile(const QString& file, bool salvage) {
+DocumentFiles::DocumentFiles(App app, OpenDocuments& documents, QWidget* window)
+    : QObject(window), app_(std::move(app)), documents_(documents), window_(window) {}
+
+void DocumentFiles::open(const QString& file, bool salvage) {
   const QString full = QFileInfo(file).absoluteFilePath();
   const std::filesystem::path path = full.toStdString();
-  for (std::size_t i = 0; i < pages_.size() && !salvage; ++i)
-    if (pages_[i]->session().file() == path) return showPage(i);
+  for (std::size_t i = 0; i < documents_.count() && !salvage; ++i)
+    if (documents_.at(i).session().file() == path) return documents_.show(i);
   if (!sampleFiles().contains(full)) rememberFolder(full);  // nobody saves beside the samples
-  DocumentPage& target = page().untouched() ? page() : addPage();
-  target.session().open(path, salvage);
-  refreshStart();
+  documents_.placeToOpen().session().open(path, salvage);
+  documents_.refreshStart();
 }
 
-void MainWindow::openFiles(const QStringList& files) {
-  if (files.size() == 1) return openFile(files.first());  // its own page says what is wrong with it
+void DocumentFiles::open(const QStringList& files) {
+  if (files.size() == 1) return open(files.first());  // its own page says what is wrong with it
   QStringList problems;
   for (const QString& file : files) {
     const QString problem = problemWith(app_, file);
     if (problem.isEmpty())
-      openFile(file);
+      open(file);
     else
       problems << problem;
   }
   if (problems.isEmpty()) return;
-  const auto tell = [shown = &page(), text = tr("%1 of %2 files cannot be opened.").arg(problems.size()).arg(files.size()),
+  const auto tell = [shown = &documents_.shown(),
+                     text = tr("%1 of %2 files cannot be opened.").arg(problems.size()).arg(files.size()),
                      problems] { shown->errors().showError(text, problems.join(u'\n')); };
-  if (session().job().running())  // what is read now will start with a clean slate
-    connect(&page(), &DocumentPage::opened, this, tell, Qt::SingleShotConnection);
+  if (documents_.shown().session().job().running())  // what is read now will start with a clean slate
+    connect(&documents_.shown(), &DocumentPage::opened, this, tell, Qt::SingleShotConnection);
   else
     tell();
 }
 
-void MainWindow::chooseAndOpen() {
+void DocumentFiles::chooseAndOpen() {
   QStringList filters = readFilters(app_);
   filters.first().replace(QStringLiteral("("), QStringLiteral("(*.blossom "));
   filters.insert(1, documentFilter());
   const QStringList files =
-      QFileDialog::getOpenFileNames(this, tr("Open"), lastFolder(), filters.join(QStringLiteral(";;")));
-  if (!files.isEmpty()) openFiles(files);
+      QFileDialog::getOpenFileNames(window_, tr("Open"), lastFolder(), filters.join(QStringLiteral(";;")));
+  if (!files.isEmpty()) open(files);
 }
 
-void MainWindow::chooseAndImport() {
+void DocumentFiles::chooseAndImport() {
   const QStringList files =
-      QFileDialog::getOpenFileNames(this, tr("Import"), lastFolder(), readFilters(app_).join(QStringLiteral(";;")));
+      QFileDialog::getOpenFileNames(window_, tr("Import"), lastFolder(), readFilters(app_).join(QStringLiteral(";;")));
   if (!files.isEmpty()) importFiles(files);
 }
 
-void MainWindow::importFiles(const QStringList& files) {
+void DocumentFiles::importFiles(const QStringList& files) {
   rememberFolder(files.first());
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files) paths.emplace_back(file.toStdString());
-  session().import(paths);
-  refreshStart();
+  documents_.shown().session().import(paths);
+  documents_.refreshStart();
 }
 
-void MainWindow::takeTyping() {
-  QWidget* const typing = focusWidget();
+void DocumentFiles::takeTyping() {
+  QWidget* const typing = window_->focusWidget();
   if (typing) typing->clearFocus();
 }
 
-void MainWindow::save(DocumentPage& page, std::function<void()> then) {
+void DocumentFiles::save(DocumentPage& page, std::function<void()> then) {
   takeTyping();
   const QString file = qt(page.session().file().string());
   if (file.isEmpty()) return saveAs(page, std::move(then));
   if (!page.session().changedOnDisk() || !QFileInfo::exists(file)) return write(page, file, std::move(then));
-  QMessageBox question(this);
+  QMessageBox question(window_);
   question.setText(tr("%1 was changed by another program.").arg(QFileInfo(file).fileName()));
   question.setInformativeText(
       tr("Since it was opened here, somebody else has written it. Saving replaces what they wrote."));
@@ -116,20 +123,20 @@ void MainWindow::save(DocumentPage& page, std::function<void()> then) {
   if (question.clickedButton() == elsewhere) saveAs(page, std::move(then));
 }
 
-void MainWindow::saveAs(DocumentPage& page, std::function<void()> then) {
+void DocumentFiles::saveAs(DocumentPage& page, std::function<void()> then) {
   takeTyping();
   const QString suggested = page.session().suggestedName(), name = suggested.isEmpty() ? tr("untitled") : suggested;
   const QString current = qt(page.session().file().parent_path().string());
   QString file = QFileDialog::getSaveFileName(
-      this, tr("Save as"), (current.isEmpty() ? lastFolder() : current) + u'/' + name + QStringLiteral(".blossom"),
+      window_, tr("Save as"), (current.isEmpty() ? lastFolder() : current) + u'/' + name + QStringLiteral(".blossom"),
       documentFilter());
   if (file.isEmpty()) return;
-  if (!isDocument(file.toStdString()) && !completed(file, QStringLiteral(".blossom"))) return;
+  if (!isDocument(file.toStdString()) && !completed(file, QStringLiteral(".blossom"), window_)) return;
   rememberFolder(file);
   write(page, file, std::move(then));
 }
 
-void MainWindow::write(DocumentPage& page, const QString& file, std::function<void()> then) {
+void DocumentFiles::write(DocumentPage& page, const QString& file, std::function<void()> then) {
   page.session().save(file.toStdString(), [this, file, page = &page, then = std::move(then)] {
     remember(file);
     keepPicture(visibleShapes(page->session()), file);
@@ -137,27 +144,41 @@ void MainWindow::write(DocumentPage& page, const QString& file, std::function<vo
   });
 }
 
-// The file dialog has asked about the name without the extension only.
-bool MainWindow::completed(QString& file, const QString& extension) {
-  file += extension;
-  if (!QFileInfo::exists(file)) return true;
-  QMessageBox question(this);
-  question.setText(tr("%1 already exists.").arg(QFileInfo(file).fileName()));
-  question.setInformativeText(tr("Saving replaces it."));
-  QPushButton* replace = question.addButton(tr("Replace"), QMessageBox::AcceptRole);
-  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
-  question.exec();
-  return question.clickedButton() == replace;
-}
-
-void MainWindow::remember(const QString& file) {
+void DocumentFiles::remember(const QString& file) {
   if (!sampleFiles().contains(file)) RecentFiles::instance().add(file);
 }
 
-void MainWindow::recover(const LostDocument& lost) {
-  DocumentPage& target = page().untouched() ? page() : addPage();
-  target.session().recover(lost);
-  refreshStart();
+void DocumentFiles::recover(const LostDocument& lost) {
+  documents_.placeToOpen().session().recover(lost);
+  documents_.refreshStart();
+}
+
+QStringList DocumentFiles::filesIn(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  return files;
+}
+
+void DocumentFiles::drop(const QMimeData& data) {
+  QStringList documents, geometry;
+  for (const QString& file : filesIn(data)) (isDocument(file.toStdString()) ? documents : geometry) << file;
+  const bool openAlone = geometry.size() == 1 && documents_.shown().document().features().empty();
+  if (!geometry.isEmpty() && !openAlone) importFiles(geometry);
+  if (openAlone) documents << geometry;
+  if (!documents.isEmpty()) open(documents);
+}
+
+bool completed(QString& file, const QString& extension, QWidget* window) {
+  file += extension;
+  if (!QFileInfo::exists(file)) return true;
+  QMessageBox question(window);
+  question.setText(DocumentFiles::tr("%1 already exists.").arg(QFileInfo(file).fileName()));
+  question.setInformativeText(DocumentFiles::tr("Saving replaces it."));
+  QPushButton* replace = question.addButton(DocumentFiles::tr("Replace"), QMessageBox::AcceptRole);
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  return question.clickedButton() == replace;
 }
 
 }  // namespace blossom::ui

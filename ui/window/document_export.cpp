@@ -1,4 +1,5 @@
-// Exporting results of the main window's document.
+#include "ui/window/document_export.h"
+
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
@@ -6,9 +7,10 @@
 #include "geometry/occt/merged_shape.h"
 #include "ui/files/export_dialog.h"
 #include "ui/look/text.h"
+#include "ui/page/page.h"
 #include "ui/session/file_places.h"
 #include "ui/tree/document_tree.h"
-#include "ui/window/main_window.h"
+#include "ui/window/document_files.h"
 
 namespace blossom::ui {
 
@@ -44,51 +46,54 @@ std::vector<FeatureId> visibleOnes(const Document& document) {
 
 }  // namespace
 
+DocumentExport::DocumentExport(App app, QWidget* window) : QObject(window), app_(std::move(app)), window_(window) {}
+
 // What is selected, or the last result; then all that is visible.
-std::vector<ExportScope> MainWindow::exportScopes() {
-  const Document& document = session().document();
-  std::vector<FeatureId> selected = tree().selected();
+std::vector<ExportScope> DocumentExport::scopesOf(DocumentPage& page) {
+  const Session& session = page.session();
+  const Document& document = session.document();
+  std::vector<FeatureId> selected = page.tree().selected();
   if (selected.empty() && !document.features().empty()) selected = {document.features().back()->id};
-  std::vector<ExportScope> scopes{scopeOf(session(), selected)};
+  std::vector<ExportScope> scopes{scopeOf(session, selected)};
   ExportScope& first = scopes.front();
   if (first.features.size() == 1)
     first.title = qt(document.at(first.features.front()).name);
   else
     first.title = tr("The %1 selected results as one file").arg(first.features.size());
   if (first.features.empty()) scopes.clear();
-  ExportScope visible = scopeOf(session(), visibleOnes(document));
+  ExportScope visible = scopeOf(session, visibleOnes(document));
   visible.title = tr("All %1 visible results as one file").arg(visible.features.size());
   if (visible.features.size() > 1 && (scopes.empty() || visible.features != scopes.front().features))
     scopes.push_back(std::move(visible));
   return scopes;
 }
 
-void MainWindow::chooseAndExport() {
-  std::vector<ExportScope> scopes = exportScopes();
+void DocumentExport::choose(DocumentPage& page) {
+  std::vector<ExportScope> scopes = scopesOf(page);
   const auto writable = [&](const ExportScope& each) { return !formatsFor(*app_.formats, each).empty(); };
   if (scopes.empty())
-    return page().showError(Error(ErrorCode::InvalidInput, "There is no result to export yet.",
-                                  "Select a feature that has been computed without an error."));
+    return page.showError(Error(ErrorCode::InvalidInput, "There is no result to export yet.",
+                                "Select a feature that has been computed without an error."));
   if (std::none_of(scopes.begin(), scopes.end(), writable))
-    return page().showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."));
-  auto* dialog = new ExportDialog(*app_.formats, std::move(scopes), this);
+    return page.showError(Error(ErrorCode::OutputNotSupported, "No format can hold this kind of result yet."));
+  auto* dialog = new ExportDialog(*app_.formats, std::move(scopes), window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+  connect(dialog, &QDialog::accepted, &page, [this, dialog, &page] {
     dialog->remember();
-    const Document& document = session().document();
+    const Document& document = page.document();
     const auto& ids = dialog->scope().features;
     const QString extension = qt(dialog->format().extensions.front());
     const QString name = ids.size() == 1 && document.contains(ids.front())
                              ? qt(document.at(ids.front()).name).toLower().replace(u' ', u'-').remove(u'/')
-                             : session().suggestedName();
+                             : page.session().suggestedName();
     QString file = QFileDialog::getSaveFileName(
-        this, tr("Export"), lastFolder() + u'/' + (name.isEmpty() ? tr("untitled") : name) + u'.' + extension,
+        window_, tr("Export"), lastFolder() + u'/' + (name.isEmpty() ? tr("untitled") : name) + u'.' + extension,
         QStringLiteral("%1 (*.%2)").arg(qt(dialog->format().title).replace(u'(', u'[').replace(u')', u']'), extension));
     if (file.isEmpty()) return;
     const bool right = app_.formats->find(QFileInfo(file).suffix().toStdString()) == &dialog->format();
-    if (!right && !completed(file, u'.' + extension)) return;
+    if (!right && !completed(file, u'.' + extension, window_)) return;
     rememberFolder(file);
-    session().exportFeatures(ids, file.toStdString(), dialog->options());
+    page.session().exportFeatures(ids, file.toStdString(), dialog->options());
   });
   dialog->open();
 }

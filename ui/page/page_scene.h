@@ -1,0 +1,41 @@
+#pragma once
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "ui/plugin/manipulator.h"
+#include "ui/session/session.h"
+#include "ui/timeline/playback.h"
+#include "ui/view/view_items.h"
+
+class vtkProp;
+
+namespace blossom::ui {
+
+/// What the view shows of a document: its visible features as far as they are computed, and what is drawn over them.
+class PageScene {
+ public:
+  using Props = std::vector<vtkSmartPointer<vtkProp>>;
+
+  PageScene(const Session& session, const Playback& playback, const ManipulatorRegistry& manipulators)
+      : session_(session), playback_(playback), manipulators_(manipulators) {}
+
+  /// Sequences in the frame of the timeline; selected features and their inputs in colours of their own.
+  [[nodiscard]] std::vector<ViewItem> items(const std::vector<FeatureId>& selected) const;
+  /// Of the longest sequence that is visible; 0: there is none.
+  [[nodiscard]] std::size_t frames() const;
+  /// The other frames of sequences, faintly, when the timeline asks for them.
+  [[nodiscard]] Props skins(const Look&, double pixelRatio) const;
+  /// What the plugin draws over a feature with a result. @throws whatever the plugin throws.
+  [[nodiscard]] Props overlayOf(const FeatureId&, const Look&) const;
+
+ private:
+  [[nodiscard]] std::shared_ptr<const FeatureView> shownView(const Feature&) const;
+  [[nodiscard]] SceneData sceneNow(const FeatureView&) const;
+
+  const Session& session_;
+  const Playback& playback_;
+  const ManipulatorRegistry& manipulators_;
+};
+
+}  // namespace blossom::ui

@@ -1,0 +1,31 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "parameter/value.h"
+
+namespace blossom::ui {
+
+class ParameterField;
+struct FeatureView;
+
+/// Keeps the t of a feature that makes a sequence and the timeline one thing: the field shows the time of the frame that is
+/// seen, and what is entered there leads to another frame.
+class SequenceTime {
+ public:
+  /// Where the timeline stands.
+  void setTimeline(int frame, int frames);
+  /// What the field shows; nothing when it is no time of a frame, but a parameter like the others.
+  [[nodiscard]] std::optional<double> shownBy(const ParameterField&, const FeatureView*) const;
+  /// The frame of the timeline that a time leads to; nothing when it is an edit. A step of a key or the wheel leads to the
+  /// next frame, however far that is; what is dragged or typed leads to the nearest.
+  std::optional<int> frameFor(const ParameterField&, const FeatureView*, const Value& time, bool preview);
+
+ private:
+  [[nodiscard]] const std::vector<double>* timesFor(const ParameterField&, const FeatureView*) const;
+
+  int frame_ = 0, frames_ = 0;
+  std::optional<double> steppedTo_;  // by keys or wheel, until they rest
+};
+
+}  // namespace blossom::ui

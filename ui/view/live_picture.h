@@ -1,0 +1,100 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/view/smoothing.h"
+
+class QWidget;
+class vtkRenderer;
+
+namespace blossom::ui {
+
+class Painter;
+
+/// What a live picture is drawn of.
+class PictureSubject {
+ public:
+  PictureSubject() = default;
+  virtual ~PictureSubject() = default;
+  PictureSubject(const PictureSubject&) = delete;
+  PictureSubject& operator=(const PictureSubject&) = delete;
+
+  [[nodiscard]] virtual vtkRenderer& renderer() = 0;
+  [[nodiscard]] virtual bool stale() const = 0;       ///< its contents are out of date
+  virtual void bringUpToDate() = 0;                   ///< asks for another frame when that has changed anything
+  [[nodiscard]] virtual bool incomplete() const = 0;  ///< pieces of it are still to come, one for each frame
+  virtual void bringNextPiece() = 0;
+  [[nodiscard]] virtual bool empty() const = 0;
+  /// Called before each frame. @param offset device pixels by which the frame is to lie aside
+  virtual void prepareFrame(QPointF offset, QSize picture) = 0;
+};
+
+/// The picture that a widget shows of a renderer. Frames are begun here, drawn beside what the window does, and shown when
+/// they are there; nothing is drawn while nothing changes. While the camera moves a frame that takes too long is drawn with
+/// half the size; all edges are smoothed when things have come to rest.
+class LivePicture : public QObject {
+  Q_OBJECT
+ public:
+  LivePicture(QWidget& widget, PictureSubject&);
+  ~LivePicture() override;
+
+  [[nodiscard]] Painter& painter() { return *painter_; }
+  [[nodiscard]] QString problem() const;  ///< why nothing can be drawn; empty when all is well
+  void redraw();                          ///< soon; smoothed when things have come to rest
+  void redrawMoving();                    ///< the same while the camera moves
+  void wantFrame() { next_.start(); }     ///< soon, if there is anything new to draw
+  /// Paints the widget with what there is, drawn at once when there is nothing yet. To be called by its paint event.
+  void paint();
+  /// What is shown, drawn before when it is out of date.
+  const QImage& upToDate();
+
+  /// All edges are smoothed, and nothing is out of date.
+  [[nodiscard]] bool sharp() const;
+  [[nodiscard]] double scale() const { return scale_; }  ///< device pixels per pixel
+  [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
+  [[nodiscard]] int framesDrawn() const { return framesDrawn_; }
+
+ signals:
+  void scaleChanged();
+  void shown();    ///< a new frame is in the picture
+  void painted();  ///< and on the screen
+
+ private:
+  [[nodiscard]] bool smooth() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
+  void fitSize();
+  void beginFrame();
+  void comeToRest();
+  void lookForFrame();
+  void takeFrame();
+  void showFrame(const std::vector<std::uint32_t>& pixels);
+  void drawNow();
+  void chooseSmoothing();
+
+  QWidget& widget_;
+  PictureSubject& subject_;
+  std::shared_ptr<Painter> painter_;
+  QImage picture_;
+  double scale_ = 1;
+  double lastFrameMs_ = 0;
+  Smoothing smoothing_;
+  bool multisampled_ = false, tooSlow_ = false;  // for it
+  QTimer settle_, next_, arrival_;
+  std::optional<std::uint64_t> frame_;  // that is being drawn
+  bool outdated_ = false;               // it is, before it is there
+  bool blank_ = true;                   // nothing is in the picture yet
+  QImage before_;                       // what is shown until then
+  bool changed_ = false;                // the picture, since it was painted
+  // Where a frame takes too long, the camera moves in frames of half the size.
+  bool moving_ = false, slow_ = false;
+  QSize frameSize_;
+  QElapsedTimer frameTimer_;
+  int framesDrawn_ = 0;
+};
+
+}  // namespace blossom::ui

@@ -19,9 +19,11 @@ list(REMOVE_DUPLICATES CMAKE_INSTALL_RPATH)
 add_library(blossom_flags INTERFACE)
 add_library(Blossom::flags ALIAS blossom_flags)
 target_compile_options(blossom_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${BLOSSOM_WERROR}>:-Werror>
   # GCC 12 reports these three inside Eigen and the standard library at -O2
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread>
+  # GCC 13 and later report references to what outlives the call.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>
   # Members of an anonymous namespace's type are as private in a unity file as in their own.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 # GCC tidies its memory whenever that has doubled, which costs an eighth of a build: it begins at 1 GB.

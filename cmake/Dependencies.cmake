@@ -1,5 +1,13 @@
 # Every third-party library, found in one place. The reason for each stands in CONTRIBUTING.md.
 find_package(OpenCASCADE REQUIRED)             # B-rep, STEP, IGES
+# OpenCASCADE 7.8 has one toolkit for each format where 7.6 had several.
+if(TARGET TKDESTEP)
+  set(OCCT_STEP TKDESTEP)
+  set(OCCT_IGES TKDEIGES)
+else()
+  set(OCCT_STEP TKSTEP TKSTEPBase TKXDESTEP)
+  set(OCCT_IGES TKIGES TKXDEIGES)
+endif()
 find_package(MPI REQUIRED COMPONENTS C)        # Debian's VTK configuration asks for it
 set(VTK_MODULE_ENABLE_VTK_GUISupportQt NO)     # Debian builds that module on Qt 5
 find_package(VTK 9.1 REQUIRED COMPONENTS
@@ -8,7 +16,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation InteractionStyle InteractionWidgets IOImage)
 find_package(Eigen3 REQUIRED)
 find_package(TBB REQUIRED)
-find_package(Boost 1.74 REQUIRED COMPONENTS filesystem system)
+find_package(Boost 1.74 REQUIRED COMPONENTS filesystem)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)

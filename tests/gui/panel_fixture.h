@@ -81,8 +81,8 @@ class PanelFixture : public QObject {
     panel_->resize(262, 700);
     panel_->show(FeatureId("e"));
     static_cast<QWidget*>(panel_.get())->show();
-    QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
-    QApplication::setActiveWindow(panel_.get());
+    panel_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(panel_.get()));
     settle();
   }
 

@@ -29,8 +29,8 @@ class TreeFixture : public WindowFixture {
     window_ = std::make_unique<MainWindow>(std::move(app));
     window_->resize(1000, 700);
     window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get());
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
   }
 
   /// A, B = joined(A), C, D = joined(B, C): all visible and computed.

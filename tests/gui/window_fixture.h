@@ -47,8 +47,8 @@ class WindowFixture : public QObject {
     window_ = std::make_unique<MainWindow>(loadApp(plugins));
     window_->resize(1000, 700);
     window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get());  // no window manager does it; shortcuts need it
+    window_->activateWindow();  // no window manager does it; shortcuts need it
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     QVERIFY2(window_->view().problem().isEmpty(), qPrintable(window_->view().problem()));
     QCoreApplication::processEvents();  // what the window does once it is there
   }

@@ -1,5 +1,4 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -9,6 +8,13 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
+
+// CGAL 6 has the traits of trees in space under another name.
+#if __has_include(<CGAL/AABB_traits_3.h>)
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -24,6 +30,14 @@ namespace blossom::morphology {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+
+#if __has_include(<CGAL/AABB_traits_3.h>)
+template <typename Kernel, typename Primitive>
+using TreeTraits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+template <typename Kernel, typename Primitive>
+using TreeTraits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
 
 /// Largest number of point pairs that one hull is made of.
 constexpr std::size_t maximumPairsOfPoints = 40'000'000;
@@ -91,7 +105,7 @@ class Corefined {
   using Edge = SurfaceMesh::Edge_index;
   using Face = SurfaceMesh::Face_index;
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Exact, Primitive>>;
+  using Tree = CGAL::AABB_tree<TreeTraits<Exact, Primitive>>;
 
   static std::array<Point, 3> corners(const SurfaceMesh& surface, Face face) {
     const auto h = surface.halfedge(face);

@@ -1,10 +1,8 @@
 #include "exchange/cad/xcaf_read.h"
 
-#include <NCollection_DataMap.hxx>
 #include <Quantity_Color.hxx>
 #include <TCollection_AsciiString.hxx>
-#include <TDF_LabelMap.hxx>
-#include <TDF_LabelMapHasher.hxx>
+#include <TDF_LabelIndexedMap.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <XCAFDoc_ColorTool.hxx>
@@ -51,7 +49,7 @@ class DocumentReader {
 
   /// nullptr for a part without geometry.
   std::shared_ptr<const BrepPart> part(const TDF_Label& label) {
-    if (const auto* known = parts_.Seek(label)) return *known;
+    if (const int index = labels_.FindIndex(label)) return parts_.at(static_cast<std::size_t>(index - 1));
     auto made = std::make_shared<BrepPart>();
     made->name = nameOf(label);
     made->color = colorOf(label);
@@ -65,7 +63,8 @@ class DocumentReader {
       collectSubShapes(label, *made);
     }
     const bool empty = made->children.empty() && made->shape.IsNull();
-    return *parts_.Bound(label, empty ? nullptr : made);
+    labels_.Add(label);
+    return parts_.emplace_back(empty ? nullptr : made);
   }
 
   void collectSubShapes(const TDF_Label& label, BrepPart& made) {
@@ -88,7 +87,8 @@ class DocumentReader {
 
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colors_;
-  NCollection_DataMap<TDF_Label, std::shared_ptr<const BrepPart>, TDF_LabelMapHasher> parts_;
+  TDF_LabelIndexedMap labels_;  ///< of the parts that are read, in their order
+  std::vector<std::shared_ptr<const BrepPart>> parts_;
 };
 
 }  // namespace

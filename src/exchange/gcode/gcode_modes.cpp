@@ -1,12 +1,51 @@
 // What G codes change.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/units.h"
 #include "exchange/gcode/gcode_codes.h"
 #include "exchange/gcode/gcode_parser.h"
 
 namespace blossom {
+
+namespace {
+
+/// How the tool moves after a G code, given in tenths; empty when the code does not say.
+std::optional<GcodeMotion> motionOfMode(int tenths) {
+  switch (tenths) {
+    case 0:
+      return GcodeMotion::Rapid;
+    case 10:
+      return GcodeMotion::Line;
+    case 20:
+      return GcodeMotion::Clockwise;
+    case 30:
+      return GcodeMotion::Counterclockwise;
+    case 52:
+      return GcodeMotion::Nurbs;
+    case 800:
+      return GcodeMotion::None;
+    default:
+      return {};
+  }
+}
+
+/// The axis that is normal to the plane of arcs after a G code; empty when the code selects no plane.
+std::optional<int> normalOfPlane(int tenths) {
+  switch (tenths) {
+    case 170:
+      return 2;
+    case 180:
+      return 1;
+    case 190:
+      return 0;
+    default:
+      return {};
+  }
+}
+
+}  // namespace
 
 void GcodeParser::watchModes(const Block& block) {
   if (block.length)
@@ -22,25 +61,16 @@ void GcodeParser::watchModes(const Block& block) {
 void GcodeParser::mode(double code, Block& block) {
   const int tenths = std::abs(code) < 1000 ? static_cast<int>(std::lround(code * 10)) : -1;
   if (motion_ == GcodeMotion::Nurbs && tenths != 52) finishNurbs();
+  if (const auto motion = motionOfMode(tenths))
+    motion_ = *motion;
+  else if (const auto normal = normalOfPlane(tenths))
+    normal_ = *normal;
+  else
+    modeBesideMotion(tenths, block);
+}
+
+void GcodeParser::modeBesideMotion(int tenths, Block& block) {
   switch (tenths) {
-    case 0:
-      motion_ = GcodeMotion::Rapid;
-      break;
-    case 10:
-      motion_ = GcodeMotion::Line;
-      break;
-    case 20:
-      motion_ = GcodeMotion::Clockwise;
-      break;
-    case 30:
-      motion_ = GcodeMotion::Counterclockwise;
-      break;
-    case 52:
-      motion_ = GcodeMotion::Nurbs;
-      break;
-    case 800:
-      motion_ = GcodeMotion::None;
-      break;
     case 280:
     case 300:
       block.over = block.machine = true;
@@ -66,15 +96,6 @@ void GcodeParser::mode(double code, Block& block) {
       break;
     case 541:
       block.extended = true;
-      break;
-    case 170:
-      normal_ = 2;
-      break;
-    case 180:
-      normal_ = 1;
-      break;
-    case 190:
-      normal_ = 0;
       break;
     case 200:
       unit_ = millimetresPerInch;

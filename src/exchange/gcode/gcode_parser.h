@@ -56,6 +56,7 @@ class GcodeParser {
   // gcode_modes.cpp: G codes.
   void watchModes(const Block& block);
   void mode(double code, Block& block);
+  void modeBesideMotion(int tenths, Block& block);
   void otherMode(int tenths);
   void setWorkOffset(const std::string& name);
 

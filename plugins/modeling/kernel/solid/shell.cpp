@@ -49,11 +49,12 @@ TopoDS_Shape hollow(const TopoDS_Shape& solid, double offset, GeomAbs_JoinType j
   return made;
 }
 
-/// A wall cannot hold more than the box of its thickness over the faces; an offset that turned inside out does.
+/// Walls inside hold less than the solid; an offset that turned inside out holds more. Where the walls meet, OpenCASCADE 7.8
+/// returns the solid itself.
 bool isPlausible(const TopoDS_Shape& made, const TopoDS_Shape& solid, double offset) {
   if (!isGoodSolid(made)) return false;
   const double volume = volumeOf(made);
-  return offset > 0 ? volume > 0 : volume > 0 && volume < volumeOf(solid) * (1 + 1e-9);
+  return offset > 0 ? volume > 0 : volume > 0 && volume < volumeOf(solid) * (1 - 1e-9);
 }
 
 /// Sharp corners if they can be had, else rounded ones. Null when neither works.

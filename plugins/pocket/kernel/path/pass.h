@@ -8,7 +8,9 @@
 
 namespace blossom::pocket {
 
-/// A closed loop that the tool's centre runs along, by arc length.
+class SlotSearch;
+
+/// A closed loop that the tool's centre runs along, by arc length; of no length where there is room for one point only.
 class Pass {
  public:
   Pass() = default;
@@ -25,6 +27,7 @@ class Pass {
   /// Calls `visit(stroke)` for the way from one length to another, which may go around several times.
   template <class Visit>
   void walk(double from, double distance, const Visit& visit) const {
+    if (!(length() > 0)) return;
     from = std::fmod(from, length());
     std::size_t i = strokeAt(from);
     double begin = i == 0 ? 0 : ends_[i - 1];
@@ -77,17 +80,13 @@ struct PassOptions {
   bool climb = true;  ///< material to be cut stays on the right
 };
 
-/// mm by which the widest place may be narrower than a first pass asks for: a slot just as wide as the tool, but for
-/// rounding, is cut along its middle.
-double slotSlack(const ClearanceDiagram&);
-
 /// Whether there is any pass at a distance from the walls.
-bool hasPass(const ClearanceDiagram&, double distance, const Progress&);
+bool hasPass(const ClearanceDiagram&, SlotSearch&, double distance, const Progress&);
 
 /// Every point that the tool can open lies within its radius of a pass as long as the step is at most the radius: uphill
 /// from any wall, clearance grows as fast as one walks. At larger steps what may be missed has clearances between a pass
 /// plus the radius and the next pass, on lines that end on the medial axis; spokes along those parts of the axis clear it.
 /// @throws Error LimitExceeded (more than 20,000 levels), Cancelled.
-PassTree passTree(const ClearanceDiagram&, const PassOptions&, const Progress&);
+PassTree passTree(const ClearanceDiagram&, SlotSearch&, const PassOptions&, const Progress&);
 
 }  // namespace blossom::pocket

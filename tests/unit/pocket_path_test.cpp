@@ -433,18 +433,6 @@ class PocketPathTest final : public QObject {
       }
   }
 
-  /// A hole just as wide as the tool lets it in, yet there is nothing to move along: the words say so.
-  void aHoleAsWideAsTheToolIsRefusedAsSuch() {
-    for (const Region& hole : {Region{{circlePath({4, 5}, 3)}}, Region{{boxPath(1, 2, 7, 8)}}}) {
-      try {
-        (void)pocketPath(hole, tool(6, 1));
-        QFAIL("6 mm in a hole of 6");
-      } catch (const Error& error) {
-        QVERIFY2(error.message().find("(4.00, 5.00) is just as wide") != std::string::npos, error.what());
-      }
-    }
-  }
-
   void rubbishIsRefused() {
     const Region part = plateWithIsland();
     VERIFY_ERROR(pocketPath(part, tool(0, 1)), ErrorCode::InvalidParameter);

@@ -6,7 +6,7 @@
 #include "core/parallel.h"
 #include "geometry/planar/planar.h"
 #include "kernel/offset/clearance_diagram.h"
-#include "kernel/path/pass.h"
+#include "kernel/path/slots.h"
 #include "kernel/stroke/inside_test.h"
 #include "kernel/stroke/stroke_tree.h"
 

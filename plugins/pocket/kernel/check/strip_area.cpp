@@ -1,6 +1,7 @@
 #include "kernel/check/strip_area.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -11,18 +12,30 @@ namespace {
 
 constexpr double farAway = std::numeric_limits<double>::infinity();
 
+/// Cells hold some 48 curves at most, unless these lie on one another: room for them needs no memory of its own.
+template <class T>
+using Few = boost::container::small_vector<T, 64>;
+
 /// The ends of a slab's interval at both heights, and what the arcs add to the lines between them.
 struct Ends {
   RunningSpan chord;
   double leftBulge = 0, rightBulge = 0;
 };
 
-Ends endsOf(const Slab& slab, double low, double high) {
-  Ends e;
-  e.chord = {slab.left.at(low), slab.left.at(high), slab.right.at(low), slab.right.at(high)};
-  e.leftBulge = slab.left.bulge(low, high, e.chord.leftLow, e.chord.leftHigh);
-  e.rightBulge = slab.right.bulge(low, high, e.chord.rightLow, e.chord.rightHigh);
-  return e;
+Few<Ends> endsOf(const std::vector<const Slab*>& slabs, double low, double high) {
+  Few<Ends> ends;
+  ends.reserve(slabs.size());
+  for (const Slab* slab : slabs)
+    ends.push_back({{slab->left.at(low), slab->left.at(high), slab->right.at(low), slab->right.at(high)}});
+  return ends;
+}
+
+void findBulges(const std::vector<const Slab*>& slabs, double low, double high, Few<Ends>& ends) {
+  for (std::size_t i = 0; i < slabs.size(); ++i) {
+    Ends& e = ends[i];
+    e.leftBulge = slabs[i]->left.bulge(low, high, e.chord.leftLow, e.chord.leftHigh);
+    e.rightBulge = slabs[i]->right.bulge(low, high, e.chord.rightLow, e.chord.rightHigh);
+  }
 }
 
 /// Wider by the bulges on both sides (+1), or narrower (-1).
@@ -38,8 +51,8 @@ std::pair<double, double> boxed(const RunningSpan& s, bool widest) {
 }
 
 /// The gaps that sorted intervals leave of an interval.
-void addGaps(const std::pair<double, double>& whole, const std::vector<std::pair<double, double>>& covers,
-             std::vector<std::pair<double, double>>& gaps) {
+template <class Intervals>
+void addGaps(const std::pair<double, double>& whole, const Intervals& covers, std::vector<std::pair<double, double>>& gaps) {
   double reach = whole.first;
   for (const auto& [left, right] : covers) {
     if (left >= whole.second) break;
@@ -49,9 +62,9 @@ void addGaps(const std::pair<double, double>& whole, const std::vector<std::pair
   if (whole.second > reach) gaps.emplace_back(reach, whole.second);
 }
 
-std::vector<std::pair<double, double>> gapsOfBoxes(const std::vector<Ends>& whole, const std::vector<Ends>& covers,
-                                                   bool most) {
-  std::vector<std::pair<double, double>> boxes, gaps;
+std::vector<std::pair<double, double>> gapsOfBoxes(const Few<Ends>& whole, const Few<Ends>& covers, bool most) {
+  Few<std::pair<double, double>> boxes;
+  std::vector<std::pair<double, double>> gaps;
   for (const Ends& e : covers)
     if (const auto box = boxed(e.chord, !most); box.second > box.first) boxes.push_back(box);
   std::sort(boxes.begin(), boxes.end());
@@ -70,7 +83,7 @@ double total(const std::vector<std::pair<double, double>>& gaps) {
 /// order at both ends is so between them.
 class InOrder {
  public:
-  InOrder(const std::vector<Ends>& whole, const std::vector<Ends>& covers, bool most, double slack) : slack_(slack) {
+  InOrder(const Few<Ends>& whole, const Few<Ends>& covers, bool most, double slack) : slack_(slack) {
     for (const Ends& e : whole) whole_.push_back(moved(e, most ? 1 : -1));
     for (const Ends& e : covers)
       if (const RunningSpan s = moved(e, most ? -1 : 1); s.rightMiddle() > s.leftMiddle()) covers_.push_back(s);
@@ -105,7 +118,7 @@ class InOrder {
     const Edge end{span.rightLow, span.rightHigh};
     Edge reach{span.leftLow, span.leftHigh};
     double sum = 0;
-    std::vector<std::size_t> begun;                               // covers that may lead on
+    Few<std::size_t> begun;                                       // covers that may lead on
     std::size_t next = 0;                                         // the first cover that begins beyond what is reached
     double beforeLow = span.leftLow, beforeHigh = span.leftHigh;  // no cover may end before the interval begins
     while (reach.middle() < end.middle()) {
@@ -135,8 +148,9 @@ class InOrder {
 
   /// The farthest that a cover leads which surely begins before what is reached. Of those that have begun, it forgets which
   /// lead no farther.
-  [[nodiscard]] std::optional<Edge> extended(const Edge& reach, std::vector<std::size_t>& begun) const {
-    std::erase_if(begun, [&](std::size_t i) { return covers_[i].rightMiddle() <= reach.middle(); });
+  [[nodiscard]] std::optional<Edge> extended(const Edge& reach, Few<std::size_t>& begun) const {
+    const auto isPassed = [&](std::size_t i) { return covers_[i].rightMiddle() <= reach.middle(); };
+    begun.erase(std::remove_if(begun.begin(), begun.end(), isPassed), begun.end());
     std::optional<Edge> best;
     for (const std::size_t i : begun) {
       const RunningSpan& c = covers_[i];
@@ -147,15 +161,16 @@ class InOrder {
   }
 
   double slack_;
-  std::vector<RunningSpan> whole_, covers_;
-  std::vector<double> afterLow_, afterHigh_;  ///< by cover: where this one or a later one begins, at the least
+  Few<RunningSpan> whole_, covers_;
+  Few<double> afterLow_, afterHigh_;  ///< by cover: where this one or a later one begins, at the least
 };
 
 }  // namespace
 
 std::vector<std::pair<double, double>> gapsAt(const std::vector<const Slab*>& whole, const std::vector<const Slab*>& covers,
                                               double y) {
-  std::vector<std::pair<double, double>> across, gaps;
+  Few<std::pair<double, double>> across;
+  std::vector<std::pair<double, double>> gaps;
   for (const Slab* slab : covers) across.emplace_back(slab->left.at(y), slab->right.at(y));
   std::sort(across.begin(), across.end());
   for (const Slab* slab : whole) addGaps({slab->left.at(y), slab->right.at(y)}, across, gaps);
@@ -165,14 +180,14 @@ std::vector<std::pair<double, double>> gapsAt(const std::vector<const Slab*>& wh
 StripArea stripArea(const std::vector<const Slab*>& whole, const std::vector<const Slab*>& covers, double low, double high,
                     double slack) {
   const double height = high - low, middle = (low + high) / 2;
-  std::vector<Ends> parts, cuts;
-  for (const Slab* slab : whole) parts.push_back(endsOf(*slab, low, high));
-  for (const Slab* slab : covers) cuts.push_back(endsOf(*slab, low, high));
+  Few<Ends> parts = endsOf(whole, low, high), cuts = endsOf(covers, low, high);
   StripArea area;
   area.reach = gapsOfBoxes(parts, cuts, true);
-  area.maximum = height * total(area.reach);
-  area.minimum = area.maximum == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
-  if (area.maximum == 0) return area;
+  area.most = height * total(area.reach);
+  area.minimum = area.most == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
+  if (area.most == 0) return area;
+  findBulges(whole, low, high, parts);
+  findBulges(covers, low, high, cuts);
   const auto upper = InOrder(parts, cuts, true, slack).width();
   const auto lower = upper ? InOrder(parts, cuts, false, slack).width() : std::nullopt;
   if (upper && lower) {

@@ -56,6 +56,12 @@ double pastFlatPlaces(const Diagram& diagram, double d, Side side, double slack)
   return past;
 }
 
+bool isInside(const EdgeParts& parts) {
+  bool inside = parts.primary;
+  for (int i = 0; i < parts.count; ++i) inside = inside && parts.part[static_cast<std::size_t>(i)].where == Where::Inside;
+  return inside;
+}
+
 }  // namespace
 
 ClearanceDiagram::ClearanceDiagram(const Region& region, const ClearanceOptions& options, const Progress& progress) {
@@ -94,6 +100,28 @@ Region ClearanceDiagram::offset(double distance, Side side, const Progress& prog
 
 MedialAxis ClearanceDiagram::medialAxis(const Progress& progress) const {
   return pocket::medialAxis(parts_->boundary, parts_->diagram, parts_->tolerance, progress);
+}
+
+bool ClearanceDiagram::isLevelNear(double distance, double slack) const {
+  const Diagram& diagram = parts_->diagram;
+  const VoronoiGraph& graph = diagram.graph();
+  const auto isNear = [&](std::size_t vertex) {
+    return vertex != atInfinity && std::abs(diagram.clearance(vertex) - distance) <= slack;
+  };
+  constexpr double shortest = 0.05;  // of the distance: a way no longer leads through no slot
+  double level = 0;
+  std::vector<bool> isHighest(graph.vertices.size(), true);
+  for (std::size_t edge = 0; edge < graph.edges.size() / 2; ++edge) {
+    const std::size_t a = graph.edges[2 * edge].origin, b = graph.target(2 * edge);
+    if (isNear(a) && isNear(b) && isInside(diagram.parts(edge))) level += (graph.vertices[b] - graph.vertices[a]).norm();
+    if (a == atInfinity || b == atInfinity) continue;
+    if (diagram.clearance(a) < diagram.clearance(b)) isHighest[a] = false;
+    if (diagram.clearance(b) < diagram.clearance(a)) isHighest[b] = false;
+  }
+  if (level > shortest * distance) return true;
+  for (std::size_t v = 0; v < graph.vertices.size(); ++v)
+    if (isHighest[v] && isNear(v) && diagram.where(v) == Where::Inside) return true;
+  return false;
 }
 
 double ClearanceDiagram::largestClearance() const { return parts_->largest.radius; }

@@ -51,6 +51,10 @@ class ClearanceDiagram {
   [[nodiscard]] double largestClearance() const;
   [[nodiscard]] Vec2 largestCenter() const;
 
+  /// Whether the region may have a place that is about twice as wide as the distance and no wider beside: a slot, or one
+  /// that is about as long as wide. Clearances are those of the flattened boundary, within `slack` of the distance. O(n).
+  [[nodiscard]] bool isLevelNear(double distance, double slack) const;
+
   /// Distance to the true boundary; negative outside. O(log n).
   [[nodiscard]] double clearance(const Vec2&) const;
 

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
+#include "kernel/path/slots.h"
 #include "kernel/path/spokes.h"
 #include "kernel/stroke/inside_test.h"
 
@@ -61,18 +62,6 @@ Region offsetWithSlots(const ClearanceDiagram& diagram, double distance, const P
   return perimeterOf(wider) > perimeterOf(region) + changes * aside ? wider : region;
 }
 
-/// The offset that the first pass runs along. Where the widest place is just as wide as the tool, bent slots need more than
-/// straight ones: the diagram's chords leave their walls.
-Region firstOffset(const ClearanceDiagram& diagram, double distance, const Progress& progress) {
-  Region region = offsetWithSlots(diagram, distance, progress);
-  const double aside = diagram.tolerance() / 2;
-  if (distance < diagram.largestClearance() || distance <= 2 * aside) return region;
-  Region wider = diagram.offset(distance - aside, Side::Inside, progress);
-  constexpr double changes = 20, share = 0.9;  // a hole's loop is shorter; a straight slot is there already
-  const bool isSlot = perimeterOf(wider) > changes * aside && perimeterOf(region) < share * perimeterOf(wider);
-  return isSlot ? wider : region;
-}
-
 /// The nodes at a distance. Where a corridor is just twice as wide as the distance, the offset is a line and rounding may
 /// tear its loops: then it is taken a little beside, at the walls only away from them.
 std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std::size_t level, bool climb,
@@ -80,9 +69,8 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
   const double nudge = diagram.tolerance() / 4;
   for (const int aside : {0, -1, -2, 2}) {
     try {
-      return nodesOf(level == 0 ? firstOffset(diagram, distance + nudge * std::abs(aside), progress)
-                                : offsetWithSlots(diagram, distance + nudge * aside, progress),
-                     level, climb);
+      const double taken = distance + nudge * (level == 0 ? std::abs(aside) : aside);
+      return nodesOf(offsetWithSlots(diagram, taken, progress), level, climb);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::InvalidInput) throw;
     }
@@ -91,17 +79,44 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
               "Use a slightly different tool diameter or stepover.");
 }
 
-}  // namespace
-
-double slotSlack(const ClearanceDiagram& diagram) {
-  // Above the resolution of the diagram's grid, far below the tolerance of the path.
-  const double tolerance = diagram.tolerance();
-  return std::clamp(1e-8 * perimeterOf(diagram.region()), tolerance / 1000, tolerance / 40);
+std::vector<Stroke> strokesOf(const std::vector<Grown>& grown) {
+  std::vector<Stroke> strokes;
+  for (const Grown& each : grown)
+    for (const Pass& pass : each.node.passes) strokes.insert(strokes.end(), pass.strokes().begin(), pass.strokes().end());
+  return strokes;
 }
 
-bool hasPass(const ClearanceDiagram& diagram, double distance, const Progress& progress) {
-  return distance <= diagram.largestClearance() + slotSlack(diagram) &&
-         !firstOffset(diagram, distance, progress).loops.empty();
+/// Whether a way through a slot clears what a node's passes do.
+bool isAlong(const PassNode& node, const StrokeTree& ways, double near) {
+  for (const Pass& pass : node.passes)
+    for (const Stroke& stroke : pass.strokes())
+      for (const double share : {0.0, 0.25, 0.5, 0.75})
+        if (ways.nearest(stroke.at(share), 2 * near).distance > near) return false;
+  return true;
+}
+
+/// The nodes along the walls, those through slots just as wide as the tool among them.
+std::vector<Grown> firstNodes(const ClearanceDiagram& diagram, SlotSearch& slots, double distance, bool climb,
+                              const Progress& progress) {
+  std::vector<Grown> grown = nodesAt(diagram, distance, 0, climb, progress);
+  std::vector<Pass> passes = slots.leftOut(strokesOf(grown), distance, progress);
+  if (passes.empty()) return grown;
+  std::vector<Stroke> ways;
+  for (const Pass& pass : passes) ways.insert(ways.end(), pass.strokes().begin(), pass.strokes().end());
+  // Torn bits of loops in the slots
+  const StrokeTree tree(std::move(ways));
+  std::erase_if(grown, [&](const Grown& each) { return isAlong(each.node, tree, diagram.tolerance() / 2); });
+  for (Pass& pass : passes) {
+    Grown& slot = grown.emplace_back();
+    slot.node.passes.push_back(std::move(pass));
+  }
+  return grown;
+}
+
+}  // namespace
+
+bool hasPass(const ClearanceDiagram& diagram, SlotSearch& slots, double distance, const Progress& progress) {
+  return !firstNodes(diagram, slots, distance, true, progress).empty();
 }
 
 Pass::Pass(const std::vector<Stroke>& strokes) {
@@ -112,6 +127,10 @@ Pass::Pass(const std::vector<Stroke>& strokes) {
     sum += length;
     ends_.push_back(sum);
     strokes_.push_back(s);
+  }
+  if (strokes_.empty() && !strokes.empty()) {
+    ends_.push_back(0);
+    strokes_.push_back(strokes.front());
   }
 }
 
@@ -132,19 +151,20 @@ Pass::Foot Pass::nearest(const Vec2& p) const {
   return best;
 }
 
-PassTree passTree(const ClearanceDiagram& diagram, const PassOptions& options, const Progress& progress) {
+PassTree passTree(const ClearanceDiagram& diagram, SlotSearch& slots, const PassOptions& options, const Progress& progress) {
   PassTree tree;
   std::vector<InsideTest> within;  // of the level before
   std::vector<std::size_t> above;
   const double largest = diagram.largestClearance();
   for (std::size_t level = 0;; ++level) {
     const double distance = options.first + static_cast<double>(level) * options.step;
-    if (distance > largest + (level == 0 ? slotSlack(diagram) : 0)) break;
+    if (level > 0 && distance > largest) break;
     progress.report((distance - options.first) / std::max(largest - options.first, 1e-9), "Laying the passes");
     if (level >= maximumLevels)
       throw Error(ErrorCode::LimitExceeded, fmt::format("More than {} passes side by side are needed.", maximumLevels),
                   "Use a larger stepover or a larger tool.");
-    std::vector<Grown> grown = nodesAt(diagram, distance, level, options.climb, progress);
+    std::vector<Grown> grown = level == 0 ? firstNodes(diagram, slots, distance, options.climb, progress)
+                                          : nodesAt(diagram, distance, level, options.climb, progress);
     if (grown.empty()) break;
     std::vector<std::size_t> indices;
     std::vector<InsideTest> inside;

@@ -8,7 +8,9 @@
 
 namespace blossom::pocket {
 
-/// A closed loop of the tool's centre, parametrised by arc length.
+class SlotSearch;
+
+/// A closed loop that the tool's centre runs along, by arc length; of no length where there is room for one point only.
 class Pass {
  public:
   Pass() = default;
@@ -26,6 +28,7 @@ class Pass {
   /// times.
   template <class Visit>
   void walk(double from, double distance, const Visit& visit) const {
+    if (!(length() > 0)) return;
     from = std::fmod(from, length());
     std::size_t i = strokeAt(from);
     double begin = i == 0 ? 0 : ends_[i - 1];
@@ -78,17 +81,13 @@ struct PassOptions {
   bool climb = true;  ///< material is on the right of the tool
 };
 
-/// mm by which the widest place may be narrower than a first pass requires, so that a slot exactly as wide as the tool, up
-/// to rounding, is cut along its middle.
-double slotSlack(const ClearanceDiagram&);
-
-/// Whether there is a pass at a distance from the walls.
-bool hasPass(const ClearanceDiagram&, double distance, const Progress&);
+/// Whether there is any pass at a distance from the walls.
+bool hasPass(const ClearanceDiagram&, SlotSearch&, double distance, const Progress&);
 
 /// Every point of the opening lies within the tool's radius of a pass when the step is at most the radius, because uphill
 /// from a wall the clearance grows at unit rate. With larger steps the missed points have clearances between a pass plus the
 /// radius and the next pass, on lines that end on the medial axis; spokes along those parts of the axis clear them.
 /// @throws Error LimitExceeded (more than 20,000 levels), Cancelled.
-PassTree passTree(const ClearanceDiagram&, const PassOptions&, const Progress&);
+PassTree passTree(const ClearanceDiagram&, SlotSearch&, const PassOptions&, const Progress&);
 
 }  // namespace blossom::pocket

@@ -17,6 +17,7 @@ PocketCutter::PocketCutter(const Region& region, const PocketOptions& options, c
       progress_(progress),
       radius_(o_.cutter.diameter / 2),
       diagram_(region, {.tolerance = o_.tolerance}, progress.part(0, 0.3)),
+      slots_(diagram_),
       writer_(result_.path, o_.feed, o_.plungeFeed, {o_.safeHeight, o_.approach}) {
   refuseLargeTool();
   tree_ = passesFrom(radius_ + o_.leaveWall + o_.finish, progress.part(0.3, 0.6));
@@ -49,18 +50,22 @@ PocketResult PocketCutter::cut() {
   return std::move(result_);
 }
 
-PassTree PocketCutter::passesFrom(double distance, const Progress& progress) const {
-  return passTree(diagram_, {.first = distance, .step = o_.stepover, .radius = radius_, .climb = o_.climb}, progress);
+PassTree PocketCutter::passesFrom(double distance, const Progress& progress) {
+  return passTree(diagram_, slots_, {.first = distance, .step = o_.stepover, .radius = radius_, .climb = o_.climb},
+                  progress);
 }
 
 double PocketCutter::widestTool() const { return 2 * (diagram_.largestClearance() - o_.leaveWall - o_.finish); }
 
-void PocketCutter::refuseLargeTool() const {
-  if (o_.cutter.diameter > widestTool() + 2 * slotSlack(diagram_)) refuseTool();
+void PocketCutter::refuseLargeTool() {
+  // Where the walls are bent, the true widest place may lie beside the diagram's.
+  if (o_.cutter.diameter > widestTool() + o_.tolerance) refuseTool();
 }
 
-double PocketCutter::largestThatFits() const {
-  const auto fits = [&](double diameter) { return hasPass(diagram_, diameter / 2 + o_.leaveWall + o_.finish, progress_); };
+double PocketCutter::largestThatFits() {
+  const auto fits = [&](double diameter) {
+    return hasPass(diagram_, slots_, diameter / 2 + o_.leaveWall + o_.finish, progress_);
+  };
   const double widest = widestTool(), written = std::round(widest * 1e6) / 1e6;
   if (written > 0 && written < o_.cutter.diameter && fits(written)) return written;  // a slot
   double low = std::max(widest - 8 * o_.tolerance, widest / 2), high = widest;
@@ -73,19 +78,12 @@ double PocketCutter::largestThatFits() const {
   return std::floor(low / lastDigit) * lastDigit;
 }
 
-[[noreturn]] void PocketCutter::refuseTool() const {
+[[noreturn]] void PocketCutter::refuseTool() {
   const Vec2 at = diagram_.largestCenter();
-  const bool justAsWide = o_.cutter.diameter <= widestTool() + 2 * slotSlack(diagram_);
-  const std::string tool = formatNumber(o_.cutter.diameter);
   const double fits = largestThatFits();
   throw Error(ErrorCode::InvalidInput,
-              justAsWide
-                  ? fmt::format("A tool of {} mm does not fit into the part: its widest place ({:.2f}, {:.2f}) is just "
-                                "as wide, and no slot.",
-                                tool, at.x(), at.y())
-                  : fmt::format("A tool of {} mm does not fit into the part, not even at its widest place ({:.2f}, "
-                                "{:.2f}).",
-                                tool, at.x(), at.y()),
+              fmt::format("A tool of {} mm does not fit into the part, not even at its widest place ({:.2f}, {:.2f}).",
+                          formatNumber(o_.cutter.diameter), at.x(), at.y()),
               fits > 0 ? fmt::format("The largest tool that fits has a diameter of {:.12g} mm.", fits)
                        : std::string("No tool fits with so much stock to leave."));
 }

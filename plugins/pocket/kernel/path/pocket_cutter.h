@@ -6,6 +6,7 @@
 #include "kernel/offset/clearance_diagram.h"
 #include "kernel/path/path_writer.h"
 #include "kernel/path/pocket_path.h"
+#include "kernel/path/slots.h"
 #include "kernel/stroke/inside_test.h"
 
 namespace blossom::pocket {
@@ -23,7 +24,7 @@ class PocketCutter {
   };
 
   // pocket_cutter.cpp: clears in passes.
-  [[nodiscard]] PassTree passesFrom(double distance, const Progress& progress) const;
+  [[nodiscard]] PassTree passesFrom(double distance, const Progress& progress);
   template <class Cut>
   void atEachDepth(const Cut& cutOne) {
     const auto depths = static_cast<double>(result_.depths);
@@ -35,11 +36,11 @@ class PocketCutter {
   }
   /// Diameter of the largest tool that fits into the widest place.
   [[nodiscard]] double widestTool() const;
-  /// The largest diameter that fits, verified, to a thousandth; for messages.
-  [[nodiscard]] double largestThatFits() const;
-  void refuseLargeTool() const;
-  [[noreturn]] void refuseTool() const;
-  /// Finds the parts of the region without a pass.
+  /// To be told: tried, and within a thousandth.
+  [[nodiscard]] double largestThatFits();
+  void refuseLargeTool();
+  [[noreturn]] void refuseTool();
+  /// Parts of the region that no pass lies in.
   void findNarrow(const PassTree& tree);
   std::size_t takeNearest(std::vector<std::size_t>& roots) const;
   /// Clears the area inside a node, then along its own passes. Iterative, because narrow steps make the tree deep.
@@ -83,8 +84,9 @@ class PocketCutter {
   const Progress progress_;
   const double radius_;
   const ClearanceDiagram diagram_;
-  PassTree tree_;   ///< clearing passes
-  PassTree walls_;  ///< finishing passes along the walls
+  SlotSearch slots_;
+  PassTree tree_;   ///< clears
+  PassTree walls_;  ///< along the walls, when a finishing pass is wanted
   StrokeTree rim_;
   InsideTest inside_;
   std::optional<MedialAxis> axis_;

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "geometry/numeric/box_tree.h"
 
 namespace blossom::subdivision {
 
-/// The nearest of many places, found in a k-d tree (Bentley, CACM 18, 1975).
+/// The nearest of many places.
 class NearPlaces {
  public:
   /// Squared distance and number of a place.
@@ -23,18 +24,8 @@ class NearPlaces {
   void nearest(const Vec3& to, std::size_t count, std::vector<Near>& found, std::size_t* looked = nullptr) const;
 
  private:
-  struct Node {
-    std::size_t begin = 0, end = 0;  ///< of the order
-    std::size_t high = 0;            ///< the node of the upper half; the lower one follows this; 0: a leaf
-    Vec3 low = Vec3::Zero(), top = Vec3::Zero();
-  };
-  std::size_t build(std::size_t begin, std::size_t end);
-  struct Search;
-  void visit(std::size_t node, Search&) const;
-
   std::span<const Vec3> places_;
-  std::vector<std::size_t> order_;
-  std::vector<Node> nodes_;
+  BoxTree<3> tree_;
 };
 
 }  // namespace blossom::subdivision

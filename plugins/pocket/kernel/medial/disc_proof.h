@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/numeric/box_tree.h"
 #include "geometry/planar/region.h"
-#include "kernel/stroke/piece_tree.h"
 #include "kernel/stroke/stroke.h"
 
 namespace blossom::pocket {
@@ -24,7 +24,7 @@ class DiscProof {
     double bulge = 0;  ///< mm that the curve may be off the stroke
   };
   std::vector<Piece> pieces_;
-  PieceTree tree_;
+  BoxTree<2> tree_;
 };
 
 }  // namespace blossom::pocket

@@ -36,8 +36,9 @@ struct ZipLimits {
 ZipContent readZip(const std::string& bytes, const std::function<bool(std::string_view name)>& wanted,
                    const ZipLimits& = {});
 
-/// Reads the entries by their local headers, for a zip whose central directory is missing. Of a truncated last entry the
-/// available part is returned. @throws Error LimitExceeded.
+/// The same from the headers in front of the entries, for a zip whose directory at the end is lost. Of the last entry the
+/// part that is there is returned. Hand-written because libzip opens nothing without its directory. @throws Error
+/// LimitExceeded.
 ZipContent salvageZip(const std::string& bytes, const std::function<bool(std::string_view name)>& wanted,
                       const ZipLimits& = {});
 

@@ -34,10 +34,10 @@ std::vector<int> numbersOf(vtkPolyData& data, const char* name) {
 }
 
 template <class Item>
-BoxTree treeOver(std::size_t count, const Item& addTo) {
+RayTree treeOver(std::size_t count, const Item& addTo) {
   std::vector<FloatBox> boxes(count);
   for (std::size_t i = 0; i < count; ++i) addTo(i, boxes[i]);
-  return BoxTree(boxes);
+  return RayTree(boxes);
 }
 
 /// The ray prepared for tests against boxes.

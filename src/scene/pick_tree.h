@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "scene/box_tree.h"
 #include "scene/picking.h"
+#include "scene/ray_tree.h"
 
 /// Inside of PickIndex.
 namespace blossom {
@@ -47,7 +47,7 @@ struct PickIndex::Tree {
   std::vector<Vec3> vertices;
   bool solid = false;
   double size = 0;  // diagonal
-  BoxTree triangleTree, segmentTree, vertexTree;
+  RayTree triangleTree, segmentTree, vertexTree;
 };
 
 }  // namespace blossom

@@ -36,23 +36,18 @@ Vec2 centroid(const Polygons& polygons) {
 
 Vec2 centreOf(const Region& region) {
   Box2 box;
-  bool first = true;
-  const auto grow = [&](const Vec2& p) {
-    box = first ? Box2{p, p} : Box2{box.low.cwiseMin(p), box.high.cwiseMax(p)};
-    first = false;
-  };
   for (const Path& loop : region.loops)
     for (const Segment& segment : loop.segments) {
-      grow(startPoint(segment));
-      grow(endPoint(segment));
+      box.extend(startPoint(segment));
+      box.extend(endPoint(segment));
       if (const auto* arc = std::get_if<Arc2>(&segment)) {
-        grow(arc->center - Vec2(arc->radius, arc->radius));
-        grow(arc->center + Vec2(arc->radius, arc->radius));
+        box.extend(arc->center - Vec2(arc->radius, arc->radius));
+        box.extend(arc->center + Vec2(arc->radius, arc->radius));
       }
     }
-  if (first) return Vec2::Zero();
-  const Vec2 middle = (box.low + box.high) / 2;
-  const double size = box.size().norm();
+  if (box.isEmpty()) return Vec2::Zero();
+  const Vec2 middle = box.center();
+  const double size = box.sizes().norm();
   if (!(size > 0) || !std::isfinite(size)) return Vec2::Zero();
   Moments moments{middle};
   for (const Path& loop : region.loops) moments.add(flatten(loop, size / 1000));

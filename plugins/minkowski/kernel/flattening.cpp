@@ -10,9 +10,9 @@
 
 #include "core/error.h"
 #include "core/tolerance.h"
+#include "geometry/numeric/box_tree.h"
 #include "geometry/planar/planar.h"
 #include "kernel/bounding_polyline.h"
-#include "kernel/near_pairs.h"
 #include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/winding_faces.h"
@@ -168,9 +168,9 @@ void refuseCrossings(const std::vector<Loop>& loops, const std::string& name, co
   for (const Loop& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Edge& edge = edges.emplace_back(Edge{loop[i], loop[(i + 1) % loop.size()]});
-      boxes.push_back({edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)});
+      boxes.emplace_back(edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to));
     }
-  forEachNearPair(boxes, 0, progress, [&](std::size_t i, std::size_t j) {
+  forEachNearPair<2>(boxes, 0, progress, [&](std::size_t i, std::size_t j) {
     Vec2 place;
     if (crossInside(edges[i], edges[j], place)) refuseCrossing(name, place);
     return true;

@@ -124,13 +124,10 @@ GridLoop snappedLoop(const Loop& loop, const Grid& grid) {
 }
 
 Grid gridOver(const std::vector<Loop>& loops) {
-  Box2 box{loops.front().front(), loops.front().front()};
+  Box2 box;
   for (const Loop& loop : loops)
-    for (const Vec2& p : loop) {
-      box.low = box.low.cwiseMin(p);
-      box.high = box.high.cwiseMax(p);
-    }
-  return {(box.low + box.high) / 2, gridUnit(box.size())};
+    for (const Vec2& p : loop) box.extend(p);
+  return {box.center(), gridUnit(box.sizes())};
 }
 
 }  // namespace

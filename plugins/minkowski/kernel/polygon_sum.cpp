@@ -63,8 +63,8 @@ struct Operands {
 
 Operands snappedTogether(const Polygons& a, const Polygons& b) {
   const Box2 boxA = boxOf(a), boxB = boxOf(b);
-  const Grid gridA{(boxA.low + boxA.high) / 2, gridUnit(boxA.size().cwiseMax(boxB.size()))};
-  const Grid gridB{(boxB.low + boxB.high) / 2, gridA.unit};
+  const Grid gridA{boxA.center(), gridUnit(boxA.sizes().cwiseMax(boxB.sizes()))};
+  const Grid gridB{boxB.center(), gridA.unit};
   return {snapped(a, gridA), snapped(b, gridB), {gridA.origin + gridB.origin, gridA.unit}};
 }
 
@@ -98,8 +98,8 @@ Polygons facesOfSum(const Operands& operands, Inside rule, const Progress& progr
 /// The complement of A within a frame that B, wherever it meets A, does not reach.
 Polygons complement(const Polygons& a, const Polygons& b, const Progress& progress) {
   const Box2 boxA = boxOf(a), boxB = boxOf(b);
-  const Vec2 reach = 2 * boxB.size() + boxA.size();
-  const Vec2 low = boxA.low - reach, high = boxA.high + reach;
+  const Vec2 reach = 2 * boxB.sizes() + boxA.sizes();
+  const Vec2 low = boxA.min() - reach, high = boxA.max() + reach;
   std::vector<Loop> loops{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
   for (const Polygon& polygon : a) {
     loops.push_back(reversed(polygon.outer));

@@ -5,11 +5,12 @@
 
 namespace blossom::minkowski {
 
-/// A + B = {a + b}, regularised; empty when A or B is. Both are rounded to a grid of 2^-46 of the larger extent, the rest is
-/// exact; loops have no collinear points and no parts of the size of the grid. Two convex sets are merged by the angles of
-/// their edges in O(n + m); otherwise the result is the set of positive winding numbers of the convolution (see
-/// convolution.h).
-/// @param effort limit on the work; sums of convex sets do not count
+/// A + B = {a + b}, regularised; the empty set when one of them is empty. Both are snapped to a grid of 2^-46 of the larger
+/// extent, the rest is exact; loops come without collinear points and without crumbs of the grid's size. Two convex sets
+/// are merged by the angles of their edges in O(n + m); others are the faces of positive winding number of their
+/// convolution (see convolution.h).
+/// Hand-written because CGAL 5.5's Minkowski sums lose holes at times (its reports 5830 and 5839).
+/// @param effort what it may cost; convex sets cost nothing
 /// @throws Error LimitExceeded, Cancelled; TooMuchWork.
 Polygons sum(const Polygons& a, const Polygons& b, const Progress&, Effort& effort);
 Polygons sum(const Polygons& a, const Polygons& b, const Progress& = Progress::none());

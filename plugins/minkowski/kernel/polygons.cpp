@@ -63,12 +63,9 @@ bool isConvex(const Polygons& polygons) {
 }
 
 Box2 boxOf(const Polygons& polygons) {
-  Box2 box{polygons.front().outer.front(), polygons.front().outer.front()};
+  Box2 box;
   for (const Polygon& polygon : polygons)
-    for (const Vec2& p : polygon.outer) {
-      box.low = box.low.cwiseMin(p);
-      box.high = box.high.cwiseMax(p);
-    }
+    for (const Vec2& p : polygon.outer) box.extend(p);
   return box;
 }
 

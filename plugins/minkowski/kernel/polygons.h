@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "geometry/numeric/boxes.h"
 
 namespace blossom::minkowski {
 
@@ -29,12 +30,7 @@ Polygons translated(const Polygons&, const Vec2& by);
 /// Whether there is one part, without holes and without a right turn beyond rounding (1e-9 of the lengths of the edges).
 bool isConvex(const Polygons&);
 
-/// Axis-aligned box of everything.
-struct Box2 {
-  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
-  [[nodiscard]] Vec2 size() const { return high - low; }
-};
-/// @pre not empty
+/// Around everything; empty when there is nothing.
 Box2 boxOf(const Polygons&);
 
 }  // namespace blossom::minkowski

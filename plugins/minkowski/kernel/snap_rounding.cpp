@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "kernel/near_pairs.h"
+#include "geometry/numeric/box_tree.h"
 #include "kernel/winding_faces.h"
 
 namespace blossom::minkowski {
@@ -60,7 +60,7 @@ bool cutOnce(std::vector<CountedEdge>& edges, const Progress& progress) {
   const auto addNear = [&](std::size_t edge, const GridPoint& p) {
     if (distance(p, edges[edge].from, edges[edge].to) < pixel) add(edge, p);
   };
-  forEachNearPair(boxesOf(edges), pixel, progress, [&](std::size_t i, std::size_t j) {
+  forEachNearPair<2>(boxesOf(edges), pixel, progress, [&](std::size_t i, std::size_t j) {
     const CountedEdge &e = edges[i], &f = edges[j];
     addNear(i, f.from), addNear(i, f.to), addNear(j, e.from), addNear(j, e.to);
     if (crossing(e.from, e.to, f.from, f.to)) {
@@ -142,7 +142,7 @@ std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>& polygons) {
 bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress) {
   const std::vector<CountedEdge> edges = loopEdges(polygons);
   bool clear = true;
-  forEachNearPair(boxesOf(edges), clearance, progress, [&](std::size_t i, std::size_t j) {
+  forEachNearPair<2>(boxesOf(edges), clearance, progress, [&](std::size_t i, std::size_t j) {
     const CountedEdge &e = edges[i], &f = edges[j];
     const auto near = [](const GridPoint& p, const CountedEdge& edge) {
       return distance(p, edge.from, edge.to) < clearance;

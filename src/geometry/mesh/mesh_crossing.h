@@ -17,12 +17,13 @@ struct MeshCrossing {
   std::size_t first = 0, second = 0;  ///< faces, first <= second; the same face twice when it crosses itself
 };
 
-/// The intersection with the lowest first face and then the lowest second face; empty when faces meet only in what they
-/// share. Decided by exact predicates on the given coordinates. Corners at the same position are the same vertex whatever
-/// their indices, so faces that touch in a common corner or along a whole common edge do not intersect; a corner on another
-/// face or inside another edge counts as an intersection. Polygons are represented by the triangles of `triangulated`;
-/// triangles without area are ignored. For open and closed meshes. O(n log n) for surfaces with few close parts.
-/// @throws Error InvalidInput for a vertex index out of range and for coordinates that are not finite, Cancelled.
+/// The crossing of the lowest first face, and among those of the lowest second; nothing when no two faces meet anywhere else
+/// than in what they share. Decided by exact predicates on the coordinates as they are. Corners at one place are one vertex,
+/// whatever their indices, so faces that only touch in a common corner or along a whole common edge do not cross; a corner
+/// that lies on another face or within another edge does. Polygons count as the triangles of `triangulated`; triangles
+/// without area are left out. Open and closed meshes alike. O(n log n) for surfaces that seldom come near themselves.
+/// Hand-written because CGAL's self_intersections knows corners by their indices alone.
+/// @throws Error InvalidInput for a face that names no vertex and for coordinates that are no numbers, Cancelled.
 std::optional<MeshCrossing> firstCrossing(const Mesh&, const Progress& = Progress::none());
 
 /// Whether the intersection of two triangles counts.

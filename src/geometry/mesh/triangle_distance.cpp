@@ -3,14 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace blossom {
 
 namespace {
-
-constexpr std::size_t leafSize = 4;
 
 double clamp01(double t) { return std::clamp(t, 0.0, 1.0); }
 
@@ -35,12 +32,7 @@ std::optional<Vec3> crossing(const Vec3& from, const Vec3& to, const Triangle3& 
   return point;
 }
 
-double boxDistance(const Vec3& lowA, const Vec3& highA, const Vec3& lowB, const Vec3& highB) {
-  return (lowB - highA).cwiseMax(lowA - highB).cwiseMax(0).norm();
-}
-
-Vec3 lowOf(const Triangle3& t) { return t[0].cwiseMin(t[1]).cwiseMin(t[2]); }
-Vec3 highOf(const Triangle3& t) { return t[0].cwiseMax(t[1]).cwiseMax(t[2]); }
+Box3 boxOf(const Triangle3& t) { return Box3(t[0]).extend(t[1]).extend(t[2]); }
 
 }  // namespace
 
@@ -87,95 +79,69 @@ FootPoints closestOnTriangles(const Triangle3& a, const Triangle3& b) {
   return best;
 }
 
-TriangleTree::TriangleTree(std::vector<Triangle3> triangles) : triangles_(std::move(triangles)), order_(triangles_.size()) {
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  nodes_.reserve(triangles_.size());
-  build(0, triangles_.size());
+TriangleTree::TriangleTree(std::vector<Triangle3> triangles) : triangles_(std::move(triangles)) {
+  std::vector<Box3> boxes;
+  boxes.reserve(triangles_.size());
+  for (const Triangle3& triangle : triangles_) boxes.push_back(boxOf(triangle));
+  tree_ = BoxTree<3>(boxes);
 }
 
-std::size_t TriangleTree::build(std::size_t begin, std::size_t end) {
-  Node node;
-  node.low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  node.high = -node.low;
-  for (std::size_t i = begin; i < end; ++i) {
-    node.low = node.low.cwiseMin(lowOf(triangles_[order_[i]]));
-    node.high = node.high.cwiseMax(highOf(triangles_[order_[i]]));
-  }
-  node.begin = begin;
-  node.end = end;
-  const std::size_t index = nodes_.size();
-  nodes_.push_back(node);
-  if (end - begin <= leafSize) return index;
-  Eigen::Index axis = 0;
-  (node.high - node.low).maxCoeff(&axis);
-  const auto place = [&](std::size_t i) { return triangles_[i][0][axis] + triangles_[i][1][axis] + triangles_[i][2][axis]; };
-  const std::size_t middle = (begin + end) / 2;
-  const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-  const std::size_t left = build(begin, middle);
-  const std::size_t right = build(middle, end);
-  nodes_[index].left = left;
-  nodes_[index].right = right;
-  return index;
-}
-
-/// Walks two trees at once.
-struct TreeWalk {
+/// Walks two trees at once, the nearer pair of boxes first.
+struct NearestTriangles {
   const TriangleTree& a;
   const TriangleTree& b;
   const Progress& progress;
-  using Node = TriangleTree::Node;
+  FootPoints best;
+  double distance;
 
-  static double apart(const Node& x, const Node& y) { return boxDistance(x.low, x.high, y.low, y.high); }
-
-  void closest(std::size_t i, std::size_t j, FootPoints& best, double& distance) const {
-    const Node &x = a.nodes_[i], &y = b.nodes_[j];
-    if (apart(x, y) >= distance) return;
-    if (x.left == 0 && y.left == 0) {
-      progress.check();
-      for (std::size_t p = x.begin; p < x.end; ++p)
-        for (std::size_t q = y.begin; q < y.end; ++q) {
-          const FootPoints found = closestOnTriangles(a.triangles_[a.order_[p]], b.triangles_[b.order_[q]]);
-          if (found.distance() < distance) {
-            best = found;
-            distance = found.distance();
-          }
-        }
+  void walk(std::uint32_t i, std::uint32_t j) {
+    const auto &x = a.tree_.nodes()[i], &y = b.tree_.nodes()[j];
+    if (boxDistance(x.box, y.box) >= distance) return;
+    if (x.isLeaf() && y.isLeaf()) {
+      compare(x, y);
       return;
     }
-    const bool splitFirst = x.left != 0 && (y.left == 0 || (x.high - x.low).norm() >= (y.high - y.low).norm());
-    std::array<std::pair<std::size_t, std::size_t>, 2> next{std::pair{splitFirst ? x.left : i, splitFirst ? j : y.left},
-                                                            std::pair{splitFirst ? x.right : i, splitFirst ? j : y.right}};
-    const auto gap = [&](const auto& pair) { return apart(a.nodes_[pair.first], b.nodes_[pair.second]); };
+    const bool splitFirst = !x.isLeaf() && (y.isLeaf() || x.box.diagonal().norm() >= y.box.diagonal().norm());
+    std::array<std::pair<std::uint32_t, std::uint32_t>, 2> next{
+        std::pair{splitFirst ? i + 1 : i, splitFirst ? j : j + 1},
+        std::pair{splitFirst ? x.right : i, splitFirst ? j : y.right}};
+    const auto gap = [&](const auto& pair) {
+      return boxDistance(a.tree_.nodes()[pair.first].box, b.tree_.nodes()[pair.second].box);
+    };
     if (gap(next[1]) < gap(next[0])) std::swap(next[0], next[1]);
-    for (const auto& [p, q] : next) closest(p, q, best, distance);
+    for (const auto& [p, q] : next) walk(p, q);
   }
 
-  [[nodiscard]] bool near(const Vec3& low, const Vec3& high, std::size_t j, double reach) const {
-    const Node& y = b.nodes_[j];
-    if (boxDistance(low, high, y.low, y.high) > reach) return false;
-    if (y.left != 0) return near(low, high, y.left, reach) || near(low, high, y.right, reach);
-    for (std::size_t q = y.begin; q < y.end; ++q) {
-      const Triangle3& t = b.triangles_[b.order_[q]];
-      if (boxDistance(low, high, lowOf(t), highOf(t)) <= reach) return true;
-    }
-    return false;
+ private:
+  void compare(const BoxTree<3>::Node& x, const BoxTree<3>::Node& y) {
+    progress.check();
+    for (std::uint32_t p = x.first; p < x.first + x.count; ++p)
+      for (std::uint32_t q = y.first; q < y.first + y.count; ++q) {
+        const FootPoints found = closestOnTriangles(a.triangles_[a.tree_.order()[p]], b.triangles_[b.tree_.order()[q]]);
+        if (found.distance() >= distance) continue;
+        best = found;
+        distance = found.distance();
+      }
   }
 };
 
 FootPoints TriangleTree::closest(const TriangleTree& other, const Progress& progress) const {
-  FootPoints best{triangles_[0][0], other.triangles_[0][0]};
-  double distance = best.distance();
-  TreeWalk{*this, other, progress}.closest(0, 0, best, distance);
-  return best;
+  const FootPoints any{triangles_[0][0], other.triangles_[0][0]};
+  NearestTriangles search{*this, other, progress, any, any.distance()};
+  search.walk(0, 0);
+  return search.best;
 }
 
 std::vector<std::size_t> TriangleTree::within(const TriangleTree& other, double reach, const Progress& progress) const {
-  const TreeWalk walk{*this, other, progress};
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     if (i % 1024 == 0) progress.check();
-    if (walk.near(lowOf(triangles_[i]), highOf(triangles_[i]), 0, reach)) result.push_back(i);
+    const Box3 box = boxOf(triangles_[i]);
+    bool found = false;
+    other.tree_.walk([&](const Box3& around) { return boxDistance(box, around); },
+                     [&](std::size_t k) { found = found || boxDistance(box, boxOf(other.triangles_[k])) <= reach; },
+                     [&](double away) { return !found && away <= reach; });
+    if (found) result.push_back(i);
   }
   return result;
 }

@@ -11,8 +11,8 @@ struct GaussRule {
   std::span<const double> weights;
 };
 
-/// Rule with n nodes, 1 <= n <= 32. The nodes are roots of Legendre polynomials found by Newton's method, accurate to one or
-/// two units in the last place.
+/// Rule with n nodes, 1 <= n <= 32. Nodes are roots of Legendre polynomials found by Newton's method, good to the last bit
+/// or two. Hand-written because Boost's rules have their number of nodes as a template parameter.
 GaussRule gaussRule(std::size_t n);
 
 namespace detail {

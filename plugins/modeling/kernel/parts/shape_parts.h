@@ -9,9 +9,7 @@ namespace blossom::modeling {
 std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
 /// Those that belong to no sub-shape of type `within`, such as wires that bound no face.
 std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape&, TopAbs_ShapeEnum type, TopAbs_ShapeEnum within);
-/// A single shape itself, else a compound.
-TopoDS_Shape together(const std::vector<TopoDS_Shape>&);
-/// Signed volume; negative when the faces are oriented inward.
+/// Signed volume; negative when the faces look inward.
 double volumeOf(const TopoDS_Shape&);
 double areaOf(const TopoDS_Shape&);
 /// Diagonal of the bounding box; 0 when the shape is empty.

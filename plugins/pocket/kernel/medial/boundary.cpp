@@ -11,6 +11,7 @@
 #include "core/units.h"
 #include "geometry/planar/planar.h"
 #include "kernel/stroke/grid.h"
+#include "kernel/stroke/stroke.h"
 
 namespace blossom::pocket {
 
@@ -226,10 +227,10 @@ void Boundary::take(const Path& path) {
 }
 
 void Boundary::makeTree() {
-  std::vector<std::pair<Vec2, Vec2>> ends;
-  ends.reserve(pieces_.size());
-  for (const Piece& piece : pieces_) ends.emplace_back(piece.from, piece.to);
-  tree_ = PieceTree(ends);
+  std::vector<Box2> boxes;
+  boxes.reserve(pieces_.size());
+  for (const Piece& piece : pieces_) boxes.push_back(piece.box());
+  tree_ = BoxTree<2>(boxes);
 }
 
 Boundary::Nearest Boundary::nearest(const Vec2& x) const {
@@ -249,7 +250,8 @@ Boundary::Nearest Boundary::nearest(const Vec2& x) const {
     consider(i, guess);
     consider(i, std::clamp(curves_[piece.curve].foot(x, guess, 0), 0.0, 1.0));
   };
-  tree_.near(x, visit, [&] { return best.distance + 2 * chord_ + weld_; });
+  tree_.walk([&](const Box2& box) { return boxDistance(box, x); }, visit,
+             [&](double away) { return away <= best.distance + 2 * chord_ + weld_; });
   return best;
 }
 
@@ -260,7 +262,7 @@ double Boundary::flatDistance(const Vec2& x) const {
     const double share = nearestShare(piece.from, piece.to, x);
     best = std::min(best, (piece.from + share * piece.along() - x).norm());
   };
-  tree_.near(x, visit, [&] { return best; });
+  tree_.walk([&](const Box2& box) { return boxDistance(box, x); }, visit, [&](double away) { return away <= best; });
   return best;
 }
 

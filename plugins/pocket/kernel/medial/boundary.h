@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/numeric/box_tree.h"
 #include "geometry/planar/region.h"
 #include "kernel/medial/true_curve.h"
-#include "kernel/stroke/piece_tree.h"
 
 namespace blossom::pocket {
 
@@ -27,6 +27,10 @@ struct Piece {
   Joint end = Joint::Corner;
 
   [[nodiscard]] Vec2 along() const { return to - from; }
+  /// Around it, and `margin` mm more.
+  [[nodiscard]] Box2 box(double margin = 0) const {
+    return {from.cwiseMin(to).array() - margin, from.cwiseMax(to).array() + margin};
+  }
 };
 
 /// The boundary of a region, flattened, with references to its curves. Immutable.
@@ -73,7 +77,7 @@ class Boundary {
   Region region_;
   std::vector<TrueCurve> curves_;
   std::vector<Piece> pieces_;
-  PieceTree tree_;
+  BoxTree<2> tree_;
   double chord_, size_ = 0, weld_ = 0;
   Vec2 middle_ = Vec2::Zero();
 };

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "kernel/medial/boundary.h"
 #include "kernel/stroke/grid.h"
+#include "kernel/stroke/stroke.h"
 
 namespace blossom::pocket {
 
@@ -72,10 +73,6 @@ Vec2 crossingPoint(const Piece& a, const Piece& b) {
   return a.from + share * a.along();
 }
 
-FlatBox boxOf(const Piece& piece, double margin) {
-  return {piece.from.cwiseMin(piece.to).array() - margin, piece.from.cwiseMax(piece.to).array() + margin};
-}
-
 }  // namespace
 
 void Boundary::splitWhereTouched(const Progress& progress) {
@@ -88,7 +85,7 @@ void Boundary::splitWhereTouched(const Progress& progress) {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     if (i % 1024 == 0) progress.check();
     const Vec2 at = pieces_[i].from;
-    tree_.meeting({at.array() - weld_, at.array() + weld_}, [&](std::size_t k) {
+    tree_.meeting(Box2(at.array() - weld_, at.array() + weld_), [&](std::size_t k) {
       Piece& other = pieces_[k];
       if (k == i || k == pieces_[i].previous) return;
       const auto weldTo = [&](Piece& begins) {
@@ -135,14 +132,15 @@ std::optional<Boundary::Trouble> Boundary::crossing(const Progress& progress) co
   std::optional<Trouble> found;
   for (std::size_t i = 0; i < pieces_.size() && !found; ++i) {
     if (i % 1024 == 0) progress.check();
-    tree_.meeting(boxOf(pieces_[i], 2 * grid.step()), [&](std::size_t k) {
-      if (k <= i || found) return;
+    const auto visit = [&](std::size_t k) {
+      if (found) return;
       const Clash kind = clash(onGrid[i], onGrid[k]);
       if (kind != Clash::None) found = Trouble{crossingPoint(pieces_[i], pieces_[k]), kind == Clash::Along};
       if (onGrid[i].from == onGrid[k].from && changeSides(pieces_[i].from, pieces_[pieces_[i].previous].from, pieces_[i].to,
                                                           pieces_[pieces_[k].previous].from, pieces_[k].to))
         found = Trouble{pieces_[i].from, false};
-    });
+    };
+    tree_.meeting(pieces_[i].box(2 * grid.step()), visit, i + 1);
   }
   return found;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/stroke/stroke.h"
+
 namespace blossom::pocket {
 
 namespace {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/stroke/stroke.h"
+
 namespace blossom::pocket {
 
 namespace {

@@ -47,19 +47,19 @@ DiscProof::DiscProof(const Region& region, double bulge, const Progress& progres
       else
         for (const BezierPiece& piece : bezierPieces(std::get<Spline2>(segment))) addBezier(piece);
     }
-  std::vector<std::pair<Vec2, Vec2>> boxes;
+  std::vector<Box2> boxes;
   for (const Piece& piece : pieces_) {
     const auto [low, high] = piece.stroke.box();
     boxes.emplace_back(low.array() - piece.bulge, high.array() + piece.bulge);
   }
-  tree_ = PieceTree(boxes);
+  tree_ = BoxTree<2>(boxes);
 }
 
 bool DiscProof::isClear(const Vec2& center, double radius) const {
   bool nothing = true;
-  tree_.near(
-      center, [&](std::size_t i) { nothing = nothing && distance(pieces_[i].stroke, center) - pieces_[i].bulge >= radius; },
-      [&] { return nothing ? radius : -1.0; });
+  tree_.walk([&](const Box2& box) { return boxDistance(box, center); },
+             [&](std::size_t i) { nothing = nothing && distance(pieces_[i].stroke, center) - pieces_[i].bulge >= radius; },
+             [&](double away) { return nothing && away <= radius; });
   return nothing;
 }
 

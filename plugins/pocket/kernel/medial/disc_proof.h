@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/numeric/box_tree.h"
 #include "geometry/planar/region.h"
-#include "kernel/stroke/piece_tree.h"
 #include "kernel/stroke/stroke.h"
 
 namespace blossom::pocket {
@@ -25,7 +25,7 @@ class DiscProof {
     double bulge = 0;  ///< mm, maximum distance of the curve from the stroke
   };
   std::vector<Piece> pieces_;
-  PieceTree tree_;
+  BoxTree<2> tree_;
 };
 
 }  // namespace blossom::pocket

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "geometry/planar/planar.h"
-#include "kernel/stroke/piece_tree.h"
+#include "kernel/stroke/stroke.h"
 
 namespace blossom::pocket {
 

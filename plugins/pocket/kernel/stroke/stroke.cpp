@@ -153,10 +153,7 @@ std::pair<Vec2, Vec2> Stroke::box() const {
 }
 
 double Stroke::nearestShare(const Vec2& p) const {
-  if (!round) {
-    const double squared = (to - from).squaredNorm();
-    return squared > 0 ? std::clamp((p - from).dot(to - from) / squared, 0.0, 1.0) : 0;
-  }
+  if (!round) return blossom::pocket::nearestShare(from, to, p);
   const Vec2 d = p - center;
   if (d.norm() > 0 && spans(*this, d)) return turned(*this, d) / std::abs(sweep);
   return (p - from).squaredNorm() <= (p - to).squaredNorm() ? 0 : 1;

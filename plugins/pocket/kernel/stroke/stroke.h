@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,13 @@ struct Stroke {
   /// The fraction of the length of the point nearest to p.
   [[nodiscard]] double nearestShare(const Vec2& p) const;
 };
+
+/// The share of the way from `a` to `b` at which a straight line is nearest to x.
+inline double nearestShare(const Vec2& a, const Vec2& b, const Vec2& x) {
+  const Vec2 along = b - a;
+  const double squared = along.squaredNorm();
+  return squared > 0 ? std::clamp((x - a).dot(along) / squared, 0.0, 1.0) : 0;
+}
 
 double distance(const Stroke&, const Vec2&);
 /// Minimum distance of two strokes, in closed form; 0 when they meet. The candidates are the four ends, the crossings of the

@@ -2,11 +2,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/numeric/box_tree.h"
 #include "kernel/stroke/stroke.h"
 
 namespace blossom::pocket {
 
-/// Bounding volume hierarchy of strokes: minimum distances in O(log n). Immutable, usable from several threads.
+/// Least distances to many strokes in O(log n). Immutable, safe to use from several threads.
 class StrokeTree {
  public:
   StrokeTree() = default;
@@ -24,17 +25,11 @@ class StrokeTree {
   [[nodiscard]] Nearest nearest(const Stroke&, double bound = 1e300) const;
 
  private:
-  struct Node {
-    Vec2 low, high;
-    std::size_t first = 0, count = 0;  ///< of a leaf: its strokes; else `first` is the right child, the left one follows
-  };
-  void build(std::size_t from, std::size_t to);
-  template <class Measure>
-  Nearest search(const Vec2& low, const Vec2& high, double bound, const Measure&) const;
+  template <class Wanted, class DistanceTo>
+  Nearest search(const Wanted&, double bound, const DistanceTo&) const;
 
   std::vector<Stroke> strokes_;
-  std::vector<std::size_t> order_;
-  std::vector<Node> nodes_;
+  BoxTree<2> tree_;
 };
 
 }  // namespace blossom::pocket

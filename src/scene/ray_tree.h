@@ -20,12 +20,14 @@ struct FloatBox {
   [[nodiscard]] bool empty() const { return low[0] > high[0]; }
 };
 
-/// Bounding-volume hierarchy split by the binned surface area heuristic (I. Wald, "On fast construction of SAH-based
-/// bounding volume hierarchies", 2007). Items are identified by their index. Built in O(n log n).
-class BoxTree {
+/// Hierarchy of boxes split by the surface area heuristic over bins (I. Wald, "On fast construction of SAH-based bounding
+/// volume hierarchies", 2007). Items are numbered as given. Built in O(n log n). Beside BoxTree of geometry/numeric, whose
+/// halves take a fifth of the time to build, because rays among the long thin triangles of exact shapes go through this one
+/// up to 25 times as fast.
+class RayTree {
  public:
-  BoxTree() = default;
-  explicit BoxTree(const std::vector<FloatBox>& items);
+  RayTree() = default;
+  explicit RayTree(const std::vector<FloatBox>& items);
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
 
   /// Visits the items whose boxes the query enters, roughly nearest first. `enter(box)` returns the distance at which a box
@@ -47,7 +49,7 @@ class BoxTree {
 };
 
 template <class Enter, class Visit>
-void BoxTree::walk(const Enter& enter, const Visit& visit, const double& limit) const {
+void RayTree::walk(const Enter& enter, const Visit& visit, const double& limit) const {
   if (nodes_.empty()) return;
   struct Waiting {
     int node;

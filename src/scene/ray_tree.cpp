@@ -1,4 +1,4 @@
-#include "scene/box_tree.h"
+#include "scene/ray_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ float FloatBox::area() const {
   return x * y + y * z + z * x;
 }
 
-class BoxTree::Builder {
+class RayTree::Builder {
  public:
   Builder(const std::vector<FloatBox>& items, std::vector<Node>& nodes, std::vector<int>& order)
       : items_(items), nodes_(nodes), order_(order) {}
@@ -122,7 +122,7 @@ class BoxTree::Builder {
   std::vector<int>& order_;
 };
 
-BoxTree::BoxTree(const std::vector<FloatBox>& items) {
+RayTree::RayTree(const std::vector<FloatBox>& items) {
   if (!items.empty()) Builder(items, nodes_, order_).run();
 }
 

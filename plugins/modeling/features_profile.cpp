@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "feature_groups.h"
-#include "in_worker.h"
+#include "isolate/in_worker.h"
 #include "kernel/parts/shape_parts.h"
 #include "kernel/solid/arrange.h"
 #include "kernel/solid/extrude.h"
@@ -61,7 +61,8 @@ FeatureType extrudeFeature() {
             return out;
           }),
       // Leaning sides are what may take long; a region without them is swept at once.
-      "for the extrusion", [](const Value& parameters, const Inputs&) { return parameters.value("taper", 0.0) != 0; });
+      {.activity = "for the extrusion",
+       .when = [](const Value& parameters, const Inputs&) { return parameters.value("taper", 0.0) != 0; }});
 }
 
 struct RevolveParameters {
@@ -96,7 +97,7 @@ FeatureType revolveFeature() {
                         const RevolveOptions options{.point = p.point, .direction = p.axis, .angle = p.angle};
                         return Evaluated{Brep(revolve(profile, options, progress).shape, "Revolution"), Value::object(), {}};
                       }),
-                  "for the revolution");
+                  {.activity = "for the revolution"});
 }
 
 struct LoftParameters {
@@ -151,7 +152,7 @@ FeatureType loftFeature() {
             const LoftResult made = loft(sectionsOf(p, inputs.of(0)), {.ruled = p.ruled, .solid = p.solid}, progress);
             return Evaluated{Brep(made.shape, "Loft"), {{"sections", inputs.of(0).size()}}, {}};
           }),
-      "for the loft");
+      {.activity = "for the loft"});
 }
 
 struct PipeParameters {
@@ -182,7 +183,7 @@ FeatureType pipeFeature() {
                                    {.corners = p.corners, .place = p.place}, progress);
             return Evaluated{Brep(made.shape, "Pipe"), Value::object(), std::move(made.warnings)};
           }),
-      "for the pipe");
+      {.activity = "for the pipe"});
 }
 
 }  // namespace

@@ -11,9 +11,8 @@ void registerSums(Registry&);
 void registerMorph(Registry&);
 void registerGrowth(Registry&);
 
-/// Evaluated in a worker that loads this plugin.
-FeatureType inWorker(FeatureType, std::string activity);
-/// The same type made both ways: as `make` makes it for the first, and beside it for the second when that takes long.
+/// Evaluated in a worker, for exact arithmetic cannot poll: the way that `make` makes it for the first, and beside it for
+/// the second when that takes long.
 FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity);
 
 /// The solids as one mesh, or as a sequence over `times` when there are any.

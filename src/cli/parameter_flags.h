@@ -7,7 +7,8 @@
 namespace blossom {
 
 /// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that always is there
-/// --name.field VALUE for each of its fields, every other --name VALUE.
+/// --name.field VALUE for each of its fields, every other --name VALUE. A flag that the command has already, for an option
+/// that reader and writer of a format share, stands for both.
 class ParameterFlags {
  public:
   /// @param prefix stands before every name: "stl." gives --stl.ascii. Names that every
@@ -18,7 +19,7 @@ class ParameterFlags {
   /// Canonical values of the flags given on the command line; the others are absent.
   /// @throws UsageError for a value that is not understood or out of range, and for a flag given twice that is no list.
   [[nodiscard]] Value given() const;
-  /// The first flag given, as typed; empty when there is none.
+  /// The first flag given that no others declared before, as typed; empty when there is none.
   [[nodiscard]] std::string firstGiven() const;
 
  private:
@@ -26,6 +27,7 @@ class ParameterFlags {
     std::string record;  ///< that it is a field of; empty: it stands alone
     ParameterSpec spec;
     CLI::Option* option;
+    bool shared;  ///< declared by others before
   };
   void declare(CommandLine&, CLI::App&, const ParameterSpec&, const std::string& record, const std::string& prefix,
                const std::string& group);

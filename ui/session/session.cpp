@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "document/embedded_files.h"
+#include "document/edits.h"
 #include "document/file_access.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"

@@ -33,6 +33,11 @@ if(BLOSSOM_SANITIZE)
   target_link_options(blossom_flags INTERFACE -fsanitize=${BLOSSOM_SANITIZE})
 endif()
 
+# $<LINK_LIBRARY:LOADED,lib>: loaded with the program though nothing in it calls it. Plugins from elsewhere, which have no run path,
+# find it there; Debian's compiler drops what is not called.
+set(CMAKE_CXX_LINK_LIBRARY_USING_LOADED_SUPPORTED ON)
+set(CMAKE_CXX_LINK_LIBRARY_USING_LOADED "LINKER:--push-state,--no-as-needed" "<LINK_ITEM>" "LINKER:--pop-state")
+
 # blossom_room(NAME PUBLIC libs.. PRIVATE libs.. PCH headers..)
 # A room is a shared library made of every .cpp in its folder and the folders in it; headers are included as "NAME/header.h" or
 # "NAME/folder/header.h".

@@ -6,10 +6,9 @@
 #include "feature/plugin.h"
 #include "feature/registry.h"
 #include "geometry/planar/planar.h"
-#include "in_worker.h"
 #include "kernel/morph.h"
 #include "kernel/region_sum.h"
-#include "worker/worker.h"
+#include "long_sums.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -181,17 +180,12 @@ FeatureType differenceFeature(std::size_t maximumWork) {
       });
 }
 
+}  // namespace
+
 void registerAll(Registry& registry) {
   for (const auto& make : {morphFeature, sumFeature, differenceFeature}) registry.add(inWorkerWhenLong(make));
 }
 
-}  // namespace
 }  // namespace blossom::minkowski
 
 BLOSSOM_PLUGIN(registry) { blossom::minkowski::registerAll(registry); }
-
-/// The features register their calls when they are made.
-BLOSSOM_WORKER_CALLS() {
-  blossom::Registry registry;
-  blossom::minkowski::registerAll(registry);
-}

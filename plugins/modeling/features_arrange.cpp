@@ -1,7 +1,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "feature_groups.h"
-#include "in_worker.h"
+#include "isolate/in_worker.h"
 #include "kernel/parts/boolean.h"
 #include "kernel/parts/placement.h"
 #include "kernel/solid/arrange.h"
@@ -145,7 +145,7 @@ FeatureType patternFeature() {
           .example("blossom pattern hole.step --count 4 --step 25,0,0 --second-count 2 --second-step 0,40,0 -o holes.step")
           .example("blossom pattern tooth.step --kind circular --count 12 --join -o gear.step")
           .evaluate(patternOf),
-      "for the pattern", joinsSolids);
+      {.activity = "for the pattern", .when = joinsSolids});
 }
 
 struct MirrorParameters {
@@ -177,7 +177,7 @@ FeatureType mirrorFeature() {
                         const Shape image = transformed(shape, reflection(p.point, p.normal));
                         return Evaluated{p.keep ? assembled({shape, image}, p.join, progress) : image, Value::object(), {}};
                       }),
-                  "for the mirror image", joinsSolids);
+                  {.activity = "for the mirror image", .when = joinsSolids});
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "feature_groups.h"
-#include "in_worker.h"
+#include "isolate/in_worker.h"
 #include "kernel/parts/shape_parts.h"
 #include "kernel/solid/arrange.h"
 #include "kernel/solid/extrude.h"
@@ -60,8 +60,9 @@ FeatureType extrudeFeature() {
             out.shape = Brep(extrude(profileShape(drawn, p.face, p.solid), options, progress).shape, "Extrusion");
             return out;
           }),
-      // Only tapered sides may take long; a region without a taper is extruded in this process.
-      "for the extrusion", [](const Value& parameters, const Inputs&) { return parameters.value("taper", 0.0) != 0; });
+      // Leaning sides are what may take long; a region without them is swept at once.
+      {.activity = "for the extrusion",
+       .when = [](const Value& parameters, const Inputs&) { return parameters.value("taper", 0.0) != 0; }});
 }
 
 struct RevolveParameters {
@@ -96,7 +97,7 @@ FeatureType revolveFeature() {
                         const RevolveOptions options{.point = p.point, .direction = p.axis, .angle = p.angle};
                         return Evaluated{Brep(revolve(profile, options, progress).shape, "Revolution"), Value::object(), {}};
                       }),
-                  "for the revolution");
+                  {.activity = "for the revolution"});
 }
 
 struct LoftParameters {
@@ -151,7 +152,7 @@ FeatureType loftFeature() {
             const LoftResult made = loft(sectionsOf(p, inputs.of(0)), {.ruled = p.ruled, .solid = p.solid}, progress);
             return Evaluated{Brep(made.shape, "Loft"), {{"sections", inputs.of(0).size()}}, {}};
           }),
-      "for the loft");
+      {.activity = "for the loft"});
 }
 
 struct PipeParameters {
@@ -161,27 +162,28 @@ struct PipeParameters {
 
 FeatureType pipeFeature() {
   using P = PipeParameters;
-  return inWorker(feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
-                      .icon("pipe")
-                      .produces({ShapeKind::Brep})
-                      .input({.name = "profile", .help = "The outline to sweep.", .kinds = profileKinds})
-                      .input({.name = "path",
-                              .help = "The curve to sweep it along.",
-                              .kinds = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::Brep}})
-                      .parameter("corners", &P::corners, choice({"mitred", "round"}), "What becomes of corners in the path.")
-                      .parameter("place", &P::place, flag(),
-                                 "Place the drawing perpendicular to the path at its start, origin on the path; off: sweep "
-                                 "it from its own position.")
-                      .parameter("solid", &P::solid, flag(), solidHelp)
-                      .example("blossom pipe section.svg path.svg -o rail.step")
-                      .example("blossom pipe ring.dxf path.dxf --corners round -o tube.step")
-                      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-                        const Shape& profile = inputs.of(0)[0];
-                        PipeResult made = pipe(profileShape(profile, {}, p.solid), profileShape(inputs.of(1)[0], {}, false),
-                                               {.corners = p.corners, .place = p.place}, progress);
-                        return Evaluated{Brep(made.shape, "Pipe"), Value::object(), std::move(made.warnings)};
-                      }),
-                  "for the pipe");
+  return inWorker(
+      feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
+          .icon("pipe")
+          .produces({ShapeKind::Brep})
+          .input({.name = "profile", .help = "The outline that is moved.", .kinds = profileKinds})
+          .input({.name = "path",
+                  .help = "The curve that it is moved along.",
+                  .kinds = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::Brep}})
+          .parameter("corners", &P::corners, choice({"mitred", "round"}), "What becomes of corners in the path.")
+          .parameter(
+              "place", &P::place, flag(),
+              "Put the origin of the drawing on the start of the path, square to it; off: sweep it from where it lies.")
+          .parameter("solid", &P::solid, flag(), solidHelp)
+          .example("blossom pipe section.svg path.svg -o rail.step")
+          .example("blossom pipe ring.dxf path.dxf --corners round -o tube.step")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            const Shape& profile = inputs.of(0)[0];
+            PipeResult made = pipe(profileShape(profile, {}, p.solid), profileShape(inputs.of(1)[0], {}, false),
+                                   {.corners = p.corners, .place = p.place}, progress);
+            return Evaluated{Brep(made.shape, "Pipe"), Value::object(), std::move(made.warnings)};
+          }),
+      {.activity = "for the pipe"});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "core/error.h"
 #include "feature_groups.h"
-#include "in_worker.h"
+#include "isolate/in_worker.h"
 #include "kernel/parts/boolean.h"
 #include "kernel/parts/shape_parts.h"
 #include "kernel/solid/arrange.h"
@@ -63,7 +63,7 @@ FeatureType booleanFeature() {
           .example("blossom boolean plate.step pin.step --operation difference -o drilled.step")
           .example("blossom boolean a.step b.step c.step -o all.step")
           .evaluate(booleanOf),
-      "for the Boolean operation");
+      {.activity = "for the Boolean operation"});
 }
 
 InputSpec solidInput() { return {.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}}; }
@@ -88,7 +88,7 @@ FeatureType filletFeature() {
             const FilletResult made = fillet(inputs.get<Brep>().shape(), {p.radius, numbersOf(p.edges)}, progress);
             return Evaluated{Brep(made.shape), {{"rounded_edges", made.edges}}, {}};
           }),
-      "for the fillet");
+      {.activity = "for the fillet"});
 }
 
 struct ChamferParameters {
@@ -115,7 +115,7 @@ FeatureType chamferFeature() {
                 chamfer(inputs.get<Brep>().shape(), {p.distance, p.second, numbersOf(p.edges)}, progress);
             return Evaluated{Brep(made.shape), {{"chamfered_edges", made.edges}}, {}};
           }),
-      "for the chamfer");
+      {.activity = "for the chamfer"});
 }
 
 struct ShellParameters {
@@ -139,7 +139,7 @@ FeatureType shellFeature() {
             const ShellResult made = shell(inputs.get<Brep>().shape(), {p.thickness, p.side, numbersOf(p.faces)}, progress);
             return Evaluated{Brep(made.shape), {{"open_faces", p.faces.size()}}, {}};
           }),
-      "for the shell");
+      {.activity = "for the shell"});
 }
 
 }  // namespace

@@ -1,14 +1,10 @@
 #include "feature_groups.h"
 
-#include "isolate/isolated.h"
-#include "worker/worker.h"
+#include "isolate/in_worker.h"
 
 namespace blossom::morphology {
 
 namespace {
-
-/// Its address identifies this module.
-const char anchor = 0;
 
 Value statsOf(const MorphologyStats& stats) {
   return {{"parts_a", stats.partsA},     {"parts_b", stats.partsB},
@@ -20,13 +16,8 @@ Value statsOf(const MorphologyStats& stats) {
 
 }  // namespace
 
-FeatureType inWorker(FeatureType type, std::string activity) {
-  return isolated(std::move(type), {.activity = std::move(activity), .module = moduleOf(&anchor)});
-}
-
 FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity) {
-  return isolated(make(Way::Corefined),
-                  {.activity = std::move(activity), .module = moduleOf(&anchor), .rival = make(Way::Nef).evaluate});
+  return inWorker(make(Way::Corefined), {.activity = std::move(activity), .rival = make(Way::Nef).evaluate});
 }
 
 Evaluated evaluatedFrom(MorphologyResult result, const std::vector<double>& times) {

@@ -11,10 +11,8 @@ void registerSums(Registry&);
 void registerMorph(Registry&);
 void registerGrowth(Registry&);
 
-/// Evaluated in a worker that loads this plugin.
-FeatureType inWorker(FeatureType, std::string activity);
-/// The same type made twice by `make`: for the first algorithm, and for the second, which is started beside it when it takes
-/// long.
+/// Evaluated in a worker, for exact arithmetic cannot poll: the way that `make` makes it for the first, and beside it for
+/// the second when that takes long.
 FeatureType inWorkers(const std::function<FeatureType(Way)>& make, std::string activity);
 
 /// The solids as one mesh, or as a sequence when `times` is not empty.

@@ -1,6 +1,7 @@
 #include <functional>
 
 #include "feature_groups.h"
+#include "isolate/in_worker.h"
 
 namespace blossom::morphology {
 
@@ -83,7 +84,7 @@ FeatureType meltFeature() {
 }  // namespace
 
 void registerGrowth(Registry& registry) {
-  registry.addAll(inWorkers(inflateFeature, "for the inflating"), inWorker(meltFeature(), "for the melting"));
+  registry.addAll(inWorkers(inflateFeature, "for the inflating"), inWorker(meltFeature(), {.activity = "for the melting"}));
 }
 
 }  // namespace blossom::morphology

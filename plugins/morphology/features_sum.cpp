@@ -1,6 +1,7 @@
 #include <functional>
 
 #include "feature_groups.h"
+#include "isolate/in_worker.h"
 
 namespace blossom::morphology {
 
@@ -62,7 +63,7 @@ FeatureType melting(const PairTexts& texts, const PairOperation& operation) {
   return inWorker(made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {
     return combined(operation, true, p, inputs, progress);
   }),
-                  texts.activity);
+                  {.activity = texts.activity});
 }
 
 FeatureType differenceFeature() {

@@ -2,12 +2,11 @@
 
 #include "core/units.h"
 #include "feature/plugin.h"
-#include "isolate/isolated.h"
+#include "isolate/in_worker.h"
 #include "kernel/cubic_approximation.h"
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
 #include "kernel/validity.h"
-#include "worker/worker.h"
 
 namespace blossom::sweep {
 
@@ -94,9 +93,6 @@ Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& 
   return out;
 }
 
-/// Its address identifies this module.
-const char anchor = 0;
-
 FeatureType sweepFeature() {
   using P = SweepParameters;
   FeatureType type =
@@ -116,17 +112,15 @@ FeatureType sweepFeature() {
           .example("blossom sweep helicoid.json -o helicoid.stl --json")
           .evaluate(sweep);
   // OCCT builds and meshes the solid: it cannot be cancelled everywhere, and may crash on what crosses itself.
-  return isolated(std::move(type), {.activity = "for the solid of the sweep",
-                                    .module = moduleOf(&anchor),
-                                    .when = [](const Value& parameters, const Inputs&) {
-                                      const auto solid = parameters.find("solid");
-                                      return solid != parameters.end() && solid->get<bool>();
-                                    }});
+  return inWorker(std::move(type),
+                  {.activity = "for the solid of the sweep", .when = [](const Value& parameters, const Inputs&) {
+                     const auto solid = parameters.find("solid");
+                     return solid != parameters.end() && solid->get<bool>();
+                   }});
 }
 
 }  // namespace
 
 }  // namespace blossom::sweep
 
-BLOSSOM_WORKER_CALLS() { blossom::sweep::sweepFeature(); }
 BLOSSOM_PLUGIN(registry) { registry.add(blossom::sweep::sweepFeature()); }

@@ -10,7 +10,7 @@
 #include "app/literal_feature.h"
 #include "app/picture_format.h"
 #include "core/error.h"
-#include "document/embedded_files.h"
+#include "document/edits.h"
 #include "document/file_access.h"
 #include "exchange/formats.h"
 

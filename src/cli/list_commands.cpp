@@ -56,6 +56,7 @@ int listPlugins(const Invocation& invocation) {
                    {"version", manifest.version},
                    {"summary", manifest.summary},
                    {"features", manifest.features},
+                   {"formats", manifest.formats},
                    {"folder", manifest.folder.string()},
                    {"loaded", plugin.problem.empty()},
                    {"problem", plugin.problem}});

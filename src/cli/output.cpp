@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "document/embedded_files.h"
+#include "document/edits.h"
 #include "exchange/format/frames.h"
 
 namespace blossom {

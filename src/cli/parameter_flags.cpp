@@ -85,7 +85,11 @@ ParameterFlags::ParameterFlags(CommandLine& line, CLI::App& app, std::vector<Par
 
 void ParameterFlags::declare(CommandLine& line, CLI::App& app, const ParameterSpec& spec, const std::string& record,
                              const std::string& prefix, const std::string& group) {
-  CLI::Option* option = nullptr;
+  CLI::Option* option = app.get_option_no_throw("--" + prefix + spec.name);
+  if (option) {
+    entries_.push_back({record, spec, option, true});
+    return;
+  }
   const std::string help = helpText(spec);
   if (spec.kind == ParameterKind::Flag) {
     option = app.add_flag(fmt::format("--{0}{1},!--{0}no-{1}", prefix, spec.name), help);
@@ -95,7 +99,7 @@ void ParameterFlags::declare(CommandLine& line, CLI::App& app, const ParameterSp
   }
   option->type_name(placeholder(spec))->group(group);
   if (spec.kind == ParameterKind::Choice) line.choices[option] = spec.choices;
-  entries_.push_back({record, spec, option});
+  entries_.push_back({record, spec, option, false});
 }
 
 Value ParameterFlags::values() const {
@@ -116,7 +120,7 @@ Value ParameterFlags::values() const {
 
 std::string ParameterFlags::firstUsed() const {
   for (const Entry& entry : entries_)
-    if (entry.option->count() > 0) return entry.option->get_name();
+    if (!entry.shared && entry.option->count() > 0) return entry.option->get_name();
   return {};
 }
 

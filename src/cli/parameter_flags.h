@@ -6,8 +6,9 @@
 
 namespace blossom {
 
-/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that cannot be absent
-/// --name.field VALUE for each of its fields, any other parameter --name VALUE.
+/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that always is there
+/// --name.field VALUE for each of its fields, every other --name VALUE. A flag that the command has already, for an option
+/// that reader and writer of a format share, stands for both.
 class ParameterFlags {
  public:
   /// @param prefix of every name: "stl." makes --stl.ascii. Names that every
@@ -15,17 +16,18 @@ class ParameterFlags {
   ParameterFlags(CommandLine&, CLI::App&, std::vector<ParameterSpec> specs, const std::string& prefix,
                  const std::string& group);
 
-  /// Canonical values of the flags on the command line; parameters without a flag are absent.
-  /// @throws UsageError for a value that cannot be parsed or is out of range, and for a repeated flag that is no list.
-  [[nodiscard]] Value values() const;
-  /// The first flag on the command line, as typed; empty when there is none.
-  [[nodiscard]] std::string firstUsed() const;
+  /// Canonical values of the flags given on the command line; the others are absent.
+  /// @throws UsageError for a value that is not understood or out of range, and for a flag given twice that is no list.
+  [[nodiscard]] Value given() const;
+  /// The first flag given that no others declared before, as typed; empty when there is none.
+  [[nodiscard]] std::string firstGiven() const;
 
  private:
   struct Entry {
     std::string record;  ///< the record it is a field of; empty: none
     ParameterSpec spec;
     CLI::Option* option;
+    bool shared;  ///< declared by others before
   };
   void declare(CommandLine&, CLI::App&, const ParameterSpec&, const std::string& record, const std::string& prefix,
                const std::string& group);

@@ -1,4 +1,4 @@
-#include "document/embedded_files.h"
+#include "document/edits.h"
 
 #include <fmt/format.h>
 

@@ -64,6 +64,14 @@ class ManifestReader {
     return found->get<std::vector<std::string>>();
   }
 
+  std::vector<std::string> formats() const {
+    const auto found = json_.find("formats");
+    if (found == json_.end()) return {};
+    if (!found->is_array() || !std::all_of(found->begin(), found->end(), [](const Value& v) { return v.is_string(); }))
+      broken(file_, "\"formats\" must be a list of the ids of file formats");
+    return found->get<std::vector<std::string>>();
+  }
+
  private:
   const fs::path& file_;
   const Value& json_;
@@ -102,6 +110,7 @@ PluginManifest readManifest(const fs::path& file) {
   manifest.compute = reader.module("compute", true);
   manifest.manipulators = reader.module("manipulators", false);
   manifest.features = reader.features(manifest.id);
+  manifest.formats = reader.formats();
   return manifest;
 }
 

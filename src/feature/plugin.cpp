@@ -71,17 +71,22 @@ void registerFeatures(const PluginManifest& manifest, Registry& scratch) {
   }
 }
 
-/// What the manifest declares and what is registered must be the same: the manifest is what menus and messages rely on.
-void compareWithManifest(const PluginManifest& manifest, const Registry& scratch) {
-  const std::set<std::string> declared(manifest.features.begin(), manifest.features.end());
-  std::set<std::string> registered;
-  for (const auto& type : scratch.types()) registered.insert(type->id);
+void compareIds(const std::string& kind, const std::vector<std::string>& declared, const std::set<std::string>& registered) {
   for (const auto& id : registered)
-    if (!declared.contains(id))
-      broken(fmt::format("It registers the feature {}, which its plugin.json does not declare.", id));
+    if (std::find(declared.begin(), declared.end(), id) == declared.end())
+      broken(fmt::format("It registers the {} {}, which its plugin.json does not declare.", kind, id));
   for (const auto& id : declared)
     if (!registered.contains(id))
-      broken(fmt::format("It does not register the feature {}, which its plugin.json declares.", id));
+      broken(fmt::format("It does not register the {} {}, which its plugin.json declares.", kind, id));
+}
+
+/// What the manifest declares and what is registered must be the same: the manifest is what menus and messages rely on.
+void compareWithManifest(const PluginManifest& manifest, const Registry& scratch) {
+  std::set<std::string> features, formats;
+  for (const auto& type : scratch.types()) features.insert(type->id);
+  for (const Format& format : scratch.formats().formats()) formats.insert(format.id);
+  compareIds("feature", manifest.features, features);
+  compareIds("format", manifest.formats, formats);
 }
 
 /// Nothing when a plugin of that id is loaded already.

@@ -4,6 +4,7 @@
 #include "ui/fields/parameter_field.h"
 #include "ui/help/manual_pages.h"
 #include "ui/look/text.h"
+#include "ui/page/feature_menus.h"
 #include "ui/panel/property_panel.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
@@ -11,8 +12,8 @@
 using namespace blossom;
 using namespace blossom::ui;
 
-/// The gear of the example plugin, built outside of the tree against the installed package, is everywhere in the window
-/// although no line of the window knows it.
+/// The gear, its handle and the file format of the example plugin, built outside of the tree against the installed package,
+/// are everywhere in the window although no line of the window knows them.
 class ExamplePluginWindowTest : public WindowFixture {
   Q_OBJECT
  private slots:
@@ -26,8 +27,15 @@ class ExamplePluginWindowTest : public WindowFixture {
   void hasAMenuAndACommand();
   void isAddedEditedAndUndone();
   void hasAPageInTheManual();
+  void itsHandleIsDraggedWhileTheAreaIsComputed();
+  void itsFormatIsOpenedAndExported();
 
  private:
+  FeatureId addGear() {
+    gear()->trigger();
+    waitUntilComputed();
+    return last();
+  }
   QAction* gear() { return window_->commands().find(QStringLiteral("feature.example.gear"))->action; }
   std::filesystem::path plugin_;
 };
@@ -73,6 +81,53 @@ void ExamplePluginWindowTest::hasAPageInTheManual() {
   QCOMPARE(page->title, QStringLiteral("Gear"));
   for (const char* word : {"pressure", "Number of teeth", "blossom gear --teeth 24"})
     QVERIFY2(page->text.contains(QLatin1String(word)), word);
+}
+
+// The module is the radius of the pitch circle, where the handle stands, times two over the 20 teeth.
+void ExamplePluginWindowTest::itsHandleIsDraggedWhileTheAreaIsComputed() {
+  run("file.new");
+  const FeatureId id = addGear();
+  window_->tree().select(id);
+  QTRY_VERIFY(window_->page().tool());
+  const auto area = [&] { return QStringLiteral("%1 mm²").arg(measureOf(id, "area"), 0, 'f', 1); };
+  QTRY_VERIFY2(window_->page().tool()->hint().endsWith(area()), qPrintable(window_->page().tool()->hint()));
+  QCOMPARE(window_->page().tool()->props().size(), std::size_t{1});
+
+  window_->view().fitTo({{-50, -50, 0}, {50, 50, 0}}, false);
+  const Vec3 handle(20, 0, 0), wanted(30, 0, 0);
+  const QPoint from = screenOf(handle), to = screenOf(wanted);
+  test::moveMouse(&window_->view(), from);
+  QTest::mousePress(&window_->view(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 8; ++i) test::moveMouse(&window_->view(), from + (to - from) * i / 8);
+  QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, to);
+  waitUntilComputed();
+  const double module = window_->page().document().at(id).parameters.value("module", 2.0);
+  COMPARE_NEAR(module, 3, 2 * window_->view().camera().millimetresPerPixel());
+  QTRY_VERIFY2(window_->page().tool()->hint().endsWith(area()), qPrintable(window_->page().tool()->hint()));
+  window_->session().undo();
+  waitUntilComputed();
+  QCOMPARE(window_->page().document().at(id).parameters.value("module", 2.0), 2.0);
+  QTRY_VERIFY2(window_->page().tool()->hint().endsWith(area()), qPrintable(window_->page().tool()->hint()));
+}
+
+void ExamplePluginWindowTest::itsFormatIsOpenedAndExported() {
+  QVERIFY(readFilters(window_->session().app()).join(QLatin1Char(' ')).contains(QStringLiteral("*.plt")));
+  run("file.new");
+  const FeatureId id = addGear();
+  window_->tree().select(id);
+  const double perimeter = measureOf(id, "perimeter");
+  QVERIFY(perimeter > 100);
+  const QString file = folder_.filePath(QStringLiteral("gear.plt"));
+  exportAs("hpgl", file, {{"unit", 0.0125}});
+  QVERIFY(QFile::exists(file));
+  openAndWait(file);
+  // Read in units of 0.025 mm, everything is twice as large.
+  COMPARE_NEAR(measureOf(last(), "length"), 2 * perimeter, 1);
+  ParameterField* const options = window_->properties().field(QStringLiteral("hpgl"));
+  QVERIFY(options && !options->isHidden());
+  options->edited({{"unit", 0.0125}});
+  waitUntilComputed();
+  COMPARE_NEAR(measureOf(last(), "length"), perimeter, 0.5);
 }
 
 BLOSSOM_WINDOW_TEST_MAIN(ExamplePluginWindowTest)

@@ -6,7 +6,6 @@
 
 #include "core/file.h"
 #include "document/edits.h"
-#include "document/embedded_files.h"
 #include "support/support.h"
 
 using namespace blossom;

@@ -72,8 +72,30 @@ FeatureType echoFeature(const std::string& id, const std::string& command, std::
       });
 }
 
+/// The size of a tetrahedron, as a number of a unit that reader and writer share as an option.
+Format sizeFormat() {
+  ParameterSpec unit = positiveLength();
+  unit.name = "unit";
+  unit.help = "What 1 stands for.";
+  unit.fallback = 1.0;
+  Format format;
+  format.id = "size";
+  format.title = "Size of a tetrahedron";
+  format.extensions = {"size"};
+  format.readOptions = format.writeOptions = {unit};
+  format.read = [](const auto& file, const Value& options, const Progress&) -> Imported {
+    return {tetrahedron(std::stod(readFile(file)) * options.at("unit").get<double>()), {}, {}, {}};
+  };
+  format.write = [](const Shape& shape, const auto& file, const Value& options, const Progress&) {
+    writeAtomically(file, std::to_string(shape.get<Mesh>()->points[1].x() / options.at("unit").get<double>()));
+  };
+  format.writes = {ShapeKind::Mesh};
+  return format;
+}
+
 App testApp() {
   auto formats = std::make_shared<FormatRegistry>(standardFormats());
+  formats->add(sizeFormat());
   auto registry = std::make_shared<Registry>();
   registry->add(importFeature(*formats));
   registry->add(literalFeature(registry));
@@ -118,6 +140,7 @@ class CliGrammarTest : public QObject {
   void inputsAreCounted();
   void literalsAreInputs();
   void aFailingFeatureSaysWhy();
+  void anOptionOfReaderAndWriterIsOneFlag();
   void cancelIsAFailure();
   void progressIsOnlyShownWhereItIsWanted();
   void theTableAlignsAtTheDecimalPoint();
@@ -221,6 +244,28 @@ void CliGrammarTest::aFailingFeatureSaysWhy() {
   const Ran plain = run({"echo", "tetrahedron:1", "--text", "fail"});
   QCOMPARE(plain.out, std::string());
   QCOMPARE(plain.err, std::string("blossom: It collapses.\n  Take another text.\n"));
+}
+
+void CliGrammarTest::anOptionOfReaderAndWriterIsOneFlag() {
+  const TemporaryFolder folder;
+  const std::string in = (folder.path() / "in.size").string(), out = (folder.path() / "out.size").string(),
+                    mesh = (folder.path() / "out.off").string();
+  writeAtomically(in, "3");
+  const auto volume = [](const Ran& ran) { return ran.json().at("result").at("volume").get<double>(); };
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"import", in, "-o", out}, {"convert", in, out}}) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--size.unit", "2", "--json"});
+    const Ran ran = run(all);
+    QVERIFY2(ran.code == 0, (ran.out + ran.err).c_str());
+    COMPARE_NEAR(volume(ran), 36, 1e-9);  // 6^3 / 6
+    COMPARE_NEAR(std::stod(readFile(out)), 3, 1e-9);
+    std::filesystem::remove(out);
+  }
+  const Ran read = run({"import", in, "--size.unit", "2", "-o", mesh, "--json"});  // by the reader alone
+  QVERIFY2(read.code == 0, (read.out + read.err).c_str());
+  COMPARE_NEAR(volume(read), 36, 1e-9);
+  const Ran unused = run({"echo", in, "--size.unit", "2", "-o", mesh, "--json"});
+  QCOMPARE(unused.code, 2);
 }
 
 void CliGrammarTest::cancelIsAFailure() {

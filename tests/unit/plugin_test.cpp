@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "core/file.h"
+#include "exchange/formats.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -61,6 +62,11 @@ class PluginTest : public QObject {
     QCOMPARE(read.features, std::vector<std::string>{"probe.thing"});
     QCOMPARE(read.folder, folder.path());
     QVERIFY(read.manipulators.empty());
+    QVERIFY(read.formats.empty());
+    Value json = manifest();
+    json["formats"] = {"probed", "more"};
+    write(folder.path(), json.dump());
+    QCOMPARE(readManifest(folder.path() / "plugin.json").formats, (std::vector<std::string>{"probed", "more"}));
   }
 
   void wrongManifestsSayWhichKey() {
@@ -70,6 +76,9 @@ class PluginTest : public QObject {
     QVERIFY(brokenBy([](Value& j) { j["api"] = "1"; }).ends_with("\"api\" must be a whole number from 1."));
     QVERIFY(brokenBy([](Value& j) { j["compute"] = "../evil.so"; }).find("own folder") != std::string::npos);
     QVERIFY(brokenBy([](Value& j) { j["features"] = {"other.thing"}; }).find("such as \"probe.name\"") != std::string::npos);
+    QVERIFY(brokenBy([](Value& j) { j["formats"] = "probed"; }).find("list of the ids of file formats") !=
+            std::string::npos);
+    QVERIFY(brokenBy([](Value& j) { j["formats"] = {1}; }).find("list of the ids of file formats") != std::string::npos);
     QVERIFY(brokenBy([](Value& j) { j["id"] = "Big Name"; }).find("lower-case") != std::string::npos);
     QVERIFY(brokenBy([](Value& j) { j = Value::array(); }).ends_with("it holds no object."));
     const TemporaryFolder folder;
@@ -101,6 +110,9 @@ class PluginTest : public QObject {
     QTest::newRow("undeclared") << "probe.so"
                                 << "undeclared"
                                 << "It registers the feature probe.more, which its plugin.json does not declare.";
+    QTest::newRow("undeclared format") << "probe.so"
+                                       << "a format"
+                                       << "It registers the format probed, which its plugin.json does not declare.";
     QTest::newRow("double") << "probe.so"
                             << "double"
                             << "The feature type \"probe.thing\" exists already.";
@@ -179,6 +191,34 @@ class PluginTest : public QObject {
     const auto plugins = loadPlugins(registry, {folder.path() / "one", folder.path() / "two", folder.path() / "one/probe"});
     QCOMPARE(plugins.size(), std::size_t{1});
     QCOMPARE(plugins[0].manifest.folder, folder.path() / "one/probe");
+  }
+
+  void aFormatIsRegisteredBesideTheFeatures() {
+    qputenv("BLOSSOM_PROBE", "a format");
+    const TemporaryFolder folder;
+    Value json = manifest();
+    json["formats"] = {"probed"};
+    place(folder.path() / "one/probe", json);
+    Registry registry;
+    const auto plugins = loadPlugins(registry, {folder.path() / "one"});
+    QCOMPARE(plugins.at(0).problem, std::string());
+    QVERIFY(registry.formats().find("probe"));
+    // The same, promised but not registered; and with an extension that another format has.
+    qunsetenv("BLOSSOM_PROBE");
+    place(folder.path() / "two/probe", json);
+    Registry second;
+    QCOMPARE(loadPlugins(second, {folder.path() / "two"}).at(0).problem,
+             std::string("It does not register the format probed, which its plugin.json declares."));
+    QVERIFY(second.types().empty());
+    qputenv("BLOSSOM_PROBE", "taken extension");
+    place(folder.path() / "three/probe", json);
+    Registry third;
+    third.add(stepFormat());
+    const std::string problem = loadPlugins(third, {folder.path() / "three"}).at(0).problem;
+    QVERIFY2(problem.starts_with("The format \"probed\" has the extension \"step\", which belongs to step."),
+             problem.c_str());
+    QVERIFY(third.types().empty());
+    QCOMPARE(third.formats().formats().size(), std::size_t{1});
   }
 
   void takenCommandsAreRefused() {

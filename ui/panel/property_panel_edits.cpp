@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "document/embedded_files.h"
+#include "document/edits.h"
 #include "document/file_access.h"
 #include "document/file_values.h"
 #include "ui/fields/parameter_field.h"

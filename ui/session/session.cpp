@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "document/embedded_files.h"
+#include "document/edits.h"
 #include "document/file_access.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"

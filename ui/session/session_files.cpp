@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "document/edits.h"
-#include "document/embedded_files.h"
 #include "document/storage.h"
 #include "exchange/format/export_shape.h"
 #include "exchange/format/frames.h"

@@ -1,22 +1,18 @@
-#include "in_worker.h"
+#include "long_sums.h"
 
-#include "isolate/isolated.h"
+#include "isolate/in_worker.h"
 #include "kernel/effort.h"
-#include "worker/worker.h"
 
 namespace blossom::minkowski {
 
 namespace {
-
-/// Its address identifies this module.
-const char anchor = 0;
 
 constexpr std::size_t workOfHalfASecond = 40'000;
 
 }  // namespace
 
 FeatureType inWorkerWhenLong(const FeatureMaker& make) {
-  FeatureType type = isolated(make(Effort::unlimited), {.activity = "for the Minkowski sums", .module = moduleOf(&anchor)});
+  FeatureType type = inWorker(make(Effort::unlimited), {.activity = "for the Minkowski sums"});
   type.evaluate = [here = make(workOfHalfASecond).evaluate, apart = type.evaluate](
                       const Value& parameters, const Inputs& inputs, const Progress& progress) {
     try {

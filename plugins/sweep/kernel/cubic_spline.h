@@ -1,12 +1,13 @@
 #pragma once
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
+#include "geometry/numeric/cubic_slopes.h"
+
 namespace blossom::sweep {
 
-/// Rows of numbers, one row for each break; all columns are interpolated alike.
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// One row for each break.
+using Rows = NumberRows;
 
 /// Where a piecewise cubic function is smooth and where it may bend. C2 at breaks of multiplicity 1, C1 at 2, C0 at 3.
 struct CubicBreaks {
@@ -21,9 +22,8 @@ struct CubicBreaks {
 };
 
 /// Poles of the cubic B-splines that pass through `values` (one row for each break) and have the derivatives `slopes` at
-/// both ends of every segment (rows 2k and 2k+1 for segment k; none when periodic). Solves a tridiagonal system for the
-/// slopes at the breaks (de Boor, A Practical Guide to Splines, chapter IV); the ends of a periodic spline give identical
-/// poles. O(rows * columns).
+/// both ends of every segment (rows 2k and 2k+1 for segment k; none when periodic). The ends of a periodic spline give
+/// identical poles. O(rows * columns).
 Rows interpolateCubic(const CubicBreaks&, const Rows& values, const Rows& slopes);
 
 }  // namespace blossom::sweep

@@ -14,6 +14,7 @@
 #include "geometry/occt/sub_shape.h"
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
+#include "geometry/shape/compound.h"
 #include "kernel/parts/shape_parts.h"
 #include "kernel/solid/arrange.h"
 #include "wire_outlines.h"
@@ -95,13 +96,13 @@ TopoDS_Shape withFilledWires(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> parts;
   if (!wires.others.IsNull()) parts.push_back(wires.others);
   for (const FlatOutlines& each : wires.outlines) parts.push_back(filled(toRegion(each.drawing), each.place));
-  return together(parts);
+  return compoundOf(parts);
 }
 
 TopoDS_Shape wiresOf(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> parts = partsOf(shape, TopAbs_WIRE);
   for (const TopoDS_Shape& edge : looseParts(shape, TopAbs_EDGE, TopAbs_WIRE)) parts.push_back(edge);
-  return together(parts);
+  return compoundOf(parts);
 }
 
 TopoDS_Shape ofBrep(const Brep& brep, const SubShapeValue& face, bool fill) {

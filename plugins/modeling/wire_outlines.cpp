@@ -8,6 +8,7 @@
 #include "core/tolerance.h"
 #include "geometry/occt/occt.h"
 #include "geometry/planar/planar.h"
+#include "geometry/shape/compound.h"
 #include "kernel/parts/profile.h"
 #include "kernel/parts/shape_parts.h"
 
@@ -59,7 +60,7 @@ WireOutlines wireOutlines(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> others = partsOf(shape, TopAbs_FACE);
   for (const TopoDS_Wire& wire : looseWires(shape))
     if (!addTo(found.outlines, wire)) others.push_back(wire);
-  if (!others.empty()) found.others = together(others);
+  if (!others.empty()) found.others = compoundOf(others);
   return found;
 }
 

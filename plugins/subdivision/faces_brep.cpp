@@ -9,7 +9,6 @@
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 
 #include <vector>
@@ -17,6 +16,7 @@
 #include "core/error.h"
 #include "geometry/occt/occt.h"
 #include "geometry/occt/occt_progress.h"
+#include "geometry/shape/compound.h"
 
 namespace blossom::subdivision {
 namespace {
@@ -73,12 +73,7 @@ TopoDS_Shape withSolids(const TopoDS_Shape& sewn) {
     parts.push_back(solidOr(TopoDS::Shell(shells.Current()), shells.Current()));
   for (TopExp_Explorer loose(sewn, TopAbs_FACE, TopAbs_SHELL); loose.More(); loose.Next())
     parts.push_back(solidOr(shellOf(TopoDS::Face(loose.Current())), loose.Current()));
-  if (parts.size() == 1) return parts.front();
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& part : parts) builder.Add(all, part);
-  return all;
+  return compoundOf(parts);
 }
 
 }  // namespace

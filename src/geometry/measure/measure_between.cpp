@@ -2,10 +2,8 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
-#include <BRep_Builder.hxx>
 #include <Eigen/Geometry>
 #include <Standard_Failure.hxx>
-#include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <optional>
 
@@ -17,6 +15,7 @@
 #include "geometry/measure/part_relation.h"
 #include "geometry/occt/occt_reason.h"
 #include "geometry/shape/bounds.h"
+#include "geometry/shape/compound.h"
 #include "geometry/tessellate/tessellate.h"
 
 namespace blossom {
@@ -79,17 +78,12 @@ FootPoints exactToTriangles(const TopoDS_Shape& exact, const std::vector<Triangl
   const double chord = std::max(1e-3 * box.diagonal(), 1e-6);
   const TriangleTree near = coarse(exact, chord, progress.part(0, 0.2)), all(triangles);
   const FootPoints rough = near.closest(all, progress);
-  BRep_Builder builder;
-  TopoDS_Compound faces;
-  builder.MakeCompound(faces);
-  bool some = false;
+  std::vector<TopoDS_Shape> faces;
   for (const std::size_t i : all.within(near, rough.distance() + 2 * chord, progress)) {
     const TopoDS_Shape face = faceOf(triangles[i]);
-    if (face.IsNull()) continue;  // collapsed: its neighbours have the same points
-    builder.Add(faces, face);
-    some = true;
+    if (!face.IsNull()) faces.push_back(face);  // else collapsed: its neighbours have the same points
   }
-  return some ? closestPoints(exact, faces, progress.part(0.2, 1)) : rough;
+  return faces.empty() ? rough : closestPoints(exact, compoundOf(faces), progress.part(0.2, 1));
 }
 
 FootPoints surfaceDistance(const PartGeometry& a, const PartGeometry& b, const Progress& progress) {

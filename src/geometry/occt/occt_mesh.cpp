@@ -3,7 +3,6 @@
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
@@ -19,6 +18,7 @@
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/numeric/point_merge.h"
 #include "geometry/occt/occt.h"
+#include "geometry/shape/compound.h"
 
 namespace blossom {
 namespace {
@@ -199,15 +199,7 @@ class ShapeBuilder {
     }
     for (const auto& solid : solids)
       if (solid) shapes.push_back(*solid);
-    return together(shapes);
-  }
-
-  TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
-    if (shapes.size() == 1) return shapes.front();
-    TopoDS_Compound compound;
-    builder_.MakeCompound(compound);
-    for (const TopoDS_Shape& shape : shapes) builder_.Add(compound, shape);
-    return compound;
+    return compoundOf(shapes);
   }
 
   const Mesh& mesh_;

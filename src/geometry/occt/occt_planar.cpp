@@ -11,7 +11,6 @@
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
@@ -23,6 +22,7 @@
 #include "core/error.h"
 #include "geometry/occt/occt.h"
 #include "geometry/planar/planar.h"
+#include "geometry/shape/compound.h"
 
 namespace blossom {
 namespace {
@@ -112,15 +112,6 @@ class WireBuilder {
 
   BRep_Builder builder_;
 };
-
-TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
-  if (shapes.size() == 1) return shapes.front();
-  TopoDS_Compound compound;
-  BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
-}
 
 // --- Edges to segments
 // ----------------------------------------------------------------------------------------------------------
@@ -229,13 +220,13 @@ TopoDS_Shape toFaces(const Region& region) {
     for (const std::size_t hole : component.holes) builder.Add(face, WireBuilder().build(region.loops[hole]));
     faces.push_back(face);
   }
-  return together(faces);
+  return compoundOf(faces);
 }
 
 TopoDS_Shape toWires(const Curves& curves) {
   std::vector<TopoDS_Shape> wires;
   for (const Path& path : curves.paths) wires.push_back(WireBuilder().build(path));
-  return together(wires);
+  return compoundOf(wires);
 }
 
 Curves planarCurves(const TopoDS_Shape& shape) {

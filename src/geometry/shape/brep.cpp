@@ -1,8 +1,8 @@
 #include "geometry/shape/brep.h"
 
-#include <BRep_Builder.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopoDS_Compound.hxx>
+
+#include "geometry/shape/compound.h"
 
 namespace blossom {
 namespace {
@@ -19,15 +19,6 @@ void collect(const BrepInstance& instance, const gp_Trsf& parent, std::vector<To
   for (const BrepInstance& child : instance.part->children) collect(child, location, shapes);
 }
 
-TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
-  if (shapes.size() == 1) return shapes.front();
-  TopoDS_Compound compound;
-  BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
-}
-
 }  // namespace
 
 Brep::Brep(TopoDS_Shape shape, std::string name, std::optional<Color> color) {
@@ -42,7 +33,7 @@ Brep::Brep(TopoDS_Shape shape, std::string name, std::optional<Color> color) {
 Brep::Brep(std::vector<BrepInstance> roots) : roots_(std::move(roots)) {
   std::vector<TopoDS_Shape> shapes;
   for (const BrepInstance& root : roots_) collect(root, gp_Trsf(), shapes);
-  if (!shapes.empty()) shape_ = together(shapes);
+  if (!shapes.empty()) shape_ = compoundOf(shapes);
 }
 
 }  // namespace blossom

@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "geometry/occt/occt_progress.h"
+#include "geometry/shape/compound.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/shape_parts.h"
@@ -87,7 +88,7 @@ class Combiner {
     const TopAbs_ShapeEnum kind = solids_ ? TopAbs_SOLID : TopAbs_FACE;
     const auto parts = partsOf(shape, kind);
     if (parts.empty()) throwNothingLeft();
-    return solids_ ? finishedSolid(together(parts), complaint()) : finishedSheet(together(parts), complaint());
+    return solids_ ? finishedSolid(compoundOf(parts), complaint()) : finishedSheet(compoundOf(parts), complaint());
   }
 
   /// Null where OCCT fails, as it does at some seams of rings. Of a copy: joining, and the mending after it, change edges

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "geometry/shape/compound.h"
 #include "kernel/parts/shape_parts.h"
 
 namespace blossom::modeling {
@@ -55,7 +56,7 @@ TopoDS_Shape goodSolids(const TopoDS_Shape& shape) {
     if (!solid) return {};
     solids.push_back(*solid);
   }
-  return solids.empty() ? TopoDS_Shape() : together(solids);
+  return solids.empty() ? TopoDS_Shape() : compoundOf(solids);
 }
 
 }  // namespace

@@ -2,13 +2,11 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
-#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS_Compound.hxx>
 #include <cmath>
 
 namespace blossom::modeling {
@@ -24,15 +22,6 @@ std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape& shape, TopAbs_ShapeEnum
   if (shape.IsNull()) return parts;
   for (TopExp_Explorer each(shape, type, within); each.More(); each.Next()) parts.push_back(each.Current());
   return parts;
-}
-
-TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
-  if (shapes.size() == 1) return shapes.front();
-  TopoDS_Compound compound;
-  BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
-  return compound;
 }
 
 double volumeOf(const TopoDS_Shape& shape) {

@@ -9,8 +9,6 @@ namespace blossom::modeling {
 std::vector<TopoDS_Shape> partsOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
 /// Those parts that do not belong to a part of type `within`: wires that bound no face.
 std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape&, TopAbs_ShapeEnum type, TopAbs_ShapeEnum within);
-/// The shape itself when it is alone, else a compound.
-TopoDS_Shape together(const std::vector<TopoDS_Shape>&);
 /// Signed volume; negative when the faces look inward.
 double volumeOf(const TopoDS_Shape&);
 double areaOf(const TopoDS_Shape&);

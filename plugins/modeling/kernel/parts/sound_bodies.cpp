@@ -14,6 +14,7 @@
 #include "core/place_text.h"
 #include "geometry/numeric/union_find.h"
 #include "geometry/occt/occt_progress.h"
+#include "geometry/shape/compound.h"
 #include "geometry/tessellate/self_crossing.h"
 #include "kernel/parts/boolean.h"
 #include "kernel/parts/shape_parts.h"
@@ -78,7 +79,7 @@ TopoDS_Shape soundBodies(const std::vector<TopoDS_Shape>& solids, const Complain
     for (const std::size_t each : members) group.push_back(solids[each]);
     bodies.push_back(group.size() == 1 ? group.front() : combine(group, {}, progress).shape);
   }
-  return together(bodies);
+  return compoundOf(bodies);
 }
 
 }  // namespace blossom::modeling

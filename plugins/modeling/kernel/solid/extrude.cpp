@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "geometry/shape/compound.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/placement.h"
@@ -102,12 +103,12 @@ ExtrudeResult extrude(const TopoDS_Shape& shape, const ExtrudeOptions& o, const 
     }
     // Straight sides over an outline that does not cross itself cannot meet.
     if (std::abs(o.taper) > 1e-9 && !solids.empty()) solids = {soundBodies(solids, tooSteep(o.taper), progress)};
-    if (!solids.empty()) made.push_back(together(solids));
+    if (!solids.empty()) made.push_back(compoundOf(solids));
     for (const TopoDS_Wire& wire : profile.wires) {
       next();
       made.push_back(sheetOver(wire, o));
     }
-    return ExtrudeResult{together(made), !profile.faces.empty()};
+    return ExtrudeResult{compoundOf(made), !profile.faces.empty()};
   });
 }
 

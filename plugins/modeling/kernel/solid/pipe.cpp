@@ -20,6 +20,7 @@
 #include "core/error.h"
 #include "core/place_text.h"
 #include "core/units.h"
+#include "geometry/shape/compound.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/placement.h"
@@ -153,7 +154,7 @@ PipeResult pipe(const TopoDS_Shape& profileShape, const TopoDS_Shape& pathShape,
     for (const TopoDS_Face& face : profile.faces) solids.push_back(piper.along(face, progress));
     if (!solids.empty()) made.push_back(soundBodies(solids, Piper::complaint(), progress));
     for (const TopoDS_Wire& wire : profile.wires) made.push_back(piper.along(wire, false));
-    result.shape = together(made);
+    result.shape = compoundOf(made);
     if (o.place && reach > turns.radius)
       result.warnings.push_back(
           fmt::format("The path bends with a radius of {} mm near {}, less than the outline reaches from it: the pipe may "

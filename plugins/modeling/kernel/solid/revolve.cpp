@@ -19,6 +19,7 @@
 #include "core/tolerance.h"
 #include "core/units.h"
 #include "geometry/measure/closest_points.h"
+#include "geometry/shape/compound.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/placement.h"
@@ -94,7 +95,7 @@ RevolveResult revolve(const TopoDS_Shape& shape, const RevolveOptions& o, const 
       progress.check();
       made.push_back(finishedSheet(turned(wire), {"The curve cannot be turned about this axis.", "It may cross the axis."}));
     }
-    return RevolveResult{together(made), !profile.faces.empty()};
+    return RevolveResult{compoundOf(made), !profile.faces.empty()};
   });
 }
 

@@ -16,6 +16,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "kernel/mark_inside.h"
+
 namespace blossom::morphology {
 
 namespace {
@@ -71,23 +73,6 @@ using FaceBase =
     CGAL::Constrained_triangulation_face_base_2<Projected, CGAL::Triangulation_face_base_with_info_2<int, Projected>>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Projected, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                        CGAL::Exact_predicates_tag>;
-
-/// How many boundaries lie between each triangle and the outside, modulo two.
-void markInside(Cdt& cdt) {
-  for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = -1;
-  std::vector<Cdt::Face_handle> open{cdt.infinite_face()};
-  cdt.infinite_face()->info() = 0;
-  while (!open.empty()) {
-    const Cdt::Face_handle face = open.back();
-    open.pop_back();
-    for (int k = 0; k < 3; ++k) {
-      const Cdt::Face_handle next = face->neighbor(k);
-      if (next->info() >= 0) continue;
-      next->info() = cdt.is_constrained({face, k}) ? 1 - face->info() : face->info();
-      open.push_back(next);
-    }
-  }
-}
 
 using VertexNumbers = std::unordered_map<Nef::Vertex_const_handle, std::size_t>;
 

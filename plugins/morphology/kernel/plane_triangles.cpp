@@ -9,6 +9,8 @@
 #include <cmath>
 #include <map>
 
+#include "kernel/mark_inside.h"
+
 namespace blossom::morphology {
 
 namespace {
@@ -35,22 +37,6 @@ class Flattened {
   Eigen::Index x_ = 0, y_ = 1;
 };
 
-void mark(Cdt& cdt) {
-  for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = -1;
-  std::vector<Cdt::Face_handle> open{cdt.infinite_face()};
-  cdt.infinite_face()->info() = 0;
-  while (!open.empty()) {
-    const Cdt::Face_handle face = open.back();
-    open.pop_back();
-    for (int k = 0; k < 3; ++k) {
-      const Cdt::Face_handle next = face->neighbor(k);
-      if (next->info() >= 0) continue;
-      next->info() = cdt.is_constrained({face, k}) ? 1 - face->info() : face->info();
-      open.push_back(next);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<std::array<int, 3>> trianglesBetween(const std::vector<Vec3>& points, const std::vector<std::vector<int>>& loops,
@@ -72,7 +58,7 @@ std::vector<std::array<int, 3>> trianglesBetween(const std::vector<Vec3>& points
   } catch (const std::exception&) {
     return {};
   }
-  mark(cdt);
+  markInside(cdt);
   std::vector<std::array<int, 3>> triangles;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
     if (f->info() == 1) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});

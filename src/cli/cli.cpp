@@ -153,9 +153,8 @@ int guarded(const Terminal& terminal, bool json, const std::function<int()>& wor
   return Failed;
 }
 
-int runWords(const App& app, const std::vector<std::string>& words, const Terminal& terminal,
-             std::chrono::steady_clock::time_point start) {
-  Session session{app, terminal, start};
+int runWords(const App& app, const std::vector<std::string>& words, const Terminal& terminal, const Stopwatch& watch) {
+  Session session{app, terminal, watch};
   warnAboutPlugins(app, terminal);
   CommandLine line;
   for (const auto add : {addConvertCommand, addInfoCommand, addRenderCommand, addRunCommand, addFeaturesCommand,
@@ -166,14 +165,14 @@ int runWords(const App& app, const std::vector<std::string>& words, const Termin
 
 /// Loads what is needed, runs, and sees that the result has really left the program.
 int runGuarded(int argc, const char* const* argv, const Terminal& terminal, const App* given) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::vector<std::string> words = wordsOf(argc, argv);
   const int code = guarded(terminal, asksForJson(words), [&] {
     if (words.size() == 1 && words[0] == "--version") {  // needs no plugin
       terminal.out << "blossom " << versionText << '\n';
       return static_cast<int>(Done);
     }
-    return runWords(given ? *given : loadApp(), words, terminal, start);
+    return runWords(given ? *given : loadApp(), words, terminal, watch);
   });
   terminal.out.flush();
   return terminal.out.fail() && code == Done ? Failed : code;

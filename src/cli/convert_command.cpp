@@ -38,14 +38,14 @@ class ConvertCommand {
 
   /// What is written comes from the very document that a .blossom output gets: the options of the reader are part of it.
   Source readSource(const std::string& text, const std::filesystem::path& file, const Progress& progress) const {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Source source;
     std::vector<std::string> warnings;
     const FeatureId id = addInput(session_, source.document, text, warnings);
     if (!isDocument(file) && !file.empty()) giveOptions(source.document, id, file);
     source.made = evaluateFor(session_.app, source.document, id, progress)->evaluated;
     source.made.warnings.insert(source.made.warnings.begin(), warnings.begin(), warnings.end());
-    source.readMs = millisecondsSince(start);
+    source.readMs = watch.elapsedMs();
     return source;
   }
 
@@ -79,9 +79,9 @@ class ConvertCommand {
     Source source = readSource(in, file, progress.part(0, 0.5));
     // What cannot be measured is not written either.
     Measures measures = measure(source.made.shape, progress.part(0.5, 0.55));
-    const auto writing = std::chrono::steady_clock::now();
+    const Stopwatch writing;
     planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
-    Value stats{{"read_ms", source.readMs}, {"write_ms", millisecondsSince(writing)}, {"total_ms", 0.0}};
+    Value stats{{"read_ms", source.readMs}, {"write_ms", writing.elapsedMs()}, {"total_ms", 0.0}};
     tellReports(planned, measures, source.made.warnings);
     for (const char* counts : {"entities", "skipped"}) stats[counts] = source.made.stats.value(counts, Value::object());
     stats["total_ms"] = session_.elapsedMs();

@@ -199,9 +199,9 @@ class FeatureCommand {
     for (const auto& feature : made.features())
       if (const auto each = results.find(feature->id); each != results.end())
         warnings.insert(warnings.end(), each->second->evaluated.warnings.begin(), each->second->evaluated.warnings.end());
-    const auto writing = std::chrono::steady_clock::now();
+    const Stopwatch writing;
     planned = writeOutputs(session_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
-    const double writeMs = millisecondsSince(writing);
+    const double writeMs = writing.elapsedMs();
     Measures measures = measured(result->evaluated, progress.part(0.95, 1));
     tellReports(planned, measures, warnings);
     Value stats{{"kernel_ms", result->kernelMs}, {"total_ms", 0.0}};

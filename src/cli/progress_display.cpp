@@ -27,7 +27,7 @@ void ProgressDisplay::show(double fraction, const std::string& stage) {
     const int tenth = static_cast<int>(fraction * 10);
     if (tenth != lastTenth_) session_.terminal.err << fmt::format("{:3.0f} %  {}\n", fraction * 100, stage) << std::flush;
     lastTenth_ = tenth;
-  } else if (millisecondsSince(start_) > silentMs) {
+  } else if (watch_.elapsedMs() > silentMs) {
     drawBar(fraction, stage);
   }
 }

@@ -1,9 +1,9 @@
 #pragma once
-#include <chrono>
 #include <mutex>
 #include <string>
 
 #include "cli/session.h"
+#include "core/stopwatch.h"
 
 namespace blossom {
 
@@ -25,7 +25,7 @@ class ProgressDisplay {
 
   const Session& session_;
   std::mutex mutex_;  // work reports from several threads
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
   bool drawn_ = false;
   int lastTenth_ = -1;
 };

@@ -73,9 +73,9 @@ class RenderCommand {
     const Progress progress = display.progress();
     std::vector<Shape> shapes;
     for (const std::string& file : files_) addShapes(file, progress.part(0, 0.5), shapes);
-    const auto drawing = std::chrono::steady_clock::now();
+    const Stopwatch drawing;
     renderPicture(shapes, output_, options, progress.part(0.5, 1));
-    report(planned, options, millisecondsSince(drawing));
+    report(planned, options, drawing.elapsedMs());
     return 0;
   }
 

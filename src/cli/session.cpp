@@ -4,12 +4,6 @@
 
 namespace blossom {
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double Session::elapsedMs() const { return millisecondsSince(start); }
-
 void printJson(std::ostream& out, const Value& value) {
   out << value.dump(-1, ' ', false, Value::error_handler_t::replace) << '\n';
 }

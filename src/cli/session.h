@@ -1,5 +1,4 @@
 #pragma once
-#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +6,7 @@
 #include "app/app.h"
 #include "cli/cli.h"
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "parameter/value.h"
 
 namespace blossom {
@@ -22,18 +22,15 @@ class UsageError : public Error {
 struct Session {
   const App& app;
   const Terminal& terminal;
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  Stopwatch watch = {};
   bool json = false;           ///< --json: one JSON object on stdout
   bool progressLines = false;  ///< --progress: plain lines also where stderr is no screen
   bool salvage = false;        ///< --salvage: open what is readable of a damaged document
   bool allowFiles = false;     ///< --allow-files: documents may read files outside of their folder
   int threads = 0;             ///< --threads; 0 leaves it to the machine
 
-  [[nodiscard]] double elapsedMs() const;
+  [[nodiscard]] double elapsedMs() const { return watch.elapsedMs(); }
 };
-
-/// A stopwatch for the parts of a command.
-double millisecondsSince(std::chrono::steady_clock::time_point);
 
 /// One JSON object, one line. Bytes that are not UTF-8 (file names) are replaced, numbers read back as the same double.
 void printJson(std::ostream&, const Value&);

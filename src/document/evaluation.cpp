@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <optional>
 
+#include "core/stopwatch.h"
 #include "document/error_of.h"
 #include "document/storage.h"
 #include "feature/acceptance.h"
@@ -31,20 +32,6 @@ Error unknownType(const std::string& type) {
   return Error(ErrorCode::NotFound, fmt::format("The feature type \"{}\" is not known here.", type),
                fmt::format("It belongs to the plugin \"{}\", which is missing or could not be loaded.", plugin));
 }
-
-/// Writes the milliseconds of its life, also when an exception ends it.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& milliseconds) : milliseconds_(milliseconds) {}
-  ~Stopwatch() { milliseconds_ = std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& milliseconds_;
-  Clock::time_point start_ = Clock::now();
-};
 
 /// Fraction and stage of one feature as a share of the whole.
 Progress shareOf(const Progress& whole, double from, double to, const std::string& name) {
@@ -83,6 +70,7 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
   auto result = std::make_shared<FeatureResult>();
   std::string key;
   std::shared_ptr<const FeatureResult> known;
+  std::optional<Stopwatch> watch;
   result->error = errorOf(shownName(feature), [&] {
     const auto type = registry_.find(feature.type);
     if (!type) throw unknownType(feature.type);
@@ -94,11 +82,12 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     known = cache_.find(key);
     if (known) return;
     const Inputs arranged = inputsOf(feature, *type);
-    const Stopwatch watch(result->kernelMs);
+    watch.emplace();
     result->evaluated = type->evaluate(parameters, arranged, progress);
     checkGiven(*type, result->evaluated.shape);
     refuseInfiniteFigures(result->evaluated);
   });
+  if (watch) result->kernelMs = watch->elapsedMs();
   if (known) {
     result = std::make_shared<FeatureResult>(*known);
     result->fromCache = true;

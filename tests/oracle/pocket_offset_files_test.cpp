@@ -1,6 +1,6 @@
-#include <chrono>
 #include <filesystem>
 
+#include "core/stopwatch.h"
 #include "exchange/format/format.h"
 #include "geometry/planar/planar.h"
 #include "pocket/kernel/medial/boundary.h"
@@ -23,16 +23,6 @@ Vec2 pointOn(const Segment& segment, double t) {
   const double angle = arc.start + t * arc.sweep;
   return arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle));
 }
-
-class Stopwatch {
- public:
-  [[nodiscard]] double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-};
 
 /// Where the loops of an offset cross one another; empty when they do not.
 std::string crossingOf(const Region& made) {
@@ -91,7 +81,7 @@ void PocketOffsetFilesTest::everyFileIsOffsetOrSaysWhyNot() {
     const Region part = toRegion(outlines);
     const Stopwatch watch;
     const ClearanceDiagram diagram(part, {.tolerance = tolerance});
-    const double took = watch.milliseconds();
+    const double took = watch.elapsedMs();
     const auto sites = static_cast<double>(diagram.stats().sites);
     slowestDiagram_ = std::max(slowestDiagram_, took);
     mostSites_ = std::max(mostSites_, sites);
@@ -119,7 +109,7 @@ void PocketOffsetFilesTest::verifyOffset(const Region& part, const ClearanceDiag
                                          double distance, Side side) {
   const Stopwatch watch;
   const Region made = diagram.offset(distance, side);
-  slowestOffset_ = std::max(slowestOffset_, watch.milliseconds());
+  slowestOffset_ = std::max(slowestOffset_, watch.elapsedMs());
   ++offsets_;
   // Exactly at the clearance of a flat edge, both sides of the offset lie on it: next to it they do not.
   const bool fine = crossingOf(made).empty() || crossingOf(diagram.offset(distance * (1 - 1e-6), side)).empty();

@@ -16,8 +16,8 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "kernel/exact_types.h"
-#include "kernel/stopwatch.h"
 
 namespace blossom::morphology {
 
@@ -231,7 +231,7 @@ Solid sumOf(const Parts& a, const Parts& b, SumCounts& counts, const Progress& p
       piece.solid = solidFrom(std::move(surface));
       pieces.push_back(std::move(piece));
     }
-  counts.sumMs += watch.lap();
+  counts.sumMs += watch.lapMs();
   if (pieces.empty()) return solidFrom(SurfaceMesh());
   if (pieces.size() == 1) {
     auto body = std::make_shared<SolidBody>(*pieces.front().solid);
@@ -240,7 +240,7 @@ Solid sumOf(const Parts& a, const Parts& b, SumCounts& counts, const Progress& p
   }
   std::size_t done = 0;
   Solid united = unitedTree(pieces, 0, pieces.size(), done, progress.part(0.3, 1));
-  counts.uniteMs += watch.lap();
+  counts.uniteMs += watch.lapMs();
   return united;
 }
 

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "kernel/finished.h"
 #include "kernel/prepared.h"
-#include "kernel/stopwatch.h"
 #include "kernel/united.h"
 
 namespace blossom::morphology {
@@ -23,7 +23,7 @@ class Work {
   [[nodiscard]] Prepared prepare(const Operand& operand, const Grid& grid, double from, double to) {
     Stopwatch watch;
     Prepared made = prepared(operand, grid, progress_.part(from, to));
-    stats_.checkMs += watch.lap();
+    stats_.checkMs += watch.lapMs();
     warnings_.insert(warnings_.end(), made.warnings.begin(), made.warnings.end());
     return made;
   }
@@ -32,7 +32,7 @@ class Work {
     Stopwatch watch;
     progress_.report(from, "Taking apart");
     Parts parts = partsOf(operand, progress_.part(from, to));
-    stats_.decomposeMs += watch.lap();
+    stats_.decomposeMs += watch.lapMs();
     return parts;
   }
 
@@ -53,7 +53,7 @@ class Work {
     Stopwatch watch;
     stats_.way = Way::Nef;
     Solid made = minkowskiSum(a.solid, weightA, b.solid, weightB, progress_.part(from, to));
-    stats_.sumMs += watch.lap();
+    stats_.sumMs += watch.lapMs();
     return made;
   }
 
@@ -61,7 +61,7 @@ class Work {
     Stopwatch watch;
     progress_.report(from, "Taking apart");
     Parts parts = convexPartsOutside(solid, frame, progress_.part(from, to));
-    stats_.decomposeMs += watch.lap();
+    stats_.decomposeMs += watch.lapMs();
     return parts;
   }
 
@@ -91,7 +91,7 @@ class Work {
     Finished made = finished(solid, centre, progress_.part(from, to));
     solids_.push_back(std::move(made.mesh));
     if (!made.warning.empty()) warn(std::move(made.warning));
-    stats_.outputMs += watch.lap();
+    stats_.outputMs += watch.lapMs();
   }
   void add(Mesh mesh) { solids_.push_back(std::move(mesh)); }
   void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
@@ -141,7 +141,7 @@ class Eroder {
       work_.stats().partsB = partCount(element);
       Stopwatch watch;
       Solid made = shrunk(solid_, element, work_.progress().part(from, to));
-      work_.stats().sumMs += watch.lap();
+      work_.stats().sumMs += watch.lapMs();
       return made;
     }
     const double third = (to - from) / 3;
@@ -149,7 +149,7 @@ class Eroder {
     const Solid beyond = work_.sum(outside_, scaled(element, -1, grid), from + third, to);
     Stopwatch watch;
     Solid made = cutFrom(room, beyond, work_.progress());
-    work_.stats().uniteMs += watch.lap();
+    work_.stats().uniteMs += watch.lapMs();
     return made;
   }
 

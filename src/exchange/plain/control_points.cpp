@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "core/error.h"
 #include "core/file.h"
 #include "exchange/format/format.h"
+#include "exchange/format/text.h"
 
 /// Control points as text: one point a line makes a curve; rows of points apart by ';' make a surface, a line per row.
 /// Points are x,y,z or, with the weight multiplied in, wx,wy,wz,w. The files hold no knots: the vector is clamped and
@@ -18,26 +17,21 @@ using Row = std::vector<Vec4>;
 
 class Reader {
  public:
-  std::vector<Row> rows(const std::string& text, const Progress& progress) {
+  explicit Reader(std::string_view text) : lines_(text) {}
+
+  std::vector<Row> rows(const Progress& progress) {
     std::vector<Row> found;
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-      const std::size_t end = std::min(text.find('\n', begin), text.size());
-      std::string_view line = std::string_view(text).substr(begin, end - begin);
-      ++lineNumber_;
-      if (lineNumber_ % 1024 == 0)
-        progress.report(static_cast<double>(begin) / static_cast<double>(text.size()), "Reading control points");
-      if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-      const bool heading = lineNumber_ == 1 && line.starts_with('"');  // column names, as a spreadsheet writes them
-      if (!heading && line.find_first_not_of(" \t") != std::string_view::npos) found.push_back(row(line));
-      begin = end + 1;
+    for (std::string_view line; lines_.next(line);) {
+      if (lines_.number() % 1024 == 0) progress.check();
+      const bool heading = lines_.number() == 1 && line.starts_with('"');  // column names, as a spreadsheet writes them
+      if (!heading && !parse::trimmed(line).empty()) found.push_back(row(line));
     }
     return found;
   }
 
  private:
   [[noreturn]] void damaged(const std::string& what) const {
-    throw Error(ErrorCode::FormatDamaged, fmt::format("Line {}: {}.", lineNumber_, what),
+    throw Error(ErrorCode::FormatDamaged, fmt::format("Line {}: {}.", lines_.number(), what),
                 "A control point is x,y,z or wx,wy,wz,w; the points of a surface's row stand apart by ';'.");
   }
 
@@ -67,16 +61,12 @@ class Reader {
   }
 
   double coordinate(std::string_view text) const {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-      damaged(fmt::format("\"{}\" is not a number", text.substr(0, 20)));
-    return value;
+    const std::string_view word = parse::trimmed(text);
+    if (const auto value = parse::toNumber(word)) return *value;
+    damaged(fmt::format("{} is not a number", parse::shown(word)));
   }
 
-  std::size_t lineNumber_ = 0;
+  parse::Lines lines_;
 };
 
 std::vector<double> uniformKnots(int degree, std::size_t poles) {
@@ -108,7 +98,8 @@ Shape surfaceOf(const std::vector<Row>& rows, const Value& options) {
 }
 
 Imported readControlPoints(const std::filesystem::path& path, const Value& options, const Progress& progress) {
-  const std::vector<Row> rows = Reader().rows(readFile(path), progress);
+  const std::string text = readFile(path);
+  const std::vector<Row> rows = Reader(text).rows(progress);
   if (rows.size() < 2)
     throw Error(ErrorCode::FormatDamaged,
                 fmt::format("{} holds fewer than two lines of control points.", path.filename().string()));

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/error.h"
 #include "core/file.h"
 #include "exchange/format/format.h"
+#include "exchange/format/text.h"
 
 /// Polygons and segments as plain numbers, the forms in which test cases of planar codes are handed around:
 /// - a count and as many segments "x1 y1 x2 y2";
@@ -23,17 +24,16 @@ namespace {
 
 /// All numbers of a text apart by blanks and commas; empty when something else stands there.
 std::optional<std::vector<double>> numbersOf(std::string_view text) {
+  constexpr std::string_view between = " ,\t\r\n";
   std::vector<double> numbers;
-  while (true) {
-    const std::size_t begin = text.find_first_not_of(" ,\t\r\n");
-    if (begin == std::string_view::npos) return numbers;
-    text.remove_prefix(begin);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
-    numbers.push_back(value);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(between, begin)) != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(between, begin), text.size());
+    const auto value = parse::toNumber(text.substr(begin, end - begin));
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
+    begin = end;
   }
+  return numbers;
 }
 
 Path segmentPath(const double* xyxy) {
@@ -88,13 +88,10 @@ Imported readCases(const std::string& text, const Progress& progress) {
   Curves drawing;
   Imported imported;
   std::string caption, part;
-  std::size_t lineNumber = 0, cases = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string_view line = std::string_view(text).substr(begin, end - begin);
-    begin = end + 1;
-    if (++lineNumber % 4096 == 0) progress.check();
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  std::size_t cases = 0;
+  parse::Lines lines(text);
+  for (std::string_view line; lines.next(line);) {
+    if (lines.number() % 4096 == 0) progress.check();
     const auto numbers = numbersOf(line);
     if (numbers && numbers->empty()) continue;
     if (!numbers) {
@@ -106,11 +103,11 @@ Imported readCases(const std::string& text, const Progress& progress) {
       continue;
     }
     const bool open = part == "SUBJECTS_OPEN";
-    if (part != "SUBJECTS" && part != "CLIPS" && !open) damaged(lineNumber, "numbers outside of SUBJECTS and CLIPS");
-    if (numbers->size() % 2 != 0 || numbers->size() < 4) damaged(lineNumber, "a polygon is not made of pairs x,y");
+    if (part != "SUBJECTS" && part != "CLIPS" && !open) damaged(lines.number(), "numbers outside of SUBJECTS and CLIPS");
+    if (numbers->size() % 2 != 0 || numbers->size() < 4) damaged(lines.number(), "a polygon is not made of pairs x,y");
     drawing.paths.push_back(polygonOf(*numbers, !open, fmt::format("{} {}", caption, part)));
   }
-  if (drawing.paths.empty()) damaged(lineNumber, "the file holds no polygon");
+  if (drawing.paths.empty()) damaged(lines.number(), "the file holds no polygon");
   imported.entities["case"] = cases;
   imported.entities["polygon"] = drawing.paths.size();
   imported.shape = Shape(std::move(drawing));

@@ -1,6 +1,8 @@
 #include "geometry/tessellate/tessellate.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -12,10 +14,13 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Ax2.hxx>
+#include <map>
 #include <numbers>
 
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/occt/occt.h"
 #include "geometry/planar/planar.h"
+#include "geometry/tessellate/face_mesh.h"
 #include "support/solids.h"
 #include "support/splines.h"
 #include "support/support.h"
@@ -109,6 +114,29 @@ class TessellateTest : public QObject {
                qPrintable(QString("%1, %2").arg(whole.faceCount()).arg(cut.faceCount())));
       COMPARE_NEAR(signedVolume(whole), 1000 * pi / 3, chord * 100 * pi * (1 + std::sqrt(2.0)));
     }
+  }
+  /// Both have nodes at which a derivative is 0.
+  void onlyATipCollapsesAParameter() {
+    const auto collapsed = [](const TopoDS_Shape& shape) {
+      const BRepMesh_IncrementalMesh mesher(shape, 0.01);
+      std::map<Collapsed, int> counts;
+      for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+        TopLoc_Location location;
+        const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(face.Current()), location);
+        const BRepAdaptor_Surface surface(TopoDS::Face(face.Current()), Standard_False);
+        for (const Collapsed each : collapsedParameters(*mesh, surface)) ++counts[each];
+      }
+      return counts;
+    };
+    auto cone = collapsed(BRepPrimAPI_MakeCone(10, 0, 10).Shape());
+    QVERIFY(cone[Collapsed::U] > 0);
+    QCOMPARE(cone[Collapsed::V], 0);
+    Surface doubled{2, 1, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, {}};  // its first two rows of poles lie on one another
+    for (const Vec2& p : {Vec2(0, 0), Vec2(0, 0), Vec2(4, 3)})
+      for (const double y : {0.0, 5.0}) doubled.poles.emplace_back(p.x(), y, p.y(), 1);
+    auto sheet = collapsed(toFace(doubled));
+    QVERIFY(sheet[Collapsed::No] > 0);
+    QCOMPARE(sheet[Collapsed::U] + sheet[Collapsed::V], 0);
   }
   void volumesConverge() {
     const Brep sphere(BRepPrimAPI_MakeSphere(3).Shape());

@@ -1,10 +1,12 @@
 #include "geometry/tessellate/face_mesh.h"
 
 #include <Eigen/Geometry>
+#include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "geometry/numeric/boxes.h"
 #include "geometry/occt/occt_vector.h"
 
 namespace blossom {
@@ -40,6 +42,28 @@ gp_XY middleParameters(const FaceMesh& mesh, const Poly_Triangle& triangle, cons
   return {sum.X() / std::max(1, countU), sum.Y() / std::max(1, countV)};
 }
 
+/// The parameters of all nodes.
+Box2 parameterBox(const Poly_Triangulation& triangulation) {
+  Box2 box;
+  for (int i = 1; i <= triangulation.NbNodes(); ++i) {
+    const gp_Pnt2d uv = triangulation.UVNode(i);
+    box.extend(Vec2(uv.X(), uv.Y()));
+  }
+  return box;
+}
+
+/// Whether all parameters along an axis are the same place as `uv`. A derivative of length 0 is not enough: it also comes
+/// from two rows of poles at one place.
+bool isOnePlace(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, int axis, const Box2& box) {
+  const gp_Pnt place = surface.Value(uv.X(), uv.Y());
+  for (const double share : {0.0, 0.5, 1.0}) {
+    gp_Pnt2d other = uv;
+    other.SetCoord(axis + 1, box.min()[axis] + share * (box.max()[axis] - box.min()[axis]));
+    if (surface.Value(other.X(), other.Y()).Distance(place) > Precision::Confusion()) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 gp_Pnt2d parameterCenter(const Poly_Triangulation& triangulation) {
@@ -56,15 +80,16 @@ Vec3 normalAt(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_P
 
 std::vector<Collapsed> collapsedParameters(const Poly_Triangulation& triangulation, const BRepAdaptor_Surface& surface) {
   constexpr double nothing = 1e-8;
+  const Box2 box = parameterBox(triangulation);
   std::vector<Collapsed> collapsed(static_cast<std::size_t>(triangulation.NbNodes()), Collapsed::No);
   for (int i = 1; i <= triangulation.NbNodes(); ++i) {
     const gp_Pnt2d uv = triangulation.UVNode(i);
     gp_Pnt p;
     gp_Vec du, dv;
     surface.D1(uv.X(), uv.Y(), p, du, dv);
-    if (du.Magnitude() <= nothing * dv.Magnitude())
+    if (du.Magnitude() <= nothing * dv.Magnitude() && isOnePlace(surface, uv, 0, box))
       collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::U;
-    else if (dv.Magnitude() <= nothing * du.Magnitude())
+    else if (dv.Magnitude() <= nothing * du.Magnitude() && isOnePlace(surface, uv, 1, box))
       collapsed[static_cast<std::size_t>(i - 1)] = Collapsed::V;
   }
   return collapsed;

@@ -15,6 +15,8 @@ enum class Quantity { Number, Length, Angle };
 /// belongs to the quotient ("pi/4 rad"), and "1 1/2 in" is read as on a tape measure. Precedence: + -, then * /, then signs,
 /// then ^. Constants: pi, tau. Functions: sqrt abs round floor ceil exp ln log sin cos tan asin acos atan (of degrees, to
 /// degrees), and of several values min max hypot atan2 mod.
+/// Hand-written because the libraries of formulas (muParser, ExprTk) compute with plain numbers: they tell no length from an
+/// angle, and read no feet and inches.
 /// @throws Error InvalidParameter that quotes the text, says what is wrong, and at which character (the first is 1); also
 /// when a result is not finite.
 double evaluateExpression(std::string_view text, Quantity wanted, const LengthUnit& plain = {});

@@ -37,7 +37,8 @@ ZipContent readZip(const std::string& bytes, const std::function<bool(std::strin
                    const ZipLimits& = {});
 
 /// The same from the headers in front of the entries, for a zip whose directory at the end is lost. Of the last entry the
-/// part that is there is returned. @throws Error LimitExceeded.
+/// part that is there is returned. Hand-written because libzip opens nothing without its directory. @throws Error
+/// LimitExceeded.
 ZipContent salvageZip(const std::string& bytes, const std::function<bool(std::string_view name)>& wanted,
                       const ZipLimits& = {});
 

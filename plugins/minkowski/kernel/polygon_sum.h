@@ -9,6 +9,7 @@ namespace blossom::minkowski {
 /// extent, the rest is exact; loops come without collinear points and without crumbs of the grid's size. Two convex sets
 /// are merged by the angles of their edges in O(n + m); others are the faces of positive winding number of their
 /// convolution (see convolution.h).
+/// Hand-written because CGAL 5.5's Minkowski sums lose holes at times (its reports 5830 and 5839).
 /// @param effort what it may cost; convex sets cost nothing
 /// @throws Error LimitExceeded, Cancelled; TooMuchWork.
 Polygons sum(const Polygons& a, const Polygons& b, const Progress&, Effort& effort);

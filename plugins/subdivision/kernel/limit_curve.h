@@ -14,7 +14,7 @@ struct ControlPolygon {
   bool closed = false;  ///< the last point is joined to the first, which is not repeated
 };
 
-/// One step of the scheme; the ends of an open polygon stay. O(n).
+/// One step of the scheme; the ends of an open polygon stay. O(n). Hand-written because OpenSubdiv knows surfaces only.
 /// Cubic, Lane & Riesenfeld (1980): edges get their middle, points (1, 6, 1)/8. Quadratic, Chaikin (1974): edges are cut at
 /// (3, 1)/4 and (1, 3)/4. Four-point, Dyn, Levin & Gregory (1987): points stay, edges get (-1, 9, 9, -1)/16, where a point
 /// beyond an end mirrors the neighbour of the end.

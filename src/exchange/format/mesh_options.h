@@ -7,7 +7,8 @@
 #include "geometry/tessellate/tessellate.h"
 #include "parameter/parameter.h"
 
-/// What the writers of polygon meshes share.
+/// What the readers and writers of polygon meshes share. OBJ, OFF, PLY and STL are read by hand because VTK's readers keep
+/// coordinates in single precision and no creases.
 namespace blossom {
 
 /// `chord`: how near the polygons come to a curved shape.

@@ -12,7 +12,9 @@
 #include "geometry/shape/toolpath.h"
 #include "parameter/value.h"
 
-/// A G-code program (RS-274, LinuxCNC's dialect) as motions, from which contours or a toolpath are made.
+/// A G-code program (RS-274, LinuxCNC's dialect) as motions, from which contours or a toolpath are made. Read by hand
+/// because LinuxCNC's own interpreter wants a machine with its tool table and parameters, which a file does not tell; tests
+/// let it run what is written here.
 namespace blossom {
 
 enum class GcodeMotion { None, Rapid, Line, Clockwise, Counterclockwise, Nurbs };

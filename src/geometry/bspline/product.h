@@ -6,7 +6,8 @@
 #include "geometry/bspline/curve.h"
 #include "geometry/bspline/surface.h"
 
-/// Exact products of B-splines by blossoming; no linear system is solved.
+/// Exact products of B-splines by blossoming; no linear system is solved, as BSplCLib::FunctionMultiply of OCCT does, which
+/// interpolates the product.
 ///
 /// `product` symmetrises the product of the factors' blossoms (Ramshaw, "Blossoms are polar forms", 1989; Moerken, "Some
 /// identities for products and degree raising of splines", 1991): every pole is a convex combination of products of poles,

@@ -22,6 +22,7 @@ struct MeshCrossing {
 /// whatever their indices, so faces that only touch in a common corner or along a whole common edge do not cross; a corner
 /// that lies on another face or within another edge does. Polygons count as the triangles of `triangulated`; triangles
 /// without area are left out. Open and closed meshes alike. O(n log n) for surfaces that seldom come near themselves.
+/// Hand-written because CGAL's self_intersections knows corners by their indices alone.
 /// @throws Error InvalidInput for a face that names no vertex and for coordinates that are no numbers, Cancelled.
 std::optional<MeshCrossing> firstCrossing(const Mesh&, const Progress& = Progress::none());
 

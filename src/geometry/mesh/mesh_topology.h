@@ -36,11 +36,13 @@ struct MeshTopology {
   [[nodiscard]] bool closed() const;  ///< and not empty
 };
 
+/// Hand-written because CGAL's Surface_mesh holds no edge of three faces: what is wrong with a mesh is to be told.
 /// O(n log n). @throws Error InvalidInput when a face names a vertex that does not exist, Cancelled.
 MeshTopology meshTopology(const Mesh&, const Progress& = Progress::none());
 
 /// Triangles (indices into the polygon) of a simple polygon, convex or not, planar or nearly; always size - 2 of them for 3
 /// and more points. Quads take the better diagonal, larger polygons are clipped ear by ear in their best plane. O(n^2).
+/// Hand-written because CGAL's constrained triangulations put new points where the sides of a polygon cross.
 std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon);
 
 /// Half the sum of the cross products (Newell): the normal of a planar polygon with its area as length.

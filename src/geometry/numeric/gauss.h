@@ -12,7 +12,7 @@ struct GaussRule {
 };
 
 /// Rule with n nodes, 1 <= n <= 32. Nodes are roots of Legendre polynomials found by Newton's method, good to the last bit
-/// or two.
+/// or two. Hand-written because Boost's rules have their number of nodes as a template parameter.
 GaussRule gaussRule(std::size_t n);
 
 namespace detail {

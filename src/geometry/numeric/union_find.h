@@ -5,7 +5,8 @@
 
 namespace blossom {
 
-/// Disjoint sets with path halving; nearly O(1) a call.
+/// Disjoint sets with path halving; nearly O(1) a call. Hand-written because Boost's disjoint_sets choose their roots by
+/// rank, so that numbers would depend on the order of the calls.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }

@@ -22,7 +22,8 @@ NumberRows randomRows(std::mt19937_64& random, Eigen::Index rows) {
 /// Second derivative, at one end, of the cubic from one row to another with slopes given.
 Eigen::RowVectorXd bending(const NumberRows& f, const NumberRows& m, Eigen::Index i, Eigen::Index k, double h, bool atEnd) {
   const Eigen::RowVectorXd chord = (f.row(k) - f.row(i)) / h;
-  return atEnd ? (4 * m.row(k) + 2 * m.row(i) - 6 * chord) / h : (6 * chord - 4 * m.row(i) - 2 * m.row(k)) / h;
+  if (atEnd) return (4 * m.row(k) + 2 * m.row(i) - 6 * chord) / h;
+  return (6 * chord - 4 * m.row(i) - 2 * m.row(k)) / h;
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ int guarded(const Terminal& terminal, bool json, const std::function<int()>& wor
 }
 
 int runWords(const App& app, const std::vector<std::string>& words, const Terminal& terminal, const Stopwatch& watch) {
-  Session session{app, terminal, watch};
+  Invocation invocation{app, terminal, watch};
   warnAboutPlugins(app, terminal);
   CommandLine line;
   for (const auto add : {addConvertCommand, addInfoCommand, addRenderCommand, addRunCommand, addFeaturesCommand,

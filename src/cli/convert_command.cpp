@@ -82,9 +82,9 @@ class ConvertCommand {
     // What cannot be measured is not written either.
     Measures measures = measure(source.made.shape, progress.part(0.5, 0.55));
     const Stopwatch writing;
-    planned = writeOutputs(session_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
+    planned = writeOutputs(invocation_.app, planned, source.made.shape, source.document, progress.part(0.55, 1));
     Value stats{{"read_ms", source.readMs}, {"write_ms", writing.elapsedMs()}, {"total_ms", 0.0}};
-    tellReports(planned, measures, source.made.warnings);
+    addReports(planned, measures, source.made.warnings);
     for (const char* counts : {"entities", "skipped"}) stats[counts] = source.made.stats.value(counts, Value::object());
     stats["total_ms"] = invocation_.elapsedMs();
     report(in, planned, measures, stats, source.made.warnings);

@@ -157,7 +157,7 @@ class FeatureCommand {
   [[nodiscard]] std::vector<FeatureId> addInputs(Document& document, std::vector<std::string>& warnings) const {
     std::vector<FeatureId> ids;
     for (const std::string& input : inputs_) ids.push_back(addInput(invocation_, document, input, warnings));
-    for (auto& [place, made] : made_->given()) {
+    for (auto& [place, made] : made_->features()) {
       made.id = document.freshId(made.id);
       ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(std::min(place, ids.size())), made.id);
       document = document.with(std::move(made));
@@ -200,7 +200,7 @@ class FeatureCommand {
       if (const auto each = results.find(feature->id); each != results.end())
         warnings.insert(warnings.end(), each->second->evaluated.warnings.begin(), each->second->evaluated.warnings.end());
     const Stopwatch writing;
-    planned = writeOutputs(session_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
+    planned = writeOutputs(invocation_.app, planned, result->evaluated.shape, made, progress.part(0.8, 0.95));
     const double writeMs = writing.elapsedMs();
     Measures measures = measured(result->evaluated, progress.part(0.95, 1));
     addReports(planned, measures, warnings);

@@ -34,9 +34,9 @@ class InfoCommand {
 
   Info ofFile(const std::filesystem::path& file, const Progress& progress) const {
     const Stopwatch watch;
-    const Format* format = session_.app.formats->find(file.extension().string());
+    const Format* format = invocation_.app.formats->find(file.extension().string());
     const Imported imported =
-        readShape(*session_.app.formats, file, format ? formats_->reading(*format) : Value::object(), progress);
+        readShape(*invocation_.app.formats, file, format ? formats_->reading(*format) : Value::object(), progress);
     const double readMs = watch.elapsedMs();
     Info info{Value{{"file", file.string()}, {"format", format->id}}, measure(imported.shape, progress)};
     info.json["result"] = resultJson(info.measures);

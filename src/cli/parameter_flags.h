@@ -6,9 +6,9 @@
 
 namespace blossom {
 
-/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that always is there
-/// --name.field VALUE for each of its fields, every other --name VALUE. A flag that the command has already, for an option
-/// that reader and writer of a format share, stands for both.
+/// Flags made from parameter specs. A flag parameter becomes --name and --no-name, a record that cannot be absent
+/// --name.field VALUE for each of its fields, any other parameter --name VALUE. Where the command has the flag already,
+/// because reader and writer of a format share an option, the one flag sets both.
 class ParameterFlags {
  public:
   /// @param prefix of every name: "stl." makes --stl.ascii. Names that every
@@ -16,11 +16,11 @@ class ParameterFlags {
   ParameterFlags(CommandLine&, CLI::App&, std::vector<ParameterSpec> specs, const std::string& prefix,
                  const std::string& group);
 
-  /// Canonical values of the flags given on the command line; the others are absent.
-  /// @throws UsageError for a value that is not understood or out of range, and for a flag given twice that is no list.
-  [[nodiscard]] Value given() const;
-  /// The first flag given that no others declared before, as typed; empty when there is none.
-  [[nodiscard]] std::string firstGiven() const;
+  /// Canonical values of the flags on the command line; parameters without a flag are absent.
+  /// @throws UsageError for a value that cannot be parsed or is out of range, and for a repeated flag that is no list.
+  [[nodiscard]] Value values() const;
+  /// The first flag on the command line, as typed, leaving out those that other specs declared before; empty when there is none.
+  [[nodiscard]] std::string firstUsed() const;
 
  private:
   struct Entry {

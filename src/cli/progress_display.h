@@ -2,7 +2,7 @@
 #include <mutex>
 #include <string>
 
-#include "cli/session.h"
+#include "cli/invocation.h"
 #include "core/stopwatch.h"
 
 namespace blossom {

@@ -43,7 +43,7 @@ Document withFilesVisited(const Registry& registry, const Document& document, co
   Document result = document;
   for (const auto& each : document.features()) {
     const auto type = registry.find(each->type);
-    if (!type || !holdsFiles(type->parameters)) continue;
+    if (!type || !hasFileParameter(type->parameters)) continue;
     Feature changed = *each;
     eachFile(type->parameters, changed.parameters, [&](Value& file) { visit(file, result); });
     if (!(changed == *each)) result = result.with(std::move(changed));

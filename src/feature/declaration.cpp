@@ -85,7 +85,7 @@ void check(FeatureType& type) {
   if (type.title.empty() || type.summary.empty()) broken(what, "has no title or no summary");
   if (!type.evaluate) broken(what, "cannot be evaluated");
   for (const auto& input : type.inputs)
-    if (input.name.empty() || input.minimum > input.most || input.most == 0)
+    if (input.name.empty() || input.minimum > input.maximum || input.maximum == 0)
       broken(what, fmt::format("declares the input \"{}\" wrongly", input.name));
   std::set<std::string> names;
   for (auto& spec : type.parameters) {

@@ -212,7 +212,7 @@ class RegistryTest : public QObject {
       VERIFY_ERROR(registry.add(type), ErrorCode::PluginBroken);
     };
     refused([](FeatureType& t) { t.inputs.clear(); });
-    refused([](FeatureType& t) { t.inputs[0].minimum = 2, t.inputs[0].most = 3; });
+    refused([](FeatureType& t) { t.inputs[0].minimum = 2, t.inputs[0].maximum = 3; });
     refused([](FeatureType& t) { t.inputs[0].kinds = {ShapeKind::Motion}; });
     refused([](FeatureType& t) { t.inputs.push_back({"more", "", {ShapeKind::Mesh}}); });
     refused([](FeatureType& t) { t.parameters[0].fallback = nullptr; });

@@ -24,7 +24,7 @@ Segment arcAlong(const Points& points, std::size_t from, std::size_t to) {
   const double sides = (b - a).norm() * (c - b).norm() * (c - a).norm();
   if (from + 1 == to || !(sides > 0)) return Line2{a, c};
   const double curvature = 2 * cross(Vec2(b - a), Vec2(c - b)) / sides;
-  return arcThrough(a, c, 2 * std::asin(std::clamp(curvature * (c - a).norm() / 2, -1.0, 1.0)));
+  return arcBetween(a, c, 2 * std::asin(std::clamp(curvature * (c - a).norm() / 2, -1.0, 1.0)));
 }
 
 /// Whether the lines from point to point lie near a segment.

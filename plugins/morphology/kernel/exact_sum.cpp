@@ -169,10 +169,10 @@ std::optional<SurfaceMesh> surfaceOf(Triangles triangles) {
 }
 
 /// Back to a surface when it touches itself nowhere any more.
-Solid simplest(Nef nef) {
+Solid simplest(const Nef& nef) {
   auto surface = surfaceOf(trianglesOf(nef));
   if (surface && !PMP::does_self_intersect(*surface)) return solidFrom(std::move(*surface));
-  return solidFrom(std::move(nef));
+  return solidFrom(nef);
 }
 
 Solid combined(const Solid& a, const Solid& b, Operation operation) {

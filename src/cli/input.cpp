@@ -66,7 +66,7 @@ FeatureId addFromDocument(const Invocation& invocation, Document& document, cons
                              : fmt::format("Did you mean {}?", near));
   }
   FeatureId added;
-  document = withFeatureOf(invocation.app, document, opened.document, id, &added);
+  document = withFeatureOf(*invocation.app.registry, document, opened.document, id, &added);
   return added;
 }
 

@@ -19,7 +19,8 @@ class ParameterFlags {
   /// Canonical values of the flags on the command line; parameters without a flag are absent.
   /// @throws UsageError for a value that cannot be parsed or is out of range, and for a repeated flag that is no list.
   [[nodiscard]] Value values() const;
-  /// The first flag on the command line, as typed, leaving out those that other specs declared before; empty when there is none.
+  /// The first flag on the command line, as typed, leaving out those that other specs declared before; empty when there is
+  /// none.
   [[nodiscard]] std::string firstUsed() const;
 
  private:

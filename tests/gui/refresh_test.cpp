@@ -81,7 +81,8 @@ FeatureType tetrahedron() {
   type.command = "tetrahedron";
   type.title = "Tetrahedron";
   type.summary = "A tetrahedron beside another one.";
-  type.inputs = {{.name = "beside", .help = "What it stands beside.", .kinds = {ShapeKind::Mesh}, .minimum = 0, .maximum = 1}};
+  type.inputs = {
+      {.name = "beside", .help = "What it stands beside.", .kinds = {ShapeKind::Mesh}, .minimum = 0, .maximum = 1}};
   ParameterSpec size = positiveLength();
   size.name = "size";
   size.help = "Length of an edge along an axis.";

@@ -133,9 +133,7 @@ class WorkerTest : public QObject {
   }
 
   void noDescriptorIsLeftBehind() {
-    const auto descriptors = [] {
-      return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
-    };
+    const auto descriptors = [] { return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator()); };
     endIdleWorkers();
     const auto before = descriptors();
     for (int i = 0; i < 3; ++i) selftest({{"mode", "echo"}});

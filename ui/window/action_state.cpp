@@ -1,7 +1,7 @@
 #include "ui/window/action_state.h"
 
-#include "ui/page/page.h"
 #include "document/edits.h"
+#include "ui/page/page.h"
 #include "ui/tree/document_tree.h"
 #include "ui/view/view_widget.h"
 

@@ -183,9 +183,9 @@ StripArea stripArea(const std::vector<const Slab*>& whole, const std::vector<con
   Few<Ends> parts = endsOf(whole, low, high), cuts = endsOf(covers, low, high);
   StripArea area;
   area.reach = gapsOfBoxes(parts, cuts, true);
-  area.most = height * total(area.reach);
-  area.minimum = area.most == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
-  if (area.most == 0) return area;
+  area.maximum = height * total(area.reach);
+  area.minimum = area.maximum == 0 ? 0 : height * total(gapsOfBoxes(parts, cuts, false));
+  if (area.maximum == 0) return area;
   findBulges(whole, low, high, parts);
   findBulges(covers, low, high, cuts);
   const auto upper = InOrder(parts, cuts, true, slack).width();

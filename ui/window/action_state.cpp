@@ -24,7 +24,7 @@ ActionState actionState(DocumentPage& page) {
     const Feature& first = document.at(state.selected.front());
     state.visible = first.visible;
     state.suppressed = first.suppressed;
-    state.isolated = isIsolated(document, state.selected) && document.features().size() > state.selected.size();
+    state.isolated = areOnlyVisible(document, state.selected) && document.features().size() > state.selected.size();
   }
   state.parallel = view.parallel();
   state.grid = view.gridVisible();

@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "core/stopwatch.h"
-#include "exchange/format/format.h"
+#include "exchange/formats.h"
 #include "geometry/planar/planar.h"
 #include "pocket/kernel/medial/boundary.h"
 #include "pocket/kernel/offset/clearance_diagram.h"

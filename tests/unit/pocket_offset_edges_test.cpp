@@ -211,8 +211,8 @@ class PocketOffsetEdgesTest final : public QObject {
       double nearest = std::abs((p - Vec2(1, 2)).norm() - 3);
       for (const Vec2& q : outline) nearest = std::min(nearest, (p - q).norm());
       // samples lie on the curve: no nearer than it
-      QVERIFY(!proof.holdsNothing(p, nearest + 1e-9));
-      QVERIFY(proof.holdsNothing(p, nearest - 0.02));
+      QVERIFY(!proof.isClear(p, nearest + 1e-9));
+      QVERIFY(proof.isClear(p, nearest - 0.02));
     }
     const Evaluated axis = made("medial-axis", {}, {part});
     QCOMPARE(figure(axis.shape, "uncertified"), 0.0);

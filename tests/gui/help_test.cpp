@@ -1,3 +1,4 @@
+#include <QClipboard>
 #include <QDialog>
 #include <QLineEdit>
 #include <QListWidget>

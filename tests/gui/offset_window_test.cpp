@@ -2,6 +2,7 @@
 #include <QDragEnterEvent>
 #include <QFile>
 #include <QMimeData>
+#include <QToolButton>
 #include <algorithm>
 #include <array>
 

@@ -57,7 +57,8 @@ inline void closeEnds(BentSlot& slot) {
   slot.part.loops = {loop};
 }
 
-/// Its middle turns left and right, up to `steepest` radians from x, so that it does not meet itself.
+/// Its middle turns left and right, up to `steepest` radians from x, so that it does not meet itself; it is at least
+/// twice as long as wide.
 inline BentSlot arcSlot(std::mt19937_64& random, double width, double steepest = 1.3) {
   std::uniform_real_distribution<double> unit(0, 1);
   BentSlot slot;
@@ -67,7 +68,7 @@ inline BentSlot arcSlot(std::mt19937_64& random, double width, double steepest =
   Heading at{{10 * unit(random), 10 * unit(random)}, steepest * (2 * unit(random) - 1)};
   slot.start = at;
   const int pieces = 1 + static_cast<int>(6 * unit(random));
-  for (int i = 0; i < pieces; ++i) {
+  for (int i = 0; i < pieces || slot.length < 2 * width; ++i) {
     Heading next = at;
     Segment right, left;  // both forwards
     if (i > 0 && unit(random) < 0.3) {

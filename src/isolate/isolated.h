@@ -25,7 +25,7 @@ struct IsolationOptions {
 /// The statistics get "worker_ms": what the evaluation took beside the kernel, which is the way to the child and back, and
 /// its start when none was kept (see runInWorker).
 ///
-/// The module that declares it needs BLOSSOM_WORKER_CALLS() { .. } that declares its feature types once more, in the child.
+/// The child declares the feature types of the module once more, which BLOSSOM_PLUGIN provides for.
 FeatureType isolated(FeatureType, IsolationOptions);
 
 }  // namespace blossom

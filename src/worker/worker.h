@@ -7,11 +7,6 @@
 #include "core/progress.h"
 #include "parameter/value.h"
 
-/// A module (a plugin, say) whose calls a worker is to serve defines this function and names itself in
-/// WorkerOptions::module:
-///   BLOSSOM_WORKER_CALLS() { blossom::registerWorkerCall("modeling.fillet", ..); }
-#define BLOSSOM_WORKER_CALLS() extern "C" __attribute__((visibility("default"))) void blossomRegisterWorkerCalls()
-
 namespace blossom {
 
 /// A call that may run in a child process: arguments and result are JSON; bulk data travel as files in `folder`, which both

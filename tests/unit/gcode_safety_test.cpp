@@ -161,7 +161,7 @@ class GcodeSafetyTest : public QObject {
     QCOMPARE(ready.cutter.spindle, 8000.0);
     QCOMPARE(pathOf("G21 G90\nT3 M6\nS500\nM3\n" + cut + "M2\n").cutter.spindle, 500.0);
     QCOMPARE(parsed("G21 G90\nM3\n" + cut).doubts,
-             std::vector<std::string>{"line 4 cuts before the spindle has a speed (S)"});
+             std::vector<std::string>{"line 4 cuts without a speed of the spindle above 0 (S)"});
     QCOMPARE(parsed("G21 G90\nS100 M3\nM5\n" + cut).doubts,
              std::vector<std::string>{"line 5 cuts while the spindle stands still; line 3 stopped it"});
     QVERIFY(parsed(head + cut).doubts.empty());
@@ -298,6 +298,54 @@ class GcodeSafetyTest : public QObject {
       ++between;
     }
     QVERIFY(between > 50);
+  }
+
+  void whatControlsStopAtIsTold_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("doubt");
+    const auto row = [](const char* line, const char* doubt) { QTest::newRow(line) << line << doubt; };
+    row("F-5", "line 7: F-5 is below 0");
+    row("G4 P-1", "line 7: P-1 is below 0");
+    row("S-1", "line 7: S-1 is below 0");
+    row("F0", "line 8 cuts without a feed");
+    row("S0", "line 8 cuts without a speed");
+    row("G64 P2", "line 7: G64 P lets the control leave its way by up to 2 mm");
+    row("%", "line 7: controls differ about a %");
+    row("G64 P0.005", "");
+    row("F50", "");
+    row("G4 P0.5", "");
+    row("% G1 X20 Y10 (a comment in Blossom, an error of LinuxCNC)", "line 7: controls differ about a %");
+  }
+
+  void whatControlsStopAtIsTold() {
+    QFETCH(QString, line);
+    QFETCH(QString, doubt);
+    const auto doubts =
+        parsed(head + "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X20\n" + line.toStdString() + "\nG1 Y20\nG1 X0\nG0 Z5\nM2\n").doubts;
+    const auto tells = [&](const std::string& one) { return one.starts_with(doubt.toStdString()); };
+    if (doubt.isEmpty())
+      QVERIFY2(doubts.empty(), doubts.empty() ? "" : doubts[0].c_str());
+    else
+      QVERIFY2(std::any_of(doubts.begin(), doubts.end(), tells), doubts.empty() ? "no doubt" : doubts[0].c_str());
+  }
+
+  void whatHasNoFeedIsTold() {
+    const auto doubts = parsed(head + "G0 X0 Y0 Z5\nG1 Z-1\nG1 X20\nF0\nG1 Y2\nF9\nG1 Y3\nM2\n").doubts;
+    QCOMPARE(doubts.size(), std::size_t{2});
+    QVERIFY(doubts[0].starts_with("line 5 cuts without a feed") && doubts[1].starts_with("line 8 cuts without a feed"));
+  }
+
+  void thePercentSignEndsWhatItBegan() {
+    const std::string whole = "%\n" + head + "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X20\n";
+    for (const std::string end : {"%\n", " %\n\n", "%"}) {
+      const GcodeProgram ended = parsed(whole + end);
+      QVERIFY(ended.doubts.empty());
+      QCOMPARE(ended.moves.size(), std::size_t{3});
+    }
+    const GcodeProgram cut = parsed(whole + "%\nG1 Y20\nG0 Z5\nM5\nM2\n%\n");
+    QCOMPARE(cut.moves.size(), std::size_t{3});
+    QCOMPARE(cut.doubts, std::vector<std::string>{"line 8: % ends the program; what stands after it is not run"});
+    QCOMPARE(cut.drawingDoubts, cut.doubts);
   }
 
   void blendingIsNeverWithoutALimit() {

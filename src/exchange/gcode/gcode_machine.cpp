@@ -35,7 +35,8 @@ void GcodeParser::noteCoolant() {
   if (program_.cut && (mist_ != program_.mist || flood_ != program_.flood)) noteLost("changes of the coolant (M7, M8, M9)");
 }
 
-void GcodeParser::dwell() {
+void GcodeParser::dwell(const Block& block) {
+  if (block.weight.value_or(0) < 0) watch_.belowZero('P', *block.weight);
   if (!justStarted_) noteLost(notKept('G', 4));
 }
 
@@ -74,8 +75,6 @@ void GcodeParser::beginCutting() {
     program_.doubts.push_back(
         fmt::format("line {} cuts before X, Y and Z were all named; what was not is taken as 0", lineNumber_));
   program_.cutter.spindle = turning_ || !program_.turnsSpindle ? speed_ : 0;
-  if (turning_ && speed_ == 0)
-    program_.doubts.push_back(fmt::format("line {} cuts before the spindle has a speed (S)", lineNumber_));
 }
 
 void GcodeParser::noteLost(const std::string& what) {

@@ -55,7 +55,10 @@ void GcodeParser::watchModes(const Block& block) {
   if (!block.blends) return;
   const bool evaluated = block.weight || !block.saysP;
   if (evaluated && !(block.weight.value_or(0) > 0)) watch_.blendsWithoutLimit();
-  if (block.weight) program_.blending = std::max(program_.blending, *block.weight * unit_);
+  if (!block.weight) return;
+  const double blending = *block.weight * unit_;
+  watch_.blends(blending);
+  program_.blending = std::max(program_.blending, blending);
 }
 
 void GcodeParser::mode(double code, Block& block) {

@@ -26,6 +26,8 @@ GcodeProgram GcodeParser::read(std::string_view text, const Progress& progress) 
     readLine(text.substr(begin, end - begin));
     begin = end + 1;
   }
+  if (closed_ && begin < text.size() && text.find_first_not_of(" \t\r\n%", begin) != std::string_view::npos)
+    watch_.endsBefore();
   finishNurbs();
   settleSpindle();
   settleDoubts(progress);
@@ -55,8 +57,10 @@ void GcodeParser::readLine(std::string_view raw) {
   const GcodeLine read = withoutComments(raw);
   for (const std::string& comment : read.comments) readComment(comment, program_);
   if (read.nested) cannotFollow("a comment within a comment");
+  if (read.tapeMark) return tapeMark();
   const std::string& line = read.code;
   if (line.empty()) return;
+  begun_ = true;
   if (line.front() == '/') return cannotFollow("a line that may be left out (/)");
   if (line.front() == '#') {
     const auto isSystem = [&] { return line.size() > 4 && line[1] == '5' && line.find('=') >= 5; };
@@ -78,6 +82,15 @@ void GcodeParser::readLine(std::string_view raw) {
   run(said.words);
 }
 
+void GcodeParser::tapeMark() {
+  if (!begun_)
+    opened_ = lineNumber_;
+  else if (opened_)
+    closed_ = lineNumber_, ended_ = true;
+  else
+    watch_.endsPerhaps();
+}
+
 void GcodeParser::run(const std::vector<GcodeWord>& line) {
   Block block;
   for (const GcodeWord& word : line)
@@ -88,7 +101,7 @@ void GcodeParser::run(const std::vector<GcodeWord>& line) {
   if (block.extended) setWorkOffset(fmt::format("G54.1 P{:g}", block.weight.value_or(1)));
   if (block.scaling && block.namesAny()) cannotFollow("scaling or a moved zero (G50)");
   if (block.dwell && block.namesAny()) return cannotFollow("a dwell that is given by an axis (G4)");
-  if (block.dwell) dwell();
+  if (block.dwell) dwell(block);
   watchModes(block);
   motionOf(block);
 }
@@ -137,10 +150,12 @@ void GcodeParser::place(const GcodeWord& word, Block& block) {
 void GcodeParser::setting(const GcodeWord& word) {
   switch (word.letter) {
     case 'F':
-      if (word.value) feed_ = *word.value * unit_;
+      if (word.value) feed_ = std::max(0.0, *word.value) * unit_;
+      watch_.feed(word.value);
       break;
     case 'S':
       if (word.value) setSpeed(std::max(0.0, *word.value));
+      watch_.speed(word.value);
       break;
     case 'T':
       program_.namesTool = true;

@@ -46,6 +46,8 @@ class GcodeParser {
   /// Records an obstacle: contours can be read without it, but a toolpath would be wrong.
   void cannotFollow(const std::string& what);
   void readLine(std::string_view raw);
+  /// "%" on a line of its own: a program that begins with one ends at the next.
+  void tapeMark();
   /// Executes a line. Modes come first, whatever their position: "X1 Y1 G20" goes to one inch.
   void run(const std::vector<GcodeWord>& line);
   void place(const GcodeWord& word, Block& block);
@@ -66,7 +68,7 @@ class GcodeParser {
   void cool(int code);
   void noteCoolant();
   /// The wait for a spindle that was just started is not lost, because writing the program adds it again.
-  void dwell();
+  void dwell(const Block& block);
   /// T without M6 may prepare a tool while the one before still cuts.
   void chooseTool(int number);
   void changeTool();
@@ -99,7 +101,8 @@ class GcodeParser {
   double feed_ = 0;
   bool absolute_ = true;
   bool absoluteCenters_ = false;
-  bool ended_ = false;
+  bool begun_ = false, ended_ = false;
+  std::optional<std::size_t> opened_, closed_;  ///< lines of the first "%", and of the "%" that ends the program
   Vec3 at_ = Vec3::Zero();
   Vec3 nurbsEnd_ = Vec3::Zero();
   std::bitset<3> unknown_{0b111};  ///< axes with an unknown position

@@ -46,6 +46,39 @@ void GcodeWatch::blendsWithoutLimit() {
        fmt::format("line {}: G64 without a tolerance (P) lets the control cut corners without a limit", line_));
 }
 
+void GcodeWatch::blends(double mm) {
+  constexpr double unusual = 0.1;  // mm: ten times what roughing asks for; 2 where 0.002 was meant
+  if (mm > unusual)
+    note(corners_, line_,
+         fmt::format("line {}: G64 P lets the control leave its way by up to {:g} mm at corners, also where it lifts", line_,
+                     mm));
+}
+
+void GcodeWatch::endsBefore() {
+  note(ends_, line_, fmt::format("line {}: % ends the program; what stands after it is not run", line_));
+}
+
+void GcodeWatch::endsPerhaps() {
+  note(ends_, line_,
+       fmt::format("line {}: controls differ about a % between the lines of a program; it is read past it here", line_));
+}
+
+void GcodeWatch::belowZero(char letter, double value) {
+  note(negative_, line_, fmt::format("line {}: {}{:g} is below 0, and controls stop there", line_, letter, value));
+}
+
+void GcodeWatch::feed(std::optional<double> value) {
+  if (value && *value < 0) belowZero('F', *value);
+  feeds_ = !value || *value > 0;
+  feedDoubted_ = false;
+}
+
+void GcodeWatch::speed(std::optional<double> value) {
+  if (value && *value < 0) belowZero('S', *value);
+  hasSpeed_ = !value || *value > 0;
+  speedDoubted_ = false;
+}
+
 void GcodeWatch::moves() {
   if (unitsSaid_ || unitsDoubted_) return;
   unitsDoubted_ = true;
@@ -65,8 +98,23 @@ void GcodeWatch::checkLength() {
                    length_->line, length_->number, length_->number, line_, tool->number, tool->line));
 }
 
+void GcodeWatch::checkFeed() {
+  if (feeds_ || feedDoubted_) return;
+  feedDoubted_ = true;
+  note(feeding_, line_, fmt::format("line {} cuts without a feed above 0 (F)", line_));
+}
+
 void GcodeWatch::cuts() {
   checkLength();
+  checkFeed();
+  checkSpindle();
+}
+
+void GcodeWatch::checkSpindle() {
+  if (turning_ && !hasSpeed_ && !speedDoubted_) {
+    speedDoubted_ = true;
+    note(still_, line_, fmt::format("line {} cuts without a speed of the spindle above 0 (S)", line_));
+  }
   if (turning_ || stillDoubted_) return;
   stillDoubted_ = true;
   note(still_, line_,
@@ -76,9 +124,9 @@ void GcodeWatch::cuts() {
 
 std::vector<std::string> GcodeWatch::doubts() const {
   Noted all = units_;
-  all.insert(all.end(), lengths_.begin(), lengths_.end());
+  for (const Noted* kind : {&ends_, &lengths_, &corners_, &feeding_, &negative_})
+    all.insert(all.end(), kind->begin(), kind->end());
   if (everTurned_) all.insert(all.end(), still_.begin(), still_.end());
-  all.insert(all.end(), corners_.begin(), corners_.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> sentences;
   sentences.reserve(all.size());
@@ -88,7 +136,8 @@ std::vector<std::string> GcodeWatch::doubts() const {
 
 std::vector<std::string> GcodeWatch::drawingDoubts() const {
   std::vector<std::string> sentences;
-  for (const auto& [line, what] : units_) sentences.push_back(what);
+  for (const Noted* kind : {&units_, &ends_})
+    for (const auto& [line, what] : *kind) sentences.push_back(what);
   return sentences;
 }
 

@@ -23,7 +23,13 @@ class GcodeWatch {
   void noLength() { length_.reset(); }                      ///< G49
   void spindleTurns();
   void spindleStops();
-  void blendsWithoutLimit();  ///< G64 without P
+  void blendsWithoutLimit();                  ///< G64 without P
+  void blends(double mm);                     ///< G64 P
+  void endsBefore();                          ///< "%" ends the program, and more follows
+  void endsPerhaps();                         ///< "%" in a program that does not begin with one
+  void feed(std::optional<double> value);     ///< F; nothing for a parameter or an expression
+  void speed(std::optional<double> value);    ///< S; the same
+  void belowZero(char letter, double value);  ///< a word that controls refuse below 0
 
   void moves();  ///< a motion with coordinates
   void cuts();   ///< a motion with coordinates other than a rapid
@@ -41,6 +47,8 @@ class GcodeWatch {
   };
   static void note(Noted& where, std::size_t line, std::string what);
   void checkLength();
+  void checkFeed();
+  void checkSpindle();
 
   std::size_t line_ = 0;
   bool unitsSaid_ = false, unitsDoubted_ = false;
@@ -48,8 +56,10 @@ class GcodeWatch {
   bool changes_ = false;
   std::set<std::pair<int, int>> mismatches_;
   bool turning_ = false, everTurned_ = false, stillDoubted_ = false;
+  bool feeds_ = false, feedDoubted_ = false;      ///< a feed above 0 is set; doubted since it was set last
+  bool hasSpeed_ = false, speedDoubted_ = false;  ///< the same for the spindle's speed
   std::optional<std::size_t> stopped_;
-  Noted units_, lengths_, still_, corners_;
+  Noted units_, ends_, lengths_, still_, corners_, feeding_, negative_;
 };
 
 }  // namespace blossom

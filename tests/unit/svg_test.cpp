@@ -203,6 +203,17 @@ class SvgTest : public QObject {
     QVERIFY(!imported.warnings.empty());
   }
 
+  void whatIsCroppedIsTold() {
+    const std::string square = "<rect width='10' height='10'/>";
+    const Imported whole = read(square + "<g clip-path='none'>" + square + "</g>");
+    QVERIFY(whole.warnings.empty());
+    for (const std::string way : {"clip-path='url(#c)'", "style='clip-path:url(#c)'", "mask='url(#m)'"}) {
+      const Imported cropped = read(square + "<g " + way + "><g>" + square + square + "</g></g>");
+      QCOMPARE(cropped.warnings.size(), std::size_t{1});
+      QVERIFY2(cropped.warnings[0].starts_with("2 shapes are cropped"), cropped.warnings[0].c_str());
+    }
+  }
+
   void paintAndLayer() {
     const Curves curves = curvesOf(
         "<g id='cut'><circle r='1' fill='#ff0000'/><g inkscape:label='inner' style='fill:none;stroke:rgb(0,0,255)'><circle "

@@ -38,6 +38,7 @@ struct Style {
   std::string fill = "black", stroke = "none", color;
   bool paintGiven = false;  ///< fill or stroke stand in the file; a default black is no colour of its own
   bool evenOdd = false, visible = true, displayed = true;
+  bool cropped = false;  ///< by a clip-path or mask, of itself or of what it stands in
   std::string layer;
 };
 
@@ -117,13 +118,15 @@ class Reader {
         style.visible = value == "visible";
       else if (name == "display")
         style.displayed = value != "none";
+      else if (name == "clip-path" || name == "mask")
+        style.cropped = style.cropped || value != "none";
     }
   }
 
   /// Attributes, then the style sheet, then the style attribute (SVG 1.1, 6.4).
   Style styled(const xml_node& node, Style style) const {
     Declarations attributes;
-    for (const char* name : {"fill", "stroke", "color", "fill-rule", "visibility", "display"})
+    for (const char* name : {"fill", "stroke", "color", "fill-rule", "visibility", "display", "clip-path", "mask"})
       if (const auto a = node.attribute(name)) attributes.emplace(name, trimmed(a.value()));
     apply(attributes, style);
     if (!rules_.empty()) {
@@ -241,6 +244,7 @@ class Reader {
     }
     const bool filled = style.fill != "none" && style.fill != "transparent" && name != "line";
     if (!filled && style.stroke == "none") ++unpainted_;
+    if (style.cropped) ++cropped_;
     if (filled) (style.evenOdd ? evenOdd_ : nonZero_) += paths.size();
     for (Path& path : paths) add(std::move(path), place, style, filled);
   }
@@ -280,6 +284,7 @@ class Reader {
     warn(lost_ > 0, fmt::format("{} elements use others that are not in the file.", lost_));
     warn(collapsed_ > 0, fmt::format("{} shapes are scaled to nothing and were left out.", collapsed_));
     warn(unpainted_ > 0, fmt::format("{} shapes have neither fill nor stroke; they were read all the same.", unpainted_));
+    warn(cropped_ > 0, fmt::format("{} shapes are cropped by clip-path or mask; they were read whole.", cropped_));
     warn(evenOdd_ > 0 && nonZero_ > 0, "Its shapes use both fill rules; all are read with the rule nonzero.");
     curves_.fillRule = evenOdd_ > 0 && nonZero_ == 0 ? FillRule::EvenOdd : FillRule::NonZero;
     imported.entities = entities_.toValue();
@@ -297,7 +302,8 @@ class Reader {
   Curves curves_;
   Counter entities_, skipped_;
   std::set<std::string> open_;
-  std::size_t elements_ = 0, segments_ = 0, lost_ = 0, collapsed_ = 0, unpainted_ = 0, evenOdd_ = 0, nonZero_ = 0;
+  std::size_t elements_ = 0, segments_ = 0, lost_ = 0, collapsed_ = 0, unpainted_ = 0, cropped_ = 0, evenOdd_ = 0,
+              nonZero_ = 0;
   int useDepth_ = 0;
 };
 

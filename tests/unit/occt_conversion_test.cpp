@@ -77,6 +77,29 @@ class OcctConversionTest : public QObject {
       QVERIFY(back.knots == expected.knots);
     }
   }
+  void aPeriodicSurfaceWithoutWeightsHasThemAllAtOne() {
+    Random random = seededRandom();
+    constexpr int around = 7, across = 4;
+    TColgp_Array2OfPnt poles(1, around, 1, across);
+    for (int i = 1; i <= around; ++i)
+      for (int j = 1; j <= across; ++j) {
+        const double angle = 2 * pi * i / around, radius = uniform(random, 5, 9);
+        poles(i, j) = {radius * std::cos(angle), radius * std::sin(angle), 3.0 * j};
+      }
+    TColStd_Array1OfReal knotsU(1, around + 1), knotsV(1, 2);
+    TColStd_Array1OfInteger onceU(1, around + 1), fullV(1, 2);
+    for (int i = 1; i <= around + 1; ++i) knotsU(i) = i, onceU(i) = 1;
+    knotsV(1) = 0, knotsV(2) = 1;
+    fullV.Init(across);
+    const Handle(Geom_BSplineSurface) closed =
+        new Geom_BSplineSurface(poles, knotsU, knotsV, onceU, fullV, 3, across - 1, true, false);
+    const Surface surface = fromOcct(closed);
+    COMPARE_NEAR(smallestWeight(surface), 1, 0);
+    for (int k = 0; k < 50; ++k) {
+      const double u = randomParameter(random, surface.domainU()), v = randomParameter(random, surface.domainV());
+      COMPARE_NEAR((toVec(closed->Value(u, v)) - point(surface, u, v)).norm(), 0, 1e-10);
+    }
+  }
   void surfacesEvaluateAlikeAndComeBack() {
     Random random = seededRandom();
     for (int i = 0; i < 30; ++i) {

@@ -158,10 +158,12 @@ Surface fromOcct(const Handle(Geom_BSplineSurface) & given) {
                  fullKnots(surface->UKnots(), surface->UMultiplicities()),
                  fullKnots(surface->VKnots(), surface->VMultiplicities()),
                  {}};
+  // Asked of the given one: after SetUNotPeriodic OCCT holds weights of 0 for surfaces without weights.
+  const bool rational = given->IsURational() || given->IsVRational();
   result.poles.reserve(static_cast<std::size_t>(surface->NbUPoles()) * static_cast<std::size_t>(surface->NbVPoles()));
   for (int i = 1; i <= surface->NbUPoles(); ++i)
     for (int j = 1; j <= surface->NbVPoles(); ++j)
-      result.poles.push_back(homogeneous(surface->Pole(i, j), surface->Weight(i, j)));
+      result.poles.push_back(homogeneous(surface->Pole(i, j), rational ? surface->Weight(i, j) : 1));
   return result;
 }
 

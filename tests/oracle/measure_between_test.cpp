@@ -3,6 +3,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -69,6 +70,7 @@ class MeasureBetweenTest : public QObject {
   void ellipsesAgainstClosedForm();
   void randomSegmentsAndTriangles();
   void randomPrimitivesAgainstThePeer();
+  void ringsOfSplinesAgainstTheirCircles();
   void freeFormAgainstItsTriangles();
   void meshesAgainstExactShapes();
   void whatIsNotThereIsSaid();
@@ -303,6 +305,36 @@ void MeasureBetweenTest::randomPrimitivesAgainstThePeer() {
           COMPARE_NEAR(on.Value(), 0, 1e-7);
         }
     }
+}
+
+void MeasureBetweenTest::ringsOfSplinesAgainstTheirCircles() {
+  // Two rings are as far apart as the circles in their middle, less both thicknesses; splines have seams where they close.
+  constexpr double major = 5, minor = 2;
+  const TopoDS_Shape ring = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(major, minor).Shape()).Shape();
+  const auto onCircle = [&](double t) -> Vec3 { return {major * std::cos(t), major * std::sin(t), 0}; };
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 axis = vector(1).normalized(), by(uniform(16, 20), uniform(0, 8), uniform(0, 8));
+    const double angle = uniform(0, 2 * pi);
+    const Eigen::AngleAxisd turn(angle, axis);
+    const auto fromFirst = [&](double t) {
+      const Vec3 p = turn * onCircle(t) + by;
+      return std::hypot(p.head<2>().norm() - major, p.z());
+    };
+    constexpr int steps = 2000;
+    int nearest = 0;
+    for (int k = 1; k < steps; ++k)
+      if (fromFirst(2 * pi * k / steps) < fromFirst(2 * pi * nearest / steps)) nearest = k;
+    double low = 2 * pi * (nearest - 1) / steps, high = 2 * pi * (nearest + 1) / steps;
+    for (int k = 0; k < 60; ++k) {
+      const double third = (high - low) / 3;
+      if (fromFirst(low + third) < fromFirst(high - third))
+        high -= third;
+      else
+        low += third;
+    }
+    const double expected = fromFirst((low + high) / 2) - 2 * minor;
+    COMPARE_NEAR(distance(brep(ring), moved(ring, by, axis, angle)), expected, 1e-9);
+  }
 }
 
 void MeasureBetweenTest::freeFormAgainstItsTriangles() {

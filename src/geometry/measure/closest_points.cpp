@@ -52,7 +52,32 @@ class PairNewton {
 
   /// Nothing when it ends outside the trimming of a face.
   [[nodiscard]] std::optional<FootPoints> from(const Parameters& atA, const Parameters& atB) const {
-    Vector x(atA[0], atA[1], atB[0], atB[1]);
+    Place best = descend({atA[0], atA[1], atB[0], atB[1]});
+    // Where a patch closes in itself, the way down may go on at its other end.
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const bool atEnd = best.x[i] == low_[i] || best.x[i] == high_[i];
+      if (!atEnd || !isClosed(i)) continue;
+      Vector across = best.x;
+      across[i] = best.x[i] == low_[i] ? high_[i] : low_[i];
+      const Place beyond = descend(across);
+      if (beyond.model.value < best.model.value) best = beyond, i = -1;  // another end may be reached from there
+    }
+    if (!a_.contains({best.x[0], best.x[1]}) || !b_.contains({best.x[2], best.x[3]})) return std::nullopt;
+    return best.model.feet;
+  }
+
+ private:
+  struct Place {
+    Vector x;
+    Model model;
+  };
+
+  [[nodiscard]] bool isClosed(Eigen::Index i) const {
+    const std::size_t along = static_cast<std::size_t>(i) % 2;
+    return used_[static_cast<std::size_t>(i)] && (i < 2 ? a_ : b_).closed(along);
+  }
+
+  [[nodiscard]] Place descend(Vector x) const {
     Model now = model(x);
     double damping = 1e-6;
     for (int step = 0; step < 100 && damping < 1e12; ++step) {
@@ -69,11 +94,9 @@ class PairNewton {
       now = then;
       damping = damping < 1e-12 ? 0 : damping / 10;
     }
-    if (!a_.contains({x[0], x[1]}) || !b_.contains({x[2], x[3]})) return std::nullopt;
-    return now.feet;
+    return {x, now};
   }
 
- private:
   void set(std::size_t place, bool used, const MeasurePatch& patch, std::size_t i) {
     used_[place] = used;
     const auto k = static_cast<Eigen::Index>(place);

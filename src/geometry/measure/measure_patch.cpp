@@ -42,6 +42,8 @@ bool straightIn(GeomAbs_SurfaceType type, bool alongV) {
          (alongV && (type == GeomAbs_Cylinder || type == GeomAbs_Cone || type == GeomAbs_SurfaceOfExtrusion));
 }
 
+bool meets(const gp_Pnt& a, const gp_Pnt& b) { return a.IsEqual(b, Precision::Confusion()); }
+
 double between(double low, double high, int i, int count) { return low + (high - low) * i / (count - 1); }
 
 }  // namespace
@@ -54,6 +56,7 @@ MeasurePatch::MeasurePatch(const TopoDS_Shape& shape) : box_(boxOf(shape)) {
     low_[0] = curve_->FirstParameter();
     high_[0] = curve_->LastParameter();
     requireFinite(low_[0], high_[0]);
+    closed_[0] = meets(curve_->Value(low_[0]), curve_->Value(high_[0]));
   } else {
     const TopoDS_Face face = TopoDS::Face(shape.Oriented(TopAbs_FORWARD));
     surface_ = std::make_unique<BRepAdaptor_Surface>(face, Standard_False);
@@ -61,7 +64,19 @@ MeasurePatch::MeasurePatch(const TopoDS_Shape& shape) : box_(boxOf(shape)) {
     BRepTools::UVBounds(face, low_[0], high_[0], low_[1], high_[1]);
     requireFinite(low_[0], high_[0]);
     requireFinite(low_[1], high_[1]);
+    closed_ = {closes(0), closes(1)};
   }
+}
+
+bool MeasurePatch::closes(std::size_t along) const {
+  constexpr int places = 3;
+  for (int k = 0; k < places; ++k) {
+    Parameters first, last;
+    first[along] = low_[along], last[along] = high_[along];
+    first[1 - along] = last[1 - along] = between(low_[1 - along], high_[1 - along], k, places);
+    if (!meets(surface_->Value(first[0], first[1]), surface_->Value(last[0], last[1]))) return false;
+  }
+  return true;
 }
 
 Vec3 MeasurePatch::point(const Parameters& at) const {

@@ -34,6 +34,8 @@ class MeasurePatch {
   [[nodiscard]] const Bounds& box() const { return box_; }
   [[nodiscard]] const Parameters& low() const { return low_; }
   [[nodiscard]] const Parameters& high() const { return high_; }
+  /// Whether the patch meets itself at both ends of a parameter.
+  [[nodiscard]] bool closed(std::size_t along) const { return closed_[along]; }
   [[nodiscard]] Derivatives derivatives(const Parameters&) const;
   /// Whether the parameters lie within the trimming of a face or on its boundary.
   [[nodiscard]] bool contains(const Parameters&) const;
@@ -46,6 +48,7 @@ class MeasurePatch {
 
  private:
   [[nodiscard]] Vec3 point(const Parameters&) const;
+  [[nodiscard]] bool closes(std::size_t along) const;
   void makeSamples() const;
   [[nodiscard]] std::size_t cell(int i, int j) const;
   [[nodiscard]] int placeOf(int i, int j) const;
@@ -54,6 +57,7 @@ class MeasurePatch {
   std::unique_ptr<BRepTopAdaptor_FClass2d> trimming_;
   Vec3 vertex_ = Vec3::Zero();
   Parameters low_{0, 0}, high_{0, 0};
+  std::array<bool, 2> closed_{};
   Bounds box_;
   mutable std::vector<Sample> samples_;
   mutable std::vector<int> grid_;  // u-major; index in samples_, -1 where the patch is trimmed away

@@ -11,6 +11,7 @@
 #include "cli/progress_display.h"
 #include "cli/report.h"
 #include "document/edits.h"
+#include "geometry/measure/counted_twice.h"
 
 namespace blossom {
 namespace {
@@ -32,6 +33,13 @@ class InfoCommand {
     Measures measures;
   };
 
+  static std::vector<std::string> withDoubts(std::vector<std::string> warnings, const Shape& shape,
+                                             const Progress& progress) {
+    if (const Mesh* mesh = shape.get<Mesh>())
+      if (const auto doubt = countedTwice(*mesh, progress)) warnings.push_back(*doubt);
+    return warnings;
+  }
+
   Info ofFile(const std::filesystem::path& file, const Progress& progress) const {
     const Stopwatch watch;
     const Format* format = invocation_.app.formats->find(file.extension().string());
@@ -44,7 +52,7 @@ class InfoCommand {
                           {"total_ms", invocation_.elapsedMs()},
                           {"entities", imported.entities},
                           {"skipped", imported.skipped}};
-    info.json["warnings"] = imported.warnings;
+    info.json["warnings"] = withDoubts(imported.warnings, imported.shape, progress);
     return info;
   }
 
@@ -64,6 +72,7 @@ class InfoCommand {
             fmt::format("The feature \"{}\" failed: {}", last, rootCause(opened.document, results, last).message()));
       else
         info.json["result"] = resultJson(info.measures = measured(result.evaluated, progress));
+      warnings = withDoubts(std::move(warnings), result.evaluated.shape, progress);
     }
     info.json["stats"] = {{"total_ms", invocation_.elapsedMs()}};
     info.json["warnings"] = warnings;
@@ -80,7 +89,7 @@ class InfoCommand {
     info.json["result"] = resultJson(info.measures);
     info.json["stats"] = {{"kernel_ms", result->kernelMs}, {"total_ms", invocation_.elapsedMs()}};
     info.json["stats"].update(result->evaluated.stats);
-    info.json["warnings"] = warnings;
+    info.json["warnings"] = withDoubts(std::move(warnings), result->evaluated.shape, progress);
     return info;
   }
 

@@ -8,9 +8,12 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopExp_Explorer.hxx>
+#include <algorithm>
+#include <array>
 #include <gp_Ax2.hxx>
 #include <numbers>
 
+#include "geometry/measure/counted_twice.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
 #include "support/solids.h"
@@ -53,6 +56,35 @@ class MeasureTest : public QObject {
     compareSolid(BRepPrimAPI_MakeTorus(5, 2).Shape(), {2 * pi * pi * 5 * 4, 4 * pi * pi * 10, 1, 1, 1}, 1e-12);
     compareSolid(BRepPrimAPI_MakeCone(3, 1, 4).Shape(),
                  {pi * 4 / 3 * (9 + 3 + 1), pi * (9 + 1 + (3 + 1) * std::sqrt(20.0)), 3, 0, 1}, 1e-12);
+  }
+  void volumesThatCountSpaceTwiceAreTold() {
+    const auto with = [](Mesh mesh, const Vec3& low, double size, bool outwards = true) {
+      const int first = static_cast<int>(mesh.points.size());
+      for (int k = 0; k < 8; ++k) mesh.points.push_back(low + size * Vec3(k & 1, k >> 1 & 1, k >> 2 & 1));
+      for (std::array<int, 4> face : std::to_array<std::array<int, 4>>(
+               {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})) {
+        if (!outwards) std::reverse(face.begin(), face.end());
+        for (int& v : face) v += first;
+        mesh.addFace(face);
+      }
+      return mesh;
+    };
+    const Mesh one = with({}, {0, 0, 0}, 10);
+    const Mesh hollow = with(one, {2, 2, 2}, 6, false);
+    for (const Mesh& right : {one, with(one, {20, 0, 0}, 10), with(one, {10, 10, 10}, 10), hollow,
+                              with(hollow, {4, 4, 4}, 2), with(with(hollow, {3, 3, 3}, 1), {5, 5, 5}, 2)})
+      QVERIFY(!countedTwice(right));
+    const auto tells = [](const Mesh& wrong, const char* what) {
+      const auto told = countedTwice(wrong);
+      return told && told->find(what) != std::string::npos;
+    };
+    QVERIFY(tells(with(one, {5, 5, 5}, 10), "intersect near"));  // 2000, and the union holds 1875
+    QVERIFY(tells(with(one, {2, 2, 2}, 6), "lies within another"));
+    QVERIFY(tells(with(with(hollow, {3, 3, 3}, 4), {4, 4, 4}, 1), "A body at (4.33333, 4.66667, 4)"));
+    Mesh open = with(one, {5, 5, 5}, 10);
+    open.faceStarts.pop_back();
+    open.faceVertices.resize(open.faceVertices.size() - 4);
+    QVERIFY(!countedTwice(open));
   }
   void trimmedFacesOfTheSteinmetzSolid() {
     const double r = 2;

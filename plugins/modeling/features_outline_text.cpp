@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/lower_case.h"
 #include "features_outline.h"
 #include "features_outline_text.h"
 
@@ -20,11 +21,6 @@ struct TextParameters {
   double spacing = 1;
 };
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 /// At most five names: first the one that is spelt alike, then those that share a word of it.
 std::vector<std::string> similar(const std::string& wanted, const std::vector<std::string>& families) {
   std::vector<std::string> found;
@@ -34,10 +30,10 @@ std::vector<std::string> similar(const std::string& wanted, const std::vector<st
   if (const std::string near = nearestName(wanted, families); !near.empty()) add(near);
   for (std::size_t from = 0; from < wanted.size();) {
     const std::size_t to = std::min(wanted.find(' ', from), wanted.size());
-    const std::string word = lower(wanted.substr(from, to - from));
+    const std::string word = lowerCase(wanted.substr(from, to - from));
     if (word.size() > 2)
       for (const std::string& family : families)
-        if (lower(family).find(word) != std::string::npos) add(family);
+        if (lowerCase(family).find(word) != std::string::npos) add(family);
     from = to + 1;
   }
   for (const std::string& family : families) add(family);

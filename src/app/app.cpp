@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
 #include "app/import_feature.h"
 #include "app/literal_feature.h"
 #include "app/picture_format.h"
 #include "core/error.h"
+#include "core/lower_case.h"
 #include "document/edits.h"
 #include "document/file_access.h"
 #include "exchange/formats.h"
@@ -82,11 +81,7 @@ void refuseResource(const fs::path& written) {
               "Save in a folder of your own.");
 }
 
-bool isDocument(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".blossom";
-}
+bool isDocument(const fs::path& file) { return lowerCase(file.extension().string()) == ".blossom"; }
 
 Document withLinked(const App& app, const Document& document, const fs::path& file, FeatureId* added) {
   std::error_code ec;

@@ -28,7 +28,7 @@ App loadApp(const std::vector<std::filesystem::path>& pluginFolders = pluginSear
 /// @throws Error NotFound naming the places looked at.
 std::filesystem::path resourceFolder();
 
-/// Whether a file belongs to this installation: samples and manual, which nobody's work may replace.
+/// Whether a file belongs to this installation: samples and manual, which must not be overwritten.
 bool isResource(const std::filesystem::path&);
 /// @throws Error FileUnwritable for a file of this installation.
 void refuseResource(const std::filesystem::path& written);

@@ -12,7 +12,7 @@ namespace blossom {
 FeatureId addInput(const Invocation&, Document&, const std::string& text, std::vector<std::string>& warnings);
 
 /// A document, or any other file as a new one; with --salvage what is readable of a damaged document.
-/// @throws Error as openAny; the hint at damage tells whether --salvage would help.
+/// @throws Error as openAny; the hint at damage says whether --salvage would help.
 OpenedDocument openInput(const Invocation&, const std::filesystem::path&);
 
 /// The file named by an INPUT; empty for a literal.

@@ -2,7 +2,7 @@
 #include "isolate/isolated.h"
 
 extern "C" {
-/// Provided by the compiler in every program and shared module; its address tells which one the code belongs to.
+/// Provided by the compiler in every program and shared module; its address identifies the one that the code belongs to.
 extern void* __dso_handle __attribute__((visibility("hidden")));  // NOLINT(bugprone-reserved-identifier)
 }
 

@@ -9,7 +9,7 @@ namespace blossom {
 
 struct IsolationOptions {
   std::string activity{};          ///< completes "The helper process .. crashed": "for the Boolean operation"
-  std::filesystem::path module{};  ///< the plugin's own module, as `moduleOf(&anchor)` tells it
+  std::filesystem::path module{};  ///< the plugin's own module, from `moduleOf(&anchor)`
   /// Limits it to evaluations that are worth a process: its first call costs 50 to 100 ms, the next ones a few; empty: all.
   std::function<bool(const Value& parameters, const Inputs&)> when{};
   /// Another way to the same result, tried beside the first in a second child when that takes longer than `headStart`; the

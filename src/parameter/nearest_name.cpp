@@ -1,18 +1,11 @@
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
+#include "core/lower_case.h"
 #include "parameter/parameter.h"
 
 namespace blossom {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// Fewest insertions, deletions, replacements and swaps of neighbours (optimal string alignment distance). O(|a| |b|).
 std::size_t editDistance(const std::string& a, const std::string& b) {
@@ -36,11 +29,11 @@ constexpr std::size_t longestName = 100;  // what is longer is no misspelt name 
 
 std::string nearestName(std::string_view wanted, const std::vector<std::string>& known) {
   if (wanted.empty() || wanted.size() > longestName) return {};
-  const std::string sought = lower(wanted);
+  const std::string sought = lowerCase(wanted);
   std::string best;
   std::size_t bestDistance = std::string::npos;
   for (const auto& name : known) {
-    const std::string candidate = lower(name);
+    const std::string candidate = lowerCase(name);
     std::size_t distance = editDistance(sought, candidate);
     const bool beginning = sought.size() >= 2 && candidate.starts_with(sought);
     if (!beginning && distance > std::max(sought.size(), candidate.size()) / 3) continue;

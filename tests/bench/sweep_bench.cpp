@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 
 #include <GeomAdaptor_Surface.hxx>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
+#include "core/stopwatch.h"
 #include "geometry/occt/occt.h"
 #include "sweep/kernel/motion_grid.h"
 #include "sweep/kernel/product_surface.h"
@@ -39,9 +39,9 @@ template <class Work>
 double secondsOf(Work work, int repetitions) {
   double best = 1e9;
   for (int k = 0; k < repetitions; ++k) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     work();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(best, watch.elapsedMs() / 1000);
   }
   return best;
 }

@@ -59,7 +59,7 @@ class ModelingDraftTest : public QObject {
 void ModelingDraftTest::strongerThingsCatchFirst() {
   SnapScene scene;
   scene.points = {{{3, 4}, SnapKind::Point}, {{3.5, 4}, SnapKind::Midpoint}, {{3, 4.6}, SnapKind::Start}};
-  SnapQuery query{{}, 1, 1, Vec2(0, 4), {}, {}};
+  SnapQuery query{Vec2::Zero(), 1, 1, Vec2(0, 4), {}, {}};
   QCOMPARE(kindAt(scene, query, 3, 4), SnapKind::Start);
   QCOMPARE(kindAt(scene, query, 2.8, 3.6), SnapKind::Point);  // before the horizontal guide and the grid
   QCOMPARE(kindAt(scene, query, 3.9, 3.6), SnapKind::Midpoint);
@@ -70,7 +70,7 @@ void ModelingDraftTest::strongerThingsCatchFirst() {
 }
 
 void ModelingDraftTest::guidesHoldExactly() {
-  SnapQuery query{{}, 1, 0, Vec2(2, 3), {}, {}};
+  SnapQuery query{Vec2::Zero(), 1, 0, Vec2(2, 3), {}, {}};
   query.mouse = {40, 3.4};
   QCOMPARE(snappedPoint({}, query).point, Vec2(40, 3));
   query.mouse = {1.5, -20};
@@ -102,7 +102,7 @@ void ModelingDraftTest::guidesThatCross() {
 void ModelingDraftTest::feetOfPerpendiculars() {
   SnapScene scene;
   scene.curves = {Line2{{0, 0}, {30, 15}}, Arc2{{60, 0}, 10, 0, 2 * std::numbers::pi}};
-  SnapQuery query{{}, 1.5, 0, Vec2(5, 27), {}, {}};
+  SnapQuery query{Vec2::Zero(), 1.5, 0, Vec2(5, 27), {}, {}};
   const Vec2 along = Vec2(30, 15).normalized(), expected = Vec2(5, 27).dot(along) * along;
   query.mouse = expected + Vec2(0.5, 0.5);
   const Snap foot = snappedPoint(scene, query);

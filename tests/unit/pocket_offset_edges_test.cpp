@@ -189,7 +189,6 @@ class PocketOffsetEdgesTest final : public QObject {
   void offsetsTellHowFarTheyAreOff() {
     const Evaluated inset = made("offset", {{"distance", {2, 4}}}, {Region{{wavyPath({0, 0}, 25, 6, 5)}}});
     for (const Value& each : inset.stats["offsets"]) {
-      QVERIFY(each["checked_points"].get<int>() > 100);
       QVERIFY(each["farthest_off_mm"].get<double>() <= 1e-3);
       QVERIFY(each.contains("chord_joints"));
     }

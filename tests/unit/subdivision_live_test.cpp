@@ -1,6 +1,6 @@
-#include <chrono>
 #include <limits>
 
+#include "core/stopwatch.h"
 #include "subdivision/kernel/live_pull.h"
 #include "support/cages.h"
 #include "support/support.h"
@@ -95,20 +95,19 @@ class SubdivisionLiveTest : public QObject {
     auto random = seededRandom();
     const Mesh cage = jittered(torusCage(100, 50), random, 0.002);
     QCOMPARE(cage.faceCount(), std::size_t(5000));
-    const auto begin = std::chrono::steady_clock::now();
+    Stopwatch watch;
     const LimitSurface surface(cage, Scheme::CatmullClark);
-    const auto made = std::chrono::steady_clock::now();
+    const double made = watch.lapMs();
     const Foot foot = footOf(surface, cage, 2525);
     const Vec3 at = combined(surface.row(foot), cage.points);
     LivePull live(surface, cage.points, {{foot, at}}, {.free = {.rings = 6}});
-    const auto ready = std::chrono::steady_clock::now();
+    const double ready = watch.lapMs();
     constexpr int moves = 500;
     for (int k = 1; k <= moves; ++k) live.drag(0, at + Vec3(0, 0, 0.5 * k / moves));
-    const auto done = std::chrono::steady_clock::now();
-    const auto ms = [](auto from, auto to) { return std::chrono::duration<double, std::milli>(to - from).count(); };
-    qInfo("figure surface_ms %.3f", ms(begin, made));
-    qInfo("figure grab_ms %.3f", ms(made, ready));
-    qInfo("figure move_ms %.4f", ms(ready, done) / moves);
+    const double done = watch.lapMs();
+    qInfo("figure surface_ms %.3f", made);
+    qInfo("figure grab_ms %.3f", ready);
+    qInfo("figure move_ms %.4f", done / moves);
     qInfo("figure free_points %zu", live.freePoints().size());
     qInfo("figure triangles %zu", live.triangles().size());
     const double left = (combined(surface.row(foot), live.points()) - (at + Vec3(0, 0, 0.5))).norm();

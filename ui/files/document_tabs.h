@@ -16,7 +16,7 @@ class DocumentTabs : public QTabBar {
   Q_OBJECT
  public:
   explicit DocumentTabs(QWidget* parent = nullptr);
-  /// Shows these, when they are not shown already; tells nobody.
+  /// Shows these tabs unless they are shown already; emits no signal.
   void setTabs(const std::vector<DocumentTab>&, int current);
 
  signals:

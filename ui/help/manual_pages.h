@@ -15,7 +15,7 @@ class Commands;
 struct ManualPage {
   QString name;   ///< "sweep.md", "reference/sweep.sweep.md"
   QString title;  ///< its first heading
-  QString group;  ///< heading of the index that it stands under, or the plugin of a feature type
+  QString group;  ///< its heading in the index, or the plugin of a feature type
   QString text;
 };
 

@@ -40,7 +40,7 @@ class PropertyPanel : public QScrollArea {
   void offerPick(const Pick& pick) { picking_.offer(pick); }
   /// The view does not pick any more (Esc, another tool).
   void endPick() { picking_.end(); }
-  /// Where the timeline stands. The t of a feature that makes a sequence is the time of the frame that is seen.
+  /// The current place of the timeline. The t of a feature that makes a sequence is the time of the frame that is seen.
   void setTimeline(int frame, int frames);
 
  signals:

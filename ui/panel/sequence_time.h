@@ -13,7 +13,7 @@ struct FeatureView;
 /// seen, and what is entered there leads to another frame.
 class SequenceTime {
  public:
-  /// Where the timeline stands.
+  /// The current place of the timeline.
   void setTimeline(int frame, int frames);
   /// What the field shows; nothing when it is no time of a frame, but a parameter like the others.
   [[nodiscard]] std::optional<double> shownBy(const ParameterField&, const FeatureView*) const;

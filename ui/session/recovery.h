@@ -15,7 +15,7 @@ class Recovery : public QObject {
  public:
   static Recovery& instance();
 
-  /// From here on new steps are kept. Looks for lost documents on a thread of its own and tells by `changed`.
+  /// Starts to keep new steps. Looks for lost documents on a thread of its own and then emits `changed`.
   /// @throws Error FileUnwritable.
   void start(const std::filesystem::path& folder = standardFolder());
   void stop();  ///< as at the end of the program

@@ -103,7 +103,7 @@ class Session : public QObject {
   void saveFailed();                                ///< after `failed`: the document still has its changes
   void warned(const QStringList& sentences);        ///< of what was read
   void exportWarned(const QStringList& sentences);  ///< of what was written
-  void filesWithheld(const QStringList& files);     ///< outside of the document's folder, named by somebody else: not read
+  void filesWithheld(const QStringList& files);     ///< outside of the document's folder: not read
   void noted(const QString& sentence);              ///< something went right
 
  private:

@@ -29,7 +29,7 @@ class MouseNavigation : public QObject {
   void press(QPointF at, Qt::MouseButtons, Qt::KeyboardModifiers, bool boxes,
              const std::function<std::optional<Vec3>()>& pivot);
   [[nodiscard]] bool pressed() const { return pressed_; }
-  /// The mouse belongs to somebody else until it is pressed again.
+  /// Ignores the mouse until it is pressed again.
   void giveUp();
   /// @pre pressed(). False while it is no drag yet.
   bool move(QPointF at);

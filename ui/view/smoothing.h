@@ -17,8 +17,8 @@ class Smoothing {
   [[nodiscard]] bool complete() const { return taken_ >= frames; }
   /// By how many device pixels the next frame lies aside; the first lies in place.
   [[nodiscard]] QPointF offset() const;
-  /// Takes one more frame, pixels 0xAARRGGBB with the lowest line first as OpenGL gives them. The picture, of the same size,
-  /// becomes the mean of all frames whenever these are 1, 2, 4 or 8. Returns whether it did.
+  /// Takes one more frame, pixels 0xAARRGGBB with the lowest line first as OpenGL returns them. The picture, of the same
+  /// size, becomes the mean of all frames whenever these are 1, 2, 4 or 8. Returns whether it did.
   bool take(const std::vector<std::uint32_t>& frame, QImage& picture);
 
  private:

@@ -4,7 +4,7 @@
 namespace blossom::ui {
 
 /// The rectangle that is drawn over the view to select with. Drawn to the right it takes what lies wholly inside, to the
-/// left what it touches, which its dashed outline tells.
+/// left what it touches, shown by its dashed outline.
 class SelectionBand : public QWidget {
   Q_OBJECT
  public:

@@ -48,7 +48,7 @@ class ViewItems {
   void setLook(const Look&);  ///< with widths in device pixels
   void setDisplayMode(DisplayMode);
   [[nodiscard]] DisplayMode displayMode() const { return mode_; }
-  /// Leaves out the far sides of closed shapes, which nobody sees: half the work.
+  /// Leaves out the far sides of closed shapes, which are hidden: half the work.
   void setCulling(bool);
   /// To be called before each frame. @param millimetresPerPixel in the plane of the section
   void placeCaps(vtkCamera&, double millimetresPerPixel) const;
@@ -70,7 +70,7 @@ class ViewItems {
   [[nodiscard]] std::size_t triangles() const;
   [[nodiscard]] Bounds extent() const;
 
-  /// The nearest thing along a ray. `base` gives tolerances and section.
+  /// The nearest thing along a ray. `base` holds tolerances and section.
   [[nodiscard]] Pick pick(const Ray&, PickOptions base, PickMode) const;
   /// What lies within bounds, of the kind of a mode.
   [[nodiscard]] std::vector<Pick> within(const std::vector<CutPlane>& bounds, PickMode, bool crossing) const;

@@ -17,7 +17,7 @@ namespace blossom::ui {
 
 class CameraControl;
 
-/// What stands before the camera: the shapes, what lights up and is selected of them, the grid on the ground, and what
+/// The content of the scene: the shapes, what lights up and is selected of them, the grid on the ground, and what
 /// tools and measurements draw over all that. Knows nothing of mouse and widget.
 class ViewStage {
  public:

@@ -29,7 +29,7 @@ class DocumentClosing : public QObject {
   void announced(const QString&);
 
  private:
-  /// Documents whose changes nobody wants, as they were when that was said.
+  /// Documents whose changes the user discards, as they were at that moment.
   using Discarded = std::map<const DocumentPage*, std::uint64_t>;
   using AfterQuestion = std::function<void(const Discarded&)>;
   /// Calls `go` at once, after saving, or never, as the user decides about the unsaved changes of a document.

@@ -33,7 +33,7 @@ class DocumentFiles : public QObject {
   static QStringList filesIn(const QMimeData&);
   void recover(const LostDocument&);
 
-  /// What stands in a field and was not entered yet counts, too.
+  /// Text in a field that was not entered yet counts, too.
   void takeTyping();
   void save(DocumentPage&, std::function<void()> then = {});
   void saveAs(DocumentPage&, std::function<void()> then = {});

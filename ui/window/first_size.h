@@ -3,7 +3,7 @@
 
 namespace blossom::ui {
 
-/// How large the window comes up where nobody asked for a size: with its frame it fits the room that the desktop leaves.
+/// The size of the window when no size was requested: with its frame it fits into the available area of the desktop.
 [[nodiscard]] QSize firstSize(const QSize& available);
 
 }  // namespace blossom::ui

@@ -6,7 +6,7 @@
 namespace blossom::ui {
 
 /// Goes on after an exception that no handler of an event took: ending there would take every unsaved document along.
-/// Whoever listens tells the user.
+/// The receiver of the signal shows it to the user.
 class GuardedApplication : public QApplication {
   Q_OBJECT
  public:

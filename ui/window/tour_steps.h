@@ -7,7 +7,7 @@ namespace blossom::ui {
 
 class MainWindow;
 
-/// The four things that somebody new should have seen: samples, tree, properties, and canvas with palette.
+/// The four things that a new user should see first: samples, tree, properties, and canvas with palette.
 std::vector<TourStep> windowTour(MainWindow&);
 
 }  // namespace blossom::ui

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <new>
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/lower_case.h"
 #include "exchange/format/frames.h"
 #include "exchange/format/sniff.h"
 #include "exchange/format/text.h"
@@ -17,13 +17,6 @@
 namespace blossom {
 namespace fs = std::filesystem;
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// "dxf, svg, stl": the preferred extension of every format that can be read (or written).
 std::string extensionList(const FormatRegistry& registry, bool forReading) {
@@ -69,8 +62,8 @@ std::string headOf(const fs::path& path) {
 }
 
 bool covers(const Format& format, const std::string& name) {
-  return lower(name) == format.id ||
-         std::find(format.extensions.begin(), format.extensions.end(), lower(name)) != format.extensions.end();
+  return lowerCase(name) == format.id ||
+         std::find(format.extensions.begin(), format.extensions.end(), lowerCase(name)) != format.extensions.end();
 }
 
 void refuseWrongContent(const FormatRegistry& registry, const Format& format, const fs::path& path,
@@ -130,7 +123,7 @@ void refuseUnlessStorable(const Format& format, std::span<const ShapeKind> kinds
 void FormatRegistry::add(Format format) { formats_.push_back(std::move(format)); }
 
 const Format* FormatRegistry::find(std::string_view extensionOrId) const {
-  std::string wanted = lower(extensionOrId);
+  std::string wanted = lowerCase(extensionOrId);
   if (!wanted.empty() && wanted.front() == '.') wanted.erase(0, 1);
   for (const Format& format : formats_)
     if (covers(format, wanted)) return &format;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "core/lower_case.h"
 #include "exchange/format/text.h"
 
 namespace blossom::three_mf {
@@ -17,13 +17,6 @@ using pugi::xml_node;
 constexpr std::size_t maximumReports = 8;
 constexpr std::string_view modelContent = "application/vnd.ms-package.3dmanufacturing-3dmodel+xml";
 constexpr std::string_view relationContent = "application/vnd.openxmlformats-package.relationships+xml";
-
-std::string smallLetters(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// "3d/3dmodel.model" -> "3d/_rels/3dmodel.model.rels"
 std::string relationsOf(const std::string& part) {
@@ -69,7 +62,7 @@ std::string contentTypeOf(const xml_node& types, const std::string& part) {
   for (const xml_node& each : types.children()) {
     if (localName(each) == "Override" && partName(attribute(each, "PartName")) == part)
       return std::string(attribute(each, "ContentType"));
-    if (localName(each) == "Default" && smallLetters(attribute(each, "Extension")) == extension)
+    if (localName(each) == "Default" && lowerCase(attribute(each, "Extension")) == extension)
       byExtension = attribute(each, "ContentType");
   }
   return byExtension;
@@ -84,7 +77,7 @@ void checkContentTypes(const PackageParts& parts, const std::string& model, Faul
   const xml_node types = document.document_element();
   for (const auto& [name, unused] : parts.texts) {
     if (name.starts_with('[')) continue;
-    const std::string type = smallLetters(contentTypeOf(types, name));
+    const std::string type = lowerCase(contentTypeOf(types, name));
     if (name.ends_with(".rels") ? type != relationContent : name == model && type != modelContent)
       faults.add(fmt::format("the part {} has the content type {}", shown(name), shown(type)));
   }
@@ -245,7 +238,7 @@ std::vector<std::string> Faults::sentences() const {
   return all;
 }
 
-std::string partName(std::string_view name) { return smallLetters(name.substr(name.starts_with('/') ? 1 : 0)); }
+std::string partName(std::string_view name) { return lowerCase(name.substr(name.starts_with('/') ? 1 : 0)); }
 
 std::string_view localName(const xml_node& node) {
   const std::string_view name = node.name();
@@ -272,7 +265,7 @@ void checkText(std::string_view text, Faults& faults) {
   const std::size_t declared = head.find("encoding=");
   if (declared == std::string_view::npos || declared + 10 > head.size()) return;
   const std::string_view rest = head.substr(declared + 10);
-  const std::string encoding = smallLetters(rest.substr(0, rest.find(head[declared + 9])));
+  const std::string encoding = lowerCase(rest.substr(0, rest.find(head[declared + 9])));
   if (encoding != "utf-8" && encoding != "utf-16") faults.add(fmt::format("its XML is encoded as {}", shown(encoding)));
 }
 

@@ -7,7 +7,7 @@
 #include "geometry/numeric/box_tree.h"
 
 /// Exact distances between points, segments and triangles, and between many triangles (Ericson, Real-Time Collision
-/// Detection, chapter 5). Hand-written because CGAL's squared_distance tells no foot points.
+/// Detection, chapter 5). Hand-written because CGAL's squared_distance returns no foot points.
 namespace blossom {
 
 using Triangle3 = std::array<Vec3, 3>;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 #include "core/error.h"
+#include "core/stopwatch.h"
 #include "core/units.h"
 #include "geometry/planar/planar.h"
 #include "kernel/medial/boundary.h"
@@ -66,12 +66,11 @@ bool isInside(const EdgeParts& parts) {
 
 ClearanceDiagram::ClearanceDiagram(const Region& region, const ClearanceOptions& options, const Progress& progress) {
   checkTolerance(options.tolerance);
-  const auto begun = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   auto parts = std::make_shared<Parts>(region, options, progress);
   parts->largest = trueDisc(parts->boundary, parts->diagram, parts->diagram.deepest());
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
   parts->stats = {parts->boundary.pieces().size(), parts->diagram.graph().vertices.size(), parts->diagram.attempts(),
-                  parts->diagram.exactPredicates() ? "Delaunay graph" : "sweep line", took.count()};
+                  parts->diagram.exactPredicates() ? "Delaunay graph" : "sweep line", watch.elapsedMs()};
   parts_ = std::move(parts);
 }
 

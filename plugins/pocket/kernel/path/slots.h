@@ -9,7 +9,7 @@ namespace blossom::pocket {
 
 /// Finds places of a part that are just twice as wide as a distance, or next to nothing wider: bent slots and holes. An
 /// offset is a line or a point there, and whether its loops show it is decided by the chords that the diagram is made of;
-/// the medial axis tells the clearances between the true walls.
+/// the medial axis has the clearances between the true walls.
 class SlotSearch {
  public:
   explicit SlotSearch(ClearanceDiagram diagram) : diagram_(std::move(diagram)) {}

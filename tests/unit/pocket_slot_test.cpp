@@ -34,10 +34,11 @@ PocketOptions toolOf(double diameter) {
 /// What came of a slot. Of a slot that is refused, all stays.
 struct SlotCut {
   bool isRefused = false;
-  double off = 0;    ///< of the part: cut by columns, and told to be uncut, less the part
-  double uncut = 0;  ///< mm2
-  double gouge = 0;  ///< mm
-  double told = 0;   ///< diameter of the largest tool, when refused
+  double off = 0;     ///< of the part: cut by columns, and told to be uncut, less the part
+  double uncut = 0;   ///< mm2
+  double within = 0;  ///< error bound of that, a share of the part
+  double gouge = 0;   ///< mm
+  double told = 0;    ///< diameter of the largest tool, when refused
 };
 
 SlotCut cutSlot(const Region& part, double diameter) {
@@ -47,6 +48,7 @@ SlotCut cutSlot(const Region& part, double diameter) {
     const Toolpath path = pocketPath(part, toolOf(diameter)).path;
     const Uncut uncut = uncutOf(part, path, {.floor = -depth});
     found.uncut = uncut.area;
+    found.within = uncut.within / area;
     found.off = std::abs(Columns(path, -depth).cutArea() + uncut.area - area) / area;
     found.gouge = simulate(path, part, {.depth = depth}).gouge;
   } catch (const Error& error) {
@@ -83,6 +85,7 @@ class PocketSlotTest final : public QObject {
       QVERIFY2(found.uncut <= leftAtEnds(slot, diameter) + 2e-4 * areaOf(slot.part),
                fmt::format("{} leaves {} of {}", which, found.uncut, areaOf(slot.part)).c_str());
       QVERIFY2(found.off <= 1e-4, fmt::format("{} off {} gouge {}", which, found.off, found.gouge).c_str());
+      QVERIFY2(found.within <= 2e-5, fmt::format("{} known within {}", which, found.within).c_str());
       off = std::max(off, found.off);
       gouge = std::max(gouge, found.gouge);
     }
@@ -111,6 +114,7 @@ class PocketSlotTest final : public QObject {
           }
           worst = std::max(worst, found.off);
           QVERIFY2(found.off <= 1e-4, fmt::format("{} off {} gouge {}", which, found.off, found.gouge).c_str());
+          QVERIFY2(found.within <= 2e-5, fmt::format("{} known within {}", which, found.within).c_str());
           QVERIFY2(found.uncut <= leftAtEnds(slot, diameter) + 2e-4 * areaOf(slot.part), which.c_str());
         }
     QVERIFY(cut > 0 && refused > 0);

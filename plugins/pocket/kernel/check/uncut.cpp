@@ -51,7 +51,7 @@ class UncutSearch {
     const auto count = static_cast<double>(cells_.size());
     fine_.perBox = share / 2 * partArea_ / boxes;
     fine_.perCell = share / 2 * partArea_ / count;
-    constexpr double maximumWork = 5e8, maximumWorkOfCell = 1e5;  // slabs processed
+    constexpr double maximumWork = 5e8, maximumWorkOfCell = 1e6;  // slabs processed
     fine_.work = std::min(maximumWorkOfCell, maximumWork / count);
     std::vector<std::vector<UncutStrip>> strips(cells_.size());
     std::vector<std::size_t> steps(cells_.size());

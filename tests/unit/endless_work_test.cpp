@@ -1,5 +1,6 @@
 // What once took minutes, or for ever: faces of very many corners, documents of very many features, figures beyond all
 // numbers. All of it ends, or ends when asked to.
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "document/document_json.h"

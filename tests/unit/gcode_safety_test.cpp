@@ -307,7 +307,6 @@ class GcodeSafetyTest : public QObject {
     row("F-5", "line 7: F-5 is below 0");
     row("G4 P-1", "line 7: P-1 is below 0");
     row("S-1", "line 7: S-1 is below 0");
-    row("F0", "line 8 cuts without a feed");
     row("S0", "line 8 cuts without a speed");
     row("G64 P2", "line 7: G64 P lets the control leave its way by up to 2 mm");
     row("%", "line 7: controls differ about a %");
@@ -327,12 +326,6 @@ class GcodeSafetyTest : public QObject {
       QVERIFY2(doubts.empty(), doubts.empty() ? "" : doubts[0].c_str());
     else
       QVERIFY2(std::any_of(doubts.begin(), doubts.end(), tells), doubts.empty() ? "no doubt" : doubts[0].c_str());
-  }
-
-  void whatHasNoFeedIsTold() {
-    const auto doubts = parsed(head + "G0 X0 Y0 Z5\nG1 Z-1\nG1 X20\nF0\nG1 Y2\nF9\nG1 Y3\nM2\n").doubts;
-    QCOMPARE(doubts.size(), std::size_t{2});
-    QVERIFY(doubts[0].starts_with("line 5 cuts without a feed") && doubts[1].starts_with("line 8 cuts without a feed"));
   }
 
   void thePercentSignEndsWhatItBegan() {

@@ -1,5 +1,6 @@
 #include "geometry/planar/planar.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
 

@@ -1,5 +1,7 @@
 // What the 3MF Core Specification and its Materials Extension forbid is told or refused; what they allow is read in silence.
 // The cases are those of the consortium's own suites, written anew.
+#include <Eigen/Geometry>
+
 #include "core/zip_archive.h"
 #include "geometry/measure/measure.h"
 #include "support/exchange.h"

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <QXmlStreamReader>
 
 #include "core/zip_archive.h"

@@ -69,8 +69,6 @@ void GcodeWatch::belowZero(char letter, double value) {
 
 void GcodeWatch::feed(std::optional<double> value) {
   if (value && *value < 0) belowZero('F', *value);
-  feeds_ = !value || *value > 0;
-  feedDoubted_ = false;
 }
 
 void GcodeWatch::speed(std::optional<double> value) {
@@ -98,15 +96,8 @@ void GcodeWatch::checkLength() {
                    length_->line, length_->number, length_->number, line_, tool->number, tool->line));
 }
 
-void GcodeWatch::checkFeed() {
-  if (feeds_ || feedDoubted_) return;
-  feedDoubted_ = true;
-  note(feeding_, line_, fmt::format("line {} cuts without a feed above 0 (F)", line_));
-}
-
 void GcodeWatch::cuts() {
   checkLength();
-  checkFeed();
   checkSpindle();
 }
 
@@ -124,8 +115,7 @@ void GcodeWatch::checkSpindle() {
 
 std::vector<std::string> GcodeWatch::doubts() const {
   Noted all = units_;
-  for (const Noted* kind : {&ends_, &lengths_, &corners_, &feeding_, &negative_})
-    all.insert(all.end(), kind->begin(), kind->end());
+  for (const Noted* kind : {&ends_, &lengths_, &corners_, &negative_}) all.insert(all.end(), kind->begin(), kind->end());
   if (everTurned_) all.insert(all.end(), still_.begin(), still_.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> sentences;

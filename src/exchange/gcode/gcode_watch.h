@@ -47,7 +47,6 @@ class GcodeWatch {
   };
   static void note(Noted& where, std::size_t line, std::string what);
   void checkLength();
-  void checkFeed();
   void checkSpindle();
 
   std::size_t line_ = 0;
@@ -56,10 +55,9 @@ class GcodeWatch {
   bool changes_ = false;
   std::set<std::pair<int, int>> mismatches_;
   bool turning_ = false, everTurned_ = false, stillDoubted_ = false;
-  bool feeds_ = false, feedDoubted_ = false;      ///< a feed above 0 is set; doubted since it was set last
-  bool hasSpeed_ = false, speedDoubted_ = false;  ///< the same for the spindle's speed
+  bool hasSpeed_ = false, speedDoubted_ = false;  ///< a speed above 0 is set; doubted since it was set last
   std::optional<std::size_t> stopped_;
-  Noted units_, ends_, lengths_, still_, corners_, feeding_, negative_;
+  Noted units_, ends_, lengths_, still_, corners_, negative_;
 };
 
 }  // namespace blossom

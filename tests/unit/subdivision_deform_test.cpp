@@ -133,10 +133,10 @@ class SubdivisionDeformTest : public QObject {
   void ringsGrowAndShrink() {
     const Mesh cage = gridCage(10, 10);
     const auto edges = LimitSurface(cage, Scheme::CatmullClark).edges();
-    const std::vector<int> middle{60};  // (5, 5)
-    QCOMPARE(grown(middle, edges, cage.points.size(), 1).size(), std::size_t(5));
-    QCOMPARE(grown(middle, edges, cage.points.size(), 2).size(), std::size_t(13));
-    QCOMPARE(grown(grown(middle, edges, cage.points.size(), 2), edges, cage.points.size(), -2), middle);
+    const auto grownBy = [&](int rings) { return grown({60}, edges, cage.points.size(), rings); };  // 60 is (5, 5)
+    QCOMPARE(grownBy(1).size(), std::size_t(5));
+    QCOMPARE(grownBy(2).size(), std::size_t(13));
+    QCOMPARE(grown(grownBy(2), edges, cage.points.size(), -2), std::vector<int>{60});
     VERIFY_ERROR(deform(LimitSurface(cage, Scheme::CatmullClark), cage.points, bump(1), {.free = {.rings = -20}}),
                  ErrorCode::InvalidInput);
   }

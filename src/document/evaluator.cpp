@@ -36,6 +36,7 @@ struct Evaluator::State {
   std::thread thread;
 
   Results evaluate(const Document& document, const Progress& progress, const Done& done) {
+    cache.makeRoomFor(document.features().size());
     return Evaluation(document, *registry, cache, files).run(progress, done);
   }
 

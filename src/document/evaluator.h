@@ -24,7 +24,8 @@ struct FeatureResult {
 using Results = std::map<FeatureId, std::shared_ptr<const FeatureResult>>;
 
 /// Evaluates documents. Results are cached under a key of type, parameters and the keys of the inputs (files by content), so
-/// only what changed is computed again. Thread-safe; least recently used results beyond `cacheLimit` are dropped.
+/// only what changed is computed again. Thread-safe; least recently used results are dropped beyond `cacheLimit`, or beyond
+/// twice the features of the document evaluated last when these are more.
 class Evaluator {
  public:
   explicit Evaluator(std::shared_ptr<const Registry>, std::size_t cacheLimit = 256);

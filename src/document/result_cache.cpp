@@ -1,6 +1,13 @@
 #include "document/result_cache.h"
 
+#include <algorithm>
+
 namespace blossom {
+
+void ResultCache::makeRoomFor(std::size_t features) {
+  const std::lock_guard lock(mutex_);
+  limit_ = std::max(minimumLimit_, 2 * features);
+}
 
 std::shared_ptr<const FeatureResult> ResultCache::find(const std::string& key) {
   const std::lock_guard lock(mutex_);

@@ -12,13 +12,16 @@ namespace blossom {
 /// Cache of results by content key, evicting the least recently used. Thread-safe; every operation is O(1).
 class ResultCache {
  public:
-  explicit ResultCache(std::size_t limit) : limit_(limit) {}
+  explicit ResultCache(std::size_t minimumLimit) : minimumLimit_(minimumLimit), limit_(minimumLimit) {}
+  /// Makes room for a document of so many features as it is and as it was before an edit.
+  void makeRoomFor(std::size_t features);
   std::shared_ptr<const FeatureResult> find(const std::string& key);
   void store(const std::string& key, std::shared_ptr<const FeatureResult> result);
 
  private:
   using Entry = std::pair<std::string, std::shared_ptr<const FeatureResult>>;
   std::mutex mutex_;
+  const std::size_t minimumLimit_;
   std::size_t limit_;
   std::list<Entry> recent_;  ///< most recently used first
   std::unordered_map<std::string, std::list<Entry>::iterator> byKey_;

@@ -168,6 +168,19 @@ class EvaluatorTest : public QObject {
     QCOMPARE(types.evaluations->load(), 4);
   }
 
+  void aDocumentOfMoreFeaturesThanTheLimitIsKeptWhole() {
+    Types types;
+    Evaluator evaluator(types.registry, 2);
+    Document document;
+    constexpr int features = 20;
+    for (int i = 0; i < features; ++i) document = document.with(sum(std::to_string(i), i));
+    evaluator.evaluate(document, {});
+    QCOMPARE(types.evaluations->load(), features);
+    const Document edited = document.with(sum("7", 700));
+    for (const Document& each : {edited, document, edited}) evaluator.evaluate(each, {});
+    QCOMPARE(types.evaluations->load(), features + 1);
+  }
+
   void aFailureStaysWhereItIs() {
     Types types;
     Evaluator evaluator(types.registry);

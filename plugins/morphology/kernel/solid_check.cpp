@@ -21,11 +21,13 @@ namespace {
 constexpr double farthest = 1e9;  // mm
 
 /// Faces that use the same place use the same vertex, and no face uses one twice in a row.
-Mesh withSharedPoints(const Mesh& mesh) {
+Mesh withSharedPoints(const Mesh& mesh, const Progress& progress) {
   std::map<std::array<double, 3>, int> seen;
   std::vector<int> first;
-  for (const Vec3& p : mesh.points)  // + 0.0: there is one zero only
+  for (const Vec3& p : mesh.points) {  // + 0.0: there is one zero only
+    if (first.size() % 4096 == 0) progress.check();
     first.push_back(seen.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, static_cast<int>(first.size())).first->second);
+  }
   Mesh result;
   result.points = mesh.points;
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
@@ -151,7 +153,7 @@ void refuseUnusable(const Mesh& mesh, const Subject& subject) {
 CheckedSolid checkedSolid(const Mesh& mesh, const Subject& subject, const Progress& progress) {
   refuseUnusable(mesh, subject);
   progress.report(0, "Checking the input");
-  const Mesh shared = withSharedPoints(mesh);
+  const Mesh shared = withSharedPoints(mesh, progress);
   if (shared.faceCount() == 0)
     throw Error(ErrorCode::InvalidInput, fmt::format("{} is empty: all of its faces are without area.", subject.name),
                 "Choose a solid or a closed mesh.");

@@ -284,7 +284,7 @@ class Reader {
     warn(lost_ > 0, fmt::format("{} elements use others that are not in the file.", lost_));
     warn(collapsed_ > 0, fmt::format("{} shapes are scaled to nothing and were left out.", collapsed_));
     warn(unpainted_ > 0, fmt::format("{} shapes have neither fill nor stroke; they were read all the same.", unpainted_));
-    warn(cropped_ > 0, fmt::format("{} shapes are cropped by clip-path or mask; they were read whole.", cropped_));
+    warn(cropped_ > 0, fmt::format("Read whole, although a clip-path or a mask crops them: {} of its shapes.", cropped_));
     warn(evenOdd_ > 0 && nonZero_ > 0, "Its shapes use both fill rules; all are read with the rule nonzero.");
     curves_.fillRule = evenOdd_ > 0 && nonZero_ == 0 ? FillRule::EvenOdd : FillRule::NonZero;
     imported.entities = entities_.toValue();

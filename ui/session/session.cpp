@@ -24,7 +24,7 @@ constexpr int patienceMs = 150;
 double drawingTolerance() { return Preferences::instance().get<double>("drawing-tolerance"); }
 
 /// What the user chooses is taken into the document at once; whatever else a document names was named by somebody.
-Document guarded(Document document, const std::filesystem::path& file) {
+Document guarded(const Document& document, const std::filesystem::path& file) {
   return document.access() ? document : document.withAccess(FileAccess::below(file.parent_path()));
 }
 

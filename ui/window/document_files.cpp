@@ -137,7 +137,7 @@ void DocumentFiles::saveAs(DocumentPage& page, std::function<void()> then) {
 }
 
 void DocumentFiles::write(DocumentPage& page, const QString& file, std::function<void()> then) {
-  page.session().save(file.toStdString(), [this, file, page = &page, then = std::move(then)] {
+  page.session().save(file.toStdString(), [file, page = &page, then = std::move(then)] {
     remember(file);
     keepPicture(visibleShapes(page->session()), file);
     if (then) then();

@@ -24,8 +24,9 @@ constexpr int patienceMs = 150;
 double drawingTolerance() { return Preferences::instance().get<double>("drawing-tolerance"); }
 
 /// What the user chooses is taken into the document at once; whatever else a document names was named by somebody.
-Document guarded(const Document& document, const std::filesystem::path& file) {
-  return document.access() ? document : document.withAccess(FileAccess::below(file.parent_path()));
+Document guarded(Document document, const std::filesystem::path& file) {
+  if (document.access()) return document;
+  return document.withAccess(FileAccess::below(file.parent_path()));
 }
 
 }  // namespace

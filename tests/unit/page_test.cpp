@@ -96,16 +96,27 @@ std::string written(const Shape& shape, const std::string& extension) {
   return readFile(path);
 }
 
+/// The streams of a PDF, uncompressed; what is not deflated is empty.
+std::vector<std::string> streamsOf(const std::string& file) {
+  const std::string begin = "stream\n", end = "endstream";
+  std::vector<std::string> streams;
+  for (std::size_t from = file.find(begin); from != std::string::npos; from = file.find(begin, from)) {
+    from += begin.size();
+    const std::size_t to = std::min(file.find(end, from), file.size());
+    const QByteArray packed(file.data() + from, static_cast<qsizetype>(to - from));
+    streams.push_back(qUncompress(QByteArray(4, '\0').append(packed)).toStdString());
+    from = std::min(to + end.size(), file.size());
+  }
+  return streams;
+}
+
 /// The page's own operators, uncompressed.
 std::string contentOf(const std::string& file, const std::string& extension) {
   if (extension == "ps") {
     const std::size_t from = file.find("%%EndPageSetup");
     return file.substr(from, file.find("%%Trailer", from) - from);
   }
-  const std::size_t from = file.find("stream\n") + 7, to = file.find("endstream", from);
-  const std::string packed = file.substr(from, to - from);
-  const QByteArray plain = qUncompress(QByteArray(4, '\0').append(packed.data(), static_cast<qsizetype>(packed.size())));
-  return plain.toStdString();
+  return streamsOf(file).front();
 }
 
 std::vector<Painted> paintedOf(const Shape& shape, const std::string& extension) {
@@ -214,7 +225,8 @@ void PageTest::openLinesAreDrawn() {
 void PageTest::thePageIsAsLargeAsTheDrawing() {
   Curves curves;
   curves.paths = {circlePath(20, true)};
-  const std::string file = written(Shape(curves), "pdf");
+  std::string file = written(Shape(curves), "pdf");
+  for (const std::string& stream : streamsOf(file)) file += stream;  // Cairo 1.18 writes the page as an object in a stream
   const std::size_t at = file.find("/MediaBox [");
   QVERIFY(at != std::string::npos);
   std::istringstream numbers(file.substr(at + 11, 60));

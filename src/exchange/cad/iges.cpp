@@ -11,6 +11,7 @@
 #include "core/version.h"
 #include "exchange/cad/brep_export.h"
 #include "exchange/cad/brep_import.h"
+#include "exchange/cad/iges_colors.h"
 #include "exchange/cad/iges_names.h"
 #include "exchange/cad/occt_io.h"
 #include "exchange/cad/xcaf_read.h"
@@ -85,6 +86,7 @@ BrepImport readIges(const std::string& path, const Progress& progress) {
     Handle(TDocStd_Document) document = newDocument();
     Handle(OcctProgress) watcher = new OcctProgress(progress.part(0.2, 1), "Building shapes");
     reader.Transfer(document, watcher->Start());
+    addLostFaceColors(reader, document);
     return BrepImport{fromDocument(document), Value::object(), {}};
   });
 }

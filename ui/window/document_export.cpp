@@ -80,20 +80,23 @@ void DocumentExport::choose(DocumentPage& page) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, &page, [this, dialog, &page] {
     dialog->remember();
+    // Copies, for the dialog may be gone when a file was chosen: it deletes itself in the event loop.
+    const Format& format = dialog->format();
+    const auto ids = dialog->scope().features;
+    const Value options = dialog->options();
     const Document& document = page.document();
-    const auto& ids = dialog->scope().features;
-    const QString extension = qt(dialog->format().extensions.front());
+    const QString extension = qt(format.extensions.front());
     const QString name = ids.size() == 1 && document.contains(ids.front())
                              ? qt(document.at(ids.front()).name).toLower().replace(u' ', u'-').remove(u'/')
                              : page.session().suggestedName();
     QString file = QFileDialog::getSaveFileName(
         window_, tr("Export"), lastFolder() + u'/' + (name.isEmpty() ? tr("untitled") : name) + u'.' + extension,
-        QStringLiteral("%1 (*.%2)").arg(qt(dialog->format().title).replace(u'(', u'[').replace(u')', u']'), extension));
+        QStringLiteral("%1 (*.%2)").arg(qt(format.title).replace(u'(', u'[').replace(u')', u']'), extension));
     if (file.isEmpty()) return;
-    const bool right = app_.formats->find(QFileInfo(file).suffix().toStdString()) == &dialog->format();
+    const bool right = app_.formats->find(QFileInfo(file).suffix().toStdString()) == &format;
     if (!right && !completed(file, u'.' + extension, window_)) return;
     rememberFolder(file);
-    page.session().exportFeatures(ids, file.toStdString(), dialog->options());
+    page.session().exportFeatures(ids, file.toStdString(), options);
   });
   dialog->open();
 }

@@ -313,7 +313,7 @@ class GcodeSafetyTest : public QObject {
     row("G64 P0.005", "");
     row("F50", "");
     row("G4 P0.5", "");
-    row("% G1 X20 Y10 (a comment in Blossom, an error of LinuxCNC)", "line 7: controls differ about a %");
+    row("% G1 X20 Y10", "");  // a comment
   }
 
   void whatControlsStopAtIsTold() {
@@ -330,11 +330,13 @@ class GcodeSafetyTest : public QObject {
 
   void thePercentSignEndsWhatItBegan() {
     const std::string whole = "%\n" + head + "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X20\n";
-    for (const std::string end : {"%\n", " %\n\n", "%"}) {
+    for (const std::string end : {"%\n", " %\n\n", "%", "%\n(tool list: none)\n; made by hand\n%\n"}) {
       const GcodeProgram ended = parsed(whole + end);
       QVERIFY(ended.doubts.empty());
       QCOMPARE(ended.moves.size(), std::size_t{3});
     }
+    QCOMPARE(parsed("%\n% drawn by hand\n" + head + "G0 X0 Y0 Z5\n% the cut\nG1 Z-1 F100\nG1 X20\n%\n").moves.size(),
+             std::size_t{3});  // what follows on the line makes it a comment
     const GcodeProgram cut = parsed(whole + "%\nG1 Y20\nG0 Z5\nM5\nM2\n%\n");
     QCOMPARE(cut.moves.size(), std::size_t{3});
     QCOMPARE(cut.doubts, std::vector<std::string>{"line 8: % ends the program; what stands after it is not run"});

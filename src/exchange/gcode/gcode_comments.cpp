@@ -76,8 +76,9 @@ void readTask(HeaderComment words, GcodeProgram& program) {
 
 GcodeLine withoutComments(std::string_view line) {
   GcodeLine read;
-  const std::size_t first = line.find_first_not_of(" \t\r");
-  read.tapeMark = first != std::string_view::npos && line[first] == '%';
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = line.find_first_not_of(blanks);
+  read.tapeMark = first != std::string_view::npos && line[first] == '%' && line.find_last_not_of(blanks) == first;
   int depth = 0;
   for (const char c : line) {
     if (depth == 0 && (c == ';' || c == '%')) break;

@@ -14,7 +14,7 @@ inline constexpr double maximumGcodeCoordinate = 1e7;
 struct GcodeLine {
   std::string code;                   ///< upper case, without blanks
   std::vector<std::string> comments;  ///< texts in parentheses
-  bool tapeMark = false;              ///< starts with "%": begin and end of a program
+  bool tapeMark = false;              ///< nothing but "%": begin or end of a program
   bool nested = false;                ///< nested parentheses: controls disagree about where such a comment ends
 };
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/error.h"
@@ -13,6 +14,16 @@ namespace blossom {
 namespace {
 
 constexpr std::size_t largestLine = 10000;
+
+bool holdsCode(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string code = withoutComments(text.substr(0, end)).code;
+    if (!code.empty() && std::isalpha(static_cast<unsigned char>(code.front()))) return true;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -26,8 +37,7 @@ GcodeProgram GcodeParser::read(std::string_view text, const Progress& progress) 
     readLine(text.substr(begin, end - begin));
     begin = end + 1;
   }
-  if (closed_ && begin < text.size() && text.find_first_not_of(" \t\r\n%", begin) != std::string_view::npos)
-    watch_.endsBefore();
+  if (closed_ && begin < text.size() && holdsCode(text.substr(begin))) watch_.endsBefore();
   finishNurbs();
   settleSpindle();
   settleDoubts(progress);
@@ -84,9 +94,9 @@ void GcodeParser::readLine(std::string_view raw) {
 
 void GcodeParser::tapeMark() {
   if (!begun_)
-    opened_ = lineNumber_;
+    opened_ = true;
   else if (opened_)
-    closed_ = lineNumber_, ended_ = true;
+    closed_ = ended_ = true;
   else
     watch_.endsPerhaps();
 }

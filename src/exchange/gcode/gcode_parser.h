@@ -102,7 +102,7 @@ class GcodeParser {
   bool absolute_ = true;
   bool absoluteCenters_ = false;
   bool begun_ = false, ended_ = false;
-  std::optional<std::size_t> opened_, closed_;  ///< lines of the first "%", and of the "%" that ends the program
+  bool opened_ = false, closed_ = false;  ///< by "%"
   Vec3 at_ = Vec3::Zero();
   Vec3 nurbsEnd_ = Vec3::Zero();
   std::bitset<3> unknown_{0b111};  ///< axes with an unknown position

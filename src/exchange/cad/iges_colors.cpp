@@ -3,6 +3,7 @@
 #include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_Surface.hxx>
 #include <IGESCAFControl.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESGraph_Color.hxx>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace blossom {
@@ -43,14 +45,24 @@ struct PlacedFace {
   TopoDS_Face face;
 };
 
-std::vector<PlacedFace> facesOf(const XCAFDoc_ShapeTool& shapes) {
+Handle(Geom_Surface) surfaceOf(const TopoDS_Face& face) {
+  TopLoc_Location ignored;
+  return BRep_Tool::Surface(face, ignored);
+}
+
+/// The faces of all parts by the surfaces they lie on.
+using FacesBySurface = std::unordered_map<const Geom_Surface*, std::vector<PlacedFace>>;
+
+FacesBySurface facesOf(const XCAFDoc_ShapeTool& shapes) {
   TDF_LabelSequence labels;
   shapes.GetShapes(labels);
-  std::vector<PlacedFace> faces;
+  FacesBySurface faces;
   for (const TDF_Label& label : labels) {
     if (!XCAFDoc_ShapeTool::IsSimpleShape(label)) continue;
-    for (TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(label), TopAbs_FACE); face.More(); face.Next())
-      faces.push_back({label, TopoDS::Face(face.Current())});
+    for (TopExp_Explorer found(XCAFDoc_ShapeTool::GetShape(label), TopAbs_FACE); found.More(); found.Next()) {
+      const TopoDS_Face face = TopoDS::Face(found.Current());
+      faces[surfaceOf(face).get()].push_back({label, face});
+    }
   }
   return faces;
 }
@@ -65,19 +77,13 @@ double boxesApart(const TopoDS_Face& a, const TopoDS_Face& b) {
 }
 
 /// Of several faces on one surface the one that lies where the lost face does.
-const PlacedFace* copyOf(const TopoDS_Face& lost, const std::vector<PlacedFace>& faces) {
-  const auto surface = [](const TopoDS_Face& face) {
-    TopLoc_Location ignored;
-    return BRep_Tool::Surface(face, ignored);
+const PlacedFace* copyOf(const TopoDS_Face& lost, const FacesBySurface& faces) {
+  const auto found = faces.find(surfaceOf(lost).get());
+  if (found == faces.end() || !found->first) return nullptr;
+  const auto isNearer = [&](const PlacedFace& a, const PlacedFace& b) {
+    return boxesApart(lost, a.face) < boxesApart(lost, b.face);
   };
-  const Handle(Geom_Surface) sought = surface(lost);
-  const PlacedFace* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const PlacedFace& each : faces) {
-    if (sought.IsNull() || surface(each.face) != sought) continue;
-    if (const double apart = boxesApart(lost, each.face); apart < least) least = apart, nearest = &each;
-  }
-  return nearest;
+  return &*std::min_element(found->second.begin(), found->second.end(), isNearer);
 }
 
 }  // namespace
@@ -87,7 +93,7 @@ void addLostFaceColors(const IGESCAFControl_Reader& reader, const Handle(TDocStd
   const Handle(XCAFDoc_ColorTool) colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
   const auto model = Handle(IGESData_IGESModel)::DownCast(reader.WS()->Model());
   const Handle(Transfer_TransientProcess) transfer = reader.WS()->TransferReader()->TransientProcess();
-  std::vector<PlacedFace> faces;
+  std::optional<FacesBySurface> faces;  // seldom needed
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto entity = Handle(IGESData_IGESEntity)::DownCast(model->Value(i));
     const auto color = entity.IsNull() ? std::nullopt : colorOf(*entity);
@@ -97,8 +103,8 @@ void addLostFaceColors(const IGESCAFControl_Reader& reader, const Handle(TDocStd
     if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE ||
         shapes->SearchUsingMap(shape, known, Standard_False, Standard_True))
       continue;
-    if (faces.empty()) faces = facesOf(*shapes);
-    if (const PlacedFace* copy = copyOf(TopoDS::Face(shape), faces))
+    if (!faces) faces = facesOf(*shapes);
+    if (const PlacedFace* copy = copyOf(TopoDS::Face(shape), *faces))
       colors->SetColor(shapes->AddSubShape(copy->part, copy->face), *color, XCAFDoc_ColorGen);
   }
 }

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <optional>
 
-#include "core/angle.h"
 #include "core/error.h"
 #include "core/tolerance.h"
 #include "geometry/measure/closest_points.h"
 #include "geometry/measure/part_form.h"
 #include "geometry/measure/part_relation.h"
+#include "geometry/mesh/closed_triangles.h"
 #include "geometry/occt/occt_reason.h"
 #include "geometry/shape/bounds.h"
 #include "geometry/shape/compound.h"
@@ -21,17 +21,6 @@
 namespace blossom {
 
 namespace {
-
-/// How often closed triangles turn around a point (Van Oosterom & Strackee 1983).
-double windingNumber(const std::vector<Triangle3>& triangles, const Vec3& p) {
-  double sum = 0;
-  for (const Triangle3& t : triangles) {
-    const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return sum / fullTurn;
-}
 
 std::optional<Vec3> inside(const std::vector<Vec3>& points, const PartGeometry& part, const Progress& progress) {
   if (!part.exact.IsNull()) return pointInside(points, part.exact, progress);

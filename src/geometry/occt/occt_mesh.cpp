@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "core/error.h"
+#include "geometry/mesh/closed_triangles.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/numeric/point_merge.h"
 #include "geometry/occt/occt.h"
@@ -74,7 +74,7 @@ class ShapeBuilder {
     bool closed = false;
     double volume = 0;  ///< signed
     Vec3 somePoint = Vec3::Zero();
-    std::vector<std::array<Vec3, 3>> triangles;
+    std::vector<Triangle3> triangles;
   };
 
   void makeVertices() {
@@ -143,27 +143,9 @@ class ShapeBuilder {
       }
     }
     for (Part& part : parts_) {
-      part.volume = volume(part);
+      part.volume = signedVolume(part.triangles);
       part.shell.Closed(part.closed);
     }
-  }
-
-  static double volume(const Part& part) {
-    double sum = 0;
-    for (const auto& [a, b, c] : part.triangles)
-      sum += (a - part.somePoint).dot((b - part.somePoint).cross(c - part.somePoint));
-    return sum / 6;
-  }
-
-  /// Sum of the signed solid angles under which the triangles are seen, over 4 pi (Van Oosterom & Strackee 1983).
-  static double turns(const Part& part, const Vec3& from) {
-    double sum = 0;
-    for (const auto& triangle : part.triangles) {
-      const Vec3 a = triangle[0] - from, b = triangle[1] - from, c = triangle[2] - from;
-      const double la = a.norm(), lb = b.norm(), lc = c.norm();
-      sum += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return sum / (4 * std::numbers::pi);
   }
 
   /// The smallest body around a hollow, if any.
@@ -172,7 +154,7 @@ class ShapeBuilder {
     for (std::size_t c = 0; c < parts_.size(); ++c) {
       const Part& body = parts_[c];
       if (!body.closed || body.volume <= -hollow.volume || (best && parts_[*best].volume <= body.volume)) continue;
-      if (turns(body, hollow.somePoint) > 0.5) best = c;
+      if (windingNumber(body.triangles, hollow.somePoint) > 0.5) best = c;
     }
     return best;
   }

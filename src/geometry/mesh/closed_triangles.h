@@ -1,0 +1,18 @@
+#pragma once
+#include <span>
+
+#include "core/progress.h"
+#include "core/vector.h"
+#include "geometry/mesh/triangle_distance.h"
+
+/// Figures of triangles that together enclose a volume, oriented counter-clockwise seen from outside.
+namespace blossom {
+
+/// How often the triangles turn around a point that does not lie on them: the sum of their signed solid angles over 4 pi
+/// (Van Oosterom & Strackee 1983). An integer up to rounding. O(n). @throws Error Cancelled.
+double windingNumber(std::span<const Triangle3>, const Vec3& point, const Progress& = Progress::none());
+
+/// Below 0 when they look inwards. Summed from the first corner, so that places far away cost no digits. O(n).
+double signedVolume(std::span<const Triangle3>);
+
+}  // namespace blossom

@@ -11,7 +11,7 @@
 #include "cli/progress_display.h"
 #include "cli/report.h"
 #include "document/edits.h"
-#include "geometry/measure/counted_twice.h"
+#include "geometry/measure/volume_doubt.h"
 
 namespace blossom {
 namespace {
@@ -36,7 +36,7 @@ class InfoCommand {
   static std::vector<std::string> withDoubts(std::vector<std::string> warnings, const Shape& shape,
                                              const Progress& progress) {
     if (const Mesh* mesh = shape.get<Mesh>())
-      if (const auto doubt = countedTwice(*mesh, progress)) warnings.push_back(*doubt);
+      if (const auto doubt = volumeDoubt(*mesh, progress)) warnings.push_back(*doubt);
     return warnings;
   }
 
@@ -48,11 +48,11 @@ class InfoCommand {
     const double readMs = watch.elapsedMs();
     Info info{Value{{"file", file.string()}, {"format", format->id}}, measure(imported.shape, progress)};
     info.json["result"] = resultJson(info.measures);
+    info.json["warnings"] = withDoubts(imported.warnings, imported.shape, progress);
     info.json["stats"] = {{"read_ms", readMs},
                           {"total_ms", invocation_.elapsedMs()},
                           {"entities", imported.entities},
                           {"skipped", imported.skipped}};
-    info.json["warnings"] = withDoubts(imported.warnings, imported.shape, progress);
     return info;
   }
 
@@ -87,9 +87,9 @@ class InfoCommand {
     warnings.insert(warnings.end(), result->evaluated.warnings.begin(), result->evaluated.warnings.end());
     Info info{Value{{"file", text}}, measured(result->evaluated, progress)};
     info.json["result"] = resultJson(info.measures);
+    info.json["warnings"] = withDoubts(std::move(warnings), result->evaluated.shape, progress);
     info.json["stats"] = {{"kernel_ms", result->kernelMs}, {"total_ms", invocation_.elapsedMs()}};
     info.json["stats"].update(result->evaluated.stats);
-    info.json["warnings"] = withDoubts(std::move(warnings), result->evaluated.shape, progress);
     return info;
   }
 

@@ -1,7 +1,9 @@
 #include "geometry/mesh/closed_triangles.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/angle.h"
 
@@ -25,6 +27,21 @@ double signedVolume(std::span<const Triangle3> triangles) {
     sum += (a - from).dot((b - from).cross(c - from));
   }
   return sum / 6;
+}
+
+PointsBeside pointsBesideLargest(std::span<const Triangle3> triangles) {
+  const auto crossOf = [](const Triangle3& t) -> Vec3 { return (t[1] - t[0]).cross(t[2] - t[0]); };
+  const auto largest = std::max_element(triangles.begin(), triangles.end(), [&](const Triangle3& a, const Triangle3& b) {
+    return crossOf(a).squaredNorm() < crossOf(b).squaredNorm();
+  });
+  // Not in the middle, where regular meshes have corners: a point before it would lie in line with them.
+  const auto& [a, b, c] = *largest;
+  const Vec3 middle = 0.3183 * a + 0.2718 * b + 0.4099 * c, cross = crossOf(*largest);
+  constexpr double shareOfSize = 1e-6, roundings = 16;
+  const double step = std::max(shareOfSize * std::sqrt(cross.norm()),
+                               roundings * std::numeric_limits<double>::epsilon() * middle.cwiseAbs().maxCoeff());
+  const Vec3 aside = step * cross.normalized();
+  return {middle + aside, middle - aside};
 }
 
 }  // namespace blossom

@@ -15,4 +15,11 @@ double windingNumber(std::span<const Triangle3>, const Vec3& point, const Progre
 /// Below 0 when they look inwards. Summed from the first corner, so that places far away cost no digits. O(n).
 double signedVolume(std::span<const Triangle3>);
 
+/// Two points close to a place inside the largest triangle, before and behind it: off the triangles, so that winding numbers
+/// there are integers even where other triangles touch these. O(n). @pre not empty
+struct PointsBeside {
+  Vec3 front = Vec3::Zero(), back = Vec3::Zero();
+};
+PointsBeside pointsBesideLargest(std::span<const Triangle3>);
+
 }  // namespace blossom

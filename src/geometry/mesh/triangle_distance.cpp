@@ -32,8 +32,6 @@ std::optional<Vec3> crossing(const Vec3& from, const Vec3& to, const Triangle3& 
   return point;
 }
 
-Box3 boxOf(const Triangle3& t) { return Box3(t[0]).extend(t[1]).extend(t[2]); }
-
 }  // namespace
 
 Vec3 closestOnTriangle(const Vec3& p, const Triangle3& t) {

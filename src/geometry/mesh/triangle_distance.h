@@ -12,6 +12,8 @@ namespace blossom {
 
 using Triangle3 = std::array<Vec3, 3>;
 
+inline Box3 boxOf(const Triangle3& t) { return Box3(t[0]).extend(t[1]).extend(t[2]); }
+
 /// The nearest points of two objects.
 struct FootPoints {
   Vec3 first = Vec3::Zero(), second = Vec3::Zero();

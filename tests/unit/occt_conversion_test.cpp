@@ -1,3 +1,4 @@
+#include "geometry/mesh/mesh_topology.h"
 #include "geometry/occt/occt.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -218,21 +219,52 @@ class OcctConversionTest : public QObject {
     QCOMPARE(measured<std::int64_t>(t, "genus"), std::int64_t{1});
     COMPARE_NEAR(measured<double>(t, "volume"), measured<double>(measure(torus), "volume"), 1e-9);
   }
-  void hollowsAndOpenMeshes() {
-    const auto inward = [](Mesh mesh) {
-      for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-        std::reverse(mesh.faceVertices.begin() + mesh.faceStarts[f], mesh.faceVertices.begin() + mesh.faceStarts[f + 1]);
-      return mesh;
-    };
-    Mesh hollow = boxMesh({0, 0, 0}, {10, 10, 10});
-    const Mesh inner = inward(boxMesh({3, 3, 3}, {2, 2, 2}));
-    for (std::size_t f = 0; f < inner.faceCount(); ++f) {
-      std::vector<int> face(inner.face(f).begin(), inner.face(f).end());
-      for (int& v : face) v += 8;
-      hollow.addFace(face);
+  static Mesh inward(Mesh mesh) {
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+      std::reverse(mesh.faceVertices.begin() + mesh.faceStarts[f], mesh.faceVertices.begin() + mesh.faceStarts[f + 1]);
+    return mesh;
+  }
+  static Mesh together(Mesh mesh, const Mesh& more) {
+    for (std::size_t f = 0; f < more.faceCount(); ++f) {
+      std::vector<int> face(more.face(f).begin(), more.face(f).end());
+      for (int& v : face) v += static_cast<int>(mesh.points.size());
+      mesh.addFace(face);
     }
-    hollow.points.insert(hollow.points.end(), inner.points.begin(), inner.points.end());
-    const TopoDS_Shape solid = toShape(hollow);
+    mesh.points.insert(mesh.points.end(), more.points.begin(), more.points.end());
+    return mesh;
+  }
+  /// Hollows that touch their body in a corner, whichever corner their faces begin with.
+  void hollowsThatTouchTheirBody() {
+    for (int turn = 0; turn < 3; ++turn) {
+      Mesh hollow;
+      hollow.points = {{0, 0, 0}, {6, 2, 2}, {2, 6, 2}, {2, 2, 6}};
+      const std::array<std::array<int, 3>, 4> faces{{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}};
+      for (std::array<int, 3> face : faces) {
+        std::rotate(face.begin(), face.begin() + turn, face.end());
+        hollow.addFace(face);
+      }
+      QVERIFY(signedVolume(hollow) < 0);
+      const TopoDS_Shape solid = toShape(together(boxMesh({0, 0, 0}, {10, 10, 10}), hollow));
+      QCOMPARE(countOf(solid, TopAbs_SOLID), std::size_t{1});
+      COMPARE_NEAR(measured<double>(measure(Brep(solid)), "volume"), 1000 - 80. / 3, 1e-9);
+    }
+  }
+  /// Shells in shells, as they are and all of them inside out.
+  void bodiesInsideOutAreTurned() {
+    const Mesh hollow = together(boxMesh({0, 0, 0}, {10, 10, 10}), inward(boxMesh({2, 2, 2}, {6, 6, 6})));
+    const Mesh nested = together(together(hollow, boxMesh({3, 3, 3}, {4, 4, 4})), inward(boxMesh({4, 4, 4}, {1, 1, 1})));
+    for (const auto& [mesh, volume, solids] :
+         {std::tuple(hollow, 784., std::size_t{1}), std::tuple(nested, 784. + 63, std::size_t{2}),
+          std::tuple(together(hollow, boxMesh({20, 0, 0}, {1, 1, 1})), 785., std::size_t{2})})
+      for (const Mesh& given : {mesh, inward(mesh)}) {
+        const TopoDS_Shape solid = toShape(given);
+        QVERIFY(isValid(solid));
+        QCOMPARE(countOf(solid, TopAbs_SOLID), solids);
+        COMPARE_NEAR(measured<double>(measure(Brep(solid)), "volume"), volume, 1e-9);
+      }
+  }
+  void hollowsAndOpenMeshes() {
+    const TopoDS_Shape solid = toShape(together(boxMesh({0, 0, 0}, {10, 10, 10}), inward(boxMesh({3, 3, 3}, {2, 2, 2}))));
     QCOMPARE(countOf(solid, TopAbs_SOLID), std::size_t{1});
     QCOMPARE(countOf(solid, TopAbs_SHELL), std::size_t{2});
     QVERIFY(isValid(solid));

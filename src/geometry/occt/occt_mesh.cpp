@@ -73,7 +73,7 @@ class ShapeBuilder {
     TopoDS_Shell shell;
     bool closed = false;
     double volume = 0;  ///< signed
-    Vec3 somePoint = Vec3::Zero();
+    Box3 box;
     std::vector<Triangle3> triangles;
   };
 
@@ -132,10 +132,10 @@ class ShapeBuilder {
       Part& part = parts_[static_cast<std::size_t>(topology_.componentOfFace[static_cast<std::size_t>(faceOf[t])])];
       const auto points = facePoints(triangles, t);
       part.triangles.push_back({points[0], points[1], points[2]});
+      part.box.extend(boxOf(part.triangles.back()));
     }
     for (std::size_t f = 0; f < mesh_.faceCount(); ++f) {
       Part& part = parts_[static_cast<std::size_t>(topology_.componentOfFace[f])];
-      part.somePoint = mesh_.points[static_cast<std::size_t>(mesh_.face(f)[0])];
       if (const auto face = makeFace(f)) {
         builder_.Add(part.shell, *face);
       } else {
@@ -148,39 +148,53 @@ class ShapeBuilder {
     }
   }
 
-  /// The smallest body around a hollow, if any.
-  std::optional<std::size_t> bodyAround(const Part& hollow) const {
-    std::optional<std::size_t> best;
-    for (std::size_t c = 0; c < parts_.size(); ++c) {
-      const Part& body = parts_[c];
-      if (!body.closed || body.volume <= -hollow.volume || (best && parts_[*best].volume <= body.volume)) continue;
-      if (windingNumber(body.triangles, hollow.somePoint) > 0.5) best = c;
-    }
-    return best;
+  /// Closed shells from the largest to the smallest.
+  std::vector<std::size_t> closedBySize() const {
+    std::vector<std::size_t> order;
+    for (std::size_t c = 0; c < parts_.size(); ++c)
+      if (parts_[c].closed) order.push_back(c);
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return std::abs(parts_[a].volume) > std::abs(parts_[b].volume);
+    });
+    return order;
   }
 
-  /// Closed shells are solids; those turned inwards are hollows of the body around them, or else bodies given inside out.
+  /// The smallest of the larger closed shells around a closed shell, if any; whichever way they look.
+  std::optional<std::size_t> around(std::size_t inner, const std::vector<std::size_t>& larger) const {
+    const auto [front, back] = pointsBesideLargest(parts_[inner].triangles);
+    const Vec3& inside = parts_[inner].volume > 0 ? back : front;
+    for (auto c = larger.rbegin(); c != larger.rend(); ++c)
+      if (parts_[*c].box.contains(parts_[inner].box) && std::abs(windingNumber(parts_[*c].triangles, inside)) > 0.5)
+        return *c;
+    return std::nullopt;
+  }
+
+  /// Closed shells are solids or hollows of them. An outermost shell is a body, even when given inside out; a shell within
+  /// another that looks the other way is a hollow of a body, or a body in a hollow.
   TopoDS_Shape assembled() {
-    std::vector<TopoDS_Shape> shapes;
-    std::vector<std::optional<TopoDS_Solid>> solids(parts_.size());
-    const auto addBody = [&](std::size_t c, const TopoDS_Shape& shell) {
-      builder_.MakeSolid(solids[c].emplace());
-      builder_.Add(*solids[c], shell);
-    };
-    for (std::size_t c = 0; c < parts_.size(); ++c) {
-      if (!parts_[c].closed) shapes.push_back(parts_[c].shell);
-      if (parts_[c].closed && parts_[c].volume > 0) addBody(c, parts_[c].shell);
-    }
-    for (std::size_t c = 0; c < parts_.size(); ++c) {
-      if (!parts_[c].closed || parts_[c].volume > 0) continue;
-      if (const auto body = bodyAround(parts_[c])) {
-        builder_.Add(*solids[*body], parts_[c].shell);
+    std::vector<TopoDS_Solid> solids(parts_.size());
+    std::vector<std::optional<std::size_t>> solidOf(parts_.size());  // the shell whose solid a hollow belongs to
+    std::vector<std::size_t> bodies, seen;
+    for (const std::size_t c : closedBySize()) {
+      const Part& part = parts_[c];
+      const auto outer = around(c, seen);
+      const bool looksAway = outer && (part.volume > 0) != (parts_[*outer].volume > 0);
+      const bool isHollow = outer && looksAway != solidOf[*outer].has_value();
+      if (isHollow) {
+        solidOf[c] = solidOf[*outer].value_or(*outer);
       } else {
-        addBody(c, parts_[c].shell.Reversed());
+        builder_.MakeSolid(solids[c]);
+        bodies.push_back(c);
       }
+      const bool asIs = isHollow == (part.volume <= 0);
+      builder_.Add(solids[solidOf[c].value_or(c)], asIs ? TopoDS_Shape(part.shell) : part.shell.Reversed());
+      seen.push_back(c);
     }
-    for (const auto& solid : solids)
-      if (solid) shapes.push_back(*solid);
+    std::vector<TopoDS_Shape> shapes;
+    for (const Part& part : parts_)
+      if (!part.closed) shapes.push_back(part.shell);
+    std::sort(bodies.begin(), bodies.end());
+    for (const std::size_t c : bodies) shapes.push_back(solids[c]);
     return compoundOf(shapes);
   }
 

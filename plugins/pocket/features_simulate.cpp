@@ -100,12 +100,6 @@ void warnOfFloor(const Toolpath& path, const SimulationResult& result, const Sim
 
 /// Warnings for the operator of the machine.
 void warnOfMoves(const Toolpath& path, std::vector<std::string>& warnings) {
-  const auto cuts = [](const ToolMove& move) { return move.kind != MoveKind::Rapid; };
-  const auto still = std::find_if(path.moves.begin(), path.moves.end(),
-                                  [&](const ToolMove& move) { return cuts(move) && !(move.feed > 0); });
-  if (still != path.moves.end())
-    warnings.push_back(fmt::format("A cut without a feed goes to {}{}.", tipText(still->to),
-                                   lineText(path, static_cast<std::size_t>(still - path.moves.begin()))));
   if (path.stock.empty) return;
   constexpr double visible = 1e-6;
   const auto deepest = std::min_element(path.moves.begin(), path.moves.end(),
@@ -163,7 +157,9 @@ FeatureType simulateFeature() {
   return feature<P>("pocket.simulate", "Simulate", "Sweeps a program's tool along its moves and measures gouge and residue.")
       .icon("simulate")
       .produces({ShapeKind::Toolpath})
-      .input({.name = "program", .help = "A toolpath, or a G-code program that moves in z.", .kinds = {ShapeKind::Toolpath}})
+      .input({.name = "program",
+              .help = "A toolpath, or a G-code program that moves in z and turns a spindle (M3) or names a tool (T).",
+              .kinds = {ShapeKind::Toolpath}})
       .input(part)
       .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Corner radius of the given tool.")

@@ -159,7 +159,7 @@ class GcodeProgramTest final : public QObject {
           QCOMPARE(read.stock.low, path.stock.low);
           QCOMPARE(read.stock.high, path.stock.high);
           QCOMPARE(read.passes, path.passes);
-          QVERIFY(std::abs(secondsOf(read) - secondsOf(path)) < 0.02 * secondsOf(path) + 0.5);
+          QVERIFY(std::abs(*secondsOf(read) - *secondsOf(path)) < 0.02 * *secondsOf(path) + 0.5);
         }
   }
 

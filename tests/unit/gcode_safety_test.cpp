@@ -307,6 +307,7 @@ class GcodeSafetyTest : public QObject {
     row("F-5", "line 7: F-5 is below 0");
     row("G4 P-1", "line 7: P-1 is below 0");
     row("S-1", "line 7: S-1 is below 0");
+    row("F0", "line 8 cuts without a feed");
     row("S0", "line 8 cuts without a speed");
     row("G64 P2", "line 7: G64 P lets the control leave its way by up to 2 mm");
     row("%", "line 7: controls differ about a %");
@@ -326,6 +327,42 @@ class GcodeSafetyTest : public QObject {
       QVERIFY2(doubts.empty(), doubts.empty() ? "" : doubts[0].c_str());
     else
       QVERIFY2(std::any_of(doubts.begin(), doubts.end(), tells), doubts.empty() ? "no doubt" : doubts[0].c_str());
+  }
+
+  void whatHasNoFeedIsTold() {
+    const auto doubts = parsed(head + "G0 X0 Y0 Z5\nG1 Z-1\nG1 X20\nF0\nG1 Y2\nF9\nG1 Y3\nM2\n").doubts;
+    QCOMPARE(doubts.size(), std::size_t{2});
+    QVERIFY(doubts[0].starts_with("line 5 cuts without a feed") && doubts[1].starts_with("line 8 cuts without a feed"));
+  }
+
+  void cutsWithoutTheLengthThatWasTakenBackAreTold() {
+    const std::string begin = "G21 G90\nT1 M6\nG43 H1\nM3 S9000\nG0 X0 Y0 Z5\nG1 Z-1 F100\n";
+    QVERIFY(parsed(begin + "G0 Z5\nG49\nG0 Z9\nM2\n").doubts.empty());
+    QVERIFY(parsed(begin + "G0 Z5\nG49\nG43 H1\nG1 X3\nM2\n").doubts.empty());
+    QVERIFY(parsed("G49\n" + begin + "M2\n").doubts.empty());
+    QCOMPARE(parsed(begin + "G49\nG1 X5\nG1 X9\nM2\n").doubts,
+             std::vector<std::string>{"line 7: G49 takes the length of the tool back, and line 8 cuts without it"});
+  }
+
+  void whatFollowsTheEndIsTold() {
+    const std::string whole = head + "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X20\n";
+    for (const char* end : {"M2", "M30", "M02"}) {
+      for (const char* silent : {"", "%\n", "\n(a comment)\n; another\n"})
+        QVERIFY(parsed(whole + end + "\n" + silent).doubts.empty());
+      for (const char* more : {"G1 X50\n", "/G1 X50\n", "(on)\nN10 G1 X50\n"}) {
+        const auto cut = parsed(whole + end + "\n" + more);
+        QCOMPARE(cut.doubts.size(), std::size_t{1});
+        QVERIFY2(cut.doubts[0].find("ends the program; what stands after it is not run") != std::string::npos,
+                 cut.doubts[0].c_str());
+        QCOMPARE(cut.drawingDoubts, cut.doubts);
+      }
+    }
+    QCOMPARE(parsed("%\n" + whole + "%\n/G1 X50\n").doubts.size(), std::size_t{1});
+  }
+  void aByteOrderMarkIsNoWord() {
+    for (const char* mark : {"", "\xEF\xBB\xBF"})
+      QCOMPARE(parsed(mark + std::string("%\n") + head + "G0 X0 Y0 Z5\nG1 Z-1 F100\n%\nG1 X7\n").doubts.size(),
+               std::size_t{1});
   }
 
   void thePercentSignEndsWhatItBegan() {

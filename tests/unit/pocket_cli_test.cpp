@@ -137,14 +137,13 @@ class PocketCliTest : public QObject {
     };
     tells("G0 Z-2\nG1 X60 F100\n", "rapid runs through material, the first to (50.00, 30.00, -2.00)");
     tells("G1 Z-2 F100\nX99\n", "The part is gouged by 2.000 mm at");
-    tells("G1 Z-2\nX60 F100\n", "A cut without a feed goes to (50.000, 30.000, -2.000)");
+    tells("G1 Z-2\nX60 F100\n", "ine 6 cuts without a feed above 0 (F)");
     tells("M5\nG1 Z-2 F100\n", "cuts while the spindle stands still");
     tells("(stock X -2 102 Y -2 62 Z -4 0)\nG1 Z-9 F100\n", "through the stock, which ends at z = -4.000");
     tells("M0\nG1 Z-2 F100\n", "is without its stops (M0)");
     // and with the line
     tells("G0 Z-2\nG1 X60 F100\n", "-2.00), line 6.");
     tells("G1 Z-2 F100\nX99\n", ", line 7.");
-    tells("G1 Z-2\nX60 F100\n", "-2.000), line 6.");
     tells("G1 Z-2.1 F100\nX60\n", "gouged by 0.100 mm at (50.000, 30.000, -2.100), line 6.");
     tells("G1 Z-1.9 F100\nX60\n", "floor at z = -2.000 is not reached: the deepest cut ends at z = -1.900, line 6.");
     write("turned.nc", (begin + "G68 X0 Y0 R10\nG1 Z-2 F100\nX60\nM2\n").c_str());

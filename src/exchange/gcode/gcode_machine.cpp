@@ -22,7 +22,7 @@ void GcodeParser::machine(double given) {
   }
   if (code == 6) changeTool();
   if (code >= 7 && code <= 9) cool(code);
-  if (code == 2 || code == 30) ended_ = true;
+  if (code == 2 || code == 30) end(fmt::format("M{}", code));
 }
 
 void GcodeParser::cool(int code) {

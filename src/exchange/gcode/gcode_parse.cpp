@@ -19,7 +19,9 @@ bool holdsCode(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string code = withoutComments(text.substr(0, end)).code;
-    if (!code.empty() && std::isalpha(static_cast<unsigned char>(code.front()))) return true;
+    if (!code.empty() &&
+        (std::isalpha(static_cast<unsigned char>(code.front())) || code.front() == '/' || code.front() == '#'))
+      return true;
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;
@@ -28,6 +30,8 @@ bool holdsCode(std::string_view text) {
 }  // namespace
 
 GcodeProgram GcodeParser::read(std::string_view text, const Progress& progress) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
   std::size_t begin = 0;
   while (begin < text.size() && !ended_) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -37,7 +41,7 @@ GcodeProgram GcodeParser::read(std::string_view text, const Progress& progress) 
     readLine(text.substr(begin, end - begin));
     begin = end + 1;
   }
-  if (closed_ && begin < text.size() && holdsCode(text.substr(begin))) watch_.endsBefore();
+  if (ended_ && begin < text.size() && holdsCode(text.substr(begin))) watch_.endsBefore(ending_);
   finishNurbs();
   settleSpindle();
   settleDoubts(progress);
@@ -96,9 +100,14 @@ void GcodeParser::tapeMark() {
   if (!begun_)
     opened_ = true;
   else if (opened_)
-    closed_ = ended_ = true;
+    end("%");
   else
     watch_.endsPerhaps();
+}
+
+void GcodeParser::end(std::string by) {
+  ended_ = true;
+  ending_ = std::move(by);
 }
 
 void GcodeParser::run(const std::vector<GcodeWord>& line) {

@@ -48,6 +48,7 @@ class GcodeParser {
   void readLine(std::string_view raw);
   /// "%" on a line of its own: a program that begins with one ends at the next.
   void tapeMark();
+  void end(std::string by);
   /// Executes a line. Modes come first, whatever their position: "X1 Y1 G20" goes to one inch.
   void run(const std::vector<GcodeWord>& line);
   void place(const GcodeWord& word, Block& block);
@@ -102,7 +103,8 @@ class GcodeParser {
   bool absolute_ = true;
   bool absoluteCenters_ = false;
   bool begun_ = false, ended_ = false;
-  bool opened_ = false, closed_ = false;  ///< by "%"
+  std::string ending_;   ///< what ended it
+  bool opened_ = false;  ///< by "%"
   Vec3 at_ = Vec3::Zero();
   Vec3 nurbsEnd_ = Vec3::Zero();
   std::bitset<3> unknown_{0b111};  ///< axes with an unknown position

@@ -21,6 +21,8 @@ void GcodeWatch::toolChanged() {
 }
 
 void GcodeWatch::lengthFrom(std::optional<int> number) {
+  hasLength_ = true;
+  cancelled_.reset();
   if (number)
     length_ = Numbered{*number, line_};
   else
@@ -29,6 +31,12 @@ void GcodeWatch::lengthFrom(std::optional<int> number) {
 
 void GcodeWatch::lengthNumber(int number) {
   if (length_) length_ = Numbered{number, line_};
+}
+
+void GcodeWatch::noLength() {
+  if (hasLength_) cancelled_ = line_;
+  hasLength_ = false;
+  length_.reset();
 }
 
 void GcodeWatch::spindleTurns() {
@@ -54,8 +62,8 @@ void GcodeWatch::blends(double mm) {
                      mm));
 }
 
-void GcodeWatch::endsBefore() {
-  note(ends_, line_, fmt::format("line {}: % ends the program; what stands after it is not run", line_));
+void GcodeWatch::endsBefore(const std::string& by) {
+  note(ends_, line_, fmt::format("line {}: {} ends the program; what stands after it is not run", line_, by));
 }
 
 void GcodeWatch::endsPerhaps() {
@@ -69,6 +77,8 @@ void GcodeWatch::belowZero(char letter, double value) {
 
 void GcodeWatch::feed(std::optional<double> value) {
   if (value && *value < 0) belowZero('F', *value);
+  feeds_ = !value || *value > 0;
+  feedDoubted_ = false;
 }
 
 void GcodeWatch::speed(std::optional<double> value) {
@@ -88,6 +98,11 @@ void GcodeWatch::moves() {
 
 /// T alone is only made ready where M6 changes tools; where nothing does, it is the tool.
 void GcodeWatch::checkLength() {
+  if (cancelled_) {
+    note(lengths_, *cancelled_,
+         fmt::format("line {}: G49 takes the length of the tool back, and line {} cuts without it", *cancelled_, line_));
+    cancelled_.reset();
+  }
   const std::optional<Numbered>& tool = changes_ ? tool_ : chosen_;
   if (!length_ || !tool || length_->number == tool->number) return;
   if (!mismatches_.emplace(length_->number, tool->number).second) return;
@@ -96,8 +111,15 @@ void GcodeWatch::checkLength() {
                    length_->line, length_->number, length_->number, line_, tool->number, tool->line));
 }
 
+void GcodeWatch::checkFeed() {
+  if (feeds_ || feedDoubted_) return;
+  feedDoubted_ = true;
+  note(feeding_, line_, fmt::format("line {} cuts without a feed above 0 (F)", line_));
+}
+
 void GcodeWatch::cuts() {
   checkLength();
+  checkFeed();
   checkSpindle();
 }
 
@@ -115,7 +137,8 @@ void GcodeWatch::checkSpindle() {
 
 std::vector<std::string> GcodeWatch::doubts() const {
   Noted all = units_;
-  for (const Noted* kind : {&ends_, &lengths_, &corners_, &negative_}) all.insert(all.end(), kind->begin(), kind->end());
+  for (const Noted* kind : {&ends_, &lengths_, &corners_, &feeding_, &negative_})
+    all.insert(all.end(), kind->begin(), kind->end());
   if (everTurned_) all.insert(all.end(), still_.begin(), still_.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> sentences;

@@ -20,12 +20,12 @@ class GcodeWatch {
   void toolChanged();                                       ///< M6
   void lengthFrom(std::optional<int> number);               ///< G43, with H when it is there
   void lengthNumber(int number);                            ///< H without G43
-  void noLength() { length_.reset(); }                      ///< G49
+  void noLength();                                          ///< G49
   void spindleTurns();
   void spindleStops();
   void blendsWithoutLimit();                  ///< G64 without P
   void blends(double mm);                     ///< G64 P
-  void endsBefore();                          ///< "%" ends the program, and more follows
+  void endsBefore(const std::string& by);     ///< "%", M2 or M30 ends the program, and more follows
   void endsPerhaps();                         ///< "%" in a program that does not begin with one
   void feed(std::optional<double> value);     ///< F; nothing for a parameter or an expression
   void speed(std::optional<double> value);    ///< S; the same
@@ -47,17 +47,21 @@ class GcodeWatch {
   };
   static void note(Noted& where, std::size_t line, std::string what);
   void checkLength();
+  void checkFeed();
   void checkSpindle();
 
   std::size_t line_ = 0;
   bool unitsSaid_ = false, unitsDoubted_ = false;
   std::optional<Numbered> chosen_, tool_, length_;
+  bool hasLength_ = false;                ///< a length of a tool is taken into account
+  std::optional<std::size_t> cancelled_;  ///< where it was taken back
   bool changes_ = false;
   std::set<std::pair<int, int>> mismatches_;
   bool turning_ = false, everTurned_ = false, stillDoubted_ = false;
-  bool hasSpeed_ = false, speedDoubted_ = false;  ///< a speed above 0 is set; doubted since it was set last
+  bool feeds_ = false, feedDoubted_ = false;      ///< a feed above 0 is set; doubted since it was set last
+  bool hasSpeed_ = false, speedDoubted_ = false;  ///< the same for the spindle's speed
   std::optional<std::size_t> stopped_;
-  Noted units_, ends_, lengths_, still_, corners_, negative_;
+  Noted units_, ends_, lengths_, still_, corners_, feeding_, negative_;
 };
 
 }  // namespace blossom

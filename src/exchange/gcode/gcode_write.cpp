@@ -133,7 +133,7 @@ class GcodeWriter {
     }
     if (path_.passes > 0) comment(fmt::format("passes {}", path_.passes));
     comment(fmt::format("for {}, work zero {}, all lengths in comments in mm", post_.title, path_.workOffset));
-    const auto seconds = static_cast<long long>(std::llround(secondsOf(path_)));
+    const auto seconds = static_cast<long long>(std::llround(secondsOf(path_).value_or(0)));
     comment(fmt::format("path {:.0f} mm, time about {} min {} s", lengthOf(path_), seconds / 60, seconds % 60));
     if (path_.gouge && path_.residue) measuredAt_ = text_.size();
   }

@@ -127,10 +127,10 @@ Measures measureMedialAxis(const MedialAxis& axis) {
            {"length", lengthOf(axis), MeasureUnit::Length}}};
 }
 
-/// Figures that were not simulated are left out.
+/// Figures that are not known are left out: the time where a cut has no feed, and what was not simulated.
 Measures measureToolpath(const Toolpath& path) {
-  Measures measures{"toolpath",
-                    {{"length_mm", lengthOf(path), MeasureUnit::Length}, {"time_s", secondsOf(path), MeasureUnit::Time}}};
+  Measures measures{"toolpath", {{"length_mm", lengthOf(path), MeasureUnit::Length}}};
+  if (const auto seconds = secondsOf(path)) measures.values.push_back({"time_s", *seconds, MeasureUnit::Time});
   if (path.gouge) measures.values.push_back({"gouge_mm", *path.gouge, MeasureUnit::Length});
   if (path.residue) measures.values.push_back({"residue_mm2", *path.residue, MeasureUnit::Area});
   measures.values.push_back(countMeasure("passes", path.passes));

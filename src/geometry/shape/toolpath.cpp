@@ -51,12 +51,13 @@ double lengthOf(const Toolpath& path) {
   return sum;
 }
 
-double secondsOf(const Toolpath& path) {
+std::optional<double> secondsOf(const Toolpath& path) {
   double minutes = 0;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const ToolMove& move = path.moves[i];
     const double feed = move.kind == MoveKind::Rapid ? path.rapidFeed : move.feed;
-    if (feed > 0) minutes += lengthOf(startOf(path, i), move) / feed;
+    if (!(feed > 0)) return std::nullopt;
+    minutes += lengthOf(startOf(path, i), move) / feed;
   }
   return minutes * 60;
 }

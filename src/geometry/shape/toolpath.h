@@ -79,8 +79,8 @@ double lengthOf(const Vec3& from, const ToolMove&);
 std::vector<Vec3> polylineOf(const Vec3& from, const ToolMove&, double chord);
 /// Total length of the moves in mm.
 double lengthOf(const Toolpath&);
-/// Estimated time in seconds: lengths over feeds, without acceleration.
-double secondsOf(const Toolpath&);
+/// Estimated time in seconds: lengths over feeds, without acceleration. Nothing when a cut has no feed.
+std::optional<double> secondsOf(const Toolpath&);
 /// The cutting moves (feeds and plunges) seen from above, for drawings.
 Curves drawingOf(const Toolpath&);
 

@@ -38,7 +38,8 @@ struct Style {
   std::string fill = "black", stroke = "none", color;
   bool paintGiven = false;  ///< fill or stroke stand in the file; a default black is no colour of its own
   bool evenOdd = false, visible = true, displayed = true;
-  bool cropped = false;  ///< by a clip-path or mask, of itself or of what it stands in
+  bool cropped = false;           ///< by a clip-path or mask of its own
+  bool croppedFromAbove = false;  ///< by that of what it stands in
   std::string layer;
 };
 
@@ -103,6 +104,13 @@ class Reader {
     return result;
   }
 
+  /// "url(#id)" of an element of this file; what is not there crops nothing.
+  [[nodiscard]] bool namesElement(std::string_view value) const {
+    const std::size_t begin = value.find('#'), end = value.find_first_of(")\"'", begin);
+    return value.starts_with("url(") && begin != std::string_view::npos && end != std::string_view::npos &&
+           names_.contains(std::string(value.substr(begin + 1, end - begin - 1)));
+  }
+
   void apply(const Declarations& declarations, Style& style) const {
     for (const auto& [name, value] : declarations) {
       if (value == "inherit") continue;
@@ -119,12 +127,14 @@ class Reader {
       else if (name == "display")
         style.displayed = value != "none";
       else if (name == "clip-path" || name == "mask")
-        style.cropped = style.cropped || value != "none";
+        style.cropped = namesElement(value);
     }
   }
 
   /// Attributes, then the style sheet, then the style attribute (SVG 1.1, 6.4).
   Style styled(const xml_node& node, Style style) const {
+    style.croppedFromAbove = style.croppedFromAbove || style.cropped;
+    style.cropped = false;
     Declarations attributes;
     for (const char* name : {"fill", "stroke", "color", "fill-rule", "visibility", "display", "clip-path", "mask"})
       if (const auto a = node.attribute(name)) attributes.emplace(name, trimmed(a.value()));
@@ -244,7 +254,7 @@ class Reader {
     }
     const bool filled = style.fill != "none" && style.fill != "transparent" && name != "line";
     if (!filled && style.stroke == "none") ++unpainted_;
-    if (style.cropped) ++cropped_;
+    if (style.cropped || style.croppedFromAbove) ++cropped_;
     if (filled) (style.evenOdd ? evenOdd_ : nonZero_) += paths.size();
     for (Path& path : paths) add(std::move(path), place, style, filled);
   }
@@ -284,7 +294,7 @@ class Reader {
     warn(lost_ > 0, fmt::format("{} elements use others that are not in the file.", lost_));
     warn(collapsed_ > 0, fmt::format("{} shapes are scaled to nothing and were left out.", collapsed_));
     warn(unpainted_ > 0, fmt::format("{} shapes have neither fill nor stroke; they were read all the same.", unpainted_));
-    warn(cropped_ > 0, fmt::format("Read whole, although a clip-path or a mask crops them: {} of its shapes.", cropped_));
+    warn(cropped_ > 0, fmt::format("Read whole, although a clip-path or a mask may crop them: {} of its shapes.", cropped_));
     warn(evenOdd_ > 0 && nonZero_ > 0, "Its shapes use both fill rules; all are read with the rule nonzero.");
     curves_.fillRule = evenOdd_ > 0 && nonZero_ == 0 ? FillRule::EvenOdd : FillRule::NonZero;
     imported.entities = entities_.toValue();

@@ -53,6 +53,7 @@ std::string placeholder(const ParameterSpec& spec) {
       return "COLOUR";
     case ParameterKind::Point:
     case ParameterKind::Vector:
+    case ParameterKind::Displacement:
       return "X,Y,Z";
     case ParameterKind::File:
       return "FILE";

@@ -72,11 +72,10 @@ Value checkCoordinates(const ParameterSpec& spec, const std::string& subject, co
   if (!value.is_array() || value.size() < 2 || value.size() > 3)
     wrongForm(spec, subject, point ? "must be a point" : "must be a vector", value,
               "Write x,y,z; z may be left out and is then 0.");
-  const ParameterSpec component = point ? length() : number();
   Value all = Value::array();
   constexpr std::string_view axes = "xyz";
   for (std::size_t i = 0; i < value.size(); ++i) {
-    ParameterSpec named = component;
+    ParameterSpec named = coordinateOf(spec);
     named.name = fmt::format("{} of {}", axes[i], subject);
     all.push_back(checked(named, value[i]));
   }
@@ -188,6 +187,7 @@ Value checkAt(const ParameterSpec& spec, const std::string& subject, const Value
       return checkColor(spec, subject, value);
     case Point:
     case Vector:
+    case Displacement:
       return checkCoordinates(spec, subject, value);
     case File:
       return checkFile(spec, subject, value);

@@ -12,9 +12,9 @@
 namespace blossom {
 namespace {
 
-constexpr std::array<std::string_view, 16> kindNames{"flag",   "count",     "number", "ratio", "length", "angle",
-                                                     "choice", "text",      "color",  "point", "vector", "file",
-                                                     "curve",  "sub-shape", "list",   "record"};
+constexpr std::array<std::string_view, 17> kindNames{"flag",   "count", "number",    "ratio", "length", "angle",
+                                                     "choice", "text",  "color",     "point", "vector", "displacement",
+                                                     "file",   "curve", "sub-shape", "list",  "record"};
 
 ParameterSpec ofKind(ParameterKind kind) {
   ParameterSpec spec;
@@ -53,6 +53,8 @@ std::string describeKind(const ParameterSpec& spec) {
       return "point x,y,z in mm";
     case ParameterKind::Vector:
       return "vector x,y,z";
+    case ParameterKind::Displacement:
+      return "displacement x,y,z in mm";
     case ParameterKind::File:
       return spec.fileTypes.empty() ? "file" : fmt::format("file ({})", spec.fileTypes);
     case ParameterKind::Curve:
@@ -137,6 +139,9 @@ ParameterSpec text() { return ofKind(ParameterKind::Text); }
 ParameterSpec color() { return ofKind(ParameterKind::Color); }
 ParameterSpec point() { return ofKind(ParameterKind::Point); }
 ParameterSpec vector() { return ofKind(ParameterKind::Vector); }
+ParameterSpec displacement() { return ofKind(ParameterKind::Displacement); }
+
+ParameterSpec coordinateOf(const ParameterSpec& spec) { return spec.kind == ParameterKind::Vector ? number() : length(); }
 
 ParameterSpec file(std::string extensions) {
   ParameterSpec spec = ofKind(ParameterKind::File);

@@ -21,6 +21,7 @@ enum class ParameterKind {
   Color,
   Point,
   Vector,
+  Displacement,
   File,
   Curve,
   SubShape,
@@ -54,6 +55,8 @@ std::string describe(const ParameterSpec&);
 /// are parsed.
 /// @throws Error InvalidParameter such as "t must lie between 0 and 1; it is 1.4."
 Value checked(const ParameterSpec&, const Value&);
+/// Of what each coordinate of a point, a displacement or a vector is: a length or a number.
+ParameterSpec coordinateOf(const ParameterSpec&);
 /// Canonical value of typed text: "1/2 in", "yes", "1,2,3", "#ff8800", a curve "0:1, 0.5:2", a sub-shape "base:face:3".
 /// Items of lists are separated by commas (by semicolons when the items contain commas) or written as JSON; records are
 /// written as JSON. Empty text for a file or a sub-shape is null.
@@ -84,7 +87,8 @@ ParameterSpec choice(std::vector<std::string> names);
 ParameterSpec text();
 ParameterSpec color();
 ParameterSpec point();
-ParameterSpec vector();
+ParameterSpec vector();        ///< a direction or factors, without unit
+ParameterSpec displacement();  ///< from one place to another, in mm
 ParameterSpec file(std::string extensions);
 ParameterSpec controlCurve();
 ParameterSpec subShape(std::string kind);  ///< "face", "edge" or "vertex"

@@ -96,7 +96,8 @@ bool itemsAreExpressions(const ParameterSpec& element) {
 
 bool itemsHoldCommas(const ParameterSpec& element) {
   using enum ParameterKind;
-  return element.kind == Point || element.kind == Vector || element.kind == Curve || element.kind == List;
+  return element.kind == Point || element.kind == Vector || element.kind == Displacement || element.kind == Curve ||
+         element.kind == List;
 }
 
 Value parseJsonText(const ParameterSpec& spec, std::string_view text) {
@@ -179,6 +180,7 @@ Value parseText(const ParameterSpec& spec, std::string_view given, const LengthU
       return measure(spec, text, parseAngle);
     case Point:
     case Vector:
+    case Displacement:
       return parseCoordinates(spec, text);
     case Curve:
       return text.starts_with('[') ? checked(spec, parseJsonText(spec, text)) : measure(spec, text, parseCurve);
@@ -219,6 +221,7 @@ std::string formatText(const ParameterSpec& spec, const Value& value, const Leng
       return value.get<std::string>();
     case Point:
     case Vector:
+    case Displacement:
       return joined(value, number(), ", ");
     case File:
       return value.is_string() ? value.get<std::string>() : value.value("path", "");

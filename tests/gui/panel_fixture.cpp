@@ -107,6 +107,7 @@ void PanelFixture::openPanel() {
   registry->addAll(everything(), source(), outline(), follower(), cube());
   App app;
   app.registry = registry;
+  app.formats = std::make_shared<FormatRegistry>();
   session_ = std::make_unique<Session>(app);
   session_->commit(
       Document::of({made("a", "test.source", "Plate"), made("b", "test.source", "Bolt"), made("m", "test.outline", "Path"),
@@ -144,6 +145,7 @@ FeatureType PanelFixture::everything() {
                     declared("color", color(), "#ff8800"),
                     declared("point", point(), origin),
                     declared("vector", blossom::vector(), Value::array({0.0, 0.0, 1.0})),
+                    declared("shift", displacement(), Value::array({0.0, 25.4, 0.0})),
                     declared("file", optional(file("json"))),
                     declared("curve", controlCurve(), Value::parse("[[0.0,0.5],[1.0,0.5]]")),
                     declared("face", optional(subShape("face"))),

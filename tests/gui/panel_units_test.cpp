@@ -185,6 +185,8 @@ void PanelUnitsTest::pointsAreShownInInches() {
   pickButton("point")->click();
   panel_->offerPick(pickOf(SubShapeKind::Whole, -1));
   QCOMPARE(now("point"), Value::array({1.0, 2.5, -3.0}));
+  QCOMPARE(line("shift", "y")->text(), QStringLiteral("1"));
+  oneStep("shift", Value::array({50.8, 25.4, 0.0}), [&] { type(line("shift", "x"), QStringLiteral("2")); });
   // A direction has no unit.
   QCOMPARE(line("vector", "z")->text(), QStringLiteral("1"));
   type(line("vector", "x"), QStringLiteral("2"));

@@ -103,6 +103,7 @@ class Generator {
         return hexColor();
       case Point:
       case Vector:
+      case Displacement:
         return Value::array({real(), real(), real()});
       case File:
         return {{"path", "some folder/" + words() + ".json"}, {"asset", ""}};

@@ -46,6 +46,7 @@ ParameterField* ParameterField::make(const ParameterSpec& spec, QWidget* parent,
       return new ColorField(spec, context, parent);
     case Point:
     case Vector:
+    case Displacement:
       return new VectorField(spec, context, parent);
     case File:
       return new FileField(spec, context, parent);
@@ -83,6 +84,7 @@ Value startValue(const ParameterSpec& spec) {
     case Color:
       return "#f2a65a";
     case Point:
+    case Displacement:
       return Value::array({0.0, 0.0, 0.0});
     case Vector:
       return Value::array({0.0, 0.0, 1.0});

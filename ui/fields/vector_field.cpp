@@ -28,8 +28,7 @@ double tidy(double value) { return std::round(value * 1e6) / 1e6; }
 }  // namespace
 
 VectorField::VectorField(const ParameterSpec& given, const Context& outside, QWidget* parent)
-    : ParameterField(given, outside, parent),
-      component_(given.kind == ParameterKind::Point ? blossom::length() : blossom::number()) {
+    : ParameterField(given, outside, parent), component_(coordinateOf(given)) {
   auto* all = new QWidget;
   auto* row = new QHBoxLayout(all);
   row->setContentsMargins(0, 0, 0, 0);
@@ -50,7 +49,7 @@ VectorField::VectorField(const ParameterSpec& given, const Context& outside, QWi
       if (ParameterField::editing()) offer(shown_);
     });
   }
-  if (context()->picking) {
+  if (context()->picking && given.kind != ParameterKind::Displacement) {
     pick_ = given.kind == ParameterKind::Point
                 ? new PickButton(QStringLiteral("pick-point"), tr("Pick a point in the view"))
                 : new PickButton(QStringLiteral("pick-face"), tr("Pick a face in the view; its normal is taken"));

@@ -104,7 +104,9 @@ double sag(const FaceMesh& mesh, const BRepAdaptor_Surface& surface, const Poly_
   const gp_XY middle = middleParameters(mesh, triangle, collapsed);
   const Vec3 p = at(a);
   const Vec3 normal = (at(b) - p).cross(at(c) - p);
-  if (!(normal.norm() > 0)) return 0;
+  // Triangles without area, such as two places on one ruling of a cone and its tip, cover nothing; their normals are noise.
+  const double longest = std::max({(at(b) - p).norm(), (at(c) - p).norm(), (at(c) - at(b)).norm()});
+  if (!(normal.norm() > 1e-9 * longest * longest)) return 0;
   return std::abs((toVec(surface.Value(middle.X(), middle.Y()).XYZ()) - p).dot(normal.normalized()));
 }
 

@@ -62,6 +62,20 @@ class ModelingSoundTest : public QObject {
     }
   }
 
+  /// The tip of a wedge of a cone: places on one ruling and the tip make triangles without area.
+  void partsOfATurnOnTheAxisCostNoMoreThanTheWhole() {
+    const Region wedge{{polygon({{0, 0}, {10, 10}, {0, 10}})}}, corner{{polygon({{0, 5}, {5, 0}, {10, 5}, {5, 10}})}};
+    for (const auto& [profile, whole] : {std::pair(wedge, 1000 * pi / 3), std::pair(corner, 2 * pi * 5 * 50)}) {
+      const std::size_t facets = meshOf(made("revolve", {}, {profile}).shape, {.chord = 0.01, .angle = 0.5}).faceCount();
+      for (const double angle : {30.0, 90.0, 180.0, 270.0, 359.9, -180.0}) {
+        const Evaluated part = made("revolve", {{"angle", angle}}, {profile});
+        QVERIFY(isSound(part));
+        COMPARE_NEAR(volume(part), whole * std::abs(angle) / 360, 1e-8 * whole);
+        QVERIFY(meshOf(part.shape, {.chord = 0.01, .angle = 0.5}).faceCount() < 2 * facets);
+      }
+    }
+  }
+
   /// The axis passes in front of the drawing: what matters is on which side of its shadow the outline lies.
   void anAxisBesideThePlaneIsCheckedToo() {
     const Value above = {{"point", {0, 0, 7}}};
@@ -163,6 +177,11 @@ class ModelingSoundTest : public QObject {
                      "cut through itself near (");
       QVERIFY(isSound(made("loft", {{"heights", {0, 10, 20}}, {"ruled", ruled}}, {a, b, a})));
     }
+    // Straight walls lie on themselves when they turn back: between them is no space.
+    const Region round{{circle({0, 0}, 5)}};
+    for (const Region& same : {a, round})
+      VERIFY_REFUSED(refusal("loft", {{"heights", {0, 20, 10}}, {"ruled", true}}, {same, same, same}), ErrorCode::Degenerate,
+                     "cut through itself near (");
     VERIFY_REFUSED(refusal("loft", {{"heights", {0, 10}}}, {a, b, a}), ErrorCode::InvalidParameter,
                    "The number of heights, 2, differs from the number of sections, 3.");
   }
@@ -170,6 +189,11 @@ class ModelingSoundTest : public QObject {
   void pipesThroughThemselvesAreRefusedThinOnesNot() {
     const Region disc{{circle({0, 0}, 8)}}, thin{{circle({0, 0}, 8), circle({0, 0}, 7.999, true)}};
     VERIFY_REFUSED(refusal("pipe", {}, {disc, arcPath(5, 3)}), ErrorCode::Degenerate, "It would cut through itself near (");
+    // Tubes of spindle and horn tori: what their surfaces enclose is not what the disc passes through.
+    for (const double reach : {10.0, 10.5, 14.0})
+      VERIFY_REFUSED(refusal("pipe", {}, {Region{{circle({0, 0}, reach)}}, arcPath(10, 2 * pi)}), ErrorCode::Degenerate,
+                     "where the path bends with a radius of 10 mm");
+    QVERIFY(isSound(made("pipe", {}, {Region{{circle({0, 0}, 9.9)}}, arcPath(10, 1)})));
     const Curves hairpin{{polygon({{0, 0}, {10, 0}, {0, 1}}, false)}, FillRule::EvenOdd};
     VERIFY_REFUSED(refusal("pipe", {}, {disc, hairpin}), ErrorCode::Degenerate,
                    "Its sharpest corner, of 174 degrees, is in (10, 0, 0).");

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/angle.h"
+#include "geometry/mesh/common_area.h"
 
 namespace blossom {
 
@@ -50,24 +51,6 @@ Stretch stretchWithin(const Triangle3& t, const Vec3& start, const Vec3& along, 
       reach(place[k] - side[k] / rise * (place[next] - place[k]));
   }
   return found;
-}
-
-/// The common polygon of two triangles of one plane, clipped side by side.
-std::vector<Vec3> commonPolygon(const Triangle3& a, const Triangle3& b) {
-  std::vector<Vec3> polygon(a.begin(), a.end());
-  const Vec3 normal = normalOf(b);
-  for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
-    const Vec3 &from = b[k], inwards = normal.cross(b[(k + 1) % 3] - b[k]);
-    std::vector<Vec3> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-      const double d = (p - from).dot(inwards), e = (q - from).dot(inwards);
-      if (d >= 0) kept.push_back(p);
-      if ((d > 0 && e < 0) || (d < 0 && e > 0)) kept.push_back(p + d / (d - e) * (q - p));
-    }
-    polygon = std::move(kept);
-  }
-  return polygon;
 }
 
 }  // namespace
@@ -158,15 +141,14 @@ std::optional<WindingField::Range> WindingField::whereTheyMeet(const Triangle3& 
   }
   const std::vector<Vec3> common = commonPolygon(a, b);
   if (common.size() < 3) return std::nullopt;
-  Vec3 middle = Vec3::Zero(), doubleArea = Vec3::Zero();
+  Vec3 middle = Vec3::Zero();
   double weights = 0;
   for (std::size_t k = 0; k < common.size(); ++k) {
     const double weight = 1 + ringPlace * static_cast<double>(k);
     middle += weight * common[k];
     weights += weight;
-    if (k > 1) doubleArea += (common[k - 1] - common[0]).cross(common[k] - common[0]);
   }
-  const double width = doubleArea.norm() / size;
+  const double width = areaOf(common) / size;
   if (!(width > coarsest)) return std::nullopt;
   const Vec3 place = middle / weights, aside = ringShare * width * normal;
   const int before = at(place + aside), behind = before + risenBetween(place + aside, place - aside);

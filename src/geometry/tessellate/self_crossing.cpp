@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/mesh/common_area.h"
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/triangle_distance.h"
 #include "geometry/shape/bounds.h"
@@ -78,6 +79,23 @@ bool isReal(const MeshCrossing& crossing, const Mesh& mesh, double chord, double
   return false;
 }
 
+/// Whether two triangles lie on one another, looking away from each other's space: between them is no space at all.
+bool liesOn(const Triangle3& a, const Triangle3& b, double size) {
+  constexpr double planar = 1e-9, visible = 1e-8;
+  const Vec3 normal = normalOf(a);
+  if (normal.dot(normalOf(b)) > -1 + planar) return false;
+  for (const Vec3& corner : b)
+    if (std::abs((corner - a[0]).dot(normal)) > planar * size) return false;
+  return areaOf(commonPolygon(a, b)) > visible * size * size;
+}
+
+/// Where a wall lies on another wall: winding numbers do not tell, for there is nothing between them.
+std::optional<Vec3> doubledWall(const Mesh& mesh, double size, const Progress& progress) {
+  const auto counts = [&](const Triangle3& a, const Triangle3& b) { return liesOn(a, b, size); };
+  const auto found = crossings(mesh, counts, progress);
+  return found.empty() ? std::nullopt : std::optional(found.front().place);
+}
+
 }  // namespace
 
 std::optional<Vec3> selfCrossing(const TopoDS_Shape& solid, const Progress& progress) {
@@ -91,6 +109,7 @@ std::optional<Vec3> selfCrossing(const TopoDS_Shape& solid, const Progress& prog
     };
     const auto found = crossings(mesh, counts, progress);
     if (found.empty()) return {};
+    if (const auto place = doubledWall(mesh, size, progress)) return place;
     const std::size_t stride = (found.size() + crossingsTried - 1) / crossingsTried;
     for (std::size_t k = 0; k < found.size(); k += stride)
       if (isReal(found[k], mesh, chord, size, progress)) return found[k].place;

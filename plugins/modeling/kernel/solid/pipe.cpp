@@ -6,13 +6,17 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax3.hxx>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -88,16 +92,44 @@ double reachOf(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
   return std::max({std::abs(x0), std::abs(x1), std::abs(y0), std::abs(y1)});
 }
 
+Complaint tooTight() {
+  return {"The outline cannot be moved along this path.",
+          "The path may bend more tightly than the outline is wide: use a smaller outline or a wider bend."};
+}
+
+/// How far the outline reaches in every direction around the path; 0 where the path is not inside it.
+double reachAllAround(const TopoDS_Shape& profile, const TopoDS_Wire& path) {
+  const TopoDS_Vertex center = BRepBuilderAPI_MakeVertex(startOf(path).Location());
+  const auto distanceTo = [&](const TopoDS_Shape& shape) {
+    const BRepExtrema_DistShapeShape distance(center, shape);
+    return distance.IsDone() ? distance.Value() : std::numeric_limits<double>::infinity();
+  };
+  double reach = 0;
+  for (const TopoDS_Shape& face : subShapesOf(profile, TopAbs_FACE)) {
+    if (distanceTo(face) > Precision::Confusion()) continue;
+    double here = std::numeric_limits<double>::infinity();
+    for (const TopoDS_Shape& wire : subShapesOf(face, TopAbs_WIRE)) here = std::min(here, distanceTo(wire));
+    reach = std::max(reach, std::isfinite(here) ? here : 0);
+  }
+  return reach;
+}
+
+/// Where the outline reaches the centre of a bend in every direction, it passes through itself on the other side.
+void refuseFold(const PathTurns& turns, double reach) {
+  constexpr double rounding = 1e-9;
+  if (reach < turns.radius * (1 - rounding)) return;
+  throw Error(ErrorCode::Degenerate,
+              fmt::format("{} It would cut through itself near {}, where the path bends with a radius of {:.6g} mm and the "
+                          "outline reaches {:.6g} mm all around it.",
+                          tooTight().message, written(turns.bend), turns.radius, reach),
+              tooTight().hint);
+}
+
 class Piper {
  public:
-  static Complaint complaint() {
-    return {"The outline cannot be moved along this path.",
-            "The path may bend more tightly than the outline is wide: use a smaller outline or a wider bend."};
-  }
-
   /// `place` says where the path is most likely at fault.
   Piper(TopoDS_Wire path, PipeCorners corners, const std::string& place)
-      : path_(std::move(path)), corners_(corners), located_(complaint()) {
+      : path_(std::move(path)), corners_(corners), located_(tooTight()) {
     located_.message += place;
   }
 
@@ -139,20 +171,22 @@ class Piper {
 PipeResult pipe(const TopoDS_Shape& profileShape, const TopoDS_Shape& pathShape, const PipeOptions& o,
                 const Progress& progress) {
   const TopoDS_Wire path = onePath(pathShape);
-  const Complaint complaint{Piper::complaint().message, "Simplify the path or make the outline smaller."};
+  const Complaint complaint{tooTight().message, "Simplify the path or make the outline smaller."};
   const PathTurns turns = guarded(complaint.message, complaint.hint, [&] { return turnsOf(path); });
   const double reach =
       guarded(complaint.message, complaint.hint, [&] { return o.place ? reachOf(placed(profileShape, path), path) : 0; });
   const std::string place = placeToLookAt(turns, reach);
   return guarded(complaint.message + place, complaint.hint, [&] {
-    const Profile profile = profileOf(o.place ? placed(profileShape, path) : profileShape);
+    const TopoDS_Shape there = o.place ? placed(profileShape, path) : profileShape;
+    if (o.place) refuseFold(turns, reachAllAround(there, path));
+    const Profile profile = profileOf(there);
     PipeResult result;
     result.solid = !profile.faces.empty();
     const Piper piper(path, o.corners, place);
     progress.report(0.1, "Moving the outline along the path");
     std::vector<TopoDS_Shape> solids, made;
     for (const TopoDS_Face& face : profile.faces) solids.push_back(piper.along(face, progress));
-    if (!solids.empty()) made.push_back(soundBodies(solids, Piper::complaint(), progress));
+    if (!solids.empty()) made.push_back(soundBodies(solids, tooTight(), progress));
     for (const TopoDS_Wire& wire : profile.wires) made.push_back(piper.along(wire, false));
     result.shape = compoundOf(made);
     if (o.place && reach > turns.radius)

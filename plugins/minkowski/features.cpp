@@ -28,7 +28,8 @@ std::optional<double> toleranceOf(const Value& given) {
 }
 
 ParameterSpec toleranceSpec() {
-  return whenNone(optional(positiveLength()), "a 10,000th of each shape's size, at most 0.01 mm");
+  return whenNone(optional(positiveLength()),
+                  "a 10,000th of each shape's size and a 500th of its thickness, at most 0.01 mm");
 }
 
 struct MorphParameters {
@@ -121,7 +122,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "Elevate the degree by one; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.")
-      .parameter("offsets", &P::offsets, list(vector()),
+      .parameter("offsets", &P::offsets, list(displacement()),
                  "Displacement of each control shape from its drawn position, first to last; others stay.")
       .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
@@ -141,6 +142,7 @@ struct SumParameters {
 Evaluated evaluated(RegionSumResult result) {
   Evaluated out;
   out.stats["sums"] = result.sums;
+  out.warnings = std::move(result.warnings);
   out.shape = std::move(result.region);
   return out;
 }

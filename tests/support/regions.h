@@ -35,6 +35,13 @@ inline Region circleRegion(double radius, const Vec2& center = Vec2::Zero()) {
   return {{path}};
 }
 
+inline Region ellipseRegion(double a, double b) {
+  Path path;
+  path.closed = true;
+  path.segments.emplace_back(ellipticArc({0, 0}, {a, 0}, b / a, 0, 2 * std::numbers::pi));
+  return {{path}};
+}
+
 /// A polygon around `center` that is seen from there as a whole, with corners at random distances up to `reach`.
 inline std::vector<Vec2> spikyPoints(std::mt19937_64& random, const Vec2& center, double reach, int corners) {
   std::uniform_real_distribution<double> distance(0.25, 1);

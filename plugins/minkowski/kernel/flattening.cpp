@@ -22,10 +22,12 @@ namespace {
 
 constexpr double farthest = 1e9;  // mm
 constexpr std::size_t maximumCorners = 200'000;
-constexpr double largestTolerance = 0.01;  // mm, where none is given
-constexpr double automaticShare = 1e-4;    // of the shape's size
-constexpr double coarsestShare = 0.05;     // a circle becomes a heptagon there
-constexpr double farTooMany = 4e6;         // by the estimate, which is generous
+constexpr double largestTolerance = 0.01;         // mm, where none is given
+constexpr double automaticShare = 1e-4;           // of the shape's size
+constexpr double shareOfThickness = 2e-3;         // a long strip then has its area within about a thousandth
+constexpr double coarsestShare = 0.05;            // a circle becomes a heptagon there
+constexpr double coarsestShareOfThickness = 0.1;  // the same for a circle
+constexpr double farTooMany = 4e6;                // by the estimate, which is generous
 
 std::string at(const Vec2& p) { return fmt::format("({:.6g}, {:.6g})", p.x(), p.y()); }
 
@@ -113,22 +115,20 @@ double confusionOf(const ShapeExtent& extent) {
   return std::min(Tolerance{}.confusion, std::max(1e-6 * extent.size(), rounding));
 }
 
-bool isCurved(const Region& region) {
-  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
-    return std::any_of(loop.segments.begin(), loop.segments.end(),
-                       [](const Segment& segment) { return !std::holds_alternative<Line2>(segment); });
-  });
-}
-
 double toleranceFor(const Region& region, const ShapeExtent& extent, const FlatteningOptions& options,
                     const std::string& name) {
-  if (!options.tolerance) return options.share * std::min(largestTolerance, automaticShare * extent.size());
-  const double tolerance = options.share * *options.tolerance, coarsest = coarsestShare * extent.size();
-  if (tolerance > coarsest && isCurved(region))
-    refuse(ErrorCode::InvalidParameter, name,
-           fmt::format("at {} is {:.3g} mm large; a tolerance of {:.3g} mm is too coarse for its curves.",
-                       at(extent.middle()), extent.size(), *options.tolerance),
-           fmt::format("Give a tolerance of at most {:.2g} mm, or none.", 0.99 * coarsest / options.share));
+  if (!isCurved(region)) return options.share * options.tolerance.value_or(largestTolerance);
+  if (!options.tolerance) return options.share * defaultTolerance(region);
+  const double bySize = coarsestShare * extent.size(), byThickness = coarsestShareOfThickness * thicknessOf(region);
+  const double tolerance = options.share * *options.tolerance, coarsest = std::min(bySize, byThickness);
+  if (tolerance > coarsest)
+    refuse(
+        ErrorCode::InvalidParameter, name,
+        fmt::format("at {} is {:.3g} mm large{}; a tolerance of {:.3g} mm is too coarse for its curves.",
+                    at(extent.middle()), extent.size(),
+                    byThickness < 0.999 * bySize ? fmt::format(" and {:.3g} mm thick", thicknessOf(region)) : std::string(),
+                    *options.tolerance),
+        fmt::format("Give a tolerance of at most {:.2g} mm, or none.", 0.99 * coarsest / options.share));
   return tolerance;
 }
 
@@ -263,6 +263,29 @@ Polygons flattenedBeside(const Region& region, double tolerance, Approximation s
 }
 
 }  // namespace
+
+bool isCurved(const Region& region) {
+  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
+    return std::any_of(loop.segments.begin(), loop.segments.end(),
+                       [](const Segment& segment) { return !std::holds_alternative<Line2>(segment); });
+  });
+}
+
+double thicknessOf(const Region& region) {
+  double area = 0, perimeter = 0;
+  for (const Path& loop : region.loops) {
+    area += signedArea(loop);
+    perimeter += length(loop);
+  }
+  return perimeter > 0 ? 2 * std::abs(area) / perimeter : 0;
+}
+
+double defaultTolerance(const Region& region) {
+  const double bySize = automaticShare * shapeExtentOf(region).size();
+  // An outline that encloses nothing is refused in its turn.
+  const double byThickness = std::max(shareOfThickness * thicknessOf(region), 1e-3 * bySize);
+  return std::min({largestTolerance, bySize, byThickness});
+}
 
 Polygons flattened(const Region& region, const FlatteningOptions& options, const std::string& name,
                    const Progress& progress) {

@@ -17,18 +17,24 @@ enum class Approximation {
 };
 
 struct FlatteningOptions {
-  /// mm between curves and their polygons; empty: 1/10,000 of the shape's size, at most 0.01 mm
+  /// mm between curves and their polygons; empty: see defaultTolerance
   std::optional<double> tolerance{};
   double share = 1;  ///< share of the tolerance, when several shapes divide it
   Approximation side = Approximation::Either;
   Effort* effort = nullptr;  ///< limit on the work for loops that touch; nullptr: unlimited
 };
 
+/// 1/10,000 of a shape's size and 1/500 of its thickness, at most 0.01 mm. @pre the region is not empty
+double defaultTolerance(const Region&);
+/// Twice the area over the perimeter: the width of a long strip, the radius of a disc. 0 of an empty region.
+double thicknessOf(const Region&);
+bool isCurved(const Region&);
+
 /// Polygons within the tolerance of a region. Parts that touch along edges are joined.
 /// @param name of the region in messages, "control shape 2"
 /// @throws Error, always with the place, InvalidInput when the region is empty, open, not finite, crosses itself or has a
-/// hole outside; InvalidParameter when the tolerance exceeds 1/20 of a curved shape's size; LimitExceeded beyond 1e9 mm or
-/// 200,000 corners. Cancelled; TooMuchWork. O(n log n) for well-distributed edges.
+/// hole outside; InvalidParameter when the tolerance exceeds 1/20 of a curved shape's size or 1/10 of its thickness;
+/// LimitExceeded beyond 1e9 mm or 200,000 corners. Cancelled; TooMuchWork. O(n log n) for well-distributed edges.
 Polygons flattened(const Region&, const FlatteningOptions&, const std::string& name, const Progress& = Progress::none());
 
 /// A region of straight lines, outer loops each followed by its holes. Empty polygons make a region without loops.

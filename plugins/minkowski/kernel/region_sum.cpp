@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/error.h"
@@ -41,7 +43,13 @@ RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& 
     effort.expect(shapes.size() - i);
     total = operation(total, shapes[i], progress.part(before / count, (before + 1) / count), effort);
   }
-  return {toRegion(total), shapes.size() - 1};
+  return {toRegion(total), shapes.size() - 1, {}};
+}
+
+double smallestDefault(std::span<const Region> regions) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Region& region : regions) smallest = std::min(smallest, defaultTolerance(region));
+  return smallest;
 }
 
 }  // namespace
@@ -53,9 +61,19 @@ RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOpt
 RegionSumResult minkowskiDifference(std::span<const Region> regions, const RegionSumOptions& options,
                                     const Progress& progress) {
   RegionSumResult result = folded(regions, options, {Approximation::Inside, Approximation::Outside}, progress, difference);
+  const bool curved = std::any_of(regions.begin(), regions.end(), isCurved);
+  const double tolerance = options.tolerance.value_or(smallestDefault(regions));
   if (result.region.loops.empty())
-    throw Error(ErrorCode::Degenerate, "Nothing is left: shape 1 has no room for the other.",
+    throw Error(ErrorCode::Degenerate,
+                curved ? fmt::format("Nothing is left: within {:.2g} mm, shape 1 has no room for the other.", tolerance)
+                       : "Nothing is left: shape 1 has no room for the other.",
                 "Make shape 1 larger, or what is taken away smaller.");
+  constexpr double wide = 50;
+  if (curved && thicknessOf(result.region) < wide * tolerance)
+    result.warnings.push_back(
+        fmt::format("The room is hardly wider than the tolerance, {:.2g} mm, by which curves are drawn: it is larger than "
+                    "told, and a smaller tolerance shows more of it.",
+                    tolerance));
   return result;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "core/progress.h"
 #include "geometry/planar/region.h"
@@ -17,6 +19,7 @@ struct RegionSumOptions {
 struct RegionSumResult {
   Region region;  ///< straight lines; outer loops counter-clockwise, holes clockwise
   std::size_t sums = 0;
+  std::vector<std::string> warnings;
 };
 
 /// A + B + .. (Lee, Lee, Kim & Kim 2002, section 1): all sums of a point of each, about the origin of the document.
@@ -25,7 +28,8 @@ struct RegionSumResult {
 RegionSumResult minkowskiSum(std::span<const Region>, const RegionSumOptions& = {}, const Progress& = Progress::none());
 
 /// A - B - ..: the points p with p + B inside A (erosion), regularised. A is approximated from inside and the others from
-/// outside, so that the result is never too large. @throws as minkowskiSum; Degenerate when nothing is left.
+/// outside, so that the result is never too large; where it is hardly wider than the tolerance, a warning says so. @throws
+/// as minkowskiSum; Degenerate when nothing is left.
 RegionSumResult minkowskiDifference(std::span<const Region>, const RegionSumOptions& = {},
                                     const Progress& = Progress::none());
 

@@ -47,8 +47,15 @@ void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
   order.allDone();
 }
 
+namespace {
+std::atomic<int> chosenThreads = 0;
+}
+
+int threadLimit() { return chosenThreads; }
+
 void setThreadLimit(int threads) {
   static std::unique_ptr<tbb::global_control> limit;
+  chosenThreads = threads;
   limit.reset();
   if (threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,

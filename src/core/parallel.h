@@ -14,5 +14,6 @@ void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
 
 /// Sets the maximum number of threads of parallelFor; 0 means all cores. Applies to calls made afterwards.
 void setThreadLimit(int threads);
+int threadLimit();
 
 }  // namespace blossom

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "worker/calls.h"
 #include "worker/channel.h"
 #include "worker/limits.h"
@@ -92,6 +93,7 @@ bool serveOne(const Value& request, Channel& channel) {
   dieWithParent(request);
   applyLimits(request);
   keepTemporariesIn(request.value("folder", ""));
+  setThreadLimit(request.value("threads", 0));
   Value message = answer(request, channel);
   const bool again = message.contains("result") && mayServeAgain();
   message["again"] = again;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "worker/kept_children.h"
 
 namespace blossom {
@@ -37,7 +38,8 @@ std::string requestLine(const std::string& name, const Value& arguments, const f
                       {"parent", ::getpid()},
                       {"module", options.module.string()},
                       {"cpu_seconds", options.cpuSeconds},
-                      {"memory", options.memory}};
+                      {"memory", options.memory},
+                      {"threads", threadLimit()}};
   // File names need not be UTF-8; in a message they may read a little odd, in a path of `folder` they do not occur.
   return request.dump(-1, ' ', false, Value::error_handler_t::replace) + "\n";
 }

@@ -92,6 +92,9 @@ void PocketWindowTest::aPocketProgramIsSaved() {
   window_->tree().select(pocket_);
   exportAs("gcode", path("cover.ngc"));
   QVERIFY(QFile::exists(path("cover.ngc")));
+  // Whoever takes the file to a machine reads what was doubtful.
+  for (const std::string& warning : window_->session().view(pocket_)->result->evaluated.warnings)
+    QVERIFY2(window_->errors().hint().contains(QString::fromStdString(warning)), warning.c_str());
   if (!test::haveInterpreter()) QSKIP("LinuxCNC's interpreter rs274 is not installed");
   const test::Interpreted run = test::interpret(path("cover.ngc").toStdString());
   QVERIFY2(run.good, run.log.c_str());

@@ -45,6 +45,7 @@ class WindowTest : public WindowFixture {
   void clickingSelects();
   void idleDrawsNothing();
   void undoAndRedoOfAParameter();
+  void undoWhereAValueWasTyped();
   void aWrongValueKeepsTheOldOneAndSaysWhy();
   void namesAndVisibilityAreEdits();
   void themesChangeCanvasAndPalette();
@@ -170,6 +171,28 @@ void WindowTest::undoAndRedoOfAParameter() {
   QCOMPARE(box->currentText(), QStringLiteral("exact"));
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating() && degree() == 3, 60000);
+}
+
+// The keyboard stays in the field after Return: the key belongs to the document then, and to the text while one is typed.
+void WindowTest::undoWhereAValueWasTyped() {
+  openPropeller();
+  const auto tolerance = [&] {
+    const Value& set = window_->session().document().at(sweep()).parameters;
+    return set.value("tolerance", 0.001);
+  };
+  const double before = tolerance();
+  edit("tolerance", "0.5 mm");
+  QCOMPARE(tolerance(), 0.5);
+  auto* const line = window_->properties().field(QStringLiteral("tolerance"))->findChild<QLineEdit*>();
+  QVERIFY(line->hasFocus());
+  QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(tolerance(), before);
+  QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QCOMPARE(tolerance(), 0.5);
+  QTest::keyClicks(line, QStringLiteral("7"));
+  QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(tolerance(), 0.5);
+  waitUntilComputed();
 }
 
 void WindowTest::aWrongValueKeepsTheOldOneAndSaysWhy() {

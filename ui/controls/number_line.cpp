@@ -4,6 +4,7 @@
 #include <QTimerEvent>
 #include <QWheelEvent>
 
+#include "ui/controls/document_undo.h"
 #include "ui/controls/stepping.h"
 
 namespace blossom::ui {
@@ -30,6 +31,7 @@ int stepsOf(int key) {
 NumberLine::NumberLine(QWidget* parent) : QLineEdit(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   setMinimumWidth(26);
+  leaveUndoToTheDocument(this);
 }
 
 void NumberLine::keyPressEvent(QKeyEvent* event) {

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
+#include "ui/controls/document_undo.h"
 #include "ui/controls/swatch.h"
 #include "ui/look/text.h"
 
@@ -11,6 +12,7 @@ namespace blossom::ui {
 
 ColorField::ColorField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), swatch_(new Swatch), line_(new QLineEdit) {
+  leaveUndoToTheDocument(line_);
   auto* both = new QWidget;
   auto* row = new QHBoxLayout(both);
   row->setContentsMargins(0, 0, 0, 0);

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QLineEdit>
 
+#include "ui/controls/document_undo.h"
 #include "ui/controls/ratio_slider.h"
 #include "ui/controls/switch_box.h"
 #include "ui/look/text.h"
@@ -69,6 +70,7 @@ void RatioField::display(const Value& shown) {
 
 TextField::TextField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), line_(new QLineEdit) {
+  leaveUndoToTheDocument(line_);
   line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   line_->setPlaceholderText(given.mayBeAbsent ? tr("none") : QString());
   setEditor(line_);

@@ -135,6 +135,14 @@ void ExportDialog::fillOptions() {
   QMetaObject::invokeMethod(this, &QWidget::adjustSize, Qt::QueuedConnection);
 }
 
+// What is typed is taken first; a wrong value keeps the dialog open, with its message.
+void ExportDialog::accept() {
+  if (QWidget* typed = focusWidget(); typed && typed != go_) typed->clearFocus();
+  for (ParameterField* field : fields_)
+    if (!field->problem().isEmpty()) return field->setFocus();
+  QDialog::accept();
+}
+
 Value ExportDialog::options() const {
   Value values = Value::object();
   for (const ParameterField* field : fields_)

@@ -33,6 +33,7 @@ class ExportDialog : public QDialog {
   [[nodiscard]] Value options() const;
   void choose(const QString& formatId);
   void remember() const;  ///< stores the choices for the next export
+  void accept() override;
 
  private:
   void fillFormats();

@@ -121,7 +121,10 @@ void DocumentPage::connectSession() {
     view_->markOverlay();
     fitWhenFirstShown();
   });
-  connect(&session_, &Session::featureAdded, this, [this](const QString& id) { tree_->select(id.toStdString()); });
+  connect(&session_, &Session::featureAdded, this, [this](const QString& id) {
+    errors_->hide();  // what the command before could not do
+    tree_->select(id.toStdString());
+  });
   connect(&session_, &Session::failed, this, &DocumentPage::showError);
   connect(&session_, &Session::warned, this, [this](const QStringList& sentences) {
     errors_->showNote(tr("Not everything could be read."), sentences.join(u'\n'));

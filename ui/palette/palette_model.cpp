@@ -7,6 +7,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr int latelyWorth = 3;        // per place in the list of what was used
+constexpr int wholeNameWorth = 1000;  // above whatever was used lately
 constexpr int helpMatchPenalty = 40;  // what only the help line says comes last
 constexpr int disabledPenalty = 8;
 
@@ -29,7 +30,10 @@ void PaletteModel::setEntries(std::vector<PaletteEntry> entries, const QStringLi
 std::optional<PaletteModel::Row> PaletteModel::rowFor(std::size_t place, const QString& pattern) const {
   const PaletteEntry& entry = entries_[place];
   const int lately = latelyScore_[place] - (entry.enabled ? 0 : disabledPenalty);
-  if (const auto match = paletteMatch(pattern, entry.text)) return Row{place, match->score + lately + 10, match->letters};
+  if (const auto match = paletteMatch(pattern, entry.text)) {
+    const bool isTheName = entry.text.compare(pattern.trimmed(), Qt::CaseInsensitive) == 0;
+    return Row{place, match->score + lately + (isTheName ? wholeNameWorth : 10), match->letters};
+  }
   const QString full = entry.group + u' ' + entry.text;
   if (const auto match = paletteMatch(pattern, full)) {
     QList<int> letters;

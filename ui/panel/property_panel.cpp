@@ -124,6 +124,10 @@ void PropertyPanel::buildColumn() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(16, 12, 16, 16);
   column->setSpacing(7);
+  notice_ = styled({}, "noticeBox", content);
+  notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  notice_->hide();
+  column->addWidget(notice_);
   form_ = new QWidget(content);
   column->addWidget(form_);
   column->addSpacing(6);
@@ -150,6 +154,7 @@ void PropertyPanel::rebuild() {
   const bool something = !shown_.empty();
   resultTitle_->setVisible(something);
   result_->setVisible(something);
+  if (!something) notice_->hide();
   if (something) {
     addFeature(session_.document().at(shown_));
     refreshFields();
@@ -336,6 +341,17 @@ void PropertyPanel::refreshResult() {
   const auto view = session_.view(shown_);
   result_->show(view.get(), besides, session_.outdated(shown_));
   showFault();
+  showNotice(view && !view->result->error ? view->result->evaluated.warnings : std::vector<std::string>());
+}
+
+// A warning must be seen without scrolling to the results, where all of them stand.
+void PropertyPanel::showNotice(const std::vector<std::string>& warnings) {
+  notice_->setVisible(!warnings.empty());
+  if (warnings.empty()) return;
+  QString text = qt(warnings.front());
+  if (warnings.size() > 1)
+    text += QStringLiteral("\n") + tr("%n more with the results below.", nullptr, int(warnings.size()) - 1);
+  notice_->setText(text);
 }
 
 // An error that names a parameter is shown where that parameter is.

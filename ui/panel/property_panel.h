@@ -10,6 +10,7 @@
 #include "ui/panel/panel_picking.h"
 #include "ui/panel/sequence_time.h"
 
+class QLabel;
 class QVBoxLayout;
 
 namespace blossom::ui {
@@ -67,6 +68,7 @@ class PropertyPanel : public QScrollArea {
   void refreshResult();
   void followViews(const std::set<FeatureId>&);
   void showFault();
+  void showNotice(const std::vector<std::string>& warnings);
   void preview(ParameterField*, const Value&);
   void sendPreview();
   void commit(ParameterField*, const Value&);
@@ -95,6 +97,7 @@ class PropertyPanel : public QScrollArea {
 
   ParameterField* previewed_ = nullptr;  // the field that is dragged
   std::optional<Value> waiting_;         // its newest value, not yet sent off
+  QLabel* notice_ = nullptr;             // the first warning of the result
   ParameterField* faulty_ = nullptr;     // the field that the evaluation complains of
   QString fault_;
 

@@ -203,9 +203,15 @@ bool Session::changedOnDisk() const { return !file_.empty() && FileStamp::of(fil
 
 void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::filesystem::path& file, const Value& options) {
   std::vector<NamedShape> shapes;
-  for (const FeatureId& id : ids)
-    if (const auto shown = view(id); shown && !shown->result->evaluated.shape.empty())
-      shapes.push_back({document().at(id).name, shown->result->evaluated.shape});
+  auto warnings = std::make_shared<QStringList>();
+  for (const FeatureId& id : ids) {
+    const auto shown = view(id);
+    if (!shown || shown->result->evaluated.shape.empty()) continue;
+    shapes.push_back({document().at(id).name, shown->result->evaluated.shape});
+    // What was doubtful when it was computed concerns whoever uses the file, too.
+    for (const std::string& warning : shown->result->evaluated.warnings)
+      warnings->append(ids.size() > 1 ? qt(document().at(id).name) + QStringLiteral(": ") + qt(warning) : qt(warning));
+  }
   if (shapes.empty() || shapes.size() != ids.size()) {
     emit failed(Error(ErrorCode::InvalidInput, "There is no result to export yet.",
                       "Select a feature that has been computed without an error."),
@@ -213,7 +219,6 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
     return;
   }
   auto figures = std::make_shared<QString>();
-  auto warnings = std::make_shared<QStringList>();
   writing_ |= begin(
       tr("Exporting %1").arg(fileName(file)),
       [this, file, options, shapes, figures, warnings](const Progress& progress) {

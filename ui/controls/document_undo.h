@@ -1,0 +1,11 @@
+#pragma once
+
+class QLineEdit;
+
+namespace blossom::ui {
+
+/// Undo and redo keys belong to the document while nothing is typed in the line: Qt's line edits keep these keys for
+/// themselves, also when they have nothing to take back.
+void leaveUndoToTheDocument(QLineEdit*);
+
+}  // namespace blossom::ui

@@ -128,8 +128,11 @@ class InfoCommand {
     auto rows = all.measures.kind.empty() ? std::vector<ReportRow>() : rowsOf(all.measures);
     addRows(rows, info.at("stats"));
     printRows(out, rows);
-    for (const auto& warning : info.at("warnings"))
-      invocation_.terminal.err << "blossom: warning: " << warning.get<std::string>() << '\n';
+    std::ostream& err = invocation_.terminal.err;
+    for (const auto& warning : info.at("warnings")) err << "blossom: warning: " << warning.get<std::string>() << '\n';
+    for (const auto& feature : info.value("features", Value::array()))
+      for (const auto& warning : feature.value("warnings", Value::array()))
+        err << "blossom: warning: " << feature.at("name").get<std::string>() << ": " << warning.get<std::string>() << '\n';
   }
 
   int run() {

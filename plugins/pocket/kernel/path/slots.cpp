@@ -119,7 +119,7 @@ const MedialAxis& SlotSearch::axis(const Progress& progress) {
   try {
     axis_ = ClearanceDiagram(diagram_.region(), {.tolerance = diagram_.tolerance() / finer}, progress).medialAxis(progress);
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::Cancelled) throw;
+    if (error.code() != ErrorCode::LimitExceeded) throw;
     axis_ = diagram_.medialAxis(progress);  // the part is too large for chords as fine
   }
   return *axis_;

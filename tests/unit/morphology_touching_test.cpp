@@ -111,6 +111,24 @@ class MorphologyTouchingTest : public QObject {
 
   // The ends of a morph are the solids themselves: bodies that overlap, or meet within a face, are one there.
   /// Each cell with all of its six walls, as an assembly of bricks comes from a file.
+  /// Hollows within a block, which touch one another along edges and in corners.
+  void hollowsThatTouchOneAnother() {
+    for (const std::vector<Cell>& hollows : std::vector<std::vector<Cell>>{{{1, 1, 1}, {2, 2, 1}},
+                                                                           {{1, 1, 1}, {2, 2, 2}},
+                                                                           {{1, 1, 1}, {1, 2, 2}, {3, 2, 1}},
+                                                                           {{1, 1, 1}, {2, 1, 1}, {2, 2, 2}, {1, 2, 2}}}) {
+      std::set<Cell> cells;
+      for (int x = 0; x < 5; ++x)
+        for (int y = 0; y < 4; ++y)
+          for (int z = 0; z < 4; ++z) cells.insert({x, y, z});
+      for (const Cell& hollow : hollows) cells.erase(hollow);
+      const Mesh solid = solidOfCells(cells, {0, 0, 0});
+      const Mesh half = cuboid({0, 0, 0}, {0.5, 0.5, 0.5});
+      COMPARE_NEAR(volumeOf(solidSumOf(solid, half)), volumeOfSum(cells), 1e-9);
+      COMPARE_NEAR(volumeOf(solidDifferenceOf(solid, half)), volumeOfDifference(cells), 1e-9);
+    }
+  }
+
   void bricksThatShareWallsAreOneSolid() {
     std::mt19937_64 random = seededRandom();
     for (int run = 0; run < 10; ++run) {

@@ -51,6 +51,17 @@ Vec3 inwards(const Mesh& shell, const std::vector<std::size_t>& faces, int verte
   return length > 1e-9 ? Vec3(sum * (shortest / length)) : Vec3(Vec3::UnitX() * shortest);
 }
 
+/// Away from what the faces touch: into the solid where it lies between them, and into the space between them where that is
+/// a hollow, whose neighbour lies in the solid.
+Vec3 away(const Mesh& shell, const std::vector<std::size_t>& faces, int vertex) {
+  const Vec3 inside = inwards(shell, faces, vertex);
+  Vec3 edges = Vec3::Zero();
+  for (const std::size_t face : faces)
+    for (const int other : othersOf(shell, face, vertex))
+      edges += (shell.points[numbered(other)] - shell.points[numbered(vertex)]).normalized();
+  return edges.dot(inside) < 0 ? Vec3(-inside) : inside;
+}
+
 /// Smaller from try to try, and after the first in other directions, the same ones each time.
 Mesh moved(const Mesh& shell, const std::map<int, Vec3>& directions, int attempt) {
   std::mt19937_64 random(static_cast<std::uint64_t>(attempt));
@@ -99,7 +110,7 @@ std::optional<PulledApart> pulledApart(const Mesh& shell, const Progress& progre
   constexpr int attempts = 60;
   const FacesAt faces = facesAt(shell, touchingVertices(shell));
   std::map<int, Vec3> directions;
-  for (const auto& [vertex, around] : faces) directions[vertex] = inwards(shell, around, vertex);
+  for (const auto& [vertex, around] : faces) directions[vertex] = away(shell, around, vertex);
   for (int attempt = 0; attempt < attempts; ++attempt) {
     Mesh apart = moved(shell, directions, attempt);
     if (!touchingVertices(apart).empty() || firstCrossing(apart, progress)) continue;

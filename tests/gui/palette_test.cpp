@@ -45,6 +45,7 @@ class PaletteTest : public TreeFixture {
   void aSampleIsOpened();
   void featuresAndPagesAreFound();
   void whatWasUsedStandsFirst();
+  void theWholeNameStandsBeforeWhatWasUsed();
   void whatCannotBeDoneSaysWhy();
   void itClosesWithoutDoingAnything();
   void theToolBarFitsAnyWidth();
@@ -211,6 +212,24 @@ void PaletteTest::whatWasUsedStandsFirst() {
   QTest::keyClick(palette().field(), Qt::Key_Return);
   openPalette({});
   QCOMPARE(found().value(0), QStringLiteral("view.grid"));
+}
+
+void PaletteTest::theWholeNameStandsBeforeWhatWasUsed() {
+  PaletteModel model;
+  PaletteEntry pocket, simulate;
+  pocket.id = QStringLiteral("pocket");
+  pocket.text = pocket.group = QStringLiteral("Pocket");
+  simulate.id = QStringLiteral("simulate");
+  simulate.text = QStringLiteral("Simulate");
+  simulate.group = QStringLiteral("Pocket");
+  pocket.enabled = false;  // what cannot be done now comes later otherwise
+  simulate.enabled = true;
+  QStringList lately{simulate.id};
+  for (int k = 0; k < 20; ++k) lately << QString::number(k);
+  model.setEntries({simulate, pocket}, lately);
+  model.setPattern(QStringLiteral("pocket"));
+  QCOMPARE(model.rowCount(), 2);
+  QCOMPARE(model.at(0).id, pocket.id);
 }
 
 void PaletteTest::whatCannotBeDoneSaysWhy() {

@@ -30,6 +30,7 @@ class PocketWindowTest : public WindowFixture {
   void cleanup() { window_.reset(); }
 
   void aPocketProgramIsSaved();
+  void aWrongOptionKeepsTheExportOpen();
   void theSavedProgramIsSimulated();
   void aToolThatDoesNotFitIsRefusedAndTheDocumentLivesOn();
   void rapidsPlungesAndFeedsAreToldApart();
@@ -104,6 +105,26 @@ void PocketWindowTest::aPocketProgramIsSaved() {
   QVERIFY(swept.gouge < 0.0055);
   QCOMPARE(*swept.residue, 0.0);
   QCOMPARE(swept.rapidsInStock, std::size_t{0});
+}
+
+void PocketWindowTest::aWrongOptionKeepsTheExportOpen() {
+  window_->tree().select(pocket_);
+  run("file.export");
+  const QPointer<ExportDialog> dialog = window_->findChild<ExportDialog*>();
+  QVERIFY(dialog);
+  dialog->choose(QStringLiteral("gcode"));
+  ParameterField* decimals = nullptr;
+  for (auto* field : dialog->findChildren<ParameterField*>())
+    if (field->spec().name == "decimals") decimals = field;
+  QVERIFY(decimals);
+  auto* const line = decimals->findChild<QLineEdit*>();
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, QStringLiteral("0"));
+  dialog->accept();
+  QVERIFY(dialog && dialog->isVisible());
+  QVERIFY2(decimals->problem().contains(QStringLiteral("between 2 and 6")), qPrintable(decimals->problem()));
+  dialog->reject();
 }
 
 void PocketWindowTest::theSavedProgramIsSimulated() {

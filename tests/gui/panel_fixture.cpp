@@ -20,6 +20,11 @@ Feature made(const std::string& id, const std::string& type, const std::string& 
 
 namespace {
 
+ParameterSpec atLeastOne(ParameterSpec list) {
+  list.minimum = 1;
+  return list;
+}
+
 FeatureType titled(const char* id, const char* command, const char* title, const char* summary) {
   FeatureType type;
   type.id = id;
@@ -150,12 +155,11 @@ FeatureType PanelFixture::everything() {
                     declared("curve", controlCurve(), Value::parse("[[0.0,0.5],[1.0,0.5]]")),
                     declared("face", optional(subShape("face"))),
                     declared("edges", list(subShape("edge")), Value::array()),
-                    declared("lengths", list(blossom::length()), Value::array({1.0, 2.0, 3.0})),
+                    declared("lengths", atLeastOne(list(blossom::length())), Value::array({1.0, 2.0, 3.0})),
                     declared("points", list(point()), Value::array()),
                     declared("tools", list(tool()), Value::array()),
                     declared("pin", tool(), Value{{"diameter", 3.0}, {"shape", "ball"}, {"at", origin}}),
                     declared("limit", optional(blossom::length()))};
-  all.parameters[15].minimum = 1;
   all.evaluate = [](const Value& values, const Inputs&, const Progress& progress) {
     gate_.pass(progress);
     progress.check();

@@ -1,5 +1,6 @@
 #include "window_fixture.h"
 
+#include <QAbstractButton>
 #include <limits>
 
 namespace blossom::ui {

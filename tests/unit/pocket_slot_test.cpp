@@ -116,8 +116,7 @@ class PocketSlotTest final : public QObject {
           QVERIFY2(found.off <= 1e-4, fmt::format("{} off {} gouge {}", which, found.off, found.gouge).c_str());
           QVERIFY2(found.within <= 2e-5, fmt::format("{} known within {}", which, found.within).c_str());
           // A tool that is too wide by more than rounding may leave parts of the slot, and all that it leaves is told.
-          if (e >= -1e-6)
-            QVERIFY2(found.uncut <= leftAtEnds(slot, diameter) + 2e-4 * areaOf(slot.part), which.c_str());
+          if (e >= -1e-6) QVERIFY2(found.uncut <= leftAtEnds(slot, diameter) + 2e-4 * areaOf(slot.part), which.c_str());
         }
     QVERIFY(cut > 0 && refused > 0);
     std::printf("figure bent_slots_about_as_wide_off %.3g\n", worst);

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
@@ -137,7 +138,8 @@ void ExportDialog::fillOptions() {
 
 // What is typed is taken first; a wrong value keeps the dialog open, with its message.
 void ExportDialog::accept() {
-  if (QWidget* typed = focusWidget(); typed && typed != go_) typed->clearFocus();
+  for (QLineEdit* line : findChildren<QLineEdit*>())
+    if (line->isModified()) emit line->editingFinished();
   for (ParameterField* field : fields_)
     if (!field->problem().isEmpty()) return field->setFocus();
   QDialog::accept();

@@ -109,7 +109,7 @@ std::optional<Vec3> selfCrossing(const TopoDS_Shape& solid, const Progress& prog
     };
     const auto found = crossings(mesh, counts, progress);
     if (found.empty()) return {};
-    if (const auto place = doubledWall(mesh, size, progress)) return place;
+    if (auto place = doubledWall(mesh, size, progress)) return place;
     const std::size_t stride = (found.size() + crossingsTried - 1) / crossingsTried;
     for (std::size_t k = 0; k < found.size(); k += stride)
       if (isReal(found[k], mesh, chord, size, progress)) return found[k].place;

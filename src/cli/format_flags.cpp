@@ -43,8 +43,7 @@ FormatFlags::FormatFlags(CommandLine& line, CLI::App& app, const FormatRegistry&
   for (const Format& format : formats.formats()) {
     std::vector<ParameterSpec> specs = optionsOf(format, canHold(format, written) ? sides : sides & ~Writing);
     if (!specs.empty())
-      entries_.push_back(
-          {format.id, format.title, ParameterFlags(line, app, std::move(specs), format.id + ".", "File options")});
+      entries_.push_back({format.id, format.title, ParameterFlags(line, app, specs, format.id + ".", "File options")});
   }
   if (!(sides & Writing)) return;
   for (const CommonFlag& flag : commonFlags) {

@@ -73,8 +73,8 @@ std::string placeholder(const ParameterSpec& spec) {
   return all;
 }
 
-ParameterFlags::ParameterFlags(CommandLine& line, CLI::App& app, std::vector<ParameterSpec> specs, const std::string& prefix,
-                               const std::string& group) {
+ParameterFlags::ParameterFlags(CommandLine& line, CLI::App& app, const std::vector<ParameterSpec>& specs,
+                               const std::string& prefix, const std::string& group) {
   for (const ParameterSpec& spec : specs) {
     if (spec.kind != ParameterKind::Record || spec.fallback.is_null()) {
       declare(line, app, spec, "", prefix, group);

@@ -13,7 +13,7 @@ class ParameterFlags {
  public:
   /// @param prefix of every name: "stl." makes --stl.ascii. Names that every
   /// command needs itself are refused by the registry.
-  ParameterFlags(CommandLine&, CLI::App&, std::vector<ParameterSpec> specs, const std::string& prefix,
+  ParameterFlags(CommandLine&, CLI::App&, const std::vector<ParameterSpec>& specs, const std::string& prefix,
                  const std::string& group);
 
   /// Canonical values of the flags on the command line; parameters without a flag are absent.

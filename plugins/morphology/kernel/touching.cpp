@@ -109,10 +109,14 @@ std::vector<int> touchingVertices(const Mesh& shell) {
 std::optional<PulledApart> pulledApart(const Mesh& shell, const Progress& progress) {
   constexpr int attempts = 60;
   const FacesAt faces = facesAt(shell, touchingVertices(shell));
-  std::map<int, Vec3> directions;
-  for (const auto& [vertex, around] : faces) directions[vertex] = away(shell, around, vertex);
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    Mesh apart = moved(shell, directions, attempt);
+  // Where more than two parts touch in a corner, neither way suits all of its vertices for sure: both are tried in turn.
+  std::map<int, Vec3> inside, apartFromHollows;
+  for (const auto& [vertex, around] : faces) {
+    inside[vertex] = inwards(shell, around, vertex);
+    apartFromHollows[vertex] = away(shell, around, vertex);
+  }
+  for (int attempt = 0; attempt < 2 * attempts; ++attempt) {
+    Mesh apart = moved(shell, attempt % 2 == 0 ? inside : apartFromHollows, attempt / 2);
     if (!touchingVertices(apart).empty() || firstCrossing(apart, progress)) continue;
     auto between = swept(shell, apart, faces);
     return PulledApart{std::move(apart), std::move(between)};

@@ -33,20 +33,25 @@ std::string written(const Toolpath& path, const Value& options = Value::object()
 }
 
 /// Arcs one after another, each turned by up to `kink` radians against the one before; the centre of arc `slipped` is off by
-/// 0.05 mm in I or J, whichever moves the tool.
-std::string chainOfArcs(Random& random, int count, double kink, int slipped) {
+/// 0.05 mm in I or J, whichever moves the tool; or, of arcs that are written by their radius, along
+/// their bisector. Those are longer: short ones hardly move with their radius.
+std::string chainOfArcs(Random& random, int count, double kink, int slipped, bool byRadius = false) {
   std::string text = "G21 G90 G17\nS500 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\n";
   double heading = uniform(random, 0, 6);
   Vec2 at(0, 0);
   for (int k = 0; k < count; ++k) {
-    const double turn = random() % 3 == 0 ? -1 : 1, radius = uniform(random, 3, 30), sweep = uniform(random, 0.25, 0.8);
+    const double turn = random() % 3 == 0 ? -1 : 1, radius = uniform(random, 3, 30),
+                 sweep = byRadius ? uniform(random, 0.8, 2) : uniform(random, 0.25, 0.8);
     const Vec2 towards = radius * turn * Vec2(-std::sin(heading), std::cos(heading)), centre = at + towards;
     const Vec2 to = centre + Eigen::Rotation2Dd(turn * sweep) * Vec2(-towards);
     Vec2 written = towards;
     const double middle = heading + turn * sweep / 2;
     if (k == slipped) written[std::abs(std::sin(middle)) > 0.7 ? 1 : 0] += 0.05;
-    text += fmt::format("{} X{:.3f} Y{:.3f} I{:.3f} J{:.3f}\n", turn > 0 ? "G3" : "G2", to.x(), to.y(), written.x(),
-                        written.y());
+    text += fmt::format("{} X{:.3f} Y{:.3f} ", turn > 0 ? "G3" : "G2", to.x(), to.y());
+    if (byRadius)
+      text += fmt::format("R{:.3f}\n", radius + (k == slipped ? 0.05 * std::cos(sweep / 2) : 0));
+    else
+      text += fmt::format("I{:.3f} J{:.3f}\n", written.x(), written.y());
     heading += turn * sweep + uniform(random, -kink, kink);
     at = to;
   }
@@ -227,6 +232,20 @@ class GcodeSafetyTest : public QObject {
     QCOMPARE(doubted(begin + "G3 X44.05 Y4 I0.05 J4\nG1 X41 Y30\n", "smoothly"), std::size_t{0});
   }
 
+  void radiiAreDoubtedWhereAllOtherArcsAreSmooth() {
+    Random random = seededRandom();
+    int told = 0, blamed = 0;
+    for (int k = 0; k < 100; ++k) {
+      const int slipped = uniformInt(random, 1, 38);
+      told +=
+          doubted(chainOfArcs(random, 40, 0, slipped, true), "a radius of") == static_cast<std::size_t>(5 + slipped) ? 1 : 0;
+      blamed += doubted(chainOfArcs(random, 40, 0, -1, true), "centre") != 0 ? 1 : 0;
+    }
+    std::printf("figure radii_told %d\nfigure radii_blamed %d\n", told, blamed);
+    QCOMPARE(blamed, 0);
+    QVERIFY2(told >= 95, qPrintable(QString::number(told)));
+  }
+
   void centresAreDoubtedWhereAllOtherArcsAreSmooth() {
     Random random = seededRandom();
     int told = 0, blamed = 0, kinked = 0;
@@ -327,6 +346,14 @@ class GcodeSafetyTest : public QObject {
       QVERIFY2(doubts.empty(), doubts.empty() ? "" : doubts[0].c_str());
     else
       QVERIFY2(std::any_of(doubts.begin(), doubts.end(), tells), doubts.empty() ? "no doubt" : doubts[0].c_str());
+  }
+
+  void aWorkOffsetInWhichNothingMovesIsTold() {
+    const std::string rest = "G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X20\nM2\n";
+    QCOMPARE(parsed(head + "G54\nG55\n" + rest).doubts,
+             std::vector<std::string>{"line 5: G55 takes the place of G54 from line 4, in which nothing has moved"});
+    for (const char* one : {"G54\n", "G54\nG54\n", "G55\n"}) QVERIFY(parsed(head + one + rest).doubts.empty());
+    QVERIFY(parsed(head + "G54\nG0 X1\nG55\n" + rest).doubts.empty());  // that is an obstacle
   }
 
   void whatHasNoFeedIsTold() {

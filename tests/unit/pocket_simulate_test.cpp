@@ -233,6 +233,18 @@ class PocketSimulateTest final : public QObject {
     }
   }
 
+  void marksOfResidueLieAllOverIt() {
+    // A tool of 2 mm goes once along the lower wall of a field of 200 x 200: nearly all of it stays.
+    const SimulationResult result = simulate(along({{1, 1}, {199, 1}}, -1, 2), rectangle(200, 200));
+    QVERIFY(result.residueAt.size() > 8 && result.residueAt.size() <= 64);
+    for (int k = 0; k < 16; ++k) {
+      const Vec2 quarter(50 * (k % 4) + 25, 50 * (k / 4) + 25);
+      QVERIFY2(std::any_of(result.residueAt.begin(), result.residueAt.end(),
+                           [&](const Vec2& p) { return (p - quarter).norm() < 60; }),
+               qPrintable(QString("none near (%1, %2)").arg(quarter.x()).arg(quarter.y())));
+    }
+  }
+
   void cornersOutOfReachAreNoResidue() {
     // a rectangle as wide as twice the tool: one time around clears what the tool opens
     const Toolpath path = along({{3, 3}, {37, 3}, {37, 9}, {3, 9}, {3, 3}}, -1, 6);

@@ -119,8 +119,11 @@ void GcodeArcs::missedEnds(double step, std::vector<std::pair<std::size_t, std::
 }
 
 std::vector<GcodeArcs::Trait> GcodeArcs::traits(const Arc& arc, double step) const {
-  const double radius = (arc.begins() + arc.ends()) / 2, corner = step * std::sqrt(0.5);
+  const double radius = (arc.begins() + arc.ends()) / 2;
   const Vec2 chord = arc.to - arc.from;
+  // A radius of an arc that is nearly half a circle moves the centre by many times its own rounding.
+  const double height = (arc.center - (arc.from + arc.to) / 2).norm();
+  const double corner = step * std::sqrt(0.5) * (arc.named ? 1 : radius / std::max(height, radius / 1000));
   const Vec2 apart = (arc.from - arc.center) / arc.begins() - (arc.to - arc.center) / arc.ends();
   std::vector<Trait> found{{arc.begins() - arc.ends(), -apart, corner * (apart.norm() + 2)}};
   // The direction of a line depends on two rounded places, that of an arc on a place and a centre.
@@ -142,10 +145,21 @@ std::vector<GcodeArcs::Trait> GcodeArcs::traits(const Arc& arc, double step) con
   return found;
 }
 
+std::string GcodeArcs::movedSentence(const Arc& arc, const Vec2& meant) {
+  const auto said = arc.named ? fmt::format("its centre at ({:.4f}, {:.4f})", meant.x(), meant.y())
+                              : fmt::format("a radius of {:.4f} mm and its centre", (arc.from - meant).norm());
+  return fmt::format(
+      "line {}: the arc would join its neighbours smoothly, or be half or a quarter of a circle, with {}, "
+      "{:.4f} mm beside the one it has",
+      arc.line, said, (meant - arc.center).norm());
+}
+
 std::optional<Vec2> GcodeArcs::meantCenter(const Arc& arc, double step) const {
   constexpr double clearly = 1.2;  // times what rounding explains
   const std::vector<Trait> all = traits(arc, step);
-  for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1)}) {
+  const Vec2 chord = (arc.to - arc.from).normalized();
+  const auto axes = arc.named ? std::vector{Vec2(1, 0), Vec2(0, 1)} : std::vector{Vec2(-chord.y(), chord.x())};
+  for (const Vec2& axis : axes) {
     double top = 0, bottom = 0;
     for (const Trait& trait : all) {
       const double slope = trait.slope.dot(axis);
@@ -169,7 +183,6 @@ void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::strin
   std::vector<std::pair<std::size_t, std::string>> missed, moved;
   std::size_t unsmooth = 0;
   for (const Arc& arc : arcs_) {
-    if (!arc.named) continue;
     progress.check();
     const std::vector<Trait> all = traits(arc, step);
     unsmooth +=
@@ -177,10 +190,7 @@ void GcodeArcs::slips(double step, std::vector<std::pair<std::size_t, std::strin
     if (const Trait& ends = all.front(); std::abs(ends.off) > std::max(1.3 * ends.rounding, finestMiss))
       missed.emplace_back(arc.line, missedSentence(arc.line, arc.begins(), arc.ends()));
     else if (const std::optional<Vec2> meant = meantCenter(arc, step))
-      moved.emplace_back(
-          arc.line, fmt::format("line {}: the arc would join its neighbours smoothly, or be half or a quarter of a circle, "
-                                "with its centre at ({:.4f}, {:.4f}), {:.4f} mm beside the one it has",
-                                arc.line, meant->x(), meant->y(), (*meant - arc.center).norm()));
+      moved.emplace_back(arc.line, movedSentence(arc, *meant));
   }
   const std::size_t few = std::max<std::size_t>(2, arcs_.size() / 50),
                     maximumUnsmooth = std::max<std::size_t>(6, arcs_.size() / 4);

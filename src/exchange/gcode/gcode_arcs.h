@@ -13,7 +13,7 @@
 /// Check of the arcs of a program for mistakes in their centres.
 namespace blossom {
 
-/// Collects the arcs whose centres are given by I and J, and the numbers of decimals that the program uses.
+/// Collects the arcs of a program, and the numbers of decimals that it uses.
 class GcodeArcs {
  public:
   void number(std::string_view written,
@@ -58,9 +58,10 @@ class GcodeArcs {
   };
   /// First the property of the ends, then those of the others that nearly hold.
   [[nodiscard]] std::vector<Trait> traits(const Arc&, double step) const;
-  /// The centre for which all properties hold, when it differs in only one coordinate and at least two properties determine
-  /// it.
+  /// The centre for which all properties hold, when it differs in only one coordinate (of an arc given by R: along the
+  /// bisector of its chord) and at least two properties determine it.
   [[nodiscard]] std::optional<Vec2> meantCenter(const Arc&, double step) const;
+  static std::string movedSentence(const Arc&, const Vec2& meant);
   void slips(double step, std::vector<std::pair<std::size_t, std::string>>& found, const Progress&) const;
   void strayCenters(double step, std::vector<std::pair<std::size_t, std::string>>& found, const Progress&) const;
 

@@ -132,6 +132,7 @@ void GcodeParser::otherMode(int tenths) {
 
 void GcodeParser::setWorkOffset(const std::string& name) {
   if (atWork_ && name != program_.workOffset) cannotFollow("a second work offset");
+  watch_.workOffset(name, atWork_);
   program_.workOffset = name;
 }
 

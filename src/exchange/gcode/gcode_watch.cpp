@@ -39,6 +39,14 @@ void GcodeWatch::noLength() {
   length_.reset();
 }
 
+void GcodeWatch::workOffset(const std::string& name, bool moved) {
+  if (offset_ && offset_->second != name && !moved)
+    note(offsets_, line_,
+         fmt::format("line {}: {} takes the place of {} from line {}, in which nothing has moved", line_, name,
+                     offset_->second, offset_->first));
+  offset_ = {line_, name};
+}
+
 void GcodeWatch::spindleTurns() {
   turning_ = everTurned_ = true;
   stillDoubted_ = false;
@@ -137,7 +145,7 @@ void GcodeWatch::checkSpindle() {
 
 std::vector<std::string> GcodeWatch::doubts() const {
   Noted all = units_;
-  for (const Noted* kind : {&ends_, &lengths_, &corners_, &feeding_, &negative_})
+  for (const Noted* kind : {&ends_, &offsets_, &lengths_, &corners_, &feeding_, &negative_})
     all.insert(all.end(), kind->begin(), kind->end());
   if (everTurned_) all.insert(all.end(), still_.begin(), still_.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -21,6 +21,8 @@ class GcodeWatch {
   void lengthFrom(std::optional<int> number);               ///< G43, with H when it is there
   void lengthNumber(int number);                            ///< H without G43
   void noLength();                                          ///< G49
+  /// A work offset is chosen instead of the one before. @param moved the tool has moved in the one before
+  void workOffset(const std::string& name, bool moved);
   void spindleTurns();
   void spindleStops();
   void blendsWithoutLimit();                  ///< G64 without P
@@ -61,7 +63,8 @@ class GcodeWatch {
   bool feeds_ = false, feedDoubted_ = false;      ///< a feed above 0 is set; doubted since it was set last
   bool hasSpeed_ = false, speedDoubted_ = false;  ///< the same for the spindle's speed
   std::optional<std::size_t> stopped_;
-  Noted units_, ends_, lengths_, still_, corners_, feeding_, negative_;
+  std::optional<std::pair<std::size_t, std::string>> offset_;  ///< the work offset that was chosen last, and its line
+  Noted units_, ends_, offsets_, lengths_, still_, corners_, feeding_, negative_;
 };
 
 }  // namespace blossom

@@ -22,6 +22,27 @@ double widthOfCorner(double corner, double height) {
   return std::sqrt(std::max(0.0, corner * corner - rest * rest));
 }
 
+/// Adds a point that is at least a distance from all others.
+void addApart(std::vector<Vec2>& places, const Vec2& p, double distance) {
+  const auto near = [&](const Vec2& q) { return (p - q).norm() < distance; };
+  if (std::none_of(places.begin(), places.end(), near)) places.push_back(p);
+}
+
+/// At most maximumPlaces of the points, spread over all of them: the distance between them is doubled until they are few.
+std::vector<Vec2> fewApart(const std::vector<Vec2>& all, double distance) {
+  std::vector<Vec2> few;
+  for (const Vec2& p : all) {
+    addApart(few, p, distance);
+    while (few.size() > maximumPlaces) {
+      distance *= 2;
+      std::vector<Vec2> fewer;
+      for (const Vec2& q : few) addApart(fewer, q, distance);
+      few = std::move(fewer);
+    }
+  }
+  return few;
+}
+
 struct Square {
   Vec2 middle;
   double half;
@@ -123,9 +144,7 @@ class ResidueSearch {
   }
 
   void mark(Residue& found, const Vec2& p) const {
-    const auto near = [&](const Vec2& q) { return (p - q).norm() < radius_; };
-    if (found.places.size() < maximumPlaces && std::none_of(found.places.begin(), found.places.end(), near))
-      found.places.push_back(p);
+    if (found.places.size() < maximumPlaces) addApart(found.places, p, radius_);
   }
 
  private:
@@ -193,11 +212,13 @@ Residue residueOf(const Region& part, const ResidueProblem& problem, const Progr
     }
   });
   total.ridge = search.ridge({(low + high) / 2, (high - low).maxCoeff() / 2}, progress);
+  std::vector<Vec2> places;
   for (const Residue& each : parts) {
     total.area += each.area;
     total.reachable += each.reachable;
-    for (const Vec2& p : each.places) search.mark(total, p);
+    places.insert(places.end(), each.places.begin(), each.places.end());
   }
+  total.places = fewApart(places, problem.radius);
   return total;
 }
 

@@ -110,7 +110,8 @@ FeatureType morphFeature(std::size_t maximumWork) {
               .help = "Control shapes, first to last.",
               .kinds = {ShapeKind::Region},
               .minimum = 2,
-              .maximum = anyNumber})
+              .maximum = anyNumber,
+              .use = InputUse::Control})
       .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("blossom", &P::blossom, list(ratio()),
@@ -151,8 +152,12 @@ FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std:
   using P = SumParameters;
   auto builder = feature<P>(std::move(id), std::move(title), std::move(summary));
   builder
-      .input(
-          {.name = "shape", .help = std::move(inputHelp), .kinds = {ShapeKind::Region}, .minimum = 2, .maximum = anyNumber})
+      .input({.name = "shape",
+              .help = std::move(inputHelp),
+              .kinds = {ShapeKind::Region},
+              .minimum = 2,
+              .maximum = anyNumber,
+              .use = InputUse::Control})
       .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.");
   return builder;
 }

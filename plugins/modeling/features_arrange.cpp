@@ -16,7 +16,8 @@ InputSpec anyInput() {
   return {.name = "shape",
           .help = "The shape to arrange.",
           .kinds = {ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Surface,
-                    ShapeKind::Mesh, ShapeKind::Sequence}};
+                    ShapeKind::Mesh, ShapeKind::Sequence},
+          .use = InputUse::Consumed};
 }
 
 Vec3 directionOf(const Vec3& v, const char* what) { return toVec(toDirection(v, what).XYZ()); }

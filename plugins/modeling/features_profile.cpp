@@ -17,7 +17,9 @@ namespace {
 
 const std::vector<ShapeKind> profileKinds{ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Brep};
 
-InputSpec profileInput() { return {.name = "profile", .help = "A region, curves or a flat face.", .kinds = profileKinds}; }
+InputSpec profileInput() {
+  return {.name = "profile", .help = "A region, curves or a flat face.", .kinds = profileKinds, .use = InputUse::Outline};
+}
 
 constexpr const char* solidHelp = "Fill closed outlines and make solids; off: sheets over the curves.";
 constexpr const char* faceHelp = "The flat face that is used when the profile is a solid.";
@@ -141,7 +143,8 @@ FeatureType loftFeature() {
                   .help = "Outlines in their order.",
                   .kinds = profileKinds,
                   .minimum = 2,
-                  .maximum = anyNumber})
+                  .maximum = anyNumber,
+                  .use = InputUse::Outline})
           .parameter("ruled", &P::ruled, flag(), "Straight from one section to the next instead of smooth through all.")
           .parameter("solid", &P::solid, flag(), "Close both ends; off: an open sheet.")
           .parameter("spacing", &P::spacing, positiveLength(), "Distance of sections that are all drawn in one plane.")
@@ -166,10 +169,11 @@ FeatureType pipeFeature() {
       feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
           .icon("pipe")
           .produces({ShapeKind::Brep})
-          .input({.name = "profile", .help = "The outline that is moved.", .kinds = profileKinds})
+          .input({.name = "profile", .help = "The outline that is moved.", .kinds = profileKinds, .use = InputUse::Outline})
           .input({.name = "path",
                   .help = "The curve that it is moved along.",
-                  .kinds = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::Brep}})
+                  .kinds = {ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Region, ShapeKind::Brep},
+                  .use = InputUse::Outline})
           .parameter("corners", &P::corners, choice({"mitred", "round"}), "What becomes of corners in the path.")
           .parameter(
               "place", &P::place, flag(),

@@ -56,7 +56,8 @@ FeatureType booleanFeature() {
                   .help = "Solids, or regions. A difference is the first without the others.",
                   .kinds = {ShapeKind::Brep, ShapeKind::Region},
                   .minimum = 2,
-                  .maximum = anyNumber})
+                  .maximum = anyNumber,
+                  .use = InputUse::Consumed})
           .parameter("operation", &P::operation, choice({"union", "difference", "intersection"}), "The Boolean operation.")
           .parameter("fuzzy", &P::fuzzy, smallLength(), "Faces this close count as touching; 0: only faces that do touch.")
           .parameter("simplify", &P::simplify, flag(), "Join faces on the same surface and edges on the same curve.")
@@ -66,7 +67,9 @@ FeatureType booleanFeature() {
       {.activity = "for the Boolean operation"});
 }
 
-InputSpec solidInput() { return {.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}}; }
+InputSpec solidInput() {
+  return {.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}, .use = InputUse::Consumed};
+}
 
 struct FilletParameters {
   double radius = 2;

@@ -42,7 +42,10 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
       .produces({ShapeKind::Mesh})
-      .input({.name = "solid", .help = "The solid that is changed.", .kinds = {ShapeKind::Mesh, ShapeKind::Brep}})
+      .input({.name = "solid",
+              .help = "The solid that is changed.",
+              .kinds = {ShapeKind::Mesh, ShapeKind::Brep},
+              .use = InputUse::Consumed})
       .parameter("radius", &P::radius, positiveLength(), texts.radius)
       .parameter("frames", &P::frames, count(0, 1000),
                  "Number of solids of a sequence from radius 0 to the radius; 0 makes only the last one.")

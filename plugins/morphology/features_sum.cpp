@@ -30,10 +30,11 @@ FeatureType sumFeature(Way way) {
                     "The space that one solid covers while its origin moves over the other.")
       .icon("solid-sum")
       .produces({ShapeKind::Mesh})
-      .input({.name = "solid", .help = "The shape to add to.", .kinds = elementKinds})
+      .input({.name = "solid", .help = "The shape to add to.", .kinds = elementKinds, .use = InputUse::Consumed})
       .input({.name = "element",
               .help = "The shape to add: a solid, a ball, a segment, a flat polygon or points.",
-              .kinds = elementKinds})
+              .kinds = elementKinds,
+              .use = InputUse::Consumed})
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
       .example("blossom solid-sum part.stl ball:2 -o grown.stl")
       .example("blossom solid-sum bracket.step ball:1:2 --deviation 0.1 -o grown.off --json")
@@ -56,8 +57,8 @@ FeatureType melting(const PairTexts& texts, const PairOperation& operation) {
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
       .produces({ShapeKind::Mesh})
-      .input({.name = "solid", .help = "The solid that is changed.", .kinds = solidKinds})
-      .input({.name = "element", .help = texts.element, .kinds = elementKinds})
+      .input({.name = "solid", .help = "The solid that is changed.", .kinds = solidKinds, .use = InputUse::Consumed})
+      .input({.name = "element", .help = texts.element, .kinds = elementKinds, .use = InputUse::Consumed})
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);
   for (const char* example : texts.examples) made.example(example);
   return inWorker(made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {

@@ -120,13 +120,17 @@ FeatureType deformFeature() {
       .command("deform")
       .icon("deform")
       .produces({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
-      .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
+      .input({.name = "cage",
+              .help = "A mesh, with its creases, or a control polygon.",
+              .kinds = cageKinds,
+              .use = InputUse::Consumed})
       .input({.name = "target",
               .help =
                   "Where the limit shape is to run: drawn curves, edges of a solid, a cloud of points, or the vertices of a "
                   "mesh.",
               .kinds = {ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Region, ShapeKind::Brep},
-              .minimum = 0})
+              .minimum = 0,
+              .use = InputUse::Control})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
       .parameter("free", &P::free, text(),
                  "Which control points may move: support, paper, or rings:N for the support grown by N rings.")

@@ -40,7 +40,10 @@ FeatureType subdivideFeature() {
       .command("subdivide")
       .icon("subdivide")
       .produces({ShapeKind::Mesh, ShapeKind::Curve, ShapeKind::Curves, ShapeKind::Brep})
-      .input({.name = "cage", .help = "A mesh, with its creases, or a control polygon.", .kinds = cageKinds})
+      .input({.name = "cage",
+              .help = "A mesh, with its creases, or a control polygon.",
+              .kinds = cageKinds,
+              .use = InputUse::Control})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
       .parameter("levels", &P::levels, count(0, 10), "Number of refinements; each multiplies the faces by four.")
       .parameter("as", &P::as, asChoice(), kAsHelp)

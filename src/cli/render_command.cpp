@@ -9,6 +9,7 @@
 #include "cli/progress_display.h"
 #include "cli/report.h"
 #include "document/edits.h"
+#include "document/shown.h"
 
 namespace blossom {
 namespace {
@@ -30,7 +31,7 @@ class RenderCommand {
   }
 
  private:
-  /// What the window would show of the file: every visible feature of its document, or the last one if all are hidden.
+  /// What the window would show of the file: the shown features of its document, or the last one if all are hidden.
   void addShapes(const std::string& text, const Progress& progress, std::vector<Shape>& shapes) {
     const std::filesystem::path file = fileOfInput(text);
     if (file.string() != text) {
@@ -44,12 +45,13 @@ class RenderCommand {
     const FeatureId last = lastFeature(opened.document).id;
     Results results;
     const auto result = evaluateFor(invocation_.app, opened.document, last, progress, &results);
-    const std::size_t before = shapes.size();
-    for (const auto& feature : opened.document.features())
-      if (const auto found = results.find(feature->id);
-          feature->visible && found != results.end() && !found->second->evaluated.shape.empty())
-        shapes.push_back(found->second->evaluated.shape);
-    if (shapes.size() == before) shapes.push_back(result->evaluated.shape);
+    const auto shapeOf = [&](const FeatureId& id) -> const Shape* {
+      const auto found = results.find(id);
+      return found == results.end() ? nullptr : &found->second->evaluated.shape;
+    };
+    const std::vector<FeatureId> shown = shownFeatures(opened.document, *invocation_.app.registry, shapeOf);
+    for (const FeatureId& id : shown) shapes.push_back(*shapeOf(id));
+    if (shown.empty()) shapes.push_back(result->evaluated.shape);
   }
 
   int run() {

@@ -12,8 +12,10 @@
 namespace blossom {
 namespace {
 
+bool hasSolid(const Brep& brep) { return TopExp_Explorer(brep.shape(), TopAbs_SOLID).More(); }
+
 bool mayBoundRegion(const Shape& shape) {
-  if (const Brep* brep = shape.get<Brep>()) return !TopExp_Explorer(brep->shape(), TopAbs_SOLID).More();
+  if (const Brep* brep = shape.get<Brep>()) return !hasSolid(*brep);
   return shape.kind() == ShapeKind::Curves;
 }
 
@@ -47,6 +49,30 @@ bool accepts(const InputSpec& spec, const Shape& shape) {
     return spec.kinds.empty() || std::find(spec.kinds.begin(), spec.kinds.end(), kind) != spec.kinds.end();
   };
   return !shape.empty() && (takes(shape.kind()) || (takes(ShapeKind::Region) && mayBoundRegion(shape)));
+}
+
+bool consumes(const InputSpec& spec, const Shape& shape) {
+  const Brep* brep = shape.get<Brep>();
+  return spec.use == InputUse::Consumed || (spec.use == InputUse::Outline && !(brep && hasSolid(*brep)));
+}
+
+std::vector<std::size_t> inputCounts(const FeatureType& type, std::size_t given,
+                                     const std::function<bool(std::size_t, std::size_t)>& accepts) {
+  std::vector<std::size_t> counts(type.inputs.size(), 0);
+  std::size_t minimumLater = 0, next = 0;
+  for (const InputSpec& spec : type.inputs) minimumLater += spec.minimum;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const InputSpec& spec = type.inputs[k];
+    minimumLater -= spec.minimum;
+    const bool last = k + 1 == counts.size();
+    while (counts[k] < spec.maximum && next + minimumLater < given) {
+      if (!last && counts[k] >= spec.minimum && !accepts(k, next)) break;
+      ++counts[k];
+      ++next;
+    }
+  }
+  if (!counts.empty()) counts.back() += given - next;
+  return counts;
 }
 
 }  // namespace blossom

@@ -1,4 +1,7 @@
 #pragma once
+#include <functional>
+#include <vector>
+
 #include "feature/feature_type.h"
 
 namespace blossom {
@@ -7,6 +10,16 @@ namespace blossom {
 /// that may bound a region (arrangedInputs converts them or reports where they are open). A solid is never accepted as a
 /// region. O(1).
 bool accepts(const InputSpec&, const Shape&);
+
+/// Number of inputs that each input spec of a type receives when `given` ones are assigned in order: each spec is filled
+/// while enough are left for those after it, and what an optional spec does not accept is left to the next. The last spec
+/// receives all that are left over, also more than its maximum. O(given).
+/// @param accepts whether a spec accepts one of the inputs, both by their index
+std::vector<std::size_t> inputCounts(const FeatureType&, std::size_t given,
+                                     const std::function<bool(std::size_t spec, std::size_t input)>& accepts);
+
+/// Whether a shape goes into the result of the feature that it is an input of, so that the result is shown in its place.
+bool consumes(const InputSpec&, const Shape&);
 
 /// Checks the inputs named by sub-shape parameters ("shape:edge:3"); a sub-shape without an input name belongs to the only
 /// input.

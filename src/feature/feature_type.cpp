@@ -70,22 +70,19 @@ void throwWrongKind(const Shape& shape) {
 }
 
 Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
-  std::size_t minimumLater = 0;
-  for (const auto& spec : type.inputs) minimumLater += spec.minimum;
-  if (given.size() < minimumLater) throwWrongNumber(type, given.size());
-  std::vector<std::vector<Shape>> bySpec;
+  std::size_t wanted = 0;
+  for (const auto& spec : type.inputs) wanted += spec.minimum;
+  if (given.size() < wanted) throwWrongNumber(type, given.size());
+  const auto counts =
+      inputCounts(type, given.size(), [&](std::size_t k, std::size_t i) { return accepts(type.inputs[k], given[i]); });
+  std::vector<std::vector<Shape>> bySpec(counts.size());
   std::size_t next = 0;
-  for (const auto& spec : type.inputs) {
-    minimumLater -= spec.minimum;
-    auto& taken = bySpec.emplace_back();
-    while (taken.size() < spec.maximum && next + minimumLater < given.size()) {
-      if (!accepts(spec, given[next])) {
-        // what an optional input does not accept is left to the inputs after it
-        if (taken.size() >= spec.minimum && &spec != &type.inputs.back()) break;
-        throwNotAccepted(type, spec, given[next]);
-      }
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const InputSpec& spec = type.inputs[k];
+    for (std::size_t i = 0; i < std::min(counts[k], spec.maximum); ++i, ++next) {
+      if (!accepts(spec, given[next])) throwNotAccepted(type, spec, given[next]);
       refuseUnsound(type, spec, given[next]);
-      taken.push_back(converted(type, spec, given[next++]));
+      bySpec[k].push_back(converted(type, spec, given[next]));
     }
   }
   if (next < given.size()) throwWrongNumber(type, given.size());

@@ -15,6 +15,14 @@
 
 namespace blossom {
 
+/// What becomes of the shape of an input once the feature has a result.
+enum class InputUse {
+  Kept,      ///< it stays beside the result
+  Consumed,  ///< it has gone into the result, which is drawn in its place
+  Outline,   ///< so has an outline; a solid stays, of which only a face or edges are used
+  Control    ///< a control shape: it stays as a translucent outline under the result
+};
+
 /// One input of a feature type, or several consecutive inputs of the same kinds.
 struct InputSpec {
   std::string name;  ///< "shape", "motion"
@@ -23,6 +31,7 @@ struct InputSpec {
       kinds;  ///< accepted kinds; empty means any. A region input also accepts closed curves, converted by arrangedInputs.
   std::size_t minimum = 1;
   std::size_t maximum = 1;
+  InputUse use = InputUse::Kept;
 };
 
 inline constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();

@@ -23,6 +23,7 @@ Look Look::dark() {
   look.edge = hex("#3c424c");
   look.curve = hex("#c3cad6");
   look.grid = hex("#7f8896");
+  look.fault = hex("#ef6f6c");
   return look;
 }
 
@@ -36,6 +37,7 @@ Look Look::light() {
   look.edge = hex("#474f5c");
   look.curve = hex("#3b4350");
   look.grid = hex("#8b93a1");
+  look.fault = hex("#c62f2f");
   return look;
 }
 

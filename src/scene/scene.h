@@ -30,6 +30,7 @@ struct Look {
   Color edge;     ///< feature edges of a shape with faces
   Color curve;    ///< drawings and curves without faces
   Color grid;
+  Color fault;             ///< edges of a shape whose feature fails now
   double edgeWidth = 1.2;  ///< pixels, at a device pixel ratio of 1
   double pointSize = 6;
   static Look dark();

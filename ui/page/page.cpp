@@ -45,9 +45,10 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       faults_(new FaultBar(session_)),
       timeline_(new TimelineBar(playback_)),
       tools_(std::make_unique<PageTools>(*this, manipulators_, *view_)) {
-  view_->setSource({[this] { return scene_.items(tree_->selected()); }, [this] { return overlayNow(); }});
+  view_->setSource({[this] { return shownItems(); }, [this] { return overlayNow(); }});
   buildWidgets();
   connectSession();
+  connectNotes();
   connectWidgets();
   view_->setLook(look_);
 }
@@ -82,6 +83,8 @@ void DocumentPage::buildWidgets() {
   column->addWidget(timeline_);
   timeline_->hide();
 }
+
+std::vector<ViewItem> DocumentPage::shownItems() const { return scene_.items(tree_->selected()); }
 
 bool DocumentPage::untouched() const {
   return session_.document().features().empty() && session_.file().empty() && !session_.modified() &&
@@ -125,6 +128,20 @@ void DocumentPage::connectSession() {
     errors_->hide();  // what the command before could not do
     tree_->select(id.toStdString());
   });
+  connect(&session_, &Session::noted, this, &DocumentPage::announced);
+  const Job& job = session_.job();
+  connect(&job, &Job::started, this, [this](const QString& title) { emit workChanged(jobKey, title, 0); });
+  connect(&job, &Job::progressed, this, [this](double fraction, const QString& stage) {
+    emit workChanged(jobKey, stage.isEmpty() ? tr("Working") : stage, fraction);
+  });
+  connect(&job, &Job::finished, this, [this] {
+    emit workEnded(jobKey);
+    QMetaObject::invokeMethod(this, &DocumentPage::stateChanged, Qt::QueuedConnection);  // when what was read is shown
+  });
+}
+
+/// What the session tells of goes above the view.
+void DocumentPage::connectNotes() {
   connect(&session_, &Session::failed, this, &DocumentPage::showError);
   connect(&session_, &Session::warned, this, [this](const QStringList& sentences) {
     errors_->showNote(tr("Not everything could be read."), sentences.join(u'\n'));
@@ -140,16 +157,6 @@ void DocumentPage::connectSession() {
   connect(&session_, &Session::evaluationCancelled, this, [this] {
     errors_->showNote(tr("Computing was cancelled."), tr("What was ready is shown."));
     errors_->offer(tr("Compute"), [this] { session_.compute(); });
-  });
-  connect(&session_, &Session::noted, this, &DocumentPage::announced);
-  const Job& job = session_.job();
-  connect(&job, &Job::started, this, [this](const QString& title) { emit workChanged(jobKey, title, 0); });
-  connect(&job, &Job::progressed, this, [this](double fraction, const QString& stage) {
-    emit workChanged(jobKey, stage.isEmpty() ? tr("Working") : stage, fraction);
-  });
-  connect(&job, &Job::finished, this, [this] {
-    emit workEnded(jobKey);
-    QMetaObject::invokeMethod(this, &DocumentPage::stateChanged, Qt::QueuedConnection);  // when what was read is shown
   });
 }
 

@@ -43,6 +43,8 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] Playback& playback() { return playback_; }  ///< of the sequences that are shown
   [[nodiscard]] QWidget* side() { return side_; }           ///< owned by the page until a window takes it in
   [[nodiscard]] QWidget* canvas() { return canvas_; }       ///< likewise
+  /// What the view shows, made anew.
+  [[nodiscard]] std::vector<ViewItem> shownItems() const;
   /// Nothing in it, never saved, nothing under way: may be used for what is opened next.
   [[nodiscard]] bool untouched() const;
 
@@ -97,6 +99,7 @@ class DocumentPage : public QObject, public ToolHost {
  private:
   void buildWidgets();
   void connectSession();
+  void connectNotes();
   void connectWidgets();
   void followPreference(const QString& name);
   void refreshTimeline();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "document/shown.h"
 #include "scene/onion_skin.h"
 
 namespace blossom::ui {
@@ -18,20 +19,59 @@ SceneData PageScene::sceneNow(const FeatureView& view) const {
   return view.frames->at(static_cast<std::size_t>(playback_.frameOf(static_cast<int>(view.frames->size()))));
 }
 
-std::vector<ViewItem> PageScene::items(const std::vector<FeatureId>& selected) const {
+/// The parts that the features of a document play while some are selected.
+struct PageScene::Parts {
+  std::set<FeatureId> selected, inputs, usedUp, controls;
+  std::set<FeatureId> back;     ///< what has gone into the selected ones
+  std::set<FeatureId> results;  ///< what the selected ones have gone into
+};
+
+PageScene::Parts PageScene::partsOf(const std::vector<FeatureId>& selected) const {
   const Document& document = session_.document();
-  const std::set<FeatureId> made(selected.begin(), selected.end());
-  std::set<FeatureId> controls;
-  for (const FeatureId& id : selected)
-    if (document.contains(id)) controls.insert(document.at(id).inputs.begin(), document.at(id).inputs.end());
-  std::vector<ViewItem> items;
+  const auto shapeOf = [this](const FeatureId& id) { return session_.shape(id); };
+  const Registry& registry = *session_.app().registry;
+  Parts parts;
+  parts.selected.insert(selected.begin(), selected.end());
+  parts.usedUp = usedUp(document, registry, shapeOf);
   for (const auto& feature : document.features()) {
+    const InputsByUse inputs = inputsByUse(*feature, registry, shapeOf);
+    if (feature->visible) parts.controls.insert(inputs.controls.begin(), inputs.controls.end());
+    const bool isSelected = parts.selected.contains(feature->id);
+    if (isSelected) {
+      parts.inputs.insert(feature->inputs.begin(), feature->inputs.end());
+      parts.back.insert(inputs.consumed.begin(), inputs.consumed.end());
+    }
+    // Users come after what they use: those of a selected one that is used up, and theirs.
+    const bool follows = std::any_of(inputs.consumed.begin(), inputs.consumed.end(), [&](const FeatureId& id) {
+      return parts.selected.contains(id) || parts.results.contains(id);
+    });
+    if (follows && !isSelected) parts.results.insert(feature->id);
+  }
+  return parts;
+}
+
+std::optional<Presence> PageScene::presenceOf(const FeatureId& id, const Parts& parts) const {
+  const bool selected = parts.selected.contains(id);
+  if (!selected && (parts.back.contains(id) || (parts.results.contains(id) && !parts.usedUp.contains(id))))
+    return Presence::SteppedBack;
+  if (!selected && parts.usedUp.contains(id)) return std::nullopt;
+  if (session_.outdated(id)) return Presence::Outdated;
+  if (session_.view(id)->result->error) return Presence::Failed;
+  return !selected && parts.controls.contains(id) ? Presence::Beneath : Presence::Whole;
+}
+
+std::vector<ViewItem> PageScene::items(const std::vector<FeatureId>& selected) const {
+  const Parts parts = partsOf(selected);
+  std::vector<ViewItem> items;
+  for (const auto& feature : session_.document().features()) {
     const auto view = shownView(*feature);
     if (!view || view->scene.empty()) continue;
-    const ItemRole role = made.contains(feature->id)       ? ItemRole::Made
-                          : controls.contains(feature->id) ? ItemRole::Control
-                                                           : ItemRole::Plain;
-    items.push_back({feature->id, sceneNow(*view), role, session_.outdated(feature->id)});
+    const std::optional<Presence> presence = presenceOf(feature->id, parts);
+    if (!presence) continue;
+    const ItemRole role = parts.selected.contains(feature->id)                                         ? ItemRole::Made
+                          : parts.inputs.contains(feature->id) || parts.controls.contains(feature->id) ? ItemRole::Control
+                                                                                                       : ItemRole::Plain;
+    items.push_back({feature->id, sceneNow(*view), role, *presence});
   }
   return items;
 }

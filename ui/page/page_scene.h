@@ -1,6 +1,7 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <vector>
 
 #include "ui/plugin/manipulator.h"
@@ -20,7 +21,9 @@ class PageScene {
   PageScene(const Session& session, const Playback& playback, const ManipulatorRegistry& manipulators)
       : session_(session), playback_(playback), manipulators_(manipulators) {}
 
-  /// Sequences in the frame of the timeline; selected features and their inputs in colours of their own.
+  /// Sequences in the frame of the timeline; selected features and their inputs in colours of their own. What has gone into
+  /// the result of another feature is left out, or steps back while that one is selected; when it is selected itself, its
+  /// results step back.
   [[nodiscard]] std::vector<ViewItem> items(const std::vector<FeatureId>& selected) const;
   /// Of the longest sequence that is visible; 0: there is none.
   [[nodiscard]] std::size_t frames() const;
@@ -30,6 +33,9 @@ class PageScene {
   [[nodiscard]] Props overlayOf(const FeatureId&, const Look&) const;
 
  private:
+  struct Parts;
+  [[nodiscard]] Parts partsOf(const std::vector<FeatureId>& selected) const;
+  [[nodiscard]] std::optional<Presence> presenceOf(const FeatureId&, const Parts&) const;
   [[nodiscard]] std::shared_ptr<const FeatureView> shownView(const Feature&) const;
   [[nodiscard]] SceneData sceneNow(const FeatureView&) const;
 

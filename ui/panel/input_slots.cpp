@@ -9,22 +9,14 @@ namespace blossom::ui {
 
 InputSlots::InputSlots(const Session& session, const Feature& feature, const FeatureType& type)
     : session_(session), feature_(feature), type_(type), taken_(type.inputs.size()) {
-  std::size_t minimumLater = 0, next = 0;
-  for (const InputSpec& spec : type.inputs) minimumLater += spec.minimum;
-  for (std::size_t k = 0; k < type.inputs.size(); ++k) {
-    const InputSpec& spec = type.inputs[k];
-    minimumLater -= std::min(minimumLater, spec.minimum);
-    const bool last = k + 1 == type.inputs.size();
-    while (next + minimumLater < feature.inputs.size() && taken_[k].size() < spec.maximum) {
-      // as when it is evaluated: what an optional input does not accept is left to those after it
-      if (!last && taken_[k].size() >= spec.minimum && !accepts(k, feature.inputs[next])) break;
-      taken_[k].push_back(feature.inputs[next++]);
-    }
+  const auto counts = inputCounts(type, feature.inputs.size(),
+                                  [&](std::size_t spec, std::size_t input) { return accepts(spec, feature.inputs[input]); });
+  auto next = feature.inputs.begin();
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const auto end = next + static_cast<std::ptrdiff_t>(counts[k]);
+    taken_[k].assign(next, end);
+    next = end;
   }
-  // Too many is an error of the evaluation; here they are shown, so that they can be removed.
-  if (!taken_.empty())
-    taken_.back().insert(taken_.back().end(), feature.inputs.begin() + static_cast<std::ptrdiff_t>(next),
-                         feature.inputs.end());
 }
 
 bool InputSlots::accepts(std::size_t spec, const FeatureId& id) const {

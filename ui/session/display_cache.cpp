@@ -89,6 +89,7 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
   view->result = result;
   const Shape& shape = result->evaluated.shape;
   if (result->error || shape.empty()) return view;
+  view->shape = shape;
   const auto finish = [&] {
     view->result = result;
     view->measures = withFigures(std::move(view->measures), *result);

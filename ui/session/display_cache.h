@@ -14,6 +14,7 @@ namespace blossom::ui {
 /// What the window shows of one result: made once, on the evaluating thread.
 struct FeatureView {
   std::shared_ptr<const FeatureResult> result;
+  Shape shape;  ///< that is drawn: of the result, or the last one before the feature failed
   SceneData scene;
   std::shared_ptr<const std::vector<SceneData>> frames;  ///< of a sequence, else null; `scene` is the last of them
   Measures measures;

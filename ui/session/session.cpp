@@ -55,6 +55,11 @@ std::shared_ptr<const FeatureView> Session::view(const FeatureId& id) const {
   return it == views_.end() ? nullptr : it->second;
 }
 
+const Shape* Session::shape(const FeatureId& id) const {
+  const auto found = view(id);
+  return found ? &found->shape : nullptr;
+}
+
 QString Session::suggestedName() const { return file_.empty() ? name_ : qt(file_.stem().string()); }
 
 QString Session::title() const {
@@ -152,11 +157,7 @@ void Session::evaluate() {
           return;  // cancelled: a newer evaluation is under way
         }
         here([this, id, view] {
-          if (!document().contains(id)) return;
-          views_[id] = view;
-          arrived_.insert(id);
-          untold_.insert(id);
-          telling_.start();
+          if (document().contains(id)) take(id, view);
         });
       },
       [this, here](const Results&) {
@@ -168,6 +169,21 @@ void Session::evaluate() {
           if (!evaluating_) watched_.reset();
         });
       });
+}
+
+/// A feature that fails keeps the last shape that it had.
+void Session::take(const FeatureId& id, std::shared_ptr<const FeatureView> view) {
+  const auto before = this->view(id);
+  if (view->result->error && before && !before->scene.empty()) {
+    auto kept = std::make_shared<FeatureView>(*before);
+    kept->result = view->result;
+    kept->measures = {};
+    view = std::move(kept);
+  }
+  views_[id] = std::move(view);
+  arrived_.insert(id);
+  untold_.insert(id);
+  telling_.start();
 }
 
 void Session::cancel() {

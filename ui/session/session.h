@@ -39,6 +39,8 @@ class Session : public QObject {
   [[nodiscard]] const Job& job() const { return job_; }
   /// Newest view of a feature; the one before while a new one is computed; nullptr when there never was one.
   [[nodiscard]] std::shared_ptr<const FeatureView> view(const FeatureId&) const;
+  /// The newest shape of a feature that is drawn; nullptr when there is none.
+  [[nodiscard]] const Shape* shape(const FeatureId&) const;
   [[nodiscard]] bool evaluating() const { return evaluating_; }
   /// Its result is being computed, and that takes more than a moment.
   [[nodiscard]] bool awaited(const FeatureId&) const;
@@ -107,6 +109,7 @@ class Session : public QObject {
   void noted(const QString& sentence);              ///< something went right
 
  private:
+  void take(const FeatureId&, std::shared_ptr<const FeatureView>);
   void evaluate();
   void keepWaiting();
   void changed();

@@ -22,7 +22,30 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr double opacityOutdated = 0.3;
+struct Opacity {
+  double faces = 1, edges = 1;
+};
+
+Opacity opacityOf(Presence presence) {
+  switch (presence) {
+    case Presence::Outdated:
+      return {0.3, 0.3};
+    case Presence::Failed:
+      return {0.35, 0.9};
+    case Presence::SteppedBack:
+      return {0.1, 0.45};
+    case Presence::Beneath:
+      return {0.22, 0.8};
+    case Presence::Whole:
+      break;
+  }
+  return {};
+}
+
+/// Cuts of hints and of controls stay open, so that those of the results are seen.
+bool isFilled(const SceneData& scene, Presence presence) {
+  return scene.solid && presence != Presence::SteppedBack && presence != Presence::Beneath;
+}
 
 void setColor(vtkActor& actor, const Color& color) { actor.GetProperty()->SetColor(color.red, color.green, color.blue); }
 
@@ -60,12 +83,13 @@ ItemsChange ViewItems::set(const std::vector<ViewItem>& items) {
   }
   for (const ViewItem& item : items) {
     Shown& shown = shown_[item.id];
-    const bool recolored = shown.role != item.role || shown.outdated != item.outdated;
+    const bool recolored = shown.role != item.role || shown.presence != item.presence;
     shown.role = item.role;
-    shown.outdated = item.outdated;
+    shown.presence = item.presence;
     const bool renewed = renew(shown, item);
     if (renewed) change.shapes.push_back(item.id);
     if (recolored || renewed) paint(item.id, shown);
+    if (recolored && section_) applySection(shown);
     change.colors = change.colors || recolored;
   }
   return change;
@@ -191,7 +215,8 @@ void ViewItems::applySection(const Shown& shown) const {
     // The cut is drawn in front of the edges behind it, by so little that it stays behind all else.
     if (roleOf(actor) == ActorRole::Edges && shown.scene.solid)
       actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(section_ ? -1 : -3, section_ ? -1 : -6);
-    if (roleOf(actor) == ActorRole::Faces && !shown.scene.planar) shadeFaces(*actor, section_ && shown.scene.solid);
+    if (roleOf(actor) == ActorRole::Faces && !shown.scene.planar)
+      shadeFaces(*actor, section_ && isFilled(shown.scene, shown.presence));
   }
   applyCulling(shown);
 }
@@ -215,7 +240,7 @@ void ViewItems::placeCaps(vtkCamera& camera, double millimetresPerPixel) const {
   const double spacing = std::exp2(std::round(std::log2(millimetresPerPixel * 12)));
   for (const auto& [id, shown] : shown_)
     for (const auto& actor : shown.actors) {
-      if (!shown.scene.solid || roleOf(actor) != ActorRole::Faces) continue;
+      if (!isFilled(shown.scene, shown.presence) || roleOf(actor) != ActorRole::Faces) continue;
       const double* c = actor->GetProperty()->GetColor();
       const Color fill = mixed({c[0], c[1], c[2]}, look_.backgroundBottom, 0.35);
       placeCap(*actor, *section_, {fill, mixed(fill, {c[0], c[1], c[2]}, 0.55), spacing}, camera);
@@ -229,11 +254,23 @@ void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
   const bool hovered = id == hovered_;
   for (const auto& actor : shown.actors) {
     const ActorRole part = roleOf(actor);
-    actor->GetProperty()->SetOpacity(shown.outdated ? opacityOutdated : 1);
+    const Opacity opacity = opacityOf(shown.presence);
+    actor->GetProperty()->SetOpacity(part == ActorRole::Faces ? opacity.faces : opacity.edges);
+    layer(*actor, shown);
     if (part == ActorRole::Faces) paintFaces(*actor, shown, hovered);
     if (part == ActorRole::Edges) paintEdges(*actor, shown, hovered);
     if (part == ActorRole::Points) actor->GetProperty()->SetPointSize(static_cast<float>(look_.pointSize));
   }
+}
+
+// Drawings lie in one plane: controls under all else, what is made over it.
+void ViewItems::layer(vtkActor& actor, const Shown& shown) {
+  if (!isDrawing(shown.scene)) return;
+  const bool under = shown.presence == Presence::Beneath || shown.presence == Presence::SteppedBack;
+  const int step = under ? 4 : shown.role == ItemRole::Made ? 0 : 2;
+  vtkMapper& mapper = *actor.GetMapper();
+  mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(1 + step, 1 + 2 * step);
+  mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-3 + step, -6 + 2 * step);
 }
 
 void ViewItems::paintFaces(vtkActor& actor, const Shown& shown, bool hovered) const {
@@ -255,6 +292,7 @@ void ViewItems::paintEdges(vtkActor& actor, const Shown& shown, bool hovered) co
     color = plain ? look_.curve : accent;
   else
     color = plain ? look_.edge : mixed(accent, look_.edge, 0.62);
+  if (shown.presence == Presence::Failed) color = look_.fault;
   setColor(actor, hovered ? mixed(color, plain ? look_.control : accent, 0.75) : color);
   const double width = look_.edgeWidth * (drawing ? 1.5 : 1.1) * (hovered ? 1.35 : 1);
   actor.GetProperty()->SetLineWidth(static_cast<float>(width));

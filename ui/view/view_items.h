@@ -23,11 +23,21 @@ enum class ItemRole { Plain, Made, Control };
 
 enum class DisplayMode { ShadedWithEdges, Shaded, Wireframe };
 
+/// How far a shape is what there is now.
+enum class Presence {
+  Whole,
+  Outdated,    ///< that of an older document: drawn faintly
+  Failed,      ///< the last one before its feature failed: drawn faintly, with edges in the colour of faults
+  Beneath,     ///< a control shape: translucent, under the result
+  SteppedBack  ///< not what is edited, but what it is made of or goes into: a hint of it, found by the mouse where nothing
+               ///< else is
+};
+
 struct ViewItem {
   FeatureId id;
   SceneData scene;
   ItemRole role = ItemRole::Plain;
-  bool outdated = false;  ///< it is not what the document says now: drawn faintly
+  Presence presence = Presence::Whole;
 };
 
 /// What new items have changed.
@@ -79,11 +89,12 @@ class ViewItems {
   struct Shown {
     SceneData scene;
     ItemRole role = ItemRole::Plain;
-    bool outdated = false;
+    Presence presence = Presence::Whole;
     std::vector<vtkSmartPointer<vtkActor>> actors;
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
   };
+  [[nodiscard]] Pick pickAmong(const Ray&, PickOptions, PickMode, bool steppedBack) const;
   [[nodiscard]] bool renew(Shown&, const ViewItem&);
   void show(Shown&);
   void replace(Shown&);
@@ -92,6 +103,7 @@ class ViewItems {
   void paint(const FeatureId&, const Shown&) const;
   void paintFaces(vtkActor&, const Shown&, bool hovered) const;
   void paintEdges(vtkActor&, const Shown&, bool hovered) const;
+  static void layer(vtkActor&, const Shown&);
   void applyMode(const Shown&) const;
   void applySection(const Shown&) const;
   void applyCulling(const Shown&) const;

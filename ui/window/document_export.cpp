@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "document/shown.h"
 #include "geometry/occt/merged_shape.h"
 #include "ui/files/export_dialog.h"
 #include "ui/look/text.h"
@@ -37,11 +38,8 @@ ExportScope scopeOf(const Session& session, const std::vector<FeatureId>& ids) {
   return scope;
 }
 
-std::vector<FeatureId> visibleOnes(const Document& document) {
-  std::vector<FeatureId> ids;
-  for (const auto& feature : document.features())
-    if (feature->visible && !feature->suppressed) ids.push_back(feature->id);
-  return ids;
+std::vector<FeatureId> shownOnes(const Session& session) {
+  return shownFeatures(session.document(), *session.app().registry, [&](const FeatureId& id) { return session.shape(id); });
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ std::vector<ExportScope> DocumentExport::scopesOf(DocumentPage& page) {
   else
     first.title = tr("The %1 selected results as one file").arg(first.features.size());
   if (first.features.empty()) scopes.clear();
-  ExportScope visible = scopeOf(session, visibleOnes(document));
+  ExportScope visible = scopeOf(session, shownOnes(session));
   visible.title = tr("All %1 visible results as one file").arg(visible.features.size());
   if (visible.features.size() > 1 && (scopes.empty() || visible.features != scopes.front().features))
     scopes.push_back(std::move(visible));

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QUrl>
 
+#include "document/shown.h"
 #include "ui/files/document_picture.h"
 #include "ui/files/recent_files.h"
 #include "ui/files/start_page.h"
@@ -33,12 +34,10 @@ QString problemWith(const App& app, const QString& file) {
 }
 
 std::vector<Shape> visibleShapes(const Session& session) {
+  const auto shapeOf = [&](const FeatureId& id) { return session.shape(id); };
   std::vector<Shape> shapes;
-  for (const auto& feature : session.document().features()) {
-    const auto view = session.view(feature->id);
-    if (feature->visible && !feature->suppressed && view && !view->result->evaluated.shape.empty())
-      shapes.push_back(view->result->evaluated.shape);
-  }
+  for (const FeatureId& id : shownFeatures(session.document(), *session.app().registry, shapeOf))
+    shapes.push_back(*session.shape(id));
   return shapes;
 }
 

@@ -2,12 +2,14 @@
 
 #include <vtkProp.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
 #include "core/units.h"
 #include "feature/registry.h"
 #include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 #include "kernel/control_centre.h"
 #include "ui/tools/view_props.h"
 
@@ -136,9 +138,11 @@ std::vector<vtkSmartPointer<vtkProp>> MorphTool::props() const {
   for (std::size_t i = 0; i < controls_.size(); ++i) {
     const Color& color = i == hovered() ? look.made : look.control;
     std::vector<std::vector<Vec3>> outlines;
+    // The handles may be made before the view has come near.
+    const double chord = 2e-4 * bounds(Shape(controls_[i].region)).diagonal();
     for (const Path& loop : controls_[i].region.loops) {
       std::vector<Vec3>& line = outlines.emplace_back();
-      for (const Vec2& p : flatten(loop, std::max(millimetresPerPixel() / 4, 1e-6)))
+      for (const Vec2& p : flatten(loop, std::clamp(millimetresPerPixel() / 4, 1e-6, std::max(chord, 1e-6))))
         line.push_back(onGround(p + offsets_[i]));
       line.push_back(line.front());
     }

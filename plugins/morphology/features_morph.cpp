@@ -32,6 +32,7 @@ Evaluated morphed(const MorphParameters& p, const Inputs& inputs, const Progress
   const std::vector<double> times = p.frames > 0 ? frameTimes(p.frames) : std::vector<double>{p.t};
   const std::vector<ControlPoint> points = pointsOf(p.curve);
   std::vector<double> weights;
+  weights.reserve(times.size());
   for (const double t : times) weights.push_back(controlValue(p.control, points, t));
   Evaluated out = evaluatedFrom(solidMorph(a, b, weights, progress, way), p.frames > 0 ? times : std::vector<double>());
   out.stats["weights"] = weights;

@@ -81,7 +81,7 @@ class ViewItems {
   [[nodiscard]] Bounds extent() const;
 
   /// The nearest thing along a ray. `base` holds tolerances and section.
-  [[nodiscard]] Pick pick(const Ray&, PickOptions base, PickMode) const;
+  [[nodiscard]] Pick pick(const Ray&, const PickOptions& base, PickMode) const;
   /// What lies within bounds, of the kind of a mode.
   [[nodiscard]] std::vector<Pick> within(const std::vector<CutPlane>& bounds, PickMode, bool crossing) const;
 
@@ -94,7 +94,7 @@ class ViewItems {
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
   };
-  [[nodiscard]] Pick pickAmong(const Ray&, PickOptions, PickMode, bool steppedBack) const;
+  [[nodiscard]] Pick pickAmong(const Ray&, const PickOptions&, PickMode, bool steppedBack) const;
   [[nodiscard]] bool renew(Shown&, const ViewItem&);
   void show(Shown&);
   void replace(Shown&);

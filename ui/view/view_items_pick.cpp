@@ -40,13 +40,13 @@ int rank(const SubPick& part) {
 }  // namespace
 
 // What has stepped back hides nothing and is found where there is nothing else.
-Pick ViewItems::pick(const Ray& ray, PickOptions options, PickMode mode) const {
+Pick ViewItems::pick(const Ray& ray, const PickOptions& options, PickMode mode) const {
   if (mode == PickMode::None) return {};
   const Pick found = pickAmong(ray, options, mode, false);
   return found.feature.empty() ? pickAmong(ray, options, mode, true) : found;
 }
 
-Pick ViewItems::pickAmong(const Ray& ray, PickOptions options, PickMode mode, bool steppedBack) const {
+Pick ViewItems::pickAmong(const Ray& ray, const PickOptions& options, PickMode mode, bool steppedBack) const {
   const auto counts = [&](const Shown& shown) { return (shown.presence == Presence::SteppedBack) == steppedBack; };
   const bool anything = mode == PickMode::Any || mode == PickMode::Feature;
   const bool wires = mode_ == DisplayMode::Wireframe;

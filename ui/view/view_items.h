@@ -94,7 +94,7 @@ class ViewItems {
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
   };
-  [[nodiscard]] Pick pickAmong(const Ray&, const PickOptions&, PickMode, bool steppedBack) const;
+  [[nodiscard]] Pick pickAmong(const Ray&, PickOptions, PickMode, bool steppedBack) const;
   [[nodiscard]] bool renew(Shown&, const ViewItem&);
   void show(Shown&);
   void replace(Shown&);

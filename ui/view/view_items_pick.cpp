@@ -46,7 +46,7 @@ Pick ViewItems::pick(const Ray& ray, const PickOptions& options, PickMode mode) 
   return found.feature.empty() ? pickAmong(ray, options, mode, true) : found;
 }
 
-Pick ViewItems::pickAmong(const Ray& ray, const PickOptions& options, PickMode mode, bool steppedBack) const {
+Pick ViewItems::pickAmong(const Ray& ray, PickOptions options, PickMode mode, bool steppedBack) const {
   const auto counts = [&](const Shown& shown) { return (shown.presence == Presence::SteppedBack) == steppedBack; };
   const bool anything = mode == PickMode::Any || mode == PickMode::Feature;
   const bool wires = mode_ == DisplayMode::Wireframe;

@@ -295,6 +295,7 @@ class GcodeWriter {
 
 std::vector<ParameterSpec> gcodeWriteOptions() {
   std::vector<std::string> names;
+  names.reserve(std::size(posts));
   for (const Post& post : posts) names.emplace_back(post.name);
   ParameterSpec post = choice(names);
   post.name = "post";

@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QScreen>
+#include <QStandardPaths>
 #include <csignal>
 #include <cstdio>
 
@@ -117,6 +118,7 @@ Options readOptions() {
 // A frame counts once it holds a shape: the evaluation has handed it to the view before.
 void tellFirstFrame(MainWindow& window) {
   auto shape = std::make_shared<bool>(false);
+  QObject::connect(&window.session(), &Session::opened, &window, [] { reached("document read"); });
   QObject::connect(&window.session(), &Session::viewsChanged, &window.view(), [shape] { *shape = true; });
   QObject::connect(&window.view(), &ViewWidget::framePainted, &window.view(),
                    [shape] { reached(*shape ? "first frame with a shape" : "first frame"); });
@@ -149,6 +151,9 @@ int run(GuardedApplication& application) {
   QApplication::setWindowIcon(icon(QStringLiteral("blossom")));
   reached("theme");
   App app = loadApp();
+  app.results = resultStore(
+      (QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/blossom/results"))
+          .toStdString());
   reached("plugins");
   MainWindow window(std::move(app));
   reached("window made");

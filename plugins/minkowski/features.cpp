@@ -111,7 +111,8 @@ FeatureType morphFeature(std::size_t maximumWork) {
               .kinds = {ShapeKind::Region},
               .minimum = 2,
               .maximum = anyNumber,
-              .use = InputUse::Control})
+              .use = InputUse::Control,
+              .asks = "a shape to morph"})
       .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("blossom", &P::blossom, list(ratio()),
@@ -157,7 +158,8 @@ FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std:
               .kinds = {ShapeKind::Region},
               .minimum = 2,
               .maximum = anyNumber,
-              .use = InputUse::Control})
+              .use = InputUse::Control,
+              .asks = "a region to combine"})
       .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.");
   return builder;
 }

@@ -1,5 +1,6 @@
 #include "core/angle.h"
 #include "core/error.h"
+#include "feature/input_image.h"
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
 #include "kernel/parts/boolean.h"
@@ -12,12 +13,13 @@ namespace {
 
 using Map = Eigen::Affine3d;
 
-InputSpec anyInput() {
+InputSpec anyInput(const char* asks) {
   return {.name = "shape",
           .help = "The shape to arrange.",
           .kinds = {ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Surface,
                     ShapeKind::Mesh, ShapeKind::Sequence},
-          .use = InputUse::Consumed};
+          .use = InputUse::Consumed,
+          .asks = asks};
 }
 
 Vec3 directionOf(const Vec3& v, const char* what) { return toVec(toDirection(v, what).XYZ()); }
@@ -45,13 +47,16 @@ FeatureType transformFeature() {
   using P = TransformParameters;
   return feature<P>("modeling.transform", "Transform", "A shape moved, turned and scaled.")
       .icon("transform")
-      .input(anyInput())
+      .input(anyInput("a shape to move"))
       .parameter("move", &P::move, displacement(), "Translation, after rotation and scaling.")
       .parameter("angle", &P::angle, angle(), "Rotation about the axis.")
       .parameter("axis", &P::axis, vector(), "Direction of the axis.")
       .parameter("centre", &P::centre, point(), "The fixed point of rotation and scaling.")
       .parameter("scale", &P::scale, number(1e-6, 1e6), "Scale factor.")
       .parameter("stretch", &P::stretch, vector(), "Factors along x, y and z on top of the scale, before it is turned.")
+      .images([](const P& p, const Inputs&) {
+        return std::vector<InputImage>{{0, mapOf(p)}};
+      })
       .example("blossom transform part.step --move 0,0,25 -o lifted.step")
       .example("blossom transform part.stl --angle 90 --axis 1,0,0 --scale 25.4 -o upright.stl")
       .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
@@ -108,10 +113,20 @@ std::vector<Map> circularMaps(const PatternParameters& p) {
   return maps;
 }
 
+std::vector<Map> mapsOf(const PatternParameters& p) {
+  return p.kind == PatternKind::Linear ? linearMaps(p) : circularMaps(p);
+}
+
+std::vector<InputImage> copiesOf(const PatternParameters& p, const Inputs&) {
+  std::vector<InputImage> images;
+  for (const Map& map : mapsOf(p)) images.push_back({0, map, images.empty() ? "" : "copy " + std::to_string(images.size())});
+  return images;
+}
+
 Evaluated patternOf(const PatternParameters& p, const Inputs& inputs, const Progress& progress) {
   if (static_cast<long>(p.count) * p.secondCount > 10000)
     throw Error(ErrorCode::LimitExceeded, "A pattern has at most 10000 copies.", "Use smaller counts.");
-  const auto maps = p.kind == PatternKind::Linear ? linearMaps(p) : circularMaps(p);
+  const auto maps = mapsOf(p);
   std::vector<Shape> copies;
   copies.reserve(maps.size());
   for (const Map& map : maps) {
@@ -133,7 +148,7 @@ FeatureType patternFeature() {
   return inWorker(
       feature<P>("modeling.pattern", "Pattern", "Copies of a shape in rows or round an axis.")
           .icon("pattern")
-          .input(anyInput())
+          .input(anyInput("a shape to repeat"))
           .parameter("kind", &P::kind, choice({"linear", "circular"}), "Whether the copies stand in rows or round an axis.")
           .parameter("count", &P::count, count(1, 1000), "Number of copies in a row, including the original.")
           .parameter("step", &P::step, displacement(), "Distance from one copy to the next in a row.")
@@ -145,6 +160,7 @@ FeatureType patternFeature() {
           .parameter("join", &P::join, flag(), "Unite the copies to one body; off: an assembly of copies.")
           .example("blossom pattern hole.step --count 4 --step 25,0,0 --second-count 2 --second-step 0,40,0 -o holes.step")
           .example("blossom pattern tooth.step --kind circular --count 12 --join -o gear.step")
+          .images(copiesOf)
           .evaluate(patternOf),
       {.activity = "for the pattern", .when = joinsSolids});
 }
@@ -164,21 +180,26 @@ Map reflection(const Vec3& point, const Vec3& normal) {
 
 FeatureType mirrorFeature() {
   using P = MirrorParameters;
-  return inWorker(feature<P>("modeling.mirror", "Mirror", "A shape and its mirror image in a plane.")
-                      .icon("mirror")
-                      .input(anyInput())
-                      .parameter("normal", &P::normal, vector(), "Normal of the mirror plane.")
-                      .parameter("point", &P::point, point(), "A point in the mirror plane.")
-                      .parameter("keep", &P::keep, flag(), "Keep the original beside its image.")
-                      .parameter("join", &P::join, flag(), "Unite both to one body.")
-                      .example("blossom mirror half.step --join -o whole.step")
-                      .example("blossom mirror left.stl --normal 0,1,0 --no-keep -o right.stl")
-                      .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-                        const Shape& shape = inputs.of(0)[0];
-                        const Shape image = transformed(shape, reflection(p.point, p.normal));
-                        return Evaluated{p.keep ? assembled({shape, image}, p.join, progress) : image, Value::object(), {}};
-                      }),
-                  {.activity = "for the mirror image", .when = joinsSolids});
+  return inWorker(
+      feature<P>("modeling.mirror", "Mirror", "A shape and its mirror image in a plane.")
+          .icon("mirror")
+          .input(anyInput("a shape to mirror"))
+          .parameter("normal", &P::normal, vector(), "Normal of the mirror plane.")
+          .parameter("point", &P::point, point(), "A point in the mirror plane.")
+          .parameter("keep", &P::keep, flag(), "Keep the original beside its image.")
+          .parameter("join", &P::join, flag(), "Unite both to one body.")
+          .images([](const P& p, const Inputs&) {
+            const Map map = reflection(p.point, p.normal);
+            return p.keep ? std::vector<InputImage>{{0}, {0, map, "mirrored"}} : std::vector<InputImage>{{0, map}};
+          })
+          .example("blossom mirror half.step --join -o whole.step")
+          .example("blossom mirror left.stl --normal 0,1,0 --no-keep -o right.stl")
+          .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
+            const Shape& shape = inputs.of(0)[0];
+            const Shape image = transformed(shape, reflection(p.point, p.normal));
+            return Evaluated{p.keep ? assembled({shape, image}, p.join, progress) : image, Value::object(), {}};
+          }),
+      {.activity = "for the mirror image", .when = joinsSolids});
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ FeatureType booleanFeature() {
                   .kinds = {ShapeKind::Brep, ShapeKind::Region},
                   .minimum = 2,
                   .maximum = anyNumber,
-                  .use = InputUse::Consumed})
+                  .use = InputUse::Consumed,
+                  .asks = "a solid or region to combine"})
           .parameter("operation", &P::operation, choice({"union", "difference", "intersection"}), "The Boolean operation.")
           .parameter("fuzzy", &P::fuzzy, smallLength(), "Faces this close count as touching; 0: only faces that do touch.")
           .parameter("simplify", &P::simplify, flag(), "Join faces on the same surface and edges on the same curve.")
@@ -67,8 +68,8 @@ FeatureType booleanFeature() {
       {.activity = "for the Boolean operation"});
 }
 
-InputSpec solidInput() {
-  return {.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}, .use = InputUse::Consumed};
+InputSpec solidInput(const char* asks) {
+  return {.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}, .use = InputUse::Consumed, .asks = asks};
 }
 
 struct FilletParameters {
@@ -82,7 +83,7 @@ FeatureType filletFeature() {
       feature<P>("modeling.fillet", "Fillet", "A solid with rounded edges.")
           .icon("fillet")
           .produces({ShapeKind::Brep})
-          .input(solidInput())
+          .input(solidInput("a solid to round"))
           .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to round.")
           .parameter("radius", &P::radius, positiveLength(), "Radius of the rounding.")
           .example("blossom fillet block.step --radius 3 -o soft.step")
@@ -107,7 +108,7 @@ FeatureType chamferFeature() {
       feature<P>("modeling.chamfer", "Chamfer", "A solid with edges cut off by flat strips.")
           .icon("chamfer")
           .produces({ShapeKind::Brep})
-          .input(solidInput())
+          .input(solidInput("a solid to bevel"))
           .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to cut off.")
           .parameter("distance", &P::distance, positiveLength(), "Width of the chamfer on both faces.")
           .parameter("second", &P::second, second, "Width on the second of the two faces; 0: as on the first.")
@@ -133,7 +134,7 @@ FeatureType shellFeature() {
       feature<P>("modeling.shell", "Shell", "A solid hollowed out to walls of even thickness.")
           .icon("shell")
           .produces({ShapeKind::Brep})
-          .input(solidInput())
+          .input(solidInput("a solid to hollow out"))
           .parameter("faces", &P::faces, whenNone(list(subShape("face")), "a closed hollow"), "The faces to open.")
           .parameter("thickness", &P::thickness, positiveLength(), "Thickness of the walls.")
           .parameter("side", &P::side, choice({"inside", "outside"}), "Whether the walls grow into the solid or around it.")

@@ -45,7 +45,8 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
       .input({.name = "solid",
               .help = "The solid that is changed.",
               .kinds = {ShapeKind::Mesh, ShapeKind::Brep},
-              .use = InputUse::Consumed})
+              .use = InputUse::Consumed,
+              .asks = "a solid to grow or melt"})
       .parameter("radius", &P::radius, positiveLength(), texts.radius)
       .parameter("frames", &P::frames, count(0, 1000),
                  "Number of solids of a sequence from radius 0 to the radius; 0 makes only the last one.")

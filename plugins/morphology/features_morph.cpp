@@ -46,8 +46,16 @@ FeatureType morphFeature(Way way) {
                     "The in-between solids of two solids with any numbers of holes and corners.")
       .icon("solid-morph")
       .produces({ShapeKind::Mesh})
-      .input({.name = "from", .help = "The solid at t = 0.", .kinds = kinds, .use = InputUse::Control})
-      .input({.name = "to", .help = "The solid at t = 1.", .kinds = kinds, .use = InputUse::Control})
+      .input({.name = "from",
+              .help = "The solid at t = 0.",
+              .kinds = kinds,
+              .use = InputUse::Control,
+              .asks = "a solid to begin with"})
+      .input({.name = "to",
+              .help = "The solid at t = 1.",
+              .kinds = kinds,
+              .use = InputUse::Control,
+              .asks = "a solid to end with"})
       .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first solid) to 1 (the second).")
       .parameter("frames", &P::frames, count(0, 1000), "Number of solids of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("control", &P::control, choice({"linear", "ease", "ease-in", "ease-out", "curve"}),

@@ -30,11 +30,16 @@ FeatureType sumFeature(Way way) {
                     "The space that one solid covers while its origin moves over the other.")
       .icon("solid-sum")
       .produces({ShapeKind::Mesh})
-      .input({.name = "solid", .help = "The shape to add to.", .kinds = elementKinds, .use = InputUse::Consumed})
+      .input({.name = "solid",
+              .help = "The shape to add to.",
+              .kinds = elementKinds,
+              .use = InputUse::Consumed,
+              .asks = "a shape to add to"})
       .input({.name = "element",
               .help = "The shape to add: a solid, a ball, a segment, a flat polygon or points.",
               .kinds = elementKinds,
-              .use = InputUse::Consumed})
+              .use = InputUse::Consumed,
+              .asks = "a shape to add"})
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
       .example("blossom solid-sum part.stl ball:2 -o grown.stl")
       .example("blossom solid-sum bracket.step ball:1:2 --deviation 0.1 -o grown.off --json")
@@ -57,8 +62,16 @@ FeatureType melting(const PairTexts& texts, const PairOperation& operation) {
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
       .produces({ShapeKind::Mesh})
-      .input({.name = "solid", .help = "The solid that is changed.", .kinds = solidKinds, .use = InputUse::Consumed})
-      .input({.name = "element", .help = texts.element, .kinds = elementKinds, .use = InputUse::Consumed})
+      .input({.name = "solid",
+              .help = "The solid that is changed.",
+              .kinds = solidKinds,
+              .use = InputUse::Consumed,
+              .asks = "a solid to change"})
+      .input({.name = "element",
+              .help = texts.element,
+              .kinds = elementKinds,
+              .use = InputUse::Consumed,
+              .asks = "a shape to change it with"})
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp);
   for (const char* example : texts.examples) made.example(example);
   return inWorker(made.evaluate([operation](const P& p, const Inputs& inputs, const Progress& progress) {

@@ -39,7 +39,7 @@ FeatureType medialAxisFeature() {
   return feature<P>("pocket.medial-axis", "Medial axis", "The centres of the largest discs that a part holds.")
       .icon("medial-axis")
       .produces({ShapeKind::MedialAxis})
-      .input(partInput())
+      .input(partInput("an outline to find the medial axis of"))
       .parameter("face", &P::face, partFace(), partFaceHelp)
       .parameter("skip-open", &P::skipOpen, flag(), skipOpenHelp)
       .parameter("tolerance", &P::tolerance, positiveLength(),

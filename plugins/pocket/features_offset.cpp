@@ -155,7 +155,7 @@ FeatureType offsetFeature() {
   return feature<P>("pocket.offset", "Offset", "Outlines at even distances from the outlines of a part.")
       .icon("offset")
       .produces({ShapeKind::Region, ShapeKind::Curves})
-      .input(partInput())
+      .input(partInput("an outline to offset"))
       .parameter("distance", &P::distance, distances(),
                  "Distance from the outline; several distances make curves, each on a layer of its own.")
       .parameter("side", &P::side, choice({"inside", "outside", "both"}),

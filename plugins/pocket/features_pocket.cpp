@@ -237,7 +237,7 @@ FeatureType pocketFeature() {
   return feature<P>("pocket.pocket", "Pocket", "A toolpath that clears a part down to a depth, islands left standing.")
       .icon("pocket")
       .produces({ShapeKind::Toolpath})
-      .input(partInput())
+      .input(partInput("an outline or solid to cut a pocket into"))
       .parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")
       .parameter("depth", &P::depth, positiveLength(), "Depth of the pocket; unused when its floor is picked.")
       .parameter("stepover", &P::stepover, text(), "Distance between passes: a share of the diameter (45%) or a length.")

@@ -152,15 +152,14 @@ Evaluated simulated(const SimulateParameters& p, const Inputs& inputs, const Pro
 
 FeatureType simulateFeature() {
   using P = SimulateParameters;
-  InputSpec part = partInput();
-  part.name = "part";
   return feature<P>("pocket.simulate", "Simulate", "Sweeps a program's tool along its moves and measures gouge and residue.")
       .icon("simulate")
       .produces({ShapeKind::Toolpath})
       .input({.name = "program",
               .help = "A toolpath, or a G-code program that moves in z and turns a spindle (M3) or names a tool (T).",
-              .kinds = {ShapeKind::Toolpath}})
-      .input(part)
+              .kinds = {ShapeKind::Toolpath},
+              .asks = "a program to simulate"})
+      .input(partInput("the part that it cuts"))
       .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Corner radius of the given tool.")
       .parameter("depth", &P::depth, lengthFromZero(), "Depth of the pocket in the part; 0: as in the program's head.")

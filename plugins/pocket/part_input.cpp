@@ -110,10 +110,11 @@ Part fromBrep(const Brep& brep, int index, OpenLines openLines) {
 
 }  // namespace
 
-InputSpec partInput() {
+InputSpec partInput(std::string asks) {
   return {.name = "part",
           .help = "A region, closed curves, or a solid of which a flat face is chosen.",
-          .kinds = {ShapeKind::Region, ShapeKind::Curves, ShapeKind::Brep}};
+          .kinds = {ShapeKind::Region, ShapeKind::Curves, ShapeKind::Brep},
+          .asks = std::move(asks)};
 }
 
 ParameterSpec partFace() { return optional(subShape("face")); }

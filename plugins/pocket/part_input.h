@@ -21,7 +21,7 @@ struct Part {
 
 /// The input of a part: a region, closed curves, or a flat face of a B-rep, chosen by `face`; -1 means the only flat face or
 /// the sheets of a drawing.
-InputSpec partInput();
+InputSpec partInput(std::string asks);
 ParameterSpec partFace();
 inline constexpr const char* partFaceHelp = "The flat face to use as the part when the input is a solid.";
 

@@ -123,7 +123,8 @@ FeatureType deformFeature() {
       .input({.name = "cage",
               .help = "A mesh, with its creases, or a control polygon.",
               .kinds = cageKinds,
-              .use = InputUse::Consumed})
+              .use = InputUse::Consumed,
+              .asks = "a cage to pull"})
       .input({.name = "target",
               .help =
                   "Where the limit shape is to run: drawn curves, edges of a solid, a cloud of points, or the vertices of a "

@@ -43,7 +43,8 @@ FeatureType subdivideFeature() {
       .input({.name = "cage",
               .help = "A mesh, with its creases, or a control polygon.",
               .kinds = cageKinds,
-              .use = InputUse::Control})
+              .use = InputUse::Control,
+              .asks = "a cage to smooth"})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
       .parameter("levels", &P::levels, count(0, 10), "Number of refinements; each multiplies the faces by four.")
       .parameter("as", &P::as, asChoice(), kAsHelp)

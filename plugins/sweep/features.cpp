@@ -101,7 +101,10 @@ FeatureType sweepFeature() {
           .command("sweep")
           .produces({ShapeKind::Surface, ShapeKind::Brep})
           .opens(ShapeKind::Motion)
-          .input({.name = "motion", .help = "A motion: trajectory, orientation and scaling.", .kinds = {ShapeKind::Motion}})
+          .input({.name = "motion",
+                  .help = "A motion: trajectory, orientation and scaling.",
+                  .kinds = {ShapeKind::Motion},
+                  .asks = "a motion to sweep with"})
           .parameter("solid", &P::solid, flag(), "Close the ends of a motion that closes in u and make a solid.")
           .parameter("mode", &P::mode, choice({"exact", "cubic"}),
                      "The exact rational surface, or a bicubic one within the tolerance.")

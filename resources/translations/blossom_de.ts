@@ -546,6 +546,17 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
+    <name>blossom::ui::ChooseTool</name>
+    <message>
+        <source>Esc ends</source>
+        <translation>Esc beendet</translation>
+    </message>
+    <message>
+        <source>%1: click it in the view or in the document; Esc ends</source>
+        <translation>%1: in der Ansicht oder im Dokument anklicken; Esc beendet</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::Chip</name>
     <message>
         <source>Remove</source>
@@ -676,6 +687,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
 </context>
 <context>
     <name>blossom::ui::DocumentCommands</name>
+    <message>
+        <source>Recomp&amp;ute</source>
+        <translation>Alles neu &amp;berechnen</translation>
+    </message>
+    <message>
+        <source>Compute every feature anew, also those whose results are known.</source>
+        <translation>Jedes Feature neu berechnen, auch solche, deren Ergebnisse bekannt sind.</translation>
+    </message>
     <message>
         <source>Edit</source>
         <translation>Bearbeiten</translation>
@@ -1329,36 +1348,51 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
 <context>
     <name>blossom::ui::FeatureMenus</name>
     <message>
-        <source>shape</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source> or </source>
-        <translation> oder </translation>
-    </message>
-    <message>
         <source>Everything that can be read (%1)</source>
         <translation>Alles Lesbare (%1)</translation>
     </message>
     <message>
-        <source>Takes a %1 as &quot;%2&quot;.</source>
-        <translation>Nimmt als „%2“: %1.</translation>
+        <source>Takes %1.</source>
+        <translation>Braucht: %1.</translation>
     </message>
     <message>
-        <source>Takes %1 × %2 as &quot;%3&quot;.</source>
-        <translation>Nimmt als „%3“: %1 × %2.</translation>
+        <source>There is nothing here yet for %1: it takes %2.</source>
+        <translation>Hier ist noch nichts für %1; gebraucht wird: %2.</translation>
     </message>
     <message>
-        <source>%1: choose a file with a %2</source>
+        <source>There is too little here for %1: it takes %2, %3 times.</source>
+        <translation>Hier ist zu wenig für %1; gebraucht wird %3-mal: %2.</translation>
+    </message>
+    <message>
+        <source>Draw or make one, or import a file.</source>
+        <translation>Zeichnen oder erzeugen Sie es, oder importieren Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>Import a file…</source>
+        <translation>Datei importieren…</translation>
+    </message>
+    <message>
+        <source>%1: choose a file with %2</source>
         <translation>%1: Datei wählen mit: %2</translation>
     </message>
+</context>
+<context>
+    <name>blossom::ui::FeatureStart</name>
     <message>
-        <source>Select in the document: %1</source>
-        <translation>Im Dokument wählen: %1</translation>
+        <source>a shape</source>
+        <translation>eine Form</translation>
     </message>
     <message>
-        <source>%1 needs at least %2 %3 as &quot;%4&quot;.</source>
-        <translation>%1 braucht mindestens %2 × %3 als „%4“.</translation>
+        <source>Choose %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose %1 for %2</source>
+        <translation>Für %2 wählen: %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 von %3)</translation>
     </message>
 </context>
 <context>

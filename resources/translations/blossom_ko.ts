@@ -546,6 +546,17 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     </message>
 </context>
 <context>
+    <name>blossom::ui::ChooseTool</name>
+    <message>
+        <source>Esc ends</source>
+        <translation>Esc로 끝내기</translation>
+    </message>
+    <message>
+        <source>%1: click it in the view or in the document; Esc ends</source>
+        <translation>%1: 보기나 문서에서 클릭하십시오. Esc로 끝냅니다</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::Chip</name>
     <message>
         <source>Remove</source>
@@ -676,6 +687,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
 </context>
 <context>
     <name>blossom::ui::DocumentCommands</name>
+    <message>
+        <source>Recomp&amp;ute</source>
+        <translation>다시 계산(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Compute every feature anew, also those whose results are known.</source>
+        <translation>결과를 이미 아는 것까지 모든 피처를 다시 계산합니다.</translation>
+    </message>
     <message>
         <source>Edit</source>
         <translation>편집</translation>
@@ -1329,36 +1348,51 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
 <context>
     <name>blossom::ui::FeatureMenus</name>
     <message>
-        <source>shape</source>
-        <translation>형상</translation>
-    </message>
-    <message>
-        <source> or </source>
-        <translation> 또는 </translation>
-    </message>
-    <message>
         <source>Everything that can be read (%1)</source>
         <translation>읽을 수 있는 모든 파일 (%1)</translation>
     </message>
     <message>
-        <source>Takes a %1 as &quot;%2&quot;.</source>
-        <translation>&quot;%2&quot;(으)로 받는 것: %1.</translation>
+        <source>Takes %1.</source>
+        <translation>필요한 것: %1.</translation>
     </message>
     <message>
-        <source>Takes %1 × %2 as &quot;%3&quot;.</source>
-        <translation>&quot;%3&quot;(으)로 받는 것: %1 × %2.</translation>
+        <source>There is nothing here yet for %1: it takes %2.</source>
+        <translation>%1에 쓸 것이 아직 없습니다. 필요한 것: %2.</translation>
     </message>
     <message>
-        <source>%1: choose a file with a %2</source>
+        <source>There is too little here for %1: it takes %2, %3 times.</source>
+        <translation>%1에 쓸 것이 모자랍니다. 필요한 것: %2 %3개.</translation>
+    </message>
+    <message>
+        <source>Draw or make one, or import a file.</source>
+        <translation>그리거나 만들거나 파일을 가져오십시오.</translation>
+    </message>
+    <message>
+        <source>Import a file…</source>
+        <translation>파일 가져오기…</translation>
+    </message>
+    <message>
+        <source>%1: choose a file with %2</source>
         <translation>%1: %2이(가) 든 파일 고르기</translation>
     </message>
+</context>
+<context>
+    <name>blossom::ui::FeatureStart</name>
     <message>
-        <source>Select in the document: %1</source>
-        <translation>문서에서 고르십시오: %1</translation>
+        <source>a shape</source>
+        <translation>형상</translation>
     </message>
     <message>
-        <source>%1 needs at least %2 %3 as &quot;%4&quot;.</source>
-        <translation>%1에는 &quot;%4&quot;(으)로 쓸 %3이(가) %2개 이상 필요합니다.</translation>
+        <source>Choose %1</source>
+        <translation>%1 선택</translation>
+    </message>
+    <message>
+        <source>Choose %1 for %2</source>
+        <translation>%2에 쓸 것을 고르십시오: %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%3개 중 %2번째)</translation>
     </message>
 </context>
 <context>

@@ -18,10 +18,14 @@ struct App {
   std::shared_ptr<const FormatRegistry> formats;
   std::shared_ptr<const Registry> registry;
   std::vector<LoadedPlugin> plugins;
+  std::shared_ptr<ResultStore> results = nullptr;  ///< of the window, which opens the same documents again
 };
 
 /// Registers built-in features and formats and loads the plugins. Broken plugins are in `plugins` with their problem.
 App loadApp(const std::vector<std::filesystem::path>& pluginFolders = pluginSearchPath());
+
+/// A store of results in a folder for the programs and plugins of this installation: those of others are not found.
+std::shared_ptr<ResultStore> resultStore(const std::filesystem::path& folder);
 
 /// Samples, manual and icons: $BLOSSOM_RESOURCES, ../share/blossom beside the program (installed), or the source tree's
 /// resources.

@@ -6,14 +6,27 @@
 
 #include "core/stopwatch.h"
 #include "document/error_of.h"
+#include "document/part_references.h"
 #include "document/storage.h"
 #include "feature/acceptance.h"
+#include "results/result_store.h"
 
 namespace blossom {
 namespace {
 
 /// Where a feature type that runs in a child process tells what that costs beside its kernel.
 constexpr const char* workerTime = "worker_ms";
+
+/// What is computed quicker than this, in ms, is not read from the disk any quicker.
+constexpr double worthIt = 10;
+
+/// Measures gouge with the function of a result that is computed anew when it is asked for.
+GougeOf gougeAnew(const FeatureType& type, const Value& parameters, const Inputs& inputs) {
+  return [evaluate = type.evaluate, parameters, inputs](const Toolpath& other, const Progress& progress) {
+    const Evaluated made = evaluate(parameters, inputs, progress.part(0, 0.5));
+    return made.shape.get<Toolpath>()->gougeOf(other, progress.part(0.5, 1));
+  };
+}
 
 /// Whether the same content would meet the same error again.
 bool lasting(const std::optional<Error>& error) {
@@ -47,17 +60,18 @@ Progress shareOf(const Progress& whole, double from, double to, const std::strin
 
 Results Evaluation::run(const Progress& progress, const Evaluator::Done& done) {
   Results results;
-  const auto features = document_.features();
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const Feature& feature = *features[i];
-    const double from = static_cast<double>(i) / static_cast<double>(features.size());
-    progress.report(from, shownName(feature));
+  double all = 0;
+  for (const auto& feature : document_.features()) all += feature->suppressed ? 0 : costs_.expected(*feature);
+  ShareDone share(all);
+  for (const auto& each : document_.features()) {
+    const Feature& feature = *each;
+    const double expected = feature.suppressed ? 0 : costs_.expected(feature);
+    progress.report(share.now(), shownName(feature));
     Outcome& outcome = outcomes_[feature.id];
-    auto result =
-        feature.suppressed
-            ? passedOn(feature, outcome)
-            : evaluated(feature, outcome,
-                        shareOf(progress, from, from + 1.0 / static_cast<double>(features.size()), shownName(feature)));
+    auto result = feature.suppressed ? passedOn(feature, outcome)
+                                     : evaluated(feature, outcome,
+                                                 shareOf(progress, share.now(), share.with(expected), shownName(feature)));
+    share.finish(expected, result->fromCache);
     outcome.shape = result->evaluated.shape;
     outcome.warnings = result->evaluated.warnings;
     if (result->error && !outcome.rootError) outcome.rootError = std::make_shared<const Error>(*result->error);
@@ -72,35 +86,70 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
                                                            const Progress& progress) {
   auto result = std::make_shared<FeatureResult>();
   std::string key;
-  std::shared_ptr<const FeatureResult> known;
+  std::shared_ptr<const FeatureResult> found;
   std::optional<Stopwatch> watch;
+  Value parts = Value::object();
   result->error = errorOf(shownName(feature), [&] {
     const auto type = registry_.find(feature.type);
     if (!type) throw unknownType(feature.type);
     checkInputs(feature, outcome);
-    Value keyed;
-    const Value parameters = openedFiles(type->parameters, completed(type->parameters, feature.parameters), keyed);
-    checkNamedInputs(*type, parameters);
+    Value named = completed(type->parameters, feature.parameters), keyed;
+    checkNamedInputs(*type, named);
+    std::optional<Inputs> arranged;
+    if (namesParts(type->parameters, named)) {
+      arranged = inputsOf(feature, *type);
+      FoundParts again = foundParts(feature, *type, named, *arranged, construction_, progress);
+      named = std::move(again.now);
+      parts = std::move(again.kept);
+    }
+    const Value parameters = openedFiles(type->parameters, std::move(named), keyed);
     key = keyOf(feature, keyed);
-    known = cache_.find(key);
-    if (known) return;
-    const Inputs arranged = inputsOf(feature, *type);
+    const auto inputs = [&]() -> const Inputs& {
+      if (!arranged) arranged = inputsOf(feature, *type);
+      return *arranged;
+    };
+    found = known(key, *type, parameters, inputs);
+    if (found) return;
+    inputs();
     watch.emplace();
-    result->evaluated = type->evaluate(parameters, arranged, progress);
+    result->evaluated = type->evaluate(parameters, *arranged, progress);
     checkResult(*type, result->evaluated.shape);
     refuseInfiniteFigures(result->evaluated);
   });
-  if (watch) result->kernelMs = watch->elapsedMs();
-  if (known) {
-    result = std::make_shared<FeatureResult>(*known);
+  if (watch) {
+    result->kernelMs = watch->elapsedMs();
+    costs_.took(feature, result->kernelMs);
+  }
+  if (found) {
+    result = std::make_shared<FeatureResult>(*found);
     result->fromCache = true;
     result->kernelMs = 0;
     result->evaluated.stats.erase(workerTime);
   } else if (!key.empty() && lasting(result->error)) {
-    cache_.store(key, result);
+    cache_.store(key, std::make_shared<FeatureResult>(*result));
+    if (!result->error && result->kernelMs > worthIt) worthy_.emplace_back(key, result);
   }
+  result->parts = std::move(parts);
   if (!result->error) outcome.key = key;
   return result;
+}
+
+/// The result of this content from memory, or else from the disk.
+std::shared_ptr<const FeatureResult> Evaluation::known(const std::string& key, const FeatureType& type,
+                                                       const Value& parameters,
+                                                       const std::function<const Inputs&()>& arranged) {
+  if (auto found = cache_.find(key)) return found;
+  auto kept = store_ ? store_->find(key) : std::nullopt;
+  if (!kept) return nullptr;
+  if (kept->gougeLeftOut) {
+    Toolpath path = *kept->evaluated.shape.get<Toolpath>();
+    path.gougeOf = gougeAnew(type, parameters, arranged());
+    kept->evaluated.shape = std::move(path);
+  }
+  auto found = std::make_shared<FeatureResult>();
+  found->evaluated = std::move(kept->evaluated);
+  cache_.store(key, found);
+  return found;
 }
 
 /// @throws Error of arrangedInputs; what the inputs were warned of may be why they do not fit.
@@ -118,6 +167,26 @@ Inputs Evaluation::inputsOf(const Feature& feature, const FeatureType& type) con
   } catch (const Error& error) {
     throw Error(error.code(), error.message(), error.hint() + told);
   }
+}
+
+/// For the names of faces: a suppressed feature is what it passes on. @throws Error NotFound.
+ConstructionStep Evaluation::stepOf(const FeatureId& id) const {
+  const Feature* feature = &document_.at(id);
+  while (feature->suppressed && !feature->inputs.empty()) feature = &document_.at(feature->inputs.front());
+  const auto type = registry_.find(feature->type);
+  if (!type) throw unknownType(feature->type);
+  ConstructionStep step;
+  step.id = feature->id;
+  step.sources = feature->inputs;
+  step.result = outcomes_.at(feature->id).shape;
+  const Inputs arranged = inputsOf(*feature, *type);
+  for (std::size_t k = 0; k < type->inputs.size(); ++k)
+    for (const Shape& shape : arranged.of(k)) step.inputs.push_back(shape);
+  if (type->images)
+    step.images = type->images(completed(type->parameters, feature->parameters), arranged);
+  else
+    for (std::size_t k = 0; k < step.inputs.size(); ++k) step.images.push_back({.input = k});
+  return step;
 }
 
 std::shared_ptr<const FeatureResult> Evaluation::passedOn(const Feature& feature, Outcome& outcome) {

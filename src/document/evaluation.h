@@ -1,18 +1,26 @@
 #pragma once
+#include "document/costs.h"
 #include "document/evaluator.h"
 #include "document/file_source.h"
 #include "document/result_cache.h"
+#include "naming/construction.h"
 
 namespace blossom {
 
 /// One evaluation of a document: the single-threaded part of the evaluator.
 class Evaluation {
  public:
-  Evaluation(const Document& document, const Registry& registry, ResultCache& cache, FileSource& files)
-      : document_(document), registry_(registry), cache_(cache), files_(files) {}
+  /// @param store in which results are looked for that are not in the cache; may be nullptr
+  Evaluation(const Document& document, const Registry& registry, ResultCache& cache, FileSource& files, Costs& costs,
+             ResultStore* store = nullptr)
+      : document_(document), registry_(registry), cache_(cache), files_(files), costs_(costs), store_(store) {}
 
   /// @throws Error Cancelled only.
   Results run(const Progress&, const Evaluator::Done&);
+
+  /// A result with its content key that took so long that a store should keep it.
+  using Worthy = std::pair<std::string, std::shared_ptr<const FeatureResult>>;
+  [[nodiscard]] std::vector<Worthy> worthKeeping() const { return worthy_; }
 
  private:
   /// The result of a feature as needed by its users.
@@ -29,13 +37,20 @@ class Evaluation {
   [[nodiscard]] Inputs inputsOf(const Feature&, const FeatureType&) const;
   Value openedFiles(const std::vector<ParameterSpec>&, Value parameters, Value& keyed);
   void openFiles(const ParameterSpec&, Value& parameter, Value& keyed);
+  std::shared_ptr<const FeatureResult> known(const std::string& key, const FeatureType&, const Value& parameters,
+                                             const std::function<const Inputs&()>& arranged);
   std::string keyOf(const Feature&, const Value& keyed) const;
+  [[nodiscard]] ConstructionStep stepOf(const FeatureId&) const;
 
   const Document& document_;
   const Registry& registry_;
   ResultCache& cache_;
   FileSource& files_;
+  Costs& costs_;
+  ResultStore* store_;
+  std::vector<Worthy> worthy_;
   std::map<FeatureId, Outcome> outcomes_;
+  Construction construction_{[this](const FeatureId& id) { return stepOf(id); }};
 };
 
 }  // namespace blossom

@@ -1,11 +1,14 @@
 #include "document/evaluator.h"
 
+#include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <thread>
 
 #include "core/thread_priority.h"
 #include "document/evaluation.h"
+#include "results/result_store.h"
 
 namespace blossom {
 namespace {
@@ -20,24 +23,35 @@ struct BackgroundRun {
 }  // namespace
 
 struct Evaluator::State {
-  State(std::shared_ptr<const Registry> types, std::size_t cacheLimit) : registry(std::move(types)), cache(cacheLimit) {}
+  State(std::shared_ptr<const Registry> types, std::size_t cacheLimit, std::shared_ptr<ResultStore> kept)
+      : registry(std::move(types)), cache(cacheLimit), store(std::move(kept)) {}
 
   std::shared_ptr<const Registry> registry;
   ResultCache cache;
   FileSource files;
+  Costs costs;
+  std::shared_ptr<ResultStore> store;
+  std::atomic<bool> anew = false;  ///< what was kept before is not to be found any more
 
   // The background thread: one job waits at most, for only the newest matters. `mutex` guards all of the following and is
   // never held while a callback runs or a job is destroyed.
   std::mutex mutex;
   std::condition_variable changed;
   std::optional<BackgroundRun> waiting;
-  std::optional<CancelToken> running;  ///< of the job under way
+  std::optional<CancelToken> running;     ///< of the job under way
+  std::deque<Evaluation::Worthy> toKeep;  ///< written while there is nothing else to do
   bool ending = false;
   std::thread thread;
 
   Results evaluate(const Document& document, const Progress& progress, const Done& done) {
     cache.makeRoomFor(document.features().size());
-    return Evaluation(document, *registry, cache, files).run(progress, done);
+    Evaluation evaluation(document, *registry, cache, files, costs, anew ? nullptr : store.get());
+    Results results = evaluation.run(progress, done);
+    if (!store) return results;
+    const std::vector<Evaluation::Worthy> worthy = evaluation.worthKeeping();
+    const std::lock_guard lock(mutex);
+    toKeep.insert(toKeep.end(), worthy.begin(), worthy.end());
+    return results;
   }
 
   void work();
@@ -60,8 +74,16 @@ void Evaluator::State::work() {
   lowerThreadPriority();
   std::unique_lock lock(mutex);
   while (true) {
-    changed.wait(lock, [&] { return ending || waiting; });
+    changed.wait(lock, [&] { return ending || waiting || !toKeep.empty(); });
     if (ending) return;
+    if (!waiting) {
+      const Evaluation::Worthy next = std::move(toKeep.front());
+      toKeep.pop_front();
+      lock.unlock();
+      store->keep(next.first, next.second->evaluated);
+      lock.lock();
+      continue;
+    }
     std::optional<BackgroundRun> job;
     job.swap(waiting);
     running = job->progress.token();
@@ -74,8 +96,8 @@ void Evaluator::State::work() {
   }
 }
 
-Evaluator::Evaluator(std::shared_ptr<const Registry> registry, std::size_t cacheLimit)
-    : state_(std::make_unique<State>(std::move(registry), cacheLimit)) {}
+Evaluator::Evaluator(std::shared_ptr<const Registry> registry, std::size_t cacheLimit, std::shared_ptr<ResultStore> store)
+    : state_(std::make_unique<State>(std::move(registry), cacheLimit, std::move(store))) {}
 
 Evaluator::~Evaluator() {
   cancelBackground();
@@ -108,6 +130,11 @@ void Evaluator::cancelBackground() {
   if (state_->running) state_->running->cancel();
   dropped.swap(state_->waiting);
   state_->changed.notify_all();  // wakes waitForBackground
+}
+
+void Evaluator::forget() {
+  state_->anew = true;
+  state_->cache.clear();
 }
 
 void Evaluator::waitForBackground() {

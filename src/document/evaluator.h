@@ -12,10 +12,14 @@
 
 namespace blossom {
 
+class ResultStore;
+
 /// The state of one feature after an evaluation. Every exception is stored here: those of OCCT and the standard library as
 /// Internal, exhausted memory as LimitExceeded.
 struct FeatureResult {
-  Evaluated evaluated;         ///< empty shape when it failed
+  Evaluated evaluated;  ///< empty shape when it failed
+  /// Parameters that name faces, edges or vertices, which were found again, as they are to be kept in the document.
+  Value parts = Value::object();
   std::optional<Error> error;  ///< its own error, or "The input .. failed."
   double kernelMs = 0;         ///< time of the evaluate function less `worker_ms` of its stats; 0 from the cache
   bool fromCache = false;
@@ -28,7 +32,9 @@ using Results = std::map<FeatureId, std::shared_ptr<const FeatureResult>>;
 /// twice the features of the document evaluated last when these are more.
 class Evaluator {
  public:
-  explicit Evaluator(std::shared_ptr<const Registry>, std::size_t cacheLimit = 256);
+  /// @param store where results that took long are kept, and found again; may be nullptr
+  explicit Evaluator(std::shared_ptr<const Registry>, std::size_t cacheLimit = 256,
+                     std::shared_ptr<ResultStore> store = nullptr);
   ~Evaluator();
 
   /// Called after each feature, from the evaluating thread.
@@ -39,11 +45,13 @@ class Evaluator {
   /// @throws Error Cancelled only.
   Results evaluate(const Document&, const Progress&, const Done& done = {});
 
+  /// Fractions of progress are shares of the time that the features took last time, as far as that is known.
   /// The same on a background thread, which makes all callbacks. A new call cancels the previous one without waiting;
   /// `finished` is called for the newest only.
   void evaluateInBackground(Document, std::function<void(double fraction, const std::string& stage)> progress, Done done,
                             std::function<void(Results)> finished);
   void cancelBackground();  ///< does not wait
+  void forget();            ///< all results: the next evaluation computes everything
   void
   waitForBackground();  ///< until the background thread is idle; not to be called by a thread that the callbacks wait for
 

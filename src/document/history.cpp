@@ -27,6 +27,8 @@ void History::preview(Document document) { preview_ = std::move(document); }
 
 void History::revert() { preview_.reset(); }
 
+void History::amend(Document document) { (preview_ ? *preview_ : steps_[place_].document) = std::move(document); }
+
 bool History::undo() {
   preview_.reset();
   if (place_ == 0) return false;

@@ -15,7 +15,8 @@ class History {
   void commit(Document, std::string what);  ///< clears the redo steps
   void preview(Document);                   ///< current until the next commit or revert, not recorded
   void revert();
-  bool undo();  ///< also ends a preview; false when there is nothing to undo
+  void amend(Document);  ///< in place of the current one, which it means the same as: no step
+  bool undo();           ///< also ends a preview; false when there is nothing to undo
   bool redo();
   [[nodiscard]] const Document& current() const;
   [[nodiscard]] const Document& committed() const { return steps_[place_].document; }  ///< without a preview

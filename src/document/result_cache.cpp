@@ -9,6 +9,13 @@ void ResultCache::makeRoomFor(std::size_t features) {
   limit_ = std::max(minimumLimit_, 2 * features);
 }
 
+void ResultCache::clear() {
+  std::list<Entry> dropped;  // destroyed after the lock
+  const std::lock_guard lock(mutex_);
+  dropped.swap(recent_);
+  byKey_.clear();
+}
+
 std::shared_ptr<const FeatureResult> ResultCache::find(const std::string& key) {
   const std::lock_guard lock(mutex_);
   const auto found = byKey_.find(key);

@@ -16,6 +16,7 @@ class ResultCache {
   /// Makes room for a document of so many features as it is and as it was before an edit.
   void makeRoomFor(std::size_t features);
   std::shared_ptr<const FeatureResult> find(const std::string& key);
+  void clear();
   void store(const std::string& key, std::shared_ptr<const FeatureResult> result);
 
  private:

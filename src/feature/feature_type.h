@@ -32,6 +32,7 @@ struct InputSpec {
   std::size_t minimum = 1;
   std::size_t maximum = 1;
   InputUse use = InputUse::Kept;
+  std::string asks = {};  ///< asked for as: "an outline to extrude"; empty: by the names of the kinds
 };
 
 inline constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
@@ -89,6 +90,8 @@ struct InputByFlags {
   std::vector<std::string> plain = {};  ///< parameters whose flags have no prefix "ASKS."
 };
 
+struct InputImage;
+
 /// A feature type, declared once. Command, flags, help, dialog, panel, undo text, document format and manual page are
 /// derived from it.
 struct FeatureType {
@@ -108,6 +111,9 @@ struct FeatureType {
   /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
   ShapeKind opens = ShapeKind::None;
   Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
+  /// Where the inputs lie in the result, by which its faces are traced back to theirs (see input_image.h); not set: each
+  /// input where it is.
+  std::function<std::vector<InputImage>(const Value& parameters, const Inputs&)> images = {};
 };
 
 /// Assigns the shapes to the inputs in the order of declaration: each input receives the shapes it accepts until it is full,
@@ -179,19 +185,31 @@ class FeatureBuilder {
   }
 
   template <class F>
+  FeatureBuilder& images(F function) {
+    type_.images = [binders = binders_, function](const Value& values, const Inputs& inputs) {
+      return function(bound(*binders, values), inputs);
+    };
+    return *this;
+  }
+
+  template <class F>
   FeatureType evaluate(F function) {
     type_.evaluate = [binders = binders_, function](const Value& values, const Inputs& inputs, const Progress& progress) {
-      P parameters{};
-      for (const auto& bind : *binders) bind(parameters, values);
-      return function(static_cast<const P&>(parameters), inputs, progress);
+      return function(bound(*binders, values), inputs, progress);
     };
     return std::move(type_);
   }
 
  private:
+  using Binders = std::vector<std::function<void(P&, const Value&)>>;
+  static P bound(const Binders& binders, const Value& values) {
+    P parameters{};
+    for (const auto& bind : binders) bind(parameters, values);
+    return parameters;
+  }
+
   FeatureType type_;
-  std::shared_ptr<std::vector<std::function<void(P&, const Value&)>>> binders_ =
-      std::make_shared<std::vector<std::function<void(P&, const Value&)>>>();
+  std::shared_ptr<Binders> binders_ = std::make_shared<Binders>();
 };
 
 template <class P>

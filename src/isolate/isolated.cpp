@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "isolate/race.h"
+#include "results/evaluated_transport.h"
 #include "transport/shape_transport.h"
 #include "worker/worker.h"
 
@@ -41,34 +42,6 @@ Inputs loadedInputs(const Value& bySpec, const fs::path& folder) {
   return Inputs(std::move(inputs));
 }
 
-Value figuresJson(const std::vector<Measure>& figures) {
-  Value all = Value::array();
-  for (const Measure& figure : figures) {
-    Value each{{"name", figure.name}, {"unit", static_cast<int>(figure.unit)}};
-    std::visit([&](const auto& value) { each["value"] = value; }, figure.value);
-    all.push_back(std::move(each));
-  }
-  return all;
-}
-
-std::vector<Measure> figuresOf(const Value& all) {
-  std::vector<Measure> figures;
-  for (const Value& each : all) {
-    Measure figure{each.at("name"), false, static_cast<MeasureUnit>(each.at("unit").get<int>())};
-    const Value& value = each.at("value");
-    if (value.is_boolean())
-      figure.value = value.get<bool>();
-    else if (value.is_number_integer())
-      figure.value = value.get<std::int64_t>();
-    else if (value.is_number())
-      figure.value = value.get<double>();
-    else
-      figure.value = value.get<std::string>();
-    figures.push_back(std::move(figure));
-  }
-  return figures;
-}
-
 /// The child's side.
 Value serve(const FeatureType::Evaluate& evaluate, const Value& arguments, const fs::path& folder,
             const Progress& progress) {
@@ -77,11 +50,7 @@ Value serve(const FeatureType::Evaluate& evaluate, const Value& arguments, const
   const Evaluated made = evaluate(arguments.at("parameters"), inputs, progress);
   const double kernelMs = millisecondsSince(start);
   refuseInfiniteFigures(made);  // on the way they would become null
-  return {{"shape", saveShape(made.shape, folder, "result")},
-          {"stats", made.stats},
-          {"warnings", made.warnings},
-          {"figures", figuresJson(made.figures)},
-          {"kernel_ms", kernelMs}};
+  return {{"made", saveEvaluated(made, folder, "result")}, {"kernel_ms", kernelMs}};
 }
 
 /// Whether nothing in it has a name or a colour.
@@ -114,12 +83,9 @@ Evaluated evaluateInWorker(const std::string& call, const FeatureType& type, con
   const TemporaryFolder folder;
   const Value arguments{{"parameters", parameters}, {"inputs", savedInputs(type, inputs, folder.path())}};
   const Value answer = runInWorker(call, arguments, folder.path(), progress, options);
-  Evaluated made;
-  made.shape = namedLike(loadShape(answer.at("shape"), folder.path()), type, inputs);
-  made.stats = answer.at("stats");
+  Evaluated made = loadEvaluated(answer.at("made"), folder.path());
+  made.shape = namedLike(made.shape, type, inputs);
   made.stats["kernel_ms"] = answer.at("kernel_ms");
-  made.warnings = answer.at("warnings").get<std::vector<std::string>>();
-  made.figures = figuresOf(answer.at("figures"));
   return made;
 }
 

@@ -122,7 +122,10 @@ Value checkSubShape(const ParameterSpec& spec, const std::string& subject, const
   const Value input = value.value("input", Value("")), found = value.value("kind", Value(kind));
   if (!input.is_string() || !found.is_string() || (!spec.choices.empty() && found != kind)) wrong();
   if (value.at("index") > std::numeric_limits<int>::max()) wrong();
-  return {{"input", input}, {"kind", found}, {"index", value.at("index").get<std::int64_t>()}};
+  Value part{{"input", input}, {"kind", found}, {"index", value.at("index").get<std::int64_t>()}};
+  if (const auto signature = value.find("signature"); signature != value.end() && signature->is_object())
+    part["signature"] = *signature;
+  return part;
 }
 
 Value checkAt(const ParameterSpec&, const std::string& subject, const Value&);

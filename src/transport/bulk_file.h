@@ -1,6 +1,8 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace blossom {
 
@@ -9,5 +11,25 @@ void finishBulkFile(std::ofstream&, const std::filesystem::path&);
 
 /// @throws Error Internal: the other process wrote something else than this one reads.
 [[noreturn]] void throwUnreadableShapes();
+
+/// An array of numbers as it lies in memory: both sides are one build on one machine.
+template <class T>
+void writeArray(std::ofstream& stream, const std::vector<T>& values) {
+  const std::uint64_t count = values.size();
+  stream.write(reinterpret_cast<const char*>(&count), sizeof count);
+  stream.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
+}
+
+/// @throws Error Internal.
+template <class T>
+std::vector<T> readArray(std::ifstream& stream) {
+  std::uint64_t count = 0;
+  stream.read(reinterpret_cast<char*>(&count), sizeof count);
+  if (!stream) throwUnreadableShapes();
+  std::vector<T> values(count);
+  stream.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
+  if (!stream) throwUnreadableShapes();
+  return values;
+}
 
 }  // namespace blossom

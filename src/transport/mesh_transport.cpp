@@ -7,28 +7,6 @@
 
 namespace blossom {
 
-namespace {
-
-template <class T>
-void writeArray(std::ofstream& stream, const std::vector<T>& values) {
-  const std::uint64_t count = values.size();
-  stream.write(reinterpret_cast<const char*>(&count), sizeof count);
-  stream.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
-}
-
-template <class T>
-std::vector<T> readArray(std::ifstream& stream) {
-  std::uint64_t count = 0;
-  stream.read(reinterpret_cast<char*>(&count), sizeof count);
-  if (!stream) throwUnreadableShapes();
-  std::vector<T> values(count);
-  stream.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
-  if (!stream) throwUnreadableShapes();
-  return values;
-}
-
-}  // namespace
-
 // Both sides are one build on one machine: numbers travel as they lie in memory.
 Value saveMesh(const Mesh& mesh, const std::filesystem::path& folder, const std::string& name) {
   const std::filesystem::path file = folder / (name + ".mesh");

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "transport/brep_transport.h"
 #include "transport/mesh_transport.h"
+#include "transport/path_transport.h"
 #include "transport/planar_transport.h"
 #include "transport/spline_transport.h"
 
@@ -46,6 +47,9 @@ Value saveShape(const Shape& shape, const fs::path& folder, const std::string& n
   if (const auto* sequence = shape.get<Sequence>()) return {{"sequence", saveSequence(*sequence, folder, name)}};
   if (const auto* mesh = shape.get<Mesh>()) return {{"mesh", saveMesh(*mesh, folder, name)}};
   if (const auto* brep = shape.get<Brep>()) return {{"brep", saveBrep(*brep, folder, name)}};
+  if (const auto* axis = shape.get<MedialAxis>()) return {{"medial_axis", saveMedialAxis(*axis, folder, name)}};
+  if (const auto* path = shape.get<Toolpath>(); path && !path->gougeOf)
+    return {{"toolpath", saveToolpath(*path, folder, name)}};
   throw Error(ErrorCode::InvalidInput, "A " + std::string(shapeKindName(shape.kind())) + " cannot be used here.");
 }
 
@@ -60,6 +64,8 @@ Shape loadShape(const Value& value, const fs::path& folder) {
   if (kind == "motion") return toMotion(v);
   if (kind == "sequence") return loadSequence(v, folder);
   if (kind == "mesh") return loadMesh(v, folder);
+  if (kind == "medial_axis") return loadMedialAxis(v, folder);
+  if (kind == "toolpath") return loadToolpath(v, folder);
   return loadBrep(v, folder);
 }
 

@@ -53,6 +53,8 @@ class PaletteTest : public TreeFixture {
   void aLongJobIsListedAndCancelled();
   void finishedWorkIsKeptWithItsMessage();
   void theLogTellsWhatHappened();
+  void theCrossStaysInPlace();
+  void everythingIsComputedAnew();
 
  private:
   [[nodiscard]] CommandPalette& palette() { return window_->palette(); }
@@ -357,6 +359,37 @@ void PaletteTest::theLogTellsWhatHappened() {
   QVERIFY(panel->text().contains(QStringLiteral("Pocket")));
   log.clear();
   QCOMPARE(log.rowCount(), 0);
+  // What is refused is told there, too.
+  window_->tree().select(document().features().front()->id);
+  run("edit.delete");
+  const ErrorBar& bar = window_->page().errors();
+  QVERIFY(bar.message().contains(QStringLiteral("is used by")));
+  QCOMPARE(messages(LogList::Level::Error), QStringList{bar.message() + u' ' + bar.hint()});
+}
+
+void PaletteTest::theCrossStaysInPlace() {
+  StatusLine line;
+  line.resize(900, 24);
+  line.show();
+  line.setWork(QStringLiteral("a"), QStringLiteral("Extrude"), 0.1);
+  auto* const cross = line.findChild<QToolButton*>(QStringLiteral("cancelWork"));
+  QVERIFY(cross);
+  QTRY_VERIFY(cross->isVisible());
+  QCoreApplication::processEvents();
+  const QRect before = cross->geometry();
+  line.setWhereabouts(QStringLiteral("x 1234.567   y -987.65   z 12345.6"));
+  line.setWork(QStringLiteral("a"), QStringLiteral("A feature with a long name: Joining faces"), 0.99);
+  QCoreApplication::processEvents();
+  QCOMPARE(cross->geometry(), before);
+}
+
+void PaletteTest::everythingIsComputedAnew() {
+  openPropeller();
+  const FeatureId id = sweep();
+  run("edit.recompute");
+  waitUntilComputed();
+  QVERIFY(!window_->session().view(id)->result->fromCache);
+  QVERIFY(window_->session().view(id)->result->kernelMs > 0);
 }
 
 BLOSSOM_WINDOW_TEST_MAIN(PaletteTest)

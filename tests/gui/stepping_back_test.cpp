@@ -10,29 +10,15 @@ class SteppingBackTest : public WindowFixture {
   Q_OBJECT
  private slots:
   void initTestCase() { setUpOnce(); }
-  void init() {
-    openWindow();
-    window_->commands().action(QStringLiteral("file.new"))->trigger();
-  }
+  void init() { openNewDocument(); }
   void cleanup() { window_.reset(); }
   void chainsShowTheirEnd();
   void aCutShowsItsHole();
   void controlsOfAMorphLieBeneathIt();
   void aFeatureThatFailsKeepsItsLastShape();
+  void sequencesThatAreUsedUpDoNotPlay();
 
  private:
-  FeatureId add(const char* type, const Value& parameters, std::vector<FeatureId> inputs = {}) {
-    Document document = window_->page().document();
-    Feature feature;
-    feature.type = type;
-    feature.id = document.freshId(window_->page().registry().at(type)->command);
-    feature.name = feature.id;
-    feature.parameters = parameters;
-    feature.inputs = std::move(inputs);
-    window_->session().commit(document.with(feature), QStringLiteral("Add"));
-    waitUntilComputed();
-    return feature.id;
-  }
   void change(const FeatureId& id, const char* parameter, const Value& value) {
     Feature feature = window_->page().document().at(id);
     feature.parameters[parameter] = value;
@@ -109,6 +95,19 @@ void SteppingBackTest::aFeatureThatFailsKeepsItsLastShape() {
   const FeatureId never = add("modeling.fillet", {{"radius", 300}}, {moved});
   QCOMPARE(shown(), (Presences{{moved, Presence::Whole}}));
   QVERIFY(window_->session().view(never)->result->error);
+}
+
+void SteppingBackTest::sequencesThatAreUsedUpDoNotPlay() {
+  const FeatureId circle = add("modeling.circle", {{"radius", 20}}), star = add("modeling.star");
+  const FeatureId morph = add("minkowski.morph", {{"frames", 7}}, {circle, star});
+  const auto* const timeline = window_->findChild<QWidget*>(QStringLiteral("timeline"));
+  const FeatureId moved = add("modeling.transform", {{"move", {5, 0, 0}}}, {morph});
+  QTRY_VERIFY(timeline->isVisible());
+  Feature hidden = window_->page().document().at(moved);
+  hidden.visible = false;
+  window_->session().commit(window_->page().document().with(hidden), QStringLiteral("Hide"));
+  waitUntilComputed();
+  QTRY_VERIFY(!timeline->isVisible());
 }
 
 BLOSSOM_WINDOW_TEST_MAIN(SteppingBackTest)

@@ -17,7 +17,7 @@ class TestHost : public ToolHost {
     feature.type = "test.shape";
     feature.name = id;
     document_ = document_.with(feature);
-    results_[id] = std::make_shared<const FeatureResult>(FeatureResult{{shape, {}, {}}, {}, 0, false});
+    results_[id] = std::make_shared<const FeatureResult>(FeatureResult{{shape, {}, {}}, Value::object(), {}, 0, false});
   }
   void setDocument(Document document) { document_ = std::move(document); }
 

@@ -27,6 +27,23 @@ void WindowFixture::openWindow(const std::vector<std::filesystem::path>& plugins
   QCoreApplication::processEvents();  // what the window does once it is there
 }
 
+void WindowFixture::openNewDocument() {
+  openWindow();
+  run("file.new");
+}
+
+FeatureId WindowFixture::add(const char* type, const Value& parameters, std::vector<FeatureId> inputs) {
+  const Document document = window_->page().document();
+  Feature feature;
+  feature.type = type;
+  feature.id = feature.name = document.freshId(window_->page().registry().at(type)->command);
+  feature.parameters = parameters;
+  feature.inputs = std::move(inputs);
+  window_->session().commit(document.with(feature), QStringLiteral("Add"));
+  waitUntilComputed();
+  return feature.id;
+}
+
 void WindowFixture::keepShaders() {
   const QString caches = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
   if (qEnvironmentVariableIsEmpty("MESA_SHADER_CACHE_DIR")) qputenv("MESA_SHADER_CACHE_DIR", caches.toLocal8Bit());

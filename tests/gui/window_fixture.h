@@ -42,6 +42,12 @@ class WindowFixture : public QObject {
 
   // Waits are long for the sake of sanitizers and busy machines; a test that hangs is ended by who runs the tests.
 
+  /// A window with a new document.
+  void openNewDocument();
+
+  /// Adds a feature named like its id and waits until it is computed.
+  FeatureId add(const char* type, const Value& parameters = Value::object(), std::vector<FeatureId> inputs = {});
+
   /// Opens a file and waits until it is computed and drawn.
   void openAndWait(const QString& file);
 

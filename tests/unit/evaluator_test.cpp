@@ -1,4 +1,4 @@
-#include "document/evaluator.h"
+#include "document/evaluation.h"
 
 #include <Standard_OutOfRange.hxx>
 #include <atomic>
@@ -284,6 +284,44 @@ class EvaluatorTest : public QObject {
         evaluator.evaluate(document.withAsset(contentHash(content), std::make_shared<const std::string>(content)), {});
     QCOMPARE(value(results, "r"), 7.0);
     QCOMPARE(results.at("r")->evaluated.stats.at("name"), Value("numbers.txt"));
+  }
+
+  void whatIsForgottenIsComputedAgain() {
+    Types types;
+    Evaluator evaluator(types.registry);
+    const Document document = Document().with(sum("a", 1)).with(sum("b", 10, {"a"}));
+    evaluator.evaluate(document, {});
+    evaluator.forget();
+    const Results results = evaluator.evaluate(document, {});
+    QCOMPARE(types.evaluations->load(), 4);
+    QVERIFY(!results.at("a")->fromCache && !results.at("b")->fromCache);
+  }
+
+  // A bar that counts features stands still at the one that takes all the time.
+  void progressFollowsTheTimeThatFeaturesTook() {
+    Types types;
+    ResultCache cache(10);
+    FileSource files;
+    const Document document =
+        Document().with(sum("a", 1)).with(sum("b", 2, {"a"})).with(sum("c", 3, {"b"})).with(sum("d", 4, {"c"}));
+    std::map<std::string, std::vector<double>> at;
+    const auto evaluate = [&](const Document& evaluated) {
+      Costs costs;
+      for (const auto& [id, took] : std::map<std::string, double>{{"a", 10}, {"b", 10}, {"c", 960}, {"d", 20}})
+        costs.took(document.at(id), took);
+      at.clear();
+      const Progress progress(
+          CancelToken(), [&](double f, const std::string& stage) { at[stage.substr(0, stage.find(':'))].push_back(f); });
+      Evaluation(evaluated, *types.registry, cache, files, costs).run(progress, {});
+    };
+    evaluate(document);
+    QVERIFY(std::abs(at.at("Number c").front() - 0.02) < 1e-12);
+    QVERIFY(std::abs(at.at("Number c").at(1) - 0.5) < 1e-12);  // halfway through the long one
+    QVERIFY(std::abs(at.at("Number d").front() - 0.98) < 1e-12);
+    // What is known already is no work.
+    evaluate(document.with(sum("c", 7, {"b"})));
+    QVERIFY(std::abs(at.at("Number c").back() - 0.5 * 960 / 980) < 1e-12);
+    QVERIFY(std::abs(at.at("Number d").front() - 960.0 / 980) < 1e-12);
   }
 
   void progressRunsFromNothingToAllAndCancelsInTheMiddle() {

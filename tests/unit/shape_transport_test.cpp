@@ -137,7 +137,9 @@ class ShapeTransportTest : public QObject {
 
   void otherKindsAreRefused() {
     const TemporaryFolder folder;
-    for (const Shape& shape : {Shape(), Shape(MedialAxis()), Shape(Toolpath()), Shape(Brep())})
+    Toolpath measuring;
+    measuring.gougeOf = [](const Toolpath&, const Progress&) { return 0.0; };  // a function, which no file holds
+    for (const Shape& shape : {Shape(), Shape(measuring), Shape(Brep())})
       VERIFY_ERROR(saveShape(shape, folder.path(), "shape"), ErrorCode::InvalidInput);
   }
 

@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "geometry/occt/sub_shape.h"
 #include "parameter/wording.h"
 #include "ui/controls/chip.h"
 #include "ui/controls/flow_layout.h"
@@ -13,30 +14,6 @@
 #include "ui/plugin/tool.h"
 
 namespace blossom::ui {
-
-namespace {
-
-SubShapeKind kindOf(const std::string& name) {
-  if (name == "face") return SubShapeKind::Face;
-  if (name == "edge") return SubShapeKind::Edge;
-  return name == "vertex" ? SubShapeKind::Vertex : SubShapeKind::Whole;
-}
-
-const char* nameOf(SubShapeKind kind) {
-  switch (kind) {
-    case SubShapeKind::Face:
-      return "face";
-    case SubShapeKind::Edge:
-      return "edge";
-    case SubShapeKind::Vertex:
-      return "vertex";
-    case SubShapeKind::Whole:
-      return "part";
-  }
-  return "part";
-}
-
-}  // namespace
 
 SubShapeField::SubShapeField(const ParameterSpec& given, const Context& outside, QWidget* parent)
     : ParameterField(given, outside, parent), chips_(new QWidget), flow_(new FlowLayout(chips_)) {
@@ -95,7 +72,7 @@ void SubShapeField::togglePick(bool on) {
   }
   PickRequest request;
   request.want = PickRequest::Want::SubShape;
-  request.kind = kindOf(subShapeKind(element()));
+  request.kind = subShapeKindOf(subShapeKind(element()));
   request.several = several();
   for (const FieldContext::Source& source : context()->sources) request.features.push_back(source.feature);
   const QString what = qt(subShapeKind(element()));
@@ -113,8 +90,8 @@ bool SubShapeField::takePick(const Pick& pick) {
     showProblem(tr("That is not a part of an input of this feature."));
     return false;
   }
-  if (pick.part.kind != kindOf(wanted)) {
-    showProblem(tr("That is no %1 but a %2.").arg(qt(wanted), QLatin1String(nameOf(pick.part.kind))));
+  if (pick.part.kind != subShapeKindOf(wanted)) {
+    showProblem(tr("That is no %1 but a %2.").arg(qt(wanted), qt(subShapeKindName(pick.part.kind))));
     return false;
   }
   const Value found{{"input", source->input}, {"kind", wanted}, {"index", pick.part.index}};
@@ -123,7 +100,11 @@ bool SubShapeField::takePick(const Pick& pick) {
     return true;
   }
   Value all = items();
-  const auto known = std::find(all.begin(), all.end(), found);
+  const auto isSame = [&](const Value& each) {
+    return std::all_of(found.items().begin(), found.items().end(),
+                       [&](const auto& entry) { return each.value(entry.key(), Value()) == entry.value(); });
+  };
+  const auto known = std::find_if(all.begin(), all.end(), isSame);
   if (known == all.end())
     all.push_back(found);
   else

@@ -6,7 +6,7 @@
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
 #include "ui/page/page.h"
-#include "ui/tree/document_tree.h"
+#include "ui/panel/error_bar.h"
 
 namespace blossom::ui {
 
@@ -35,14 +35,11 @@ void LogList::watch(DocumentPage& page) {
     connect(&session, signal, this, [this, watched](const QStringList& sentences) {
       for (const QString& sentence : sentences) add(Level::Warning, watched->session().title(), sentence);
     });
-  connect(&session, &Session::failed, this, [this, watched](const Error& error) { addError(*watched, error); });
-  connect(&page.tree(), &DocumentTree::refused, this, [this, watched](const Error& error) { addError(*watched, error); });
+  // What failed and what was refused is all told there.
+  connect(&page.errors(), &ErrorBar::errorShown, this,
+          [this, watched](const QString& sentences) { add(Level::Error, watched->session().title(), sentences); });
   connect(&session, &Session::evaluationFinished, this, [this, watched] { addResults(*watched); });
   connect(&page, &QObject::destroyed, this, [this, watched] { said_.erase(watched); });
-}
-
-void LogList::addError(const DocumentPage& page, const Error& error) {
-  add(Level::Error, page.session().title(), sentenceOf(error));
 }
 
 void LogList::addResults(const DocumentPage& page) {

@@ -36,7 +36,6 @@ class LogList : public QAbstractTableModel {
   /// What was said about a feature last, so that it is said once.
   using Said = std::map<FeatureId, QString>;
   void addResults(const DocumentPage&);
-  void addError(const DocumentPage&, const Error&);
 
   std::vector<Entry> entries_;
   std::map<const DocumentPage*, Said> said_;

@@ -21,7 +21,7 @@ const std::vector<const char*> history{"edit.undo", "edit.redo"},
     clipboard{"edit.cut", "edit.copy", "edit.paste", "edit.duplicate"},
     featureEdits{"edit.rename",   "edit.show-hide", "edit.isolate",   "edit.show-all",
                  "edit.suppress", "edit.move-up",   "edit.move-down", "edit.delete"},
-    selection{"edit.select-all", "edit.select-nothing", "edit.find"};
+    selection{"edit.select-all", "edit.select-nothing", "edit.find"}, computing{"edit.recompute"};
 
 }  // namespace
 
@@ -40,6 +40,13 @@ void DocumentCommands::declareHistory() {
   commands_.add(
       {"edit.redo", group, "redo", tr("&Redo"), tr("Do again what was taken back."), {tr("Ctrl+Shift+Z"), tr("Ctrl+Y")}},
       [this] { page_->session().redo(); });
+  commands_.add({"edit.recompute",
+                 group,
+                 "refresh",
+                 tr("Recomp&ute"),
+                 tr("Compute every feature anew, also those whose results are known."),
+                 {QKeySequence(Qt::Key_F5)}},
+                [this] { page_->session().recompute(); });
 }
 
 void DocumentCommands::declareClipboard() {
@@ -157,9 +164,9 @@ void DocumentCommands::fitToSelection() {
 }
 
 void DocumentCommands::addTo(QMenu* edit) {
-  for (const auto* part : {&history, &clipboard, &featureEdits, &selection}) {
+  for (const auto* part : {&history, &clipboard, &featureEdits, &selection, &computing}) {
     for (const char* id : *part) edit->addAction(commands_.action(QLatin1String(id)));
-    if (part != &selection) edit->addSeparator();
+    if (part != &computing) edit->addSeparator();
   }
 }
 

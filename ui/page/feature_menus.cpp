@@ -5,22 +5,14 @@
 #include <QMenuBar>
 #include <algorithm>
 
-#include "feature/acceptance.h"
 #include "ui/commands/commands.h"
 #include "ui/look/text.h"
+#include "ui/page/feature_start.h"
 #include "ui/page/page.h"
+#include "ui/panel/error_bar.h"
+#include "ui/view/view_widget.h"
 
 namespace blossom::ui {
-
-namespace {
-
-QString kindsOf(const InputSpec& spec) {
-  QStringList names;
-  for (const ShapeKind kind : spec.kinds) names << qt(shapeKindName(kind));
-  return names.isEmpty() ? FeatureMenus::tr("shape") : names.join(FeatureMenus::tr(" or "));
-}
-
-}  // namespace
 
 QStringList readFilters(const App& app) {
   QStringList filters;
@@ -64,35 +56,12 @@ void FeatureMenus::addTo(QMenuBar* bar) {
   for (const FeatureGroup& group : groups_) bar->addMenu(group.menu);
 }
 
-std::vector<FeatureId> FeatureMenus::inputsFor(const FeatureType& type, std::vector<FeatureId> left,
-                                               const InputSpec*& missing) const {
-  std::vector<FeatureId> taken;
-  for (const InputSpec& spec : type.inputs) {
-    std::size_t count = 0;
-    for (auto it = left.begin(); it != left.end() && count < spec.maximum;) {
-      const auto view = page_->session().view(*it);
-      if (view && accepts(spec, view->result->evaluated.shape)) {
-        taken.push_back(*it);
-        it = left.erase(it);
-        ++count;
-      } else {
-        ++it;
-      }
-    }
-    if (count < spec.minimum) {
-      missing = &spec;
-      return taken;
-    }
-  }
-  return taken;
-}
-
 std::vector<QAction*> FeatureMenus::taking(const std::vector<FeatureId>& selected) const {
   std::vector<QAction*> found;
   for (const auto& [action, type] : types_) {
-    const InputSpec* missing = nullptr;
-    const bool all = !type->inputs.empty() && inputsFor(*type, selected, missing).size() == selected.size();
-    if (all && !missing) found.push_back(action);
+    if (type->inputs.empty()) continue;
+    const FeatureStart start = featureStart(page_->session(), *type, selected, {});
+    if (!start.missing && start.inputs.size() == selected.size()) found.push_back(action);
   }
   return found;
 }
@@ -101,33 +70,59 @@ QString FeatureMenus::wants(const QString& commandId) const {
   const auto found =
       std::find_if(types_.begin(), types_.end(), [&](const auto& each) { return each.first->objectName() == commandId; });
   if (found == types_.end() || !page_) return {};
-  const InputSpec* missing = nullptr;
-  static_cast<void>(inputsFor(*found->second, selected_, missing));
-  if (!missing) return {};
-  return missing->minimum == 1
-             ? tr("Takes a %1 as \"%2\".").arg(kindsOf(*missing), qt(missing->name))
-             : tr("Takes %1 × %2 as \"%3\".").arg(missing->minimum).arg(kindsOf(*missing), qt(missing->name));
+  const FeatureType& type = *found->second;
+  const FeatureStart start = featureStart(page_->session(), type, selected_, page_->view().selectedParts());
+  return start.missing ? tr("Takes %1.").arg(wantedShape(*start.missing)) : QString();
 }
 
 void FeatureMenus::add(const FeatureType& type) {
-  if (page_->startDrawing(type.id)) return;
-  const InputSpec* missing = nullptr;
-  const std::vector<FeatureId> inputs = inputsFor(type, selected_, missing);
-  if (!missing) return page_->session().addFeature(type, inputs);
-  if (type.inputs.size() == 1 && missing->minimum == 1) {
-    const QString title = tr("%1: choose a file with a %2").arg(qt(type.title), kindsOf(*missing));
-    const QString file = QFileDialog::getOpenFileName(window_, title, {}, readFilters(app_).join(QStringLiteral(";;")));
-    if (!file.isEmpty()) page_->session().addFeatureFromFile(type, file.toStdString());
-    return;
+  page_->endQuestion();
+  if (!page_->startDrawing(type.id)) begin(type, selected_);
+}
+
+// What is missing is taken where the document leaves no choice, else asked for in the view.
+void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen) {
+  DocumentPage& page = *page_;
+  while (true) {
+    const FeatureStart start = featureStart(page.session(), type, chosen, page.view().selectedParts());
+    if (!start.missing) {
+      page.view().setSelectedParts({});
+      return page.session().addFeature(type, start.inputs, start.parameters);
+    }
+    const std::vector<FeatureId> fitting = fittingFeatures(page.session(), *start.missing, start.inputs);
+    const std::size_t wanted = start.missing->minimum - start.has;
+    if (fitting.size() < wanted) return tellNothingFits(type, *start.missing);
+    chosen = start.inputs;
+    if (fitting.size() == wanted) {
+      chosen.insert(chosen.end(), fitting.begin(), fitting.end());
+      continue;
+    }
+    return page.choose(questionFor(type, start), fitting, [this, &type, chosen](const FeatureId& id) {
+      std::vector<FeatureId> more = chosen;
+      more.push_back(id);
+      begin(type, std::move(more));
+    });
   }
-  const QString hintText = tr("Select in the document: %1").arg(qt(missing->help));
-  page_->showError(Error(ErrorCode::InvalidInput,
-                         tr("%1 needs at least %2 %3 as \"%4\".")
-                             .arg(qt(type.title))
-                             .arg(missing->minimum)
-                             .arg(kindsOf(*missing), qt(missing->name))
-                             .toStdString(),
-                         hintText.toStdString()));
+}
+
+void FeatureMenus::tellNothingFits(const FeatureType& type, const InputSpec& missing) {
+  page_->showError(Error(
+      ErrorCode::InvalidInput,
+      missing.minimum == 1
+          ? tr("There is nothing here yet for %1: it takes %2.").arg(qt(type.title), wantedShape(missing)).toStdString()
+          : tr("There is too little here for %1: it takes %2, %3 times.")
+                .arg(qt(type.title), wantedShape(missing))
+                .arg(missing.minimum)
+                .toStdString(),
+      tr("Draw or make one, or import a file.").toStdString()));
+  if (type.inputs.size() != 1 || missing.minimum != 1) return;
+  page_->errors().offer(tr("Import a file…"), [this, &type] { addFromFile(type); });
+}
+
+void FeatureMenus::addFromFile(const FeatureType& type) {
+  const QString title = tr("%1: choose a file with %2").arg(qt(type.title), wantedShape(type.inputs.front()));
+  const QString file = QFileDialog::getOpenFileName(window_, title, {}, readFilters(app_).join(QStringLiteral(";;")));
+  if (!file.isEmpty()) page_->session().addFeatureFromFile(type, file.toStdString());
 }
 
 }  // namespace blossom::ui

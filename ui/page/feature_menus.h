@@ -40,9 +40,10 @@ class FeatureMenus : public QObject {
  private:
   void addGroup(const LoadedPlugin&);
   void add(const FeatureType&);
-  /// Of those selected, in order of the type's inputs; `missing` is the first input that has too few.
-  [[nodiscard]] std::vector<FeatureId> inputsFor(const FeatureType&, std::vector<FeatureId> selected,
-                                                 const InputSpec*& missing) const;
+  /// Adds a feature that takes what is chosen so far, or asks for more.
+  void begin(const FeatureType&, std::vector<FeatureId> chosen);
+  void tellNothingFits(const FeatureType&, const InputSpec& missing);
+  void addFromFile(const FeatureType&);
   const App& app_;
   Commands& commands_;
   DocumentPage* page_ = nullptr;

@@ -12,6 +12,7 @@
 #include "ui/panel/fault_bar.h"
 #include "ui/panel/property_panel.h"
 #include "ui/timeline/timeline_bar.h"
+#include "ui/tools/choose_tool.h"
 #include "ui/tools/measure_tool.h"
 #include "ui/tools/pick_tool.h"
 #include "ui/tools/section_tool.h"
@@ -240,6 +241,35 @@ void DocumentPage::startSection() {
   start(std::make_unique<SectionTool>(*this, view_));
 }
 
+void DocumentPage::showChoice(std::optional<PageScene::Choice> choice) {
+  scene_.choose(std::move(choice));
+  view_->markItems();
+}
+
+void DocumentPage::choose(const QString& question, const std::vector<FeatureId>& features,
+                          std::function<void(const FeatureId&)> then) {
+  errors_->hide();
+  properties_->endPick();
+  auto tool = std::make_unique<ChooseTool>(*this, question, features, view_);
+  const ChooseTool* const asking = tool.get();
+  const auto answer = [this, asking, features, then = std::move(then)](const FeatureId& id) {
+    if (tools_->started() != asking || !holds(features, id)) return;
+    endTool();
+    then(id);
+  };
+  // The answer ends the tool: not while it is at work.
+  connect(
+      asking, &PickTool::answered, this, [answer](const Pick& pick) { answer(pick.feature); }, Qt::QueuedConnection);
+  connect(
+      tree_, &DocumentTree::selectionChangedTo, asking, [this, answer] { answer(tree_->current()); }, Qt::QueuedConnection);
+  start(std::move(tool));
+  showChoice(PageScene::Choice{{features.begin(), features.end()}, false});
+}
+
+void DocumentPage::endQuestion() {
+  if (dynamic_cast<ChooseTool*>(tools_->started())) endTool();
+}
+
 bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_->started()) != nullptr; }
 
 void DocumentPage::connectPicking() {
@@ -248,12 +278,15 @@ void DocumentPage::connectPicking() {
   connect(properties_, &PropertyPanel::pickWanted, this, [this](const PickRequest& request) {
     auto tool = std::make_unique<PickTool>(*this, request);
     connect(tool.get(), &PickTool::answered, properties_, &PropertyPanel::offerPick);
+    const bool parts = request.want == PickRequest::Want::SubShape;
     start(std::move(tool));
+    if (parts) showChoice(PageScene::Choice{{request.features.begin(), request.features.end()}, true});
   });
   connect(properties_, &PropertyPanel::pickEnded, this, [this, picking] {
     if (picking()) endTool();
   });
   connect(this, &DocumentPage::toolChanged, properties_, [this, picking] {
+    if (!picking()) showChoice(std::nullopt);
     if (!picking() && properties_->wanted()) properties_->endPick();
   });
 }

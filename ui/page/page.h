@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <QPointer>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -57,6 +58,10 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] Tool* tool() const { return tools_->tool(); }
   [[nodiscard]] bool toolStarted() const { return tools_->started() != nullptr; }  ///< by the user; handles do not count
   void endTool() { tools_->end(); }
+  /// Asks in the view for one of these features, which light up; Esc or another tool ends it without an answer.
+  void choose(const QString& question, const std::vector<FeatureId>& features, std::function<void(const FeatureId&)> then);
+  /// Ends such a question, as another command begins.
+  void endQuestion();
   void startMeasuring();
   void startSection();
   [[nodiscard]] bool measuring() const;
@@ -110,6 +115,7 @@ class DocumentPage : public QObject, public ToolHost {
   void selectLast();
   void fitWhenFirstShown();
   void connectPicking();
+  void showChoice(std::optional<PageScene::Choice>);
 
   const ManipulatorRegistry& manipulators_;
   Session session_;

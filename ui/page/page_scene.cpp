@@ -11,6 +11,7 @@
 namespace blossom::ui {
 
 std::shared_ptr<const FeatureView> PageScene::shownView(const Feature& feature) const {
+  if (choice_ && choice_->parts && choice_->features.contains(feature.id)) return session_.view(feature.id);
   return feature.visible && !feature.suppressed ? session_.view(feature.id) : nullptr;
 }
 
@@ -32,7 +33,7 @@ PageScene::Parts PageScene::partsOf(const std::vector<FeatureId>& selected) cons
   const Registry& registry = *session_.app().registry;
   Parts parts;
   parts.selected.insert(selected.begin(), selected.end());
-  parts.usedUp = usedUp(document, registry, shapeOf);
+  parts.usedUp = usedUpNow();
   for (const auto& feature : document.features()) {
     const InputsByUse inputs = inputsByUse(*feature, registry, shapeOf);
     if (feature->visible) parts.controls.insert(inputs.controls.begin(), inputs.controls.end());
@@ -52,12 +53,22 @@ PageScene::Parts PageScene::partsOf(const std::vector<FeatureId>& selected) cons
 
 std::optional<Presence> PageScene::presenceOf(const FeatureId& id, const Parts& parts) const {
   const bool selected = parts.selected.contains(id);
+  if (choice_ && choice_->features.contains(id)) return Presence::Whole;
+  if (choice_ && choice_->parts && (selected || parts.results.contains(id))) return std::nullopt;
+  if (choice_ && !choice_->parts) return parts.usedUp.contains(id) ? std::nullopt : std::optional(Presence::SteppedBack);
   if (!selected && (parts.back.contains(id) || (parts.results.contains(id) && !parts.usedUp.contains(id))))
     return Presence::SteppedBack;
   if (!selected && parts.usedUp.contains(id)) return std::nullopt;
   if (session_.outdated(id)) return Presence::Outdated;
   if (session_.view(id)->result->error) return Presence::Failed;
   return !selected && parts.controls.contains(id) ? Presence::Beneath : Presence::Whole;
+}
+
+ItemRole PageScene::roleOf(const FeatureId& id, const Parts& parts) const {
+  if (choice_ && choice_->parts && choice_->features.contains(id)) return ItemRole::Plain;
+  if (choice_ && !choice_->parts) return choice_->features.contains(id) ? ItemRole::Control : ItemRole::Plain;
+  if (parts.selected.contains(id)) return ItemRole::Made;
+  return parts.inputs.contains(id) || parts.controls.contains(id) ? ItemRole::Control : ItemRole::Plain;
 }
 
 std::vector<ViewItem> PageScene::items(const std::vector<FeatureId>& selected) const {
@@ -68,27 +79,34 @@ std::vector<ViewItem> PageScene::items(const std::vector<FeatureId>& selected) c
     if (!view || view->scene.empty()) continue;
     const std::optional<Presence> presence = presenceOf(feature->id, parts);
     if (!presence) continue;
-    const ItemRole role = parts.selected.contains(feature->id)                                         ? ItemRole::Made
-                          : parts.inputs.contains(feature->id) || parts.controls.contains(feature->id) ? ItemRole::Control
-                                                                                                       : ItemRole::Plain;
-    items.push_back({feature->id, sceneNow(*view), role, *presence});
+    items.push_back({feature->id, sceneNow(*view), roleOf(feature->id, parts), *presence});
   }
   return items;
 }
 
+std::set<FeatureId> PageScene::usedUpNow() const {
+  const auto shapeOf = [this](const FeatureId& id) { return session_.shape(id); };
+  return usedUp(session_.document(), *session_.app().registry, shapeOf);
+}
+
+std::vector<std::shared_ptr<const FeatureView>> PageScene::sequences() const {
+  const std::set<FeatureId> used = usedUpNow();
+  std::vector<std::shared_ptr<const FeatureView>> found;
+  for (const auto& feature : session_.document().features())
+    if (const auto view = shownView(*feature); view && view->frames && !used.contains(feature->id)) found.push_back(view);
+  return found;
+}
+
 std::size_t PageScene::frames() const {
   std::size_t count = 0;
-  for (const auto& feature : session_.document().features())
-    if (const auto view = shownView(*feature); view && view->frames) count = std::max(count, view->frames->size());
+  for (const auto& view : sequences()) count = std::max(count, view->frames->size());
   return count;
 }
 
 PageScene::Props PageScene::skins(const Look& look, double pixelRatio) const {
   Props all;
   if (!playback_.onionSkin()) return all;
-  for (const auto& feature : session_.document().features()) {
-    const auto view = shownView(*feature);
-    if (!view || !view->frames) continue;
+  for (const auto& view : sequences()) {
     const auto skins = onionSkin(*view->frames, look, pixelRatio);
     all.insert(all.end(), skins.begin(), skins.end());
   }

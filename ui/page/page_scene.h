@@ -2,6 +2,7 @@
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "ui/plugin/manipulator.h"
@@ -18,14 +19,22 @@ class PageScene {
  public:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
+  /// Features among which one is chosen, or parts of which are picked, for the time.
+  struct Choice {
+    std::set<FeatureId> features;
+    bool parts = false;  ///< of the inputs of what is selected, which is left out with its results
+  };
+
   PageScene(const Session& session, const Playback& playback, const ManipulatorRegistry& manipulators)
       : session_(session), playback_(playback), manipulators_(manipulators) {}
+
+  void choose(std::optional<Choice> choice) { choice_ = std::move(choice); }
 
   /// Sequences in the frame of the timeline; selected features and their inputs in colours of their own. What has gone into
   /// the result of another feature is left out, or steps back while that one is selected; when it is selected itself, its
   /// results step back.
   [[nodiscard]] std::vector<ViewItem> items(const std::vector<FeatureId>& selected) const;
-  /// Of the longest sequence that is visible; 0: there is none.
+  /// Of the longest sequence that is shown; 0: there is none.
   [[nodiscard]] std::size_t frames() const;
   /// The other frames of sequences, faintly, when the timeline asks for them.
   [[nodiscard]] Props skins(const Look&, double pixelRatio) const;
@@ -36,9 +45,15 @@ class PageScene {
   struct Parts;
   [[nodiscard]] Parts partsOf(const std::vector<FeatureId>& selected) const;
   [[nodiscard]] std::optional<Presence> presenceOf(const FeatureId&, const Parts&) const;
+  [[nodiscard]] ItemRole roleOf(const FeatureId&, const Parts&) const;
   [[nodiscard]] std::shared_ptr<const FeatureView> shownView(const Feature&) const;
   [[nodiscard]] SceneData sceneNow(const FeatureView&) const;
+  /// Features whose shapes have gone into the results of others.
+  [[nodiscard]] std::set<FeatureId> usedUpNow() const;
+  /// The visible sequences that are not used up.
+  [[nodiscard]] std::vector<std::shared_ptr<const FeatureView>> sequences() const;
 
+  std::optional<Choice> choice_;
   const Session& session_;
   const Playback& playback_;
   const ManipulatorRegistry& manipulators_;

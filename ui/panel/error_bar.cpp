@@ -68,7 +68,10 @@ void ErrorBar::present(const char* kind, const QString& message, const QString& 
   show();
 }
 
-void ErrorBar::showError(const QString& message, const QString& hint) { present("error", message, hint); }
+void ErrorBar::showError(const QString& message, const QString& hint) {
+  present("error", message, hint);
+  emit errorShown(QString(message + u' ' + hint).simplified());
+}
 void ErrorBar::showNote(const QString& message, const QString& details) { present("note", message, details); }
 
 void ErrorBar::offer(const QString& label, std::function<void()> action) {

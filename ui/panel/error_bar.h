@@ -27,6 +27,9 @@ class ErrorBar : public PassingBar {
   [[nodiscard]] QString message() const;
   [[nodiscard]] QString hint() const;
 
+ signals:
+  void errorShown(const QString& sentences);
+
  private:
   void present(const char* kind, const QString& message, const QString& hint);
   QLabel* icon_;

@@ -6,6 +6,7 @@
 
 #include "document/edits.h"
 #include "document/file_access.h"
+#include "document/part_references.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"
 
@@ -31,7 +32,8 @@ Document guarded(Document document, const std::filesystem::path& file) {
 
 }  // namespace
 
-Session::Session(App app, QObject* parent) : QObject(parent), app_(std::move(app)), evaluator_(app_.registry) {
+Session::Session(App app, QObject* parent)
+    : QObject(parent), app_(std::move(app)), evaluator_(app_.registry, 256, app_.results) {
   history_ = History(guarded({}, {}));
   patience_.setSingleShot(true);
   patience_.setInterval(patienceMs);
@@ -160,8 +162,12 @@ void Session::evaluate() {
           if (document().contains(id)) take(id, view);
         });
       },
-      [this, here](const Results&) {
-        here([this] {
+      [this, here](const Results& results) {
+        std::map<FeatureId, Value> parts;
+        for (const auto& [id, result] : results)
+          if (!result->parts.empty()) parts.emplace(id, result->parts);
+        here([this, parts = std::move(parts)] {
+          keepParts(parts);
           evaluating_ = false;
           patience_.stop();
           tellViews();
@@ -169,6 +175,31 @@ void Session::evaluate() {
           if (!evaluating_) watched_.reset();
         });
       });
+}
+
+namespace {
+
+/// Whether parameters name parts by other numbers, whatever they are found again by.
+bool numbersDiffer(const Value& a, const Value& b) {
+  if (a.is_array() && b.is_array() && a.size() == b.size())
+    return !std::equal(a.begin(), a.end(), b.begin(), [](const Value& x, const Value& y) { return !numbersDiffer(x, y); });
+  if (a.is_object() && b.is_object()) return a.value("index", -1) != b.value("index", -1);
+  return a != b;
+}
+
+}  // namespace
+
+// Faces and edges that were found again are kept with what they are found by next time.
+void Session::keepParts(const std::map<FeatureId, Value>& parts) {
+  Document kept = document();
+  bool renumbered = false;
+  for (const auto& [id, values] : parts) {
+    for (const auto& [name, value] : values.items())
+      renumbered = renumbered || numbersDiffer(document().at(id).parameters.value(name, Value()), value);
+    kept = withKeptParts(kept, id, values);
+  }
+  history_.amend(std::move(kept));
+  if (renumbered) emit documentChanged();
 }
 
 /// A feature that fails keeps the last shape that it had.
@@ -225,6 +256,11 @@ void Session::keepWaiting() {
 bool Session::outdated(const FeatureId& id) const { return views_.contains(id) && (awaited(id) || cancelled(id)); }
 
 void Session::compute() { evaluate(); }
+
+void Session::recompute() {
+  evaluator_.forget();
+  evaluate();
+}
 
 void Session::tellWithheld() {
   std::vector<std::filesystem::path> now = withheldFiles(*app_.registry, document());

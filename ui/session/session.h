@@ -78,13 +78,14 @@ class Session : public QObject {
     exportFeatures({id}, file, options);
   }
   /// A feature of `type` that takes `inputs`; with a file, that file is imported first and is its input.
-  void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs);
+  void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs, const Value& parameters = Value::object());
   void addFeatureFromFile(const FeatureType&, const std::filesystem::path&);
   void cancel();  ///< job and evaluation
   void cancelEvaluation();
   /// Computing was cancelled before it came to this feature; `compute` goes on with it.
   [[nodiscard]] bool cancelled(const FeatureId&) const;
   void compute();
+  void recompute();  ///< everything, whatever is known already
   /// What `filesWithheld` told may be read from here on.
   void allowFiles();
 
@@ -112,6 +113,7 @@ class Session : public QObject {
   void take(const FeatureId&, std::shared_ptr<const FeatureView>);
   void evaluate();
   void keepWaiting();
+  void keepParts(const std::map<FeatureId, Value>&);
   void changed();
   void tellWithheld();
   void replace(Document, const std::filesystem::path& file, const QString& name);

@@ -244,8 +244,9 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
       file);
 }
 
-void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs) {
-  const Feature feature = newFeature(document(), type, inputs);
+void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs, const Value& parameters) {
+  Feature feature = newFeature(document(), type, inputs);
+  feature.parameters = parameters;
   commit(document().with(feature), tr("Add %1").arg(qt(type.title)));
   emit featureAdded(qt(feature.id));
 }

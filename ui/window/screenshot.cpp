@@ -5,6 +5,7 @@
 
 #include "ui/view/view_widget.h"
 #include "ui/window/main_window.h"
+#include "ui/window/startup_clock.h"
 
 namespace blossom::ui {
 
@@ -22,6 +23,7 @@ void Screenshot::whenComputed() {
   connect(&window_.view(), &ViewWidget::framePainted, this, [this] {
     if (window_.session().evaluating() || window_.session().job().running() || !window_.view().sharp()) return;
     disconnect(&window_.view(), &ViewWidget::framePainted, this, nullptr);
+    reached("final picture");
     QCoreApplication::processEvents();  // layouts settle in several rounds
     emit taken(window_.grab().save(file_));
   });

@@ -22,6 +22,7 @@ StatusLine::StatusLine(QWidget* parent)
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
   bar_->setFixedWidth(120);
+  cancel_->setObjectName(QStringLiteral("cancelWork"));
   cancel_->setIcon(icon(QStringLiteral("close")));
   cancel_->setIconSize({12, 12});
   cancel_->setToolTip(tr("Cancel"));
@@ -34,10 +35,10 @@ StatusLine::StatusLine(QWidget* parent)
   row->setContentsMargins(14, 0, 14, 0);
   row->setSpacing(10);
   row->addWidget(hint_, 1);
+  row->addWidget(whereabouts_);
   row->addWidget(workText_);
   row->addWidget(bar_);
-  row->addWidget(cancel_);
-  row->addWidget(whereabouts_);
+  row->addWidget(cancel_);  // last, so that no text that grows moves it from under the mouse
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   announcing_.setSingleShot(true);
   announcing_.setInterval(6000);

@@ -24,6 +24,36 @@ TopoDS_Shape partOf(const Brep& brep, TopAbs_ShapeEnum type, int index, const ch
 
 }  // namespace
 
+std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  TopTools_IndexedMapOfShape map;
+  if (!shape.IsNull()) TopExp::MapShapes(shape, type, map);
+  return {map.cbegin(), map.cend()};
+}
+
+TopAbs_ShapeEnum shapeTypeOf(SubShapeKind kind) {
+  return kind == SubShapeKind::Face ? TopAbs_FACE : kind == SubShapeKind::Edge ? TopAbs_EDGE : TopAbs_VERTEX;
+}
+
+std::string subShapeKindName(SubShapeKind kind) {
+  switch (kind) {
+    case SubShapeKind::Face:
+      return "face";
+    case SubShapeKind::Edge:
+      return "edge";
+    case SubShapeKind::Vertex:
+      return "vertex";
+    case SubShapeKind::Whole:
+      break;
+  }
+  return "part";
+}
+
+SubShapeKind subShapeKindOf(const std::string& name) {
+  if (name == "face") return SubShapeKind::Face;
+  if (name == "edge") return SubShapeKind::Edge;
+  return name == "vertex" ? SubShapeKind::Vertex : SubShapeKind::Whole;
+}
+
 TopoDS_Face faceOf(const Brep& brep, int index) { return TopoDS::Face(partOf(brep, TopAbs_FACE, index, "face", "faces")); }
 TopoDS_Edge edgeOf(const Brep& brep, int index) { return TopoDS::Edge(partOf(brep, TopAbs_EDGE, index, "edge", "edges")); }
 TopoDS_Vertex vertexOf(const Brep& brep, int index) {

@@ -1,8 +1,10 @@
 #pragma once
+#include <TopAbs_ShapeEnum.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <string>
+#include <vector>
 
 #include "geometry/shape/shape.h"
 
@@ -13,6 +15,16 @@
 namespace blossom {
 
 enum class SubShapeKind { Whole, Face, Edge, Vertex };
+
+/// "face", "edge", "vertex"; "part" for Whole.
+std::string subShapeKindName(SubShapeKind);
+/// Inverse; Whole for any other name.
+SubShapeKind subShapeKindOf(const std::string& name);
+
+/// The sub-shapes of one type, each once, in the order of their numbers.
+std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
+/// TopAbs_VERTEX for Whole, too.
+TopAbs_ShapeEnum shapeTypeOf(SubShapeKind);
 
 /// @throws Error NotFound with the number of sub-shapes: "The shape has 12 edges; edge 13 is not among them."
 TopoDS_Face faceOf(const Brep&, int index);

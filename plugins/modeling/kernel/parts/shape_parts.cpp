@@ -11,12 +11,6 @@
 
 namespace blossom::modeling {
 
-std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
-  TopTools_IndexedMapOfShape map;
-  if (!shape.IsNull()) TopExp::MapShapes(shape, type, map);
-  return {map.cbegin(), map.cend()};
-}
-
 std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape& shape, TopAbs_ShapeEnum type, TopAbs_ShapeEnum within) {
   std::vector<TopoDS_Shape> parts;
   if (shape.IsNull()) return parts;

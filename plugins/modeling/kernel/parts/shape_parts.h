@@ -3,10 +3,10 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
+#include "geometry/occt/sub_shape.h"
+
 namespace blossom::modeling {
 
-/// The sub-shapes of one type, each once, in the order of their numbers (geometry/occt/sub_shape.h).
-std::vector<TopoDS_Shape> subShapesOf(const TopoDS_Shape&, TopAbs_ShapeEnum type);
 /// Those that belong to no sub-shape of type `within`, such as wires that bound no face.
 std::vector<TopoDS_Shape> looseParts(const TopoDS_Shape&, TopAbs_ShapeEnum type, TopAbs_ShapeEnum within);
 /// Signed volume; negative when the faces look inward.

@@ -87,6 +87,12 @@ void check(const ExtrudeOptions& o) {
 
 }  // namespace
 
+Vec3 directionOf(const TopoDS_Shape& shape, const ExtrudeOptions& o) {
+  const Profile profile = profileOf(shape);
+  return toVec(
+      directionOf(o, profile.faces.empty() ? planeOf(profile.wires.front()) : planeOf(profile.faces.front())).XYZ());
+}
+
 ExtrudeResult extrude(const TopoDS_Shape& shape, const ExtrudeOptions& o, const Progress& progress) {
   check(o);
   const Profile profile = profileOf(shape);

@@ -23,4 +23,7 @@ struct ExtrudeResult {
 /// @throws Error InvalidInput, InvalidParameter (zero length), Degenerate (the taper makes sides meet).
 ExtrudeResult extrude(const TopoDS_Shape& profile, const ExtrudeOptions&, const Progress& = Progress::none());
 
+/// The unit vector along which the first face of a profile, or its first wire, is extruded. @throws Error as extrude.
+Vec3 directionOf(const TopoDS_Shape& profile, const ExtrudeOptions&);
+
 }  // namespace blossom::modeling

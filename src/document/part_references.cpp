@@ -1,0 +1,129 @@
+#include "document/part_references.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/error.h"
+#include "parameter/wording.h"
+
+namespace blossom {
+
+namespace {
+
+/// Calls a function with each sub-shape in a parameter.
+template <class F>
+void forEachPart(const ParameterSpec& spec, Value& value, const F& function) {
+  if (value.is_null()) return;
+  if (spec.kind == ParameterKind::SubShape) {
+    function(value);
+  } else if (spec.kind == ParameterKind::List) {
+    for (Value& item : value) forEachPart(spec.fields.at(0), item, function);
+  } else if (spec.kind == ParameterKind::Record) {
+    for (const ParameterSpec& field : spec.fields)
+      if (const auto it = value.find(field.name); it != value.end()) forEachPart(field, *it, function);
+  }
+}
+
+template <class F>
+void forEachPart(const std::vector<ParameterSpec>& specs, Value& parameters, const F& function) {
+  for (const ParameterSpec& spec : specs)
+    if (const auto it = parameters.find(spec.name); it != parameters.end()) forEachPart(spec, *it, function);
+}
+
+/// The input whose parts a name refers to: the first shape of the input declared by that name.
+std::optional<FeatureId> sourceOf(const Feature& feature, const FeatureType& type, const Inputs& arranged,
+                                  const std::string& name) {
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < type.inputs.size(); first += arranged.of(k++).size())
+    if ((name.empty() || type.inputs[k].name == name) && !arranged.of(k).empty() && first < feature.inputs.size())
+      return feature.inputs[first];
+  return std::nullopt;
+}
+
+class Finder {
+ public:
+  Finder(Construction& construction, const Progress& progress) : construction_(construction), progress_(progress) {}
+
+  /// The number that a part of a feature has now.
+  int find(const FeatureId& source, const Value& part) const {
+    const SubShapeKind kind = kindOf(part);
+    const int index = part.at("index").get<int>();
+    const auto signature = part.find("signature");
+    if (signature == part.end()) return index;
+    std::optional<int> found;
+    try {
+      found = foundPart(construction_, source, kind, index, *signature, progress_);
+    } catch (const Value::exception&) {
+      found = std::nullopt;  // a signature that somebody damaged tells nothing
+    }
+    if (!found) throwLost(subShapeKindName(kind), index);
+    return *found;
+  }
+
+  /// A part without a signature where there is none with its number: the feature tells that better.
+  void sign(const FeatureId& source, Value& part) const {
+    try {
+      part["signature"] = signatureOf(construction_, source, kindOf(part), part.at("index").get<int>(), progress_);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::NotFound) throw;
+      part.erase("signature");
+    }
+  }
+
+ private:
+  static SubShapeKind kindOf(const Value& part) { return subShapeKindOf(part.at("kind").get<std::string>()); }
+  [[noreturn]] static void throwLost(std::string kind, int index) {
+    const std::string hint = fmt::format("Pick the {} again.", kind);
+    const std::string lower = kind;
+    kind.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(kind.front())));
+    throw Error(
+        ErrorCode::InvalidInput,
+        fmt::format("{} lost: an edit before this step removed {} {}, or left several it could be.", kind, lower, index),
+        hint);
+  }
+
+  Construction& construction_;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+bool namesParts(const std::vector<ParameterSpec>& specs, const Value& parameters) {
+  bool found = false;
+  Value copy = parameters;
+  forEachPart(specs, copy, [&](const Value&) { found = true; });
+  return found;
+}
+
+FoundParts foundParts(const Feature& feature, const FeatureType& type, const Value& parameters, const Inputs& arranged,
+                      Construction& construction, const Progress& progress) {
+  const Finder finder(construction, progress);
+  FoundParts found{parameters, Value::object()};
+  forEachPart(type.parameters, found.now, [&](Value& part) {
+    const auto source = sourceOf(feature, type, arranged, part.value("input", std::string()));
+    if (source) part["index"] = finder.find(*source, part);
+    part.erase("signature");
+  });
+  Value kept = found.now;
+  forEachPart(type.parameters, kept, [&](Value& part) {
+    if (const auto source = sourceOf(feature, type, arranged, part.value("input", std::string())))
+      finder.sign(*source, part);
+  });
+  for (const ParameterSpec& spec : type.parameters)
+    if (kept.at(spec.name) != found.now.at(spec.name)) found.kept[spec.name] = kept.at(spec.name);
+  return found;
+}
+
+Document withKeptParts(const Document& document, const FeatureId& id, const Value& kept) {
+  Feature feature = document.at(id);
+  bool differs = false;
+  for (const auto& [name, value] : kept.items()) {
+    differs = differs || feature.parameters.value(name, Value()) != value;
+    feature.parameters[name] = value;
+  }
+  return differs ? document.with(feature) : document;
+}
+
+}  // namespace blossom

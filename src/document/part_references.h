@@ -1,0 +1,27 @@
+#pragma once
+#include "document/document.h"
+#include "feature/feature_type.h"
+#include "naming/part_reference.h"
+
+namespace blossom {
+
+/// Whether parameters name faces, edges or vertices.
+bool namesParts(const std::vector<ParameterSpec>&, const Value& parameters);
+
+/// The parts that the parameters of a feature name, found again in its inputs as they are now.
+struct FoundParts {
+  Value now;   ///< the parameters with the numbers of now, for the evaluation
+  Value kept;  ///< the same with signatures made anew, for the document
+};
+
+/// Parts without a signature, as in older documents and on the command line, are those with their numbers.
+/// @param parameters complete and in canonical form
+/// @param arranged the inputs of the feature
+/// @throws Error InvalidInput: "Edge lost: ..", Cancelled.
+FoundParts foundParts(const Feature&, const FeatureType&, const Value& parameters, const Inputs& arranged, Construction&,
+                      const Progress&);
+
+/// The document with the parameters of a feature as they were kept.
+Document withKeptParts(const Document&, const FeatureId&, const Value& kept);
+
+}  // namespace blossom

@@ -1,0 +1,164 @@
+#include "naming/part_reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "naming/likeness.h"
+#include "naming/namer.h"
+#include "naming/source_part.h"
+
+namespace blossom {
+
+namespace {
+
+/// "<outline-1.edge 3>"; the brackets keep 3 from being found in 31.
+std::string labelOf(const SourcePart& part) {
+  return fmt::format("<{}.{} {}>", part.feature, subShapeKindName(part.kind), part.index);
+}
+
+Value toJson(const std::vector<FaceName>& names) {
+  Value json = Value::array();
+  for (const FaceName& name : names) json.push_back(name);
+  return json;
+}
+
+std::vector<FaceName> namesFrom(const Value& json) {
+  std::vector<FaceName> names;
+  for (const Value& name : json) names.push_back(name.get<FaceName>());
+  return names;
+}
+
+bool isKnown(const std::vector<FaceName>& names) {
+  return !names.empty() && std::none_of(names.begin(), names.end(), [](const FaceName& name) { return name.empty(); });
+}
+
+/// The parts of sources whose labels occur in names.
+Value describedSources(const std::vector<FaceName>& names,
+                       const std::map<std::string, std::pair<SourcePart, Shape>>& labels) {
+  Value sources = Value::object();
+  for (const auto& [label, source] : labels) {
+    const auto mentions = [&label = label](const FaceName& name) {
+      return std::any_of(name.begin(), name.end(),
+                         [&](const std::string& part) { return part.find(label) != std::string::npos; });
+    };
+    if (std::none_of(names.begin(), names.end(), mentions)) continue;
+    const SourcePart& part = source.first;
+    Value described = describedSourcePart(source.second, part.kind, part.index);
+    described["feature"] = part.feature;
+    described["kind"] = subShapeKindName(part.kind);
+    sources[label] = std::move(described);
+  }
+  return sources;
+}
+
+/// The names that parts of sources had when a signature was made; others get names of their own.
+class FormerLabels {
+ public:
+  explicit FormerLabels(const Value& sources) : sources_(sources) {}
+
+  std::string operator()(const SourcePart& part, const Shape& shape) {
+    for (const auto& [label, described] : sources_.items()) {
+      if (described.at("feature") != part.feature || described.at("kind") != subShapeKindName(part.kind)) continue;
+      const auto known = found_.find(label);
+      const std::optional<int> now = known != found_.end()
+                                         ? known->second
+                                         : found_.emplace(label, foundSourcePart(described, shape, part.kind)).first->second;
+      if (now == part.index) return label;
+    }
+    return "new " + labelOf(part);
+  }
+
+ private:
+  const Value& sources_;
+  std::map<std::string, std::optional<int>> found_;
+};
+
+std::optional<int> only(const std::vector<int>& numbers) {
+  return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
+}
+
+/// Whether two faces have a part of their names in common.
+bool related(const FaceName& a, const FaceName& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](const std::string& part) { return std::binary_search(b.begin(), b.end(), part); });
+}
+
+/// Whether each name of one list is related to one of the other, one to one as they stand or the other way round.
+bool related(const std::vector<FaceName>& a, const std::vector<FaceName>& b) {
+  if (a.size() != b.size()) return false;
+  std::vector<std::size_t> order(b.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  do {
+    bool all = true;
+    for (std::size_t k = 0; all && k < a.size(); ++k) all = related(a[k], b[order[k]]);
+    if (all) return true;
+  } while (a.size() <= 4 && std::next_permutation(order.begin(), order.end()));
+  return false;
+}
+
+std::optional<int> foundByNames(const std::vector<std::vector<FaceName>>& all, const std::vector<FaceName>& wanted,
+                                const Shape& shape, SubShapeKind kind, int index, const Value& signature) {
+  std::vector<int> same;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (all[k] == wanted) same.push_back(static_cast<int>(k));
+  if (same.size() == 1) return same.front();
+  if (same.empty()) {
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (related(all[k], wanted)) same.push_back(static_cast<int>(k));
+    return only(same);
+  }
+  // Several between the same faces, as the two straight edges of a slot: the one that is where it was, or, in a shape of the
+  // same structure, the one with its number.
+  const Likeness likeness = likenessFrom(signature.at("likeness"));
+  std::vector<int> alike;
+  for (const int k : same)
+    if (likenessOf(shape, kind, k).isLike(likeness, samePlace(shape))) alike.push_back(k);
+  if (alike.size() == 1) return alike.front();
+  const bool kept =
+      signature.at("structure") == structureOf(shape) && std::find(same.begin(), same.end(), index) != same.end();
+  return kept ? std::optional(index) : std::nullopt;
+}
+
+}  // namespace
+
+Value signatureOf(Construction& construction, const std::string& feature, SubShapeKind kind, int index,
+                  const Progress& progress) {
+  const Shape shape = construction.step(feature).result;
+  Value signature{{"likeness", toJson(likenessOf(shape, kind, index))}, {"structure", structureOf(shape)}};
+  const Brep* brep = shape.get<Brep>();
+  if (!brep) {
+    signature["source"] = describedSourcePart(shape, kind, index);
+    return signature;
+  }
+  std::map<std::string, std::pair<SourcePart, Shape>> labels;
+  Namer namer(construction, [&](const SourcePart& part, const Shape& source) {
+    std::string label = labelOf(part);
+    labels.try_emplace(label, part, source);
+    return label;
+  });
+  const std::vector<FaceName> names = facesAt(*brep, kind, index, namer.faces(feature, progress));
+  if (!isKnown(names)) return signature;
+  signature["faces"] = toJson(names);
+  signature["sources"] = describedSources(names, labels);
+  return signature;
+}
+
+std::optional<int> foundPart(Construction& construction, const std::string& feature, SubShapeKind kind, int index,
+                             const Value& signature, const Progress& progress) {
+  const Shape shape = construction.step(feature).result;
+  if (const auto source = signature.find("source"); source != signature.end()) return foundSourcePart(*source, shape, kind);
+  const Brep* brep = shape.get<Brep>();
+  if (!brep) return std::nullopt;
+  if (!signature.contains("faces")) {
+    Value described = signature;
+    described["index"] = index;
+    return foundSourcePart(described, shape, kind);
+  }
+  FormerLabels labels(signature.at("sources"));
+  Namer namer(construction, [&](const SourcePart& part, const Shape& source) { return labels(part, source); });
+  const auto all = facesAtAll(*brep, kind, namer.faces(feature, progress));
+  return foundByNames(all, namesFrom(signature.at("faces")), shape, kind, index, signature);
+}
+
+}  // namespace blossom

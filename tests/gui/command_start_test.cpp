@@ -1,0 +1,157 @@
+// A command begins with what is selected, or asks for it in the view.
+#include <QToolButton>
+#include <algorithm>
+#include <numbers>
+
+#include "ui/fields/parameter_field.h"
+#include "ui/tree/document_tree.h"
+#include "window_fixture.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+class CommandStartTest : public WindowFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openNewDocument(); }
+  void cleanup() { window_.reset(); }
+  void edgesThatArePickedAreRounded();
+  void moreEdgesArePickedOnTheInput();
+  void whatIsMissingIsAskedForInTheView();
+  void theAnswerMayComeFromTheTree();
+  void whereOneShapeFitsItIsTaken();
+  void whereNothingFitsItIsSaid();
+
+ private:
+  void selectNothing() { window_->tree().select({}); }
+  [[nodiscard]] std::size_t features() const { return window_->page().document().features().size(); }
+  /// Of a box of 60 x 40 x 20 with so many of its edges of one length rounded by 3.
+  static double rounded(int edges, double length) { return 48000 - edges * (1 - std::numbers::pi / 4) * 9 * length; }
+  FeatureId box() {
+    const FeatureId id = add("modeling.box", {{"width", 60}, {"depth", 40}, {"height", 20}});
+    window_->view().lookFrom(QStringLiteral("iso"), false);
+    return id;
+  }
+  /// The middle of an edge of the box along x, and of one along y, seen from the view "iso".
+  [[nodiscard]] std::vector<Vec3> edgesInSight(const FeatureId& id) {
+    const Bounds all = window_->view().extent();
+    static_cast<void>(id);
+    const Vec3 low = all.low, high = all.high, middle = (low + high) / 2;
+    return {{middle.x(), low.y(), high.z()}, {high.x(), middle.y(), high.z()}};
+  }
+};
+
+void CommandStartTest::edgesThatArePickedAreRounded() {
+  const FeatureId id = box();
+  run("select.edges");
+  selectNothing();
+  clickAt(edgesInSight(id)[0]);
+  QCOMPARE(window_->view().selectedParts().size(), std::size_t{1});
+  run("feature.modeling.fillet");
+  waitUntilComputed();
+  edit("radius", "3");
+  waitUntilComputed();
+  QCOMPARE(features(), std::size_t{2});
+  QCOMPARE(window_->page().document().at(last()).parameters.at("edges").size(), std::size_t{1});
+  COMPARE_NEAR(measureOf(last(), "volume"), rounded(1, 60), 1e-3);
+}
+
+void CommandStartTest::moreEdgesArePickedOnTheInput() {
+  const FeatureId id = box();
+  const std::vector<Vec3> edges = edgesInSight(id);
+  run("select.edges");
+  clickAt(edges[0]);
+  run("feature.modeling.fillet");
+  waitUntilComputed();
+  const FeatureId fillet = last();
+  edit("radius", "3");
+  waitUntilComputed();
+  const auto buttons = window_->page().properties().findChildren<QToolButton*>(QStringLiteral("fieldButton"));
+  const auto isForEdges = [](const QToolButton* each) {
+    return each->toolTip().startsWith(QStringLiteral("Pick in the view: edge"));
+  };
+  const auto button = std::find_if(buttons.begin(), buttons.end(), isForEdges);
+  QVERIFY(button != buttons.end());
+  (*button)->click();
+  QVERIFY(window_->page().toolStarted());
+  // The input alone is there, whole, whatever is hidden.
+  Feature hidden = window_->page().document().at(id);
+  hidden.visible = false;
+  window_->session().commit(window_->page().document().with(hidden), QStringLiteral("Hide"));
+  waitUntilComputed();
+  const std::vector<ViewItem> items = window_->page().shownItems();
+  QCOMPARE(items.size(), std::size_t{1});
+  QVERIFY(items[0].id == id && items[0].presence == Presence::Whole);
+  clickAt(edges[1]);
+  waitUntilComputed();
+  QCOMPARE(window_->page().document().at(fillet).parameters.at("edges").size(), std::size_t{2});
+  QTest::keyClick(&window_->view(), Qt::Key_Escape);
+  QTRY_VERIFY(!window_->page().toolStarted());
+  QCOMPARE(window_->page().shownItems().back().id, fillet);
+  QVERIFY(measureOf(fillet, "volume") < rounded(1, 60) - 50);
+}
+
+void CommandStartTest::whatIsMissingIsAskedForInTheView() {
+  const FeatureId left = add("modeling.rectangle", {{"width", 20}, {"height", 20}, {"centre", {-30, 0, 0}}});
+  const FeatureId right = add("modeling.rectangle", {{"width", 20}, {"height", 10}, {"centre", {30, 0, 0}}});
+  const FeatureId solid = add("modeling.box", {{"width", 5}, {"depth", 5}, {"height", 5}});
+  window_->view().lookFrom(QStringLiteral("top"), false);
+  selectNothing();
+  run("feature.modeling.extrude");
+  QVERIFY(window_->page().toolStarted());
+  QVERIFY2(window_->page().tool()->hint().startsWith(QStringLiteral("Choose an outline to extrude:")),
+           qPrintable(window_->page().tool()->hint()));
+  for (const ViewItem& item : window_->page().shownItems())
+    QCOMPARE(item.role, item.id == solid ? ItemRole::Plain : ItemRole::Control);
+  QTest::keyClick(&window_->view(), Qt::Key_Escape);
+  QTRY_VERIFY(!window_->page().toolStarted());
+  QCOMPARE(features(), std::size_t{3});
+  for (const ViewItem& item : window_->page().shownItems()) QCOMPARE(item.presence, Presence::Whole);
+
+  run("feature.modeling.extrude");
+  clickAt({30, 0, 0});
+  QTRY_COMPARE(features(), std::size_t{4});
+  QVERIFY(!window_->page().toolStarted());
+  QCOMPARE(window_->page().document().at(last()).inputs, std::vector<FeatureId>{right});
+  waitUntilComputed();
+  QVERIFY(left != right);
+}
+
+void CommandStartTest::theAnswerMayComeFromTheTree() {
+  add("modeling.rectangle", {{"width", 20}, {"height", 20}, {"centre", {-30, 0, 0}}});
+  const FeatureId right = add("modeling.rectangle", {{"width", 20}, {"height", 10}, {"centre", {30, 0, 0}}});
+  selectNothing();
+  run("feature.modeling.extrude");
+  QVERIFY(window_->page().toolStarted());
+  window_->tree().select(right);
+  QTRY_COMPARE(features(), std::size_t{3});
+  QCOMPARE(window_->page().document().at(last()).inputs, std::vector<FeatureId>{right});
+}
+
+void CommandStartTest::whereOneShapeFitsItIsTaken() {
+  const FeatureId outline = add("modeling.rectangle", {{"width", 20}, {"height", 20}});
+  selectNothing();
+  run("feature.modeling.extrude");
+  QCOMPARE(features(), std::size_t{2});
+  QCOMPARE(window_->page().document().at(last()).inputs, std::vector<FeatureId>{outline});
+  waitUntilComputed();
+  // Of two solids, a Boolean operation leaves no choice; what is selected already counts.
+  const FeatureId first = last();
+  const FeatureId second = add("modeling.box", {{"width", 5}, {"depth", 5}, {"height", 50}});
+  selectNothing();
+  run("feature.modeling.boolean");
+  QCOMPARE(window_->page().document().at(last()).inputs, (std::vector<FeatureId>{first, second}));
+  waitUntilComputed();
+}
+
+void CommandStartTest::whereNothingFitsItIsSaid() {
+  run("feature.modeling.fillet");
+  QVERIFY(!window_->page().toolStarted());
+  QCOMPARE(features(), std::size_t{0});
+  QCOMPARE(window_->page().errors().message(),
+           QStringLiteral("There is nothing here yet for Fillet: it takes a solid to round."));
+}
+
+BLOSSOM_WINDOW_TEST_MAIN(CommandStartTest)
+#include "command_start_test.moc"

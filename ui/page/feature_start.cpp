@@ -1,0 +1,127 @@
+#include "ui/page/feature_start.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "document/shown.h"
+#include "feature/acceptance.h"
+#include "geometry/occt/sub_shape.h"
+#include "geometry/shape/kind_names.h"
+#include "parameter/wording.h"
+#include "ui/look/text.h"
+#include "ui/session/session.h"
+
+namespace blossom::ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("blossom::ui::FeatureStart", text); }
+
+bool contains(const std::vector<FeatureId>& ids, const FeatureId& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+/// The sub-shape that a parameter holds, or a list of it; nullptr: it holds none.
+const ParameterSpec* subShapeOf(const ParameterSpec& spec) {
+  if (spec.kind == ParameterKind::SubShape) return &spec;
+  return spec.kind == ParameterKind::List && spec.fields.at(0).kind == ParameterKind::SubShape ? &spec.fields[0] : nullptr;
+}
+
+/// The first parameter that takes all of these parts; nullptr: none does.
+const ParameterSpec* takerOf(const FeatureType& type, const std::vector<Pick>& parts) {
+  for (const ParameterSpec& spec : type.parameters) {
+    const ParameterSpec* element = subShapeOf(spec);
+    if (!element || (element == &spec && parts.size() != 1)) continue;
+    const auto suits = [&](const Pick& pick) { return subShapeKindName(pick.part.kind) == subShapeKind(*element); };
+    if (!parts.empty() && std::all_of(parts.begin(), parts.end(), suits)) return &spec;
+  }
+  return nullptr;
+}
+
+/// Of which input a feature is the first shape, which its parts are named after; nullptr: of none.
+const InputSpec* namedAfter(const FeatureType& type, const FeatureStart& start, const std::vector<std::size_t>& counts,
+                            const FeatureId& id) {
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < counts.size(); first += counts[k++])
+    if (counts[k] > 0 && start.inputs[first] == id) return &type.inputs[k];
+  return nullptr;
+}
+
+void takeParts(FeatureStart& start, const FeatureType& type, const std::vector<std::size_t>& counts,
+               const ParameterSpec& taker, const std::vector<Pick>& parts) {
+  Value all = Value::array();
+  for (const Pick& pick : parts) {
+    const InputSpec* input = namedAfter(type, start, counts, pick.feature);
+    if (!input) return;  // parts of several shapes: the feature is made of the first alone, so they are picked again
+    all.push_back({{"input", input->name}, {"kind", subShapeKindName(pick.part.kind)}, {"index", pick.part.index}});
+  }
+  start.parameters[taker.name] = subShapeOf(taker) == &taker ? all.at(0) : all;
+}
+
+/// Of a solid as an outline one face is meant, which is not told by choosing the solid.
+bool fits(const InputSpec& spec, const Shape& shape) {
+  return accepts(spec, shape) && (spec.use != InputUse::Outline || consumes(spec, shape));
+}
+
+}  // namespace
+
+FeatureStart featureStart(const Session& session, const FeatureType& type, const std::vector<FeatureId>& selected,
+                          const std::vector<Pick>& parts) {
+  const ParameterSpec* taker = takerOf(type, parts);
+  std::vector<FeatureId> left;
+  if (taker)
+    for (const Pick& pick : parts)
+      if (!contains(left, pick.feature)) left.push_back(pick.feature);
+  for (const FeatureId& id : selected)
+    if (!contains(left, id)) left.push_back(id);
+
+  FeatureStart start;
+  std::vector<std::size_t> counts;
+  for (const InputSpec& spec : type.inputs) {
+    std::size_t& count = counts.emplace_back(0);
+    for (auto it = left.begin(); it != left.end() && count < spec.maximum;) {
+      const Shape* shape = session.shape(*it);
+      const bool suits = shape && !shape->empty() && accepts(spec, *shape);
+      if (suits) {
+        start.inputs.push_back(*it);
+        ++count;
+      }
+      it = suits ? left.erase(it) : std::next(it);
+    }
+    if (count >= spec.minimum) continue;
+    start.missing = &spec;
+    start.has = count;
+    return start;
+  }
+  if (taker) takeParts(start, type, counts, *taker, parts);
+  return start;
+}
+
+std::vector<FeatureId> fittingFeatures(const Session& session, const InputSpec& spec, const std::vector<FeatureId>& taken) {
+  const Document& document = session.document();
+  const auto shapeOf = [&](const FeatureId& id) { return session.shape(id); };
+  const std::vector<FeatureId> shown = shownFeatures(document, *session.app().registry, shapeOf);
+  std::vector<FeatureId> fitting, others;
+  for (const auto& feature : document.features()) {
+    const Shape* shape = session.shape(feature->id);
+    const bool there = feature->visible && !feature->suppressed && shape && !shape->empty();
+    if (there && fits(spec, *shape) && !contains(taken, feature->id))
+      (contains(shown, feature->id) ? fitting : others).push_back(feature->id);
+  }
+  return fitting.empty() ? others : fitting;
+}
+
+QString wantedShape(const InputSpec& spec) {
+  if (!spec.asks.empty()) return qt(spec.asks);
+  return spec.kinds.empty() ? tr("a shape") : qt(kindNames(spec.kinds, true));
+}
+
+QString questionFor(const FeatureType& type, const FeatureStart& start) {
+  const QString wanted = wantedShape(*start.missing);
+  QString question =
+      start.missing->asks.empty() ? tr("Choose %1 for %2").arg(wanted, qt(type.title)) : tr("Choose %1").arg(wanted);
+  if (start.missing->minimum == 1) return question;
+  return tr("%1 (%2 of %3)").arg(question).arg(start.has + 1).arg(start.missing->minimum);
+}
+
+}  // namespace blossom::ui

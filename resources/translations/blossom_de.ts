@@ -1269,6 +1269,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Duplicate %1 features</source>
         <translation>%1 Elemente verdoppeln</translation>
     </message>
+    <message>
+        <source>Click: show the steps of %1</source>
+        <translation>Klick: Schritte von %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Click: fold the steps of %1</source>
+        <translation>Klick: Schritte von %1 einklappen</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentTreePanel</name>

@@ -1269,6 +1269,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>Duplicate %1 features</source>
         <translation>피처 %1개 복제</translation>
     </message>
+    <message>
+        <source>Click: show the steps of %1</source>
+        <translation>클릭: %1의 단계 펼치기</translation>
+    </message>
+    <message>
+        <source>Click: fold the steps of %1</source>
+        <translation>클릭: %1의 단계 접기</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentTreePanel</name>

@@ -121,6 +121,7 @@ void DocumentPage::connectSession() {
   connect(&session_, &Session::evaluationFinished, this, [this] {
     emit workEnded(evaluationKey);
     if (fitPending_ && tree_->selected().empty()) selectLast();
+    if (fitPending_) tree_->scrollToTop();
     view_->markItems();
     view_->markOverlay();
     fitWhenFirstShown();

@@ -12,7 +12,8 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int rowHeight = 42, sideMargin = 6, iconSize = 20, textLeft = 44, textRight = 16, besideEye = 42;
+constexpr int rowHeight = 42, sideMargin = 6, iconSize = 20, textRight = 16, besideEye = 42;
+constexpr int foldLeft = 5, foldSize = 12, iconLeft = 19, textLeft = 47, indent = 14;
 constexpr int nameTop = 5, nameHeight = 17, stateTop = 21, stateFontSize = 10, maximumLines = 3;
 
 QFont stateFont(QFont font) {
@@ -50,6 +51,8 @@ StateLines stateLines(const QModelIndex& index, const QFont& font, int width) {
           wrapped(index.data(DocumentModel::RemedyRole).toString(), font, width, maximumLines)};
 }
 
+int indentOf(const QModelIndex& index) { return indent * index.data(DocumentModel::DepthRole).toInt(); }
+
 const char* iconColor(const QModelIndex& index, bool selected) {
   if (index.data(DocumentModel::FailedRole).toBool()) return "error";
   if (index.data(DocumentModel::SuppressedRole).toBool()) return "faint";
@@ -58,19 +61,25 @@ const char* iconColor(const QModelIndex& index, bool selected) {
 
 }  // namespace
 
+QRect DocumentDelegate::foldRect(const QRect& row, const QModelIndex& index) {
+  return {row.left() + foldLeft + indentOf(index), row.top() + (rowHeight - foldSize) / 2, foldSize, foldSize};
+}
+
 QRect DocumentDelegate::eyeRect(const QRect& row) { return {row.right() - 34, row.top() + rowHeight / 2 - 10, 18, 18}; }
 
 QSize DocumentDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   if (!index.data(DocumentModel::FailedRole).toBool()) return {120, rowHeight};
   const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
   const QFont font = stateFont(option.font);
-  const int width = (view ? view->viewport()->width() : option.rect.width()) - textLeft - textRight;
+  const int width = (view ? view->viewport()->width() : option.rect.width()) - textLeft - textRight - indentOf(index);
   const int lines = stateLines(index, font, width).count();
   return {120, rowHeight + std::max(0, lines - 1) * QFontMetrics(font).height()};
 }
 
-void DocumentDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const {
-  editor->setGeometry(option.rect.left() + textLeft - 6, option.rect.top() + 7, option.rect.width() - textLeft - 34, 26);
+void DocumentDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                            const QModelIndex& index) const {
+  const int left = textLeft + indentOf(index);
+  editor->setGeometry(option.rect.left() + left - 6, option.rect.top() + 7, option.rect.width() - left - 34, 26);
 }
 
 void DocumentDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -89,12 +98,18 @@ void DocumentDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
     painter->drawRoundedRect(row, 6, 6);
   }
   painter->setOpacity(visible && !suppressed ? 1 : 0.5);
-  paintIcon(*painter, QRectF(option.rect.left() + 15, option.rect.top() + (rowHeight - iconSize) / 2.0, iconSize, iconSize),
+  const int left = option.rect.left() + indentOf(index);
+  if (index.data(DocumentModel::StepsRole).toBool())
+    paintIcon(
+        *painter, foldRect(option.rect, index),
+        index.data(DocumentModel::FoldedRole).toBool() ? QStringLiteral("chevron-right") : QStringLiteral("chevron-down"),
+        colors.color("muted"));
+  paintIcon(*painter, QRectF(left + iconLeft, option.rect.top() + (rowHeight - iconSize) / 2.0, iconSize, iconSize),
             index.data(DocumentModel::IconRole).toString(), colors.color(iconColor(index, selected)));
 
   const bool showEye = hovered || !visible;
-  const int width = option.rect.width() - textLeft - textRight;
-  QRect text(option.rect.left() + textLeft, option.rect.top() + nameTop, width, nameHeight);
+  const int width = option.rect.width() - textLeft - textRight - indentOf(index);
+  QRect text(left + textLeft, option.rect.top() + nameTop, width, nameHeight);
   QFont font = option.font;
   font.setStrikeOut(suppressed);
   painter->setFont(font);

@@ -12,6 +12,8 @@ class DocumentDelegate : public QStyledItemDelegate {
   void paint(QPainter*, const QStyleOptionViewItem&, const QModelIndex&) const override;
   QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override;
   void updateEditorGeometry(QWidget*, const QStyleOptionViewItem&, const QModelIndex&) const override;
+  /// Rectangle of the arrow that folds the steps of a row.
+  static QRect foldRect(const QRect& row, const QModelIndex&);
   /// Rectangle of the eye in a row.
   static QRect eyeRect(const QRect& row);
 };

@@ -51,6 +51,11 @@ DocumentModel::DocumentModel(Session& session, QObject* parent) : QAbstractListM
   refresh();
 }
 
+std::vector<NestedRow> DocumentModel::wantedRows() const {
+  return nestedRows(session_.document(), *session_.app().registry,
+                    [this](const FeatureId& id) { return session_.shape(id); });
+}
+
 void DocumentModel::refreshState() {
   std::erase_if(shown_, [this](const auto& entry) { return !session_.document().contains(entry.first); });
   std::vector<int> changed;
@@ -59,18 +64,20 @@ void DocumentModel::refreshState() {
   tell(changed);
 }
 
+// A shape that has come may tell that an input stays beside its result, so that it is no step.
 void DocumentModel::refreshRows(const std::set<FeatureId>& features) {
+  if (wantedRows() != rows_) return refresh();
   std::vector<int> changed;
   for (std::size_t row = 0; row < rows_.size(); ++row)
-    if (features.contains(rows_[row]->id) && renew(row)) changed.push_back(static_cast<int>(row));
+    if (features.contains(rows_[row].feature->id) && renew(row)) changed.push_back(static_cast<int>(row));
   tell(changed);
 }
 
 /// False when the row shows what it showed before.
 bool DocumentModel::renew(std::size_t row) {
-  const Feature& feature = *rows_[row];
-  Shown now{rows_[row],       stateOf(feature), remedyOf(feature), iconOf(feature),
-            pending(feature), failed(feature),  warned(feature)};
+  const Feature& feature = *rows_[row].feature;
+  Shown now{rows_[row].feature, stateOf(feature), remedyOf(feature), iconOf(feature), pending(feature),
+            failed(feature),    warned(feature),  rows_[row].steps,  rows_[row].depth};
   Shown& before = shown_[feature.id];
   if (now == before) return false;
   before = std::move(now);
@@ -88,36 +95,39 @@ void DocumentModel::tell(const std::vector<int>& rows) {
 
 // Rows that stay keep their selection: what is gone is removed, what stays is put in order, what is new is inserted.
 void DocumentModel::refresh() {
-  removeGone();
-  reorder();
-  const auto features = session_.document().features();
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    if (i < rows_.size() && rows_[i]->id == features[i]->id) {
-      rows_[i] = features[i];
+  const std::vector<NestedRow> wanted = wantedRows();
+  removeGone(wanted);
+  reorder(wanted);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (i < rows_.size() && rows_[i].feature->id == wanted[i].feature->id) {
+      rows_[i] = wanted[i];
       continue;
     }
     beginInsertRows({}, static_cast<int>(i), static_cast<int>(i));
-    rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(i), features[i]);
+    rows_.insert(rows_.begin() + static_cast<std::ptrdiff_t>(i), wanted[i]);
     endInsertRows();
   }
+  renewFolds();
   refreshState();
 }
 
-void DocumentModel::removeGone() {
+void DocumentModel::removeGone(const std::vector<NestedRow>& wanted) {
   std::set<FeatureId> there;
-  for (const auto& feature : session_.document().features()) there.insert(feature->id);
+  for (const NestedRow& row : wanted) there.insert(row.feature->id);
   for (std::size_t i = rows_.size(); i-- > 0;) {
-    if (there.contains(rows_[i]->id)) continue;
+    if (there.contains(rows_[i].feature->id)) continue;
     beginRemoveRows({}, static_cast<int>(i), static_cast<int>(i));
     rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(i));
     endRemoveRows();
   }
 }
 
-void DocumentModel::reorder() {
+void DocumentModel::reorder(const std::vector<NestedRow>& wanted) {
   std::map<FeatureId, std::size_t> place;
-  for (const auto& feature : session_.document().features()) place.emplace(feature->id, place.size());
-  const auto byPlace = [&](const auto& a, const auto& b) { return place.at(a->id) < place.at(b->id); };
+  for (const NestedRow& row : wanted) place.emplace(row.feature->id, place.size());
+  const auto byPlace = [&](const NestedRow& a, const NestedRow& b) {
+    return place.at(a.feature->id) < place.at(b.feature->id);
+  };
   if (std::is_sorted(rows_.begin(), rows_.end(), byPlace)) return;
   emit layoutAboutToBeChanged();
   const QModelIndexList before = persistentIndexList();
@@ -135,15 +145,51 @@ int DocumentModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
-const Feature& DocumentModel::at(const QModelIndex& index) const { return *rows_[static_cast<std::size_t>(index.row())]; }
+const Feature& DocumentModel::at(const QModelIndex& index) const {
+  return *rows_[static_cast<std::size_t>(index.row())].feature;
+}
 
 FeatureId DocumentModel::idAt(const QModelIndex& index) const {
   return index.isValid() && index.row() < rowCount() ? at(index).id : FeatureId();
 }
 
 QModelIndex DocumentModel::indexOf(const FeatureId& id) const {
-  const auto it = std::find_if(rows_.begin(), rows_.end(), [&](const auto& feature) { return feature->id == id; });
+  const auto it = std::find_if(rows_.begin(), rows_.end(), [&](const NestedRow& row) { return row.feature->id == id; });
   return it == rows_.end() ? QModelIndex() : index(static_cast<int>(it - rows_.begin()));
+}
+
+FeatureId DocumentModel::parentOf(const FeatureId& id) const {
+  const QModelIndex found = indexOf(id);
+  return found.isValid() ? rows_[static_cast<std::size_t>(found.row())].parent : FeatureId();
+}
+
+std::vector<FeatureId> DocumentModel::stepsOf(const FeatureId& id) const {
+  std::set<FeatureId> within{id};
+  std::vector<FeatureId> steps;
+  for (const NestedRow& row : rows_)  // a step comes after the row that it is a step of
+    if (within.contains(row.parent) && within.insert(row.feature->id).second) steps.push_back(row.feature->id);
+  return steps;
+}
+
+void DocumentModel::setFolded(const FeatureId& id, bool folded) {
+  if (folded ? unfolded_.erase(id) == 0 : !unfolded_.insert(id).second) return;
+  const QModelIndex row = indexOf(id);
+  emit dataChanged(row, row);
+  renewFolds();
+}
+
+// A step comes after the row that it is a step of.
+void DocumentModel::renewFolds() {
+  std::set<FeatureId> away;
+  for (const NestedRow& row : rows_)
+    if (!row.parent.empty() && (!unfolded_.contains(row.parent) || away.contains(row.parent))) away.insert(row.feature->id);
+  if (away == foldedAway_) return;
+  foldedAway_ = std::move(away);
+  emit foldsChanged();
+}
+
+void DocumentModel::unfoldTo(const FeatureId& id) {
+  for (FeatureId parent = parentOf(id); !parent.empty(); parent = parentOf(parent)) setFolded(parent, false);
 }
 
 bool DocumentModel::computing(const Feature& feature) const { return !feature.suppressed && session_.awaited(feature.id); }
@@ -228,6 +274,12 @@ QVariant DocumentModel::data(const QModelIndex& index, int role) const {
       return feature.visible;
     case SuppressedRole:
       return feature.suppressed;
+    case DepthRole:
+      return rows_[static_cast<std::size_t>(index.row())].depth;
+    case FoldedRole:
+      return !unfolded_.contains(feature.id);
+    case StepsRole:
+      return rows_[static_cast<std::size_t>(index.row())].steps;
     default:
       return {};
   }

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "document/document.h"
+#include "ui/tree/nested_rows.h"
 
 namespace blossom::ui {
 
 class Session;
 
-/// The features of the session's document, one row each, with the data shown in the tree.
+/// The features of the session's document, one row each, with the data shown in the tree, in the order of nestedRows.
 class DocumentModel : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -25,7 +26,10 @@ class DocumentModel : public QAbstractListModel {
     VisibleRole,
     SuppressedRole,
     PendingRole,
-    WarnedRole
+    WarnedRole,
+    DepthRole,  ///< of a step, how far it is indented
+    StepsRole,  ///< rows of its own steps follow
+    FoldedRole  ///< which are not shown
   };
 
   explicit DocumentModel(Session&, QObject* parent = nullptr);
@@ -39,7 +43,17 @@ class DocumentModel : public QAbstractListModel {
 
   [[nodiscard]] FeatureId idAt(const QModelIndex&) const;
   [[nodiscard]] QModelIndex indexOf(const FeatureId&) const;
-  void refresh();  ///< the document changed
+  [[nodiscard]] FeatureId parentOf(const FeatureId&) const;              ///< the row that it is a step of; empty: none
+  [[nodiscard]] std::vector<FeatureId> stepsOf(const FeatureId&) const;  ///< all that have gone into it
+  void refresh();                                                        ///< the document changed
+  /// Shows the steps of a feature, or folds them away.
+  void setFolded(const FeatureId&, bool);
+  /// Shows a step with all that it is a step of.
+  void unfoldTo(const FeatureId&);
+  [[nodiscard]] bool isFoldedAway(const FeatureId& id) const { return foldedAway_.contains(id); }
+
+ signals:
+  void foldsChanged();
 
  private:
   [[nodiscard]] const Feature& at(const QModelIndex&) const;
@@ -53,7 +67,8 @@ class DocumentModel : public QAbstractListModel {
   struct Shown {
     std::shared_ptr<const Feature> feature;
     QString state, remedy, icon;
-    bool pending = false, failed = false, warned = false;
+    bool pending = false, failed = false, warned = false, steps = false;
+    int depth = 0;
     bool operator==(const Shown&) const = default;
   };
   [[nodiscard]] bool failed(const Feature&) const;
@@ -63,12 +78,15 @@ class DocumentModel : public QAbstractListModel {
   void refreshRows(const std::set<FeatureId>&);
   [[nodiscard]] bool renew(std::size_t row);
   void tell(const std::vector<int>& rows);
-  void removeGone();
-  void reorder();
+  void removeGone(const std::vector<NestedRow>& wanted);
+  void reorder(const std::vector<NestedRow>& wanted);
+  [[nodiscard]] std::vector<NestedRow> wantedRows() const;
+  void renewFolds();
 
   Session& session_;
-  std::vector<std::shared_ptr<const Feature>> rows_;
+  std::vector<NestedRow> rows_;
   std::map<FeatureId, Shown> shown_;
+  std::set<FeatureId> unfolded_, foldedAway_;
 };
 
 }  // namespace blossom::ui

@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <algorithm>
+#include <set>
 
 #include "document/edits.h"
 #include "ui/look/text.h"
@@ -30,6 +31,7 @@ DocumentTree::DocumentTree(Session& session, QWidget* parent)
   viewport()->setAttribute(Qt::WA_Hover);
   connect(model_, &QAbstractItemModel::layoutChanged, this, [this] { applyFilter(); });
   connect(model_, &QAbstractItemModel::rowsInserted, this, [this] { applyFilter(); });
+  connect(model_, &DocumentModel::foldsChanged, this, [this] { applyFilter(); });
   // A state may take more lines than the one before.
   connect(model_, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex& first, const QModelIndex& last) {
     applyFilter(first.row(), last.row());
@@ -40,11 +42,12 @@ DocumentTree::DocumentTree(Session& session, QWidget* parent)
 FeatureId DocumentTree::current() const { return model_->idAt(currentIndex()); }
 
 std::vector<FeatureId> DocumentTree::selected() const {
-  QModelIndexList indexes = selectionModel()->selectedIndexes();
-  std::sort(indexes.begin(), indexes.end());
+  std::set<FeatureId> chosen;
+  for (const QModelIndex& index : selectionModel()->selectedIndexes()) chosen.insert(model_->idAt(index));
   std::vector<FeatureId> ids;
-  ids.reserve(static_cast<std::size_t>(indexes.size()));
-  for (const QModelIndex& index : indexes) ids.push_back(model_->idAt(index));
+  ids.reserve(chosen.size());
+  for (const auto& feature : session_.document().features())
+    if (chosen.contains(feature->id)) ids.push_back(feature->id);
   return ids;
 }
 
@@ -54,19 +57,22 @@ void DocumentTree::select(const FeatureId& id, bool extend) {
     if (!extend) clearSelection();
     return;
   }
+  model_->unfoldTo(id);
   selectionModel()->setCurrentIndex(index, extend ? QItemSelectionModel::Toggle : QItemSelectionModel::ClearAndSelect);
   scrollTo(index);
 }
 
 void DocumentTree::selectThese(const std::vector<FeatureId>& ids) {
   QItemSelection selection;
+  for (const FeatureId& id : ids) model_->unfoldTo(id);
   for (const FeatureId& id : ids) selection.select(model_->indexOf(id), model_->indexOf(id));
   if (!ids.empty()) selectionModel()->setCurrentIndex(model_->indexOf(ids.back()), QItemSelectionModel::NoUpdate);
   selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
 }
 
 void DocumentTree::selectLast() {
-  if (model_->rowCount() > 0) select(model_->idAt(model_->index(model_->rowCount() - 1)));
+  const auto features = session_.document().features();
+  if (!features.empty()) select(features.back()->id);
 }
 
 void DocumentTree::selectFirstShown() {
@@ -83,37 +89,54 @@ void DocumentTree::selectAll() {
 
 void DocumentTree::setFilter(const QString& text) {
   filter_ = text.split(u' ', Qt::SkipEmptyParts);
-  filtered_ = true;  // what is hidden may have to come back
   applyFilter();
-  filtered_ = !filter_.isEmpty();
 }
 
 void DocumentTree::applyFilter() { applyFilter(0, model_->rowCount() - 1); }
 
+// What a filter finds is shown, folded away or not.
 void DocumentTree::applyFilter(int first, int last) {
-  if (!filtered_) return;
   for (int row = first; row <= last; ++row) {
     const QModelIndex index = model_->index(row);
-    const auto text = [&](int role) { return index.data(role).toString() + u'\n'; };
-    const auto mark = [&](int role, const QString& word) { return index.data(role).toBool() ? word + u'\n' : QString(); };
-    const QString all = text(Qt::DisplayRole) + text(DocumentModel::TypeRole) + text(DocumentModel::StateRole) +
-                        mark(DocumentModel::FailedRole, tr("error failed")) +
-                        mark(DocumentModel::WarnedRole, tr("warning")) +
-                        (index.data(DocumentModel::VisibleRole).toBool() ? QString() : tr("hidden"));
-    const bool hidden = !std::all_of(filter_.begin(), filter_.end(),
-                                     [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+    const bool hidden = filter_.isEmpty() ? model_->isFoldedAway(model_->idAt(index)) : !passesFilter(index);
     if (hidden != isRowHidden(row)) setRowHidden(row, hidden);
   }
+}
+
+bool DocumentTree::passesFilter(const QModelIndex& index) const {
+  const auto text = [&](int role) { return index.data(role).toString() + u'\n'; };
+  const auto mark = [&](int role, const QString& word) { return index.data(role).toBool() ? word + u'\n' : QString(); };
+  const QString all = text(Qt::DisplayRole) + text(DocumentModel::TypeRole) + text(DocumentModel::StateRole) +
+                      mark(DocumentModel::FailedRole, tr("error failed")) + mark(DocumentModel::WarnedRole, tr("warning")) +
+                      (index.data(DocumentModel::VisibleRole).toBool() ? QString() : tr("hidden"));
+  return std::all_of(filter_.begin(), filter_.end(),
+                     [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+}
+
+// A selection that is folded away goes to the row it was folded into.
+void DocumentTree::setFolded(const FeatureId& id, bool folded) {
+  model_->setFolded(id, folded);
+  const std::vector<FeatureId> chosen = selected();
+  const auto hidden = [this](const FeatureId& each) { return model_->isFoldedAway(each); };
+  if (folded && std::any_of(chosen.begin(), chosen.end(), hidden)) select(id);
 }
 
 std::size_t DocumentTree::rowAt(QPoint at) const {
   const QModelIndex index = indexAt(at);
   if (!index.isValid()) return static_cast<std::size_t>(model_->rowCount());
-  return static_cast<std::size_t>(index.row()) + (at.y() > visualRect(index).center().y() ? 1 : 0);
+  if (at.y() <= visualRect(index).center().y()) return static_cast<std::size_t>(index.row());
+  int next = index.row() + 1;
+  while (next < model_->rowCount() && isRowHidden(next)) ++next;
+  return static_cast<std::size_t>(next);
 }
 
 void DocumentTree::mousePressEvent(QMouseEvent* event) {
   const QModelIndex index = indexAt(event->position().toPoint());
+  if (index.isValid() && event->button() == Qt::LeftButton && index.data(DocumentModel::StepsRole).toBool() &&
+      DocumentDelegate::foldRect(visualRect(index), index).contains(event->position().toPoint())) {
+    setFolded(model_->idAt(index), !index.data(DocumentModel::FoldedRole).toBool());
+    return;
+  }
   if (index.isValid() && event->button() == Qt::LeftButton &&
       DocumentDelegate::eyeRect(visualRect(index)).adjusted(-5, -5, 5, 5).contains(event->position().toPoint())) {
     toggleVisible(model_->idAt(index));
@@ -131,6 +154,11 @@ void DocumentTree::mouseMoveEvent(QMouseEvent* event) {
   else if (DocumentDelegate::eyeRect(visualRect(index)).adjusted(-5, -5, 5, 5).contains(at))
     emit hint(index.data(DocumentModel::VisibleRole).toBool() ? tr("Click: hide %1").arg(index.data().toString())
                                                               : tr("Click: show %1").arg(index.data().toString()));
+  else if (index.data(DocumentModel::StepsRole).toBool() &&
+           DocumentDelegate::foldRect(visualRect(index), index).contains(at))
+    emit hint(index.data(DocumentModel::FoldedRole).toBool()
+                  ? tr("Click: show the steps of %1").arg(index.data().toString())
+                  : tr("Click: fold the steps of %1").arg(index.data().toString()));
   else
     emit hint(tr("%1 · Click: select · Ctrl+click: select more · Double click: rename · Drag: reorder · Right click: more")
                   .arg(index.data().toString()));
@@ -143,8 +171,11 @@ void DocumentTree::leaveEvent(QEvent* event) {
 }
 
 void DocumentTree::keyPressEvent(QKeyEvent* event) {
+  const bool fold = event->key() == Qt::Key_Left, unfold = event->key() == Qt::Key_Right;
   if (event->key() == Qt::Key_Space && !current().empty())
     toggleSelected();
+  else if ((fold || unfold) && currentIndex().data(DocumentModel::StepsRole).toBool())
+    setFolded(current(), fold);
   else
     QListView::keyPressEvent(event);
 }
@@ -163,7 +194,7 @@ void DocumentTree::contextMenuEvent(QContextMenuEvent* event) {
 void DocumentTree::dragMoveEvent(QDragMoveEvent* event) {
   QListView::dragMoveEvent(event);
   try {
-    withMoved(session_.document(), selected(), rowAt(event->position().toPoint()));
+    withMoved(session_.document(), withSteps(selected()), placeBefore(rowAt(event->position().toPoint())));
     emit hint(tr("Release: move here"));
   } catch (const Error& error) {
     emit hint(qt(error.message()));
@@ -178,6 +209,33 @@ void DocumentTree::dropEvent(QDropEvent* event) {
   stopAutoScroll();
   setState(NoState);
   viewport()->update();
+}
+
+/// With the steps of results, folded away or not: what moves in the tree moves as a whole.
+std::vector<FeatureId> DocumentTree::withSteps(const std::vector<FeatureId>& ids) const {
+  std::set<FeatureId> all(ids.begin(), ids.end());
+  for (const FeatureId& id : ids) {
+    if (!model_->parentOf(id).empty()) continue;
+    const std::vector<FeatureId> steps = model_->stepsOf(id);
+    all.insert(steps.begin(), steps.end());
+  }
+  std::vector<FeatureId> ordered;
+  for (const auto& feature : session_.document().features())
+    if (all.contains(feature->id)) ordered.push_back(feature->id);
+  return ordered;
+}
+
+/// The place in the document before a row and its steps.
+std::size_t DocumentTree::placeBefore(std::size_t row) const {
+  const QModelIndex index = model_->index(static_cast<int>(row));
+  if (!index.isValid()) return session_.document().features().size();
+  return placeOf(withSteps({model_->idAt(index)}).front());
+}
+
+std::size_t DocumentTree::placeOf(const FeatureId& id) const {
+  const auto features = session_.document().features();
+  const auto found = std::find_if(features.begin(), features.end(), [&](const auto& feature) { return feature->id == id; });
+  return static_cast<std::size_t>(found - features.begin());
 }
 
 void DocumentTree::selectionChanged(const QItemSelection& now, const QItemSelection& before) {

@@ -12,8 +12,9 @@ namespace blossom::ui {
 class DocumentModel;
 class Session;
 
-/// The document as a list: icon, name, one line of state, and an eye that hides. The selection is shared with the view.
-/// Every change is one step of undo; impossible ones are refused with a message.
+/// The document as a list: icon, name, one line of state, and an eye that hides; beneath each result, folded, the steps that
+/// have gone into it. The selection is shared with the view. Every change is one step of undo; impossible ones are refused
+/// with a message.
 class DocumentTree : public QListView {
   Q_OBJECT
  public:
@@ -23,7 +24,7 @@ class DocumentTree : public QListView {
   [[nodiscard]] FeatureId current() const;
   void select(const FeatureId&, bool extend = false);  ///< empty id: nothing
   void selectThese(const std::vector<FeatureId>&);
-  void selectLast();
+  void selectLast();  ///< in document order
   void selectFirstShown();
   void selectAll() override;  ///< what the filter shows
   /// Shows only rows whose name, type or state contains all words of the text.
@@ -35,10 +36,11 @@ class DocumentTree : public QListView {
   void showAll();
   /// Shows only the selection; called again, restores the previous visibility.
   void isolateSelected();
-  void toggleSuppressed();  ///< toggles the first selected feature, and sets all others to the same state
+  void setFolded(const FeatureId&, bool);  ///< the steps that have gone into it
+  void toggleSuppressed();                 ///< toggles the first selected feature, and sets all others to the same state
   void removeSelected();
   void stepSelected(int by);                 ///< one place up (-1) or down (+1)
-  void moveSelectedBefore(std::size_t row);  ///< row == size: to the end
+  void moveSelectedBefore(std::size_t row);  ///< row == number of rows: to the end
   void copySelected() const;
   void cutSelected();
   void paste();
@@ -72,11 +74,14 @@ class DocumentTree : public QListView {
   void addCopies(const Document& clip, const std::vector<FeatureId>& wanted, const QString& one, const QString& several);
   void applyFilter();
   void applyFilter(int first, int last);
+  [[nodiscard]] bool passesFilter(const QModelIndex&) const;
+  [[nodiscard]] std::vector<FeatureId> withSteps(const std::vector<FeatureId>&) const;
+  [[nodiscard]] std::size_t placeOf(const FeatureId&) const;
+  [[nodiscard]] std::size_t placeBefore(std::size_t row) const;
 
   Session& session_;
   DocumentModel* model_;
   QStringList filter_;
-  bool filtered_ = false;
   std::map<FeatureId, bool> beforeIsolation_;
 };
 

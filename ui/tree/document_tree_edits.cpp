@@ -127,13 +127,14 @@ void DocumentTree::stepSelected(int by) {
   const std::vector<FeatureId> ids = selected();
   if (ids.empty()) return;
   attempt(titled(ids, tr("Move %1"), tr("Move %1 features")),
-          [&] { return withStepped(session_.document(), ids, by).value_or(session_.document()); });
+          [&] { return withStepped(session_.document(), withSteps(ids), by).value_or(session_.document()); });
 }
 
 void DocumentTree::moveSelectedBefore(std::size_t row) {
   const std::vector<FeatureId> ids = selected();
   if (ids.empty()) return;
-  attempt(titled(ids, tr("Move %1"), tr("Move %1 features")), [&] { return withMoved(session_.document(), ids, row); });
+  attempt(titled(ids, tr("Move %1"), tr("Move %1 features")),
+          [&] { return withMoved(session_.document(), withSteps(ids), placeBefore(row)); });
 }
 
 void DocumentTree::copySelected() const {

@@ -59,6 +59,12 @@ Vec3 Turn::up() const {
 
 Vec3 Turn::right() const { return {std::cos(toRadians(yaw)), std::sin(toRadians(yaw)), 0}; }
 
+Turn turnTowards(const Vec3& normal) {
+  const double flat = std::hypot(normal.x(), normal.y()), steep = 1e-9;
+  const double pitch = toDegrees(std::atan2(normal.z(), flat));
+  return {flat <= steep * normal.norm() ? 0 : toDegrees(std::atan2(normal.x(), -normal.y())), pitch};
+}
+
 Turn turnOf(const std::string& view) {
   const auto it = namedTurns().find(view);
   if (it != namedTurns().end()) return it->second;

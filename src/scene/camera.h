@@ -19,6 +19,8 @@ struct Turn {
   [[nodiscard]] Vec3 right() const;
 };
 
+/// The turn that looks at a plane along its normal, from the side that the normal points to.
+Turn turnTowards(const Vec3& normal);
 /// The turn of a named view. @throws Error InvalidParameter.
 Turn turnOf(const std::string& view);
 

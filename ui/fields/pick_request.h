@@ -12,7 +12,7 @@ struct PickRequest {
   enum class Want {
     Feature,   ///< a whole feature, as an input
     SubShape,  ///< a face, edge or vertex, as `kind` says
-    Point,     ///< a place on anything
+    Point,     ///< a place on anything, or on the ground
     Direction  ///< the normal of a face
   };
   Want want = Want::Point;

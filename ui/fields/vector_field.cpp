@@ -152,8 +152,9 @@ void VectorField::togglePick(bool on) {
 }
 
 bool VectorField::takePick(const Pick& pick) {
-  if (pick.feature.empty()) return false;
-  const Vec3& from = spec().kind == ParameterKind::Point ? pick.part.point : pick.part.normal;
+  const bool point = spec().kind == ParameterKind::Point;
+  if (pick.feature.empty() && !point) return false;  // a point may lie on nothing
+  const Vec3& from = point ? pick.part.point : pick.part.normal;
   offer(Value::array({tidy(from.x()), tidy(from.y()), tidy(from.z())}));
   return true;
 }

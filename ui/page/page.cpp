@@ -15,6 +15,7 @@
 #include "ui/tools/choose_tool.h"
 #include "ui/tools/measure_tool.h"
 #include "ui/tools/pick_tool.h"
+#include "ui/tools/point_tool.h"
 #include "ui/tools/section_tool.h"
 #include "ui/tree/document_tree.h"
 #include "ui/tree/document_tree_panel.h"
@@ -277,7 +278,8 @@ void DocumentPage::connectPicking() {
   connect(view_, &ViewWidget::toolDismissed, this, &DocumentPage::endTool);
   const auto picking = [this] { return qobject_cast<PickTool*>(tools_->started()) != nullptr; };
   connect(properties_, &PropertyPanel::pickWanted, this, [this](const PickRequest& request) {
-    auto tool = std::make_unique<PickTool>(*this, request);
+    auto tool = request.want == PickRequest::Want::Point ? std::make_unique<PointTool>(*this, request)
+                                                         : std::make_unique<PickTool>(*this, request);
     connect(tool.get(), &PickTool::answered, properties_, &PropertyPanel::offerPick);
     const bool parts = request.want == PickRequest::Want::SubShape;
     start(std::move(tool));

@@ -1,5 +1,8 @@
 #include "ui/page/page_tools.h"
 
+#include <cmath>
+#include <utility>
+
 #include "core/error.h"
 #include "ui/view/view_widget.h"
 
@@ -20,6 +23,7 @@ void PageTools::follow(Tool& tool) {
   });
   connect(&tool, &Tool::finished, this, [this, finished = &tool] {
     if (tool_.get() != finished && handles_.get() != finished) return;
+    if (tool_.get() == finished) turnBack();
     std::unique_ptr<Tool>& place = tool_.get() == finished ? tool_ : handles_;
     view_.setTool(nullptr);
     place.release()->deleteLater();  // it is still on the stack
@@ -41,7 +45,26 @@ void PageTools::start(std::unique_ptr<Tool> started) {
   tool_ = std::move(started);
   follow(*tool_);
   giveViewItsTool();
+  if (const auto normal = tool_->drawsIn()) turnToPlane(*normal);
   view_.setFocus();
+}
+
+// A drawing is made where nothing is foreshortened. Who looks at the plane already, from above or from below, is not turned.
+void PageTools::turnToPlane(const Vec3& normal) {
+  const Turn now = view_.camera().heading();
+  constexpr double alike = 0.999;
+  if (std::abs(now.toCamera().dot(normal)) > alike) return;
+  const Turn to = turnTowards(normal);
+  turned_ = Turned{now, to};
+  view_.camera().lookFrom(to, true);
+}
+
+// Only a view that has not been turned since.
+void PageTools::turnBack() {
+  const auto turned = std::exchange(turned_, std::nullopt);
+  constexpr double alike = 1 - 1e-9;
+  if (turned && view_.camera().heading().toCamera().dot(turned->during.toCamera()) > alike)
+    view_.camera().lookFrom(turned->before, true);
 }
 
 bool PageTools::startDrawing(const std::string& featureType, const FeatureId& edited) {
@@ -57,6 +80,7 @@ bool PageTools::startDrawing(const std::string& featureType, const FeatureId& ed
 
 void PageTools::end() {
   if (!tool_) return;
+  turnBack();
   view_.setTool(nullptr);
   std::unique_ptr<Tool> ended = std::move(tool_);
   ended->revert();

@@ -1,8 +1,10 @@
 #pragma once
 #include <QObject>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "scene/camera.h"
 #include "ui/plugin/manipulator.h"
 #include "ui/plugin/tool.h"
 
@@ -37,12 +39,18 @@ class PageTools : public QObject {
   void follow(Tool&);
   void makeHandles(const MakeTool&, const FeatureId&);
   void giveViewItsTool();
+  void turnToPlane(const Vec3& normal);
+  void turnBack();
 
   ToolHost& host_;
   const ManipulatorRegistry& manipulators_;
   ViewWidget& view_;
   std::unique_ptr<Tool> tool_, handles_;
   FeatureId handled_;
+  struct Turned {
+    Turn before, during;
+  };
+  std::optional<Turned> turned_;  ///< the view, to the plane of the tool
 };
 
 }  // namespace blossom::ui

@@ -86,6 +86,8 @@ class Tool : public QObject {
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }  ///< if Esc is not accepted, it ends the tool
+  /// The normal of the plane that the tool draws in, to which the view turns as it begins; empty: the view stays.
+  [[nodiscard]] virtual std::optional<Vec3> drawsIn() const { return std::nullopt; }
   /// The objects that `ToolEvent::pick` finds and that are highlighted under the mouse.
   [[nodiscard]] virtual PickMode picks() const { return PickMode::Any; }
   /// Objects drawn over the scene, never picked. Called after every `changed`.

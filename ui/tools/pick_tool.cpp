@@ -4,8 +4,6 @@
 
 namespace blossom::ui {
 
-namespace {}  // namespace
-
 PickTool::PickTool(ToolHost& host, PickRequest request) : Tool(host), request_(std::move(request)) {}
 
 PickMode PickTool::picks() const {
@@ -16,10 +14,11 @@ PickMode PickTool::picks() const {
   return request_.kind == SubShapeKind::Vertex ? PickMode::Vertex : PickMode::Feature;
 }
 
-bool PickTool::suits(const Pick& pick) const {
+std::optional<Pick> PickTool::answerAt(const ToolEvent& event) const {
   const auto& features = request_.features;
-  return !pick.feature.empty() &&
-         (features.empty() || std::find(features.begin(), features.end(), pick.feature) != features.end());
+  const bool suits = !event.pick.feature.empty() &&
+                     (features.empty() || std::find(features.begin(), features.end(), event.pick.feature) != features.end());
+  return suits ? std::optional(event.pick) : std::nullopt;
 }
 
 // The camera takes the press too, so that the view can be turned while picking.
@@ -30,7 +29,8 @@ bool PickTool::press(const ToolEvent& event) {
 
 bool PickTool::release(const ToolEvent& event) {
   const bool clicked = event.button == Qt::LeftButton && (event.at - pressedAt_).manhattanLength() < clickReach;
-  if (clicked && suits(event.pick)) emit answered(event.pick);
+  if (clicked)
+    if (const auto answer = answerAt(event)) emit answered(*answer);
   return clicked;  // also what does not suit: selecting it would take the form away
 }
 

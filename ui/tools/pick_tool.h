@@ -4,7 +4,7 @@
 
 namespace blossom::ui {
 
-/// Answers the request of a form for a feature, a sub-shape, a point or a direction by clicks in the view.
+/// Answers the request of a form for a feature, a sub-shape or a direction by clicks in the view.
 class PickTool : public Tool {
   Q_OBJECT
  public:
@@ -18,8 +18,11 @@ class PickTool : public Tool {
  signals:
   void answered(const blossom::ui::Pick&);
 
+ protected:
+  /// What a click would answer; empty: nothing that suits.
+  [[nodiscard]] virtual std::optional<Pick> answerAt(const ToolEvent&) const;
+
  private:
-  [[nodiscard]] bool suits(const Pick&) const;
   PickRequest request_;
   QPointF pressedAt_;
 };

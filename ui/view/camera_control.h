@@ -35,6 +35,10 @@ class CameraControl : public QObject {
   void lookFrom(const Turn&, bool animated);
 
   [[nodiscard]] const Turn& turn() const { return state_.turn; }
+  /// The turn at the end of a glide.
+  [[nodiscard]] const Turn& heading() const {
+    return animation_.state() == QAbstractAnimation::Running ? to_.turn : state_.turn;
+  }
   [[nodiscard]] const Vec3& target() const { return state_.target; }
   [[nodiscard]] double millimetresPerPixel() const;
   [[nodiscard]] Ray rayThrough(QPointF at) const;

@@ -140,7 +140,7 @@ Bounds ViewWidget::extent() {
   return stage_.items().extent();
 }
 
-void ViewWidget::fit(bool animated) { camera_.frame(everything(), camera_.turn(), animated); }
+void ViewWidget::fit(bool animated) { camera_.frame(everything(), camera_.heading(), animated); }
 
 void ViewWidget::lookFrom(const QString& view, bool animated) {
   const std::vector<Vec3> points = everything();

@@ -68,7 +68,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   [[nodiscard]] const Pick& hoveredPick() const { return hovered_; }
 
   void fit(bool animated = true);
-  void fitTo(const std::vector<Vec3>& points, bool animated = true) { camera_.frame(points, camera_.turn(), animated); }
+  void fitTo(const std::vector<Vec3>& points, bool animated = true) { camera_.frame(points, camera_.heading(), animated); }
   void lookFrom(const QString& view, bool animated = true);  ///< a name of viewNames(); frames everything
   void zoomBy(double factor);
   [[nodiscard]] const CameraControl& camera() const { return camera_; }

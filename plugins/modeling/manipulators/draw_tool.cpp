@@ -131,7 +131,10 @@ bool DrawTool::entryKey(const QKeyEvent& event) {
   }
   if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
   const QByteArray text = event.text().toLatin1();
-  return text.size() == 1 && entry.type(text.at(0));
+  if (text.size() != 1) return false;
+  // Digits turn the view until there is a point to measure from; "@" begins the place of the first one.
+  const bool turnsView = !draft_.started() && !entry.open() && text.at(0) != '@';
+  return !turnsView && entry.type(text.at(0));
 }
 
 bool DrawTool::commandKey(const QKeyEvent& event) {
@@ -168,7 +171,7 @@ bool DrawTool::commandKey(const QKeyEvent& event) {
 }
 
 QString DrawTool::wanted() const {
-  if (!draft_.started()) return tr("Click the first point");
+  if (!draft_.started()) return tr("Click the first point, or type @ and its x,y");
   if (draft_.wantsMiddle()) return tr("Click a point that the arc passes, or type its radius");
   switch (draft_.mode()) {
     case DrawnKind::Line:

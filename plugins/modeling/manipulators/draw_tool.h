@@ -19,6 +19,7 @@ class DrawTool : public ui::Tool {
   bool release(const ui::ToolEvent&) override;
   bool doubleClick(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  [[nodiscard]] std::optional<Vec3> drawsIn() const override { return Vec3::UnitZ(); }
   [[nodiscard]] ui::PickMode picks() const override { return ui::PickMode::None; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
   void documentChanged() override;

@@ -14,6 +14,7 @@ class EditTool final : public DragTool {
   bool move(const ui::ToolEvent&) override;
   bool doubleClick(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  [[nodiscard]] std::optional<Vec3> drawsIn() const override { return Vec3::UnitZ(); }
 
  protected:
   [[nodiscard]] std::vector<Point> points(const Value& parameters) const override;

@@ -1,0 +1,169 @@
+// The view while something is drawn or a place is picked in it: it turns to the plane, follows keys and mouse, and shows
+// snaps.
+#include "ui/controls/pick_button.h"
+#include "ui/fields/parameter_field.h"
+#include "ui/tools/place_snap.h"
+#include "ui/tree/document_tree.h"
+#include "window_fixture.h"
+
+using namespace blossom;
+using namespace blossom::ui;
+
+class DrawingViewTest : public WindowFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openNewDocument(); }
+  void cleanup() { window_.reset(); }
+  void theViewTurnsToThePlaneAndBack();
+  void whoHasTurnedTheViewKeepsIt();
+  void digitsTurnTheViewBeforeTheFirstPoint();
+  void theMouseMovesTheViewWhileDrawing();
+  void placesOfAShape();
+  void pickedPositionsSnap();
+
+ private:
+  [[nodiscard]] ViewWidget& view() { return window_->view(); }
+  [[nodiscard]] double pitch() { return view().camera().turn().pitch; }
+  void press(Qt::Key key) { QTest::keyClick(&view(), key); }
+  void startDrawing() {
+    run("feature.modeling.outline");
+    QVERIFY(window_->page().toolStarted());
+    QTRY_COMPARE(pitch(), 90.0);
+  }
+};
+
+void DrawingViewTest::theViewTurnsToThePlaneAndBack() {
+  add("modeling.box", {{"position", {100, 0, 0}}});  // a planar drawing alone is looked at from above, whatever was before
+  view().lookFrom(QStringLiteral("iso"), false);
+  const Turn before = view().camera().turn();
+  QVERIFY(before.pitch < 80);
+  startDrawing();
+  QCOMPARE(view().camera().turn().yaw, 0.0);
+  press(Qt::Key_Escape);
+  QVERIFY(!window_->page().toolStarted());
+  QTRY_COMPARE(pitch(), before.pitch);
+  QCOMPARE(view().camera().turn().yaw, before.yaw);
+  // Also after an outline was drawn.
+  startDrawing();
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(30, 0, 0), Vec3(0, 20, 0), Vec3(0, 0, 0)}) clickAt(p);
+  QVERIFY(!window_->page().toolStarted());
+  QCOMPARE(window_->page().document().at(last()).type, std::string("modeling.outline"));
+  QTRY_COMPARE(pitch(), before.pitch);
+}
+
+void DrawingViewTest::whoHasTurnedTheViewKeepsIt() {
+  startDrawing();
+  view().camera().lookFrom({20, 60}, false);
+  press(Qt::Key_Escape);
+  QTest::qWait(50);
+  QCOMPARE(view().camera().heading().pitch, 60.0);
+  // From below, too, the plane is seen without being turned to.
+  view().camera().lookFrom(turnOf("bottom"), false);
+  run("feature.modeling.outline");
+  QCOMPARE(view().camera().heading().pitch, -90.0);
+}
+
+void DrawingViewTest::digitsTurnTheViewBeforeTheFirstPoint() {
+  startDrawing();
+  press(Qt::Key_1);
+  QTRY_COMPARE(pitch(), 0.0);  // front
+  QVERIFY(window_->page().toolStarted());
+  press(Qt::Key_5);
+  QTRY_COMPARE(pitch(), 90.0);  // top
+  QTest::keyClicks(&view(), QStringLiteral("@10,20"));
+  press(Qt::Key_Return);
+  QTest::keyClicks(&view(), QStringLiteral("15<0"));
+  press(Qt::Key_Return);
+  QCOMPARE(pitch(), 90.0);
+  QTest::keyClicks(&view(), QStringLiteral("15<90"));
+  press(Qt::Key_Return);
+  press(Qt::Key_C);
+  QVERIFY(!window_->page().toolStarted());
+  waitUntilComputed();
+  COMPARE_NEAR(measureOf(last(), "area"), 15.0 * 15 / 2, 1e-9);
+  const Value start = window_->page().document().at(last()).parameters.at("start");
+  QCOMPARE(start, Value::array({10.0, 20.0, 0.0}));
+}
+
+void DrawingViewTest::theMouseMovesTheViewWhileDrawing() {
+  startDrawing();
+  clickAt({0, 0, 0});
+  const Vec3 target = view().camera().target();
+  const QPoint middle = view().rect().center();
+  QTest::mousePress(&view(), Qt::MiddleButton, {}, middle);
+  QTest::mouseMove(&view(), middle + QPoint(60, 30));
+  QTest::mouseMove(&view(), middle + QPoint(90, 40));
+  QTest::mouseRelease(&view(), Qt::MiddleButton, {}, middle + QPoint(90, 40));
+  QVERIFY((view().camera().target() - target).norm() > 1);
+  QTest::mousePress(&view(), Qt::MiddleButton, Qt::ShiftModifier, middle);
+  QTest::mouseMove(&view(), middle + QPoint(20, -40));
+  QTest::mouseMove(&view(), middle + QPoint(20, -80));
+  QTest::mouseRelease(&view(), Qt::MiddleButton, Qt::ShiftModifier, middle + QPoint(20, -80));
+  QVERIFY(pitch() < 89);
+  QVERIFY(window_->page().toolStarted());
+}
+
+void DrawingViewTest::placesOfAShape() {
+  using Kind = SnapPlace::Kind;
+  const FeatureId box = add("modeling.box", {{"width", 10}, {"depth", 20}, {"height", 30}});
+  const auto count = [](const std::vector<SnapPlace>& places, Kind kind) {
+    return std::count_if(places.begin(), places.end(), [&](const SnapPlace& place) { return place.kind == kind; });
+  };
+  const auto boxes = snapPlaces(window_->page().result(box)->evaluated.shape);
+  QCOMPARE(count(boxes, Kind::Point), 8);
+  QCOMPARE(count(boxes, Kind::Midpoint), 12);
+  QCOMPARE(count(boxes, Kind::Centre), 0);
+  const FeatureId cylinder = add("modeling.cylinder", {{"radius", 5}, {"height", 30}});
+  const auto round = snapPlaces(window_->page().result(cylinder)->evaluated.shape);
+  QCOMPARE(count(round, Kind::Centre), 2);
+  QCOMPARE(count(round, Kind::Midpoint), 1);  // of the seam
+  // Straight down beside a corner, beside nothing, and beside what lies behind the face that is hit.
+  SnapAim aim{{{5.4, 9.7, 100}, -Vec3::UnitZ()}, 1, 10, SubPick{SubShapeKind::Face, 0, {5.4, 9.7, 30}, Vec3::UnitZ(), 70}};
+  const std::vector<SnapPlace> corners{{{5, 10, 30}, Kind::Point}, {{5.4, 9.7, 0}, Kind::Point}};
+  const auto snapped = snappedPlace(corners, aim);
+  QVERIFY(snapped && snapped->at == Vec3(5, 10, 30));
+  aim.reach = 0.2;
+  const auto onFace = snappedPlace(corners, aim);
+  QVERIFY(onFace && onFace->at == Vec3(5.4, 9.7, 30) && onFace->kind == Kind::Face);
+  aim.hit.reset();
+  aim.reach = 1;
+  const auto grid = snappedPlace({}, {{{10.3, 19.8, 100}, -Vec3::UnitZ()}, 1, 10, {}});
+  QVERIFY(grid && grid->at == Vec3(10, 20, 0) && grid->kind == Kind::Grid);
+  QVERIFY(!snappedPlace({}, {{{0, 0, 1}, Vec3::UnitX()}, 1, 10, {}}));
+}
+
+void DrawingViewTest::pickedPositionsSnap() {
+  add("modeling.box", {{"width", 40}, {"depth", 40}, {"height", 20}, {"anchor", "base"}});
+  const FeatureId drill = add("modeling.cylinder", {{"radius", 3}, {"height", 5}});
+  view().lookFrom(QStringLiteral("iso"), false);
+  window_->tree().select(drill);
+  auto* position = window_->page().properties().field(QStringLiteral("position"));
+  QVERIFY(position);
+  const auto pick = [&](const Vec3& near, QPoint beside, Qt::KeyboardModifiers modifiers = {}) {
+    position->findChild<PickButton*>()->click();
+    QVERIFY(window_->page().toolStarted());
+    const QPoint at = screenOf(near) + beside;
+    test::moveMouse(&view(), at);
+    QTest::mouseClick(&view(), Qt::LeftButton, modifiers, at);
+    waitUntilComputed();
+  };
+  const auto now = [&] {
+    const Value& p = window_->page().document().at(drill).parameters.at("position");
+    return Vec3(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+  };
+  pick({-20, -20, 20}, {3, 2});
+  QCOMPARE(now(), Vec3(-20, -20, 20));
+  pick({0, -20, 20}, {-2, 3});  // the middle of an edge
+  QCOMPARE(now(), Vec3(0, -20, 20));
+  pick({-20, -20, 20}, {3, 2}, Qt::ControlModifier);
+  QVERIFY((now() - Vec3(-20, -20, 20)).norm() > 1e-6);
+  // Beside the block, where there is nothing but the ground.
+  const double grid = window_->page().gridSpacing();
+  const Vec3 ground(std::round(60 / grid) * grid, std::round(-60 / grid) * grid, 0);
+  pick(ground, {2, 2});
+  QCOMPARE(now(), ground);
+}
+
+BLOSSOM_WINDOW_TEST_MAIN(DrawingViewTest)
+#include "drawing_view_test.moc"

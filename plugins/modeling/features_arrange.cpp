@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "core/angle.h"
 #include "core/error.h"
 #include "feature/input_image.h"
@@ -119,7 +121,11 @@ std::vector<Map> mapsOf(const PatternParameters& p) {
 
 std::vector<InputImage> copiesOf(const PatternParameters& p, const Inputs&) {
   std::vector<InputImage> images;
-  for (const Map& map : mapsOf(p)) images.push_back({0, map, images.empty() ? "" : "copy " + std::to_string(images.size())});
+  const auto row = static_cast<std::size_t>(std::max(1, p.count));
+  for (const Map& map : mapsOf(p)) {
+    const std::size_t k = images.size();
+    images.push_back({0, map, k == 0 ? std::string() : fmt::format("copy {},{}", k % row, k / row)});
+  }
   return images;
 }
 

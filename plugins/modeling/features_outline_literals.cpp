@@ -60,9 +60,11 @@ LiteralForm measured(std::string name, std::string syntax, std::string summary, 
 }
 
 LiteralForm textLiteral() {
-  return {"text", "text:WORDS", "A text 10 mm high in the standard font.", [](std::string_view words) -> Shape {
+  return {"text", "text:WORDS", "A text 10 mm high in the standard font.",
+          [](std::string_view words) -> Shape {
             return textOutline(std::string(words), fontFace(defaultFont, FontStyle::Regular), {}).region;
-          }};
+          },
+          [] { return fontState(defaultFont, FontStyle::Regular); }};
 }
 
 }  // namespace

@@ -76,6 +76,14 @@ FontFace fontFace(const std::string& family, FontStyle style) {
   noSuchStyle(family, style, faces);
 }
 
+std::string fontState(const std::string& family, FontStyle style) {
+  const auto face = installedFace(family, style);
+  if (!face) return {};
+  std::error_code ignored;
+  return fmt::format("{} {} {} {}", face->file.string(), face->index, std::filesystem::file_size(face->file, ignored),
+                     std::filesystem::last_write_time(face->file, ignored).time_since_epoch().count());
+}
+
 FeatureType textFeature() {
   using P = TextParameters;
   return feature<P>("modeling.text", "Text", "A text in an installed font, with the exact outlines of its letters.")
@@ -90,6 +98,7 @@ FeatureType textFeature() {
       .parameter("at", &P::at, point(), "The point on the base line of the first line, in the plane z = 0.")
       .parameter("spacing", &P::spacing, number(0.1, 10), "Factor on the distance from letter to letter.")
       .example("blossom text --text Blossom --font \"DejaVu Serif\" --style bold --height 12 -o text.dxf")
+      .dependsOn([](const P& p) { return fontState(p.font, p.style); })
       .evaluate(evaluateText);
 }
 

@@ -294,6 +294,22 @@
         <source>Drag to move %1</source>
         <translation>Ziehen verschiebt %1</translation>
     </message>
+    <message>
+        <source>The outline cannot have this size.</source>
+        <translation>Der Umriss kann diese Größe nicht haben.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Type the size · Enter takes it · Esc leaves it as it is</source>
+        <translation>Größe eingeben · Enter übernimmt · Esc lässt sie, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Double-click to type %1</source>
+        <translation>Doppelklick, um %1 einzugeben</translation>
+    </message>
 </context>
 <context>
     <name>blossom::modeling::DrawTool</name>
@@ -310,8 +326,8 @@
         <translation>Umriss zeichnen</translation>
     </message>
     <message>
-        <source>Click the first point</source>
-        <translation>Den ersten Punkt anklicken</translation>
+        <source>Click the first point, or type @ and its x,y</source>
+        <translation>Den ersten Punkt anklicken, oder @ und sein x,y eingeben</translation>
     </message>
     <message>
         <source>Click a point that the arc passes, or type its radius</source>
@@ -392,6 +408,10 @@
         <source>Drag points · double-click a segment to insert one · Delete removes the chosen one · Enter or Esc leaves</source>
         <translation>Punkte ziehen · Doppelklick auf ein Stück fügt einen ein · Entf entfernt den gewählten · Enter oder Esc verlässt</translation>
     </message>
+    <message>
+        <source>the length of this side</source>
+        <translation>die Länge dieser Seite</translation>
+    </message>
 </context>
 <context>
     <name>blossom::modeling::ShapeTool</name>
@@ -410,6 +430,38 @@
     <message>
         <source>the size</source>
         <translation>die Größe</translation>
+    </message>
+    <message>
+        <source>the width</source>
+        <translation>die Breite</translation>
+    </message>
+    <message>
+        <source>the height</source>
+        <translation>die Höhe</translation>
+    </message>
+    <message>
+        <source>the length</source>
+        <translation>die Länge</translation>
+    </message>
+    <message>
+        <source>the radius</source>
+        <translation>der Radius</translation>
+    </message>
+    <message>
+        <source>the outer radius</source>
+        <translation>der äußere Radius</translation>
+    </message>
+    <message>
+        <source>the inner radius</source>
+        <translation>der innere Radius</translation>
+    </message>
+    <message>
+        <source>the first half-axis</source>
+        <translation>die erste Halbachse</translation>
+    </message>
+    <message>
+        <source>the second half-axis</source>
+        <translation>die zweite Halbachse</translation>
     </message>
 </context>
 <context>
@@ -943,6 +995,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>&amp;Make from it</source>
         <translation>Daraus &amp;machen</translation>
     </message>
+    <message>
+        <source>Named &amp;numbers…</source>
+        <translation>Benannte &amp;Zahlen…</translation>
+    </message>
+    <message>
+        <source>Numbers with names that every field can use.</source>
+        <translation>Zahlen mit Namen, die jedes Feld benutzen kann.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentExport</name>
@@ -1094,6 +1154,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Compute</source>
         <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>%1 abspielen</translation>
     </message>
 </context>
 <context>
@@ -3059,6 +3123,10 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
+    <message>
+        <source>Play: makes a sequence of frames first</source>
+        <translation>Abspielen: macht zuerst eine Folge von Bildern</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::Tour</name>
@@ -3331,6 +3399,67 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::PointTool</name>
+    <message>
+        <source>Ctrl: no snapping</source>
+        <translation>Strg: kein Fang</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::SnapPlace</name>
+    <message>
+        <source>grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>on the edge</source>
+        <translation>auf der Kante</translation>
+    </message>
+    <message>
+        <source>midpoint</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::NumbersDialog</name>
+    <message>
+        <source>Named numbers</source>
+        <translation>Benannte Zahlen</translation>
+    </message>
+    <message>
+        <source>A name can be used in every field of this document, as in width/2 + 3 mm. A value without a unit is a plain number.</source>
+        <translation>Ein Name kann in jedem Feld dieses Dokuments stehen, etwa breite/2 + 3 mm. Ein Wert ohne Einheit ist eine reine Zahl.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Comes to</source>
+        <translation>Ergibt</translation>
+    </message>
+    <message>
+        <source>Remove row</source>
+        <translation>Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Change named numbers</source>
+        <translation>Benannte Zahlen ändern</translation>
     </message>
 </context>
 </TS>

@@ -294,6 +294,22 @@
         <source>Drag to move %1</source>
         <translation>끌어서 %1 이동</translation>
     </message>
+    <message>
+        <source>The outline cannot have this size.</source>
+        <translation>윤곽선은 이 크기가 될 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 변경</translation>
+    </message>
+    <message>
+        <source>Type the size · Enter takes it · Esc leaves it as it is</source>
+        <translation>크기 입력 · Enter: 적용 · Esc: 그대로 두기</translation>
+    </message>
+    <message>
+        <source>Double-click to type %1</source>
+        <translation>두 번 클릭하여 %1 입력</translation>
+    </message>
 </context>
 <context>
     <name>blossom::modeling::DrawTool</name>
@@ -310,8 +326,8 @@
         <translation>윤곽 그리기</translation>
     </message>
     <message>
-        <source>Click the first point</source>
-        <translation>첫 점을 클릭하십시오</translation>
+        <source>Click the first point, or type @ and its x,y</source>
+        <translation>첫 점을 클릭하십시오 (또는 @ 다음에 x,y 입력)</translation>
     </message>
     <message>
         <source>Click a point that the arc passes, or type its radius</source>
@@ -392,6 +408,10 @@
         <source>Drag points · double-click a segment to insert one · Delete removes the chosen one · Enter or Esc leaves</source>
         <translation>점 끌기 · 선분 두 번 클릭: 점 넣기 · Delete: 고른 점 빼기 · Enter 또는 Esc: 나가기</translation>
     </message>
+    <message>
+        <source>the length of this side</source>
+        <translation>이 변의 길이</translation>
+    </message>
 </context>
 <context>
     <name>blossom::modeling::ShapeTool</name>
@@ -410,6 +430,38 @@
     <message>
         <source>the size</source>
         <translation>크기</translation>
+    </message>
+    <message>
+        <source>the width</source>
+        <translation>너비</translation>
+    </message>
+    <message>
+        <source>the height</source>
+        <translation>높이</translation>
+    </message>
+    <message>
+        <source>the length</source>
+        <translation>길이</translation>
+    </message>
+    <message>
+        <source>the radius</source>
+        <translation>반지름</translation>
+    </message>
+    <message>
+        <source>the outer radius</source>
+        <translation>바깥 반지름</translation>
+    </message>
+    <message>
+        <source>the inner radius</source>
+        <translation>안쪽 반지름</translation>
+    </message>
+    <message>
+        <source>the first half-axis</source>
+        <translation>첫째 반축</translation>
+    </message>
+    <message>
+        <source>the second half-axis</source>
+        <translation>둘째 반축</translation>
     </message>
 </context>
 <context>
@@ -943,6 +995,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>&amp;Make from it</source>
         <translation>이것으로 만들기(&amp;M)</translation>
     </message>
+    <message>
+        <source>Named &amp;numbers…</source>
+        <translation>이름 붙은 수(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Numbers with names that every field can use.</source>
+        <translation>모든 입력란에서 쓸 수 있는, 이름 붙은 수입니다.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentExport</name>
@@ -1094,6 +1154,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Compute</source>
         <translation>계산</translation>
+    </message>
+    <message>
+        <source>Play %1</source>
+        <translation>%1 재생</translation>
     </message>
 </context>
 <context>
@@ -3059,6 +3123,10 @@ Drag sideways to change it.</source>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>Play: makes a sequence of frames first</source>
+        <translation>재생: 먼저 프레임 시퀀스를 만듭니다</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::Tour</name>
@@ -3331,6 +3399,67 @@ Drag sideways to change it.</source>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::PointTool</name>
+    <message>
+        <source>Ctrl: no snapping</source>
+        <translation>Ctrl: 스냅 없음</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::SnapPlace</name>
+    <message>
+        <source>grid</source>
+        <translation>격자</translation>
+    </message>
+    <message>
+        <source>on the edge</source>
+        <translation>모서리 위</translation>
+    </message>
+    <message>
+        <source>midpoint</source>
+        <translation>중점</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>중심</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>점</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::NumbersDialog</name>
+    <message>
+        <source>Named numbers</source>
+        <translation>이름 붙은 수</translation>
+    </message>
+    <message>
+        <source>A name can be used in every field of this document, as in width/2 + 3 mm. A value without a unit is a plain number.</source>
+        <translation>이름은 이 문서의 모든 입력란에서 쓸 수 있습니다(예: width/2 + 3 mm). 단위가 없는 값은 단순한 수입니다.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>Comes to</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Remove row</source>
+        <translation>행 삭제</translation>
+    </message>
+    <message>
+        <source>Change named numbers</source>
+        <translation>이름 붙은 수 변경</translation>
     </message>
 </context>
 </TS>

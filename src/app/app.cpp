@@ -11,6 +11,7 @@
 #include "core/lower_case.h"
 #include "document/edits.h"
 #include "document/file_access.h"
+#include "document/named_numbers.h"
 #include "exchange/formats.h"
 
 namespace blossom {
@@ -112,7 +113,11 @@ Document withImported(const App& app, const Document& document, const fs::path& 
 }
 
 OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
-  if (isDocument(file)) return openDocument(file, salvage);
+  if (isDocument(file)) {
+    OpenedDocument document = openDocument(file, salvage);
+    document.document = withNumbersApplied(document.document, *app.registry);
+    return document;
+  }
   FeatureId import;
   OpenedDocument opened{withImported(app, Document(), file, &import), {}};
   const auto opener = app.registry->opening(readableFormat(app, file).reads);

@@ -20,6 +20,12 @@ Shape shapeOf(const std::string& text, const Registry& registry) {
               forms.empty() ? "No plugin that is loaded has such forms." : fmt::format("The forms are {}.", forms));
 }
 
+std::string dependence(const std::string& text, const Registry& registry) {
+  for (const auto& form : registry.literals())
+    if (form.dependsOn && text.starts_with(form.name + ':')) return form.dependsOn();
+  return {};
+}
+
 }  // namespace
 
 FeatureType literalFeature(const std::weak_ptr<const Registry>& registry) {
@@ -27,6 +33,10 @@ FeatureType literalFeature(const std::weak_ptr<const Registry>& registry) {
       .command("literal")
       .icon("literal")
       .parameter("text", &LiteralParameters::text, text(), "The form and its measures.")
+      .dependsOn([registry](const LiteralParameters& p) {
+        const auto alive = registry.lock();
+        return alive ? dependence(p.text, *alive) : std::string();
+      })
       .evaluate([registry](const LiteralParameters& p, const Inputs&, const Progress&) -> Evaluated {
         const auto alive = registry.lock();
         if (!alive) throw Error(ErrorCode::Internal, "The registry of literal forms is gone.");

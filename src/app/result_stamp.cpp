@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <link.h>
 
 #include <algorithm>
 #include <vector>
@@ -7,7 +8,6 @@
 #include "core/version.h"
 #include "document/storage.h"
 #include "results/result_store.h"
-#include "worker/worker.h"
 
 namespace blossom {
 
@@ -15,31 +15,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name, size and time of every library in a folder whose name begins like this.
-void addLibraries(const fs::path& folder, const std::string& beginning, std::vector<std::string>& all) {
+/// Path, size and time of a library.
+std::string stateOf(const fs::path& library) {
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_directory(ignored) || !name.starts_with(beginning) || name.find(".so") == std::string::npos) continue;
-    all.push_back(
-        fmt::format("{} {} {}", name, entry.file_size(ignored), entry.last_write_time(ignored).time_since_epoch().count()));
-  }
+  return fmt::format("{} {} {}\n", library.string(), fs::file_size(library, ignored),
+                     fs::last_write_time(library, ignored).time_since_epoch().count());
 }
 
-/// Differs between any two builds: a result of another build may be the one that its fault was mended for.
+/// Every library in a folder, in the order of their names.
+std::string librariesIn(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<std::string> all;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (!entry.is_directory(ignored) && entry.path().filename().string().find(".so") != std::string::npos)
+      all.push_back(stateOf(entry.path()));
+  std::sort(all.begin(), all.end());
+  std::string joined;
+  for (const std::string& each : all) joined += each;
+  return joined;
+}
+
+/// Our own libraries and those of the system that are loaded: kernels such as OpenCASCADE make results, too.
+int addLoaded(dl_phdr_info* module, std::size_t, void* all) {
+  const std::string name = module->dlpi_name ? module->dlpi_name : "";
+  if (name.starts_with('/')) static_cast<std::vector<std::string>*>(all)->push_back(stateOf(name));
+  return 0;
+}
+
+/// Differs between any two builds: a result of another build may be the one that its fault was mended for. Of several
+/// folders with plugins the first ones win.
 std::string buildStamp() {
-  std::vector<std::string> libraries{versionText};
-  static const char here = 0;
-  addLibraries(fs::path(moduleOf(&here)).parent_path(), "libblossom", libraries);
+  std::vector<std::string> loaded;
+  dl_iterate_phdr(addLoaded, &loaded);
+  std::sort(loaded.begin(), loaded.end());
+  std::string all = versionText;
+  for (const std::string& each : loaded) all += each;
   std::error_code ignored;
   for (const fs::path& folder : pluginSearchPath()) {
-    addLibraries(folder, "", libraries);
+    std::vector<fs::path> plugins;
     for (const auto& plugin : fs::directory_iterator(folder, ignored))
-      if (plugin.is_directory(ignored)) addLibraries(plugin.path(), "", libraries);
+      if (plugin.is_directory(ignored)) plugins.push_back(plugin.path());
+    std::sort(plugins.begin(), plugins.end());
+    for (const fs::path& plugin : plugins) all += librariesIn(plugin);
   }
-  std::sort(libraries.begin(), libraries.end());
-  std::string all;
-  for (const std::string& library : libraries) all += library + '\n';
   return contentHash(all).substr(0, 12);
 }
 

@@ -11,6 +11,7 @@
 #include "cli/progress_display.h"
 #include "cli/report.h"
 #include "document/edits.h"
+#include "document/named_numbers.h"
 #include "geometry/measure/volume_doubt.h"
 
 namespace blossom {
@@ -74,6 +75,7 @@ class InfoCommand {
         info.json["result"] = resultJson(info.measures = measured(result.evaluated, progress));
       warnings = withDoubts(std::move(warnings), result.evaluated.shape, progress);
     }
+    for (const NamedNumber& row : numbersOf(opened.document)) info.json["numbers"][row.name] = row.value;
     info.json["stats"] = {{"total_ms", invocation_.elapsedMs()}};
     info.json["warnings"] = warnings;
     return info;
@@ -125,6 +127,8 @@ class InfoCommand {
     std::ostream& out = invocation_.terminal.out;
     out << info.at("file").get<std::string>() << '\n';
     if (info.contains("features")) printFeatureTable(out, info.at("features"));
+    for (const auto& [name, value] : info.value("numbers", Value::object()).items())
+      out << name << " = " << value.get<std::string>() << '\n';
     auto rows = all.measures.kind.empty() ? std::vector<ReportRow>() : rowsOf(all.measures);
     addRows(rows, info.at("stats"));
     printRows(out, rows);

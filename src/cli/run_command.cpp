@@ -12,6 +12,8 @@
 #include "document/edits.h"
 #include "document/file_access.h"
 #include "document/file_values.h"
+#include "document/named_numbers.h"
+#include "parameter/written.h"
 
 namespace blossom {
 namespace {
@@ -28,8 +30,9 @@ class RunCommand {
       : invocation_(invocation),
         app_(line.add("run", "Evaluate all features of a document.", invocation, [this] { return run(); })) {
     app_.add_option("DOC", file_, "A .blossom document, or any file that Blossom reads.")->type_name("");
-    app_.add_option("--set", settings_, "Another value for a parameter of a feature; may be repeated.")
-        ->type_name("FEATURE.PARAMETER[.FIELD]=VALUE")
+    app_.add_option("--set", settings_,
+                    "Another value for a parameter of a feature, or for a named number of the document; may be repeated.")
+        ->type_name("FEATURE.PARAMETER[.FIELD]=VALUE|NUMBER=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app_.add_option("--export,-o,--output", exports_,
@@ -86,7 +89,7 @@ class RunCommand {
     const auto equals = text.find('=');
     const auto dot = text.substr(0, equals).rfind('.');
     if (equals == std::string::npos || dot == std::string::npos)
-      throw UsageError(fmt::format("\"{}\" is not FEATURE.PARAMETER=VALUE.", text),
+      throw UsageError(fmt::format("\"{}\" is not FEATURE.PARAMETER=VALUE, and no named number.", text),
                        "Write for example --set sweep-1.tolerance=0.01.");
     Setting setting{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), {}};
     const auto inner = setting.feature.rfind('.');
@@ -111,7 +114,7 @@ class RunCommand {
 
   /// A file that is typed here begins at the current folder, whatever the document's own begin at, and may be read.
   static Value typed(const ParameterSpec& spec, const std::string& text, const Document& document) {
-    Value value = parseText(spec, text);
+    Value value = writtenText(spec, text, namedNumbersOf(document));
     eachFile(spec, value, [&](Value& file) {
       const std::filesystem::path path = std::filesystem::absolute(file.value("path", std::string()));
       if (document.access()) document.access()->allow(path);
@@ -120,8 +123,24 @@ class RunCommand {
     return value;
   }
 
+  /// "width=60 mm" for a named number of the document; nothing when the text does not name one.
+  std::optional<Document> withNumberSet(const Document& document, const std::string& text) const {
+    const auto equals = text.find('=');
+    std::vector<NamedNumber> table = numbersOf(document);
+    const auto row = std::find_if(table.begin(), table.end(),
+                                  [&](const NamedNumber& each) { return each.name == text.substr(0, equals); });
+    if (equals == std::string::npos || row == table.end()) return std::nullopt;
+    row->value = text.substr(equals + 1);
+    try {
+      return withNumbers(document, *invocation_.app.registry, table);
+    } catch (const Error& error) {
+      throw UsageError("--set " + error.message(), error.hint(), error.code());
+    }
+  }
+
   /// "sweep-1.tolerance=0.01", "import-1.control-points.degree-u=1"
   Document withSetting(const Document& document, const std::string& text) const {
+    if (auto changed = withNumberSet(document, text)) return *std::move(changed);
     const Setting setting = settingOf(document, text);
     const std::size_t equals = text.find('=');
     Feature changed = featureNamed(document, setting.feature);

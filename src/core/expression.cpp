@@ -21,6 +21,30 @@ constexpr int deepest = 100;  // of parentheses and signs, for the stack's sake
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
+/// Bytes of the letter at a place, 0 when there is none. Of other alphabets everything counts that no expression uses as a
+/// sign: the Latin-1 signs (° · µ), the general punctuation, × ÷ μ and π do not.
+std::size_t letterAt(std::string_view text, std::size_t at) {
+  if (at >= text.size()) return 0;
+  if (isLetter(text[at])) return 1;
+  const auto lead = static_cast<unsigned char>(text[at]);
+  constexpr unsigned char firstLetters = 0xC3, punctuation = 0xE2;
+  if (lead < firstLetters || lead == punctuation) return 0;
+  for (const std::string_view sign : {"×", "÷", "μ", "π"})
+    if (text.substr(at).starts_with(sign)) return 0;
+  std::size_t end = at + 1;
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
+  return end - at;
+}
+
+/// End of the word that starts at a place.
+std::size_t wordEnd(std::string_view text, std::size_t at) {
+  for (;;) {
+    const std::size_t letter = letterAt(text, at);
+    if (letter == 0 && (at >= text.size() || !isDigit(text[at]))) return at;
+    at += std::max<std::size_t>(letter, 1);
+  }
+}
+
 /// How a user counts: characters, not bytes.
 std::size_t characterAt(std::string_view text, std::size_t byte) {
   std::size_t count = 1;
@@ -37,18 +61,27 @@ std::string_view wholeCharacter(std::string_view text, std::size_t byte) {
 
 class Parser {
  public:
-  Parser(std::string_view text, Quantity wanted, const LengthUnit& unit) : text_(text), wanted_(wanted), unit_(unit) {}
+  Parser(std::string_view text, Quantity wanted, const LengthUnit& unit, const NamedNumbers& known)
+      : text_(text), wanted_(wanted), unit_(unit), names_(known) {}
 
-  double result() {
+  double result() { return checkedAt(0, asWanted(whole())).value; }
+
+  Dimensioned quantityResult() {
+    const Dimensioned value = whole();
+    if (!value.plain() && !value.is(1, 0) && !value.is(0, 1)) fail(0, "it comes to a product of units");
+    return checkedAt(0, value);
+  }
+
+ private:
+  Dimensioned whole() {
     blanks();
     if (atEnd()) fail(at_, "nothing is written");
     const Dimensioned value = sum();
     blanks();
     if (!atEnd()) unexpected();
-    return checkedAt(0, asWanted(value)).value;
+    return value;
   }
 
- private:
   // A plain "10" may mean 10 mm: only dimensions that cannot be intended are refused.
   Dimensioned asWanted(const Dimensioned& value) const {
     const bool length = value.is(1, 0), angle = value.is(0, 1);
@@ -169,7 +202,7 @@ class Parser {
     if (c == '(') return parenthesised();
     if (isDigit(c) || c == '.') return {number()};
     if (take("π")) return {std::numbers::pi};
-    if (isLetter(c)) return named();
+    if (letterAt(text_, at_) > 0) return named();
     unexpected();
   }
 
@@ -185,6 +218,7 @@ class Parser {
     const std::size_t place = at_;
     const std::string_view name = word();
     blanks();
+    if (const auto known = names_.find(name); known != names_.end()) return known->second;
     if (name == "pi") return {std::numbers::pi};
     if (name == "tau") return {2 * std::numbers::pi};
     const ExpressionFunction* function = findFunction(name);
@@ -254,8 +288,8 @@ class Parser {
       const std::size_t place = at_;
       const std::string_view name = word();
       if (const auto unit = unitNamed(name)) return unit;
-      fail(place, findFunction(name) ? fmt::format("an operator is missing before \"{}\"", name)
-                                     : fmt::format("\"{}\" is not a unit", name));
+      fail(place, findFunction(name) || names_.contains(name) ? fmt::format("an operator is missing before \"{}\"", name)
+                                                              : fmt::format("\"{}\" is not a unit", name));
     }
     at_ = back;
     return std::nullopt;
@@ -263,7 +297,7 @@ class Parser {
 
   std::string_view word() {
     const std::size_t place = at_;
-    while (!atEnd() && (isLetter(text_[at_]) || isDigit(text_[at_]))) ++at_;
+    at_ = wordEnd(text_, at_);
     return text_.substr(place, at_ - place);
   }
 
@@ -309,7 +343,13 @@ class Parser {
     throw Error(ErrorCode::InvalidParameter,
                 fmt::format("\"{}{}\" is not {}: {} (character {}).", shown, shown.size() < text_.size() ? ".." : "", wanted,
                             what, characterAt(text_, place)),
-                fmt::format("Write for example {}.", examples));
+                fmt::format("Write for example {}.{}", examples, namesTold()));
+  }
+
+  [[nodiscard]] std::string namesTold() const {
+    std::string told;
+    for (const auto& [name, value] : names_) told += (told.empty() ? " Names: " : ", ") + name;
+    return told.empty() ? told : told + '.';
   }
 
   class Depth {
@@ -328,6 +368,7 @@ class Parser {
   std::string_view text_;
   Quantity wanted_;
   const LengthUnit& unit_;
+  const NamedNumbers& names_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
@@ -339,8 +380,61 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-double evaluateExpression(std::string_view text, Quantity wanted, const LengthUnit& plain) {
-  return Parser(trimmed(text), wanted, plain).result();
+double evaluateExpression(std::string_view text, Quantity wanted, const LengthUnit& plain, const NamedNumbers& known) {
+  return Parser(trimmed(text), wanted, plain, known).result();
+}
+
+Dimensioned evaluateQuantity(std::string_view text, const LengthUnit& plain, const NamedNumbers& known) {
+  return Parser(trimmed(text), Quantity::Number, plain, known).quantityResult();
+}
+
+std::string nameProblem(std::string_view name) {
+  if (name.empty()) return "A name is missing.";
+  if (letterAt(name, 0) == 0 || wordEnd(name, 0) != name.size())
+    return fmt::format("\"{}\" cannot be a name: use letters, digits and _, and begin with a letter.", name);
+  if (unitNamed(name)) return fmt::format("\"{}\" is a unit.", name);
+  if (findFunction(name)) return fmt::format("\"{}\" is a function.", name);
+  return name == "pi" || name == "tau" ? fmt::format("\"{}\" is a constant.", name) : std::string();
+}
+
+namespace {
+
+/// Calls a function with begin and end of each word. The e of 1e3 is none.
+template <class F>
+void forEachWord(std::string_view text, const F& function) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    if (letterAt(text, at) > 0) {
+      const std::size_t end = wordEnd(text, at);
+      function(at, end);
+      at = end;
+    } else if (isDigit(text[at]) || text[at] == '.') {
+      double number = 0;
+      const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+      at = error == std::errc::invalid_argument ? at + 1 : static_cast<std::size_t>(end - text.data());
+    } else {
+      ++at;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> wordsOf(std::string_view expression) {
+  std::vector<std::string> words;
+  forEachWord(expression, [&](std::size_t from, std::size_t to) { words.emplace_back(expression.substr(from, to - from)); });
+  return words;
+}
+
+std::string withWord(std::string_view expression, std::string_view word, std::string_view replacement) {
+  std::string text;
+  std::size_t done = 0;
+  forEachWord(expression, [&](std::size_t from, std::size_t to) {
+    if (expression.substr(from, to - from) != word) return;
+    text.append(expression.substr(done, from - done)).append(replacement);
+    done = to;
+  });
+  return text.append(expression.substr(done));
 }
 
 }  // namespace blossom

@@ -1,6 +1,9 @@
 #pragma once
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/dimensioned.h"
 #include "core/units.h"
 
 namespace blossom {
@@ -19,6 +22,18 @@ enum class Quantity { Number, Length, Angle };
 /// angle, and read no feet and inches.
 /// @throws Error InvalidParameter that quotes the text, says what is wrong, and at which character (the first is 1); also
 /// when a result is not finite.
-double evaluateExpression(std::string_view text, Quantity wanted, const LengthUnit& plain = {});
+/// @param names numbers that it may use by their names
+double evaluateExpression(std::string_view text, Quantity wanted, const LengthUnit& plain = {},
+                          const NamedNumbers& names = {});
+/// The same where a number, a length or an angle is wanted; a number without a unit is plain.
+Dimensioned evaluateQuantity(std::string_view text, const LengthUnit& plain = {}, const NamedNumbers& names = {});
+
+/// Why a number cannot have this name: letters, digits and _, not beginning with a digit, and no unit, function or constant.
+/// Letters of other alphabets are allowed. Empty: it can.
+std::string nameProblem(std::string_view name);
+/// The words of an expression that are no numbers: names, units, functions.
+std::vector<std::string> wordsOf(std::string_view expression);
+/// The expression with one word in the place of another.
+std::string withWord(std::string_view expression, std::string_view word, std::string_view replacement);
 
 }  // namespace blossom

@@ -38,11 +38,15 @@ double millimetresPer(std::string_view unit) {
   return 0;
 }
 
-double parseLength(std::string_view text, const LengthUnit& unit) {
-  return evaluateExpression(text, Quantity::Length, unit);
+double parseLength(std::string_view text, const LengthUnit& unit, const NamedNumbers& known) {
+  return evaluateExpression(text, Quantity::Length, unit, known);
 }
-double parseAngle(std::string_view text) { return evaluateExpression(text, Quantity::Angle); }
-double parseNumber(std::string_view text) { return evaluateExpression(text, Quantity::Number); }
+double parseAngle(std::string_view text, const NamedNumbers& known) {
+  return evaluateExpression(text, Quantity::Angle, {}, known);
+}
+double parseNumber(std::string_view text, const NamedNumbers& known) {
+  return evaluateExpression(text, Quantity::Number, {}, known);
+}
 
 std::string formatNumber(double value) { return fmt::format("{}", value); }
 

@@ -43,6 +43,16 @@ bool lasting(const std::optional<Error>& error) {
   }
 }
 
+/// Whether what was kept may be a result of this type; files in a folder may be anything.
+bool isOf(const FeatureType& type, const KeptResult& kept) {
+  try {
+    checkResult(type, kept.evaluated.shape);
+  } catch (const Error&) {
+    return false;
+  }
+  return !kept.gougeLeftOut || kept.evaluated.shape.get<Toolpath>() != nullptr;
+}
+
 Error unknownType(const std::string& type) {
   const std::string plugin = type.substr(0, type.find('.'));
   return Error(ErrorCode::NotFound, fmt::format("The feature type \"{}\" is not known here.", type),
@@ -88,6 +98,7 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
   std::string key;
   std::shared_ptr<const FeatureResult> found;
   std::optional<Stopwatch> watch;
+  bool changed = false;
   Value parts = Value::object();
   result->error = errorOf(shownName(feature), [&] {
     const auto type = registry_.find(feature.type);
@@ -102,8 +113,9 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
       named = std::move(again.now);
       parts = std::move(again.kept);
     }
+    const Value before = outcome.parameters = named;
     const Value parameters = openedFiles(type->parameters, std::move(named), keyed);
-    key = keyOf(feature, keyed);
+    key = keyOf(feature, *type, parameters, keyed);
     const auto inputs = [&]() -> const Inputs& {
       if (!arranged) arranged = inputsOf(feature, *type);
       return *arranged;
@@ -115,6 +127,10 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     result->evaluated = type->evaluate(parameters, *arranged, progress);
     checkResult(*type, result->evaluated.shape);
     refuseInfiniteFigures(result->evaluated);
+    // A file that was written meanwhile may have been read as it is now: the result is of no content that is known.
+    Value after;
+    openedFiles(type->parameters, before, after);
+    changed = after != keyed;
   });
   if (watch) {
     result->kernelMs = watch->elapsedMs();
@@ -125,8 +141,8 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
     result->fromCache = true;
     result->kernelMs = 0;
     result->evaluated.stats.erase(workerTime);
-  } else if (!key.empty() && lasting(result->error)) {
-    cache_.store(key, std::make_shared<FeatureResult>(*result));
+  } else if (!key.empty() && !changed && lasting(result->error)) {
+    cache_.store(key, std::make_shared<FeatureResult>(*result), generation_);
     if (!result->error && result->kernelMs > worthIt) worthy_.emplace_back(key, result);
   }
   result->parts = std::move(parts);
@@ -140,7 +156,7 @@ std::shared_ptr<const FeatureResult> Evaluation::known(const std::string& key, c
                                                        const std::function<const Inputs&()>& arranged) {
   if (auto found = cache_.find(key)) return found;
   auto kept = store_ ? store_->find(key) : std::nullopt;
-  if (!kept) return nullptr;
+  if (!kept || !isOf(type, *kept)) return nullptr;
   if (kept->gougeLeftOut) {
     Toolpath path = *kept->evaluated.shape.get<Toolpath>();
     path.gougeOf = gougeAnew(type, parameters, arranged());
@@ -148,7 +164,7 @@ std::shared_ptr<const FeatureResult> Evaluation::known(const std::string& key, c
   }
   auto found = std::make_shared<FeatureResult>();
   found->evaluated = std::move(kept->evaluated);
-  cache_.store(key, found);
+  cache_.store(key, found, generation_);
   return found;
 }
 
@@ -183,7 +199,7 @@ ConstructionStep Evaluation::stepOf(const FeatureId& id) const {
   for (std::size_t k = 0; k < type->inputs.size(); ++k)
     for (const Shape& shape : arranged.of(k)) step.inputs.push_back(shape);
   if (type->images)
-    step.images = type->images(completed(type->parameters, feature->parameters), arranged);
+    step.images = type->images(outcomes_.at(feature->id).parameters, arranged);
   else
     for (std::size_t k = 0; k < step.inputs.size(); ++k) step.images.push_back({.input = k});
   return step;
@@ -236,8 +252,10 @@ void Evaluation::openFiles(const ParameterSpec& spec, Value& parameter, Value& k
   }
 }
 
-std::string Evaluation::keyOf(const Feature& feature, const Value& keyed) const {
+std::string Evaluation::keyOf(const Feature& feature, const FeatureType& type, const Value& parameters,
+                              const Value& keyed) const {
   Value content = Value::array({feature.type, keyed});
+  if (type.dependsOn) content.push_back({{"depends", type.dependsOn(parameters)}});
   for (const auto& input : feature.inputs) content.push_back(outcomes_.at(input).key);
   return contentHash(content.dump(-1, ' ', false, Value::error_handler_t::replace));
 }

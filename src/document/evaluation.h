@@ -28,6 +28,7 @@ class Evaluation {
     std::string key;  ///< content key; empty when there is no result
     Shape shape;
     std::vector<std::string> warnings;
+    Value parameters;  ///< complete, with the numbers that parts have now; null when they have an error
     std::shared_ptr<const Error> rootError;  ///< error of the first feature that failed
   };
 
@@ -39,12 +40,13 @@ class Evaluation {
   void openFiles(const ParameterSpec&, Value& parameter, Value& keyed);
   std::shared_ptr<const FeatureResult> known(const std::string& key, const FeatureType&, const Value& parameters,
                                              const std::function<const Inputs&()>& arranged);
-  std::string keyOf(const Feature&, const Value& keyed) const;
+  std::string keyOf(const Feature&, const FeatureType&, const Value& parameters, const Value& keyed) const;
   [[nodiscard]] ConstructionStep stepOf(const FeatureId&) const;
 
   const Document& document_;
   const Registry& registry_;
   ResultCache& cache_;
+  const std::uint64_t generation_ = cache_.generation();
   FileSource& files_;
   Costs& costs_;
   ResultStore* store_;

@@ -1,6 +1,7 @@
 #include "document/evaluator.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -38,25 +39,71 @@ struct Evaluator::State {
   std::mutex mutex;
   std::condition_variable changed;
   std::optional<BackgroundRun> waiting;
-  std::optional<CancelToken> running;     ///< of the job under way
-  std::deque<Evaluation::Worthy> toKeep;  ///< written while there is nothing else to do
+  std::optional<CancelToken> running;  ///< of the job under way
   bool ending = false;
   std::thread thread;
+
+  // Another thread writes results to the store, so that no evaluation waits for a disk.
+  std::deque<Evaluation::Worthy> toKeep;
+  std::thread keeper;
+  CancelToken keeping;
 
   Results evaluate(const Document& document, const Progress& progress, const Done& done) {
     cache.makeRoomFor(document.features().size());
     Evaluation evaluation(document, *registry, cache, files, costs, anew ? nullptr : store.get());
-    Results results = evaluation.run(progress, done);
-    if (!store) return results;
-    const std::vector<Evaluation::Worthy> worthy = evaluation.worthKeeping();
-    const std::lock_guard lock(mutex);
-    toKeep.insert(toKeep.end(), worthy.begin(), worthy.end());
-    return results;
+    try {
+      Results results = evaluation.run(progress, done);
+      keep(evaluation.worthKeeping());
+      return results;
+    } catch (const Error&) {
+      keep(evaluation.worthKeeping());  // what was done before it was cancelled
+      throw;
+    }
   }
 
+  void keep(const std::vector<Evaluation::Worthy>&);
+  void writeKept();
   void work();
   void perform(const BackgroundRun&);
+  void end();
 };
+
+void Evaluator::State::keep(const std::vector<Evaluation::Worthy>& worthy) {
+  if (!store || worthy.empty()) return;
+  const std::lock_guard lock(mutex);
+  toKeep.insert(toKeep.end(), worthy.begin(), worthy.end());
+  if (!keeper.joinable()) keeper = std::thread([this] { writeKept(); });
+  changed.notify_all();
+}
+
+void Evaluator::State::writeKept() {
+  lowerThreadPriority();
+  const Progress progress(keeping, {});
+  std::unique_lock lock(mutex);
+  while (true) {
+    changed.wait(lock, [&] { return ending || !toKeep.empty(); });
+    if (toKeep.empty() || progress.cancelled()) return;
+    const Evaluation::Worthy next = std::move(toKeep.front());
+    toKeep.pop_front();
+    lock.unlock();
+    store->keep(next.first, next.second->evaluated, progress);
+    lock.lock();
+    changed.notify_all();
+  }
+}
+
+// What a program that ends at once has computed is still written, as far as that takes a moment only.
+void Evaluator::State::end() {
+  constexpr auto moment = std::chrono::seconds(1);
+  std::unique_lock lock(mutex);
+  ending = true;
+  changed.notify_all();
+  if (keeper.joinable()) changed.wait_for(lock, moment, [&] { return toKeep.empty(); });
+  keeping.cancel();
+  lock.unlock();
+  if (keeper.joinable()) keeper.join();
+  if (thread.joinable()) thread.join();
+}
 
 void Evaluator::State::perform(const BackgroundRun& job) {
   try {
@@ -74,16 +121,8 @@ void Evaluator::State::work() {
   lowerThreadPriority();
   std::unique_lock lock(mutex);
   while (true) {
-    changed.wait(lock, [&] { return ending || waiting || !toKeep.empty(); });
+    changed.wait(lock, [&] { return ending || waiting; });
     if (ending) return;
-    if (!waiting) {
-      const Evaluation::Worthy next = std::move(toKeep.front());
-      toKeep.pop_front();
-      lock.unlock();
-      store->keep(next.first, next.second->evaluated);
-      lock.lock();
-      continue;
-    }
     std::optional<BackgroundRun> job;
     job.swap(waiting);
     running = job->progress.token();
@@ -101,12 +140,7 @@ Evaluator::Evaluator(std::shared_ptr<const Registry> registry, std::size_t cache
 
 Evaluator::~Evaluator() {
   cancelBackground();
-  {
-    const std::lock_guard lock(state_->mutex);
-    state_->ending = true;
-  }
-  state_->changed.notify_all();
-  if (state_->thread.joinable()) state_->thread.join();
+  state_->end();
 }
 
 Results Evaluator::evaluate(const Document& document, const Progress& progress, const Done& done) {

@@ -116,6 +116,54 @@ FoundParts foundParts(const Feature& feature, const FeatureType& type, const Val
   return found;
 }
 
+namespace {
+
+/// The shapes of a feature's inputs; nothing while one is not known.
+std::optional<Inputs> shownInputs(const Feature& feature, const FeatureType& type, const ShapeOf& shapeOf) {
+  std::vector<Shape> shapes;
+  for (const FeatureId& id : feature.inputs) {
+    const Shape* shape = shapeOf(id);
+    if (!shape || shape->empty()) return std::nullopt;
+    shapes.push_back(*shape);
+  }
+  try {
+    return arrangedInputs(type, shapes);
+  } catch (const Error&) {
+    return std::nullopt;  // the feature tells it
+  }
+}
+
+void addAppearance(Value& part, const Shape& shape) {
+  try {
+    part["signature"] = appearanceOf(shape, subShapeKindOf(part.at("kind").get<std::string>()), part.at("index").get<int>());
+  } catch (const std::exception&) {
+    part.erase("signature");  // there is no such part, which the feature tells
+  }
+}
+
+}  // namespace
+
+Document withAppearances(Document document, const Document& before, const Registry& registry, const ShapeOf& shapeOf) {
+  const auto span = document.features();
+  const std::vector<std::shared_ptr<const Feature>> all(span.begin(), span.end());
+  for (const auto& each : all) {
+    if (before.contains(each->id) && &before.at(each->id) == each.get()) continue;
+    const auto type = registry.find(each->type);
+    if (!type || !namesParts(type->parameters, each->parameters)) continue;
+    const auto inputs = shownInputs(*each, *type, shapeOf);
+    if (!inputs) continue;
+    Feature changed = *each;
+    forEachPart(type->parameters, changed.parameters, [&](Value& part) {
+      if (!part.is_object() || part.contains("signature") || !part.contains("index") || !part.contains("kind")) return;
+      const auto source = sourceOf(changed, *type, *inputs, part.value("input", std::string()));
+      const Shape* shape = source ? shapeOf(*source) : nullptr;
+      if (shape) addAppearance(part, *shape);
+    });
+    if (changed.parameters != each->parameters) document = document.with(std::move(changed));
+  }
+  return document;
+}
+
 Document withKeptParts(const Document& document, const FeatureId& id, const Value& kept) {
   Feature feature = document.at(id);
   bool differs = false;

@@ -1,6 +1,7 @@
 #pragma once
 #include "document/document.h"
-#include "feature/feature_type.h"
+#include "document/shown.h"
+#include "feature/registry.h"
 #include "naming/part_reference.h"
 
 namespace blossom {
@@ -20,6 +21,10 @@ struct FoundParts {
 /// @throws Error InvalidInput: "Edge lost: ..", Cancelled.
 FoundParts foundParts(const Feature&, const FeatureType&, const Value& parameters, const Inputs& arranged, Construction&,
                       const Progress&);
+
+/// The document with what the parts look like that were named since `before`: they are meant as they are seen now, whatever
+/// else is edited before the next evaluation has come to its end. O(size) of the shapes concerned.
+Document withAppearances(Document, const Document& before, const Registry&, const ShapeOf&);
 
 /// The document with the parameters of a feature as they were kept.
 Document withKeptParts(const Document&, const FeatureId&, const Value& kept);

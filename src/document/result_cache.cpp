@@ -14,6 +14,12 @@ void ResultCache::clear() {
   const std::lock_guard lock(mutex_);
   dropped.swap(recent_);
   byKey_.clear();
+  ++generation_;
+}
+
+std::uint64_t ResultCache::generation() {
+  const std::lock_guard lock(mutex_);
+  return generation_;
 }
 
 std::shared_ptr<const FeatureResult> ResultCache::find(const std::string& key) {
@@ -24,9 +30,10 @@ std::shared_ptr<const FeatureResult> ResultCache::find(const std::string& key) {
   return found->second->second;
 }
 
-void ResultCache::store(const std::string& key, std::shared_ptr<const FeatureResult> result) {
+void ResultCache::store(const std::string& key, std::shared_ptr<const FeatureResult> result, std::uint64_t generation) {
   std::list<Entry> dropped;  // destroyed after the lock: a large shape takes its time
   const std::lock_guard lock(mutex_);
+  if (generation != generation_) return;
   if (const auto found = byKey_.find(key); found != byKey_.end()) {
     dropped.splice(dropped.begin(), recent_, found->second);
     byKey_.erase(found);

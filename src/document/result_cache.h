@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -17,13 +18,17 @@ class ResultCache {
   void makeRoomFor(std::size_t features);
   std::shared_ptr<const FeatureResult> find(const std::string& key);
   void clear();
-  void store(const std::string& key, std::shared_ptr<const FeatureResult> result);
+  /// Rises with each `clear`.
+  [[nodiscard]] std::uint64_t generation();
+  /// Nothing happens when the cache was cleared since that generation: the result is what was to be forgotten.
+  void store(const std::string& key, std::shared_ptr<const FeatureResult> result, std::uint64_t generation);
 
  private:
   using Entry = std::pair<std::string, std::shared_ptr<const FeatureResult>>;
   std::mutex mutex_;
   const std::size_t minimumLimit_;
   std::size_t limit_;
+  std::uint64_t generation_ = 0;
   std::list<Entry> recent_;  ///< most recently used first
   std::unordered_map<std::string, std::list<Entry>::iterator> byKey_;
 };

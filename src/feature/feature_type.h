@@ -114,6 +114,9 @@ struct FeatureType {
   /// Where the inputs lie in the result, by which its faces are traced back to theirs (see input_image.h); not set: each
   /// input where it is.
   std::function<std::vector<InputImage>(const Value& parameters, const Inputs&)> images = {};
+  /// What the result depends on beside parameters and inputs, as a text that changes with it, such as the state of a font
+  /// file; not set: nothing.
+  std::function<std::string(const Value& parameters)> dependsOn = {};
 };
 
 /// Assigns the shapes to the inputs in the order of declaration: each input receives the shapes it accepts until it is full,
@@ -189,6 +192,12 @@ class FeatureBuilder {
     type_.images = [binders = binders_, function](const Value& values, const Inputs& inputs) {
       return function(bound(*binders, values), inputs);
     };
+    return *this;
+  }
+
+  template <class F>
+  FeatureBuilder& dependsOn(F function) {
+    type_.dependsOn = [binders = binders_, function](const Value& values) { return function(bound(*binders, values)); };
     return *this;
   }
 

@@ -15,6 +15,7 @@ struct LiteralForm {
   std::string syntax;  ///< "ball:RADIUS:SUBDIVISIONS"
   std::string summary;
   std::function<Shape(std::string_view text)> parse;
+  std::function<std::string()> dependsOn = {};  ///< as in FeatureType
 };
 
 /// All feature types, literal forms and file formats known to this process. Filled at start, then only read.

@@ -82,7 +82,7 @@ std::vector<FaceName> Namer::made(const ConstructionStep& step, const Progress& 
   for (std::size_t k = 0; k < count; ++k) {
     for (const FaceOrigin& origin : origins[k]) {
       const std::string label = labelOf(step, origin.input, origin.kind, origin.index, progress);
-      if (!label.empty()) names[k].push_back(origin.tag.empty() ? label : label + "@" + origin.tag);
+      if (!label.empty()) names[k].push_back(origin.tag.empty() ? label : label + "@" + step.id + " " + origin.tag);
     }
     sortOut(names[k]);
   }

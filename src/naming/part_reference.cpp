@@ -78,10 +78,11 @@ std::optional<int> only(const std::vector<int>& numbers) {
   return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
 }
 
-/// Whether two faces have a part of their names in common.
+/// Whether one face came from all that the other came from, as a face that grew or lost a part of itself. What has got a label
+/// of its own ("new") was not at the part before.
 bool related(const FaceName& a, const FaceName& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](const std::string& part) { return std::binary_search(b.begin(), b.end(), part); });
+  if (a.empty() || b.empty()) return false;
+  return std::includes(a.begin(), a.end(), b.begin(), b.end()) || std::includes(b.begin(), b.end(), a.begin(), a.end());
 }
 
 /// Whether each name of one list is related to one of the other, one to one as they stand or the other way round.
@@ -97,49 +98,61 @@ bool related(const std::vector<FaceName>& a, const std::vector<FaceName>& b) {
   return false;
 }
 
+/// Of several parts between the same faces, as the two straight edges of a slot: the one that is where it was, or, in a
+/// shape of the same structure, the one with its number. Nothing when these are two.
+std::optional<int> amongNamesakes(const std::vector<int>& same, const Shape& shape, SubShapeKind kind, int index,
+                                  const Value& signature) {
+  const Likeness likeness = likenessFrom(signature.at("likeness"));
+  std::vector<int> alike;
+  for (const int k : same)
+    if (likenessOf(shape, kind, k).isLike(likeness, samePlace(shape))) alike.push_back(k);
+  const bool numbered =
+      signature.at("structure") == structureOf(shape) && std::find(same.begin(), same.end(), index) != same.end();
+  if (alike.size() > 1) return std::nullopt;
+  if (alike.empty()) return numbered ? std::optional(index) : std::nullopt;
+  return numbered && alike.front() != index ? std::nullopt : std::optional(alike.front());
+}
+
 std::optional<int> foundByNames(const std::vector<std::vector<FaceName>>& all, const std::vector<FaceName>& wanted,
                                 const Shape& shape, SubShapeKind kind, int index, const Value& signature) {
   std::vector<int> same;
   for (std::size_t k = 0; k < all.size(); ++k)
     if (all[k] == wanted) same.push_back(static_cast<int>(k));
-  if (same.size() == 1) return same.front();
-  if (same.empty()) {
-    for (std::size_t k = 0; k < all.size(); ++k)
-      if (related(all[k], wanted)) same.push_back(static_cast<int>(k));
-    return only(same);
-  }
-  // Several between the same faces, as the two straight edges of a slot: the one that is where it was, or, in a shape of the
-  // same structure, the one with its number.
-  const Likeness likeness = likenessFrom(signature.at("likeness"));
-  std::vector<int> alike;
-  for (const int k : same)
-    if (likenessOf(shape, kind, k).isLike(likeness, samePlace(shape))) alike.push_back(k);
-  if (alike.size() == 1) return alike.front();
-  const bool kept =
-      signature.at("structure") == structureOf(shape) && std::find(same.begin(), same.end(), index) != same.end();
-  return kept ? std::optional(index) : std::nullopt;
+  // The only one left of several may be another one.
+  const auto namesakes = signature.value("namesakes", std::size_t{1});
+  if (same.size() == 1 && namesakes == 1) return same.front();
+  if (!same.empty()) return amongNamesakes(same, shape, kind, index, signature);
+  if (namesakes > 1) return std::nullopt;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (related(all[k], wanted)) same.push_back(static_cast<int>(k));
+  return only(same);
 }
 
 }  // namespace
 
+Value appearanceOf(const Shape& shape, SubShapeKind kind, int index) {
+  Value appearance{{"likeness", toJson(likenessOf(shape, kind, index))}, {"structure", structureOf(shape)}};
+  if (!shape.get<Brep>()) appearance["source"] = describedSourcePart(shape, kind, index);
+  return appearance;
+}
+
 Value signatureOf(Construction& construction, const std::string& feature, SubShapeKind kind, int index,
                   const Progress& progress) {
   const Shape shape = construction.step(feature).result;
-  Value signature{{"likeness", toJson(likenessOf(shape, kind, index))}, {"structure", structureOf(shape)}};
+  Value signature = appearanceOf(shape, kind, index);
   const Brep* brep = shape.get<Brep>();
-  if (!brep) {
-    signature["source"] = describedSourcePart(shape, kind, index);
-    return signature;
-  }
+  if (!brep) return signature;
   std::map<std::string, std::pair<SourcePart, Shape>> labels;
   Namer namer(construction, [&](const SourcePart& part, const Shape& source) {
     std::string label = labelOf(part);
     labels.try_emplace(label, part, source);
     return label;
   });
-  const std::vector<FaceName> names = facesAt(*brep, kind, index, namer.faces(feature, progress));
+  const auto all = facesAtAll(*brep, kind, namer.faces(feature, progress));
+  const std::vector<FaceName>& names = all.at(static_cast<std::size_t>(index));
   if (!isKnown(names)) return signature;
   signature["faces"] = toJson(names);
+  signature["namesakes"] = std::count(all.begin(), all.end(), names);
   signature["sources"] = describedSources(names, labels);
   return signature;
 }

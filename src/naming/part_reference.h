@@ -12,6 +12,10 @@ namespace blossom {
 /// @throws Error NotFound when there is no such part, Cancelled.
 Value signatureOf(Construction&, const std::string& feature, SubShapeKind, int index, const Progress& = Progress::none());
 
+/// The same of a shape whose construction is not known: what the part looks like, or where it lies in a drawing.
+/// @throws Error NotFound.
+Value appearanceOf(const Shape&, SubShapeKind, int index);
+
 /// The number that the part with this signature has now; nothing when it is gone or several could be meant. O(size) of the
 /// steps that lead to the feature, each of which is traced once.
 /// @param index the number it had

@@ -17,6 +17,8 @@ class PlacedFace {
 
   /// Two points inside the face, none of them in a place of symmetry; fewer where none was found.
   [[nodiscard]] const std::vector<Vec3>& inside() const { return inside_; }
+  /// Whether no point of it lies in a box.
+  [[nodiscard]] bool isOutside(const Bnd_Box& box) const { return box_.IsOut(box); }
   /// Whether a point lies within a distance of the surface, wherever the face ends.
   [[nodiscard]] bool onSurface(const Vec3&, double tolerance) const;
   /// Whether a point lies on the face, within a distance.

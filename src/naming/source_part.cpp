@@ -79,13 +79,32 @@ Value toJson(const SegmentPlace* place) {
   return json;
 }
 
-std::optional<SegmentPlace> segmentFrom(const Value& json) {
-  if (json.is_null()) return std::nullopt;
+SegmentPlace placeFrom(const Value& json) {
   SegmentPlace place;
   place.form = json.at(0).get<std::size_t>();
   for (std::size_t k = 0; k < 3; ++k)
     place.points.at(k) = {json.at(1 + 2 * k).get<double>(), json.at(2 + 2 * k).get<double>()};
   return place;
+}
+
+std::optional<SegmentPlace> segmentFrom(const Value& json) {
+  return json.is_null() ? std::nullopt : std::optional(placeFrom(json));
+}
+
+/// The middle of the corners of a loop.
+Vec2 middleOf(const Loop& loop) {
+  Vec2 sum = Vec2::Zero();
+  for (const SegmentPlace& segment : loop.segments) sum += segment.points[0] + segment.points[1];
+  return sum / std::max(1.0, 2.0 * static_cast<double>(loop.size()));
+}
+
+Value middlesOf(const std::vector<Loop>& loops) {
+  Value middles = Value::array();
+  for (const Loop& loop : loops) {
+    const Vec2 middle = middleOf(loop);
+    middles.push_back({middle.x(), middle.y()});
+  }
+  return middles;
 }
 
 Value describedSegment(const std::vector<Path>& paths, int index) {
@@ -96,6 +115,7 @@ Value describedSegment(const std::vector<Path>& paths, int index) {
     if (k < 0 || k >= loop.size()) continue;
     return {{"loop", l},
             {"loops", loops.size()},
+            {"middles", middlesOf(loops)},
             {"place", k},
             {"count", loop.size()},
             {"own", toJson(loop.at(k))},
@@ -109,7 +129,7 @@ Value describedSegment(const std::vector<Path>& paths, int index) {
 class SegmentFinder {
  public:
   SegmentFinder(const Value& described, double tolerance)
-      : own_(*segmentFrom(described.at("own"))),
+      : own_(placeFrom(described.at("own"))),
         before_(segmentFrom(described.at("before"))),
         after_(segmentFrom(described.at("after"))),
         place_(described.at("place").get<int>()),
@@ -124,17 +144,16 @@ class SegmentFinder {
     return found;
   }
 
-  /// In the loop that it belonged to.
-  [[nodiscard]] std::optional<int> inItsLoop(const Loop& loop) const {
-    const std::vector<int> same = unmoved(loop);
-    if (same.size() == 1) return same.front();
-    if (!same.empty()) return std::nullopt;
+  /// In the loop that it belonged to, where it does not lie any more.
+  /// @param alone the drawing has no other loops
+  [[nodiscard]] std::optional<int> inItsLoop(const Loop& loop, bool alone) const {
     const std::optional<int> next = after(loop), previous = ahead(loop);
     if (next && previous && *next == *previous) return next;
     if (loop.size() != count_) return alongIt(loop);
     // It moved, and so did the neighbours that are not where they were. One that others have shifted is not guessed.
     const auto keeps = [&](const std::optional<int>& k) { return !k || *k == place_; };
-    return keeps(next) && keeps(previous) ? std::optional(place_) : std::nullopt;
+    if (!keeps(next) || !keeps(previous)) return std::nullopt;
+    return alone || next || previous || isMoved(*loop.at(place_)) ? std::optional(place_) : std::nullopt;
   }
 
  private:
@@ -161,6 +180,24 @@ class SegmentFinder {
     }
     return found;
   }
+  /// Of an arc: through its ends and its middle.
+  static Vec2 centreOf(const SegmentPlace& arc) {
+    const Vec2 ab = arc.points[1] - arc.points[0], ac = arc.points[2] - arc.points[0];
+    const double twice = 2 * cross(ab, ac);
+    constexpr double closed = 1e-9;
+    if (ac.norm() <= closed * ab.norm()) return arc.points[0] + ab / 2;  // a full circle, whose middle lies opposite
+    const Vec2 off(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm(),
+                   ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm());
+    return arc.points[0] + off / twice;
+  }
+  /// Whether it may be this one as a whole: shifted, or, round, of another size about the same centre.
+  [[nodiscard]] bool isMoved(const SegmentPlace& other) const {
+    if (other.form != own_.form) return false;
+    const auto shift = [&](std::size_t k) -> Vec2 { return other.points.at(k) - own_.points.at(k); };
+    const bool shifted = (shift(0) - shift(1)).norm() <= 2 * tolerance_ && (shift(0) - shift(2)).norm() <= 2 * tolerance_;
+    constexpr std::size_t arc = 1;
+    return shifted || (own_.form == arc && (centreOf(own_) - centreOf(other)).norm() <= 2 * tolerance_);
+  }
   [[nodiscard]] bool overlaps(const SegmentPlace& other) const {
     const Vec2 along = own_.points[2] - own_.points[0];
     const double length = along.norm();
@@ -180,31 +217,48 @@ class SegmentFinder {
   double tolerance_;
 };
 
+/// Whether a loop lies where another one lay when the part was described.
+bool liesInPlaceOfAnother(const Value& described, const std::vector<Loop>& loops, std::size_t loop, double tolerance) {
+  const Value& middles = described.at("middles");
+  const Vec2 now = middleOf(loops[loop]);
+  for (std::size_t k = 0; k < middles.size(); ++k) {
+    const Vec2 then(middles[k].at(0).get<double>(), middles[k].at(1).get<double>());
+    if (k != loop && (now - then).norm() <= tolerance) return true;
+  }
+  return false;
+}
+
+// It is where it lay; or, while no loops were added or removed, which may have shifted the others, in the one with its
+// number.
 std::optional<int> foundSegment(const Value& described, const std::vector<Path>& paths, double tolerance) {
   if (!described.contains("own")) return std::nullopt;
   const std::vector<Loop> loops = loopsOf(paths);
   const SegmentFinder finder(described, tolerance);
-  const auto loop = described.at("loop").get<std::size_t>();
-  if (loops.size() == described.at("loops").get<std::size_t>() && loop < loops.size()) {
-    const auto k = finder.inItsLoop(loops[loop]);
-    return k ? std::optional(loops[loop].first + *k) : std::nullopt;
-  }
-  // Loops were added or removed, which may have shifted the others: it is where it lay, or nowhere.
-  std::optional<int> found;
+  std::optional<int> unmoved;
   for (const Loop& each : loops)
     for (const int k : finder.unmoved(each)) {
-      if (found) return std::nullopt;
-      found = each.first + k;
+      if (unmoved) return std::nullopt;
+      unmoved = each.first + k;
     }
-  return found;
+  const auto loop = described.at("loop").get<std::size_t>();
+  if (unmoved || loops.size() != described.at("loops").get<std::size_t>() || loop >= loops.size()) return unmoved;
+  if (loops.size() > 1 && liesInPlaceOfAnother(described, loops, loop, tolerance)) return std::nullopt;
+  const auto k = finder.inItsLoop(loops[loop], loops.size() == 1);
+  return k ? std::optional(loops[loop].first + *k) : std::nullopt;
 }
 
 std::optional<int> foundByLikeness(const Value& described, const Shape& now, SubShapeKind kind) {
   const int index = described.at("index").get<int>();
   const std::vector<Likeness> all = likenesses(now, kind);
-  if (described.at("structure") == structureOf(now))
-    return static_cast<std::size_t>(index) < all.size() ? std::optional(index) : std::nullopt;
   const Likeness wanted = likenessFrom(described.at("likeness"));
+  if (described.at("structure") == structureOf(now)) {
+    // Unless another part lies where it lay: then the parts have got other numbers.
+    const auto lies = [&](std::size_t k) { return all[k].isLike(wanted, samePlace(now)); };
+    bool other = false;
+    for (std::size_t k = 0; k < all.size(); ++k) other = other || (static_cast<int>(k) != index && lies(k));
+    const bool there = index >= 0 && static_cast<std::size_t>(index) < all.size();
+    return there && (!other || lies(static_cast<std::size_t>(index))) ? std::optional(index) : std::nullopt;
+  }
   std::optional<int> found;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!all[k].isLike(wanted, samePlace(now))) continue;

@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "parameter/parameter.h"
 #include "parameter/wording.h"
+#include "parameter/written.h"
 
 namespace blossom {
 namespace {
@@ -164,6 +165,7 @@ Value completeAt(const std::vector<ParameterSpec>& specs, const std::string& of,
 
 Value checkAt(const ParameterSpec& spec, const std::string& subject, const Value& value) {
   using enum ParameterKind;
+  if (isNumeric(spec) && isNamedExpression(value)) return checkAt(spec, subject, value.at("value"));
   const bool textual = spec.kind == Text || spec.kind == Choice || spec.kind == Color || spec.kind == File;
   if (value.is_string() && !textual) {
     ParameterSpec named = spec;

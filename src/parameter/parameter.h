@@ -52,16 +52,16 @@ std::string label(const ParameterSpec&);
 /// Accepted values, for help and manual: "length in mm, above 0".
 std::string describe(const ParameterSpec&);
 /// Returns the canonical form of a value after checking kind, range and choices; integers become numbers, texts with units
-/// are parsed.
+/// are parsed, of a number written with names (parameter/written.h) its value is taken.
 /// @throws Error InvalidParameter such as "t must lie between 0 and 1; it is 1.4."
 Value checked(const ParameterSpec&, const Value&);
 /// Of what each coordinate of a point, a displacement or a vector is: a length or a number.
 ParameterSpec coordinateOf(const ParameterSpec&);
-/// Canonical value of typed text: "1/2 in", "yes", "1,2,3", "#ff8800", a curve "0:1, 0.5:2", a sub-shape "base:face:3".
-/// Items of lists are separated by commas (by semicolons when the items contain commas) or written as JSON; records are
-/// written as JSON. Empty text for a file or a sub-shape is null.
+/// Canonical value of typed text, which may use named numbers: "1/2 in", "yes", "1,2,3", "#ff8800", a curve "0:1, 0.5:2", a
+/// sub-shape "base:face:3". Items of lists are separated by commas (by semicolons when the items contain commas) or written
+/// as JSON; records are written as JSON. Empty text for a file or a sub-shape is null.
 /// @throws Error InvalidParameter.
-Value parseText(const ParameterSpec&, std::string_view text, const LengthUnit& = {});
+Value parseText(const ParameterSpec&, std::string_view text, const LengthUnit& = {}, const NamedNumbers& = {});
 /// Inverse of parseText, for form fields. Of a file only the path is shown.
 std::string formatText(const ParameterSpec&, const Value&, const LengthUnit& = {});
 

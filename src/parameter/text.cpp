@@ -108,22 +108,27 @@ Value parseJsonText(const ParameterSpec& spec, std::string_view text) {
   }
 }
 
-Value parseList(const ParameterSpec& spec, std::string_view text) {
+Value parseList(const ParameterSpec& spec, std::string_view text, const NamedNumbers& names) {
   if (text.starts_with('[')) return checked(spec, parseJsonText(spec, text));
   const ParameterSpec& element = spec.fields.at(0);
   Value items = Value::array();
   for (const auto part : split(text, itemsHoldCommas(element) ? ';' : ',', itemsAreExpressions(element))) {
     ParameterSpec item = element;
     item.name = fmt::format("item {} of {}", items.size() + 1, label(spec));
-    items.push_back(parseText(item, part));
+    items.push_back(parseText(item, part, {}, names));
   }
   return checked(spec, items);
 }
 
-Value parseCoordinates(const ParameterSpec& spec, std::string_view text) {
+Value parseCoordinates(const ParameterSpec& spec, std::string_view text, const NamedNumbers& names) {
   if (text.starts_with('[')) return checked(spec, parseJsonText(spec, text));
   Value parts = Value::array();
-  for (const auto part : split(text, ',')) parts.push_back(part);
+  constexpr std::string_view axes = "xyz";
+  for (const auto part : split(text, ',')) {
+    ParameterSpec named = coordinateOf(spec);
+    if (parts.size() < axes.size()) named.name = fmt::format("{} of {}", axes[parts.size()], label(spec));
+    parts.push_back(names.empty() ? Value(part) : parseText(named, part, {}, names));
+  }
   return checked(spec, parts);
 }
 
@@ -163,7 +168,7 @@ std::string formatList(const ParameterSpec& spec, const Value& list) {
 
 }  // namespace
 
-Value parseText(const ParameterSpec& spec, std::string_view given, const LengthUnit& unit) {
+Value parseText(const ParameterSpec& spec, std::string_view given, const LengthUnit& unit, const NamedNumbers& names) {
   using enum ParameterKind;
   if (spec.kind == Text) return checked(spec, Value(given));
   const std::string_view text = trimmed(given);
@@ -173,22 +178,22 @@ Value parseText(const ParameterSpec& spec, std::string_view given, const LengthU
     case Count:
     case Number:
     case Ratio:
-      return measure(spec, text, parseNumber);
+      return measure(spec, text, [&](std::string_view number) { return parseNumber(number, names); });
     case Length:
-      return measure(spec, text, [&](std::string_view length) { return parseLength(length, unit); });
+      return measure(spec, text, [&](std::string_view length) { return parseLength(length, unit, names); });
     case Angle:
-      return measure(spec, text, parseAngle);
+      return measure(spec, text, [&](std::string_view angle) { return parseAngle(angle, names); });
     case Point:
     case Vector:
     case Displacement:
-      return parseCoordinates(spec, text);
+      return parseCoordinates(spec, text, names);
     case Curve:
       return text.starts_with('[') ? checked(spec, parseJsonText(spec, text)) : measure(spec, text, parseCurve);
     case SubShape:
       if (text.empty()) return {};
       return text.starts_with('{') ? checked(spec, parseJsonText(spec, text)) : parseSubShape(spec, text);
     case List:
-      return parseList(spec, text);
+      return parseList(spec, text, names);
     case Record:
       return checked(spec, parseJsonText(spec, text));
     case File:

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/progress.h"
 #include "feature/feature_type.h"
 
 namespace blossom {
@@ -27,16 +28,18 @@ class ResultStore {
   /// Nothing when there is none, or none that can be read.
   std::optional<KeptResult> find(const std::string& key);
   /// Without it everything works, so a disk that is full or not there is no error.
-  void keep(const std::string& key, const Evaluated&) noexcept;
+  void keep(const std::string& key, const Evaluated&, const Progress& = Progress::none()) noexcept;
 
  private:
   [[nodiscard]] std::filesystem::path fileOf(const std::string& key) const;
-  void makeRoom();
+  void makeRoom(std::uintmax_t added);
 
   std::filesystem::path folder_;
   std::string version_;
   std::uintmax_t limit_;
   std::mutex mutex_;
+  std::optional<std::uintmax_t> total_;  ///< of the folder, as far as this process knows
+  int sinceCounted_ = 0;
 };
 
 }  // namespace blossom

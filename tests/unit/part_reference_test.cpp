@@ -3,13 +3,11 @@
 #include <numbers>
 #include <random>
 
-#include "document/evaluator.h"
 #include "document/part_references.h"
-#include "naming/likeness.h"
-#include "support/modeling.h"
+#include "support/picked_parts.h"
 
 using namespace blossom;
-using blossom::test::theApp;
+using namespace blossom::test;
 
 namespace {
 
@@ -87,16 +85,6 @@ class Model {
   [[nodiscard]] virtual std::optional<Vec3> place() const = 0;
   [[nodiscard]] virtual SubShapeKind kind() const { return SubShapeKind::Edge; }
 };
-
-Document with(const Document& document, const char* id, const char* type, Value parameters,
-              std::vector<FeatureId> inputs = {}) {
-  Feature feature;
-  feature.id = feature.name = id;
-  feature.type = std::string("modeling.") + type;
-  feature.parameters = std::move(parameters);
-  feature.inputs = std::move(inputs);
-  return document.with(std::move(feature));
-}
 
 /// An extruded outline: the edges at its top and bottom, those that stand, and its sides.
 class Prism : public Model {
@@ -368,43 +356,6 @@ class Row final : public Model {
   double step_ = 10, radius_ = 2, width_ = 120, height_ = 10;
   bool top_ = true;
 };
-
-/// The number of the only part at a place; nothing when there is none or several.
-std::optional<int> numberAt(const Shape& shape, SubShapeKind kind, const Vec3& place) {
-  const std::vector<Likeness> all = likenesses(shape, kind);
-  std::optional<int> found;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if ((all[k].place - place).norm() > 1e-6) continue;
-    if (found) return std::nullopt;
-    found = static_cast<int>(k);
-  }
-  return found;
-}
-
-/// A feature that only names parts, so that no kernel may refuse them.
-struct Held {
-  std::vector<SubShapeValue> edges, faces;
-};
-
-FeatureType holdFeature() {
-  return feature<Held>("modeling.hold", "Hold", "Names parts of a solid.")
-      .input({.name = "shape", .help = "A solid.", .kinds = {ShapeKind::Brep}})
-      .parameter("edges", &Held::edges, list(subShape("edge")), "Edges.")
-      .parameter("faces", &Held::faces, list(subShape("face")), "Faces.")
-      .evaluate([](const Held&, const Inputs& inputs, const Progress&) {
-        return Evaluated{inputs.of(0)[0], Value::object(), {}};
-      });
-}
-
-Results evaluated(const Document& document) {
-  static const auto registry = [] {
-    auto all = std::make_shared<Registry>(*theApp().registry);
-    all->add(holdFeature());
-    return all;
-  }();
-  static Evaluator evaluator(registry, 64);
-  return evaluator.evaluate(document, Progress::none());
-}
 
 struct Counts {
   int edits = 0, found = 0, lost = 0, gone = 0, wrong = 0;

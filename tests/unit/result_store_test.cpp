@@ -7,6 +7,7 @@
 
 #include "core/file.h"
 #include "document/evaluator.h"
+#include "document/result_cache.h"
 #include "geometry/planar/planar.h"
 #include "support/support.h"
 
@@ -87,8 +88,152 @@ class ResultStoreTest : public QObject {
   void damagedFilesAreIgnored();
   void theOldestGoBeyondTheLimit();
   void aFolderThatCannotBeMadeIsNoError();
+  void oneThatIsTooLargeIsNotKept();
+  void passingTroubleRemovesNothing();
+  void nobodyElseReadsThem();
+  void whatChangesWithTheWorldIsComputedAgain();
+  void aFileThatChangesMeanwhileGivesNoResult();
+  void whatWasDoneBeforeACancelIsKept();
+  void whatWasForgottenStaysForgotten();
   void evaluationsAreFoundAfterARestart();
 };
+
+namespace {
+
+/// A type that counts its evaluations and takes long enough to be worth keeping: computing, not sleeping.
+struct Counted {
+  double value = 1;
+  FileValue file;
+};
+
+Feature countedFeature(const char* id, double value = 1, std::vector<FeatureId> inputs = {}) {
+  Feature feature;
+  feature.id = feature.name = id;
+  feature.type = "test.counted";
+  feature.parameters = {{"value", value}};
+  feature.inputs = std::move(inputs);
+  return feature;
+}
+
+double busy(double value) {
+  double sum = 0;
+  for (int k = 1; k < 40000000; ++k) sum += 1 / (value + k);
+  return sum;
+}
+
+}  // namespace
+
+void ResultStoreTest::oneThatIsTooLargeIsNotKept() {
+  const TemporaryFolder folder;
+  ResultStore store(folder.path(), "v1", 200000);
+  store.keep("a", made(points(4000)));
+  store.keep("b", made(points(40000)));
+  QVERIFY(store.find("a") && !store.find("b"));
+  QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
+}
+
+void ResultStoreTest::passingTroubleRemovesNothing() {
+  const TemporaryFolder folder;
+  ResultStore store(folder.path(), "v1");
+  store.keep("a", made(points(10)));
+  const QByteArray before = qgetenv("TMPDIR");
+  qputenv("TMPDIR", (folder.path() / "nowhere").c_str());
+  QVERIFY(!store.find("a"));
+  before.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+  QVERIFY(store.find("a"));
+}
+
+void ResultStoreTest::nobodyElseReadsThem() {
+  const TemporaryFolder folder;
+  ResultStore store(folder.path() / "results", "v1");
+  store.keep("a", made(axis()));
+  QCOMPARE(fs::status(folder.path() / "results").permissions(), fs::perms::owner_all);
+}
+
+void ResultStoreTest::whatChangesWithTheWorldIsComputedAgain() {
+  const TemporaryFolder folder;
+  auto world = std::make_shared<std::string>("font 1");
+  int count = 0;
+  const auto registry = std::make_shared<Registry>();
+  registry->add(feature<Counted>("test.counted", "Counted", "Counts.")
+                    .parameter("value", &Counted::value, number(), "A number.")
+                    .dependsOn([world](const Counted&) { return *world; })
+                    .evaluate([&count](const Counted&, const Inputs&, const Progress&) -> Evaluated {
+                      ++count;
+                      return made(axis());
+                    }));
+  Evaluator evaluator(registry);
+  const Document document = Document().with(countedFeature("a"));
+  for (const char* const state : {"font 1", "font 1", "font 2", "font 1"}) {
+    *world = state;
+    (void)evaluator.evaluate(document, Progress::none());
+  }
+  QCOMPARE(count, 2);
+}
+
+void ResultStoreTest::aFileThatChangesMeanwhileGivesNoResult() {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "input.txt";
+  bool disturb = true;
+  const auto registry = std::make_shared<Registry>();
+  registry->add(feature<Counted>("test.counted", "Counted", "Measures a file.")
+                    .parameter("file", &Counted::file, optional(blossom::file("txt")), "A file.")
+                    .evaluate([&](const Counted& p, const Inputs&, const Progress&) -> Evaluated {
+                      if (disturb) std::ofstream(file) << "12345";
+                      Evaluated measured = made(axis());
+                      measured.figures = {{"size", static_cast<double>(readFile(p.file.path).size()), MeasureUnit::None}};
+                      return measured;
+                    }));
+  Feature feature = countedFeature("a");
+  feature.parameters = {{"file", file.string()}};
+  Evaluator evaluator(registry);
+  const auto size = [&] {
+    const auto result = evaluator.evaluate(Document().with(feature), Progress::none()).at("a");
+    return std::get<double>(result->evaluated.figures.at(0).value);
+  };
+  std::ofstream(file) << "123";
+  QCOMPARE(size(), 5.0);  // it was read as it was then
+  disturb = false;
+  std::ofstream(file) << "123";
+  QCOMPARE(size(), 3.0);
+}
+
+void ResultStoreTest::whatWasDoneBeforeACancelIsKept() {
+  const TemporaryFolder folder;
+  const auto registry = std::make_shared<Registry>();
+  const CancelToken token;
+  registry->add(feature<Counted>("test.counted", "Counted", "Takes its time.")
+                    .input({.name = "part", .help = "What is before.", .kinds = {ShapeKind::MedialAxis}, .minimum = 0})
+                    .parameter("value", &Counted::value, number(), "A number.")
+                    .evaluate([](const Counted& p, const Inputs&, const Progress& progress) -> Evaluated {
+                      Evaluated result = made(axis());
+                      result.stats["sum"] = busy(p.value);
+                      progress.check();
+                      return result;
+                    }));
+  const Document document = Document().with(countedFeature("a", 1)).with(countedFeature("b", 2, {"a"}));
+  {
+    Evaluator evaluator(registry, 16, std::make_shared<ResultStore>(folder.path(), "v1"));
+    const auto cancelAfterFirst = [&](const FeatureId&, const auto&) { token.cancel(); };
+    VERIFY_ERROR(evaluator.evaluate(document, Progress(token), cancelAfterFirst), ErrorCode::Cancelled);
+  }  // which writes what there is
+  QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
+  Evaluator again(registry, 16, std::make_shared<ResultStore>(folder.path(), "v1"));
+  QVERIFY(again.evaluate(document.without("b"), Progress::none()).at("a")->fromCache);
+}
+
+// A run that began before everything was to be forgotten ends afterwards.
+void ResultStoreTest::whatWasForgottenStaysForgotten() {
+  ResultCache cache(10);
+  const std::uint64_t before = cache.generation();
+  cache.store("a", std::make_shared<FeatureResult>(), before);
+  QVERIFY(cache.find("a"));
+  cache.clear();
+  cache.store("a", std::make_shared<FeatureResult>(), before);
+  QVERIFY(!cache.find("a"));
+  cache.store("a", std::make_shared<FeatureResult>(), cache.generation());
+  QVERIFY(cache.find("a"));
+}
 
 void ResultStoreTest::keptResultsAreFoundAsTheyWere() {
   const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "parameter/written.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
 
@@ -19,9 +20,10 @@ QString withUnits(QString typed, const QString& unit) {
   return typed.replace(bare, QStringLiteral("\\1 ") + unit);
 }
 
-bool comesTo(const ParameterSpec& spec, const QString& text, const Value& value, const LengthUnit& unit = {}) {
+bool comesTo(const ParameterSpec& spec, const QString& text, const Value& value, const NamedNumbers& names,
+             const LengthUnit& unit = {}) {
   try {
-    return parseText(spec, text.trimmed().toStdString(), unit) == value;
+    return parseText(spec, text.trimmed().toStdString(), unit, names) == value;
   } catch (const Error&) {
     return false;
   }
@@ -35,22 +37,33 @@ bool isExpression(const QString& typed) {
   return !typed.trimmed().isEmpty() && !plain.match(typed).hasMatch();
 }
 
-std::string documentText(const ParameterSpec& spec, const QString& typed, const Value& value) {
+std::string documentText(const ParameterSpec& spec, const QString& typed, const Value& value, const NamedNumbers& names) {
   const QString unit = qt(lengthUnit().name);
   const std::array forms{typed, QStringLiteral("(%1) %2").arg(typed, unit), withUnits(typed, unit)};
   for (const QString& form : forms)
-    if (comesTo(spec, form, value)) return form.toStdString();
+    if (comesTo(spec, form, value, names)) return form.toStdString();
   return {};
 }
 
-bool typedComesTo(const ParameterSpec& spec, const QString& typed, const Value& value) {
-  return !typed.isEmpty() && !value.is_null() && comesTo(spec, typed, value, lengthUnit());
+bool typedComesTo(const ParameterSpec& spec, const QString& typed, const Value& value, const NamedNumbers& names) {
+  return !typed.isEmpty() && !value.is_null() && comesTo(spec, typed, value, names, lengthUnit());
 }
 
-Value writtenAs(const ParameterSpec& spec, const QString& expression, const Value& value) {
-  if (!typedComesTo(spec, expression, value)) return value;
-  const std::string text = documentText(spec, expression, value);
-  return text.empty() ? value : Value(text);
+Value writtenAs(const ParameterSpec& spec, const QString& expression, const Value& value, const NamedNumbers& names) {
+  if (!typedComesTo(spec, expression, value, names)) return value;
+  const std::string text = documentText(spec, expression, value, names);
+  if (text.empty()) return value;
+  return usesNames(text, names) ? Value{{"expression", text}, {"value", value}} : Value(text);
+}
+
+QString expressionOf(const Value& stored) {
+  if (stored.is_string()) return qt(stored.get<std::string>());
+  return isNamedExpression(stored) ? qt(stored.at("expression").get<std::string>()) : QString();
+}
+
+Value writtenTyped(const ParameterSpec& spec, const QString& typed, const NamedNumbers& names) {
+  const Value value = parseText(spec, typed.trimmed().toStdString(), lengthUnit(), names);
+  return isExpression(typed) ? writtenAs(spec, typed.trimmed(), value, names) : value;
 }
 
 }  // namespace blossom::ui

@@ -46,7 +46,7 @@ void NumberField::display(const Value& value) {
   shown_ = value;
   fraction_ = 0;
   caption().cancelScrub();
-  const bool expressed = typedComesTo(spec(), expression_, value);
+  const bool expressed = typedComesTo(spec(), expression_, value, names());
   line_->setText(expressed ? expression_ : displayText(spec(), value));
   line_->setCursorPosition(0);
   if (expressed) tellResult(expression_);
@@ -62,7 +62,7 @@ double NumberField::shownNumber() const {
 void NumberField::step(double steps, Qt::KeyboardModifiers modifiers) {
   if (line_->isModified()) {
     try {
-      shown_ = parseTyped(spec(), line_->text());
+      shown_ = parseTyped(spec(), line_->text(), names());
     } catch (const Error&) {
       return offerText(line_->text());  // says why
     }
@@ -103,19 +103,19 @@ void NumberField::takeTyped(const QString& text) {
     emit edited(value());
 }
 
-Value NumberField::written() const { return writtenAs(spec(), expression_, value()); }
+Value NumberField::written() const { return writtenAs(spec(), expression_, value(), names()); }
 
 // A document's lengths without a unit are in mm; what another unit here would make something else of is shown as its value.
 void NumberField::setWritten(const Value& given) {
   if (given == written()) return;
-  expression_ = given.is_string() ? QString::fromStdString(given.get<std::string>()) : QString();
+  expression_ = expressionOf(given);
 }
 
 // "= 72.7 mm" under what is typed, as soon as it is more than a number.
 void NumberField::tellResult(const QString& typed) {
   QString told;
   try {
-    const Value result = parseTyped(spec(), typed);
+    const Value result = parseTyped(spec(), typed, names());
     const QString text = displayText(spec(), result);
     bool plain = false;
     typed.toDouble(&plain);

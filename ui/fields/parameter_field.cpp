@@ -169,7 +169,7 @@ void ParameterField::offer(const Value& wanted, bool preview) {
 void ParameterField::offerText(const QString& text) {
   if (spec_.mayBeAbsent && text.trimmed().isEmpty() && spec_.kind != ParameterKind::Text) return offer(Value());
   try {
-    offer(parseTyped(spec_, text));
+    offer(parseTyped(spec_, text, names()));
   } catch (const Error& error) {
     showNote({});
     showProblem(reason(spec_, error) + tr(" The value before is kept."));
@@ -249,8 +249,8 @@ QString displayText(const ParameterSpec& spec, const Value& value) {
   return qt(formatText(spec, value, lengthUnit()));
 }
 
-Value parseTyped(const ParameterSpec& spec, const QString& text) {
-  return parseText(spec, text.trimmed().toStdString(), lengthUnit());
+Value parseTyped(const ParameterSpec& spec, const QString& text, const NamedNumbers& names) {
+  return parseText(spec, text.trimmed().toStdString(), lengthUnit(), names);
 }
 
 QString shownLabel(const ParameterSpec& spec) {

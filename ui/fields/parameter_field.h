@@ -27,6 +27,7 @@ struct FieldContext {
   };
   bool picking = false;
   std::vector<Source> sources;  ///< shapes whose faces, edges and vertices may be chosen
+  NamedNumbers names;           ///< numbers that expressions may use
 
   /// "Face 3 of Base"; brief: "Face 3" when only one shape is possible.
   [[nodiscard]] QString nameOf(const Value& subShape, bool brief = false) const;
@@ -90,6 +91,7 @@ class ParameterField : public QWidget {
   void showNote(const QString&);
   [[nodiscard]] FieldLabel& caption() const { return *caption_; }
   [[nodiscard]] const Context& context() const { return context_; }
+  [[nodiscard]] const NamedNumbers& names() const { return context_->names; }
   virtual void display(const Value&) = 0;
   virtual void addToMenu(QMenu&) {}
   bool event(QEvent*) override;
@@ -119,7 +121,7 @@ class ParameterField : public QWidget {
 /// The value as text with its unit, as shown in forms.
 QString displayText(const ParameterSpec&, const Value&);
 /// The value of typed text; lengths without a unit are in the preferred unit. @throws Error InvalidParameter.
-Value parseTyped(const ParameterSpec&, const QString& text);
+Value parseTyped(const ParameterSpec&, const QString& text, const NamedNumbers&);
 /// The name of a parameter as shown in forms; names of preferences are translated.
 QString shownLabel(const ParameterSpec&);
 /// The name of a choice as shown in forms.

@@ -73,7 +73,7 @@ void VectorField::display(const Value& value) {
   QStringList results;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const bool there = value.is_array() && value.size() > axis;
-    const bool expressed = there && typedComesTo(component_, expressions_[axis], value[axis]);
+    const bool expressed = there && typedComesTo(component_, expressions_[axis], value[axis], names());
     const QString plain = there ? plainText(value[axis].get<double>()) : QString();
     lines_[axis]->setText(expressed ? expressions_[axis] : plain);
     lines_[axis]->setCursorPosition(0);
@@ -86,15 +86,15 @@ void VectorField::display(const Value& value) {
 Value VectorField::written() const {
   Value all = value();
   for (std::size_t axis = 0; all.is_array() && axis < all.size(); ++axis)
-    all[axis] = writtenAs(component_, expressions_[axis], all[axis]);
+    all[axis] = writtenAs(component_, expressions_[axis], all[axis], names());
   return all;
 }
 
 void VectorField::setWritten(const Value& given) {
   if (given == written()) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const bool expressed = given.is_array() && given.size() > axis && given[axis].is_string();
-    expressions_[axis] = expressed ? qt(given[axis].get<std::string>()) : QString();
+    const bool there = given.is_array() && given.size() > axis;
+    expressions_[axis] = there ? expressionOf(given[axis]) : QString();
   }
 }
 
@@ -123,7 +123,7 @@ void VectorField::takeTyped(std::size_t axis) {
   ParameterSpec named = component_;
   named.name = axisNames[axis];
   Value wanted = value().is_array() ? value() : Value::array({0.0, 0.0, 0.0});
-  wanted[axis] = parseTyped(named, typed);
+  wanted[axis] = parseTyped(named, typed, names());
   const Value before = written(), valueBefore = value();
   expressions_[axis] = isExpression(typed) ? typed : QString();
   offer(wanted);

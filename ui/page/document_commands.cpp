@@ -7,6 +7,7 @@
 #include "geometry/shape/bounds.h"
 #include "ui/commands/commands.h"
 #include "ui/look/text.h"
+#include "ui/numbers/numbers_dialog.h"
 #include "ui/page/feature_menus.h"
 #include "ui/page/page.h"
 #include "ui/tree/document_tree.h"
@@ -21,7 +22,7 @@ const std::vector<const char*> history{"edit.undo", "edit.redo"},
     clipboard{"edit.cut", "edit.copy", "edit.paste", "edit.duplicate"},
     featureEdits{"edit.rename",   "edit.show-hide", "edit.isolate",   "edit.show-all",
                  "edit.suppress", "edit.move-up",   "edit.move-down", "edit.delete"},
-    selection{"edit.select-all", "edit.select-nothing", "edit.find"}, computing{"edit.recompute"};
+    selection{"edit.select-all", "edit.select-nothing", "edit.find"}, computing{"edit.numbers", "edit.recompute"};
 
 }  // namespace
 
@@ -40,6 +41,13 @@ void DocumentCommands::declareHistory() {
   commands_.add(
       {"edit.redo", group, "redo", tr("&Redo"), tr("Do again what was taken back."), {tr("Ctrl+Shift+Z"), tr("Ctrl+Y")}},
       [this] { page_->session().redo(); });
+  commands_.add(
+      {"edit.numbers", group, "expression", tr("Named &numbers…"), tr("Numbers with names that every field can use."), {}},
+      [this] {
+        auto* dialog = new NumbersDialog(page_->session(), page_->canvas()->window());
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+      });
   commands_.add({"edit.recompute",
                  group,
                  "refresh",

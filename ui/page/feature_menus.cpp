@@ -80,6 +80,18 @@ void FeatureMenus::add(const FeatureType& type) {
   if (!page_->startDrawing(type.id)) begin(type, selected_);
 }
 
+namespace {
+
+using Place = std::vector<FeatureId>::iterator;
+
+void inDocumentOrder(const Document& document, Place from, Place to) {
+  std::map<FeatureId, std::size_t> places;
+  for (const auto& feature : document.features()) places.emplace(feature->id, places.size());
+  std::sort(from, to, [&](const FeatureId& a, const FeatureId& b) { return places.at(a) < places.at(b); });
+}
+
+}  // namespace
+
 // What is missing is taken where the document leaves no choice, else asked for in the view.
 void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen) {
   DocumentPage& page = *page_;
@@ -95,6 +107,9 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen)
     chosen = start.inputs;
     if (fitting.size() == wanted) {
       chosen.insert(chosen.end(), fitting.begin(), fitting.end());
+      // What was made first is what the others are taken from: a part and then the tool for its hole, which is still
+      // selected.
+      inDocumentOrder(page.document(), chosen.end() - static_cast<std::ptrdiff_t>(start.missing->minimum), chosen.end());
       continue;
     }
     return page.choose(questionFor(type, start), fitting, [this, &type, chosen](const FeatureId& id) {

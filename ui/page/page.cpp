@@ -5,6 +5,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "document/named_numbers.h"
+#include "ui/controls/typed_expression.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
@@ -180,10 +182,12 @@ void DocumentPage::connectWidgets() {
   connect(&playback_, &Playback::changed, this, tellTime);
   connect(&playback_, &Playback::changed, this, &DocumentPage::stateChanged);
   connect(properties_, &PropertyPanel::frameWanted, &playback_, &Playback::show);
+  connect(&playback_, &Playback::wanted, this, &DocumentPage::makeSequence);
   connect(&playback_, &Playback::changed, view_, &ViewWidget::markOverlay);
   connect(tree_, &DocumentTree::selectionChangedTo, this, [this] {
     if (!fillPanelLater_) showProperties();
     faults_->setSelected(tree_->selected().empty() ? FeatureId() : tree_->current());
+    refreshTimeline();
     view_->markItems();
     view_->markOverlay();
     tools_->refreshHandles();
@@ -294,11 +298,34 @@ void DocumentPage::connectPicking() {
   });
 }
 
+// A feature with a number of frames makes a sequence as soon as that is set, such as a morph.
+std::optional<Feature> DocumentPage::offeredSequence() const {
+  const std::vector<FeatureId> chosen = selection();
+  if (chosen.size() != 1 || !document().contains(chosen.front())) return std::nullopt;
+  Feature feature = document().at(chosen.front());
+  const auto type = registry().find(feature.type);
+  const auto made = result(feature.id);
+  if (!type || feature.suppressed || !feature.visible || !made || made->error) return std::nullopt;
+  const auto isFrames = [](const ParameterSpec& spec) { return spec.kind == ParameterKind::Count && spec.name == "frames"; };
+  if (std::none_of(type->parameters.begin(), type->parameters.end(), isFrames)) return std::nullopt;
+  constexpr int frames = 25;
+  const Value given = feature.parameters.value("frames", Value(0));
+  if (!given.is_number() || given.get<double>() > 1) return std::nullopt;
+  feature.parameters["frames"] = frames;
+  return feature;
+}
+
+void DocumentPage::makeSequence() {
+  if (const auto feature = offeredSequence())
+    session_.commit(document().with(*feature), tr("Play %1").arg(qt(shownName(*feature))));
+}
+
 // Sequences of features that are shown move together; the longest gives the count.
 void DocumentPage::refreshTimeline() {
   const int count = static_cast<int>(scene_.frames());
   playback_.setCount(count);
-  timeline_->setVisible(count > 1);
+  playback_.setOffered(count < 2 && offeredSequence());
+  timeline_->setVisible(playback_.playable());
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {
@@ -346,6 +373,10 @@ void DocumentPage::showError(const Error& error, const QString& file) {
   errors_->showError(qt(error.message()), qt(error.hint()));
   const bool damagedDocument = error.code() == ErrorCode::FormatDamaged && !file.isEmpty() && isDocument(file.toStdString());
   if (damagedDocument) errors_->offer(tr("Open what is readable"), [this, file] { emit salvageWanted(file); });
+}
+
+Value DocumentPage::typed(const ParameterSpec& spec, const QString& text) const {
+  return writtenTyped(spec, text, namedNumbersOf(document()));
 }
 
 std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) const {

@@ -77,6 +77,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] const Look& look() const override { return look_; }
   [[nodiscard]] double gridSpacing() const override;
   [[nodiscard]] LengthUnit lengthUnit() const override;
+  [[nodiscard]] Value typed(const ParameterSpec&, const QString& text) const override;
   [[nodiscard]] std::vector<FeatureId> selection() const override;
   void select(const FeatureId&) override;
   [[nodiscard]] std::optional<CutPlane> section() const override;
@@ -108,6 +109,8 @@ class DocumentPage : public QObject, public ToolHost {
   void connectWidgets();
   void followPreference(const QString& name);
   void refreshTimeline();
+  [[nodiscard]] std::optional<Feature> offeredSequence() const;
+  void makeSequence();
   void followViews(const std::set<FeatureId>&);
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayNow();
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();

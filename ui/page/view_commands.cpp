@@ -123,7 +123,8 @@ void ViewCommands::addTo(QMenu& view, QMenu& select) {
 
 void ViewCommands::refresh() {
   for (const char* id : timelineCommands)
-    commands_.setEnabled(QLatin1String(id), page_().playback().count() > 1,
+    commands_.setEnabled(QLatin1String(id),
+                         id == timelineCommands[0] ? page_().playback().playable() : page_().playback().count() > 1,
                          tr("No sequence is shown: a morph with several frames makes one."));
   commands_.action(QStringLiteral("timeline.onion-skin"))->setChecked(page_().playback().onionSkin());
   commands_.action(QStringLiteral("view.measure"))->setChecked(page_().measuring());

@@ -8,6 +8,7 @@
 #include "app/import_feature.h"
 #include "app/reference_page.h"
 #include "core/error.h"
+#include "document/named_numbers.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
@@ -246,6 +247,7 @@ void PropertyPanel::refreshContext() {
       if (first) sources.push_back({type_->inputs[k].name, id, qt(shownName(session_.document().at(id)))});
     }
   context_->sources = std::move(sources);
+  context_->names = namedNumbersOf(session_.document());
 }
 
 void PropertyPanel::refreshFields() {

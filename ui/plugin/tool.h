@@ -13,6 +13,7 @@
 #include "document/document.h"
 #include "document/evaluator.h"
 #include "geometry/shape/bounds.h"
+#include "parameter/parameter.h"
 #include "scene/picking.h"
 #include "scene/scene.h"
 
@@ -55,6 +56,11 @@ class ToolHost {
   [[nodiscard]] virtual double gridSpacing() const = 0;
   /// The preferred unit of lengths.
   [[nodiscard]] virtual LengthUnit lengthUnit() const { return {}; }
+  /// What the document keeps of a text typed for a parameter: a number, or an expression as such, which may use the named
+  /// numbers of the document. @throws Error InvalidParameter.
+  [[nodiscard]] virtual Value typed(const ParameterSpec& spec, const QString& text) const {
+    return parseText(spec, text.toStdString(), lengthUnit());
+  }
   [[nodiscard]] virtual std::vector<FeatureId> selection() const = 0;
   virtual void select(const FeatureId&) = 0;
   /// The plane of the section; empty: no section.

@@ -70,6 +70,8 @@ QString Session::title() const {
 
 void Session::commit(Document document, const QString& what) {
   if (!document.access()) document = document.withAccess(history_.committed().access());
+  document = withAppearances(std::move(document), history_.committed(), *app_.registry,
+                             [this](const FeatureId& id) { return shape(id); });
   history_.commit(std::move(document), what.toStdString());
   keep(what);
   changed();

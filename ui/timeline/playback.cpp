@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace blossom::ui {
 
@@ -27,6 +28,7 @@ void Playback::setCount(int frames) {
   count_ = frames;
   if (count_ < 2) clock_.stop();
   emit changed();
+  if (count_ > 1 && std::exchange(awaited_, false)) setPlaying(true);
 }
 
 void Playback::show(int frame) {
@@ -36,7 +38,17 @@ void Playback::show(int frame) {
   emit moved();
 }
 
+void Playback::setOffered(bool offered) {
+  if (offered == offered_) return;
+  offered_ = offered;
+  emit changed();
+}
+
 void Playback::setPlaying(bool play) {
+  if (play && count_ < 2 && offered_) {
+    awaited_ = true;
+    emit wanted();
+  }
   if (play == playing() || (play && count_ < 2)) return;
   if (play && frame_ == count_ - 1) show(0);
   if (play)

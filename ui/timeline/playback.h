@@ -21,6 +21,9 @@ class Playback : public QObject {
   [[nodiscard]] int frameOf(int frames) const;
 
   void setCount(int frames);  ///< keeps the position as a fraction of the whole; 0 stops
+  /// Whether something is shown that can be made a sequence: then playing is possible, and asks for it.
+  void setOffered(bool);
+  [[nodiscard]] bool playable() const { return count_ > 1 || offered_; }
   void show(int frame);       ///< clamped to the count
   void setPlaying(bool);      ///< from the start when it is at the end
   void setLooping(bool looping);
@@ -30,12 +33,14 @@ class Playback : public QObject {
  signals:
   void moved();    ///< another frame is shown
   void changed();  ///< count, playing, looping, speed or onion skin
+  void wanted();   ///< what is offered is to be played; it is, as soon as its frames are there
 
  private:
   void advance();
 
   int count_ = 0, frame_ = 0;
   bool looping_ = true, onionSkin_ = false;
+  bool offered_ = false, awaited_ = false;
   int framesPerSecond_ = 24;
   QTimer clock_;
 };

@@ -93,7 +93,10 @@ void TimelineBar::connectButtons() {
 void TimelineBar::refresh() {
   for (QToolButton* button : {first_, back_, forward_, last_, loop_, onion_}) button->setIcon(icon(button->objectName()));
   play_->setIcon(icon(playback_.playing() ? QStringLiteral("pause") : QStringLiteral("play")));
-  play_->setToolTip(playback_.playing() ? tr("Pause") : tr("Play"));
+  const bool frames = playback_.count() > 1;
+  for (QWidget* each : std::initializer_list<QWidget*>{first_, back_, forward_, last_, loop_, onion_, slider_, pace_})
+    each->setEnabled(frames);
+  play_->setToolTip(playback_.playing() ? tr("Pause") : frames ? tr("Play") : tr("Play: makes a sequence of frames first"));
   play_->setAccessibleName(play_->toolTip());
   const QSignalBlocker quietSlider(slider_), quietLoop(loop_), quietOnion(onion_);
   slider_->setRange(0, qMax(0, playback_.count() - 1));
@@ -110,7 +113,7 @@ void TimelineBar::refresh() {
 void TimelineBar::tellFrame() {
   const QSignalBlocker quiet(slider_);
   slider_->setValue(playback_.frame());
-  frame_->setText(tr("%1 of %2").arg(playback_.frame() + 1).arg(playback_.count()));
+  frame_->setText(playback_.count() > 1 ? tr("%1 of %2").arg(playback_.frame() + 1).arg(playback_.count()) : QString());
 }
 
 }  // namespace blossom::ui

@@ -2,7 +2,12 @@
 
 #include <vtkProp.h>
 
+#include <QKeyEvent>
+#include <cmath>
+
+#include "core/error.h"
 #include "manipulators/tool_paint.h"
+#include "parameter/written.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
@@ -15,11 +20,13 @@ void DragTool::load() {
   const auto isGone = [this](std::optional<std::size_t> point) { return point && *point >= points(parameters_).size(); };
   if (isGone(hovered())) forgetHovered();
   if (isGone(chosen_)) chosen_.reset();
+  stopTyping();
+  pointed_.reset();
 }
 
 Document DragTool::with(const Value& parameters) const {
   Feature changed = base_.at(feature());
-  changed.parameters = parameters;
+  changed.parameters = keepWritten(host().registry().at(changed.type)->parameters, changed.parameters, parameters);
   return base_.with(std::move(changed));
 }
 
@@ -38,11 +45,116 @@ std::optional<std::size_t> DragTool::handleUnder(const ui::ToolEvent& event) con
 }
 
 bool DragTool::press(const ui::ToolEvent& event) {
+  if (event.button == Qt::LeftButton && typing_ && dimensionUnder(event) != typing_) {
+    stopTyping();
+    emit changed();
+  }
   if (event.button == Qt::LeftButton && chosen_ != handleUnder(event)) {
     chosen_ = handleUnder(event);
     emit changed();
   }
-  return HandleTool::press(event);
+  return HandleTool::press(event) || (event.button == Qt::LeftButton && dimensionUnder(event));
+}
+
+bool DragTool::move(const ui::ToolEvent& event) {
+  const bool taken = HandleTool::move(event);
+  const auto under = held() || hovered() ? std::nullopt : dimensionUnder(event);
+  if (under != pointed_) {
+    pointed_ = under;
+    emit changed();
+  }
+  return taken || (pointed_ && event.button == Qt::NoButton);
+}
+
+// A number stands a little away from the shape, whatever the zoom.
+Vec2 DragTool::placeOf(const Dimension& dimension) const {
+  constexpr double awayPixels = 12, halfCard = 32;
+  const double away = awayPixels + halfCard * std::abs(dimension.beside.x());
+  return dimension.at + away * millimetresPerPixel() * dimension.beside;
+}
+
+std::optional<std::size_t> DragTool::dimensionUnder(const ui::ToolEvent& event) const {
+  constexpr double halfWidth = 30, below = 8, above = 24;  // pixels of the card above its place
+  const auto at = ui::inGround(event.ray);
+  if (!at || handleUnder(event)) return std::nullopt;
+  const std::vector<Dimension> all = dimensions(parameters_);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Vec2 off = (*at - placeOf(all[k])) / event.millimetresPerPixel;
+    if (std::abs(off.x()) <= halfWidth && off.y() >= -below && off.y() <= above) return k;
+  }
+  return std::nullopt;
+}
+
+bool DragTool::doubleClick(const ui::ToolEvent& event) {
+  noteScale(event);
+  const auto under = event.button == Qt::LeftButton ? dimensionUnder(event) : std::nullopt;
+  if (!under) return false;
+  typing_ = under;
+  typed_.clear();
+  refusal_.clear();
+  emit changed();
+  return true;
+}
+
+void DragTool::stopTyping() {
+  typing_.reset();
+  typed_.clear();
+  refusal_.clear();
+}
+
+bool DragTool::key(const QKeyEvent& event) {
+  if (!typing_) return HandleTool::key(event);
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  return typingKey(event);
+}
+
+bool DragTool::typingKey(const QKeyEvent& event) {
+  refusal_.clear();
+  switch (event.key()) {
+    case Qt::Key_Escape:
+      stopTyping();
+      break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      takeTyped();
+      break;
+    case Qt::Key_Backspace:
+      typed_.chop(1);
+      break;
+    default:
+      if (event.text().isEmpty() || !event.text().front().isPrint()) return false;
+      typed_ += event.text();
+  }
+  emit changed();
+  return true;
+}
+
+// What was typed is kept as such where it is a parameter of its own; elsewhere its value goes into the points.
+void DragTool::takeTyped() {
+  if (typed_.trimmed().isEmpty()) return stopTyping();
+  const Dimension dimension = dimensions(parameters_).at(*typing_);
+  const FeatureType& type = *host().registry().at(host().document().at(feature()).type);
+  try {
+    const ParameterSpec* spec = nullptr;
+    for (const ParameterSpec& each : type.parameters)
+      if (each.name == dimension.parameter) spec = &each;
+    ParameterSpec size = positiveLength();
+    size.name = "length";
+    if (!spec) spec = &size;
+    const Value written = host().typed(*spec, typed_);
+    const auto next = resized(parameters_, *typing_, checked(*spec, written).get<double>());
+    if (!next) {
+      refusal_ = tr("The outline cannot have this size.");
+      return;
+    }
+    Feature changed = with(*next).at(feature());
+    if (!dimension.parameter.empty()) changed.parameters[dimension.parameter] = written;
+    const Document document = base_.with(std::move(changed));
+    stopTyping();
+    HandleTool::commit(document, tr("Change %1").arg(dimension.what));
+  } catch (const Error& error) {
+    refusal_ = QString::fromStdString(error.message());
+  }
 }
 
 bool DragTool::take(std::size_t handle, const ui::ToolEvent& /*event*/) {
@@ -77,6 +189,9 @@ void DragTool::putBack() {
 QString DragTool::idleHint() const { return tr("Drag a handle to change the shape"); }
 
 QString DragTool::hint() const {
+  if (!refusal_.isEmpty()) return refusal_;
+  if (typing_) return tr("Type the size · Enter takes it · Esc leaves it as it is");
+  if (pointed_) return tr("Double-click to type %1").arg(dimensions(parameters_).at(*pointed_).what);
   if (held()) {
     const QString caught = snap_ ? snapName(snap_->kind) : QString();
     return tr("Let go to place %1 · Ctrl: no snapping · Esc takes it back").arg(points(before_).at(*held()).what) +
@@ -88,6 +203,22 @@ QString DragTool::hint() const {
 
 void DragTool::paint(ToolPaint&, const Value&) const {}
 
+void DragTool::paintDimensions(ToolPaint& painter) const {
+  constexpr std::size_t mostNumbers = 12;  // more would cover the shape
+  constexpr double leastPixels = 36;       // of a side with a number
+  const std::vector<Dimension> all = dimensions(parameters_);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const bool lit = k == pointed_ || k == typing_;
+    if (!lit && (all.size() > mostNumbers || all[k].value < leastPixels * millimetresPerPixel())) continue;
+    const LengthUnit unit = host().lengthUnit();
+    const QString shown = QStringLiteral("%1%2 %3").arg(all[k].radius ? QStringLiteral("R ") : QString(),
+                                                        QString::number(all[k].value / unit.millimetres, 'g', 6),
+                                                        QString::fromStdString(unit.name));
+    painter.label(placeOf(all[k]), k == typing_ ? typed_ + QStringLiteral(" |") : shown,
+                  lit ? painter.look().made : painter.look().control);
+  }
+}
+
 std::vector<vtkSmartPointer<vtkProp>> DragTool::props() const {
   ToolPaint painter(host().look(), millimetresPerPixel(), host().pixelRatio());
   paint(painter, parameters_);
@@ -97,6 +228,7 @@ std::vector<vtkSmartPointer<vtkProp>> DragTool::props() const {
     if (snap_->kind != SnapKind::None && snap_->kind != SnapKind::Grid)
       painter.label(snap_->point, snapName(snap_->kind), painter.look().control);
   }
+  paintDimensions(painter);
   const std::vector<Point> all = points(parameters_);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const bool lit = k == hovered() || k == chosen_;

@@ -18,6 +18,9 @@ class DragTool : public ui::HandleTool {
 
   [[nodiscard]] QString hint() const override;
   bool press(const ui::ToolEvent&) override;
+  bool move(const ui::ToolEvent&) override;
+  bool doubleClick(const ui::ToolEvent&) override;
+  bool key(const QKeyEvent&) override;
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
 
  protected:
@@ -27,6 +30,18 @@ class DragTool : public ui::HandleTool {
     std::optional<Vec2> anchor;  ///< start of guides during a drag
     bool round = false;          ///< drawn as a ring: a handle for a size, not a point of the shape
   };
+  /// A size that is shown beside the shape, and typed there after a double click.
+  struct Dimension {
+    Vec2 at = Vec2::Zero();       ///< of the shape; the number stands `beside` it
+    Vec2 beside = Vec2::UnitY();  ///< unit length: away from the shape
+    double value = 0;             ///< mm
+    QString what;                 ///< "the width"
+    std::string parameter;        ///< that it is; empty: it is none of its own
+    bool radius = false;
+  };
+  [[nodiscard]] virtual std::vector<Dimension> dimensions(const Value& parameters) const = 0;
+  /// The parameters with another value of a dimension; empty when that is impossible.
+  [[nodiscard]] virtual std::optional<Value> resized(const Value& parameters, std::size_t dimension, double to) const = 0;
   /// The points for the current parameters of the feature.
   [[nodiscard]] virtual std::vector<Point> points(const Value& parameters) const = 0;
   /// The parameters after moving point `index`; empty when that is impossible.
@@ -48,12 +63,20 @@ class DragTool : public ui::HandleTool {
   void place() override;
   void putBack() override;
   [[nodiscard]] Document with(const Value& parameters) const;
+  [[nodiscard]] std::optional<std::size_t> dimensionUnder(const ui::ToolEvent&) const;
+  [[nodiscard]] Vec2 placeOf(const Dimension&) const;
+  bool typingKey(const QKeyEvent&);
+  void takeTyped();
+  void stopTyping();
+  void paintDimensions(ToolPaint&) const;
 
   Document base_;  ///< the document that a drag started from
   Value parameters_, before_;
   SnapScene scene_;
   std::optional<Snap> snap_;
   std::optional<std::size_t> chosen_;
+  std::optional<std::size_t> pointed_, typing_;  ///< a dimension: under the mouse; whose value is being typed
+  QString typed_, refusal_;
 };
 
 }  // namespace blossom::modeling

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "features_outline_value.h"
+#include "kernel/outline/outline_sides.h"
 #include "manipulators/tool_paint.h"
 #include "manipulators/tool_scene.h"
 #include "ui/tools/view_props.h"
@@ -28,6 +29,20 @@ std::vector<DragTool::Point> EditTool::points(const Value& parameters) const {
                       handle.through >= 0});
   }
   return points;
+}
+
+std::vector<DragTool::Dimension> EditTool::dimensions(const Value& parameters) const {
+  std::vector<Dimension> all;
+  for (const StraightSide& side : straightSides(drawnOutlineOf(parameters)))
+    all.push_back(
+        {(side.from + side.to) / 2, side.outward, (side.to - side.from).norm(), tr("the length of this side"), {}});
+  return all;
+}
+
+std::optional<Value> EditTool::resized(const Value& parameters, std::size_t dimension, double to) const {
+  const DrawnOutline outline = drawnOutlineOf(parameters);
+  const auto next = withSideLength(outline, straightSides(outline).at(dimension).segment, to);
+  return next ? std::optional(withOutline(parameters, *next)) : std::nullopt;
 }
 
 std::optional<Value> EditTool::dragged(const Value& parameters, std::size_t index, const Vec2& to) const {
@@ -59,7 +74,7 @@ bool EditTool::move(const ui::ToolEvent& event) {
 }
 
 bool EditTool::doubleClick(const ui::ToolEvent& event) {
-  noteScale(event);
+  if (DragTool::doubleClick(event)) return true;
   const auto place = placeUnder(event);
   if (event.button != Qt::LeftButton || !place) return false;
   place_.reset();

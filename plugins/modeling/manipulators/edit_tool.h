@@ -18,6 +18,8 @@ class EditTool final : public DragTool {
 
  protected:
   [[nodiscard]] std::vector<Point> points(const Value& parameters) const override;
+  [[nodiscard]] std::vector<Dimension> dimensions(const Value& parameters) const override;
+  [[nodiscard]] std::optional<Value> resized(const Value& parameters, std::size_t dimension, double to) const override;
   [[nodiscard]] std::optional<Value> dragged(const Value& parameters, std::size_t index, const Vec2& to) const override;
   void paint(ToolPaint&, const Value& parameters) const override;
   [[nodiscard]] QString idleHint() const override;

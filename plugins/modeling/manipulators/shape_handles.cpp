@@ -171,6 +171,26 @@ std::vector<ShapeHandle> shapeHandles(const std::string& featureType, const Valu
   return handles;
 }
 
+std::vector<ShapeDimension> shapeDimensions(const std::string& featureType, const Value& p) {
+  const auto beyond = [&](const char* name, double angle, bool radius = true) {
+    return ShapeDimension{centre(p) + around(number(p, name), angle), around(1, angle), name, radius};
+  };
+  const auto side = [&](const char* name, const Vec2& from, const Vec2& outward) {
+    return ShapeDimension{centre(p) + turned(from, turn(p)), turned(outward, turn(p)), name, false};
+  };
+  if (featureType == "modeling.circle") return {beyond("radius", pi / 4)};
+  if (featureType == "modeling.ellipse") return {beyond("a", turn(p)), beyond("b", turn(p) + pi / 2)};
+  if (featureType == "modeling.polygon") return {beyond("radius", turn(p))};
+  if (featureType == "modeling.star")
+    return {beyond("outer", turn(p)), beyond("inner", turn(p) + pi / p.at("points").get<double>())};
+  if (featureType == "modeling.rectangle")
+    return {side("width", {0, halves(p).y()}, Vec2::UnitY()), side("height", {halves(p).x(), 0}, Vec2::UnitX())};
+  if (featureType == "modeling.slot")
+    return {side("length", {0, number(p, "width") / 2}, Vec2::UnitY()),
+            side("width", {number(p, "length") / 2, 0}, Vec2::UnitX())};
+  return {};
+}
+
 std::optional<Value> draggedHandle(const std::string& featureType, const Value& parameters, std::size_t handle,
                                    const Vec2& to) {
   Value next = parameters;

@@ -25,6 +25,15 @@ std::vector<ShapeHandle> shapeHandles(const std::string& featureType, const Valu
 std::optional<Value> draggedHandle(const std::string& featureType, const Value& parameters, std::size_t handle,
                                    const Vec2& to);
 
+/// A length of such a shape that is a parameter, and where it is shown.
+struct ShapeDimension {
+  Vec2 at = Vec2::Zero();
+  Vec2 beside = Vec2::UnitY();  ///< unit length, away from the shape
+  std::string parameter;
+  bool radius = false;
+};
+std::vector<ShapeDimension> shapeDimensions(const std::string& featureType, const Value& parameters);
+
 /// The feature types with handles.
 const std::vector<std::string>& typesWithHandles();
 

@@ -11,9 +11,14 @@ class ShapeTool final : public DragTool {
 
  protected:
   [[nodiscard]] std::vector<Point> points(const Value& parameters) const override;
+  [[nodiscard]] std::vector<Dimension> dimensions(const Value& parameters) const override;
+  [[nodiscard]] std::optional<Value> resized(const Value& parameters, std::size_t dimension, double to) const override;
   [[nodiscard]] std::optional<Value> dragged(const Value& parameters, std::size_t index, const Vec2& to) const override;
 
  private:
+  /// "the width", for the status line and the undo list.
+  [[nodiscard]] static QString nameOf(const std::string& parameter);
+
   std::string type_;
 };
 

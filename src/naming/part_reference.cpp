@@ -78,8 +78,8 @@ std::optional<int> only(const std::vector<int>& numbers) {
   return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
 }
 
-/// Whether one face came from all that the other came from, as a face that grew or lost a part of itself. What has got a label
-/// of its own ("new") was not at the part before.
+/// Whether one face came from all that the other came from, as a face that grew or lost a part of itself. What has got a
+/// label of its own ("new") was not at the part before.
 bool related(const FaceName& a, const FaceName& b) {
   if (a.empty() || b.empty()) return false;
   return std::includes(a.begin(), a.end(), b.begin(), b.end()) || std::includes(b.begin(), b.end(), a.begin(), a.end());

@@ -48,16 +48,16 @@ void TypedNumbersTest::sidesOfARectangleAreTyped() {
   const FeatureId rectangle = add("modeling.rectangle", {{"width", 60}, {"height", 40}});
   lookAtPlane();
   window_->tree().select(rectangle);
-  openNumber({0, 20, 0}, Vec3::UnitY(), 18);
+  openNumber({0, 20, 0}, Vec3::UnitY(), 17);
   QCOMPARE(window_->tree().selected(), std::vector<FeatureId>{rectangle});
   type("2*35 mm");
   QCOMPARE(parameter(rectangle, "width"), Value("2*35 mm"));
   COMPARE_NEAR(measureOf(rectangle, "area"), 70.0 * 40, 1e-9);
-  openNumber({35, 0, 0}, Vec3::UnitX(), 44);
+  openNumber({35, 0, 0}, Vec3::UnitX(), 34);
   QTest::keyClicks(&view(), QStringLiteral("99"));
   QTest::keyClick(&view(), Qt::Key_Escape);
   QCOMPARE(document().at(rectangle).parameters.at("height").get<double>(), 40.0);
-  openNumber({35, 0, 0}, Vec3::UnitX(), 44);
+  openNumber({35, 0, 0}, Vec3::UnitX(), 34);
   type("5 kg");  // is refused, and can be corrected
   QCOMPARE(document().at(rectangle).parameters.at("height").get<double>(), 40.0);
   for (int k = 0; k < 4; ++k) QTest::keyClick(&view(), Qt::Key_Backspace);
@@ -80,10 +80,10 @@ void TypedNumbersTest::sidesOfADrawnRectangleAreTyped() {
   COMPARE_NEAR(measureOf(outline, "area"), 60.0 * 40, 1e-9);
   lookAtPlane();
   window_->tree().select(outline);
-  openNumber({30, 0, 0}, -Vec3::UnitY(), 4);
+  openNumber({30, 0, 0}, -Vec3::UnitY(), 17);
   type("75");
   COMPARE_NEAR(measureOf(outline, "area"), 75.0 * 40, 1e-9);
-  openNumber({75, 20, 0}, Vec3::UnitX(), 44);
+  openNumber({75, 20, 0}, Vec3::UnitX(), 34);
   type("1 in");
   COMPARE_NEAR(measureOf(outline, "area"), 75.0 * 25.4, 1e-9);
   QCOMPARE(measureOf(outline, "lines"), 4.0);

@@ -375,6 +375,8 @@ void DocumentPage::showError(const Error& error, const QString& file) {
   if (damagedDocument) errors_->offer(tr("Open what is readable"), [this, file] { emit salvageWanted(file); });
 }
 
+std::optional<QPointF> DocumentPage::onScreen(const Vec3& p) const { return view_->camera().project(p); }
+
 Value DocumentPage::typed(const ParameterSpec& spec, const QString& text) const {
   return writtenTyped(spec, text, namedNumbersOf(document()));
 }

@@ -83,6 +83,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] std::optional<CutPlane> section() const override;
   void setSection(const std::optional<CutPlane>&) override;
   [[nodiscard]] Bounds extent() const override;
+  [[nodiscard]] std::optional<QPointF> onScreen(const Vec3&) const override;
   [[nodiscard]] double pixelRatio() const override;
   void preview(Document document) override { session_.preview(std::move(document)); }
   void endPreview() override { session_.endPreview(); }

@@ -68,6 +68,8 @@ class ToolHost {
   virtual void setSection(const std::optional<CutPlane>&) {}
   /// Bounding box of everything visible; empty when there is nothing.
   [[nodiscard]] virtual Bounds extent() const { return {}; }
+  /// Where a point is seen, in logical pixels from the upper left of the view; empty where there is no view.
+  [[nodiscard]] virtual std::optional<QPointF> onScreen(const Vec3&) const { return std::nullopt; }
   /// Device pixels per logical pixel of the view.
   [[nodiscard]] virtual double pixelRatio() const { return 1; }
   /// Shows a document without recording it; ended by the next commit or by endPreview.

@@ -24,8 +24,8 @@ class Playback : public QObject {
   /// Whether something is shown that can be made a sequence: then playing is possible, and asks for it.
   void setOffered(bool);
   [[nodiscard]] bool playable() const { return count_ > 1 || offered_; }
-  void show(int frame);       ///< clamped to the count
-  void setPlaying(bool);      ///< from the start when it is at the end
+  void show(int frame);   ///< clamped to the count
+  void setPlaying(bool);  ///< from the start when it is at the end
   void setLooping(bool looping);
   void setFramesPerSecond(int);  ///< clamped to 1..60
   void setOnionSkin(bool);

@@ -78,13 +78,14 @@ vtkSmartPointer<vtkTexture> textureOf(const QImage& image) {
 }
 
 // A rectangle of pixels above the place where it is anchored, so that what it names stays in sight.
-vtkSmartPointer<vtkPolyData> rectangle(int width, int height, int gap) {
+vtkSmartPointer<vtkPolyData> rectangle(const QSize& size, const QPointF& shift) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   auto places = vtkSmartPointer<vtkFloatArray>::New();
   places->SetNumberOfComponents(2);
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->InsertNextCell(4);
-  const int left = -width / 2, low = gap;
+  const int width = size.width(), height = size.height();
+  const int left = static_cast<int>(std::lround(shift.x())) - width / 2, low = static_cast<int>(std::lround(shift.y()));
   const float corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   for (const auto& corner : corners) {
     const int x = corner[0] > 0 ? left + width : left, y = corner[1] > 0 ? low + height : low;
@@ -153,7 +154,7 @@ PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const C
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
   const QImage image = drawnLabel(text, look);
   auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
-  mapper->SetInputData(rectangle(image.width(), image.height(), static_cast<int>(std::lround(6 * look.pixelRatio))));
+  mapper->SetInputData(rectangle(image.size(), QPointF(0, labelGap * look.pixelRatio) + look.shift * look.pixelRatio));
   auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
   actor->SetMapper(mapper);
   actor->SetTexture(textureOf(image));

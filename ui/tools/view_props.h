@@ -3,6 +3,7 @@
 #include <vtkSmartPointer.h>
 
 #include <QColor>
+#include <QPointF>
 #include <QString>
 #include <array>
 #include <optional>
@@ -27,7 +28,9 @@ PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const C
 struct LabelLook {
   QColor text, card, border;
   double pixelRatio = 1;
+  QPointF shift = {};  ///< logical pixels, to the right and up
 };
+inline constexpr double labelGap = 6;  ///< logical pixels from the position to the card above it
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook&);
 
 QColor qtColor(const Color&, double opacity = 1);

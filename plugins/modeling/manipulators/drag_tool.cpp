@@ -3,6 +3,7 @@
 #include <vtkProp.h>
 
 #include <QKeyEvent>
+#include <QSizeF>
 #include <cmath>
 
 #include "core/error.h"
@@ -11,6 +12,12 @@
 #include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
+namespace {
+
+constexpr QSizeF halfCard(34, 11);  // logical pixels, of a number on its card
+
+}  // namespace
+
 DragTool::DragTool(ui::ToolHost& toolHost, FeatureId feature) : HandleTool(toolHost, std::move(feature)) { load(); }
 
 void DragTool::load() {
@@ -66,21 +73,20 @@ bool DragTool::move(const ui::ToolEvent& event) {
   return taken || (pointed_ && event.button == Qt::NoButton);
 }
 
-// A number stands a little away from the shape, whatever the zoom.
-Vec2 DragTool::placeOf(const Dimension& dimension) const {
-  constexpr double awayPixels = 12, halfCard = 32;
-  const double away = awayPixels + halfCard * std::abs(dimension.beside.x());
-  return dimension.at + away * millimetresPerPixel() * dimension.beside;
+// A number stands beside the shape, whatever the zoom: above, below, or half a card to the left or right of its place.
+QPointF DragTool::shiftOf(const Dimension& dimension) {
+  return {halfCard.width() * dimension.beside.x(), (halfCard.height() + ui::labelGap) * (dimension.beside.y() - 1)};
 }
 
 std::optional<std::size_t> DragTool::dimensionUnder(const ui::ToolEvent& event) const {
-  constexpr double halfWidth = 30, below = 8, above = 24;  // pixels of the card above its place
-  const auto at = ui::inGround(event.ray);
-  if (!at || handleUnder(event)) return std::nullopt;
+  if (handleUnder(event)) return std::nullopt;
   const std::vector<Dimension> all = dimensions(parameters_);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const Vec2 off = (*at - placeOf(all[k])) / event.millimetresPerPixel;
-    if (std::abs(off.x()) <= halfWidth && off.y() >= -below && off.y() <= above) return k;
+    const auto seen = host().onScreen({all[k].at.x(), all[k].at.y(), 0});
+    if (!seen) continue;
+    const QPointF middle = shiftOf(all[k]) + QPointF(0, ui::labelGap + halfCard.height());
+    const double right = event.at.x() - seen->x() - middle.x(), up = seen->y() - event.at.y() - middle.y();
+    if (std::abs(right) <= halfCard.width() && std::abs(up) <= halfCard.height()) return k;
   }
   return std::nullopt;
 }
@@ -203,19 +209,28 @@ QString DragTool::hint() const {
 
 void DragTool::paint(ToolPaint&, const Value&) const {}
 
+/// Where a dimension stands; by the last event where there is no view.
+double DragTool::pixelsPerMm(const Dimension& dimension) const {
+  const Vec2 next = dimension.at + dimension.beside;
+  const auto here = host().onScreen({dimension.at.x(), dimension.at.y(), 0});
+  const auto there = host().onScreen({next.x(), next.y(), 0});
+  if (!here || !there) return 1 / millimetresPerPixel();
+  return std::hypot(there->x() - here->x(), there->y() - here->y());
+}
+
 void DragTool::paintDimensions(ToolPaint& painter) const {
   constexpr std::size_t mostNumbers = 12;  // more would cover the shape
   constexpr double leastPixels = 36;       // of a side with a number
   const std::vector<Dimension> all = dimensions(parameters_);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const bool lit = k == pointed_ || k == typing_;
-    if (!lit && (all.size() > mostNumbers || all[k].value < leastPixels * millimetresPerPixel())) continue;
+    if (!lit && (all.size() > mostNumbers || all[k].value * pixelsPerMm(all[k]) < leastPixels)) continue;
     const LengthUnit unit = host().lengthUnit();
     const QString shown = QStringLiteral("%1%2 %3").arg(all[k].radius ? QStringLiteral("R ") : QString(),
                                                         QString::number(all[k].value / unit.millimetres, 'g', 6),
                                                         QString::fromStdString(unit.name));
-    painter.label(placeOf(all[k]), k == typing_ ? typed_ + QStringLiteral(" |") : shown,
-                  lit ? painter.look().made : painter.look().control);
+    painter.label(all[k].at, k == typing_ ? typed_ + QStringLiteral(" |") : shown,
+                  lit ? painter.look().made : painter.look().control, shiftOf(all[k]));
   }
 }
 

@@ -64,7 +64,8 @@ class DragTool : public ui::HandleTool {
   void putBack() override;
   [[nodiscard]] Document with(const Value& parameters) const;
   [[nodiscard]] std::optional<std::size_t> dimensionUnder(const ui::ToolEvent&) const;
-  [[nodiscard]] Vec2 placeOf(const Dimension&) const;
+  [[nodiscard]] static QPointF shiftOf(const Dimension&);
+  [[nodiscard]] double pixelsPerMm(const Dimension&) const;
   bool typingKey(const QKeyEvent&);
   void takeTyped();
   void stopTyping();

@@ -174,8 +174,9 @@ void ToolPaint::snapMarker(const Vec2& at, SnapKind kind) {
   }
 }
 
-void ToolPaint::label(const Vec2& at, const QString& text, const Color& color) {
+void ToolPaint::label(const Vec2& at, const QString& text, const Color& color, const QPointF& shift) {
   ui::LabelLook card = ui::labelLook(look_, color, ratio_);
+  card.shift = shift;
   card.border = ui::qtColor(mixed(look_.grid, look_.backgroundBottom, 0.4));
   props_.push_back(ui::labelProp(text, {at.x(), at.y(), 0}, card));
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <QPointF>
 #include <QString>
 #include <vector>
 
@@ -29,7 +30,8 @@ class ToolPaint {
   /// The marker of the object that the mouse snapped to.
   void snapMarker(const Vec2& at, SnapKind);
   /// A text on a card above a point.
-  void label(const Vec2& at, const QString& text, const Color&);
+  /// @param shift logical pixels, to the right and up
+  void label(const Vec2& at, const QString& text, const Color&, const QPointF& shift = {});
 
   [[nodiscard]] const Look& look() const { return look_; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> take() { return std::move(props_); }

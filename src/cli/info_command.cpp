@@ -127,8 +127,8 @@ class InfoCommand {
     std::ostream& out = invocation_.terminal.out;
     out << info.at("file").get<std::string>() << '\n';
     if (info.contains("features")) printFeatureTable(out, info.at("features"));
-    for (const auto& [name, value] : info.value("numbers", Value::object()).items())
-      out << name << " = " << value.get<std::string>() << '\n';
+    if (const auto numbers = info.find("numbers"); numbers != info.end())
+      for (const auto& [name, value] : numbers->items()) out << name << " = " << value.get<std::string>() << '\n';
     auto rows = all.measures.kind.empty() ? std::vector<ReportRow>() : rowsOf(all.measures);
     addRows(rows, info.at("stats"));
     printRows(out, rows);

@@ -34,6 +34,7 @@ bool uses(const NamedNumber& row, const std::string& name) {
 /// Rows that need no other of those that are left are computed until none can be; the rest is returned. O(rows^2).
 std::vector<const NamedNumber*> compute(const std::vector<NamedNumber>& table, NamedNumbers& values, bool strict) {
   std::vector<const NamedNumber*> left;
+  left.reserve(table.size());
   for (const NamedNumber& row : table) left.push_back(&row);
   for (bool progress = true; progress;) {
     progress = false;

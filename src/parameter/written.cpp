@@ -70,7 +70,7 @@ bool isNamedExpression(const Value& value) {
 }
 
 Value writtenText(const ParameterSpec& spec, std::string_view text, const NamedNumbers& names) {
-  const Value value = parseText(spec, text, {}, names);
+  Value value = parseText(spec, text, {}, names);
   if (isNumeric(spec)) return usesNames(text, names) ? pairOf(spec, std::string(text), names) : value;
   if (!hasCoordinates(spec) || text.find_first_of("[(") != std::string_view::npos || !usesNames(text, names)) return value;
   Value all = value;

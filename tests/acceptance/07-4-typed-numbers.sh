@@ -13,7 +13,7 @@ with zipfile.ZipFile(sys.argv[1], "w") as archive:
     archive.writestr("document.json", json.dumps(document))
 P
 python3 "$place/make.py" "$place/hand.blossom"
-equal "a document written by hand with names: volume" "$("$bin/blossom" info "$place/hand.blossom" --json | json volume)" 2000.0
-equal "--set w=30mm" "$("$bin/blossom" run "$place/hand.blossom" --set w=30mm -o "$place/wide.blossom" --json >/dev/null; "$bin/blossom" info "$place/wide.blossom" --json | json volume)" 4500.0
-equal "--set box.height=2*half keeps the names" "$("$bin/blossom" run "$place/wide.blossom" --set 'box.height=2*half' -o "$place/high.blossom" --json >/dev/null; "$bin/blossom" run "$place/high.blossom" --set w=10mm -o "$place/small.blossom" >/dev/null; "$bin/blossom" info "$place/small.blossom" --json | json volume)" 1000.0
+equal "a document written by hand with names: volume" "$("$bin/blossom" info "$place/hand.blossom" --json | json volume | xargs printf "%.6f")" 2000.000000
+equal "--set w=30mm" "$("$bin/blossom" run "$place/hand.blossom" --set w=30mm -o "$place/wide.blossom" --json >/dev/null; "$bin/blossom" info "$place/wide.blossom" --json | json volume | xargs printf "%.6f")" 4500.000000
+equal "--set box.height=2*half keeps the names" "$("$bin/blossom" run "$place/wide.blossom" --set 'box.height=2*half' -o "$place/high.blossom" --json >/dev/null; "$bin/blossom" run "$place/high.blossom" --set w=10mm -o "$place/small.blossom" >/dev/null; "$bin/blossom" info "$place/small.blossom" --json | json volume | xargs printf "%.6f")" 1000.000000
 rm -rf "$place"

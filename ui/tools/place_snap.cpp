@@ -109,7 +109,7 @@ std::vector<SnapPlace> snapPlaces(const Shape& shape) {
 
 std::optional<SnapPlace> snappedPlace(const std::vector<SnapPlace>& places, const SnapAim& aim) {
   if (aim.reach > 0)
-    if (const auto found = nearest(places, aim)) return found;
+    if (auto found = nearest(places, aim)) return found;
   if (aim.hit) return SnapPlace{aim.hit->point, aim.hit->kind == SubShapeKind::Edge ? Kind::Edge : Kind::Face};
   const auto ground = inGround(aim.ray);
   if (!ground) return std::nullopt;

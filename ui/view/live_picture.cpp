@@ -162,7 +162,12 @@ void LivePicture::chooseSmoothing() {
     multisampled_ = true;
     return redraw();
   }
-  if (!sharp()) settle_.start(smoothing_.taken() <= 1 ? restMs : 0);
+  if (sharp()) {
+    opened_ = opened_ || !subject_.empty();
+    return;
+  }
+  // What has just been opened is not being moved.
+  settle_.start(opened_ && smoothing_.taken() <= 1 ? restMs : 0);
 }
 
 }  // namespace blossom::ui

@@ -92,6 +92,7 @@ class LivePicture : public QObject {
   bool changed_ = false;                // the picture, since it was painted
   // Where a frame takes too long, the camera moves in frames of half the size.
   bool moving_ = false, slow_ = false;
+  bool opened_ = false;  ///< something has been shown at rest
   QSize frameSize_;
   QElapsedTimer frameTimer_;
   int framesDrawn_ = 0;

@@ -45,6 +45,7 @@ struct Evaluator::State {
 
   // Another thread writes results to the store, so that no evaluation waits for a disk.
   std::deque<Evaluation::Worthy> toKeep;
+  bool writing = false;  ///< one that was taken out of these
   std::thread keeper;
   CancelToken keeping;
 
@@ -85,9 +86,11 @@ void Evaluator::State::writeKept() {
     if (toKeep.empty() || progress.cancelled()) return;
     const Evaluation::Worthy next = std::move(toKeep.front());
     toKeep.pop_front();
+    writing = true;
     lock.unlock();
     store->keep(next.first, next.second->evaluated, progress);
     lock.lock();
+    writing = false;
     changed.notify_all();
   }
 }
@@ -98,7 +101,7 @@ void Evaluator::State::end() {
   std::unique_lock lock(mutex);
   ending = true;
   changed.notify_all();
-  if (keeper.joinable()) changed.wait_for(lock, moment, [&] { return toKeep.empty(); });
+  if (keeper.joinable()) changed.wait_for(lock, moment, [&] { return toKeep.empty() && !writing; });
   keeping.cancel();
   lock.unlock();
   if (keeper.joinable()) keeper.join();

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/thread_priority.h"
-#include "document/evaluation.h"
+#include "document/evaluation/evaluation.h"
 #include "results/result_store.h"
 
 namespace blossom {

@@ -1,4 +1,4 @@
-#include "document/evaluation.h"
+#include "document/evaluation/evaluation.h"
 
 #include <Standard_OutOfRange.hxx>
 #include <atomic>

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "core/file.h"
+#include "document/evaluation/result_cache.h"
 #include "document/evaluator.h"
-#include "document/result_cache.h"
 #include "geometry/planar/planar.h"
 #include "support/support.h"
 

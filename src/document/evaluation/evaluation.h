@@ -1,8 +1,8 @@
 #pragma once
-#include "document/costs.h"
+#include "document/evaluation/costs.h"
+#include "document/evaluation/file_source.h"
+#include "document/evaluation/result_cache.h"
 #include "document/evaluator.h"
-#include "document/file_source.h"
-#include "document/result_cache.h"
 #include "naming/construction.h"
 
 namespace blossom {

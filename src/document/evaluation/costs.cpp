@@ -1,4 +1,4 @@
-#include "document/costs.h"
+#include "document/evaluation/costs.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "document/result_cache.h"
+#include "document/evaluation/result_cache.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "document/file_source.h"
+#include "document/evaluation/file_source.h"
 
 #include <fmt/format.h>
 

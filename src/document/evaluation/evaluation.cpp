@@ -1,4 +1,4 @@
-#include "document/evaluation.h"
+#include "document/evaluation/evaluation.h"
 
 #include <fmt/format.h>
 

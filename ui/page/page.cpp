@@ -5,8 +5,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "document/named_numbers.h"
-#include "ui/controls/typed_expression.h"
 #include "ui/look/preferences.h"
 #include "ui/look/text.h"
 #include "ui/look/theme.h"
@@ -298,28 +296,6 @@ void DocumentPage::connectPicking() {
   });
 }
 
-// A feature with a number of frames makes a sequence as soon as that is set, such as a morph.
-std::optional<Feature> DocumentPage::offeredSequence() const {
-  const std::vector<FeatureId> chosen = selection();
-  if (chosen.size() != 1 || !document().contains(chosen.front())) return std::nullopt;
-  Feature feature = document().at(chosen.front());
-  const auto type = registry().find(feature.type);
-  const auto made = result(feature.id);
-  if (!type || feature.suppressed || !feature.visible || !made || made->error) return std::nullopt;
-  const auto isFrames = [](const ParameterSpec& spec) { return spec.kind == ParameterKind::Count && spec.name == "frames"; };
-  if (std::none_of(type->parameters.begin(), type->parameters.end(), isFrames)) return std::nullopt;
-  constexpr int frames = 25;
-  const Value given = feature.parameters.value("frames", Value(0));
-  if (!given.is_number() || given.get<double>() > 1) return std::nullopt;
-  feature.parameters["frames"] = frames;
-  return feature;
-}
-
-void DocumentPage::makeSequence() {
-  if (const auto feature = offeredSequence())
-    session_.commit(document().with(*feature), tr("Play %1").arg(qt(shownName(*feature))));
-}
-
 // Sequences of features that are shown move together; the longest gives the count.
 void DocumentPage::refreshTimeline() {
   const int count = static_cast<int>(scene_.frames());
@@ -374,26 +350,5 @@ void DocumentPage::showError(const Error& error, const QString& file) {
   const bool damagedDocument = error.code() == ErrorCode::FormatDamaged && !file.isEmpty() && isDocument(file.toStdString());
   if (damagedDocument) errors_->offer(tr("Open what is readable"), [this, file] { emit salvageWanted(file); });
 }
-
-std::optional<QPointF> DocumentPage::onScreen(const Vec3& p) const { return view_->camera().project(p); }
-
-Value DocumentPage::typed(const ParameterSpec& spec, const QString& text) const {
-  return writtenTyped(spec, text, namedNumbersOf(document()));
-}
-
-std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) const {
-  const auto view = session_.view(id);
-  return view ? view->result : nullptr;
-}
-
-LengthUnit DocumentPage::lengthUnit() const { return ui::lengthUnit(); }
-
-double DocumentPage::gridSpacing() const { return view_->gridSpacing(); }
-double DocumentPage::pixelRatio() const { return view_->devicePixelRatioF(); }
-Bounds DocumentPage::extent() const { return view_->extent(); }
-std::optional<CutPlane> DocumentPage::section() const { return view_->section(); }
-void DocumentPage::setSection(const std::optional<CutPlane>& plane) { view_->setSection(plane); }
-std::vector<FeatureId> DocumentPage::selection() const { return tree_->selected(); }
-void DocumentPage::select(const FeatureId& id) { tree_->select(id); }
 
 }  // namespace blossom::ui

@@ -45,7 +45,8 @@ struct Evaluator::State {
 
   // Another thread writes results to the store, so that no evaluation waits for a disk.
   std::deque<Evaluation::Worthy> toKeep;
-  bool writing = false;  ///< one that was taken out of these
+  bool writing = false;        ///< one that was taken out of these
+  bool allHandedOver = false;  ///< nothing comes any more
   std::thread keeper;
   CancelToken keeping;
 
@@ -82,7 +83,7 @@ void Evaluator::State::writeKept() {
   const Progress progress(keeping, {});
   std::unique_lock lock(mutex);
   while (true) {
-    changed.wait(lock, [&] { return ending || !toKeep.empty(); });
+    changed.wait(lock, [&] { return allHandedOver || !toKeep.empty(); });
     if (toKeep.empty() || progress.cancelled()) return;
     const Evaluation::Worthy next = std::move(toKeep.front());
     toKeep.pop_front();
@@ -95,17 +96,25 @@ void Evaluator::State::writeKept() {
   }
 }
 
-// What a program that ends at once has computed is still written, as far as that takes a moment only.
+// The evaluation, which was cancelled, ends first: it hands over what it has done. That is still written, as far as it takes
+// a moment only.
 void Evaluator::State::end() {
   constexpr auto moment = std::chrono::seconds(1);
-  std::unique_lock lock(mutex);
-  ending = true;
+  {
+    const std::lock_guard lock(mutex);
+    ending = true;
+  }
   changed.notify_all();
-  if (keeper.joinable()) changed.wait_for(lock, moment, [&] { return toKeep.empty() && !writing; });
-  keeping.cancel();
-  lock.unlock();
-  if (keeper.joinable()) keeper.join();
   if (thread.joinable()) thread.join();
+  if (!keeper.joinable()) return;
+  {
+    std::unique_lock lock(mutex);
+    allHandedOver = true;
+    changed.notify_all();
+    changed.wait_for(lock, moment, [&] { return toKeep.empty() && !writing; });
+  }
+  keeping.cancel();
+  keeper.join();
 }
 
 void Evaluator::State::perform(const BackgroundRun& job) {

@@ -25,7 +25,7 @@ class FirstPartTest : public WindowFixture {
     openNewDocument();
     window_->resize(1280, 720);
     mouse_ = std::make_unique<test::XMouse>();
-    if (!mouse_->there()) QSKIP("The X server takes no events (libXtst is not there).");
+    QVERIFY2(mouse_->there(), "The X server takes no events: libXtst.so.6 is not there.");
   }
   void cleanup() {
     mouse_.reset();

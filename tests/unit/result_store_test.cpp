@@ -94,6 +94,7 @@ class ResultStoreTest : public QObject {
   void whatChangesWithTheWorldIsComputedAgain();
   void aFileThatChangesMeanwhileGivesNoResult();
   void whatWasDoneBeforeACancelIsKept();
+  void endingDuringAnEvaluationKeepsWhatWasDone();
   void whatWasForgottenStaysForgotten();
   void evaluationsAreFoundAfterARestart();
 };
@@ -220,6 +221,29 @@ void ResultStoreTest::whatWasDoneBeforeACancelIsKept() {
   QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
   Evaluator again(registry, 16, std::make_shared<ResultStore>(folder.path(), "v1"));
   QVERIFY(again.evaluate(document.without("b"), Progress::none()).at("a")->fromCache);
+}
+
+// As a window is closed while it computes: the first results to be kept come when the evaluator ends already.
+void ResultStoreTest::endingDuringAnEvaluationKeepsWhatWasDone() {
+  const TemporaryFolder folder;
+  const auto registry = std::make_shared<Registry>();
+  registry->add(feature<Counted>("test.counted", "Counted", "Takes its time, or until it is cancelled.")
+                    .input({.name = "part", .help = "What is before.", .kinds = {ShapeKind::MedialAxis}, .minimum = 0})
+                    .parameter("value", &Counted::value, number(), "A number.")
+                    .evaluate([](const Counted& p, const Inputs&, const Progress& progress) -> Evaluated {
+                      Evaluated result = made(axis());
+                      result.stats["sum"] = busy(p.value);
+                      while (p.value > 1) progress.check();
+                      return result;
+                    }));
+  const Document document = Document().with(countedFeature("a", 1)).with(countedFeature("b", 2, {"a"}));
+  {
+    Evaluator evaluator(registry, 16, std::make_shared<ResultStore>(folder.path(), "v1"));
+    std::atomic<bool> first = false;
+    evaluator.evaluateInBackground(document, {}, [&](const FeatureId&, const auto&) { first = true; }, {});
+    QTRY_VERIFY_WITH_TIMEOUT(first, 60000);
+  }
+  QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
 }
 
 // A run that began before everything was to be forgotten ends afterwards.

@@ -1,7 +1,6 @@
 #include "geometry/planar/area_triangulation.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -9,8 +8,11 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
+
+#include "geometry/numeric/box_tree.h"
 
 namespace blossom {
 namespace {
@@ -19,9 +21,9 @@ using AreaKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using AreaVertex = CGAL::Triangulation_vertex_base_with_info_2<int, AreaKernel>;
 using AreaFace =
     CGAL::Constrained_triangulation_face_base_2<AreaKernel, CGAL::Triangulation_face_base_with_info_2<int, AreaKernel>>;
-// "Plus" remembers how many sides lie on an edge.
-using AreaTriangulation = CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
-    AreaKernel, CGAL::Triangulation_data_structure_2<AreaVertex, AreaFace>, CGAL::Exact_predicates_tag>>;
+using AreaTriangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<AreaKernel, CGAL::Triangulation_data_structure_2<AreaVertex, AreaFace>,
+                                               CGAL::Exact_predicates_tag>;
 
 constexpr std::size_t betweenLooks = 256;
 
@@ -56,33 +58,87 @@ void insertPolygons(AreaTriangulation& triangulation, const std::vector<std::vec
   for (const std::vector<Vec2>& polygon : polygons) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       if (i % betweenLooks == 0) progress.check();
-      triangulation.insert_constraint(vertices[first + i], vertices[first + (i + 1) % polygon.size()]);
+      const auto &from = vertices[first + i], &to = vertices[first + (i + 1) % polygon.size()];
+      if (from != to) triangulation.insert_constraint(from, to);
     }
     first += polygon.size();
   }
 }
 
-bool isBoundary(const AreaTriangulation& triangulation, const AreaTriangulation::Edge& edge) {
-  const auto& [face, i] = edge;
-  return face->is_constrained(i) &&
-         triangulation.number_of_enclosing_constraints(face->vertex(face->cw(i)), face->vertex(face->ccw(i))) % 2 == 1;
-}
+/// Tells whether a place lies in the area, by the sides to the right of it.
+class EvenOdd {
+ public:
+  EvenOdd(const std::vector<std::vector<Vec2>>& polygons, const Progress& progress) {
+    std::vector<Box2> boxes;
+    for (const std::vector<Vec2>& polygon : polygons)
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        sides_.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+        boxes.push_back(Box2(sides_.back().from).extend(sides_.back().to));
+      }
+    tree_ = BoxTree<2>(boxes, 4, progress);
+    if (!tree_.empty()) right_ = tree_.nodes().front().box.max().x();
+  }
 
-/// Writes into every face, as its info, 1 inside and 0 outside.
-void markInside(AreaTriangulation& triangulation) {
-  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) face->info() = -1;
-  std::vector<AreaTriangulation::Face_handle> open{triangulation.infinite_face()};
-  open.front()->info() = 0;
-  while (!open.empty()) {
-    const AreaTriangulation::Face_handle face = open.back();
-    open.pop_back();
+  [[nodiscard]] bool contains(const Vec2& p) const {
+    bool inside = false;
+    tree_.meeting(Box2(p).extend(Vec2(std::max(right_, p.x()), p.y())), [&](std::size_t i) {
+      const auto& [a, b] = sides_[i];
+      if ((a.y() > p.y()) == (b.y() > p.y())) return;
+      const double turn = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+      if ((turn > 0) == (b.y() > a.y())) inside = !inside;
+    });
+    return inside;
+  }
+
+ private:
+  struct Side {
+    Vec2 from, to;
+  };
+  std::vector<Side> sides_;
+  BoxTree<2> tree_;
+  double right_ = 0;
+};
+
+using Faces = std::vector<AreaTriangulation::Face_handle>;
+
+/// The faces around `face` that no side separates from it, marked with `mark`.
+Faces facesAround(const AreaTriangulation& triangulation, AreaTriangulation::Face_handle face, int mark) {
+  Faces faces{face};
+  face->info() = mark;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
     for (int i = 0; i < 3; ++i) {
-      const AreaTriangulation::Face_handle next = face->neighbor(i);
-      if (next->info() >= 0) continue;
-      next->info() = isBoundary(triangulation, {face, i}) ? 1 - face->info() : face->info();
-      open.push_back(next);
+      const AreaTriangulation::Face_handle next = faces[k]->neighbor(i);
+      if (next->info() == mark || triangulation.is_constrained({faces[k], i})) continue;
+      next->info() = mark;
+      faces.push_back(next);
     }
   }
+  return faces;
+}
+
+/// The middle of the largest of some triangles, as far from all sides as one needs to be.
+Vec2 placeAmong(const AreaTriangulation& triangulation, const Faces& faces) {
+  const auto smaller = [&](const auto& a, const auto& b) {
+    return triangulation.triangle(a).area() < triangulation.triangle(b).area();
+  };
+  const AreaKernel::Triangle_2 largest = triangulation.triangle(*std::max_element(faces.begin(), faces.end(), smaller));
+  const AreaKernel::Point_2 middle = CGAL::centroid(largest);
+  return {middle.x(), middle.y()};
+}
+
+/// Which side of a side is inside cannot be told from the triangulation, as several sides may lie on an edge.
+std::vector<Faces> partsInside(AreaTriangulation& triangulation, const EvenOdd& area, const Progress& progress) {
+  constexpr int unseen = 0, seen = 1;
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) face->info() = unseen;
+  facesAround(triangulation, triangulation.infinite_face(), seen);
+  std::vector<Faces> parts;
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face) {
+    if (face->info() == seen) continue;
+    progress.check();
+    Faces part = facesAround(triangulation, face, seen);
+    if (area.contains(placeAmong(triangulation, part))) parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 }  // namespace
@@ -92,13 +148,14 @@ AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, co
   insertPolygons(triangulation, polygons, progress);
   AreaTriangles result;
   if (triangulation.dimension() < 2) return result;
-  markInside(triangulation);
+  const std::vector<Faces> parts = partsInside(triangulation, EvenOdd(polygons, progress), progress);
   for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end(); ++v) {
     v->info() = static_cast<int>(result.points.size());
     result.points.emplace_back(v->point().x(), v->point().y());
   }
-  for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
-    if (f->info() == 1) result.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  for (const Faces& part : parts)
+    for (const auto& face : part)
+      result.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   return result;
 }
 

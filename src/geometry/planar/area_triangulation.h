@@ -14,8 +14,8 @@ struct AreaTriangles {
 };
 
 /// Constrained Delaunay triangulation of the area that closed polygons enclose by the even-odd rule. The polygons may
-/// touch, overlap and cross: sides that lie on one another twice bound nothing. O(n log n) for sides that do not cross.
-/// Predicates are exact; a place where sides cross is rounded. @throws Error Cancelled.
+/// touch, overlap and cross: sides that lie on one another twice bound nothing. About O(n log n) for sides that do not
+/// cross. Predicates of the triangulation are exact; a place where sides cross is rounded. @throws Error Cancelled.
 AreaTriangles triangulateArea(const std::vector<std::vector<Vec2>>& polygons, const Progress&);
 
 }  // namespace blossom

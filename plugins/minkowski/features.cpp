@@ -106,6 +106,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .command("morph")
       .icon("morph")
       .produces({ShapeKind::Region})
+      .playedBy({.parameter = "frames"})
       .input({.name = "shape",
               .help = "Control shapes, first to last.",
               .kinds = {ShapeKind::Region},

@@ -42,6 +42,7 @@ FeatureType growth(const GrowTexts& texts, const GrowOperation& operation) {
   auto made = feature<P>(texts.id, texts.title, texts.summary);
   made.icon(texts.icon)
       .produces({ShapeKind::Mesh})
+      .playedBy({.parameter = "frames"})
       .input({.name = "solid",
               .help = "The solid that is changed.",
               .kinds = {ShapeKind::Mesh, ShapeKind::Brep},

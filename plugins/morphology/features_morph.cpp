@@ -46,6 +46,7 @@ FeatureType morphFeature(Way way) {
                     "The in-between solids of two solids with any numbers of holes and corners.")
       .icon("solid-morph")
       .produces({ShapeKind::Mesh})
+      .playedBy({.parameter = "frames"})
       .input({.name = "from",
               .help = "The solid at t = 0.",
               .kinds = kinds,

@@ -48,6 +48,16 @@ void checkInputByFlags(const std::string& what, const FeatureType& type, const s
   if (!parameters.contains(flags.asks)) broken(what, fmt::format("has no parameter \"{}\" to be an input by", flags.asks));
 }
 
+void checkPlaying(const std::string& what, const FeatureType& type) {
+  const PlayedBy& played = type.playedBy;
+  if (played.parameter.empty()) return;
+  const auto counts = [&](const ParameterSpec& spec) {
+    return spec.name == played.parameter && spec.kind == ParameterKind::Count;
+  };
+  if (std::none_of(type.parameters.begin(), type.parameters.end(), counts) || played.frames < 2)
+    broken(what, fmt::format("cannot play by \"{}\": it must be a count, set to 2 or more", played.parameter));
+}
+
 /// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.
 void checkOpening(const std::string& what, const FeatureType& type) {
   if (type.opens == ShapeKind::None) return;
@@ -96,6 +106,7 @@ void check(FeatureType& type) {
   }
   checkInputByFlags(what, type, names);
   checkOpening(what, type);
+  checkPlaying(what, type);
 }
 
 void check(Format& format) {

@@ -90,6 +90,12 @@ struct InputByFlags {
   std::vector<std::string> plain = {};  ///< parameters whose flags have no prefix "ASKS."
 };
 
+/// How a feature becomes a sequence that plays.
+struct PlayedBy {
+  std::string parameter;  ///< a count: how many shapes the sequence has; empty: the feature never makes one
+  int frames = 25;        ///< as many as Play asks for
+};
+
 struct InputImage;
 
 /// A feature type, declared once. Command, flags, help, dialog, panel, undo text, document format and manual page are
@@ -108,6 +114,7 @@ struct FeatureType {
   std::vector<std::string> examples;  ///< command lines for --help
   ChoiceByOutput byOutput = {};
   InputByFlags inputByFlags = {};
+  PlayedBy playedBy = {};
   /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
   ShapeKind opens = ShapeKind::None;
   Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
@@ -168,6 +175,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& inputByFlags(InputByFlags flags) {
     type_.inputByFlags = std::move(flags);
+    return *this;
+  }
+  FeatureBuilder& playedBy(PlayedBy played) {
+    type_.playedBy = std::move(played);
     return *this;
   }
   FeatureBuilder& input(InputSpec spec) {

@@ -220,6 +220,19 @@ class RegistryTest : public QObject {
     QCOMPARE(registry.opening(ShapeKind::Mesh)->id, std::string("test.changed"));
   }
 
+  void aTypePlaysByACount() {
+    const auto player = [](const std::string& parameter, int frames) {
+      FeatureType type = thing("test.player");
+      type.playedBy = {.parameter = parameter, .frames = frames};
+      return type;
+    };
+    Registry registry;
+    VERIFY_ERROR(registry.add(player("nothing", 25)), ErrorCode::PluginBroken);
+    VERIFY_ERROR(registry.add(player("t", 25)), ErrorCode::PluginBroken);
+    VERIFY_ERROR(registry.add(player("copies", 1)), ErrorCode::PluginBroken);
+    registry.add(player("copies", 25));
+  }
+
   void aDeclarationIsReplacedInItsPlace() {
     Registry registry;
     registry.addAll(thing(), thing("test.other"));

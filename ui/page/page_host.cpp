@@ -1,5 +1,4 @@
 // What tools see of the workbench, and the sequence that is offered of what is selected.
-#include <algorithm>
 
 #include "document/named_numbers.h"
 #include "ui/controls/typed_expression.h"
@@ -11,7 +10,6 @@
 
 namespace blossom::ui {
 
-// A feature with a number of frames makes a sequence as soon as that is set, such as a morph.
 std::optional<Feature> DocumentPage::offeredSequence() const {
   const std::vector<FeatureId> chosen = selection();
   if (chosen.size() != 1 || !document().contains(chosen.front())) return std::nullopt;
@@ -19,12 +17,11 @@ std::optional<Feature> DocumentPage::offeredSequence() const {
   const auto type = registry().find(feature.type);
   const auto made = result(feature.id);
   if (!type || feature.suppressed || !feature.visible || !made || made->error) return std::nullopt;
-  const auto isFrames = [](const ParameterSpec& spec) { return spec.kind == ParameterKind::Count && spec.name == "frames"; };
-  if (std::none_of(type->parameters.begin(), type->parameters.end(), isFrames)) return std::nullopt;
-  constexpr int frames = 25;
-  const Value given = feature.parameters.value("frames", Value(0));
+  const PlayedBy& played = type->playedBy;
+  if (played.parameter.empty()) return std::nullopt;
+  const Value given = feature.parameters.value(played.parameter, Value(0));
   if (!given.is_number() || given.get<double>() > 1) return std::nullopt;
-  feature.parameters["frames"] = frames;
+  feature.parameters[played.parameter] = played.frames;
   return feature;
 }
 

@@ -1,5 +1,6 @@
 #include "transport/spline_transport.h"
 
+#include "transport/motion_edit_transport.h"
 #include "transport/numbers.h"
 
 namespace blossom {
@@ -18,16 +19,15 @@ Surface toSurface(const Value& v) {
 }
 
 Value motionValue(const Motion& m) {
-  return {{"trajectory", curveValue(m.trajectory)},
-          {"orientation", surfaceValue(m.orientation)},
-          {"scaling", surfaceValue(m.scaling)},
-          {"closed_u", static_cast<int>(m.closedU)},
-          {"point", vectorValue(m.point)}};
+  return {{"trajectory", curveValue(m.trajectory)}, {"orientation", surfaceValue(m.orientation)},
+          {"scaling", surfaceValue(m.scaling)},     {"closed_u", static_cast<int>(m.closedU)},
+          {"point", vectorValue(m.point)},          {"edits", motionEditsValue(m.edits)}};
 }
 
 Motion toMotion(const Value& v) {
-  return {toCurve(v.at("trajectory")), toSurface(v.at("orientation")), toSurface(v.at("scaling")),
-          static_cast<ClosedU>(v.at("closed_u").get<int>()), toVector<Vec3>(v.at("point"))};
+  return {toCurve(v.at("trajectory")),   toSurface(v.at("orientation")),
+          toSurface(v.at("scaling")),    static_cast<ClosedU>(v.at("closed_u").get<int>()),
+          toVector<Vec3>(v.at("point")), toMotionEdits(v.at("edits"))};
 }
 
 }  // namespace blossom

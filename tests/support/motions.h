@@ -34,7 +34,8 @@ inline std::vector<double> randomPeriod(Random& random, int rows, int degree) {
 }
 
 /// Degrees 1 to 3 in each direction, or all 3; any inner multiplicity up to the degree.
-inline Motion randomMotion(Random& random, ClosedU closed, bool allCubic = false) {
+/// @param period rows of a closed motion; with few of them, basis functions overlap more often than there are rows
+inline Motion randomMotion(Random& random, ClosedU closed, bool allCubic = false, int period = 9) {
   const auto degree = [&](int minimum) { return allCubic ? 3 : uniformInt(random, minimum, 3); };
   const KnotChoice clampedKnots{.spans = 5, .clamped = true};
   const auto clampedVector = [&](int p) {
@@ -56,7 +57,7 @@ inline Motion randomMotion(Random& random, ClosedU closed, bool allCubic = false
     const int pu = degree(1), pv = degree(1);
     const std::vector<double> knotsV = clampedVector(pv);
     const std::size_t columns = knotsV.size() - static_cast<std::size_t>(pv) - 1;
-    const std::vector<double> knotsU = closed == ClosedU::No ? clampedVector(pu) : randomPeriod(random, 9, pu);
+    const std::vector<double> knotsU = closed == ClosedU::No ? clampedVector(pu) : randomPeriod(random, period, pu);
     const std::size_t rows = closed == ClosedU::No ? knotsU.size() - static_cast<std::size_t>(pu) - 1 : knotsU.size() - 1;
     std::vector<Vec4> poles;
     for (std::size_t i = 0; i < rows; ++i)

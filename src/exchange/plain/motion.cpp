@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "exchange/format/format.h"
+#include "exchange/plain/motion_edits.h"
 #include "exchange/plain/motion_read.h"
 #include "geometry/shape/motion.h"
 #include "parameter/wording.h"
@@ -94,14 +95,16 @@ Value motionJson(const Motion& motion) {
   Value orientation = surfaceJson(motion.orientation, motion.closedU);
   if (motion.closedU != ClosedU::No)
     orientation["closed_u"] = motion.closedU == ClosedU::Periodic ? "periodic" : "anti-periodic";
-  return {{"trajectory",
-           {{"degree", motion.trajectory.degree},
-            {"knots", motion.trajectory.knots},
-            {"poles", std::move(poles)},
-            {"weights", std::move(weights)}}},
-          {"orientation", std::move(orientation)},
-          {"scaling", surfaceJson(motion.scaling, motion.closedU)},
-          {"point", {motion.point.x(), motion.point.y(), motion.point.z()}}};
+  Value json{{"trajectory",
+              {{"degree", motion.trajectory.degree},
+               {"knots", motion.trajectory.knots},
+               {"poles", std::move(poles)},
+               {"weights", std::move(weights)}}},
+             {"orientation", std::move(orientation)},
+             {"scaling", surfaceJson(motion.scaling, motion.closedU)},
+             {"point", {motion.point.x(), motion.point.y(), motion.point.z()}}};
+  if (!motion.edits.empty()) json["edits"] = editsJson(motion.edits);
+  return json;
 }
 
 /// Numbers side by side, everything else on lines of its own: a file that a person can read and compare.

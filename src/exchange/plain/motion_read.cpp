@@ -2,89 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 
 #include "core/error.h"
-#include "parameter/wording.h"
+#include "exchange/plain/motion_edits.h"
+#include "exchange/plain/motion_node.h"
 
 namespace blossom {
 
 namespace {
 
-constexpr int largestDegree = 25;
-constexpr std::size_t maximumPoles = 1'000'000;
-/// 1,000 km: products of such numbers keep a meaning, and no measure of them drowns in rounding noise.
-constexpr double largestNumber = 1e9;
-
-/// A value of the file and the way to it, which every message names: "orientation.poles[3][2]".
-struct Node {
-  const Value& value;
-  std::string path;
-
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw Error(ErrorCode::FormatDamaged, fmt::format("{} {}.", path.empty() ? "This motion file" : path, expected),
-                "The manual page \"Sweep\" describes the motion file.");
-  }
-  [[nodiscard]] Node operator[](std::size_t index) const { return {value[index], fmt::format("{}[{}]", path, index)}; }
-  [[nodiscard]] bool has(const char* key) const { return value.contains(key) && !value[key].is_null(); }
-  [[nodiscard]] Node at(const char* key) const {
-    const std::string full = path.empty() ? key : path + "." + key;
-    if (!has(key)) Node{value, full}.fail("is missing");
-    return {value.at(key), full};
-  }
-
-  void requireObject(std::initializer_list<const char*> keys) const {
-    if (!value.is_object()) fail(path.empty() ? "must hold one JSON object" : "must be an object");
-    for (const auto& [key, ignored] : value.items()) {
-      bool known = false;
-      for (const char* wanted : keys) known = known || key == wanted;
-      if (!known) Node{value, path.empty() ? key : path + "." + key}.fail("is not a key of a motion file");
-    }
-  }
-  [[nodiscard]] std::size_t arraySize(const char* what) const {
-    if (!value.is_array() || value.empty()) fail(fmt::format("must be a list of {}", what));
-    if (value.size() > maximumPoles)
-      fail(fmt::format("holds {} entries; at most {} can be read", value.size(), maximumPoles));
-    return value.size();
-  }
-  [[nodiscard]] double number() const {
-    if (!value.is_number()) fail("must be a number");
-    const double number = value.get<double>();
-    if (!(std::abs(number) <= largestNumber)) fail(fmt::format("must lie between -1e9 and 1e9; it is {}", number));
-    return number;
-  }
-  template <int N>
-  [[nodiscard]] Eigen::Matrix<double, N, 1> numbers(const char* what) const {
-    if (!value.is_array() || value.size() != static_cast<std::size_t>(N)) fail(fmt::format("must be {}", what));
-    Eigen::Matrix<double, N, 1> result;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) result[static_cast<Eigen::Index>(i)] = (*this)[i].number();
-    return result;
-  }
-  [[nodiscard]] int degree() const {
-    if (!value.is_number_integer()) fail("must be a whole number");
-    // As a double, so that an absurd size cannot overflow.
-    const double degree = value.get<double>();
-    if (degree < 1 || degree > largestDegree)
-      fail(fmt::format("must lie between 1 and {}; it is {}", largestDegree, degree));
-    return static_cast<int>(degree);
-  }
-  [[nodiscard]] std::vector<double> knots() const {
-    const std::size_t count = arraySize("knots");
-    std::vector<double> result;
-    result.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      result.push_back((*this)[i].number());
-      if (i > 0 && result[i] < result[i - 1])
-        (*this)[i].fail(fmt::format("must not be smaller than the knot before it, {}", result[i - 1]));
-    }
-    return result;
-  }
-};
-
-void requireKnotCount(const Node& node, std::size_t knots, int degree, std::size_t poles) {
+void requireKnotCount(const MotionNode& node, std::size_t knots, int degree, std::size_t poles) {
   const std::size_t order = static_cast<std::size_t>(degree) + 1;
   if (poles < order) node.fail(fmt::format("belongs to {} poles; degree {} needs at least {}", poles, degree, order));
   if (knots != poles + order)
@@ -93,26 +22,27 @@ void requireKnotCount(const Node& node, std::size_t knots, int degree, std::size
 }
 
 /// Both ends have multiplicity degree + 1, and nothing between is torn apart.
-void requireClamped(const Node& node, const std::vector<double>& knots, int degree) {
+void requireClamped(const MotionNode& node, const std::vector<double>& knots, int degree) {
   const std::size_t p = static_cast<std::size_t>(degree), last = knots.size() - 1;
   if (knots[0] != knots[p]) node.fail(fmt::format("must be clamped: its first {} knots must be equal", degree + 1));
   if (knots[last] != knots[last - p]) node.fail(fmt::format("must be clamped: its last {} knots must be equal", degree + 1));
   if (!(knots[p] < knots[last - p])) node.fail("must span more than one value");
 }
 
-void requireContinuous(const Node& node, const std::vector<double>& knots, int degree, std::size_t first, std::size_t end) {
+void requireContinuous(const MotionNode& node, const std::vector<double>& knots, int degree, std::size_t first,
+                       std::size_t end) {
   const std::size_t p = static_cast<std::size_t>(degree);
   for (std::size_t i = first; i + p < end; ++i)
     if (knots[i] == knots[i + p])
       node[i].fail(fmt::format("is repeated more than {} times, which tears the factor apart", degree));
 }
 
-Curve readTrajectory(const Node& node) {
+Curve readTrajectory(const MotionNode& node) {
   node.requireObject({"degree", "knots", "poles", "weights"});
   Curve curve{node.at("degree").degree(), node.at("knots").knots(), {}};
-  const Node poles = node.at("poles");
+  const MotionNode poles = node.at("poles");
   const std::size_t count = poles.arraySize("points [x, y, z]");
-  std::optional<Node> weights;
+  std::optional<MotionNode> weights;
   if (node.has("weights")) {
     weights.emplace(node.at("weights"));
     if (weights->arraySize("numbers") != count)
@@ -124,7 +54,7 @@ Curve readTrajectory(const Node& node) {
     if (weight <= 0) (*weights)[i].fail(fmt::format("must be above 0; it is {}", weight));
     curve.poles.emplace_back(point.x() * weight, point.y() * weight, point.z() * weight, weight);
   }
-  const Node knots = node.at("knots");
+  const MotionNode knots = node.at("knots");
   requireKnotCount(knots, curve.knots.size(), curve.degree, count);
   requireClamped(knots, curve.knots, curve.degree);
   requireContinuous(knots, curve.knots, curve.degree, 1, curve.knots.size() - 1);
@@ -138,18 +68,18 @@ struct SurfaceForm {
 };
 
 /// The poles, u rows of v columns. @returns the number of rows.
-std::size_t readPoles(const Node& node, const SurfaceForm& form, std::vector<Vec4>& poles) {
+std::size_t readPoles(const MotionNode& node, const SurfaceForm& form, std::vector<Vec4>& poles) {
   const std::size_t rows = node.arraySize("rows of poles, one for each u");
   std::size_t columns = 0;
   for (std::size_t i = 0; i < rows; ++i) {
-    const Node row = node[i];
+    const MotionNode row = node[i];
     const std::size_t count = row.arraySize("poles, one for each v");
     if (i == 0) columns = count;
     if (count != columns) row.fail(fmt::format("must hold {} poles like the first row; it holds {}", columns, count));
-    if (rows * columns > maximumPoles)
-      node.fail(fmt::format("holds {} poles; at most {} can be read", rows * columns, maximumPoles));
+    if (rows * columns > motionFileEntries)
+      node.fail(fmt::format("holds {} poles; at most {} can be read", rows * columns, motionFileEntries));
     for (std::size_t j = 0; j < count; ++j) {
-      const Node at = row[j];
+      const MotionNode at = row[j];
       poles.push_back(at.numbers<4>(form.pole));
       if (form.positiveFourth && poles.back()[3] <= 0)
         at[3].fail(fmt::format("is a weight and must be above 0; it is {}", poles.back()[3]));
@@ -159,33 +89,33 @@ std::size_t readPoles(const Node& node, const SurfaceForm& form, std::vector<Vec
 }
 
 /// u knots of a closed factor: one period u0..un for n rows, or the unwrapped vector for n + degree rows' worth of knots.
-Surface closeInU(const Node& knotsNode, int degreeU, int degreeV, std::vector<double> knotsU, std::vector<double> knotsV,
-                 std::vector<Vec4> poles, std::size_t rows, double sign) {
+Surface closeInU(const MotionNode& knotsMotionNode, int degreeU, int degreeV, std::vector<double> knotsU,
+                 std::vector<double> knotsV, std::vector<Vec4> poles, std::size_t rows, double sign) {
   const std::size_t p = static_cast<std::size_t>(degreeU);
   std::vector<double> period = knotsU;
   if (knotsU.size() == rows + 1 + 2 * p) {
     period.assign(knotsU.begin() + degreeU, knotsU.end() - degreeU);
   } else if (knotsU.size() != rows + 1) {
-    knotsNode.fail(
+    knotsMotionNode.fail(
         fmt::format("must hold the {} knots of one period (rows + 1) or all {} (rows + 2 degree + 1) of a closed motion "
                     "with {} rows; it holds {}",
                     rows + 1, rows + 1 + 2 * p, rows, knotsU.size()));
   }
   const double length = period.back() - period.front();
-  if (!(length > 0)) knotsNode.fail("must span more than one value");
+  if (!(length > 0)) knotsMotionNode.fail("must span more than one value");
   Surface surface = unwrapped(degreeU, degreeV, period, std::move(knotsV), std::move(poles), sign);
   if (knotsU.size() != period.size()) {
     for (std::size_t i = 0; i < knotsU.size(); ++i)
       if (std::abs(knotsU[i] - surface.knotsU[i]) > 1e-12 * length)
-        knotsNode[i].fail(fmt::format("must be {} to continue the period; it is {}", surface.knotsU[i], knotsU[i]));
+        knotsMotionNode[i].fail(fmt::format("must be {} to continue the period; it is {}", surface.knotsU[i], knotsU[i]));
     surface.knotsU = std::move(knotsU);
   }
-  requireContinuous(knotsNode, period, degreeU, 0, period.size());
+  requireContinuous(knotsMotionNode, period, degreeU, 0, period.size());
   return surface;
 }
 
-Surface readSurface(const Node& node, const SurfaceForm& form) {
-  const Node degree = node.at("degree"), knots = node.at("knots");
+Surface readSurface(const MotionNode& node, const SurfaceForm& form) {
+  const MotionNode degree = node.at("degree"), knots = node.at("knots");
   if (!degree.value.is_array() || degree.value.size() != 2) degree.fail("must be two degrees [in u, in v]");
   if (!knots.value.is_array() || knots.value.size() != 2) knots.fail("must be two knot vectors [in u, in v]");
   const int degreeU = degree[0].degree(), degreeV = degree[1].degree();
@@ -203,9 +133,9 @@ Surface readSurface(const Node& node, const SurfaceForm& form) {
   return {degreeU, degreeV, std::move(knotsU), std::move(knotsV), std::move(poles)};
 }
 
-ClosedU readClosedU(const Node& node) {
+ClosedU readClosedU(const MotionNode& node) {
   if (!node.has("closed_u")) return ClosedU::No;
-  const Node closed = node.at("closed_u");
+  const MotionNode closed = node.at("closed_u");
   if (closed.value == "anti-periodic") return ClosedU::AntiPeriodic;
   if (closed.value == "periodic") return ClosedU::Periodic;
   if (closed.value == false) return ClosedU::No;
@@ -224,11 +154,11 @@ void requireDomain(const std::string& path, std::pair<double, double> domain, st
 }  // namespace
 
 Motion readMotion(const Value& value, std::vector<std::string>& warnings) {
-  const Node root{value, ""};
+  const MotionNode root{value, ""};
   root.requireObject({"trajectory", "orientation", "scaling", "point", "edits"});
   Motion motion;
   motion.trajectory = readTrajectory(root.at("trajectory"));
-  const Node orientation = root.at("orientation"), scaling = root.at("scaling");
+  const MotionNode orientation = root.at("orientation"), scaling = root.at("scaling");
   orientation.requireObject({"degree", "knots", "poles", "closed_u"});
   scaling.requireObject({"degree", "knots", "poles", "closed_u"});
   motion.closedU = readClosedU(orientation);
@@ -253,17 +183,7 @@ Motion readMotion(const Value& value, std::vector<std::string>& warnings) {
         "Neighbouring orientation poles turn by more than half a turn near orientation.poles[{}][{}]; {}check "
         "orientation.closed_u and the poles there.",
         alignment.row, alignment.column, alignment.flipped > 0 ? "" : "they turn the way that the file's signs say; "));
-  if (root.has("edits")) {
-    const Node edits = root.at("edits");
-    if (!edits.value.is_array()) edits.fail("must be a list");
-    if (!edits.value.empty())
-      throw Error(ErrorCode::InvalidInput,
-                  fmt::format("edits[0] asks for a change of this motion by dragging (the list holds {}), and this version "
-                              "cannot apply such edits.",
-                              edits.value.size()),
-                  "Write the edited poles into orientation and scaling, or take the list out to sweep the motion as its "
-                  "poles say.");
-  }
+  if (root.has("edits")) motion.edits = readEdits(root.at("edits"));
   return motion;
 }
 

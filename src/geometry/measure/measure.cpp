@@ -104,6 +104,7 @@ Measures measureMotion(const Motion& motion) {
   add("orientation", motion.orientation);
   add("scaling", motion.scaling);
   measures.values.push_back({"closed_u", closedName(motion.closedU)});
+  measures.values.push_back(countMeasure("edits", motion.edits.size()));
   return measures;
 }
 

@@ -7,6 +7,7 @@
 #include "core/vector.h"
 #include "geometry/bspline/curve.h"
 #include "geometry/bspline/surface.h"
+#include "geometry/shape/motion_edit.h"
 
 namespace blossom {
 
@@ -22,6 +23,9 @@ struct Motion {
   Surface scaling;      ///< s(u,v) = (sx, sy, sz, sw)
   ClosedU closedU = ClosedU::No;
   Vec3 point{0, 0, 1};  ///< p, in the moving frame
+  /// Changes that are not yet in the factors, in order. What sweeps or edits the motion applies them first, so that a motion
+  /// that is only read and written keeps them.
+  std::vector<MotionEdit> edits = {};
 
   [[nodiscard]] std::pair<double, double> domainU() const { return orientation.domainU(); }
   [[nodiscard]] std::pair<double, double> domainV() const { return orientation.domainV(); }

@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "geometry/shape/motion.h"
+
+namespace blossom::sweep {
+
+/// Why a place did not arrive.
+enum class Unreached {
+  FrameAxis,           ///< p has no component along an axis of the frame along which scaling would have to move it
+  Radius,              ///< rotation keeps the distance from the trajectory
+  OnTrajectory,        ///< a point on the trajectory cannot rotate
+  TargetOnTrajectory,  ///< no direction leads from the trajectory to the target
+  Opposite,            ///< half a turn, without an axis for it
+  Cancelled,           ///< the basis functions of a closed motion cancel each other there
+  TooClose,            ///< places ask for more than their common poles can do
+  Pinned,              ///< the same, and pins hold some of these poles
+  Symmetry,            ///< the same, and the places are copies of one
+};
+
+struct Obstacle {
+  Unreached why;
+  MotionPlace at;  ///< of the edit, not of its copy
+  friend bool operator==(const Obstacle&, const Obstacle&) = default;
+};
+
+/// What a user reads of it, as two sentences.
+struct Explanation {
+  std::string what, remedy;
+};
+Explanation explain(const Obstacle&);
+
+/// A motion after an edit.
+struct EditResult {
+  Motion motion;
+  /// For each place the largest distance that is left for it or its copies: mm after a pull, degrees after a twist.
+  std::vector<double> remainders;
+  double remainder = 0;             ///< the largest of these
+  std::size_t movedPoles = 0;       ///< poles of the three factors that are other than before
+  std::vector<Obstacle> obstacles;  ///< of the places that did not arrive; empty when all did
+};
+
+}  // namespace blossom::sweep

@@ -7,6 +7,7 @@
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
 #include "kernel/validity.h"
+#include "motion_features.h"
 
 namespace blossom::sweep {
 
@@ -126,4 +127,7 @@ FeatureType sweepFeature() {
 
 }  // namespace blossom::sweep
 
-BLOSSOM_PLUGIN(registry) { registry.add(blossom::sweep::sweepFeature()); }
+BLOSSOM_PLUGIN(registry) {
+  registry.add(blossom::sweep::sweepFeature());
+  blossom::sweep::registerMotionFeatures(registry);
+}

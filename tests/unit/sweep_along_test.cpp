@@ -13,6 +13,7 @@
 #include "sweep/kernel/motion_from_curve.h"
 #include "sweep/kernel/motion_point.h"
 #include "sweep/kernel/product_surface.h"
+#include "sweep/kernel/smooth_curve.h"
 #include "sweep/kernel/solid.h"
 
 using namespace blossom;
@@ -234,7 +235,8 @@ class SweepAlongTest : public QObject {
   void outlinesInAnyPlane() {
     auto random = seededRandom();
     Curve tilted = star(6, 5, 10);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
+    const auto part = [&] { return uniform(random, -1, 1); };
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(1.1, part(), part(), part()).normalized();
     const Vec3 shift(uniform(random, -50, 50), uniform(random, -50, 50), 7);
     for (Vec4& pole : tilted.poles) pole.head<3>() = turn * Vec3(pole.head<3>()) + shift;
     const PolarProfile profile(tilted);

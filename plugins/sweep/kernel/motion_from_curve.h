@@ -9,13 +9,13 @@
 namespace blossom::sweep {
 
 struct CurveMotionOptions {
-  double radius = 5;                    ///< mm, of a round section; unused with a profile
-  std::optional<PolarProfile> profile;  ///< of the section instead
-  double tolerance = 1e-3;              ///< mm, largest distance from the true tube at equal parameters
-  std::size_t rows = 12;                ///< spans around, at least 4
-  std::size_t columns = 8;              ///< spans along, at least
-  std::size_t maximumSpans = 512;       ///< at most, in each direction
-  Vec3 normal{0, 0, 0};                 ///< direction of the section's x axis at the start; zero: see FrameOptions
+  double radius = 5;                         ///< mm, of a round section; unused with a profile
+  std::optional<PolarProfile> profile = {};  ///< of the section instead
+  double tolerance = 1e-3;                   ///< mm, largest distance from the true tube at equal parameters
+  std::size_t rows = 12;                     ///< spans around, at least 4
+  std::size_t columns = 8;                   ///< spans along, at least
+  std::size_t maximumSpans = 512;            ///< at most, in each direction
+  Vec3 normal{0, 0, 0};                      ///< direction of the section's x axis at the start; zero: see FrameOptions
 };
 
 struct CurveMotionResult {

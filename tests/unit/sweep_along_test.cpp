@@ -216,9 +216,17 @@ class SweepAlongTest : public QObject {
     try {
       PolarProfile{c};
     } catch (const Error& error) {
-      QVERIFY(error.message().find("star-shaped") != std::string::npos);
+      QVERIFY2(error.message().find("star-shaped") != std::string::npos, error.what());
       QVERIFY(!error.hint().empty());
     }
+    // A saw blade: its teeth lean so far that rays cross three of their sides, although it runs around once.
+    std::vector<Vec2> blade;
+    for (int i = 0; i < 12; ++i) {
+      const double root = 2 * pi * i / 12, tip = root - 0.2;
+      blade.emplace_back(8 * std::cos(root), 8 * std::sin(root));
+      blade.emplace_back(12 * std::cos(tip + 2 * pi / 12 + 0.5), 12 * std::sin(tip + 2 * pi / 12 + 0.5));
+    }
+    VERIFY_ERROR(PolarProfile{polygon(blade)}, ErrorCode::InvalidInput);
     Curve open = star(5, 4, 10);
     open.poles.back() = Vec4(9, 1, 0, 1);
     VERIFY_ERROR(PolarProfile{open}, ErrorCode::InvalidInput);

@@ -170,7 +170,9 @@ void PolarProfile::requireStar() const {
   }
   const double least = 1e-10 * reach_ * reach_ / static_cast<double>(pieces_.size());
   std::optional<double> at = zeroOf(turning, least);
-  if (!at && turning.coefficients.front().x() < 0) at = turning.breaks.front();
+  // At a corner the sense may change without passing zero.
+  for (std::size_t k = 0; !at && k < turning.pieces(); ++k)
+    if (turning.coefficients[k * (turning.degree + 1)].x() < 0) at = turning.breaks[k];
   if (!at) return;
   const std::size_t k = std::min<std::size_t>(
       static_cast<std::size_t>(std::upper_bound(turning.breaks.begin() + 1, turning.breaks.end() - 1, *at) -

@@ -4,7 +4,14 @@
 namespace blossom::sweep {
 
 FeatureType sweepFeature();
+
+// Edits of a motion.
 FeatureType pullFeature();
 FeatureType twistFeature();
+
+// How a motion begins.
+FeatureType frameFeature();
+FeatureType primitiveFeature();
+FeatureType refineFeature();
 
 }  // namespace blossom::sweep

@@ -2,7 +2,7 @@
 #include "feature_types.h"
 
 BLOSSOM_PLUGIN(registry) {
-  registry.add(blossom::sweep::sweepFeature());
-  registry.add(blossom::sweep::pullFeature());
-  registry.add(blossom::sweep::twistFeature());
+  using namespace blossom::sweep;
+  registry.addAll(sweepFeature(), pullFeature(), twistFeature());
+  registry.addAll(frameFeature(), primitiveFeature(), refineFeature());
 }

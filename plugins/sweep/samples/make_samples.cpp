@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     write(sweep::samples::torus(), "torus.json");
     write(sweep::samples::helicoid(), "helicoid.json");
     write(sweep::samples::twistedTube(), "twisted-tube.json");
+    write(sweep::samples::horn(), "horn.json");
     write(sweep::samples::propeller(), "propeller.json");
   } catch (const Error& error) {
     fmt::print(stderr, "{}\n", error.message());

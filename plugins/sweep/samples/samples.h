@@ -9,6 +9,7 @@ Motion cylinder();     ///< radius 10, height 40
 Motion torus();        ///< radii 30 and 10
 Motion helicoid();     ///< two turns, pitch 20, radius 25
 Motion twistedTube();  ///< three lobes, twisted by half a turn along a bend
+Motion horn();         ///< a shell: a section along a spiral, growing with it
 Motion propeller();    ///< Yoon & Lee 2009, Fig. 7: four blades out of a cylinder
 
 // Pieces that the motions are put together from.

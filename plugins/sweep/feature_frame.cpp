@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "core/units.h"
+#include "curve_input.h"
+#include "kernel/motion_from_curve.h"
+#include "feature_types.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+enum class ProfileCentre { Centroid, Origin };
+
+struct FrameParameters {
+  double radius = 5;
+  ProfileCentre centre = ProfileCentre::Centroid;
+  double tolerance = 1e-3;
+  int rows = 12, columns = 8;
+  Vec3 normal{0, 0, 0};
+};
+
+/// A profile is drawn about its middle, or about the origin of the drawing.
+PolarProfile profileOf(const Shape& shape, ProfileCentre centre) {
+  const Curve curve = curveOf(shape, "profile");
+  return centre == ProfileCentre::Origin ? PolarProfile(curve, Vec3::Zero()) : PolarProfile(curve);
+}
+
+void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
+  out.stats["closed"] = made.closed;
+  out.stats["deviation"] = made.deviation;
+  out.stats["frame_deviation"] = toDegrees(made.frameDeviation);
+  out.stats["closing_angle"] = toDegrees(made.closing);
+  out.stats["spans_v"] = made.frameSpans;
+  out.stats["poles_u"] = made.motion.orientation.countU();
+  out.stats["poles_v"] = made.motion.orientation.countV();
+  out.stats["min_bend_radius"] = made.smallestBend;
+  out.stats["reach"] = made.reach;
+  if (made.smallestBend > 0 && made.smallestBend <= made.reach)
+    out.warnings.push_back(fmt::format(
+        "The path bends to a radius of {} mm near v = {}, and the section reaches {} mm: the surface folds there.",
+        formatNumber(made.smallestBend), formatNumber(made.bendAt), formatNumber(made.reach)));
+}
+
+Evaluated evaluateFrame(const FrameParameters& p, const Inputs& inputs, const Progress& progress) {
+  progress.report(0.02, "Following the path");
+  const Curve path = curveOf(inputs.of(0)[0], "path");
+  CurveMotionOptions options{.radius = p.radius,
+                             .profile = {},
+                             .tolerance = p.tolerance,
+                             .rows = static_cast<std::size_t>(p.rows),
+                             .columns = static_cast<std::size_t>(p.columns),
+                             .normal = p.normal};
+  if (!inputs.of(1).empty()) options.profile = profileOf(inputs.of(1)[0], p.centre);
+  CurveMotionResult made = motionFromCurve(path, options, progress.part(0.05, 1));
+  Evaluated out;
+  addFrameStats(made, out);
+  out.shape = std::move(made.motion);
+  return out;
+}
+
+InputSpec pathInput() {
+  return {.name = "path",
+          .help = "The curve that the section follows: smooth, open or closed.",
+          .kinds = curveKinds,
+          .use = InputUse::Outline,
+          .asks = "the curve to sweep along"};
+}
+
+InputSpec sectionInput() {
+  return {.name = "profile",
+          .help = "A flat, closed, star-shaped outline to be the section; without one it is round.",
+          .kinds = curveKinds,
+          .minimum = 0,
+          .use = InputUse::Outline,
+          .asks = "an outline to be the section"};
+}
+
+}  // namespace
+
+FeatureType frameFeature() {
+  using P = FrameParameters;
+  return feature<P>("sweep.frame", "Sweep along",
+                    "A motion that carries a section along a curve without spinning it, ready to be pulled.")
+      .command("sweep-along")
+      .icon("motion")
+      .produces({ShapeKind::Motion})
+      .input(pathInput())
+      .input(sectionInput())
+      .parameter("radius", &P::radius, positiveLength(), "Radius of a round section; unused with a profile.")
+      .parameter("centre", &P::centre, choice({"centroid", "origin"}),
+                 "Which point of the profile follows the path: the middle of its area or the origin.")
+      .parameter("tolerance", &P::tolerance, positiveLength(),
+                 "Largest distance from the true tube, measured at equal parameters.")
+      .parameter("rows", &P::rows, count(4, 256), "Spans of the control net around; more of them let pulls be narrower.")
+      .parameter("columns", &P::columns, count(1, 256), "Spans of the control net along, at least.")
+      .parameter("normal", &P::normal, blossom::vector(),
+                 "Direction that the x axis of the section points to at the start; 0,0,0: up, or along x where the curve "
+                 "starts upward.")
+      .example("blossom sweep-along path.step --radius 4 -o tube.json")
+      .example("blossom sweep-along path.dxf star.svg --tolerance 0.01 -o rail.json --json")
+      .evaluate(evaluateFrame);
+}
+
+}  // namespace blossom::sweep

@@ -1,0 +1,15 @@
+#pragma once
+#include <span>
+
+#include "geometry/bspline/curve.h"
+
+namespace blossom::sweep {
+
+/// Curves that follow each other, as one curve of the highest of their degrees over 0..1: each is elevated, its weights
+/// are multiplied so that they meet, and its share of the parameter is that of the length of its poles' polygon. At the
+/// joints the knots have the multiplicity of the degree. Points stay the same, except that ends up to `gap` mm apart are
+/// made to meet, those of the whole as well.
+/// @throws Error InvalidInput when two ends lie farther apart, with the place. O(poles).
+Curve chained(std::span<const Curve> parts, double gap);
+
+}  // namespace blossom::sweep

@@ -1,0 +1,76 @@
+#include <QTemporaryDir>
+#include <fstream>
+#include <numbers>
+
+#include "app/app.h"
+#include "feature/feature_type.h"
+#include "support/command_line.h"
+
+using namespace blossom;
+using namespace blossom::test;
+
+/// How a motion begins, by the real command line.
+class SweepBeginTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void everyKindBeginsWithoutAFile() {
+    for (const char* kind : {"cylinder", "cone", "sphere", "torus", "tube", "helicoid", "plane", "sheet"}) {
+      const Answer made = blossom({"sweep-motion", "--kind", kind, "-o", "begin.json"});
+      QVERIFY2(made.code == 0, kind);
+      const Answer swept = blossom({"sweep", "begin.json", "-o", "begin.step"});
+      QVERIFY2(swept.code == 0, kind);
+      QVERIFY(swept.result("area") > 0);
+    }
+    const Answer solid = blossom({"sweep-motion", "-o", "hub.json"});
+    QCOMPARE(solid.code, 0);
+    const double wanted = std::numbers::pi * 400 * 40;
+    COMPARE_NEAR(blossom({"sweep", "hub.json", "--solid", "-o", "hub.step"}).result("volume"), wanted, 1e-6 * wanted);
+  }
+
+  void curvesOfAnyFileCarryTubes() {
+    QCOMPARE(blossom({"stroke", "--points", "0,0,0; 20,5,3; 40,-5,8; 60,0,0", "-o", "path.step"}).code, 0);
+    const Answer made = blossom({"sweep-along", "path.step", "--radius", "2", "-o", "tube.json"});
+    QCOMPARE(made.code, 0);
+    QVERIFY(made.json["stats"]["deviation"].get<double>() <= 1e-3);
+    QCOMPARE(made.json["stats"]["closed"], Value(false));
+    QVERIFY(blossom({"sweep", "tube.json", "--solid", "-o", "tube.step"}).result("volume") > 700);
+    // A drawing as the path, another as the profile.
+    std::ofstream(folder_.filePath("bend.svg").toStdString())
+        << R"(<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">)"
+        << R"(<path d="M0 0 H30 A20 20 0 0 1 50 20 V60" fill="none" stroke="black"/></svg>)";
+    const Answer bent = blossom({"sweep-along", "bend.svg", "rectangle:8:4", "-o", "bent.json"});
+    QVERIFY2(bent.code == 0, bent.code == 1 ? bent.message().c_str() : "");
+    const Answer solid = blossom({"sweep", "bent.json", "--solid", "-o", "bent.step"});
+    QCOMPARE(solid.code, 0);
+    const double wanted = 32 * (30 + 10 * std::numbers::pi + 40);
+    COMPARE_NEAR(solid.result("volume"), wanted, 1e-3 * wanted);
+  }
+
+  void whatIsNoSmoothCurveIsSaid() {
+    QCOMPARE(blossom({"stroke", "--points", "0,0,0; 20,0,0; 20,20,0", "--no-smooth", "-o", "corner.step"}).code, 0);
+    const Answer corner = blossom({"sweep-along", "corner.step", "-o", "corner.json"});
+    QCOMPARE(corner.code, 1);
+    QVERIFY2(corner.message().find("corner of 90 degrees") != std::string::npos, corner.message().c_str());
+    QVERIFY(!corner.hint().empty());
+    const Answer solid = blossom({"sweep-along", "hub.step", "-o", "none.json"});
+    QCOMPARE(solid.code, 1);
+  }
+
+  void refinedMotionsSweepTheSame() {
+    QCOMPARE(blossom({"sweep-motion", "--kind", "torus", "-o", "ring.json"}).code, 0);
+    const Answer refined = blossom({"sweep-refine", "ring.json", "--u", "0.1,0.2", "--v", "0.55", "-o", "fine.json"});
+    QCOMPARE(refined.code, 0);
+    const double before = blossom({"sweep", "ring.json", "-o", "ring.step"}).result("area"),
+                 after = blossom({"sweep", "fine.json", "-o", "fine.step"}).result("area");
+    COMPARE_NEAR(after, before, 1e-9 * before);
+    QCOMPARE(blossom({"sweep-refine", "ring.json", "--u", "2", "-o", "fine.json"}).code, 1);
+    QCOMPARE(blossom({"sweep-refine", "ring.json", "--u", "0.1", "--factors", "trajectory", "-o", "fine.json"}).code, 1);
+  }
+
+ private:
+  Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }
+  QTemporaryDir folder_;
+};
+
+QTEST_GUILESS_MAIN(SweepBeginTest)
+#include "sweep_begin_test.moc"

@@ -17,22 +17,31 @@ std::size_t spanEndingAt(int degree, std::span<const double> knots, std::size_t 
 
 }  // namespace
 
-BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<const double> parameters, KnotSide side) {
-  const std::size_t order = static_cast<std::size_t>(degree) + 1;
+GridRange BasisTable::support(const GridRange& poles) const {
+  if (poles.empty()) return {};
+  const std::size_t reach = static_cast<std::size_t>(degree);
+  const auto begin =
+      std::partition_point(first.begin(), first.end(), [&](std::size_t f) { return f + reach < poles.begin; });
+  const auto end = std::partition_point(begin, first.end(), [&](std::size_t f) { return f < poles.end; });
+  return {static_cast<std::size_t>(begin - first.begin()), static_cast<std::size_t>(end - first.begin())};
+}
+
+BasisTable tabulateBasis(int degree, std::span<const double> knots, std::span<const double> parameters, KnotSide side,
+                         int order) {
+  const std::size_t width = static_cast<std::size_t>(degree) + 1;
   BasisTable table;
   table.degree = degree;
   table.first.reserve(parameters.size());
-  table.value.resize(parameters.size() * order);
-  table.derivative.resize(parameters.size() * order);
-  std::vector<double> both(2 * order);
+  std::vector<double>* const parts[3] = {&table.value, &table.derivative, &table.second};
+  for (int d = 0; d <= order; ++d) parts[d]->resize(parameters.size() * width);
+  std::vector<double> all((static_cast<std::size_t>(order) + 1) * width);
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     std::size_t span = findSpan(degree, knots, parameters[k]);
     if (side == KnotSide::Left && knots[span] == parameters[k]) span = spanEndingAt(degree, knots, span, parameters[k]);
-    basisDerivatives(degree, knots, span, parameters[k], 1, both);
+    basisDerivatives(degree, knots, span, parameters[k], order, all);
     table.first.push_back(span - static_cast<std::size_t>(degree));
-    std::copy_n(both.begin(), order, table.value.begin() + static_cast<std::ptrdiff_t>(k * order));
-    std::copy_n(both.begin() + static_cast<std::ptrdiff_t>(order), order,
-                table.derivative.begin() + static_cast<std::ptrdiff_t>(k * order));
+    for (int d = 0; d <= order; ++d)
+      std::copy_n(all.data() + static_cast<std::size_t>(d) * width, width, parts[d]->data() + k * width);
   }
   return table;
 }

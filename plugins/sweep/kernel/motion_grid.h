@@ -30,9 +30,8 @@ struct MotionGrid {
 enum class GridDerivatives { No, Yes };
 
 /// Evaluates the motion by its factors at all pairs of the parameters, without forming the product surface. Basis functions
-/// are tabulated once for each u and v, the factors are summed in two stages, and x = t + R a with a = s p / sw, x_u = R
-/// (a_u + W_u x a), W_u = 2 vec(conj(r) r_u) / |r|^2 (the body's angular velocity). Reuses the memory of `grid`.
-/// Single-threaded; about 40 ns per point, 10 ns with wide vector units.
+/// are tabulated once for each u and v and the factors are summed in two stages (kernel/grid_rows.h). Reuses the memory of
+/// `grid`. Single-threaded; about 40 ns per point, 10 ns with wide vector units.
 /// @throws Error Cancelled.
 void evaluateGrid(const Motion&, std::span<const double> us, std::span<const double> vs, MotionGrid& grid,
                   GridDerivatives = GridDerivatives::No, const Progress& = Progress::none());

@@ -26,14 +26,6 @@ void requireDegree(const char* direction, const ProductKnots& product, const cha
                 "Lower the degrees of the motion's factors, or take the cubic mode.");
 }
 
-PatchGrid productGrid(const Motion& motion) {
-  const Surface &r = motion.orientation, &s = motion.scaling;
-  const Curve& t = motion.trajectory;
-  return {
-      productKnots(std::vector<ProductFactor>{{r.degreeU, 2, r.knotsU}, {s.degreeU, 1, s.knotsU}}),
-      productKnots(std::vector<ProductFactor>{{t.degree, 1, t.knots}, {r.degreeV, 2, r.knotsV}, {s.degreeV, 1, s.knotsV}})};
-}
-
 Surface multiply(const Motion& motion) {
   const PatchGrid grid = productGrid(motion);
   const auto [w, x, y, z] = patchPolynomials(motion.orientation, grid);
@@ -103,6 +95,14 @@ bool refineWhereNegative(const Surface& surface, Motion& motion) {
 }
 
 }  // namespace
+
+PatchGrid productGrid(const Motion& motion) {
+  const Surface &r = motion.orientation, &s = motion.scaling;
+  const Curve& t = motion.trajectory;
+  return {
+      productKnots(std::vector<ProductFactor>{{r.degreeU, 2, r.knotsU}, {s.degreeU, 1, s.knotsU}}),
+      productKnots(std::vector<ProductFactor>{{t.degree, 1, t.knots}, {r.degreeV, 2, r.knotsV}, {s.degreeV, 1, s.knotsV}})};
+}
 
 ProductResult productSurface(const Motion& motion, const ProductOptions& options, const Progress& progress) {
   const PatchGrid grid = productGrid(motion);

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/progress.h"
+#include "geometry/bspline/patch_polynomial.h"
 #include "geometry/shape/motion.h"
 
 namespace blossom::sweep {
@@ -14,6 +15,9 @@ struct ProductResult {
   double smallestWeight = 0;  ///< of the poles; the largest is between 1/2 and 1
   int refinements = 0;        ///< number of knot insertions
 };
+
+/// Degrees and knots of the product, and the patches between them. @throws as productKnots.
+PatchGrid productGrid(const Motion&);
 
 /// The swept surface as one rational B-spline surface with the parameters of the motion, x(u,v) = M(u,v) p exactly (Yoon &
 /// Lee 2009, section 3; the paper's r21 lacks its factor 2). With d = |r|^2 and y = Q(r) (sx px, sy py, sz pz): X = tw y +

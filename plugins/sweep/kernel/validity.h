@@ -9,9 +9,23 @@ struct Validity {
   double smallestNormal = 0;  ///< mm^2 per unit of u and v, minimum |x_u cross x_v| of the samples
   double smallestShare = 0;   ///< that divided by the maximum; 0: the surface folds or collapses
   double u = 0, v = 0;        ///< parameters of the minimum
+  Vec3 place{0, 0, 0};        ///< where it is in space, mm
 };
 
 /// Samples 8 x 8 points of every span of the motion, and its ends. O(samples), about 20 ns each. @throws Error Cancelled.
 Validity examine(const Motion&, const Progress& = Progress::none());
+
+/// The smallest coefficient of W, the denominator of the swept surface: above 0, W is positive everywhere (convex hull).
+struct SmallestWeight {
+  double weight = 0;    ///< scaled by a power of two so that the largest is between 1/2 and 1, as productSurface does
+  double u = 0, v = 0;  ///< Greville abscissae of the coefficient, near which it has the most influence
+  Vec3 place{0, 0, 0};  ///< the swept point there, mm
+};
+
+/// Computes W = tw |r|^2 sw alone (Yoon & Lee 2009, section 3), about a fifth of the work of productSurface, and before any
+/// knot insertion: at or below 0 productSurface would insert knots or refuse. Of equal coefficients the first in u and then
+/// in v counts.
+/// @throws as productKnots; Error Degenerate where all coefficients vanish or overflow; Cancelled.
+SmallestWeight smallestProductWeight(const Motion&, const Progress& = Progress::none());
 
 }  // namespace blossom::sweep

@@ -1,0 +1,11 @@
+#pragma once
+
+// One source, compiled for several vector widths; the loader picks. Sanitizers do not get along with such symbols.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define BLOSSOM_FOR_EACH_VECTOR_WIDTH __attribute__((target_clones("avx512f", "fma", "default")))
+#else
+#define BLOSSOM_FOR_EACH_VECTOR_WIDTH
+#endif
+// What such a function calls has to become part of it, or would be compiled for the narrowest width only.
+#define BLOSSOM_INLINE inline __attribute__((always_inline))

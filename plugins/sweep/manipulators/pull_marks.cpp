@@ -57,7 +57,7 @@ void PullMarks::twist(const Vec3& centre, const Vec3& axis, const Vec3& arm, con
   if (!degrees) return;
   lines({all.back()}, host_.look().made, 2);
   const Vec3& end = all.back()[all.back().size() - 2];
-  props_.push_back(ui::labelProp(tr("%1°").arg(*degrees, 0, 'f', 1), end,
+  props_.push_back(ui::labelProp(QStringLiteral("%1°").arg(*degrees, 0, 'f', 1), end,
                                  ui::labelLook(host_.look(), host_.look().made, host_.pixelRatio())));
 }
 

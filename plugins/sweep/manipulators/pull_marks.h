@@ -13,7 +13,6 @@ using Props = std::vector<ui::PropPtr>;
 
 /// What the surface pull tool draws, in the control colour what controls and in the warm one what is being made.
 class PullMarks {
-  Q_DECLARE_TR_FUNCTIONS(blossom::sweep::PullMarks)
  public:
   PullMarks(const ui::ToolHost& host, const Facing& facing, Props& props) : host_(host), facing_(facing), props_(props) {}
 

@@ -127,14 +127,6 @@ class MotionTest : public QObject {
     QVERIFY(!read(json).warnings.empty());
   }
 
-  void editsAreRefusedUntilTheyAreApplied() {
-    Value json = small();
-    json["edits"] = Value::array();
-    QVERIFY(read(json).warnings.empty());
-    json["edits"].push_back({{"at", {0.5, 0.5}}, {"to", {1, 2, 3}}});
-    VERIFY_ERROR(read(json), ErrorCode::InvalidInput);
-  }
-
   void everyMistakeIsNamedWithItsPlace() {
     const auto broken = [](auto change) {
       Value json = small();

@@ -166,20 +166,6 @@ class SweepSoundTest : public QObject {
     COMPARE_NEAR(totalTurn(*read(turning({0, 185, 10, 195})).shape.get<Motion>()), 30, 1e-9);
   }
 
-  void editsAreRefused() {
-    Value json = turning({0, 10});
-    json["edits"] = Value::array();
-    QVERIFY(read(json).warnings.empty());
-    json["edits"].push_back({{"at", {0.5, 0.5}}, {"to", {1, 2, 3}}});
-    VERIFY_ERROR(read(json), ErrorCode::InvalidInput);
-    try {
-      read(json);
-    } catch (const Error& error) {
-      QVERIFY(error.message().find("edits[0]") != std::string::npos);
-      QVERIFY(!error.hint().empty());
-    }
-  }
-
   void aTubeThatCrossesItselfIsRefusedWithItsPlace() {
     Motion motion = readMotionSample("twisted-tube.json");
     (void)makeSolid(productSurface(motion).surface);

@@ -1,0 +1,155 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "exchange/formats.h"
+#include "geometry/bspline/bspline.h"
+#include "support/motions.h"
+#include "support/support.h"
+#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/pull.h"
+#include "sweep/kernel/twist.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::sweep;
+
+namespace {
+
+Motion readMotionOf(const char* name) {
+  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
+}
+
+bool says(const EditResult& result, Unreached why) {
+  return std::any_of(result.obstacles.begin(), result.obstacles.end(), [&](const Obstacle& each) {
+    const Explanation reason = explain(each);
+    return each.why == why && reason.what.find("u = ") != std::string::npos && !reason.remedy.empty();
+  });
+}
+
+/// Radius 10 about the z axis, from z = 0 to 40; x(0, 1/2) = (10, 0, 20). p has only an x component.
+const MotionPlace middle{0, 0.5};
+
+EditResult pullMiddle(const Vec3& to, const PullWeights& weights, const Vec3& axis = Vec3::Zero()) {
+  return pull(readMotionOf("cylinder.json"), {{middle}, {to}, weights, axis});
+}
+
+}  // namespace
+
+class SweepUnreachedTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void componentsThatAreZeroCannotBeScaled() {
+    const EditResult result = pullMiddle({15, 3, 20}, {0, 0, 1});
+    QVERIFY(says(result, Unreached::FrameAxis));
+    COMPARE_NEAR(result.remainder, 3, 1e-12);
+    // The rest of the way was gone.
+    QVERIFY((evaluate(result.motion, 0, 0.5).point - Vec3(15, 0, 20)).norm() < 1e-12);
+    QVERIFY(pullMiddle({15, 0, 20}, {0, 0, 1}).obstacles.empty());
+    QVERIFY(pullMiddle({15, 3, 20}, {0, 1, 1}).obstacles.empty());
+  }
+
+  void rotationKeepsTheRadius() {
+    const EditResult result = pullMiddle({0, 25, 20}, {0, 1, 0});
+    QVERIFY(says(result, Unreached::Radius));
+    COMPARE_NEAR(result.remainder, 15, 1e-12);
+    QVERIFY((evaluate(result.motion, 0, 0.5).point - Vec3(0, 10, 20)).norm() < 1e-12);
+  }
+
+  void nothingRotatesOnTheTrajectory() {
+    Motion motion = readMotionOf("cylinder.json");
+    for (Vec4& pole : motion.scaling.poles) pole.head<3>().setZero();
+    const EditResult result = pull(motion, {{middle}, {{3, 4, 20}}, {0, 1, 0}});
+    QVERIFY(says(result, Unreached::OnTrajectory));
+    COMPARE_NEAR(result.remainder, 5, 1e-12);
+    QCOMPARE(result.movedPoles, std::size_t(0));
+    QVERIFY(result.motion == motion);
+    const EditResult onto = pullMiddle({0, 0, 20}, {0, 1, 0});
+    QVERIFY(says(onto, Unreached::TargetOnTrajectory));
+    COMPARE_NEAR(onto.remainder, 10, 1e-12);
+    // Scaling brings it there.
+    QVERIFY(pullMiddle({0, 0, 20}, {0, 1, 1}).obstacles.empty());
+  }
+
+  void theOppositeSideNeedsAnAxis() {
+    const EditResult result = pullMiddle({-10, 0, 20}, {0, 1, 0});
+    QVERIFY(says(result, Unreached::Opposite));
+    COMPARE_NEAR(result.remainder, 20, 1e-12);
+    auto random = seededRandom();
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 axis(uniform(random, -1, 1), uniform(random, 0.2, 1), uniform(random, -1, 1));
+      const EditResult turned = pullMiddle({-10, 0, 20}, {0, 1, 0}, axis);
+      QVERIFY(turned.obstacles.empty());
+      QVERIFY((evaluate(turned.motion, 0, 0.5).point - Vec3(-10, 0, 20)).norm() < 1e-12 * 10);
+    }
+    QVERIFY(says(pullMiddle({-10, 0, 20}, {0, 1, 0}, Vec3::UnitX()), Unreached::Opposite));
+    // However nearly opposite, as long as it is not quite.
+    for (double off = 1e-1; off > 1e-9; off /= 10) {
+      const Vec3 near = Vec3(-10, 10 * off, 0).normalized() * 10 + Vec3(0, 0, 20);
+      const EditResult close = pullMiddle(near, {0, 1, 0});
+      QVERIFY(close.obstacles.empty());
+      QVERIFY((evaluate(close.motion, 0, 0.5).point - near).norm() < 1e-12 * 10);
+    }
+  }
+
+  void basisFunctionsThatCancelAreNamed() {
+    // One row that comes back negated, piecewise linear: r(u) = (1 - 2 u) q, gone half-way.
+    Motion motion = readMotionOf("cylinder.json");
+    std::vector<Vec4> row(motion.orientation.countV(), Vec4(1, 0, 0, 0));
+    motion.orientation = unwrapped(1, 3, {0, 1}, motion.orientation.knotsV, row, -1);
+    validate(motion);
+    const MotionTwist near{{{0.4, 0.5}}, Vec3::UnitZ(), 30}, at{{{0.5, 0.5}}, Vec3::UnitZ(), 30},
+        close{{{0.5 + 1e-8, 0.5}}, Vec3::UnitZ(), 30};
+    QVERIFY(twist(motion, near).obstacles.empty());
+    VERIFY_ERROR(twist(motion, at), ErrorCode::Degenerate);
+    const EditResult result = twist(motion, close);
+    QVERIFY(says(result, Unreached::Cancelled));
+    COMPARE_NEAR(result.remainder, 30, 1e-6);
+    QVERIFY(result.motion == motion);
+  }
+
+  void placesThatContradictEachOtherAreNamed() {
+    const Motion motion = readMotionOf("cylinder.json");
+    const Vec3 a = evaluate(motion, 0.1, 0.5).point, b = evaluate(motion, 0.6, 0.5).point;
+    // The trajectory is the same for all u.
+    const EditResult apart = pull(motion, {{{0.1, 0.5}, {0.6, 0.5}}, {a + Vec3(0, 0, 4), b}, {1, 0, 0}});
+    QVERIFY(says(apart, Unreached::TooClose));
+    COMPARE_NEAR(apart.remainder, 2, 1e-12);
+    QCOMPARE(apart.remainders.size(), std::size_t(2));
+    const EditResult pinned = pull(motion, {{{0.1, 0.5}}, {a + Vec3(0, 0, 4)}, {1, 0, 0}, Vec3::Zero(), {{0.6, 0.5}}});
+    QVERIFY(says(pinned, Unreached::Pinned));
+    COMPARE_NEAR(pinned.remainder, 4, 1e-12);
+    QVERIFY((evaluate(pinned.motion, 0.6, 0.5).point - b).norm() < 1e-12);
+    MotionPull folded{{{0.1, 0.5}}, {a + Vec3(1, 0, 4)}, {1, 0, 0}};
+    folded.symmetry.fold = 4;
+    const EditResult copies = pull(motion, folded);
+    QVERIFY(says(copies, Unreached::Symmetry));
+    // What is along the axis all four want.
+    COMPARE_NEAR(copies.remainder, 1, 1e-12);
+  }
+
+  void wrongEditsAreRefused() {
+    const Motion motion = readMotionOf("cylinder.json");
+    const auto refused = [&](const MotionPull& edit) { return pull(motion, edit); };
+    VERIFY_ERROR(refused({{}, {}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(refused({{middle}, {}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(refused({{middle}, {Vec3::Zero()}, {0, 0, 0}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(refused({{middle}, {Vec3::Zero()}, {0, 2, 0}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(refused({{middle}, {Vec3::Zero()}, {0, std::nan(""), 1}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(refused({{{0.5, 1.5}}, {Vec3::Zero()}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(refused({{{std::nan(""), 0.5}}, {Vec3::Zero()}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(refused({{middle}, {Vec3(0, 0, std::nan(""))}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(pull(readMotionOf("helicoid.json"), {{{1.5, 0.5}}, {Vec3::Zero()}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(twist(motion, {{middle}, Vec3::Zero(), 30}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(twist(motion, {{middle}, Vec3::UnitX(), 361}), ErrorCode::InvalidParameter);
+    const std::vector<MotionPlace> many(501, middle);
+    VERIFY_ERROR(refused({many, std::vector<Vec3>(501, Vec3::Zero())}), ErrorCode::LimitExceeded);
+    CancelToken token;
+    token.cancel();
+    VERIFY_ERROR(pull(motion, {{middle}, {{20, 0, 20}}}, Progress(token)), ErrorCode::Cancelled);
+  }
+};
+
+QTEST_GUILESS_MAIN(SweepUnreachedTest)
+#include "sweep_unreached_test.moc"

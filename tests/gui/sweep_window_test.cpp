@@ -30,6 +30,7 @@ class SweepWindowTest : public WindowFixture {
   void escapeTakesBack();
   void fourCopiesMakeFourEqualBumps();
   void whatCannotBeReachedIsSaidAndNotKept();
+  void aClickIsForTheView();
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
   void aLargeMotionIsDraggedLive();
   void theHandlesAreSeen();
@@ -332,6 +333,20 @@ void SweepWindowTest::whatCannotBeReachedIsSaidAndNotKept() {
   key(Qt::Key_1);
   drag(from, from + QPoint(50, 0));
   QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+}
+
+/// The handles cover the whole surface, whose faces can be selected all the same.
+void SweepWindowTest::aClickIsForTheView() {
+  openSample("cylinder.json");
+  const Document before = document();
+  const QPoint at = onTheSide();
+  hover(at);
+  window_->view().setPickMode(PickMode::Face);
+  mouse(QEvent::MouseButtonPress, at);
+  mouse(QEvent::MouseButtonRelease, at);
+  QCOMPARE(window_->view().selectedParts().size(), std::size_t(1));
+  QVERIFY(window_->view().selectedParts().front().feature == sweep_);
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
 }
 
 /// An edit stays selected while more are added after it; what is seen is what is pulled.

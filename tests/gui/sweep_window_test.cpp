@@ -1,6 +1,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "support/sweep_formulas.h"
@@ -119,7 +120,7 @@ void SweepWindowTest::eachWayAloneMovesItsPolesByTheFormula_data() {
 }
 
 void SweepWindowTest::eachWayAloneMovesItsPolesByTheFormula() {
-  QFETCH(const int, key);
+  QFETCH(int, key);
   openSample("cylinder.json");
   const Motion before = motionOf(source_);
   const Surface swept = surfaceOf(sweep_);
@@ -352,7 +353,7 @@ void SweepWindowTest::aClickIsForTheView() {
 /// An edit stays selected while more are added after it; what is seen is what is pulled.
 void SweepWindowTest::anOpenSurfaceIsPulledAtAnEditThatIsSelected() {
   openSample("helicoid.json");
-  const Motion& before = motionOf(source_);
+  const Motion before = motionOf(source_);
   window_->view().lookFrom(QStringLiteral("top"), false);
   window_->view().fit(false);
   const QPoint from = screenOf(PlaceOfMotion(before, 0.9, 0.97).x);

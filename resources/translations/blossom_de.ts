@@ -565,6 +565,128 @@
     </message>
 </context>
 <context>
+    <name>blossom::sweep::PullMode</name>
+    <message>
+        <source>by turning and scaling</source>
+        <translation>durch Drehen und Skalieren</translation>
+    </message>
+    <message>
+        <source>by moving the sections</source>
+        <translation>durch Verschieben der Schnitte</translation>
+    </message>
+    <message>
+        <source>by turning alone</source>
+        <translation>nur durch Drehen</translation>
+    </message>
+    <message>
+        <source>by scaling alone</source>
+        <translation>nur durch Skalieren</translation>
+    </message>
+    <message>
+        <source>by twisting</source>
+        <translation>durch Verdrehen</translation>
+    </message>
+    <message>
+        <source>the tangent of the trajectory</source>
+        <translation>die Tangente der Bahn</translation>
+    </message>
+    <message>
+        <source>the arm from the trajectory to the point</source>
+        <translation>den Arm von der Bahn zum Punkt</translation>
+    </message>
+    <message>
+        <source>the axis across tangent and arm</source>
+        <translation>die Achse quer zu Tangente und Arm</translation>
+    </message>
+    <message>
+        <source>%1 copies, mirrored</source>
+        <translation>%1 Kopien, gespiegelt</translation>
+    </message>
+    <message>
+        <source>%1 copies</source>
+        <translation>%1 Kopien</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegelt</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::SurfacePullTool</name>
+    <message>
+        <source>Twist the surface</source>
+        <translation>Fläche verdrehen</translation>
+    </message>
+    <message>
+        <source>Pull the surface</source>
+        <translation>Fläche ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a place on the surface to pull it</source>
+        <translation>Eine Stelle der Fläche ziehen, um sie zu verformen</translation>
+    </message>
+    <message>
+        <source>Nothing will be changed here: %1</source>
+        <translation>Hier wird nichts geändert: %1</translation>
+    </message>
+    <message>
+        <source>Let go to twist by %1° about %2</source>
+        <translation>Loslassen verdreht um %1° um %2</translation>
+    </message>
+    <message>
+        <source>A: another axis</source>
+        <translation>A: andere Achse</translation>
+    </message>
+    <message>
+        <source>Let go to pull the point here %1</source>
+        <translation>Loslassen zieht den Punkt hierher, %1</translation>
+    </message>
+    <message>
+        <source>Shift: along the normal</source>
+        <translation>Umschalt: entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>Esc takes it back</source>
+        <translation>Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>1: no copies</source>
+        <translation>1: keine Kopien</translation>
+    </message>
+    <message>
+        <source>Drag to twist the surface here about %1</source>
+        <translation>Ziehen verdreht die Fläche hier um %1</translation>
+    </message>
+    <message>
+        <source>W: pull</source>
+        <translation>W: ziehen</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point further, %1</source>
+        <translation>Ziehen bewegt diesen Punkt weiter, %1</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point %1</source>
+        <translation>Ziehen bewegt diesen Punkt %1</translation>
+    </message>
+    <message>
+        <source>T, R, S: one way alone</source>
+        <translation>T, R, S: nur eine Art</translation>
+    </message>
+    <message>
+        <source>W: twist</source>
+        <translation>W: verdrehen</translation>
+    </message>
+    <message>
+        <source>2–9, M: copies</source>
+        <translation>2–9, M: Kopien</translation>
+    </message>
+    <message>
+        <source>%1 (1: none)</source>
+        <translation>%1 (1: keine)</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::AboutDialog</name>
     <message>
         <source>The text of the licence is not installed. It can be read at https://www.gnu.org/licenses/gpl-3.0.txt.</source>

@@ -565,6 +565,128 @@
     </message>
 </context>
 <context>
+    <name>blossom::sweep::PullMode</name>
+    <message>
+        <source>by turning and scaling</source>
+        <translation>회전과 크기 조절로</translation>
+    </message>
+    <message>
+        <source>by moving the sections</source>
+        <translation>단면 이동으로</translation>
+    </message>
+    <message>
+        <source>by turning alone</source>
+        <translation>회전만으로</translation>
+    </message>
+    <message>
+        <source>by scaling alone</source>
+        <translation>크기 조절만으로</translation>
+    </message>
+    <message>
+        <source>by twisting</source>
+        <translation>비틀어서</translation>
+    </message>
+    <message>
+        <source>the tangent of the trajectory</source>
+        <translation>궤적의 접선</translation>
+    </message>
+    <message>
+        <source>the arm from the trajectory to the point</source>
+        <translation>궤적에서 점까지의 팔</translation>
+    </message>
+    <message>
+        <source>the axis across tangent and arm</source>
+        <translation>접선과 팔에 수직인 축</translation>
+    </message>
+    <message>
+        <source>%1 copies, mirrored</source>
+        <translation>사본 %1개, 대칭</translation>
+    </message>
+    <message>
+        <source>%1 copies</source>
+        <translation>사본 %1개</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>대칭</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::SurfacePullTool</name>
+    <message>
+        <source>Twist the surface</source>
+        <translation>곡면 비틀기</translation>
+    </message>
+    <message>
+        <source>Pull the surface</source>
+        <translation>곡면 당기기</translation>
+    </message>
+    <message>
+        <source>Drag a place on the surface to pull it</source>
+        <translation>곡면의 한 곳을 끌어서 당기기</translation>
+    </message>
+    <message>
+        <source>Nothing will be changed here: %1</source>
+        <translation>여기서는 아무것도 바뀌지 않음: %1</translation>
+    </message>
+    <message>
+        <source>Let go to twist by %1° about %2</source>
+        <translation>놓으면 %2 둘레로 %1° 비틂</translation>
+    </message>
+    <message>
+        <source>A: another axis</source>
+        <translation>A: 다른 축</translation>
+    </message>
+    <message>
+        <source>Let go to pull the point here %1</source>
+        <translation>놓으면 점을 여기로 당김, %1</translation>
+    </message>
+    <message>
+        <source>Shift: along the normal</source>
+        <translation>Shift: 법선 방향</translation>
+    </message>
+    <message>
+        <source>Esc takes it back</source>
+        <translation>Esc로 취소</translation>
+    </message>
+    <message>
+        <source>1: no copies</source>
+        <translation>1: 사본 없음</translation>
+    </message>
+    <message>
+        <source>Drag to twist the surface here about %1</source>
+        <translation>끌어서 %1 둘레로 여기 곡면을 비틀기</translation>
+    </message>
+    <message>
+        <source>W: pull</source>
+        <translation>W: 당기기</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point further, %1</source>
+        <translation>끌어서 이 점을 더 당기기, %1</translation>
+    </message>
+    <message>
+        <source>Drag to pull this point %1</source>
+        <translation>끌어서 이 점을 당기기, %1</translation>
+    </message>
+    <message>
+        <source>T, R, S: one way alone</source>
+        <translation>T, R, S: 한 방식만</translation>
+    </message>
+    <message>
+        <source>W: twist</source>
+        <translation>W: 비틀기</translation>
+    </message>
+    <message>
+        <source>2–9, M: copies</source>
+        <translation>2–9, M: 사본</translation>
+    </message>
+    <message>
+        <source>%1 (1: none)</source>
+        <translation>%1 (1: 없음)</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::AboutDialog</name>
     <message>
         <source>The text of the licence is not installed. It can be read at https://www.gnu.org/licenses/gpl-3.0.txt.</source>

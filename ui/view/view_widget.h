@@ -154,6 +154,7 @@ class ViewWidget : public QWidget, private PictureSubject {
 
   QPointer<Tool> tool_;
   bool handles_ = false, toolHasMouse_ = false;
+  QPointF pressedAt_;  ///< where the tool was asked last
   KeyOffer keyOffer_ = KeyOffer::None;
   PickMode pickMode_ = PickMode::Feature;
   Pick hovered_;

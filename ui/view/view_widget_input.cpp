@@ -30,6 +30,7 @@ QString ViewWidget::restingHint() const { return tool_ && !handles_ ? tool_->hin
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
   event->accept();
   toolHasMouse_ = tool_ && tool_->press(toolEvent(event->position(), event->button(), event->modifiers()));
+  pressedAt_ = event->position();
   if (toolHasMouse_)
     navigation_->giveUp();
   else
@@ -61,10 +62,13 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
   const QPointF at = event->position();
   const bool taken = tool_ && tool_->release(toolEvent(at, event->button(), event->modifiers()));
   const bool ofTool = toolHasMouse_ || taken;
+  // Handles may cover all of a shape: where one has nothing to do with a click, the shape is selected.
+  const bool leftByHandle = toolHasMouse_ && handles_ && !taken && (at - pressedAt_).manhattanLength() < clickReach;
   if (event->buttons() == Qt::NoButton) toolHasMouse_ = false;
   const MouseNavigation::Ended ended = navigation_->release();
   emit hint(restingHint());
   if (ended == MouseNavigation::Ended::Box) return finishBox(at, event->modifiers());
+  if (leftByHandle && event->button() == Qt::LeftButton) return click(at, event->modifiers());
   if (ended != MouseNavigation::Ended::Click || ofTool) return;
   if (event->button() == Qt::LeftButton) click(at, event->modifiers());
   if (event->button() == Qt::RightButton) emit contextMenuWanted(event->globalPosition().toPoint(), pickAt(at, pickMode_));

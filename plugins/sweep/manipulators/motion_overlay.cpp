@@ -1,3 +1,5 @@
+#include "manipulators/motion_overlay.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
@@ -9,7 +11,6 @@
 
 #include "geometry/bspline/bspline.h"
 #include "geometry/shape/motion.h"
-#include "ui/plugin/manipulator.h"
 
 namespace blossom::sweep {
 
@@ -72,9 +73,16 @@ double axisLength(const Motion& motion) {
   return 0.6 * (reach > 0 ? reach : std::max(height / 10, 1e-3));
 }
 
-/// The trajectory, and the axes of the moving frame at a few places along it.
+/// The motion that an edit makes, or a sweep takes.
+const Motion* shownMotion(const ui::OverlayContext& context) {
+  if (const Motion* made = context.result.get<Motion>()) return made;
+  return context.inputs.empty() ? nullptr : context.inputs.front().get<Motion>();
+}
+
+}  // namespace
+
 std::vector<vtkSmartPointer<vtkProp>> motionOverlay(const ui::OverlayContext& context) {
-  const Motion* motion = context.inputs.empty() ? nullptr : context.inputs.front().get<Motion>();
+  const Motion* motion = shownMotion(context);
   if (!motion) return {};
   Lines trajectory, axes, spokes;
   vtkIdType previous = -1;
@@ -98,8 +106,4 @@ std::vector<vtkSmartPointer<vtkProp>> motionOverlay(const ui::OverlayContext& co
   return {trajectory.actor(color, 2.5, 1), axes.actor(color, 1.5, 1), spokes.actor(color, 1, 0.4)};
 }
 
-}  // namespace
-
 }  // namespace blossom::sweep
-
-BLOSSOM_MANIPULATORS(registry) { registry.addOverlay("sweep.sweep", blossom::sweep::motionOverlay); }

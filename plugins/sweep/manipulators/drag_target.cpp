@@ -1,0 +1,86 @@
+#include "manipulators/drag_target.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/bspline/bspline.h"
+#include "kernel/motion_point.h"
+#include "kernel/quaternion.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr double degreesPerRadian = 180 / std::numbers::pi;
+
+}  // namespace
+
+DragTarget::DragTarget(const PlaceHit& start, const ui::ToolEvent& event)
+    : start_(start.point), now_(start.point), towards_(event.ray.direction) {
+  if (start.normal.squaredNorm() > 0) normal_ = start.normal;
+  if (const auto held = inPlane(event.ray)) off_ = *held - start_;
+}
+
+std::optional<Vec3> DragTarget::inPlane(const Ray& ray) const {
+  const double slope = towards_.dot(ray.direction);
+  constexpr double grazing = 1e-6;
+  if (slope <= grazing) return std::nullopt;
+  return Vec3(ray.origin + towards_.dot(start_ - ray.origin) / slope * ray.direction);
+}
+
+const Vec3& DragTarget::follow(const ui::ToolEvent& event) {
+  const Vec3& d = event.ray.direction;
+  if (event.modifiers.testFlag(Qt::ShiftModifier)) {
+    // The point of the normal that comes nearest to the line of sight.
+    const double slant = normal_.dot(d), across = 1 - slant * slant;
+    const Vec3 from = start_ + off_ - event.ray.origin;
+    constexpr double seenEndOn = 1e-6;
+    if (across > seenEndOn) now_ = start_ + (slant * from.dot(d) - from.dot(normal_)) / across * normal_;
+  } else if (const auto held = inPlane(event.ray)) {
+    now_ = *held - off_;
+  }
+  return now_;
+}
+
+Vec3 twistAxis(const Motion& motion, const MotionPlace& at, PullMode::Axis chosen) {
+  const std::vector<Vec4> d = derivatives(motion.trajectory, at.v, 1);
+  const Vec3 centre = d[0].head<3>() / d[0][3];
+  const Vec3 tangent = d[1].head<3>() - d[1][3] * centre;
+  const Vec3 arm = evaluate(motion, at.u, at.v).point - centre;
+  const Vec3 axis = chosen == PullMode::Axis::Tangent ? tangent : chosen == PullMode::Axis::Arm ? arm : tangent.cross(arm);
+  return axis.norm() > 0 ? Vec3(axis.normalized()) : Vec3::UnitZ();
+}
+
+double draggedAngle(const Vec3& axis, const Vec3& arm, const Vec3& moved, const Vec3& towards, double shortest) {
+  const Vec3 radial = arm - arm.dot(axis) * axis;
+  constexpr double faces = 0.5;
+  if (std::abs(axis.dot(towards)) > faces && radial.norm() > shortest) {
+    // Along the line of sight into the plane of the circle.
+    const Vec3 end = radial + moved - axis.dot(moved) / axis.dot(towards) * towards;
+    return degreesPerRadian * std::atan2(axis.dot(radial.cross(end)), radial.dot(end));
+  }
+  const Vec3 across = axis.cross(-towards);
+  if (!(across.norm() > 0)) return 0;
+  return degreesPerRadian * moved.dot(across.normalized()) / std::max(radial.norm(), shortest);
+}
+
+Vec3 reachableTarget(const Motion& motion, const MotionPlace& at, PullMode::Way way, const Vec3& wanted) {
+  const Vec3 centre = point(motion.trajectory, at.v);
+  const Vec3 arm = wanted - centre;
+  if (way == PullMode::Way::Rotate) {
+    const double radius = (evaluate(motion, at.u, at.v).point - centre).norm();
+    return arm.norm() > 0 ? Vec3(centre + radius / arm.norm() * arm) : wanted;
+  }
+  if (way != PullMode::Way::Scale) return wanted;
+  const Vec4 r = evaluate(motion.orientation, at.u, at.v);
+  if (!(r.squaredNorm() > 0)) return wanted;
+  Vec3 inFrame = turnedBack(r, arm);
+  constexpr double noComponent = 1e-9;  // as in kernel/pull.cpp
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (std::abs(motion.point[k]) <= noComponent * motion.point.cwiseAbs().maxCoeff()) inFrame[k] = 0;
+  return centre + turnedBack(conjugate(r), inFrame);
+}
+
+}  // namespace blossom::sweep

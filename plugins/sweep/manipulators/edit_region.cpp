@@ -1,0 +1,88 @@
+#include "manipulators/edit_region.h"
+
+#include <algorithm>
+
+#include "geometry/bspline/bspline.h"
+#include "kernel/motion_symmetry.h"
+#include "manipulators/place_under_mouse.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr int lineSamples = 96;
+
+/// A part of a line ends where the surface turns away.
+void addLine(const std::vector<PlaceHit>& points, const Vec3& towards, double side, SurfaceLines& lines) {
+  const auto faces = [&](const PlaceHit& p) { return p.normal.dot(towards) * side >= 0; };
+  for (std::size_t i = 0; i + 1 < points.size();) {
+    const bool facing = faces(points[i]);
+    std::vector<Vec3> part{points[i].point};
+    do part.push_back(points[++i].point);
+    while (i + 1 < points.size() && faces(points[i]) == facing);
+    (facing ? lines.facing : lines.averted).push_back(std::move(part));
+  }
+}
+
+void addLine(const Motion& motion, MotionPlace from, MotionPlace to, const Vec3& towards, double side, SurfaceLines& lines) {
+  std::vector<PlaceHit> points;
+  for (int i = 0; i <= lineSamples; ++i) {
+    const double t = static_cast<double>(i) / lineSamples;
+    const MotionPlace at{from.u + (to.u - from.u) * t, from.v + (to.v - from.v) * t};
+    points.push_back(placeHit(motion, {insidePeriod(motion, at.u), std::min(at.v, motion.domainV().second)}));
+  }
+  addLine(points, towards, side, lines);
+}
+
+/// The knots at which the basis functions begin and end that are not 0 at t.
+std::pair<double, double> reach(int degree, const std::vector<double>& knots, double t) {
+  const std::size_t span = findSpan(degree, knots, t), p = static_cast<std::size_t>(degree);
+  return {knots[span - p], knots[span + p + 1]};
+}
+
+void widen(std::pair<double, double>& range, std::pair<double, double> by) {
+  range = {std::min(range.first, by.first), std::max(range.second, by.second)};
+}
+
+}  // namespace
+
+SurfaceLines isoCurvesThrough(const Motion& motion, const MotionPlace& at, const Vec3& towards, double side) {
+  SurfaceLines lines;
+  const auto [firstU, lastU] = motion.domainU();
+  const auto [firstV, lastV] = motion.domainV();
+  addLine(motion, {firstU, at.v}, {lastU, at.v}, towards, side, lines);
+  addLine(motion, {at.u, firstV}, {at.u, lastV}, towards, side, lines);
+  return lines;
+}
+
+EditRegion editRegion(const Motion& motion, const MotionPlace& at, PullMode::Way way) {
+  std::pair<double, double> u{at.u, at.u}, v{at.v, at.v};
+  const auto add = [&](const Surface& factor) {
+    widen(u, reach(factor.degreeU, factor.knotsU, at.u));
+    widen(v, reach(factor.degreeV, factor.knotsV, at.v));
+  };
+  if (way == PullMode::Way::Translate) {
+    u = motion.domainU();
+    v = reach(motion.trajectory.degree, motion.trajectory.knots, at.v);
+  }
+  if (way == PullMode::Way::Combined || way == PullMode::Way::Rotate || way == PullMode::Way::Twist) add(motion.orientation);
+  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale) add(motion.scaling);
+  const double period = motion.domainU().second - motion.domainU().first;
+  return {u.first, u.second, v.first, v.second,
+          way == PullMode::Way::Translate || (motion.closedU != ClosedU::No && u.second - u.first >= period)};
+}
+
+SurfaceLines borderOf(const Motion& motion, const EditRegion& region, const Vec3& towards, double side) {
+  SurfaceLines lines;
+  const double firstU = region.around ? motion.domainU().first : region.firstU,
+               lastU = region.around ? motion.domainU().second : region.lastU;
+  for (const double v : {region.firstV, region.lastV})
+    if (v > motion.domainV().first && v < motion.domainV().second)
+      addLine(motion, {firstU, v}, {lastU, v}, towards, side, lines);
+  for (const double u : {region.firstU, region.lastU})
+    if (!region.around && (motion.closedU != ClosedU::No || (u > motion.domainU().first && u < motion.domainU().second)))
+      addLine(motion, {u, region.firstV}, {u, region.lastV}, towards, side, lines);
+  return lines;
+}
+
+}  // namespace blossom::sweep

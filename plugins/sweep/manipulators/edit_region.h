@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "geometry/shape/motion.h"
+#include "geometry/shape/motion_edit.h"
+#include "manipulators/pull_mode.h"
+
+namespace blossom::sweep {
+
+/// Lines on a surface, each part where the surface faces the viewer or turns away from him.
+struct SurfaceLines {
+  std::vector<std::vector<Vec3>> facing, averted;
+};
+
+/// The two iso-curves through a place. @param towards the line of sight, unit length  @param side the sign of n . towards
+/// where the surface counts as facing the viewer
+SurfaceLines isoCurvesThrough(const Motion&, const MotionPlace&, const Vec3& towards, double side);
+
+/// The part of the domain in which basis functions of the poles that an edit at one place changes are not 0. In a motion
+/// that is closed in u, u may lie outside the period.
+struct EditRegion {
+  double firstU = 0, lastU = 0, firstV = 0, lastV = 0;
+  bool around = false;  ///< all of u
+};
+EditRegion editRegion(const Motion&, const MotionPlace&, PullMode::Way);
+
+/// Its border; the ends of the surface in v are left out where nothing ends there.
+SurfaceLines borderOf(const Motion&, const EditRegion&, const Vec3& towards, double side);
+
+}  // namespace blossom::sweep

@@ -1,0 +1,17 @@
+#pragma once
+#include "geometry/shape/motion_edit.h"
+#include "parameter/value.h"
+
+namespace blossom::sweep {
+
+/// The parameters of sweep.pull and sweep.twist, as edits and back.
+
+/// @param parameters complete, canonical
+MotionPull pullOf(const Value& parameters);
+MotionTwist twistOf(const Value& parameters);
+
+/// Everything the mouse decides; pins and the axis of a pull are left out.
+Value parametersOf(const MotionPull&);
+Value parametersOf(const MotionTwist&);
+
+}  // namespace blossom::sweep

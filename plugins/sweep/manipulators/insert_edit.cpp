@@ -1,0 +1,96 @@
+#include "manipulators/insert_edit.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "manipulators/edit_values.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr const char *sweepType = "sweep.sweep", *pullType = "sweep.pull", *twistType = "sweep.twist";
+
+bool isEdit(const Feature& feature) { return feature.type == pullType || feature.type == twistType; }
+
+const Motion* motionOf(const ui::ToolHost& host, const FeatureId& id) {
+  const auto result = host.result(id);
+  return result && !result->error ? result->evaluated.shape.get<Motion>() : nullptr;
+}
+
+/// The last of the edits that follow one another; where they branch, the branching one.
+FeatureId lastOf(const Document& document, FeatureId id) {
+  for (;;) {
+    const std::vector<FeatureId> users = document.usersOf(id);
+    if (users.size() != 1 || !isEdit(document.at(users.front()))) return id;
+    id = users.front();
+  }
+}
+
+Value parametersOf(const MotionEdit& edit) {
+  return std::visit([](const auto& each) { return blossom::sweep::parametersOf(each); }, edit);
+}
+
+}  // namespace
+
+std::optional<EditPlacement> editPlacement(const ui::ToolHost& host, const FeatureId& selected) {
+  const Document& document = host.document();
+  if (selected.empty() || !document.contains(selected)) return std::nullopt;
+  const Feature& feature = document.at(selected);
+  EditPlacement placement;
+  if (feature.type == sweepType && feature.inputs.size() == 1) {
+    placement = {feature.inputs.front(), {selected}};
+  } else if (isEdit(feature)) {
+    placement.source = lastOf(document, selected);
+    for (const FeatureId& user : document.usersOf(placement.source))
+      if (document.at(user).type == sweepType) placement.users.push_back(user);
+  }
+  if (placement.source.empty() || !motionOf(host, placement.source)) return std::nullopt;
+  return placement;
+}
+
+std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& placement) {
+  const Feature& feature = host.document().at(placement.source);
+  if (!isEdit(feature) || feature.suppressed || feature.inputs.size() != 1 || !motionOf(host, feature.inputs.front()))
+    return std::nullopt;
+  LastEdit last{feature.id, {}, host.result(feature.inputs.front())->evaluated.shape};
+  try {
+    const Value parameters = completed(host.registry().at(feature.type)->parameters, feature.parameters);
+    if (feature.type == pullType)
+      last.edit = pullOf(parameters);
+    else
+      last.edit = twistOf(parameters);
+  } catch (const std::exception&) {
+    return std::nullopt;  // the feature itself says what is wrong with it, or depends on named numbers
+  }
+  const bool single = std::visit([](const auto& each) { return each.at.size() == 1; }, last.edit);
+  return single ? std::optional(last) : std::nullopt;
+}
+
+Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, const MotionEdit& edit) {
+  Document document = host.document();
+  const auto type = host.registry().at(std::holds_alternative<MotionPull>(edit) ? pullType : twistType);
+  Feature feature;
+  feature.type = type->id;
+  feature.id = document.freshId(type->command);
+  feature.name = type->title;
+  feature.parameters = parametersOf(edit);
+  feature.inputs = {placement.source};
+  feature.visible = document.at(placement.source).visible;
+  const FeatureId id = feature.id;
+  document = document.with(std::move(feature));
+  for (const FeatureId& user : placement.users) {
+    Feature sweep = document.at(user);
+    std::replace(sweep.inputs.begin(), sweep.inputs.end(), placement.source, id);
+    document = document.with(std::move(sweep));
+  }
+  return document;
+}
+
+Document withChangedEdit(const ui::ToolHost& host, const FeatureId& id, const MotionEdit& edit) {
+  Feature feature = host.document().at(id);
+  for (const auto& [name, value] : parametersOf(edit).items()) feature.parameters[name] = value;
+  return host.document().with(std::move(feature));
+}
+
+}  // namespace blossom::sweep

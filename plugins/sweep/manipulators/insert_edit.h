@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+
+#include "geometry/shape/motion_edit.h"
+#include "ui/plugin/tool.h"
+
+namespace blossom::sweep {
+
+/// Where the next edit of a swept surface goes.
+struct EditPlacement {
+  FeatureId source;              ///< the motion to edit: what the sweeps sweep now
+  std::vector<FeatureId> users;  ///< the sweeps that are to take the edited motion
+};
+
+/// For a selected sweep, or a selected edit of its motion; edits that follow a selected one are followed to the last, which
+/// is what is seen. Empty for other features, and while the motion has no result.
+std::optional<EditPlacement> editPlacement(const ui::ToolHost&, const FeatureId& selected);
+
+/// An edit that the mouse can change: the last one before the sweep, of a single place.
+struct LastEdit {
+  FeatureId id;
+  MotionEdit edit;
+  Shape base;  ///< the motion before it
+};
+std::optional<LastEdit> lastEdit(const ui::ToolHost&, const EditPlacement&);
+
+/// The document with one more edit between the motion and its sweeps.
+Document withEdit(const ui::ToolHost&, const EditPlacement&, const MotionEdit&);
+/// The document with an edit that is there changed; pins and what else the mouse does not decide stay.
+Document withChangedEdit(const ui::ToolHost&, const FeatureId&, const MotionEdit&);
+
+}  // namespace blossom::sweep

@@ -1,0 +1,13 @@
+#include "manipulators/motion_overlay.h"
+#include "manipulators/surface_pull_tool.h"
+
+BLOSSOM_MANIPULATORS(registry) {
+  using namespace blossom;
+  using namespace blossom::sweep;
+  for (const char* type : {"sweep.sweep", "sweep.pull", "sweep.twist"}) {
+    registry.addOverlay(type, motionOverlay);
+    registry.addHandles(type, [](ui::ToolHost& host, const FeatureId& id) -> std::unique_ptr<ui::Tool> {
+      return std::make_unique<SurfacePullTool>(host, id);
+    });
+  }
+}

@@ -1,0 +1,96 @@
+#include "manipulators/pull_ring.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr double radian = std::numbers::pi / 180;
+constexpr double ringRadius = 26, letterRadius = 38, letterSize = 9;  // pixels
+constexpr double arcOfShare = 96;                                     // degrees; the rest of a third is a gap
+
+using Stroke = std::vector<Vec2>;
+
+/// Letters in a square from -1 to 1.
+const std::vector<Stroke>& letter(std::size_t share) {
+  static const std::array<std::vector<Stroke>, 3> all{
+      {{{{-0.8, 1}, {0.8, 1}}, {{0, 1}, {0, -1}}},
+       {{{-0.7, -1}, {-0.7, 1}, {0.3, 1}, {0.7, 0.75}, {0.7, 0.25}, {0.3, 0}, {-0.7, 0}}, {{0.1, 0}, {0.75, -1}}},
+       {{{0.7, 0.7},
+         {0.3, 1},
+         {-0.3, 1},
+         {-0.7, 0.7},
+         {-0.7, 0.3},
+         {-0.3, 0.05},
+         {0.3, -0.05},
+         {0.7, -0.3},
+         {0.7, -0.7},
+         {0.3, -1},
+         {-0.3, -1},
+         {-0.7, -0.7}}}}};
+  return all.at(share);
+}
+
+Vec3 onScreen(const Vec3& centre, const Facing& to, const Vec2& pixels) {
+  return centre + to.pixel * (pixels.x() * to.right + pixels.y() * to.up);
+}
+
+Vec2 polar(double radius, double degrees) {
+  return {radius * std::cos(degrees * radian), radius * std::sin(degrees * radian)};
+}
+
+std::vector<Vec3> arcOnScreen(const Vec3& centre, const Facing& to, double from, double degrees) {
+  constexpr int steps = 24;
+  std::vector<Vec3> arc;
+  for (int i = 0; i <= steps; ++i) arc.push_back(onScreen(centre, to, polar(ringRadius, from + degrees * i / steps)));
+  return arc;
+}
+
+}  // namespace
+
+Facing facing(const Vec3& towards, double millimetresPerPixel) {
+  const Vec3 across = towards.cross(Vec3::UnitZ());
+  constexpr double fromAbove = 1e-3;
+  Facing to;
+  to.right = across.norm() > fromAbove ? Vec3(across.normalized()) : Vec3::UnitX();
+  to.up = to.right.cross(towards).normalized();
+  to.pixel = millimetresPerPixel;
+  return to;
+}
+
+RingLines ringLines(const Vec3& centre, const Facing& to, const PullWeights& weights) {
+  RingLines lines;
+  const std::array<double, 3> shares{weights.translate, weights.rotate, weights.scale};
+  const std::array<double, 3> middles{90, 330, 210};  // clockwise from the top, in the order in which they act
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    const double from = middles[k] - arcOfShare / 2, filled = arcOfShare * shares[k];
+    if (shares[k] > 0) lines.active.push_back(arcOnScreen(centre, to, from, filled));
+    if (shares[k] < 1) lines.idle.push_back(arcOnScreen(centre, to, from + filled, arcOfShare - filled));
+    const Vec2 middle = polar(letterRadius, middles[k]);
+    for (const Stroke& stroke : letter(k)) {
+      std::vector<Vec3> line;
+      for (const Vec2& p : stroke) line.push_back(onScreen(centre, to, middle + letterSize / 2 * p));
+      (shares[k] > 0 ? lines.active : lines.idle).push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
+std::vector<std::vector<Vec3>> twistLines(const Vec3& centre, const Vec3& axis, const Vec3& arm, double degrees,
+                                          double halfLength, double radius) {
+  const Vec3 foot = centre + arm.dot(axis) * axis;
+  Vec3 radial = arm - arm.dot(axis) * axis;
+  if (!(radial.norm() > radius * 1e-3)) radial = radius * axis.unitOrthogonal();
+  std::vector<Vec3> arc{foot};
+  constexpr double step = 3;  // degrees
+  const int steps = 1 + static_cast<int>(std::abs(degrees) / step);
+  for (int i = 0; i <= steps; ++i) arc.push_back(foot + Eigen::AngleAxisd(degrees * radian * i / steps, axis) * radial);
+  arc.push_back(foot);
+  return {{foot - halfLength * axis, foot + halfLength * axis}, arc};
+}
+
+}  // namespace blossom::sweep

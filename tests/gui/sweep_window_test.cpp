@@ -1,0 +1,448 @@
+#include <QDir>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "support/sweep_formulas.h"
+#include "ui/plugin/tool.h"
+#include "ui/thread/stall_watch.h"
+#include "ui/tree/document_tree.h"
+#include "window_fixture.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::ui;
+
+/// A swept surface is pulled by hand through the real window; the poles that come out are those of the paper's formulas.
+class SweepWindowTest : public WindowFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openWindow(); }
+  void cleanup() { window_.reset(); }
+
+  void eachWayAloneMovesItsPolesByTheFormula_data();
+  void eachWayAloneMovesItsPolesByTheFormula();
+  void turningAndScalingTogetherArrive();
+  void aTwistTurnsByTheAngleShown();
+  void theSamePlaceIsTheSamePull();
+  void thereAndBackChangesNothing();
+  void escapeTakesBack();
+  void fourCopiesMakeFourEqualBumps();
+  void whatCannotBeReachedIsSaidAndNotKept();
+  void aClickIsForTheView();
+  void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
+  void aLargeMotionIsDraggedLive();
+  void theHandlesAreSeen();
+
+ private:
+  void openSample(const char* name);
+  void mouse(QEvent::Type, const QPoint& at, Qt::KeyboardModifiers modifiers = {});
+  void key(Qt::Key key) { QTest::keyClick(&window_->view(), key); }
+  /// Waits until the surface can be taken hold of.
+  void hover(const QPoint& at);
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
+  [[nodiscard]] QString hint() const { return window_->page().tool() ? window_->page().tool()->hint() : QString(); }
+  [[nodiscard]] QPoint onTheSide() const;
+  [[nodiscard]] const Document& document() const { return window_->page().document(); }
+  [[nodiscard]] std::vector<FeatureId> all(const char* type) const;
+  [[nodiscard]] const Feature& only(const char* type) const { return document().at(all(type).front()); }
+  [[nodiscard]] const Motion& motionOf(const FeatureId& id) const {
+    return *window_->session().view(id)->result->evaluated.shape.get<Motion>();
+  }
+  [[nodiscard]] const Surface& surfaceOf(const FeatureId& id) const {
+    return *window_->session().view(id)->result->evaluated.shape.get<Surface>();
+  }
+  static Vec3 vectorOf(const Value& p) { return {p[0].get<double>(), p[1].get<double>(), p[2].get<double>()}; }
+  void keepPictures(const char* name, const QPoint& at);
+
+  FeatureId source_, sweep_;
+  bool held_ = false;
+};
+
+/// From the file to its sweep, which is selected and seen from a corner.
+void SweepWindowTest::openSample(const char* name) {
+  openAndWait(QString::fromStdString(sample(name).string()));
+  sweep_ = sweep();
+  source_ = document().at(sweep_).inputs.front();
+  window_->view().lookFrom(QStringLiteral("iso"), false);
+  window_->view().fit(false);
+  window_->tree().select(sweep_);
+  window_->view().setFocus();
+}
+
+/// Straight to the view: moves by way of the display arrive in their own time.
+void SweepWindowTest::mouse(QEvent::Type type, const QPoint& at, Qt::KeyboardModifiers modifiers) {
+  const bool moves = type == QEvent::MouseMove;
+  held_ = type == QEvent::MouseButtonPress || (held_ && moves);
+  ViewWidget& view = window_->view();
+  QMouseEvent event(type, at, view.mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
+                    held_ ? Qt::LeftButton : Qt::NoButton, modifiers);
+  QApplication::sendEvent(&view, &event);
+}
+
+void SweepWindowTest::hover(const QPoint& at) {
+  const auto over = [&] {
+    mouse(QEvent::MouseMove, at);
+    return !hint().isEmpty() && !hint().startsWith(QStringLiteral("Drag a place"));
+  };
+  QTRY_VERIFY2_WITH_TIMEOUT(over(), "the surface cannot be taken hold of", 60000);
+}
+
+void SweepWindowTest::drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers) {
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  for (int k = 1; k <= 6; ++k) mouse(QEvent::MouseMove, from + (to - from) * k / 6, modifiers);
+  mouse(QEvent::MouseButtonRelease, to, modifiers);
+  waitUntilComputed();
+}
+
+/// A place of the cylinder about z at half its height that is seen neither from the front nor edge on.
+QPoint SweepWindowTest::onTheSide() const {
+  const Vec3 eye = window_->view().camera().turn().toCamera();
+  const double azimuth = std::atan2(eye.y(), eye.x()) + 0.8;
+  return screenOf(Vec3(10 * std::cos(azimuth), 10 * std::sin(azimuth), 21));
+}
+
+std::vector<FeatureId> SweepWindowTest::all(const char* type) const {
+  std::vector<FeatureId> found;
+  for (const auto& feature : document().features())
+    if (feature->type == type) found.push_back(feature->id);
+  return found;
+}
+
+void SweepWindowTest::eachWayAloneMovesItsPolesByTheFormula_data() {
+  QTest::addColumn<int>("key");
+  QTest::newRow("translate") << static_cast<int>(Qt::Key_T);
+  QTest::newRow("scale") << static_cast<int>(Qt::Key_S);
+  QTest::newRow("rotate") << static_cast<int>(Qt::Key_R);
+}
+
+void SweepWindowTest::eachWayAloneMovesItsPolesByTheFormula() {
+  QFETCH(int, key);
+  openSample("cylinder.json");
+  const Motion before = motionOf(source_);
+  const Surface swept = surfaceOf(sweep_);
+  const QPoint from = onTheSide(), to = from + QPoint(45, -25);
+  hover(from);
+  this->key(static_cast<Qt::Key>(key));
+  drag(from, to);
+
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  const Feature& pull = only("sweep.pull");
+  QCOMPARE(pull.inputs, std::vector<FeatureId>{source_});
+  QCOMPARE(document().at(sweep_).inputs, std::vector<FeatureId>{pull.id});
+  QCOMPARE(pull.parameters["translate"].get<double>(), key == Qt::Key_T ? 1.0 : 0.0);
+  QCOMPARE(pull.parameters["rotate"].get<double>(), key == Qt::Key_R ? 1.0 : 0.0);
+  QCOMPARE(pull.parameters["scale"].get<double>(), key == Qt::Key_S ? 1.0 : 0.0);
+  const Value& record = pull.parameters["pulls"][0];
+  const Vec3 target = vectorOf(record["to"]);
+  const PlaceOfMotion at(before, record["u"].get<double>(), record["v"].get<double>());
+  QVERIFY((screenOf(at.x) - from).manhattanLength() <= 2);
+  if (key == Qt::Key_T) QVERIFY((screenOf(target) - to).manhattanLength() <= 2);
+  QVERIFY((target - at.x).norm() > 1);
+
+  const Motion wanted = key == Qt::Key_T   ? translatedBy(before, at, target)
+                        : key == Qt::Key_S ? scaledTo(before, at, target)
+                                           : turnedTo(before, at, target);
+  const Motion& after = motionOf(pull.id);
+  QVERIFY(poleDifference(before, after) > 0.01);
+  const double off = poleDifference(wanted, after);
+  QVERIFY2(off < 1e-12, qPrintable(QString::number(off)));
+  QVERIFY((PlaceOfMotion(after, record["u"].get<double>(), at.v).x - target).norm() < 1e-11);
+  // What the way does not touch stays to the last bit.
+  if (key != Qt::Key_T) QVERIFY(after.trajectory == before.trajectory);
+  if (key != Qt::Key_S) QVERIFY(after.scaling == before.scaling);
+  if (key != Qt::Key_R) QVERIFY(after.orientation == before.orientation);
+
+  window_->session().undo();
+  waitUntilComputed();
+  QVERIFY(all("sweep.pull").empty());
+  QVERIFY(motionOf(document().at(sweep_).inputs.front()) == before);
+  QVERIFY(surfaceOf(sweep_) == swept);
+}
+
+void SweepWindowTest::turningAndScalingTogetherArrive() {
+  openSample("cylinder.json");
+  const Motion before = motionOf(source_);
+  const QPoint from = onTheSide(), to = from + QPoint(60, -40);
+  drag(from, to);
+  const Value& record = only("sweep.pull").parameters["pulls"][0];
+  const Vec3 target = vectorOf(record["to"]);
+  const double u = record["u"].get<double>(), v = record["v"].get<double>();
+  QVERIFY((screenOf(target) - to).manhattanLength() <= 2);
+  const Motion turned = turnedTo(before, PlaceOfMotion(before, u, v), target);
+  const double off = poleDifference(scaledTo(turned, PlaceOfMotion(turned, u, v), target), motionOf(only("sweep.pull").id));
+  QVERIFY2(off < 1e-12, qPrintable(QString::number(off)));
+
+  // Along the normal with Shift: away from the axis, at the same height.
+  window_->session().undo();
+  waitUntilComputed();
+  drag(from, to, Qt::ShiftModifier);
+  const Value& straight = only("sweep.pull").parameters["pulls"][0];
+  const Vec3 end = vectorOf(straight["to"]), start = PlaceOfMotion(before, u, v).x;
+  QVERIFY((end - start).norm() > 1);
+  QVERIFY((end - start).normalized().cross(Vec3(start.x(), start.y(), 0).normalized()).norm() < 1e-9);
+}
+
+void SweepWindowTest::aTwistTurnsByTheAngleShown() {
+  openSample("cylinder.json");
+  const Motion before = motionOf(source_);
+  const QPoint from = onTheSide(), to = from + QPoint(50, 8);
+  hover(from);
+  key(Qt::Key_W);
+  QVERIFY2(hint().startsWith(QStringLiteral("Drag to twist")), qPrintable(hint()));
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, to);
+  const QString shown = hint();
+  mouse(QEvent::MouseButtonRelease, to);
+  waitUntilComputed();
+  const Feature& twist = only("sweep.twist");
+  QVERIFY(all("sweep.pull").empty());
+  const double angle = twist.parameters["angle"].get<double>();
+  QVERIFY(std::abs(angle) > 5);
+  QVERIFY2(shown.contains(QString::number(angle, 'f', 1)), qPrintable(shown));
+  const Vec3 axis = vectorOf(twist.parameters["axis"]);
+  QVERIFY((axis - Vec3::UnitZ()).norm() < 1e-12);  // the tangent of the trajectory
+  const Value& place = twist.parameters["places"][0];
+  const PlaceOfMotion at(before, place["u"].get<double>(), place["v"].get<double>());
+  const double off = poleDifference(twistedBy(before, at, axis, angle), motionOf(twist.id));
+  QVERIFY2(off < 1e-12, qPrintable(QString::number(off)));
+
+  // The tool goes on twisting; the same place is the same twist.
+  const QPoint again = screenOf(PlaceOfMotion(motionOf(twist.id), place["u"].get<double>(), at.v).x);
+  drag(again, again - QPoint(30, 0));
+  QCOMPARE(all("sweep.twist").size(), std::size_t(1));
+  QVERIFY(std::abs(only("sweep.twist").parameters["angle"].get<double>() - angle) > 5);
+  hover(again);
+  key(Qt::Key_A);
+  QVERIFY2(hint().contains(QStringLiteral("arm")), qPrintable(hint()));
+}
+
+void SweepWindowTest::theSamePlaceIsTheSamePull() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  drag(from, from + QPoint(60, 0));
+  const Value first = only("sweep.pull").parameters["pulls"];
+  const Vec3 tip = vectorOf(first[0]["to"]);
+  drag(screenOf(tip), screenOf(tip) + QPoint(10, -50));
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  const Value second = only("sweep.pull").parameters["pulls"];
+  QCOMPARE(second[0]["u"], first[0]["u"]);
+  QCOMPARE(second[0]["v"], first[0]["v"]);
+  QVERIFY((vectorOf(second[0]["to"]) - tip).norm() > 1);
+
+  // Another way is another pull, after the first one, at exactly the same place.
+  const Vec3 now = vectorOf(second[0]["to"]);
+  hover(screenOf(now));
+  key(Qt::Key_T);
+  drag(screenOf(now), screenOf(now) + QPoint(0, 30));
+  QCOMPARE(all("sweep.pull").size(), std::size_t(2));
+  const Feature& last = document().at(document().at(sweep_).inputs.front());
+  QCOMPARE(document().at(last.inputs.front()).inputs, std::vector<FeatureId>{source_});
+  QCOMPARE(last.parameters["pulls"][0]["u"], first[0]["u"]);
+}
+
+void SweepWindowTest::thereAndBackChangesNothing() {
+  openSample("cylinder.json");
+  const Document before = document();
+  const QPoint from = onTheSide();
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  for (const int x : {10, 40, 80, 40, 10, 0}) mouse(QEvent::MouseMove, from + QPoint(x, -x / 2));
+  mouse(QEvent::MouseButtonRelease, from);
+  waitUntilComputed();
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
+
+  // By way of somewhere else the same place makes the same pull: nothing drifts.
+  drag(from, from + QPoint(48, -24));
+  const Value straight = only("sweep.pull").parameters;
+  window_->session().undo();
+  waitUntilComputed();
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  for (const int x : {90, -60, 30, 120, 48}) mouse(QEvent::MouseMove, from + QPoint(x, -x / 2));
+  mouse(QEvent::MouseButtonRelease, from + QPoint(48, -24));
+  waitUntilComputed();
+  QCOMPARE(only("sweep.pull").parameters, straight);
+}
+
+void SweepWindowTest::escapeTakesBack() {
+  openSample("cylinder.json");
+  const Document before = document();
+  const Surface swept = surfaceOf(sweep_);
+  const QPoint from = onTheSide();
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(50, 10));
+  QVERIFY2(hint().startsWith(QStringLiteral("Let go to pull")), qPrintable(hint()));
+  key(Qt::Key_Escape);
+  mouse(QEvent::MouseButtonRelease, from + QPoint(50, 10));
+  waitUntilComputed();
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
+  QVERIFY(surfaceOf(sweep_) == swept);
+}
+
+void SweepWindowTest::fourCopiesMakeFourEqualBumps() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_4);
+  QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
+  drag(from, from + QPoint(60, -10));
+  const Feature& pull = only("sweep.pull");
+  QCOMPARE(pull.parameters["fold"].get<int>(), 4);
+  const Value& record = pull.parameters["pulls"][0];
+  const Motion& after = motionOf(pull.id);
+  const double u = record["u"].get<double>(), v = record["v"].get<double>();
+  const Vec3 target = vectorOf(record["to"]);
+  const Eigen::Matrix3d quarter = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()).toRotationMatrix();
+  Vec3 wanted = target;
+  for (int k = 0; k < 4; ++k) {
+    const double at = std::fmod(u + k / 4.0, 1.0);
+    const double off = (PlaceOfMotion(after, at, v).x - wanted).norm();
+    QVERIFY2(off < 1e-10, qPrintable(QString::number(off)));
+    // Between two bumps the surface bulges least, and everywhere alike.
+    QVERIFY(PlaceOfMotion(after, std::fmod(at + 0.125, 1.0), v).x.head<2>().norm() < target.head<2>().norm());
+    wanted = quarter * wanted;
+  }
+}
+
+void SweepWindowTest::whatCannotBeReachedIsSaidAndNotKept() {
+  openSample("cylinder.json");
+  const Document before = document();
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_3);  // eight rows cannot be parted in three
+  QVERIFY2(hint().contains(QStringLiteral("rows")), qPrintable(hint()));
+  drag(from, from + QPoint(50, 0));
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
+
+  hover(from);
+  key(Qt::Key_4);
+  key(Qt::Key_T);  // one trajectory cannot go four ways
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(50, 0));
+  QVERIFY2(hint().startsWith(QStringLiteral("Nothing will be changed here")), qPrintable(hint()));
+  QVERIFY2(hint().contains(QStringLiteral("copies of the place")), qPrintable(hint()));
+  mouse(QEvent::MouseButtonRelease, from + QPoint(50, 0));
+  waitUntilComputed();
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
+
+  hover(from);
+  key(Qt::Key_1);
+  drag(from, from + QPoint(50, 0));
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+}
+
+/// The handles cover the whole surface, whose faces can be selected all the same.
+void SweepWindowTest::aClickIsForTheView() {
+  openSample("cylinder.json");
+  const Document before = document();
+  const QPoint at = onTheSide();
+  hover(at);
+  window_->view().setPickMode(PickMode::Face);
+  mouse(QEvent::MouseButtonPress, at);
+  mouse(QEvent::MouseButtonRelease, at);
+  QCOMPARE(window_->view().selectedParts().size(), std::size_t(1));
+  QVERIFY(window_->view().selectedParts().front().feature == sweep_);
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
+}
+
+/// An edit stays selected while more are added after it; what is seen is what is pulled.
+void SweepWindowTest::anOpenSurfaceIsPulledAtAnEditThatIsSelected() {
+  openSample("helicoid.json");
+  const Motion before = motionOf(source_);
+  window_->view().lookFrom(QStringLiteral("top"), false);
+  window_->view().fit(false);
+  const QPoint from = screenOf(PlaceOfMotion(before, 0.9, 0.97).x);
+  drag(from, from + QPoint(20, 10));
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  const FeatureId pulled = all("sweep.pull").front();
+  window_->tree().select(pulled);
+  window_->view().setFocus();
+  const QPoint other = screenOf(PlaceOfMotion(before, 0.9, 0.8).x);
+  drag(other, other + QPoint(15, 15));
+  QCOMPARE(all("sweep.pull").size(), std::size_t(2));
+  const FeatureId last = document().at(sweep_).inputs.front();
+  QCOMPARE(document().at(last).inputs, std::vector<FeatureId>{pulled});
+  QVERIFY(!window_->session().view(sweep_)->result->error);
+}
+
+/// Prints what a user feels; what is checked is that the surface follows the mouse.
+void SweepWindowTest::aLargeMotionIsDraggedLive() {
+  openSample("propeller.json");
+  window_->view().lookFrom(QStringLiteral("top"), false);
+  window_->view().fit(false);
+  Vec3 tip = Vec3::Zero();
+  for (const Vec4& pole : surfaceOf(sweep_).poles)
+    if (const Vec3 p = pole.head<3>() / pole[3]; p.head<2>().norm() > tip.head<2>().norm()) tip = p;
+  const QPoint from = screenOf(Vec3(tip.x() / 2, tip.y() / 2, tip.z()));  // on a blade
+  StallWatch watch;
+  hover(from);
+  qInfo("figure pull_hover_stall_ms %.1f", watch.overall().wall);
+  watch.reset();
+  mouse(QEvent::MouseButtonPress, from);
+  const int frames = window_->view().framesDrawn();
+  QElapsedTimer dragging;
+  dragging.start();
+  int moves = 0;
+  constexpr int wantedMoves = 90;
+  QTimer moving;
+  QEventLoop loop;
+  connect(&moving, &QTimer::timeout, &loop, [&] {
+    if (++moves > wantedMoves) return loop.quit();
+    mouse(QEvent::MouseMove, from + QPoint(moves / 2, moves / 3));
+  });
+  moving.start(8);
+  loop.exec();
+  const double seconds = static_cast<double>(dragging.elapsed()) / 1000;
+  qInfo("figure pull_frames_per_s %.1f", (window_->view().framesDrawn() - frames) / seconds);
+  qInfo("figure pull_stall_ms %.1f", watch.overall().wall);
+  qInfo("figure pull_stall_computing_ms %.1f", watch.overall().busy);
+  mouse(QEvent::MouseButtonRelease, from + QPoint(wantedMoves / 2, wantedMoves / 3));
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  QVERIFY(!window_->session().view(sweep_)->result->error);
+}
+
+/// Kept where BLOSSOM_PICTURES says, to be looked at.
+void SweepWindowTest::keepPictures(const char* name, const QPoint& at) {
+  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
+  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+    ThemeManager::instance().apply(choice);
+    mouse(QEvent::MouseMove, at);
+    QVERIFY(!canvas().isNull());
+    const QPixmap picture = window_->grab();
+    QVERIFY(!picture.isNull());
+    const QString theme = choice == ThemeChoice::Light ? QStringLiteral("light") : QStringLiteral("dark");
+    if (!folder.isEmpty())
+      QVERIFY(picture.save(QDir(folder).filePath(QStringLiteral("%1-%2.png").arg(QLatin1String(name), theme))));
+  }
+}
+
+void SweepWindowTest::theHandlesAreSeen() {
+  window_->resize(1280, 720);
+  openSample("cylinder.json");
+  const QPoint from = onTheSide(), to = from + QPoint(70, -30);
+  hover(from);
+  mouse(QEvent::MouseMove, from);
+  const Look look = Look::dark();
+  keepPictures("pull-hover", from);
+  QVERIFY(colored(canvas(), qtColor(look.made)) > 1e-4);
+  QVERIFY(colored(canvas(), qtColor(look.control)) > 1e-3);
+  key(Qt::Key_4);
+  keepPictures("pull-four-hover", from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, to);
+  keepPictures("pull-drag", to);
+  QVERIFY(colored(canvas(), qtColor(look.made)) > 1e-3);
+  key(Qt::Key_W);
+  keepPictures("pull-twist", to);
+  key(Qt::Key_Escape);
+  mouse(QEvent::MouseButtonRelease, to);
+}
+
+BLOSSOM_WINDOW_TEST_MAIN(SweepWindowTest)
+#include "sweep_window_test.moc"

@@ -1,7 +1,9 @@
 #include "ui/session/display_cache.h"
 
 #include <algorithm>
+#include <atomic>
 
+#include "core/parallel.h"
 #include "document/error_of.h"
 #include "geometry/shape/bounds.h"
 #include "scene/picking.h"
@@ -48,17 +50,24 @@ SceneData drawn(const Shape& shape, double chord, const Progress& progress) {
 
 void addPicks(SceneData& scene) { scene.picks = std::make_shared<const PickIndex>(scene); }
 
-/// Each frame with what picking needs, so that nothing is left to be done while it plays.
+/// With what picking needs, so that nothing is left to be done while it plays.
+SceneData drawnFrame(const Shape& frame, double chord, const Progress& progress) {
+  SceneData scene = drawn(frame, chord, progress);
+  scene.solid = frame.get<Mesh>() && isSolid(measure(frame));
+  addPicks(scene);
+  return scene;
+}
+
 std::vector<SceneData> drawnFrames(const Sequence& sequence, double chord, const Progress& progress) {
-  std::vector<SceneData> frames;
-  frames.reserve(sequence.frames.size());
-  for (const Shape& frame : sequence.frames) {
-    const double share = 1 / static_cast<double>(sequence.frames.size());
-    const double done = share * static_cast<double>(frames.size());
-    frames.push_back(drawn(frame, chord, progress.part(done, done + share)));
-    frames.back().solid = frame.get<Mesh>() && isSolid(measure(frame));
-    addPicks(frames.back());
-  }
+  std::vector<SceneData> frames(sequence.frames.size());
+  const Progress cancelOnly(progress.token());
+  std::atomic<std::size_t> done = 0;
+  parallelFor(frames.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      frames[i] = drawnFrame(sequence.frames[i], chord, cancelOnly);
+      progress.report(static_cast<double>(++done) / static_cast<double>(frames.size()));
+    }
+  });
   return frames;
 }
 

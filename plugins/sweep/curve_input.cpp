@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "geometry/occt/occt.h"
 #include "geometry/planar/planar.h"
-#include "kernel/curve_chain.h"
+#include "kernel/begin/curve_chain.h"
 
 namespace blossom::sweep {
 

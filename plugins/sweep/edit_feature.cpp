@@ -1,6 +1,6 @@
 #include "edit_feature.h"
 
-#include "kernel/apply_edits.h"
+#include "kernel/edit/apply_edits.h"
 
 namespace blossom::sweep {
 

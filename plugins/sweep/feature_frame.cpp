@@ -4,8 +4,8 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "curve_input.h"
-#include "kernel/motion_from_curve.h"
 #include "feature_types.h"
+#include "kernel/begin/motion_from_curve.h"
 
 namespace blossom::sweep {
 

@@ -1,7 +1,7 @@
 #include "core/error.h"
-#include "kernel/motion_knots.h"
-#include "kernel/primitive_motions.h"
 #include "feature_types.h"
+#include "kernel/begin/motion_knots.h"
+#include "kernel/begin/primitive_motions.h"
 
 namespace blossom::sweep {
 

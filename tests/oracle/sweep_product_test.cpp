@@ -4,8 +4,8 @@
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/motion_grid.h"
-#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/grid/motion_grid.h"
+#include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/product_surface.h"
 
 using namespace blossom;

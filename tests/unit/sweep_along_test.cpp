@@ -9,11 +9,11 @@
 #include "support/bishop.h"
 #include "support/smooth_curves.h"
 #include "support/support.h"
-#include "sweep/kernel/curve_chain.h"
-#include "sweep/kernel/motion_from_curve.h"
-#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/begin/curve_chain.h"
+#include "sweep/kernel/begin/motion_from_curve.h"
+#include "sweep/kernel/begin/smooth_curve.h"
+#include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/product_surface.h"
-#include "sweep/kernel/smooth_curve.h"
 #include "sweep/kernel/solid.h"
 
 using namespace blossom;

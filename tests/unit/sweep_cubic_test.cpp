@@ -4,7 +4,7 @@
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"
 #include "sweep/kernel/cubic_spline.h"
-#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/grid/motion_point.h"
 
 using namespace blossom;
 using namespace blossom::test;

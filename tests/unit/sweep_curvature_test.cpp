@@ -3,9 +3,9 @@
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/grid_curvature.h"
-#include "sweep/kernel/motion_grid.h"
-#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/grid/grid_curvature.h"
+#include "sweep/kernel/grid/motion_grid.h"
+#include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/product_surface.h"
 #include "sweep/kernel/validity.h"
 

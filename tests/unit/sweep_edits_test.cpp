@@ -6,9 +6,9 @@
 #include "support/modeling.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/apply_edits.h"
-#include "sweep/kernel/motion_point.h"
-#include "sweep/kernel/pull.h"
+#include "sweep/kernel/edit/apply_edits.h"
+#include "sweep/kernel/edit/pull.h"
+#include "sweep/kernel/grid/motion_point.h"
 #include "transport/shape_transport.h"
 
 using namespace blossom;

@@ -6,9 +6,9 @@
 #include "support/bishop.h"
 #include "support/smooth_curves.h"
 #include "support/support.h"
-#include "sweep/kernel/frame_spline.h"
-#include "sweep/kernel/quaternion_frame.h"
-#include "sweep/kernel/rotation_minimizing.h"
+#include "sweep/kernel/begin/frame_spline.h"
+#include "sweep/kernel/begin/quaternion_frame.h"
+#include "sweep/kernel/begin/rotation_minimizing.h"
 
 using namespace blossom;
 using namespace blossom::test;

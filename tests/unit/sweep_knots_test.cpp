@@ -1,9 +1,9 @@
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/motion_knots.h"
-#include "sweep/kernel/motion_point.h"
-#include "sweep/kernel/primitive_motions.h"
+#include "sweep/kernel/begin/motion_knots.h"
+#include "sweep/kernel/begin/primitive_motions.h"
+#include "sweep/kernel/grid/motion_point.h"
 
 using namespace blossom;
 using namespace blossom::test;

@@ -2,9 +2,9 @@
 
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/iso_curves.h"
-#include "sweep/kernel/live_grid.h"
-#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/grid/iso_curves.h"
+#include "sweep/kernel/grid/live_grid.h"
+#include "sweep/kernel/grid/motion_point.h"
 
 using namespace blossom;
 using namespace blossom::test;

@@ -5,8 +5,8 @@
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/direct_manipulation.h"
-#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/edit/direct_manipulation.h"
+#include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/validity.h"
 
 using namespace blossom;

@@ -6,8 +6,8 @@
 #include "exchange/formats.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/motion_grid.h"
-#include "sweep/kernel/motion_point.h"
+#include "sweep/kernel/grid/motion_grid.h"
+#include "sweep/kernel/grid/motion_point.h"
 #include "sweep/manipulators/place_under_mouse.h"
 
 using namespace blossom;

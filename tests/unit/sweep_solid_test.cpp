@@ -10,7 +10,7 @@
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"
-#include "sweep/kernel/motion_grid.h"
+#include "sweep/kernel/grid/motion_grid.h"
 #include "sweep/kernel/product_surface.h"
 #include "sweep/kernel/solid.h"
 

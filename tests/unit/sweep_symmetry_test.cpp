@@ -6,10 +6,10 @@
 #include "support/motion_sizes.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/motion_point.h"
-#include "sweep/kernel/pull.h"
-#include "sweep/kernel/quaternion.h"
-#include "sweep/kernel/twist.h"
+#include "sweep/kernel/edit/pull.h"
+#include "sweep/kernel/edit/quaternion.h"
+#include "sweep/kernel/edit/twist.h"
+#include "sweep/kernel/grid/motion_point.h"
 
 using namespace blossom;
 using namespace blossom::test;

@@ -4,9 +4,9 @@
 #include "support/motion_sizes.h"
 #include "support/motions.h"
 #include "support/support.h"
-#include "sweep/kernel/motion_point.h"
-#include "sweep/kernel/pull.h"
-#include "sweep/kernel/twist.h"
+#include "sweep/kernel/edit/pull.h"
+#include "sweep/kernel/edit/twist.h"
+#include "sweep/kernel/grid/motion_point.h"
 
 using namespace blossom;
 using namespace blossom::test;

@@ -10,8 +10,8 @@
 #include "core/parallel.h"
 #include "geometry/bspline/product.h"
 #include "kernel/cubic_spline.h"
-#include "kernel/motion_grid.h"
-#include "kernel/motion_point.h"
+#include "kernel/grid/motion_grid.h"
+#include "kernel/grid/motion_point.h"
 #include "kernel/surface_grid.h"
 #include "kernel/vanishing.h"
 

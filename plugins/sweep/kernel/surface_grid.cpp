@@ -1,6 +1,6 @@
 #include "kernel/surface_grid.h"
 
-#include "kernel/factor_grid.h"
+#include "kernel/grid/factor_grid.h"
 
 namespace blossom::sweep {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "kernel/motion_grid.h"
-#include "kernel/motion_point.h"
+#include "kernel/grid/motion_grid.h"
+#include "kernel/grid/motion_point.h"
 #include "kernel/product_surface.h"
 
 namespace blossom::sweep {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "geometry/bspline/bspline.h"
-#include "kernel/motion_point.h"
-#include "kernel/quaternion.h"
+#include "kernel/edit/quaternion.h"
+#include "kernel/grid/motion_point.h"
 
 namespace blossom::sweep {
 
@@ -77,7 +77,7 @@ Vec3 reachableTarget(const Motion& motion, const MotionPlace& at, PullMode::Way 
   const Vec4 r = evaluate(motion.orientation, at.u, at.v);
   if (!(r.squaredNorm() > 0)) return wanted;
   Vec3 inFrame = turnedBack(r, arm);
-  constexpr double noComponent = 1e-9;  // as in kernel/pull.cpp
+  constexpr double noComponent = 1e-9;  // as in kernel/edit/pull.cpp
   for (Eigen::Index k = 0; k < 3; ++k)
     if (std::abs(motion.point[k]) <= noComponent * motion.point.cwiseAbs().maxCoeff()) inFrame[k] = 0;
   return centre + turnedBack(conjugate(r), inFrame);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/bspline/bspline.h"
-#include "kernel/motion_symmetry.h"
+#include "kernel/edit/motion_symmetry.h"
 #include "manipulators/place_under_mouse.h"
 
 namespace blossom::sweep {

@@ -1,7 +1,7 @@
 #include "manipulators/live_edit.h"
 
 #include "core/error.h"
-#include "kernel/apply_edits.h"
+#include "kernel/edit/apply_edits.h"
 
 namespace blossom::sweep {
 

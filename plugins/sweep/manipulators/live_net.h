@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "kernel/motion_grid.h"
+#include "kernel/grid/motion_grid.h"
 
 namespace blossom::sweep {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/motion_point.h"
-#include "kernel/motion_symmetry.h"
+#include "kernel/edit/motion_symmetry.h"
+#include "kernel/grid/motion_point.h"
 
 namespace blossom::sweep {
 

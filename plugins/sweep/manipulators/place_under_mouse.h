@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "geometry/shape/motion_edit.h"
-#include "kernel/live_grid.h"
+#include "kernel/grid/live_grid.h"
 #include "scene/picking.h"
 #include "scene/ray_tree.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kernel/motion_symmetry.h"
+#include "kernel/edit/motion_symmetry.h"
 #include "manipulators/live_net.h"
 
 namespace blossom::sweep {

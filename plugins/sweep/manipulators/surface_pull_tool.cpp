@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
-#include "kernel/apply_edits.h"
-#include "kernel/motion_symmetry.h"
+#include "kernel/edit/apply_edits.h"
+#include "kernel/edit/motion_symmetry.h"
 
 namespace blossom::sweep {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/motion_from_curve.h"
+#include "kernel/begin/motion_from_curve.h"
 #include "samples.h"
 
 namespace blossom::sweep::samples {

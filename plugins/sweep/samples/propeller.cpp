@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/direct_manipulation.h"
+#include "kernel/edit/direct_manipulation.h"
 #include "samples.h"
 
 namespace blossom::sweep::samples {

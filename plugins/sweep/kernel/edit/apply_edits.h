@@ -1,0 +1,16 @@
+#pragma once
+#include "core/progress.h"
+#include "geometry/shape/motion.h"
+#include "kernel/edit/edit_result.h"
+
+namespace blossom::sweep {
+
+/// The motion after one edit, see `pull` and `twist`.
+EditResult edited(const Motion&, const MotionEdit&, const Progress& = Progress::none());
+
+/// The motion with its own edits applied in order, and none left.
+/// @throws Error InvalidInput naming the place of the edit ("edits[2]"), the reason and what to do, when an edit is wrong or
+/// a place of it does not arrive; Cancelled.
+Motion withEditsApplied(const Motion&, const Progress& = Progress::none());
+
+}  // namespace blossom::sweep

@@ -1,0 +1,126 @@
+#include "kernel/edit/edit_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "geometry/bspline/bspline.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr std::size_t mostPlaces = 500;
+constexpr int largestFold = 360;
+/// A residual above this share of what was wanted is more than rounding.
+constexpr double unmet = 1e-9;
+
+MotionPlace placeInside(const Motion& motion, const MotionPlace& place) {
+  const MotionPlace inside{insidePeriod(motion, place.u), place.v};
+  const auto require = [](const char* name, double value, std::pair<double, double> domain) {
+    if (value >= domain.first && value <= domain.second) return;
+    throw Error(
+        ErrorCode::InvalidParameter,
+        fmt::format("{} = {} lies outside the motion, which runs from {} to {}.", name, value, domain.first, domain.second),
+        "Give a place on the surface.");
+  };
+  require("u", inside.u, motion.domainU());
+  require("v", inside.v, motion.domainV());
+  return inside;
+}
+
+}  // namespace
+
+EditPlaces::EditPlaces(const Motion& motion, std::span<const MotionPlace> at, std::span<const MotionPlace> pins,
+                       const EditSymmetry& symmetry, const Progress& progress)
+    : given_(at.begin(), at.end()), symmetric_(symmetry.fold != 1 || symmetry.mirror), progress_(progress) {
+  if (symmetry.fold < 1 || symmetry.fold > largestFold)
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The fold of a symmetric edit must lie between 1 and {}; it is {}.",
+                                                         largestFold, symmetry.fold));
+  if (at.empty()) throw Error(ErrorCode::InvalidParameter, "An edit needs a place.", "Give u and v of a place.");
+  const std::size_t copies = static_cast<std::size_t>(symmetry.fold) * (symmetry.mirror ? 2 : 1);
+  if ((at.size() + pins.size()) * copies > mostPlaces)
+    throw Error(ErrorCode::LimitExceeded,
+                fmt::format("An edit of {} places and pins with {} copies each is too large; at most {} can be solved for "
+                            "together.",
+                            at.size() + pins.size(), copies, mostPlaces),
+                "Make several edits of it.");
+  for (std::size_t k = 0; k < at.size(); ++k)
+    for (const SymmetricPlace& copy : symmetricPlaces(motion, placeInside(motion, at[k]), symmetry)) {
+      if (!(evaluate(motion.orientation, copy.at.u, copy.at.v).squaredNorm() > 0))
+        throw Error(ErrorCode::Degenerate,
+                    fmt::format("The orientation of this motion vanishes at u = {}, v = {}.", copy.at.u, copy.at.v));
+      places_.push_back({copy.at, copy.turn, k});
+    }
+  for (const MotionPlace& pin : pins)
+    for (const SymmetricPlace& copy : symmetricPlaces(motion, placeInside(motion, pin), symmetry)) pins_.push_back(copy.at);
+  result_.motion = motion;
+}
+
+template <class Vector>
+Eigen::MatrixXd EditPlaces::wantedAt(const std::function<Vector(EditPlace&)>& wanted) {
+  Eigen::MatrixXd all(static_cast<Eigen::Index>(places_.size()), Vector::RowsAtCompileTime);
+  for (std::size_t k = 0; k < places_.size(); ++k) all.row(static_cast<Eigen::Index>(k)) = wanted(places_[k]).transpose();
+  return all;
+}
+
+template <class Row>
+PoleChange EditPlaces::changeOf(Row row, const Eigen::MatrixXd& wanted) {
+  progress_.check();
+  std::vector<PlaceRow> moved, pinned;
+  for (EditPlace& place : places_) {
+    moved.push_back(row(place.at));
+    if (moved.back().cancelled) place.obstacles.push_back(Unreached::Cancelled);
+  }
+  for (const MotionPlace& pin : pins_) pinned.push_back(row(pin));
+  PoleChange change = leastChange(moved, wanted, pinned, progress_);
+  together_ = change.residual > unmet * wanted.rowwise().norm().maxCoeff();
+  return change;
+}
+
+void EditPlaces::changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted) {
+  Curve& trajectory = result_.motion.trajectory;
+  const PoleChange change =
+      changeOf([&](const MotionPlace& at) { return placeRow(trajectory, at.v); }, wantedAt<Vec3>(wanted));
+  result_.movedPoles += applyChange(change, trajectory);
+}
+
+void EditPlaces::changeOrientation(const std::function<Vec4(EditPlace&)>& wanted) {
+  Surface& orientation = result_.motion.orientation;
+  const double closure = closureOfOrientation(result_.motion);
+  const PoleChange change =
+      changeOf([&](const MotionPlace& at) { return placeRow(orientation, at, closure); }, wantedAt<Vec4>(wanted));
+  result_.movedPoles += applyChange(change, orientation, closure);
+}
+
+void EditPlaces::changeScaling(const std::function<Vec4(EditPlace&)>& wanted) {
+  Surface& scaling = result_.motion.scaling;
+  const double closure = closureOfScaling(result_.motion);
+  const PoleChange change =
+      changeOf([&](const MotionPlace& at) { return placeRow(scaling, at, closure); }, wantedAt<Vec4>(wanted));
+  result_.movedPoles += applyChange(change, scaling, closure);
+}
+
+EditResult EditPlaces::finished(const std::function<double(const EditPlace&)>& left, double allowed, Unreached otherwise) {
+  const Unreached shared = !pins_.empty() ? Unreached::Pinned : symmetric_ ? Unreached::Symmetry : Unreached::TooClose;
+  result_.remainders.assign(given_.size(), 0);
+  for (const EditPlace& place : places_) {
+    const double remainder = left(place);
+    double& largest = result_.remainders[place.of];
+    largest = std::max(largest, remainder);
+    result_.remainder = std::max(result_.remainder, remainder);
+    if (remainder <= allowed) continue;
+    const auto tell = [&](Unreached why) {
+      const Obstacle obstacle{why, given_[place.of]};
+      if (std::find(result_.obstacles.begin(), result_.obstacles.end(), obstacle) == result_.obstacles.end())
+        result_.obstacles.push_back(obstacle);
+    };
+    for (const Unreached why : place.obstacles) tell(why);
+    if (place.obstacles.empty()) tell(together_ ? shared : otherwise);
+  }
+  return std::move(result_);
+}
+
+}  // namespace blossom::sweep

@@ -1,0 +1,55 @@
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/progress.h"
+#include "kernel/edit/edit_result.h"
+#include "kernel/edit/least_change.h"
+#include "kernel/edit/motion_symmetry.h"
+
+namespace blossom::sweep {
+
+/// A place to be edited, or a copy of one by symmetry.
+struct EditPlace {
+  MotionPlace at;        ///< inside the domain
+  Eigen::Matrix3d turn;  ///< what becomes of vectors from t(v)
+  std::size_t of = 0;    ///< index of the place of the edit
+  std::vector<Unreached> obstacles = {};
+};
+
+/// The places and pins of an edit with their copies, as rows of the factors, and the motion while it is edited. What pulls
+/// and twists share.
+class EditPlaces {
+ public:
+  /// @throws Error InvalidParameter for no place, a place outside the domain, or a fold outside 1 .. 360; LimitExceeded
+  /// above 500 places, pins and copies; as symmetricPlaces; Degenerate where the orientation vanishes.
+  EditPlaces(const Motion&, std::span<const MotionPlace> at, std::span<const MotionPlace> pins, const EditSymmetry&,
+             const Progress&);
+
+  /// Changes the value of a factor by `wanted(place)` at every place; pins stay. `wanted` sees the motion before the change.
+  void changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted);
+  void changeOrientation(const std::function<Vec4(EditPlace&)>& wanted);
+  void changeScaling(const std::function<Vec4(EditPlace&)>& wanted);
+
+  [[nodiscard]] const Motion& motion() const { return result_.motion; }
+  [[nodiscard]] const std::vector<EditPlace>& places() const { return places_; }
+
+  /// The result; a place has arrived when at most `allowed` of it is `left`. @param otherwise the reason when there is no
+  /// other
+  EditResult finished(const std::function<double(const EditPlace&)>& left, double allowed, Unreached otherwise);
+
+ private:
+  template <class Row>
+  PoleChange changeOf(Row row, const Eigen::MatrixXd& wanted);
+  template <class Vector>
+  Eigen::MatrixXd wantedAt(const std::function<Vector(EditPlace&)>& wanted);
+
+  EditResult result_;
+  std::vector<EditPlace> places_;
+  std::vector<MotionPlace> given_, pins_;
+  bool symmetric_, together_ = false;  ///< together_: the last change could not give every place what it wanted
+  Progress progress_;
+};
+
+}  // namespace blossom::sweep

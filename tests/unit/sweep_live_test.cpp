@@ -141,7 +141,7 @@ class SweepLiveTest : public QObject {
         const Marks all(marks.size(), 0);
         QCOMPARE(differences(live.grid(), full, all, 0), std::size_t{0});
         QCOMPARE(differences(live.grid(), before, marks, 0), std::size_t{0});
-        QVERIFY2(*std::max_element(marks.begin(), marks.end()) == 1, "no place is evaluated twice");
+        QVERIFY2(*std::max_element(marks.begin(), marks.end()) <= 1, "no place is evaluated twice");
         const auto count = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
         evaluated += count, kept += marks.size() - count;
       }
@@ -176,7 +176,7 @@ class SweepLiveTest : public QObject {
     }
   }
 
-  /// A pole next to the seam of a closed motion changes both ends of the domain and not the middle.
+  /// A pole next to the seam of a closed motion changes both ends of the domain and not what lies between.
   void editsReachRoundTheSeam() {
     auto random = seededRandom();
     for (const ClosedU closed : {ClosedU::Periodic, ClosedU::AntiPeriodic}) {
@@ -189,7 +189,8 @@ class SweepLiveTest : public QObject {
       r.pole(free + 1, 0) = signOf(motion, r) * r.pole(1, 0);
       const Marks marks = marked(live.update(motion), live.grid());
       QVERIFY(marks.front() == 1 && marks[99 * 20] == 1);
-      QVERIFY(marks[50 * 20] == 0);
+      for (std::size_t k = 0; k < 100; ++k)
+        if (!reaches(3, r.knotsU, 1, us[k]) && !reaches(3, r.knotsU, free + 1, us[k])) QVERIFY(marks[k * 20] == 0);
       for (std::size_t l = 0; l < 20; ++l) QVERIFY((live.grid().pointAt(0, l) - live.grid().pointAt(99, l)).norm() < 1e-11);
     }
   }
@@ -216,7 +217,7 @@ class SweepLiveTest : public QObject {
   void isoCurvesLieOnTheSurface() {
     auto random = seededRandom();
     for (int k = 0; k < 20; ++k) {
-      const Motion motion = motionOfKind(random, k);
+      const Motion motion = randomMotion(random, static_cast<ClosedU>(k % 3));
       const std::vector<double> us{randomIn(random, motion.domainU()), motion.domainU().second},
           vs{motion.domainV().first, randomIn(random, motion.domainV()), randomIn(random, motion.domainV())};
       const IsoCurves curves = isoCurves(motion, us, vs, 17);

@@ -18,16 +18,16 @@ namespace blossom::sweep {
 /// Every value equals that of evaluateGrid for the same motion and parameters, bit for bit.
 class LiveGrid {
  public:
-  /// @param us,vs parameters in the domain of the motion, which ascend
+  /// @param motion one that `validate` accepts, here and below  @param us,vs parameters in its domain, which ascend
   /// @throws Error InvalidParameter when they do not ascend.
-  LiveGrid(const Motion&, std::vector<double> us, std::vector<double> vs);
+  LiveGrid(const Motion& motion, std::vector<double> us, std::vector<double> vs);
 
   /// Takes an edited motion. Changed poles make a part of the grid new; other knots, degrees, closure or another point make
   /// all of it new, at the same parameters. O(poles + changed places * degreeU); under 0.3 ms for 256 x 256 places with wide
   /// vector units, so it is not interrupted.
   /// @returns what was evaluated, disjoint rectangles in the order of their rows; none when nothing has changed. Values
   /// outside have not been touched. Columns are rounded outwards to whole blocks (kernel/grid/grid_rows.h).
-  std::span<const GridRectangle> update(const Motion&);
+  std::span<const GridRectangle> update(const Motion& motion);
 
   [[nodiscard]] const MotionGrid& grid() const { return grid_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }

@@ -63,7 +63,7 @@ class Pull {
       const Vec3 centre = centreAt(place);
       // Half a turn about a copied axis; reflections turn the other way about the reflected one.
       const Vec3 axis = place.turn.determinant() * (place.turn * axis_);
-      const TurnTowards turn = turnTowards(pointAt(place) - centre, toOf(place) - centre, share, axis, 1e-13 * size_);
+      const TurnTowards turn = turnTowards(armAt(place), toOf(place) - centre, share, axis, 1e-13 * size_);
       if (!turn.turn) {
         place.obstacles.push_back(turn.why);
         return Vec4::Zero();
@@ -101,6 +101,12 @@ class Pull {
   }
   static Vec3 originOf(const Motion& motion, const MotionPlace& at) { return blossom::point(motion.trajectory, at.v); }
   [[nodiscard]] Vec3 centreAt(const EditPlace& place) const { return originOf(edit_.motion(), place.at); }
+  /// x - t from the factors, for the difference of two points near each other has lost its direction.
+  [[nodiscard]] Vec3 armAt(const EditPlace& place) const {
+    const Vec4 s = evaluate(edit_.motion().scaling, place.at.u, place.at.v);
+    return turned(evaluate(edit_.motion().orientation, place.at.u, place.at.v),
+                  s.head<3>().cwiseProduct(edit_.motion().point) / s[3]);
+  }
   [[nodiscard]] Vec3 pointAt(const EditPlace& place) const { return evaluate(edit_.motion(), place.at.u, place.at.v).point; }
   [[nodiscard]] const Vec3& toOf(const EditPlace& place) const {
     return to_[static_cast<std::size_t>(&place - edit_.places().data())];

@@ -20,12 +20,15 @@ inline Vec4 rotationAbout(const Vec3& axis, double radians) {
   return {std::cos(radians / 2), w.x(), w.y(), w.z()};
 }
 
-/// The vector a turned back by q: Q(q)^T a / |q|^2.
-inline Vec3 turnedBack(const Vec4& q, const Vec3& a) {
+/// The vector a turned by q: Q(q) a / |q|^2.
+inline Vec3 turned(const Vec4& q, const Vec3& a) {
   const Vec3 axis = q.tail<3>();
-  const Vec3 turned = (q[0] * q[0] - axis.squaredNorm()) * a + 2 * axis.dot(a) * axis - 2 * q[0] * axis.cross(a);
-  return turned / q.squaredNorm();
+  const Vec3 sum = (q[0] * q[0] - axis.squaredNorm()) * a + 2 * axis.dot(a) * axis + 2 * q[0] * axis.cross(a);
+  return sum / q.squaredNorm();
 }
+
+/// The vector a turned back by q: Q(q)^T a / |q|^2.
+inline Vec3 turnedBack(const Vec4& q, const Vec3& a) { return turned(conjugate(q), a); }
 
 /// Radians between the rotations of two quaternions.
 inline double angleBetween(const Vec4& a, const Vec4& b) {

@@ -215,7 +215,7 @@ class SweepFramesTest : public QObject {
     for (int k = 0; k < 12; ++k) {
       const SmoothCurve curve(k % 2 == 0 ? randomPath(random) : randomRing(random));
       const double tolerance = std::pow(10.0, -uniformInt(random, 2, 6));
-      const FrameSpline fitted = fitFrames(curve, {.tolerance = tolerance, .spans = 6});
+      const FrameSpline fitted = fitFrames(curve, {.tolerance = tolerance, .spans = 6, .maximumSpans = 2048});
       QVERIFY(fitted.deviation <= tolerance);
       // Elsewhere than where it was measured.
       const std::vector<double> at = evenly(1777);

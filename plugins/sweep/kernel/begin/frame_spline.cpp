@@ -132,12 +132,13 @@ FrameSpline fitFrames(const SmoothCurve& curve, const FrameSplineOptions& option
     result.closing = truth.frames.closing;
     result.spans = spans;
     if (result.deviation <= options.tolerance) return result;
-    if (2 * spans > std::max(options.maximumSpans, 2 * result.coarse.size()))
+    CubicBreaks finer = halvedWhere(breaks, errors, options.tolerance - truth.frames.uncertainty);
+    if (finer.at.size() > std::max(options.maximumSpans, 4 * result.coarse.size()))
       throw Error(ErrorCode::LimitExceeded,
                   fmt::format("With {} spans the frames still deviate by {:.3g} degrees near v = {:.6g}.", spans,
                               toDegrees(result.deviation), breaks.at[static_cast<std::size_t>(worst - errors.begin())]),
                   "Ask for a larger tolerance, or smooth the curve there.");
-    breaks = halvedWhere(breaks, errors, options.tolerance - truth.frames.uncertainty);
+    breaks = std::move(finer);
   }
 }
 

@@ -1,4 +1,6 @@
 // How long the window's thread does not answer while jobs run. Prints figures; what they have to be is for others to say.
+#include <time.h>
+
 #include <QPushButton>
 
 #include "exchange/formats.h"
@@ -10,6 +12,17 @@
 
 using namespace blossom;
 using namespace blossom::ui;
+
+namespace {
+
+/// How long this thread has had a processor, ms.
+double computedMs() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+}  // namespace
 
 class StallTest : public WindowFixture {
   Q_OBJECT
@@ -64,8 +77,8 @@ void StallTest::makeModels() {
 void StallTest::theWatchSeesAStall() {
   StallWatch watch;
   QVERIFY(wait([&] { return watch.overall().wall > 0; }));
-  const std::int64_t start = QDateTime::currentMSecsSinceEpoch();
-  while (QDateTime::currentMSecsSinceEpoch() < start + 150) continue;  // the stall
+  const double start = computedMs();
+  while (computedMs() < start + 150) continue;  // the stall: computing, as time that the host takes away does not count
   QVERIFY(wait([&] { return watch.overall().wall > 140; }));
   QVERIFY(watch.duringWork().wall == 0);
 }

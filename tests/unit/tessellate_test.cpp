@@ -242,6 +242,17 @@ class TessellateTest : public QObject {
     }
     COMPARE_NEAR(total, area(region), 0.001 * 6 * pi);
   }
+  void overlappingPartsOfARegionAreFilledEach() {
+    // What a drawing filled by the non-zero rule becomes.
+    const auto filled = [](const Region& region) {
+      const Tessellation t = tessellate(region, {0.001, 0.5});
+      double total = 0;
+      for (std::size_t i = 0; i < t.triangles.size(); ++i) total += triangleNormal(t, i).z() / 2;
+      return total;
+    };
+    const Region discs{{circle({0, 0}, 2, 2 * pi), circle({1, 0}, 2, 2 * pi), circle({1, 0}, 0.5, -2 * pi)}};
+    COMPARE_NEAR(filled(discs), (4 + 4 - 0.25) * pi, 0.001 * 9 * pi);
+  }
   void drawingsBecomePolylines() {
     const Tessellation t = tessellate(Curves{{circle({0, 0}, 2, 2 * pi)}, FillRule::EvenOdd}, {0.01, 0.5});
     QCOMPARE(t.edges.size(), std::size_t{1});

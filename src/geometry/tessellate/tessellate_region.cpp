@@ -18,15 +18,12 @@ double areaOf(const AreaTriangles& area) {
   return twice / 2;
 }
 
-/// Without normals, as planar drawings are shown flat, and without outlines, which are drawn as they are and numbered by
-/// their segments. The only face is the region itself.
-Tessellation flatFace(const AreaTriangles& area) {
-  Tessellation result;
-  result.points.reserve(area.points.size());
+/// Adds the triangles at z = 0, as parts of the only face, which is the region itself.
+void add(const AreaTriangles& area, Tessellation& result) {
+  const int first = static_cast<int>(result.points.size());
   for (const Vec2& p : area.points) result.points.emplace_back(p.x(), p.y(), 0);
-  result.triangles = area.triangles;
-  result.faceOfTriangle.assign(area.triangles.size(), 0);
-  return result;
+  for (const auto& [a, b, c] : area.triangles) result.triangles.push_back({first + a, first + b, first + c});
+  result.faceOfTriangle.resize(result.triangles.size(), 0);
 }
 
 }  // namespace
@@ -38,11 +35,18 @@ Tessellation tessellateRegion(const Region& region, const TessellationOptions& o
   for (const Path& loop : region.loops) perimeter += length(loop);
   // Where loops nearly touch, their polygons may cross at a coarse chord; the missing area shows it.
   double chord = options.chord;
+  const std::vector<RegionComponent> parts = components(region);
   for (int attempt = 0; attempt < 5; ++attempt, chord /= 8) {
-    std::vector<std::vector<Vec2>> polygons;
-    for (const Path& loop : region.loops) polygons.push_back(flatten(loop, chord));
-    const AreaTriangles filled = triangulateArea(polygons, progress);
-    if (std::abs(areaOf(filled) - wanted) <= perimeter * chord + 1e-6 * wanted) return flatFace(filled);
+    Tessellation result;  // without normals, as drawings are shown flat, and without outlines, which are drawn as they are
+    double filled = 0;
+    for (const RegionComponent& part : parts) {  // of a drawing filled by the non-zero rule, parts may overlap
+      std::vector<std::vector<Vec2>> polygons{flatten(region.loops[part.outer], chord)};
+      for (const std::size_t hole : part.holes) polygons.push_back(flatten(region.loops[hole], chord));
+      const AreaTriangles triangles = triangulateArea(polygons, progress);
+      filled += areaOf(triangles);
+      add(triangles, result);
+    }
+    if (std::abs(filled - wanted) <= perimeter * chord + 1e-6 * wanted) return result;
   }
   throw Error(ErrorCode::Degenerate, "The region cannot be divided into triangles.",
               "Look for loops that cross or touch one another.");

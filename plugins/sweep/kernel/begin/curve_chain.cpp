@@ -20,7 +20,7 @@ double polygonLength(const Curve& curve) {
 }
 
 /// Appends a clamped part of the same degree; its first pole is the last one there is.
-void append(Curve& chain, const Curve& part, double length) {
+void appendPart(Curve& chain, const Curve& part, double length) {
   const auto degree = static_cast<std::size_t>(chain.degree);
   const auto [from, to] = part.domain();
   const double start = chain.knots.empty() ? 0 : chain.knots.back(), step = length / (to - from);
@@ -54,7 +54,7 @@ Curve chained(std::span<const Curve> parts, double gap) {
                                 end.y(), end.z()),
                     "Join them first.");
     }
-    append(chain, same, length);
+    appendPart(chain, same, length);
   }
   const double end = chain.knots.back();
   for (double& knot : chain.knots) knot = knot == end ? 1 : knot / end;

@@ -76,7 +76,7 @@ Curve noTurn(std::size_t spans) {
 }
 
 /// Tensor product: first the turn in u, then that in v.
-Surface orientationOf(const TurnInU& u, const Curve& v) {
+Surface turnSurface(const TurnInU& u, const Curve& v) {
   std::vector<Vec4> poles;
   for (const Vec4& inner : u.poles)
     for (const Vec4& outer : v.poles) poles.push_back(quaternion::times(outer, inner));
@@ -86,7 +86,7 @@ Surface orientationOf(const TurnInU& u, const Curve& v) {
 
 /// The first factor of the scaling, linear in u and in v; `scale` takes the parameters 0..1 to mm.
 template <class Scale>
-Surface scalingOf(const TurnInU& u, std::size_t columns, Scale scale) {
+Surface scaleSurface(const TurnInU& u, std::size_t columns, Scale scale) {
   const std::vector<double> knotsV = clampedKnots(3, evenBreaks(columns));
   const std::vector<double> inV = grevilleAbscissae(3, knotsV);
   std::vector<double> inU(u.poles.size(), 0.0);  // a closed motion scales alike all around
@@ -100,7 +100,7 @@ Surface scalingOf(const TurnInU& u, std::size_t columns, Scale scale) {
 
 template <class Scale>
 Motion motionOf(Curve trajectory, const TurnInU& u, const Curve& v, std::size_t columns, Scale scale) {
-  return {std::move(trajectory), orientationOf(u, v), scalingOf(u, columns, scale),
+  return {std::move(trajectory), turnSurface(u, v), scaleSurface(u, columns, scale),
           u.closed ? ClosedU::AntiPeriodic : ClosedU::No, Vec3::Ones()};
 }
 

@@ -36,7 +36,7 @@ BLOSSOM_INLINE void sumRows(const FactorRow& row, std::size_t component, std::si
   const std::size_t next = 8 * row.stride;
   double n[Degree + 1], dn[Degree + 1];
   for (int k = 0; k <= Degree; ++k) n[k] = row.n[k], dn[k] = row.dn[k];
-#pragma GCC ivdep
+  BLOSSOM_INDEPENDENT_STEPS
   for (std::size_t j = 0; j < count; ++j) {
     double a = 0, b = 0, d = 0;
     for (int k = 0; k <= Degree; ++k) {
@@ -56,7 +56,7 @@ BLOSSOM_INLINE void sumRowsOfAnyDegree(const FactorRow& row, std::size_t compone
     const double* value = row.rows + (static_cast<std::size_t>(k) * 8 + component) * row.stride;
     const double* slope = value + 4 * row.stride;
     const double n = row.n[k], dn = row.dn[k];
-#pragma GCC ivdep
+    BLOSSOM_INDEPENDENT_STEPS
     for (std::size_t j = 0; j < count; ++j) {
       f[j] += n * value[j];
       fu[j] += dn * value[j];

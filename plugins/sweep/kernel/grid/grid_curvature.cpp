@@ -65,7 +65,7 @@ void combineCurvature(const FactorJets& r, const FactorJets& s, const Triple& p,
                *az = t.derivative[2].data() + begin;
   const double *bx = t.second[0].data() + begin, *by = t.second[1].data() + begin, *bz = t.second[2].data() + begin;
   double *const gaussian = out.gaussian + begin, *const mean = out.mean + begin;
-#pragma GCC ivdep
+  BLOSSOM_INDEPENDENT_STEPS
   for (std::size_t j = 0; j < count; ++j) {
     const Derivatives x = inMovingFrame(r, s, j, p, {ax[j], ay[j], az[j]}, {bx[j], by[j], bz[j]});
     const Triple n = cross(x.u, x.v);

@@ -49,7 +49,7 @@ template <bool Derivatives>
 BLOSSOM_INLINE void combine(const FactorBlock& r, const FactorBlock& s, const Vec3& p, const TrajectoryBlock& t,
                             std::size_t count, const OutputBlock& out) {
   const double p0 = p.x(), p1 = p.y(), p2 = p.z();
-#pragma GCC ivdep
+  BLOSSOM_INDEPENDENT_STEPS
   for (std::size_t j = 0; j < count; ++j) {
     const double w = r.value[0][j], x = r.value[1][j], y = r.value[2][j], z = r.value[3][j];
     const double inverseSw = 1 / s.value[3][j], two = 2 / (w * w + x * x + y * y + z * z);
@@ -85,7 +85,7 @@ BLOSSOM_INLINE void combine(const FactorBlock& r, const FactorBlock& s, const Ve
 template <bool Derivatives>
 BLOSSOM_INLINE void combineOnAxis(const FactorBlock& r, const FactorBlock& s, double length, const TrajectoryBlock& t,
                                   std::size_t count, const OutputBlock& out) {
-#pragma GCC ivdep
+  BLOSSOM_INDEPENDENT_STEPS
   for (std::size_t j = 0; j < count; ++j) {
     const double w = r.value[0][j], x = r.value[1][j], y = r.value[2][j], z = r.value[3][j], sw = s.value[3][j];
     const double low = x * x + y * y, high = w * w + z * z, d = low + high;

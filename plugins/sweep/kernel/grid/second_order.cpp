@@ -18,7 +18,7 @@ void addRow(const double* planes, std::size_t stride, const RowWeights& n, std::
   for (std::size_t c = 0; c < 4; ++c) {
     const double *value = planes + c * stride, *slope = value + 4 * stride, *bend = slope + 4 * stride;
     auto& part = out.part;
-#pragma GCC ivdep
+    BLOSSOM_INDEPENDENT_STEPS
     for (std::size_t j = 0; j < count; ++j) {
       part[FactorJets::Value][c][j] += n.value * value[j];
       part[FactorJets::U][c][j] += n.derivative * value[j];

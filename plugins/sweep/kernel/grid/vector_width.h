@@ -9,3 +9,10 @@
 #endif
 // What such a function calls has to become part of it, or would be compiled for the narrowest width only.
 #define BLOSSOM_INLINE inline __attribute__((always_inline))
+
+// The steps of the loop below do not depend on each other through memory.
+#if defined(__GNUC__) && !defined(__clang__)
+#define BLOSSOM_INDEPENDENT_STEPS _Pragma("GCC ivdep")
+#else
+#define BLOSSOM_INDEPENDENT_STEPS
+#endif

@@ -7,8 +7,8 @@
 #include "support/smooth_curves.h"
 #include "support/support.h"
 #include "sweep/kernel/begin/frame_spline.h"
-#include "sweep/kernel/begin/quaternion_frame.h"
 #include "sweep/kernel/begin/rotation_minimizing.h"
+#include "sweep/kernel/quaternion.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -222,8 +222,8 @@ class SweepFramesTest : public QObject {
       const FrameResult truth = rotationMinimizingFrames(curve, at, {.accuracy = tolerance / 100});
       double worst = 0;
       for (const CurveFrame& frame : truth.frames)
-        worst = std::max(worst, quaternion::angleBetween(evaluate(fitted.quaternions, frame.at),
-                                                         quaternion::ofAxes(frame.normal, frame.binormal(), frame.tangent)));
+        worst = std::max(worst, angleBetween(evaluate(fitted.quaternions, frame.at),
+                                             rotationOfAxes(frame.normal, frame.binormal(), frame.tangent)));
       QVERIFY2(worst <= 1.1 * tolerance, qPrintable(QString("%1 > %2").arg(worst).arg(tolerance)));
       const Vec4 &first = fitted.quaternions.poles.front(), &last = fitted.quaternions.poles.back();
       if (curve.closed()) QVERIFY(first == last || first == -last);

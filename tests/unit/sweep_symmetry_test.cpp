@@ -7,9 +7,9 @@
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/edit/pull.h"
-#include "sweep/kernel/edit/quaternion.h"
 #include "sweep/kernel/edit/twist.h"
 #include "sweep/kernel/grid/motion_point.h"
+#include "sweep/kernel/quaternion.h"
 
 using namespace blossom;
 using namespace blossom::test;

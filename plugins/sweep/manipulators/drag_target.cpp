@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "geometry/bspline/bspline.h"
-#include "kernel/edit/quaternion.h"
 #include "kernel/grid/motion_point.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 

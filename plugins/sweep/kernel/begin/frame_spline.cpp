@@ -7,9 +7,9 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
-#include "kernel/begin/quaternion_frame.h"
 #include "kernel/begin/rotation_minimizing.h"
 #include "kernel/cubic_spline.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 
@@ -53,7 +53,7 @@ TrueFrames trueFrames(const SmoothCurve& curve, const CubicBreaks& breaks, const
   TrueFrames result{
       rotationMinimizingFrames(curve, at, {.normal = options.normal, .accuracy = options.tolerance / 50}, progress), {}};
   for (const CurveFrame& frame : result.frames.frames) {
-    const Vec4 q = quaternion::ofAxes(frame.normal, frame.binormal(), frame.tangent);
+    const Vec4 q = rotationOfAxes(frame.normal, frame.binormal(), frame.tangent);
     const bool opposed = !result.quaternions.empty() && q.dot(result.quaternions.back()) < 0;
     result.quaternions.push_back(opposed ? Vec4(-q) : q);
   }
@@ -69,7 +69,7 @@ Vec4 frameSlope(const SmoothCurve& curve, const TrueFrames& truth, std::size_t n
   const CurvePoint at = curve.at(truth.frames.frames[node].at, piece);
   Vec3 turning = at.turning();
   if (truth.frames.length > 0) turning += truth.frames.closing / truth.frames.length * at.first;
-  return quaternion::times(Vec4(0, turning.x(), turning.y(), turning.z()), truth.quaternions[node]) / 2;
+  return times(Vec4(0, turning.x(), turning.y(), turning.z()), truth.quaternions[node]) / 2;
 }
 
 Curve interpolateFrames(const SmoothCurve& curve, const CubicBreaks& breaks, const TrueFrames& truth) {
@@ -99,7 +99,7 @@ std::vector<double> frameErrors(const Curve& fitted, const TrueFrames& truth, st
     for (std::size_t i = 1; i < partsOfSpan; ++i) {
       const std::size_t node = k * partsOfSpan + i;
       const Vec4 q = evaluate(fitted, truth.frames.frames[node].at);
-      errors[k] = std::max(errors[k], quaternion::angleBetween(truth.quaternions[node], q));
+      errors[k] = std::max(errors[k], angleBetween(truth.quaternions[node], q));
     }
   return errors;
 }

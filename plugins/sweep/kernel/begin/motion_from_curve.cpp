@@ -6,9 +6,9 @@
 #include "core/error.h"
 #include "kernel/begin/frame_spline.h"
 #include "kernel/begin/polar_fit.h"
-#include "kernel/begin/quaternion_frame.h"
 #include "kernel/begin/smooth_curve.h"
 #include "kernel/begin/turning_spline.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 
@@ -33,8 +33,7 @@ PolarFit sectionOf(const CurveMotionOptions& options, const Progress& progress) 
 Surface orientationOf(const Curve& frames, std::size_t rows, double start) {
   std::vector<Vec4> poles;
   for (const double half : closedTurn(rows, start))
-    for (const Vec4& frame : frames.poles)
-      poles.push_back(quaternion::times(frame, quaternion::about(Vec3::UnitZ(), 2 * half)));
+    for (const Vec4& frame : frames.poles) poles.push_back(times(frame, rotationAbout(Vec3::UnitZ(), 2 * half)));
   return unwrapped(3, 3, evenBreaks(rows), frames.knots, std::move(poles), -1);
 }
 

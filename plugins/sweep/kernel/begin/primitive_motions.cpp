@@ -9,9 +9,9 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
-#include "kernel/begin/quaternion_frame.h"
 #include "kernel/begin/turning_spline.h"
 #include "kernel/grid/motion_point.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 
@@ -62,7 +62,7 @@ struct TurnInU {
 
 TurnInU aroundAxis(std::size_t rows, const Vec3& axis) {
   TurnInU result{true, evenBreaks(rows), {}};
-  for (const double half : closedTurn(rows)) result.poles.push_back(quaternion::about(axis, 2 * half));
+  for (const double half : closedTurn(rows)) result.poles.push_back(rotationAbout(axis, 2 * half));
   return result;
 }
 
@@ -79,7 +79,7 @@ Curve noTurn(std::size_t spans) {
 Surface turnSurface(const TurnInU& u, const Curve& v) {
   std::vector<Vec4> poles;
   for (const Vec4& inner : u.poles)
-    for (const Vec4& outer : v.poles) poles.push_back(quaternion::times(outer, inner));
+    for (const Vec4& outer : v.poles) poles.push_back(times(outer, inner));
   if (u.closed) return unwrapped(3, 3, u.knots, v.knots, std::move(poles), -1);
   return {3, 3, u.knots, v.knots, std::move(poles)};
 }
@@ -117,7 +117,7 @@ Motion sphereMotion(const PrimitiveOptions& o) {
   std::vector<Vec4> poles;
   const TurnInU around = aroundAxis(o.rows, Vec3::UnitZ());
   for (const Vec4& longitude : around.poles)
-    for (const Vec4& pole : latitude.poles) poles.push_back(quaternion::times(longitude, pole));
+    for (const Vec4& pole : latitude.poles) poles.push_back(times(longitude, pole));
   Motion motion = motionOf(straightLine(o.columns, Vec3::Zero(), Vec3::Zero()), around, noTurn(o.columns), o.columns,
                            [&](double, double) { return o.radius; });
   motion.orientation = unwrapped(3, 3, around.knots, latitude.knots, std::move(poles), -1);

@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "kernel/edit/place_row.h"
-#include "kernel/edit/quaternion.h"
 #include "kernel/edit/section_rows.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 

@@ -8,9 +8,9 @@
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "kernel/edit/edit_places.h"
-#include "kernel/edit/quaternion.h"
 #include "kernel/edit/turn_towards.h"
 #include "kernel/grid/motion_point.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 

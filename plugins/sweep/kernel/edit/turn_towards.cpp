@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "kernel/edit/quaternion.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "kernel/edit/edit_places.h"
-#include "kernel/edit/quaternion.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 

@@ -30,8 +30,8 @@ struct MotionGrid {
 enum class GridDerivatives { No, Yes };
 
 /// Evaluates the motion by its factors at all pairs of the parameters, without forming the product surface. Basis functions
-/// are tabulated once for each u and v and the factors are summed in two stages (kernel/grid/grid_rows.h). Reuses the memory of
-/// `grid`. Single-threaded; about 15 ns per point, 6 ns with wide vector units.
+/// are tabulated once for each u and v and the factors are summed in two stages (kernel/grid/grid_rows.h). Reuses the memory
+/// of `grid`. Single-threaded; about 15 ns per point, 6 ns with wide vector units.
 /// @throws Error Cancelled.
 void evaluateGrid(const Motion&, std::span<const double> us, std::span<const double> vs, MotionGrid& grid,
                   GridDerivatives = GridDerivatives::No, const Progress& = Progress::none());

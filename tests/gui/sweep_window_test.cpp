@@ -7,6 +7,7 @@
 #include "support/sweep_formulas.h"
 #include "ui/plugin/tool.h"
 #include "ui/thread/stall_watch.h"
+#include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 

@@ -143,8 +143,8 @@ class SweepUnreachedTest : public QObject {
     VERIFY_ERROR(pull(readMotionOf("helicoid.json"), {{{1.5, 0.5}}, {Vec3::Zero()}}), ErrorCode::InvalidParameter);
     VERIFY_ERROR(twist(motion, {{middle}, Vec3::Zero(), 30}), ErrorCode::InvalidParameter);
     VERIFY_ERROR(twist(motion, {{middle}, Vec3::UnitX(), 361}), ErrorCode::InvalidParameter);
-    const std::vector<MotionPlace> many(501, middle);
-    VERIFY_ERROR(refused({many, std::vector<Vec3>(501, Vec3::Zero())}), ErrorCode::LimitExceeded);
+    const std::vector<MotionPlace> many(401, middle);
+    VERIFY_ERROR(refused({many, std::vector<Vec3>(401, Vec3::Zero())}), ErrorCode::LimitExceeded);
     CancelToken token;
     token.cancel();
     VERIFY_ERROR(pull(motion, {{middle}, {{20, 0, 20}}}, Progress(token)), ErrorCode::Cancelled);

@@ -12,7 +12,7 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr std::size_t mostPlaces = 500;
+constexpr std::size_t mostPlaces = 400;
 constexpr int largestFold = 360;
 /// A residual above this share of what was wanted is more than rounding.
 constexpr double unmet = 1e-9;

@@ -23,7 +23,7 @@ struct EditPlace {
 class EditPlaces {
  public:
   /// @throws Error InvalidParameter for no place, a place outside the domain, or a fold outside 1 .. 360; LimitExceeded
-  /// above 500 places, pins and copies; as symmetricPlaces; Degenerate where the orientation vanishes.
+  /// above 400 places, pins and copies; as symmetricPlaces; Degenerate where the orientation vanishes.
   EditPlaces(const Motion&, std::span<const MotionPlace> at, std::span<const MotionPlace> pins, const EditSymmetry&,
              const Progress&);
 

@@ -1,6 +1,7 @@
 #include "kernel/edit/least_change.h"
 
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 
 namespace blossom::sweep {
@@ -10,7 +11,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+/// Share of the largest row below which places, and pins, count as dependent on others.
 constexpr double dependent = 1e-6, dependentPin = 1e-12;
+/// Directions this much weaker than the strongest enlarge rounding; a part of what is wanted that is as small as this is
+/// rounding.
+constexpr double enlarging = 1e-2, onlyRounding = 1e-13;
 
 /// The poles that may change, and the pins that restrict them.
 struct Involved {
@@ -58,35 +63,35 @@ MatrixXd columnsOf(std::span<const PlaceRow> places, const std::vector<std::size
   return columns;
 }
 
-/// A decomposition of a matrix whose columns are places; a pivot is what a place adds to those before it.
-struct Places {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  Index rank = 0;
-  /// @param smallest pivot that still counts
-  Places(const MatrixXd& columns, double smallest) : qr(columns) {
-    if (!(qr.maxPivot() > smallest)) return;
-    qr.setThreshold(smallest / qr.maxPivot());
-    rank = qr.rank();
-  }
-  /// Orthonormal columns that span those of the matrix.
-  [[nodiscard]] MatrixXd span() const { return qr.householderQ() * MatrixXd::Identity(qr.rows(), rank); }
-};
+/// Orthonormal columns that span those of a matrix.
+MatrixXd spanOf(const MatrixXd& columns) {
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  qr.setThreshold(dependentPin);
+  return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
+}
 
 void removeSpan(MatrixXd& columns, const MatrixXd& span) {
   // Twice is enough: once more removes what rounding left.
   for (int pass = 0; pass < 2; ++pass) columns -= span * (span.transpose() * columns);
 }
 
-/// The shortest x that meets columns^T x = wanted in the least-squares sense.
+/// The shortest x that meets columns^T x = wanted in the least-squares sense. Directions of which `wanted` asks nothing but
+/// rounding are left out where they would enlarge it: copies of an edit stay copies.
 MatrixXd shortest(const MatrixXd& columns, const MatrixXd& wanted, double smallest) {
-  const Places places(columns, smallest);
-  if (places.rank == 0) return MatrixXd::Zero(columns.rows(), wanted.cols());
-  const MatrixXd right = places.qr.colsPermutation().transpose() * wanted;
-  MatrixXd lower = places.qr.matrixR().topRows(places.rank).template triangularView<Eigen::Upper>();
-  lower.transposeInPlace();
-  const MatrixXd along = places.rank == lower.rows() ? MatrixXd(lower.template triangularView<Eigen::Lower>().solve(right))
-                                                     : MatrixXd(lower.householderQr().solve(right));
-  return places.span() * along;
+  const Eigen::HouseholderQR<MatrixXd> qr(columns);
+  const Index count = std::min(columns.rows(), columns.cols());
+  const MatrixXd right = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
+  const Eigen::BDCSVD<MatrixXd> svd(right.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::VectorXd& values = svd.singularValues();
+  MatrixXd along = svd.matrixU().transpose() * wanted;
+  for (Index k = 0; k < count; ++k) {
+    const bool unasked = values[k] < enlarging * values[0] && along.row(k).norm() <= onlyRounding * wanted.norm();
+    if (values[k] > smallest && !unasked)
+      along.row(k) /= values[k];
+    else
+      along.row(k).setZero();
+  }
+  return qr.householderQ() * MatrixXd::Identity(columns.rows(), count) * (svd.matrixV() * along);
 }
 
 /// One place and no pins.
@@ -108,8 +113,7 @@ PoleChange leastChange(std::span<const PlaceRow> moved, const MatrixXd& wanted, 
   progress.check();
   MatrixXd span(places.rows(), 0), free = places;
   if (!all.pins.empty()) {
-    const MatrixXd held = columnsOf(all.pins, all.pole);
-    span = Places(held, dependentPin * held.colwise().norm().maxCoeff()).span();
+    span = spanOf(columnsOf(all.pins, all.pole));
     removeSpan(free, span);
   }
   progress.check();

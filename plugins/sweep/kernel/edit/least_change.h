@@ -21,10 +21,9 @@ struct PoleChange {
 ///
 /// One place: dC = N / sum(N^2) * wanted (Piegl & Tiller, The NURBS Book, section 11.2). Several: with the rows A of the
 /// places and P of the pins, the minimum-norm solution of min |A dC - wanted| over all dC with P dC = 0: A is projected on
-/// the null space of P, then solved by a rank-revealing QR decomposition of its transpose. Pins therefore hold even where
-/// the places contradict them or each other; those are met by least squares then, and `residual` says by how much they miss.
-/// Poles that share no place, directly or over pins, with a moved one do not change. A row that differs from a combination
-/// of others by less than a millionth counts as one.
+/// the null space of P, then solved by its singular values. Pins therefore hold even where the places contradict them or
+/// each other; those are met by least squares then, and `residual` says by how much they miss. Poles that share no place,
+/// directly or over pins, with a moved one do not change. Singular values below a millionth of the largest row count as 0.
 /// @param wanted a row for each moved place
 /// O(n m^2) for m places and pins and the n poles they touch. @throws Error Cancelled.
 PoleChange leastChange(std::span<const PlaceRow> moved, const Eigen::MatrixXd& wanted, std::span<const PlaceRow> pins,

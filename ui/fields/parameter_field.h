@@ -1,9 +1,13 @@
 #pragma once
 #include <QWidget>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "naming/likeness.h"
 #include "parameter/parameter.h"
+#include "ui/fields/marked_parts.h"
 #include "ui/fields/pick_request.h"
 
 class QLabel;
@@ -14,7 +18,6 @@ class QMenu;
 namespace blossom::ui {
 
 class FieldLabel;
-struct Pick;
 
 inline constexpr int labelWidth = 92;  ///< of the names in a form, pixels
 
@@ -28,6 +31,10 @@ struct FieldContext {
   bool picking = false;
   std::vector<Source> sources;  ///< shapes whose faces, edges and vertices may be chosen
   NamedNumbers names;           ///< numbers that expressions may use
+  std::vector<Value> lost;      ///< parts that the feature did not find again
+  /// What a part that was picked looks like; nothing when its shape is not known.
+  std::function<std::optional<Likeness>(const Pick&)> likenessOf = [](const Pick&) { return std::nullopt; };
+  std::function<void(const MarkedParts&)> mark = [](const MarkedParts&) {};  ///< in the view, until the next call
 
   /// "Face 3 of Base"; brief: "Face 3" when only one shape is possible.
   [[nodiscard]] QString nameOf(const Value& subShape, bool brief = false) const;
@@ -63,6 +70,8 @@ class ParameterField : public QWidget {
   /// editor.
   virtual bool takePick(const Pick&) { return false; }
   virtual void pickEnded() {}
+  /// Shows the value anew, because other parts are lost.
+  virtual void lostChanged() {}
   void resetToDefault();
   /// For fields in rows of a list: no label, and no reset to the default.
   virtual void hideLabel();

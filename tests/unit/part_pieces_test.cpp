@@ -70,6 +70,7 @@ class PartPiecesTest : public QObject {
   void whatMovedAwayIsNotGuessed();
   void edgesBesideARemovedCornerStay();
   void twoEdgesBetweenTheSameSides();
+  void thoseThatAreNotLostGetTheirNumbers();
 };
 
 void PartPiecesTest::filletsStayWhileASideIsDivided_data() {
@@ -142,6 +143,22 @@ void PartPiecesTest::twoEdgesBetweenTheSameSides() {
     QVERIFY(isAt(placeAfter(before, place, before), place));
     QVERIFY(isAt(placeAfter(before, place, after), place));
   }
+}
+
+// So that the window shows which one is lost, and the others by the numbers that they have now.
+void PartPiecesTest::thoseThatAreNotLostGetTheirNumbers() {
+  Corners corners({{0, 0}, {30, -8}, {60, 0}, {60, 40}, {0, 40}});
+  const Vec3 gone(30, -8, height / 2), stays(60, 40, height / 2);
+  const Value kept = keptEdges(prism(corners), {gone, stays});
+  corners.erase(1);
+  const Results results = evaluated(rounded(prism(corners), kept));
+  const FeatureResult& fillet = *results.at("fillet");
+  QVERIFY(fillet.error.has_value());
+  QCOMPARE(fillet.lost, std::vector<Value>{kept.at(0)});
+  const Value& edges = fillet.parts.at("edges");
+  QCOMPARE(edges.at(0), kept.at(0));
+  const Shape& solid = results.at("prism")->evaluated.shape;
+  QVERIFY(isAt(likenessOf(solid, SubShapeKind::Edge, edges.at(1).at("index").get<int>()).place, stays));
 }
 
 QTEST_GUILESS_MAIN(PartPiecesTest)

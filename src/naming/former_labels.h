@@ -2,6 +2,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "naming/namer.h"
 #include "parameter/value.h"
@@ -28,7 +29,12 @@ class FormerLabels {
  private:
   const Value& sources_;
   Pieces pieces_;
-  std::map<std::string, std::optional<int>> found_;
+  struct Now {
+    std::optional<int> whole;
+    std::vector<int> pieces;
+  };
+  const Now& now(const std::string& label, const Value& described, const Shape&, SubShapeKind);
+  std::map<std::string, Now> found_;
 };
 
 }  // namespace blossom

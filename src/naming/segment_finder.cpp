@@ -20,7 +20,7 @@ std::optional<int> onlyAt(const PlacedLoop& loop, const std::optional<SegmentPla
   return found;
 }
 
-std::optional<int> beside(const PlacedLoop& loop, std::optional<int> k, int step) {
+std::optional<int> stepFrom(const PlacedLoop& loop, std::optional<int> k, int step) {
   if (!k || !loop.at(*k + step)) return std::nullopt;
   return loop.closed ? (*k + step + loop.size()) % loop.size() : *k + step;
 }
@@ -109,11 +109,11 @@ bool SegmentFinder::overlaps(const SegmentPlace& other) const {
 }
 
 std::optional<int> SegmentFinder::after(const PlacedLoop& loop) const {
-  return beside(loop, onlyAt(loop, before_, tolerance_), 1);
+  return stepFrom(loop, onlyAt(loop, before_, tolerance_), 1);
 }
 
 std::optional<int> SegmentFinder::ahead(const PlacedLoop& loop) const {
-  return beside(loop, onlyAt(loop, after_, tolerance_), -1);
+  return stepFrom(loop, onlyAt(loop, after_, tolerance_), -1);
 }
 
 }  // namespace blossom

@@ -239,6 +239,18 @@ void PanelPickingTest::theChipUnderTheMouseIsMarkedInTheView() {
   QEvent leave(QEvent::Leave);
   QApplication::sendEvent(chips[1], &leave);
   QVERIFY(!marked.pointed);
+
+  // The chip of another field: what is chosen for this one stays lit.
+  pickButton("face")->click();
+  panel_->offerPick(pickOf(SubShapeKind::Face, 0));
+  pickButton("edges")->click();
+  Chip* const other = shownChips(*field("face")).front();
+  QApplication::sendEvent(other, &enter);
+  QVERIFY(marked.pointed && marked.pointed->part.kind == SubShapeKind::Face);
+  QCOMPARE(marked.chosen.size(), std::size_t{2});
+  QApplication::sendEvent(other, &leave);
+  QVERIFY(!marked.pointed);
+  QCOMPARE(marked.chosen.size(), std::size_t{2});
   panel_->disconnect(this);
 }
 

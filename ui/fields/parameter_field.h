@@ -7,8 +7,8 @@
 
 #include "naming/likeness.h"
 #include "parameter/parameter.h"
-#include "ui/fields/marked_parts.h"
 #include "ui/fields/pick_request.h"
+#include "ui/plugin/tool.h"
 
 class QLabel;
 class QGridLayout;
@@ -34,7 +34,10 @@ struct FieldContext {
   std::vector<Value> lost;      ///< parts that the feature did not find again
   /// What a part that was picked looks like; nothing when its shape is not known.
   std::function<std::optional<Likeness>(const Pick&)> likenessOf = [](const Pick&) { return std::nullopt; };
-  std::function<void(const MarkedParts&)> mark = [](const MarkedParts&) {};  ///< in the view, until the next call
+  /// What a field holds for which more is picked, and the part whose chip the mouse is on: marked in the view until the next
+  /// call.
+  std::function<void(const std::vector<Pick>&)> markChosen = [](const std::vector<Pick>&) {};
+  std::function<void(const std::optional<Pick>&)> markPointed = [](const std::optional<Pick>&) {};
 
   /// "Face 3 of Base"; brief: "Face 3" when only one shape is possible.
   [[nodiscard]] QString nameOf(const Value& subShape, bool brief = false) const;

@@ -41,8 +41,7 @@ void SubShapeField::display(const Value&) {
     delete item;
   }
   const Value all = items();
-  const bool marking = !pointed_.is_null() || (pick_ && pick_->isChecked());
-  pointed_ = Value();  // its chip has gone
+  pointAt(Value(pointed_), false);  // its chip has gone
   for (std::size_t i = 0; i < all.size(); ++i) addChip(all[i], i);
   if (all.empty()) {
     const QString means = spec().noneMeans.empty() ? tr("none") : qt(spec().noneMeans);
@@ -51,7 +50,7 @@ void SubShapeField::display(const Value&) {
     flow_->addWidget(none);
   }
   chips_->updateGeometry();
-  if (marking) markParts();
+  if (picking()) markChosen();
 }
 
 void SubShapeField::addChip(const Value& part, std::size_t index) {
@@ -64,9 +63,9 @@ void SubShapeField::addChip(const Value& part, std::size_t index) {
 }
 
 void SubShapeField::pointAt(const Value& part, bool on) {
-  if (!on && pointed_ != part) return;
+  if (!on && (pointed_.is_null() || pointed_ != part)) return;
   pointed_ = on ? part : Value();
-  markParts();
+  context()->markPointed(pickOf(pointed_));
 }
 
 /// Nothing of one that is lost: another part may have its number.
@@ -84,14 +83,15 @@ std::optional<Pick> SubShapeField::pickOf(const Value& part) const {
   return std::nullopt;
 }
 
-void SubShapeField::markParts() {
-  MarkedParts marked;
-  if (pick_ && pick_->isChecked())
+void SubShapeField::markChosen() {
+  std::vector<Pick> chosen;
+  if (picking())
     for (const Value& part : items())
-      if (const auto pick = pickOf(part)) marked.chosen.push_back(*pick);
-  marked.pointed = pickOf(pointed_);
-  context()->mark(marked);
+      if (const auto pick = pickOf(part)) chosen.push_back(*pick);
+  context()->markChosen(chosen);
 }
+
+bool SubShapeField::picking() const { return pick_ && pick_->isChecked(); }
 
 void SubShapeField::remove(std::size_t index) {
   if (!several()) {
@@ -107,7 +107,7 @@ void SubShapeField::remove(std::size_t index) {
 void SubShapeField::togglePick(bool on) {
   if (!on) {
     emit pickUnwanted(this);
-    markParts();
+    markChosen();
     return;
   }
   PickRequest request;
@@ -119,7 +119,7 @@ void SubShapeField::togglePick(bool on) {
   request.hint = several() ? tr("Click every %1 for %2, again to let go; Esc ends").arg(what, qt(label(spec())))
                            : tr("Click the %1 for %2; Esc ends").arg(what, qt(label(spec())));
   emit pickWanted(this, request);
-  markParts();
+  markChosen();
 }
 
 bool SubShapeField::takePick(const Pick& pick) {

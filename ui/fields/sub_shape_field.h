@@ -25,7 +25,8 @@ class SubShapeField final : public ParameterField {
   void togglePick(bool on);
   void remove(std::size_t index);
   void addChip(const Value& part, std::size_t index);
-  void markParts();
+  void markChosen();
+  [[nodiscard]] bool picking() const;
   void pointAt(const Value& part, bool);
   [[nodiscard]] std::optional<Pick> pickOf(const Value& part) const;
   [[nodiscard]] bool several() const { return spec().kind == ParameterKind::List; }

@@ -115,7 +115,10 @@ void PropertyPanel::muteEditors() {
   if (header_) header_->disconnect(this);
 }
 
-PropertyPanel::~PropertyPanel() { muteEditors(); }
+PropertyPanel::~PropertyPanel() {
+  muteEditors();
+  forgetParts();
+}
 
 // The results stay when another feature is shown: Qt looks up the style of a widget, and of all within, whenever its parent
 // changes, and that takes longer than all else. For the same reason widgets are made with the parent that they keep.
@@ -141,7 +144,7 @@ void PropertyPanel::buildColumn() {
 
 void PropertyPanel::rebuild() {
   endPick();
-  emit partsMarked({});
+  mark({});
   muteEditors();
   fields_.clear();
   unshowable_.clear();

@@ -67,7 +67,9 @@ class PropertyPanel : public QScrollArea {
   void connectField(ParameterField*);
   void refreshContext();
   void provideParts();
+  void forgetParts();
   void refreshLost();
+  void mark(MarkedParts);
   void refreshFields();
   void refreshField(ParameterField&, const Value& given);
   void refreshResult();
@@ -108,6 +110,7 @@ class PropertyPanel : public QScrollArea {
 
   SequenceTime time_;
   PanelPicking picking_;
+  MarkedParts marked_;
 };
 
 }  // namespace blossom::ui

@@ -3111,6 +3111,10 @@ Seitwärts ziehen ändert ihn.</translation>
 <context>
     <name>blossom::ui::SubShapeField</name>
     <message>
+        <source>Lost: not found again after an edit. Pick it anew, or remove it.</source>
+        <translation>Verloren: nach einer Änderung nicht wiedergefunden. Neu wählen oder entfernen.</translation>
+    </message>
+    <message>
         <source>Pick in the view: %1</source>
         <translation>In der Ansicht wählen: %1</translation>
     </message>

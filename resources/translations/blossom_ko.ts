@@ -3111,6 +3111,10 @@ Drag sideways to change it.</source>
 <context>
     <name>blossom::ui::SubShapeField</name>
     <message>
+        <source>Lost: not found again after an edit. Pick it anew, or remove it.</source>
+        <translation>잃음: 편집 후 다시 찾지 못했습니다. 다시 선택하거나 제거하십시오.</translation>
+    </message>
+    <message>
         <source>Pick in the view: %1</source>
         <translation>보기에서 고르기: %1</translation>
     </message>

@@ -23,6 +23,7 @@ struct FeatureResult {
   std::optional<Error> error;  ///< its own error, or "The input .. failed."
   double kernelMs = 0;         ///< time of the evaluate function less `worker_ms` of its stats; 0 from the cache
   bool fromCache = false;
+  std::vector<Value> lost = {};  ///< parts that were not found again, as the document names them
 };
 
 using Results = std::map<FeatureId, std::shared_ptr<const FeatureResult>>;

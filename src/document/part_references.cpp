@@ -46,20 +46,17 @@ class Finder {
  public:
   Finder(Construction& construction, const Progress& progress) : construction_(construction), progress_(progress) {}
 
-  /// The number that a part of a feature has now.
-  int find(const FeatureId& source, const Value& part) const {
+  /// The number that a part of a feature has now; nothing when it is lost.
+  std::optional<int> find(const FeatureId& source, const Value& part) const {
     const SubShapeKind kind = kindOf(part);
     const int index = part.at("index").get<int>();
     const auto signature = part.find("signature");
     if (signature == part.end()) return index;
-    std::optional<int> found;
     try {
-      found = foundPart(construction_, source, kind, index, *signature, progress_);
+      return foundPart(construction_, source, kind, index, *signature, progress_);
     } catch (const Value::exception&) {
-      found = std::nullopt;  // a signature that somebody damaged tells nothing
+      return std::nullopt;  // a signature that somebody damaged tells nothing
     }
-    if (!found) throwLost(subShapeKindName(kind), index);
-    return *found;
   }
 
   /// A part without a signature where there is none with its number: the feature tells that better.
@@ -74,15 +71,6 @@ class Finder {
 
  private:
   static SubShapeKind kindOf(const Value& part) { return subShapeKindOf(part.at("kind").get<std::string>()); }
-  [[noreturn]] static void throwLost(std::string kind, int index) {
-    const std::string hint = fmt::format("Pick the {} again.", kind);
-    const std::string lower = kind;
-    kind.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(kind.front())));
-    throw Error(
-        ErrorCode::InvalidInput,
-        fmt::format("{} lost: an edit before this step removed {} {}, or left several it could be.", kind, lower, index),
-        hint);
-  }
 
   Construction& construction_;
   const Progress& progress_;
@@ -100,20 +88,35 @@ bool namesParts(const std::vector<ParameterSpec>& specs, const Value& parameters
 FoundParts foundParts(const Feature& feature, const FeatureType& type, const Value& parameters, const Inputs& arranged,
                       Construction& construction, const Progress& progress) {
   const Finder finder(construction, progress);
-  FoundParts found{parameters, Value::object()};
-  forEachPart(type.parameters, found.now, [&](Value& part) {
-    const auto source = sourceOf(feature, type, arranged, part.value("input", std::string()));
-    if (source) part["index"] = finder.find(*source, part);
-    part.erase("signature");
-  });
-  Value kept = found.now;
+  FoundParts found;
+  Value kept = parameters;
   forEachPart(type.parameters, kept, [&](Value& part) {
-    if (const auto source = sourceOf(feature, type, arranged, part.value("input", std::string())))
+    const auto source = sourceOf(feature, type, arranged, part.value("input", std::string()));
+    const std::optional<int> number = source ? finder.find(*source, part) : std::nullopt;
+    if (number) {
+      part["index"] = *number;
       finder.sign(*source, part);
+    } else if (source) {
+      found.lost.push_back(part);
+    } else {
+      part.erase("signature");
+    }
   });
+  found.now = kept;
+  forEachPart(type.parameters, found.now, [](Value& part) { part.erase("signature"); });
   for (const ParameterSpec& spec : type.parameters)
     if (kept.at(spec.name) != found.now.at(spec.name)) found.kept[spec.name] = kept.at(spec.name);
   return found;
+}
+
+Error lostError(const Value& part) {
+  const std::string kind = part.at("kind").get<std::string>();
+  std::string first = kind;
+  first.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(kind.front())));
+  return Error(ErrorCode::InvalidInput,
+               fmt::format("{} lost: an edit before this step removed {} {}, or left several it could be.", first, kind,
+                           part.at("index").get<int>()),
+               fmt::format("Pick the {} again.", kind));
 }
 
 namespace {

@@ -1,9 +1,8 @@
 #include "naming/part_reference.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "naming/former_labels.h"
 #include "naming/likeness.h"
 #include "naming/namer.h"
 #include "naming/source_part.h"
@@ -11,11 +10,6 @@
 namespace blossom {
 
 namespace {
-
-/// "<outline-1.edge 3>"; the brackets keep 3 from being found in 31.
-std::string labelOf(const SourcePart& part) {
-  return fmt::format("<{}.{} {}>", part.feature, subShapeKindName(part.kind), part.index);
-}
 
 Value toJson(const std::vector<FaceName>& names) {
   Value json = Value::array();
@@ -51,28 +45,6 @@ Value describedSources(const std::vector<FaceName>& names,
   }
   return sources;
 }
-
-/// The names that parts of sources had when a signature was made; others get names of their own.
-class FormerLabels {
- public:
-  explicit FormerLabels(const Value& sources) : sources_(sources) {}
-
-  std::string operator()(const SourcePart& part, const Shape& shape) {
-    for (const auto& [label, described] : sources_.items()) {
-      if (described.at("feature") != part.feature || described.at("kind") != subShapeKindName(part.kind)) continue;
-      const auto known = found_.find(label);
-      const std::optional<int> now = known != found_.end()
-                                         ? known->second
-                                         : found_.emplace(label, foundSourcePart(described, shape, part.kind)).first->second;
-      if (now == part.index) return label;
-    }
-    return "new " + labelOf(part);
-  }
-
- private:
-  const Value& sources_;
-  std::map<std::string, std::optional<int>> found_;
-};
 
 std::optional<int> only(const std::vector<int>& numbers) {
   return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
@@ -128,6 +100,22 @@ std::optional<int> foundByNames(const std::vector<std::vector<FaceName>>& all, c
   return only(same);
 }
 
+/// At the ends of segments that were divided: only what lies exactly where it lay, between the same faces as before.
+std::optional<int> foundWhereItLay(const std::vector<std::vector<FaceName>>& all, const std::vector<FaceName>& wanted,
+                                   const Shape& shape, SubShapeKind kind, const Value& signature) {
+  const Likeness likeness = likenessFrom(signature.at("likeness"));
+  const double tolerance = samePlace(shape);
+  std::vector<int> alike;
+  std::size_t same = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k] != wanted) continue;
+    ++same;
+    const int number = static_cast<int>(k);
+    if (likenessOf(shape, kind, number).isLike(likeness, tolerance)) alike.push_back(number);
+  }
+  return same == signature.value("namesakes", std::size_t{1}) ? only(alike) : std::nullopt;
+}
+
 }  // namespace
 
 Value appearanceOf(const Shape& shape, SubShapeKind kind, int index) {
@@ -144,7 +132,7 @@ Value signatureOf(Construction& construction, const std::string& feature, SubSha
   if (!brep) return signature;
   std::map<std::string, std::pair<SourcePart, Shape>> labels;
   Namer namer(construction, [&](const SourcePart& part, const Shape& source) {
-    std::string label = labelOf(part);
+    std::string label = sourceLabel(part);
     labels.try_emplace(label, part, source);
     return label;
   });
@@ -168,10 +156,16 @@ std::optional<int> foundPart(Construction& construction, const std::string& feat
     described["index"] = index;
     return foundSourcePart(described, shape, kind);
   }
-  FormerLabels labels(signature.at("sources"));
-  Namer namer(construction, [&](const SourcePart& part, const Shape& source) { return labels(part, source); });
-  const auto all = facesAtAll(*brep, kind, namer.faces(feature, progress));
-  return foundByNames(all, namesFrom(signature.at("faces")), shape, kind, index, signature);
+  const std::vector<FaceName> wanted = namesFrom(signature.at("faces"));
+  const auto namesNow = [&](FormerLabels& labels) {
+    Namer namer(construction, [&](const SourcePart& part, const Shape& source) { return labels.of(part, source); });
+    return facesAtAll(*brep, kind, namer.faces(feature, progress));
+  };
+  FormerLabels whole(signature.at("sources"), FormerLabels::Pieces::No);
+  const auto found = foundByNames(namesNow(whole), wanted, shape, kind, index, signature);
+  if (found || !whole.someAreGone()) return found;
+  FormerLabels inPieces(signature.at("sources"), FormerLabels::Pieces::Yes);
+  return foundWhereItLay(namesNow(inPieces), wanted, shape, kind, signature);
 }
 
 }  // namespace blossom

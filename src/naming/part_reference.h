@@ -16,8 +16,9 @@ Value signatureOf(Construction&, const std::string& feature, SubShapeKind, int i
 /// @throws Error NotFound.
 Value appearanceOf(const Shape&, SubShapeKind, int index);
 
-/// The number that the part with this signature has now; nothing when it is gone or several could be meant. O(size) of the
-/// steps that lead to the feature, each of which is traced once.
+/// The number that the part with this signature has now; nothing when it is gone or several could be meant. What stands on
+/// an end of a segment that was divided is found where it lay, if it is as it was there. O(size) of the steps that lead to
+/// the feature, each of which is traced once.
 /// @param index the number it had
 /// @throws Error Cancelled; nlohmann::json::exception for signatures of another form.
 std::optional<int> foundPart(Construction&, const std::string& feature, SubShapeKind, int index, const Value& signature,

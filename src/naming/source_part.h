@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "naming/likeness.h"
 
@@ -14,5 +15,10 @@ Value describedSourcePart(const Shape&, SubShapeKind, int index);
 /// these leave doubt.
 /// @param described as above @throws nlohmann::json::exception for values of another form.
 std::optional<int> foundSourcePart(const Value& described, const Shape& now, SubShapeKind);
+
+/// Of a segment that is not found, because it was divided or joined with the next: those that begin where it began or end
+/// where it ended. They are not it, but what stands on its ends stands on theirs. None of other parts.
+/// @param described as above @throws nlohmann::json::exception for values of another form.
+std::vector<int> piecesOfSourcePart(const Value& described, const Shape& now, SubShapeKind);
 
 }  // namespace blossom

@@ -6,6 +6,22 @@
 using namespace blossom;
 using namespace blossom::ui;
 
+namespace {
+
+/// An edge of 20 mm as a document keeps it.
+Value keptEdge(int index, const Vec3& place) {
+  const Value likeness = toJson(Likeness{"line", place, 20});
+  return {{"input", "base"}, {"kind", "edge"}, {"index", index}, {"signature", {{"likeness", likeness}}}};
+}
+
+/// Without those that were replaced, which wait for being deleted.
+QList<Chip*> shownChips(const ParameterField& field) {
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  return field.findChildren<Chip*>();
+}
+
+}  // namespace
+
 /// What is picked in the view or among the features.
 class PanelPickingTest : public PanelFixture {
   Q_OBJECT
@@ -17,6 +33,9 @@ class PanelPickingTest : public PanelFixture {
   void subShapesArePicked();
   void inputsAreReplacedAddedAndRemoved();
   void circlesAndWrongKindsAreRefused();
+  void lostPartsAreMarkedAndTakenAnew();
+  void chosenPartsAreMarkedInTheView();
+  void theChipUnderTheMouseIsMarkedInTheView();
 };
 
 void PanelPickingTest::pointsAndVectors() {
@@ -137,6 +156,102 @@ void PanelPickingTest::circlesAndWrongKindsAreRefused() {
   const FeatureType everyKind = everything();
   const InputSlots offered(*session_, session_->document().at("e"), everyKind);
   QCOMPARE(offered.candidates(0), std::vector<FeatureId>{"b"});
+}
+
+// Another edge may have the number of a lost one: a click on it does not take the lost one away.
+void PanelPickingTest::lostPartsAreMarkedAndTakenAnew() {
+  const Value lost = keptEdge(0, {0, 0, 10}), farLost = keptEdge(5, {0, 90, 10}), found = keptEdge(3, {60, 0, 10});
+  auto context = std::make_shared<FieldContext>();
+  context->sources = {{"base", "a", QStringLiteral("Plate")}};
+  context->lost = {lost, farLost};
+  context->likenessOf = [](const Pick& pick) { return Likeness{"line", pick.part.point, 20}; };
+  const std::unique_ptr<ParameterField> edges(
+      ParameterField::make(declared("edges", list(subShape("edge")), Value::array()), nullptr, context));
+  const Value before = Value::array({found, farLost, lost});
+  edges->setValue(before);
+  const auto chips = shownChips(*edges);
+  QCOMPARE(chips.size(), 3);
+  QVERIFY(chips[0]->problem().isEmpty());
+  QVERIFY(!chips[1]->problem().isEmpty() && !chips[2]->problem().isEmpty());
+
+  const auto pickAt = [&](int index, const Vec3& place) {
+    Pick pick = pickOf(SubShapeKind::Edge, index);
+    pick.part.point = place;
+    QVERIFY(edges->takePick(pick));
+  };
+  const auto picked = [](int index) { return Value{{"input", "base"}, {"kind", "edge"}, {"index", index}}; };
+  pickAt(0, {1, 2, 10});
+  QCOMPARE(edges->value(), Value::array({found, farLost, picked(0)}));
+  const auto after = shownChips(*edges);
+  QVERIFY(!after[1]->problem().isEmpty() && after[2]->problem().isEmpty());
+  pickAt(0, {1, 2, 10});  // chosen: let go of again
+  QCOMPARE(edges->value(), Value::array({found, farLost}));
+
+  edges->setValue(before);
+  pickAt(7, {40, 40, 10});  // near to none of them: one more
+  QCOMPARE(edges->value(), Value::array({found, farLost, lost, picked(7)}));
+  edges->setValue(before);
+  pickAt(3, {60, 0, 10});
+  QCOMPARE(edges->value(), Value::array({farLost, lost}));
+}
+
+void PanelPickingTest::chosenPartsAreMarkedInTheView() {
+  MarkedParts marked;
+  connect(panel_.get(), &PropertyPanel::partsMarked, this, [&](const MarkedParts& parts) { marked = parts; });
+  const auto numbers = [&] {
+    std::vector<int> all;
+    for (const Pick& pick : marked.chosen)
+      if (pick.feature == "a" && pick.part.kind == SubShapeKind::Edge) all.push_back(pick.part.index);
+    return all;
+  };
+  pickButton("edges")->click();
+  panel_->offerPick(pickOf(SubShapeKind::Edge, 1));
+  panel_->offerPick(pickOf(SubShapeKind::Edge, 2));
+  QCOMPARE(numbers(), (std::vector<int>{1, 2}));
+  panel_->offerPick(pickOf(SubShapeKind::Edge, 1));
+  QCOMPARE(numbers(), std::vector<int>{2});
+  session_->undo();
+  QCOMPARE(numbers(), (std::vector<int>{1, 2}));
+  panel_->endPick();
+  QVERIFY(marked.chosen.empty());
+  pickButton("edges")->click();  // they are lit before anything is picked
+  QCOMPARE(numbers(), (std::vector<int>{1, 2}));
+  pickButton("vector")->click();  // another field wants something
+  QVERIFY(marked.chosen.empty());
+  panel_->disconnect(this);
+}
+
+void PanelPickingTest::theChipUnderTheMouseIsMarkedInTheView() {
+  pickButton("edges")->click();
+  panel_->offerPick(pickOf(SubShapeKind::Edge, 1));
+  panel_->offerPick(pickOf(SubShapeKind::Edge, 2));
+  panel_->endPick();
+  MarkedParts marked;
+  connect(panel_.get(), &PropertyPanel::partsMarked, this, [&](const MarkedParts& parts) { marked = parts; });
+  const auto chips = shownChips(*field("edges"));
+  QCOMPARE(chips.size(), 2);
+  const QPointF at(chips[1]->rect().center());
+  QEnterEvent enter(at, at, chips[1]->mapToGlobal(at));
+  QApplication::sendEvent(chips[1], &enter);
+  QVERIFY(marked.pointed && marked.pointed->feature == "a");
+  QCOMPARE(marked.pointed->part.index, 2);
+  QVERIFY(marked.chosen.empty());  // nothing is being picked
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(chips[1], &leave);
+  QVERIFY(!marked.pointed);
+
+  // The chip of another field: what is chosen for this one stays lit.
+  pickButton("face")->click();
+  panel_->offerPick(pickOf(SubShapeKind::Face, 0));
+  pickButton("edges")->click();
+  Chip* const other = shownChips(*field("face")).front();
+  QApplication::sendEvent(other, &enter);
+  QVERIFY(marked.pointed && marked.pointed->part.kind == SubShapeKind::Face);
+  QCOMPARE(marked.chosen.size(), std::size_t{2});
+  QApplication::sendEvent(other, &leave);
+  QVERIFY(!marked.pointed);
+  QCOMPARE(marked.chosen.size(), std::size_t{2});
+  panel_->disconnect(this);
 }
 
 BLOSSOM_PANEL_TEST_MAIN(PanelPickingTest)

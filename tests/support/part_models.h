@@ -15,25 +15,30 @@ using Random = std::mt19937_64;
 inline double between(Random& random, double low, double high) { return std::uniform_real_distribution(low, high)(random); }
 inline int oneOf(Random& random, int count) { return std::uniform_int_distribution(0, count - 1)(random); }
 
-/// Corners with names of their own; a segment is called after the corner that it starts at. What the corners are called is
-/// known to the test alone.
+/// Corners and the sides from one to the next, each with a name of its own that is known to the test alone. A corner keeps
+/// its name while it is there: what stands on it stays what it is while one of its sides is divided.
 class Corners {
  public:
   explicit Corners(const std::vector<Vec2>& places) {
-    for (const Vec2& p : places) corners_.push_back({next_++, p});
+    for (const Vec2& p : places) {
+      corners_.push_back({next_, next_, p});
+      ++next_;
+    }
   }
   [[nodiscard]] int size() const { return static_cast<int>(corners_.size()); }
   [[nodiscard]] int nameAt(int k) const { return corners_[static_cast<std::size_t>(wrapped(k))].name; }
+  [[nodiscard]] int sideAt(int k) const { return corners_[static_cast<std::size_t>(wrapped(k))].side; }
   [[nodiscard]] std::optional<int> placeOf(int name) const {
     for (int k = 0; k < size(); ++k)
       if (nameAt(k) == name) return k;
     return std::nullopt;
   }
   [[nodiscard]] Vec2 at(int k) const { return corners_[static_cast<std::size_t>(wrapped(k))].at; }
-  /// The middle of a segment; nothing when it is gone.
-  [[nodiscard]] std::optional<Vec2> middle(int name) const {
-    const auto k = placeOf(name);
-    return k ? std::optional<Vec2>((at(*k) + at(*k + 1)) / 2) : std::nullopt;
+  /// The middle of a side; nothing when it is gone.
+  [[nodiscard]] std::optional<Vec2> middle(int side) const {
+    for (int k = 0; k < size(); ++k)
+      if (sideAt(k) == side) return std::optional<Vec2>((at(k) + at(k + 1)) / 2);
+    return std::nullopt;
   }
   [[nodiscard]] std::optional<Vec2> corner(int name) const {
     const auto k = placeOf(name);
@@ -43,14 +48,16 @@ class Corners {
   void moveAll(const Vec2& by) {
     for (auto& corner : corners_) corner.at += by;
   }
-  /// A corner in a segment, beside its middle: the segment is gone, two new ones are there.
+  /// A corner in a side, beside its middle: the side is gone, two new ones are there.
   void insert(int k, double bulge) {
     const Vec2 a = at(k), b = at(k + 1), along = b - a;
-    corners_[static_cast<std::size_t>(wrapped(k))].name = next_++;  // of the corner, too: its edge stands between others now
-    corners_.insert(corners_.begin() + wrapped(k) + 1, {next_++, (a + b) / 2 + bulge * Vec2(along.y(), -along.x())});
+    corners_[static_cast<std::size_t>(wrapped(k))].side = next_++;
+    const Vec2 inserted = (a + b) / 2 + bulge * Vec2(along.y(), -along.x());
+    corners_.insert(corners_.begin() + wrapped(k) + 1, {next_, next_, inserted});
+    ++next_;
   }
   void erase(int k) {
-    corners_[static_cast<std::size_t>(wrapped(k - 1))].name = next_++;
+    corners_[static_cast<std::size_t>(wrapped(k - 1))].side = next_++;
     corners_.erase(corners_.begin() + wrapped(k));
   }
   void beginAt(int k) { std::rotate(corners_.begin(), corners_.begin() + wrapped(k), corners_.end()); }
@@ -62,7 +69,7 @@ class Corners {
 
  private:
   struct Corner {
-    int name;
+    int name, side;  ///< of itself and of the side that begins at it
     Vec2 at;
   };
   [[nodiscard]] int wrapped(int k) const { return (k % size() + size()) % size(); }
@@ -93,7 +100,9 @@ class Prism : public Model {
                 {"outline"});
   }
   void pick(Random& random) override {
-    name_ = corners_.nameAt(oneOf(random, corners_.size()));
+    const int k = oneOf(random, corners_.size());
+    corner_ = corners_.nameAt(k);
+    side_ = corners_.sideAt(k);
     role_ = static_cast<Role>(oneOf(random, 4));
   }
   std::string edit(Random& random) override {
@@ -120,11 +129,9 @@ class Prism : public Model {
     }
   }
   [[nodiscard]] std::optional<Vec3> place() const override {
-    const auto middle = corners_.middle(name_), corner = corners_.corner(name_);
-    if (!middle) return std::nullopt;
-    const double z = role_ == Role::Bottom ? 0 : role_ == Role::Top ? height_ : height_ / 2;
-    const Vec2 at = role_ == Role::Standing ? *corner : *middle;
-    return Vec3(at.x(), at.y(), z);
+    const auto at = role_ == Role::Standing ? corners_.corner(corner_) : corners_.middle(side_);
+    if (!at) return std::nullopt;
+    return Vec3(at->x(), at->y(), role_ == Role::Bottom ? 0 : role_ == Role::Top ? height_ : height_ / 2);
   }
   [[nodiscard]] SubShapeKind kind() const override { return role_ == Role::Side ? SubShapeKind::Face : SubShapeKind::Edge; }
 
@@ -132,7 +139,7 @@ class Prism : public Model {
   enum class Role { Top, Bottom, Standing, Side };
   Corners corners_{{{0, 0}, {60, 0}, {62, 20}, {30, 24}, {31, 45}, {-2, 40}}};
   double height_ = 20;
-  int name_ = 0;
+  int corner_ = 0, side_ = 0;
   Role role_ = Role::Top;
 };
 
@@ -264,7 +271,7 @@ class Rounded final : public Prism {
 
  private:
   [[nodiscard]] bool isApart() const {
-    const int k = *corners_.placeOf(name_);
+    const int k = *corners_.placeOf(corner_);
     return k != 0 && k != corners_.size() - 1;
   }
   double radius_ = 2;
@@ -279,7 +286,7 @@ class Mirrored final : public Model {
     return with(document, "whole", "mirror", {{"normal", {1, 0, 0}}, {"keep", true}, {"join", true}}, {"solid"});
   }
   void pick(Random& random) override {
-    name_ = corners_.nameAt(oneOf(random, corners_.size() - 1));
+    side_ = corners_.sideAt(oneOf(random, corners_.size() - 1));
     top_ = oneOf(random, 2) == 0;
     image_ = oneOf(random, 2) == 0;
   }
@@ -300,7 +307,7 @@ class Mirrored final : public Model {
     }
   }
   [[nodiscard]] std::optional<Vec3> place() const override {
-    const auto middle = corners_.middle(name_);
+    const auto middle = corners_.middle(side_);
     if (!middle) return std::nullopt;
     return Vec3(image_ ? -middle->x() : middle->x(), middle->y(), top_ ? height_ : 0);
   }
@@ -308,7 +315,7 @@ class Mirrored final : public Model {
  private:
   Corners corners_{{{0, 0}, {20, 3}, {24, 15}, {12, 18}, {14, 30}, {0, 33}}};
   double height_ = 12;
-  int name_ = 0;
+  int side_ = 0;
   bool top_ = true, image_ = false;
 };
 

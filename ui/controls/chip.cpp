@@ -27,6 +27,13 @@ Chip::Chip(const QString& text, QWidget* parent) : QWidget(parent), text_(text) 
 }
 
 void Chip::setIconName(const QString& name) { icon_ = name; }
+void Chip::setProblem(const QString& text) {
+  problem_ = text;
+  setAccessibleDescription(text);
+  setIconName(text.isEmpty() ? QString() : QStringLiteral("warning"));
+  updateGeometry();
+  update();
+}
 void Chip::setRemovable(bool on) { removable_ = on; }
 void Chip::setChevron(bool on) {
   chevron_ = on;
@@ -51,13 +58,14 @@ void Chip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const Theme& colors = theme();
-  painter.setPen(QPen(colors.color(hasFocus() ? "control" : underMouse() ? "faint" : "border"), 1));
+  const char* const calm = underMouse() ? "faint" : "border";
+  painter.setPen(QPen(colors.color(hasFocus() ? "control" : problem_.isEmpty() ? calm : "error"), 1));
   painter.setBrush(colors.color("field"));
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
   int left = side, right = width() - side;
   const auto at = [&](int x) { return QRectF(x, (height() - mark) / 2.0, mark, mark); };
   if (!icon_.isEmpty()) {
-    paintIcon(painter, at(left), icon_, colors.color("control"));
+    paintIcon(painter, at(left), icon_, colors.color(problem_.isEmpty() ? "control" : "error"));
     left += mark + 6;
   }
   if (removable_) {
@@ -69,7 +77,7 @@ void Chip::paintEvent(QPaintEvent*) {
     paintIcon(painter, at(right - mark), QStringLiteral("chevron-down"), colors.color("muted"));
     right -= mark + 4;
   }
-  painter.setPen(colors.color("text"));
+  painter.setPen(colors.color(problem_.isEmpty() ? "text" : "error"));
   const QRect words(left, 0, right - left, height());
   painter.drawText(words, Qt::AlignVCenter, shownText());
 }
@@ -77,11 +85,22 @@ void Chip::paintEvent(QPaintEvent*) {
 bool Chip::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), crossArea().contains(help->pos()) ? tr("Remove") : text_, this);
+    const QString& what = problem_.isEmpty() ? text_ : problem_;
+    QToolTip::showText(help->globalPos(), crossArea().contains(help->pos()) ? tr("Remove") : what, this);
     return true;
   }
   if (event->type() == QEvent::HoverMove) update();
   return QWidget::event(event);
+}
+
+void Chip::enterEvent(QEnterEvent* event) {
+  QWidget::enterEvent(event);
+  emit pointedAt(true);
+}
+
+void Chip::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  emit pointedAt(false);
 }
 
 void Chip::mousePressEvent(QMouseEvent* event) {

@@ -13,6 +13,9 @@ class Chip final : public QWidget {
   void setIconName(const QString&);
   void setRemovable(bool);
   void setChevron(bool);  ///< shows the sign for a menu
+  /// Marks what cannot be used, with the reason as a tooltip; empty: no mark.
+  void setProblem(const QString&);
+  [[nodiscard]] const QString& problem() const { return problem_; }
   [[nodiscard]] const QString& text() const { return text_; }
   [[nodiscard]] QString shownText() const;  ///< the text, elided when there is no room for it
   [[nodiscard]] QSize sizeHint() const override;
@@ -21,18 +24,22 @@ class Chip final : public QWidget {
  signals:
   void clicked();
   void removed();
+  void pointedAt(bool);  ///< the mouse has come, or has left
 
  protected:
   bool event(QEvent*) override;
   void paintEvent(QPaintEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
+  void enterEvent(QEnterEvent*) override;
+  void leaveEvent(QEvent*) override;
 
  private:
   [[nodiscard]] QRect crossArea() const;
   [[nodiscard]] int besideText() const;  ///< pixels not available to the text
   QString text_;
   QString icon_;
+  QString problem_;
   bool removable_ = true;
   bool chevron_ = false;
 };

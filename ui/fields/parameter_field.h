@@ -1,10 +1,14 @@
 #pragma once
 #include <QWidget>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "naming/likeness.h"
 #include "parameter/parameter.h"
 #include "ui/fields/pick_request.h"
+#include "ui/plugin/tool.h"
 
 class QLabel;
 class QGridLayout;
@@ -14,7 +18,6 @@ class QMenu;
 namespace blossom::ui {
 
 class FieldLabel;
-struct Pick;
 
 inline constexpr int labelWidth = 92;  ///< of the names in a form, pixels
 
@@ -28,6 +31,13 @@ struct FieldContext {
   bool picking = false;
   std::vector<Source> sources;  ///< shapes whose faces, edges and vertices may be chosen
   NamedNumbers names;           ///< numbers that expressions may use
+  std::vector<Value> lost;      ///< parts that the feature did not find again
+  /// What a part that was picked looks like; nothing when its shape is not known.
+  std::function<std::optional<Likeness>(const Pick&)> likenessOf = [](const Pick&) { return std::nullopt; };
+  /// What a field holds for which more is picked, and the part whose chip the mouse is on: marked in the view until the next
+  /// call.
+  std::function<void(const std::vector<Pick>&)> markChosen = [](const std::vector<Pick>&) {};
+  std::function<void(const std::optional<Pick>&)> markPointed = [](const std::optional<Pick>&) {};
 
   /// "Face 3 of Base"; brief: "Face 3" when only one shape is possible.
   [[nodiscard]] QString nameOf(const Value& subShape, bool brief = false) const;
@@ -63,6 +73,8 @@ class ParameterField : public QWidget {
   /// editor.
   virtual bool takePick(const Pick&) { return false; }
   virtual void pickEnded() {}
+  /// Shows the value anew, because other parts are lost.
+  virtual void lostChanged() {}
   void resetToDefault();
   /// For fields in rows of a list: no label, and no reset to the default.
   virtual void hideLabel();

@@ -10,6 +10,7 @@
 #include "ui/controls/chip.h"
 #include "ui/controls/flow_layout.h"
 #include "ui/controls/pick_button.h"
+#include "ui/fields/lost_parts.h"
 #include "ui/look/text.h"
 #include "ui/plugin/tool.h"
 
@@ -40,11 +41,8 @@ void SubShapeField::display(const Value&) {
     delete item;
   }
   const Value all = items();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    auto* chip = new Chip(context()->nameOf(all[i], several()));
-    flow_->addWidget(chip);
-    connect(chip, &Chip::removed, this, [this, i] { remove(i); });
-  }
+  pointAt(Value(pointed_), false);  // its chip has gone
+  for (std::size_t i = 0; i < all.size(); ++i) addChip(all[i], i);
   if (all.empty()) {
     const QString means = spec().noneMeans.empty() ? tr("none") : qt(spec().noneMeans);
     auto* none = new QLabel(context()->picking ? tr("%1; pick in the view").arg(means) : means);
@@ -52,7 +50,48 @@ void SubShapeField::display(const Value&) {
     flow_->addWidget(none);
   }
   chips_->updateGeometry();
+  if (picking()) markChosen();
 }
+
+void SubShapeField::addChip(const Value& part, std::size_t index) {
+  auto* chip = new Chip(context()->nameOf(part, several()));
+  if (isLost(part, context()->lost))
+    chip->setProblem(tr("Lost: not found again after an edit. Pick it anew, or remove it."));
+  flow_->addWidget(chip);
+  connect(chip, &Chip::removed, this, [this, index] { remove(index); });
+  connect(chip, &Chip::pointedAt, this, [this, part](bool on) { pointAt(part, on); });
+}
+
+void SubShapeField::pointAt(const Value& part, bool on) {
+  if (!on && (pointed_.is_null() || pointed_ != part)) return;
+  pointed_ = on ? part : Value();
+  context()->markPointed(pickOf(pointed_));
+}
+
+/// Nothing of one that is lost: another part may have its number.
+std::optional<Pick> SubShapeField::pickOf(const Value& part) const {
+  if (!part.is_object() || isLost(part, context()->lost)) return std::nullopt;
+  const std::string input = part.value("input", std::string());
+  for (const FieldContext::Source& source : context()->sources)
+    if (input.empty() || source.input == input) {
+      Pick pick;
+      pick.feature = source.feature;
+      pick.part.kind = subShapeKindOf(subShapeKind(element()));
+      pick.part.index = part.value("index", -1);
+      return pick;
+    }
+  return std::nullopt;
+}
+
+void SubShapeField::markChosen() {
+  std::vector<Pick> chosen;
+  if (picking())
+    for (const Value& part : items())
+      if (const auto pick = pickOf(part)) chosen.push_back(*pick);
+  context()->markChosen(chosen);
+}
+
+bool SubShapeField::picking() const { return pick_ && pick_->isChecked(); }
 
 void SubShapeField::remove(std::size_t index) {
   if (!several()) {
@@ -68,6 +107,7 @@ void SubShapeField::remove(std::size_t index) {
 void SubShapeField::togglePick(bool on) {
   if (!on) {
     emit pickUnwanted(this);
+    markChosen();
     return;
   }
   PickRequest request;
@@ -79,6 +119,7 @@ void SubShapeField::togglePick(bool on) {
   request.hint = several() ? tr("Click every %1 for %2, again to let go; Esc ends").arg(what, qt(label(spec())))
                            : tr("Click the %1 for %2; Esc ends").arg(what, qt(label(spec())));
   emit pickWanted(this, request);
+  markChosen();
 }
 
 bool SubShapeField::takePick(const Pick& pick) {
@@ -101,14 +142,19 @@ bool SubShapeField::takePick(const Pick& pick) {
   }
   Value all = items();
   const auto isSame = [&](const Value& each) {
+    if (isLost(each, context()->lost)) return false;  // its number tells nothing any more
     return std::all_of(found.items().begin(), found.items().end(),
                        [&](const auto& entry) { return each.value(entry.key(), Value()) == entry.value(); });
   };
   const auto known = std::find_if(all.begin(), all.end(), isSame);
-  if (known == all.end())
-    all.push_back(found);
-  else
+  const auto likeness = known == all.end() ? context()->likenessOf(pick) : std::nullopt;
+  const auto lost = likeness ? lostPartFor(*likeness, all, context()->lost) : std::nullopt;
+  if (known != all.end())
     all.erase(known);
+  else if (lost)
+    all[*lost] = found;
+  else
+    all.push_back(found);
   offer(all);
   return true;
 }

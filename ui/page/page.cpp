@@ -287,6 +287,7 @@ void DocumentPage::connectPicking() {
     start(std::move(tool));
     if (parts) showChoice(PageScene::Choice{{request.features.begin(), request.features.end()}, true});
   });
+  connect(properties_, &PropertyPanel::partsMarked, view_, &ViewWidget::setMarkedParts);
   connect(properties_, &PropertyPanel::pickEnded, this, [this, picking] {
     if (picking()) endTool();
   });

@@ -49,7 +49,7 @@ bool saysAnything(const ParameterSpec& spec, const Feature& feature, const Forma
 
 PropertyPanel::PropertyPanel(Session& session, QWidget* parent)
     : QScrollArea(parent), session_(session), context_(std::make_shared<FieldContext>()), result_(new ResultTable(this)) {
-  context_->picking = true;
+  provideParts();
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(NoFrame);
@@ -115,7 +115,10 @@ void PropertyPanel::muteEditors() {
   if (header_) header_->disconnect(this);
 }
 
-PropertyPanel::~PropertyPanel() { muteEditors(); }
+PropertyPanel::~PropertyPanel() {
+  muteEditors();
+  forgetParts();
+}
 
 // The results stay when another feature is shown: Qt looks up the style of a widget, and of all within, whenever its parent
 // changes, and that takes longer than all else. For the same reason widgets are made with the parent that they keep.
@@ -141,6 +144,7 @@ void PropertyPanel::buildColumn() {
 
 void PropertyPanel::rebuild() {
   endPick();
+  mark({});
   muteEditors();
   fields_.clear();
   unshowable_.clear();
@@ -248,6 +252,7 @@ void PropertyPanel::refreshContext() {
     }
   context_->sources = std::move(sources);
   context_->names = namedNumbersOf(session_.document());
+  refreshLost();
 }
 
 void PropertyPanel::refreshFields() {
@@ -293,6 +298,7 @@ void PropertyPanel::followViews(const std::set<FeatureId>& features) {
   const bool own = features.contains(shown_), others = features.size() > (own ? 1U : 0U);
   if (own) {
     refreshTimes();
+    refreshLost();
     refreshResult();
   } else if (!inputs_.empty()) {
     countRefresh(WindowPart::Panel);

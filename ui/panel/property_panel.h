@@ -7,6 +7,7 @@
 
 #include "document/document.h"
 #include "feature/feature_type.h"
+#include "ui/fields/marked_parts.h"
 #include "ui/panel/panel_picking.h"
 #include "ui/panel/sequence_time.h"
 
@@ -49,6 +50,8 @@ class PropertyPanel : public QScrollArea {
   /// Asks the view to pick until pickEnded; picks are passed to offerPick.
   void pickWanted(const blossom::ui::PickRequest&);
   void pickEnded();
+  /// Parts to be marked in the view until the next signal.
+  void partsMarked(const blossom::ui::MarkedParts&);
   /// Asks the timeline to go to a frame, because the t of a feature that makes a sequence was changed.
   void frameWanted(int frame);
   void manualWanted(const QString& page);
@@ -63,6 +66,10 @@ class PropertyPanel : public QScrollArea {
   void addParameters();
   void connectField(ParameterField*);
   void refreshContext();
+  void provideParts();
+  void forgetParts();
+  void refreshLost();
+  void mark(MarkedParts);
   void refreshFields();
   void refreshField(ParameterField&, const Value& given);
   void refreshResult();
@@ -103,6 +110,7 @@ class PropertyPanel : public QScrollArea {
 
   SequenceTime time_;
   PanelPicking picking_;
+  MarkedParts marked_;
 };
 
 }  // namespace blossom::ui

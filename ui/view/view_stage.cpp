@@ -19,7 +19,12 @@ constexpr double reachOfMouse = 6;  // pixels within which edges and points are 
 }  // namespace
 
 ViewStage::ViewStage()
-    : renderer_(vtkSmartPointer<vtkRenderer>::New()), items_(renderer_), lit_(renderer_), selected_(renderer_) {
+    : renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      items_(renderer_),
+      lit_(renderer_),
+      selected_(renderer_),
+      chosen_(renderer_),
+      pointed_(renderer_) {
   renderer_->AddActor(grid_.actor());
   setLook(look_);
 }
@@ -28,7 +33,10 @@ vtkRenderer& ViewStage::renderer() { return *renderer_; }
 
 ItemsChange ViewStage::setItems(const std::vector<ViewItem>& items) {
   ItemsChange change = items_.set(items);
-  if (!change.shapes.empty()) keepGridLast();
+  if (!change.shapes.empty()) {
+    showMarks();
+    keepGridLast();
+  }
   return change;
 }
 
@@ -56,6 +64,8 @@ void ViewStage::applyLook() {
   items_.setLook(look);
   lit_.setLook(look, mixed(look.control, look.surface, 0.35), 0.55);
   selected_.setLook(look, look.control, 0.9);
+  chosen_.setLook(look, look.control, 0.9);
+  pointed_.setLook(look, look.made, 1);
 }
 
 void ViewStage::setGridVisible(bool visible) { grid_.actor()->SetVisibility(visible); }
@@ -67,6 +77,8 @@ void ViewStage::setSection(const std::optional<CutPlane>& section) {
   items_.setSection(section);
   lit_.setSection(items_.clip());
   selected_.setSection(items_.clip());
+  chosen_.setSection(items_.clip());
+  pointed_.setSection(items_.clip());
 }
 
 void ViewStage::light(const Pick& pick, bool whole) {
@@ -79,6 +91,19 @@ bool ViewStage::select(const std::vector<Pick>& parts) {
   if (!selected_.set(parts, items_)) return false;
   keepGridLast();
   return true;
+}
+
+bool ViewStage::mark(const MarkedParts& marks) {
+  marks_ = marks;
+  if (!showMarks()) return false;
+  keepGridLast();
+  return true;
+}
+
+bool ViewStage::showMarks() {
+  const bool chosen = chosen_.set(marks_.chosen, items_);
+  const bool pointed = pointed_.set(marks_.pointed ? std::vector<Pick>{*marks_.pointed} : std::vector<Pick>(), items_);
+  return chosen || pointed;
 }
 
 Pick ViewStage::pick(const CameraControl& camera, QPointF at, PickMode mode) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/fields/marked_parts.h"
 #include "ui/view/ground_grid.h"
 #include "ui/view/view_highlight.h"
 #include "ui/view/view_items.h"
@@ -47,6 +48,10 @@ class ViewStage {
   bool select(const std::vector<Pick>&);
   [[nodiscard]] const std::vector<Pick>& selected() const { return selected_.picks(); }
 
+  /// Marks parts, also of shapes that are shown later. @returns whether anything changed.
+  bool mark(const MarkedParts&);
+  [[nodiscard]] const MarkedParts& marked() const { return marks_; }
+
   [[nodiscard]] Pick pick(const CameraControl&, QPointF at, PickMode) const;
   [[nodiscard]] std::vector<Vec3> points() const;  ///< of all that is shown, and of what is to come
 
@@ -57,12 +62,14 @@ class ViewStage {
  private:
   void replace(Props& before, Props now);
   void applyLook();
+  bool showMarks();
   void keepGridLast();
   void keepGridInSight();
 
   vtkSmartPointer<vtkRenderer> renderer_;
   ViewItems items_;
-  PartHighlight lit_, selected_;
+  PartHighlight lit_, selected_, chosen_, pointed_;
+  MarkedParts marks_;
   Props overlay_, toolProps_;
   GroundGrid grid_;
   Look look_ = Look::dark();

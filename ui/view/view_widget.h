@@ -61,6 +61,9 @@ class ViewWidget : public QWidget, private PictureSubject {
   /// Faces, edges and points that are selected; in Feature mode there are none, features are selected by who listens.
   void setSelectedParts(const std::vector<Pick>&);
   [[nodiscard]] const std::vector<Pick>& selectedParts();
+  /// Parts that a form marks, whatever is selected.
+  void setMarkedParts(const MarkedParts&);
+  [[nodiscard]] const MarkedParts& markedParts() const { return stage_.marked(); }
   /// What is under a point of the view, logical pixels.
   [[nodiscard]] Pick pickAt(QPointF, PickMode);
   /// What lies in a rectangle: wholly, or in part when `crossing`.

@@ -149,6 +149,10 @@ void ViewWidget::setPickMode(PickMode mode) {
   setSelectedParts({});
 }
 
+void ViewWidget::setMarkedParts(const MarkedParts& marks) {
+  if (stage_.mark(marks)) picture_->redraw();
+}
+
 const std::vector<Pick>& ViewWidget::selectedParts() {
   bringUpToDate();
   return stage_.selected();

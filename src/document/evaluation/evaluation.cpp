@@ -112,6 +112,8 @@ std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& featur
       FoundParts again = foundParts(feature, *type, named, *arranged, construction_, progress);
       named = std::move(again.now);
       parts = std::move(again.kept);
+      result->lost = std::move(again.lost);
+      if (!result->lost.empty()) throw lostError(result->lost.front());
     }
     const Value before = outcome.parameters = named;
     const Value parameters = openedFiles(type->parameters, std::move(named), keyed);

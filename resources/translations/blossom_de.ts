@@ -377,6 +377,14 @@
         <source>Esc leaves</source>
         <translation>Esc verlässt</translation>
     </message>
+    <message>
+        <source>what is typed</source>
+        <translation>was getippt ist</translation>
+    </message>
+    <message>
+        <source>the last point</source>
+        <translation>der letzte Punkt</translation>
+    </message>
 </context>
 <context>
     <name>blossom::modeling::EditTool</name>
@@ -411,6 +419,10 @@
     <message>
         <source>the length of this side</source>
         <translation>die Länge dieser Seite</translation>
+    </message>
+    <message>
+        <source>This side is slanted, and only level and upright sides keep an expression with names: type its value, or write expressions for its points under &quot;segments&quot;.</source>
+        <translation>Diese Seite ist schräg, und nur waagerechte und senkrechte Seiten behalten einen Ausdruck mit Namen: ihren Wert eingeben, oder für ihre Punkte unter „Segments“ Ausdrücke schreiben.</translation>
     </message>
 </context>
 <context>

@@ -377,6 +377,14 @@
         <source>Esc leaves</source>
         <translation>Esc: 나가기</translation>
     </message>
+    <message>
+        <source>what is typed</source>
+        <translation>입력한 내용</translation>
+    </message>
+    <message>
+        <source>the last point</source>
+        <translation>마지막 점</translation>
+    </message>
 </context>
 <context>
     <name>blossom::modeling::EditTool</name>
@@ -411,6 +419,10 @@
     <message>
         <source>the length of this side</source>
         <translation>이 변의 길이</translation>
+    </message>
+    <message>
+        <source>This side is slanted, and only level and upright sides keep an expression with names: type its value, or write expressions for its points under &quot;segments&quot;.</source>
+        <translation>이 변은 기울어져 있습니다. 이름이 든 식은 수평이나 수직인 변만 유지합니다. 값을 입력하거나, &quot;구간&quot;에서quot;Segments&quot;구간&quot;에서quot;에서 그 점들을 식으로 쓰십시오.</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,18 @@ Value numberWithNames(const ParameterSpec& spec, const Value& written, const Nam
   }
 }
 
+/// Items that were put in or taken out of a list leave those before and after them as they were written.
+Value keptItems(const Value& written, const Value& before, const Value& after) {
+  const std::size_t fewer = std::min(before.size(), after.size());
+  std::size_t front = 0, back = 0;
+  while (front < fewer && before[front] == after[front]) ++front;
+  while (back < fewer - front && before[before.size() - 1 - back] == after[after.size() - 1 - back]) ++back;
+  Value all = after;
+  for (std::size_t k = 0; k < front; ++k) all[k] = written[k];
+  for (std::size_t k = 1; k <= back; ++k) all[after.size() - k] = written[written.size() - k];
+  return all;
+}
+
 Value kept(const Value& written, const Value& before, const Value& after) {
   if (before == after) return written;
   const bool lists = after.is_array() && before.is_array() && written.is_array();
@@ -40,6 +52,7 @@ Value kept(const Value& written, const Value& before, const Value& after) {
     for (std::size_t k = 0; k < after.size(); ++k) all.push_back(kept(written[k], before[k], after[k]));
     return all;
   }
+  if (lists && before.size() == written.size()) return keptItems(written, before, after);
   if (!after.is_object() || !before.is_object() || !written.is_object() || isNamedExpression(written)) return after;
   Value all = Value::object();
   for (const auto& [name, value] : after.items()) {

@@ -19,6 +19,8 @@ class DrawingViewTest : public WindowFixture {
   void whoHasTurnedTheViewKeepsIt();
   void digitsTurnTheViewBeforeTheFirstPoint();
   void theMouseMovesTheViewWhileDrawing();
+  void undoTakesBackPointsFirst();
+  void anotherCommandEndsTheDrawing();
   void placesOfAShape();
   void pickedPositionsSnap();
 
@@ -102,6 +104,44 @@ void DrawingViewTest::theMouseMovesTheViewWhileDrawing() {
   QTest::mouseRelease(&view(), Qt::MiddleButton, Qt::ShiftModifier, middle + QPoint(20, -80));
   QVERIFY(pitch() < 89);
   QVERIFY(window_->page().toolStarted());
+}
+
+void DrawingViewTest::undoTakesBackPointsFirst() {
+  const FeatureId box = add("modeling.box", {{"position", {100, 0, 0}}});
+  const auto* undo = window_->commands().find(QStringLiteral("edit.undo"))->action;
+  const QString ofDocument = undo->text();
+  startDrawing();
+  clickAt({0, 0, 0});
+  const auto draw = [&](const char* entry) {
+    QTest::keyClicks(&view(), QLatin1String(entry));
+    press(Qt::Key_Return);
+  };
+  draw("30<0");
+  QVERIFY(undo->isEnabled() && undo->text() != ofDocument);
+  QTest::keyClick(&view(), Qt::Key_Z, Qt::ControlModifier);
+  run("edit.undo");  // by the menu, too
+  QVERIFY(window_->page().document().contains(box));
+  QCOMPARE(undo->text(), ofDocument);
+  QTest::keyClick(&view(), Qt::Key_Y, Qt::ControlModifier);
+  run("edit.redo");
+  draw("20<90");
+  press(Qt::Key_C);
+  waitUntilComputed();
+  COMPARE_NEAR(measureOf(last(), "area"), 300, 1e-9);
+}
+
+void DrawingViewTest::anotherCommandEndsTheDrawing() {
+  startDrawing();
+  clickAt({0, 0, 0});
+  clickAt({30, 0, 0});
+  run("feature.modeling.box");
+  waitUntilComputed();
+  QVERIFY(!window_->page().toolStarted());
+  QCOMPARE(window_->page().document().features().size(), std::size_t{1});
+  startDrawing();
+  clickAt({0, 0, 0});
+  run("edit.duplicate");
+  QVERIFY(!window_->page().toolStarted());
 }
 
 void DrawingViewTest::placesOfAShape() {

@@ -22,6 +22,7 @@ class PanelTypingTest : public PanelFixture {
   void expressionsAreTyped();
   void expressionsStayAsTheyWereTyped();
   void expressionsOfCoordinatesStay();
+  void exponentsStayInSight();
   void aWrongValueIsKeptOut();
   void closingWithSomethingTypedIsHarmless();
   void escapeTakesBackWhatIsTyped();
@@ -121,6 +122,15 @@ void PanelTypingTest::expressionsOfCoordinatesStay() {
   QVERIFY(!field("point")->problem().isEmpty());
   QTest::keyClick(line("x"), Qt::Key_Escape);
   QCOMPARE(line("x")->text(), QStringLiteral("1in+2"));
+}
+
+// Of a number that is too long for its field the beginning is seen.
+void PanelTypingTest::exponentsStayInSight() {
+  const QString inSight = QStringLiteral("1.9e-15");
+  QCOMPARE(displayText(blossom::length(), 1.8651746813702630e-15), inSight + QStringLiteral(" mm"));
+  QCOMPARE(displayText(angle(), -1.8651746813702630e-15), u'-' + inSight + u'°');
+  QCOMPARE(displayText(number(), 1e-15), QStringLiteral("1e-15"));
+  QCOMPARE(displayText(number(), 1234.56789012), QStringLiteral("1234.56789012"));
 }
 
 void PanelTypingTest::aWrongValueIsKeptOut() {

@@ -1,4 +1,5 @@
 // Numbers that were typed are kept: at the sides of what was drawn, as expressions, and under names, in the real window.
+#include <QSignalSpy>
 #include <QTableWidget>
 
 #include "document/named_numbers.h"
@@ -17,6 +18,10 @@ class TypedNumbersTest : public WindowFixture {
   void cleanup() { window_.reset(); }
   void sidesOfARectangleAreTyped();
   void sidesOfADrawnRectangleAreTyped();
+  void expressionsAtSidesOfADrawnOutline();
+  void aSlantedSideRefusesNames();
+  void theSizeFieldBeginsWithThePresentSize();
+  void enterAndEscapeLeaveTheEditing();
   void draggingKeepsWhatWasTyped();
   void namesAreUsedInFields();
   void theTableIsEditedInItsDialog();
@@ -35,6 +40,19 @@ class TypedNumbersTest : public WindowFixture {
     test::moveMouse(&view(), at);
     QTest::mouseClick(&view(), Qt::LeftButton, {}, at);
     QTest::mouseDClick(&view(), Qt::LeftButton, {}, at);
+  }
+  void setNumbers(const std::vector<NamedNumber>& table) {
+    window_->session().commit(withNumbers(document(), *window_->session().app().registry, table), {});
+    waitUntilComputed();
+  }
+  /// A closed outline of lines through these points, from the origin, selected and seen from above.
+  FeatureId addOutline(const std::vector<Vec2>& corners) {
+    Value segments = Value::array();
+    for (const Vec2& corner : corners) segments.push_back({{"to", {corner.x(), corner.y(), 0}}});
+    const FeatureId outline = add("modeling.outline", {{"start", {0, 0, 0}}, {"segments", segments}});
+    lookAtPlane();
+    window_->tree().select(outline);
+    return outline;
   }
   void type(const char* text) {
     QTest::keyClicks(&view(), QLatin1String(text));
@@ -87,6 +105,68 @@ void TypedNumbersTest::sidesOfADrawnRectangleAreTyped() {
   type("1 in");
   COMPARE_NEAR(measureOf(outline, "area"), 75.0 * 25.4, 1e-9);
   QCOMPARE(measureOf(outline, "lines"), 4.0);
+}
+
+void TypedNumbersTest::expressionsAtSidesOfADrawnOutline() {
+  setNumbers({{"width", "60 mm"}});
+  const FeatureId outline = addOutline({{60, 0}, {60, 40}, {0, 40}});
+  openNumber({30, 0, 0}, -Vec3::UnitY(), 17);
+  type("width+20");
+  COMPARE_NEAR(measureOf(outline, "area"), 80.0 * 40, 1e-9);
+  const Value end{{"expression", "width+20"}, {"value", 80.0}};
+  QCOMPARE(parameter(outline, "segments").at(0).at("to").at(0), end);
+  setNumbers({{"width", "90 mm"}});
+  COMPARE_NEAR(measureOf(outline, "area"), 110.0 * 40, 1e-9);
+  // It is there again for the next edit, and goes on being one.
+  lookAtPlane();
+  openNumber({55, 0, 0}, -Vec3::UnitY(), 17);
+  QTest::keyClick(&view(), Qt::Key_End);
+  QTest::keyClick(&view(), Qt::Key_Backspace);
+  type("5");
+  COMPARE_NEAR(measureOf(outline, "area"), 115.0 * 40, 1e-9);
+  setNumbers({{"width", "60 mm"}});
+  COMPARE_NEAR(measureOf(outline, "area"), 85.0 * 40, 1e-9);
+}
+
+void TypedNumbersTest::aSlantedSideRefusesNames() {
+  setNumbers({{"width", "60 mm"}});
+  const FeatureId outline = addOutline({{60, 0}, {60, 60}});
+  const Value before = parameter(outline, "segments");
+  const QSignalSpy hints(&window_->page(), &DocumentPage::hint);
+  openNumber({30, 30, 0}, Vec3(-1, 1, 0).normalized(), 24);
+  type("width");
+  QCOMPARE(parameter(outline, "segments"), before);
+  QVERIFY2(hints.last().at(0).toString().contains(QStringLiteral("slanted")), qPrintable(hints.last().at(0).toString()));
+}
+
+void TypedNumbersTest::theSizeFieldBeginsWithThePresentSize() {
+  const FeatureId rectangle = add("modeling.rectangle", {{"width", "2*30 mm"}, {"height", 40}});
+  lookAtPlane();
+  window_->tree().select(rectangle);
+  const QSignalSpy hints(&window_->page(), &DocumentPage::hint);
+  const auto steps = [&] { return window_->session().history().undoText(); };
+  const std::string before = steps();
+  openNumber({0, 20, 0}, Vec3::UnitY(), 17);
+  QVERIFY2(hints.last().at(0).toString().contains(QStringLiteral("Enter")), qPrintable(hints.last().at(0).toString()));
+  QTest::keyClick(&view(), Qt::Key_Return);  // as it is: no edit
+  QCOMPARE(steps(), before);
+  openNumber({0, 20, 0}, Vec3::UnitY(), 17);
+  QTest::keyClick(&view(), Qt::Key_Right);
+  type(" + 5 mm");
+  QCOMPARE(parameter(rectangle, "width"), Value("2*30 mm + 5 mm"));
+  openNumber({32.5, 0, 0}, Vec3::UnitX(), 34);
+  type("30");  // takes the place of what is selected
+  COMPARE_NEAR(measureOf(rectangle, "area"), 65.0 * 30, 1e-9);
+}
+
+void TypedNumbersTest::enterAndEscapeLeaveTheEditing() {
+  const FeatureId outline = addOutline({{60, 0}, {60, 40}, {0, 40}});
+  for (const Qt::Key leaves : {Qt::Key_Escape, Qt::Key_Return}) {
+    window_->tree().select(outline);
+    QVERIFY(window_->page().tool());
+    QTest::keyClick(&view(), leaves);
+    QVERIFY(!window_->page().tool());
+  }
 }
 
 void TypedNumbersTest::draggingKeepsWhatWasTyped() {

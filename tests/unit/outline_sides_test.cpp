@@ -44,6 +44,7 @@ class OutlineSidesTest : public QObject {
   void whereNothingIsParallelOneCornerMoves();
   void openOutlinesMoveTheirRest();
   void normalsPointOutward();
+  void noDirtOfRounding();
   void whatCannotBe();
 };
 
@@ -141,6 +142,25 @@ void OutlineSidesTest::normalsPointOutward() {
       QVERIFY(((side.from + side.to) / 2 + side.outward - Vec2(5, 2.5)).norm() >
               ((side.from + side.to) / 2 - Vec2(5, 2.5)).norm());
   }
+}
+
+// As drawn by 60<0, 40<90, 60<180: what is 1e-15 beside a whole number is one.
+void OutlineSidesTest::noDirtOfRounding() {
+  const double up = std::numbers::pi / 2;
+  const std::vector<Vec2> corners{
+      {0, 0}, {60, 0}, Vec2(60, 0) + 40 * Vec2(std::cos(up), std::sin(up)), {60 * std::cos(2 * up) + 60, 40.00000000000001}};
+  const auto changed = withSideLength(polygon(corners), 2, 101);
+  QVERIFY(changed.has_value());
+  QCOMPARE(changed->start.x(), -41.0);
+  QCOMPARE(changed->start.y(), 0.0);
+  const std::vector<Vec2> wanted{{60, 0}, {60, 40}, {-41, 40}};
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    QVERIFY(changed->segments[k].to.x() == wanted[k].x());
+    QVERIFY(changed->segments[k].to.y() == wanted[k].y());
+  }
+  // Decimals stay those that were meant.
+  const auto tenth = withSideLength(polygon({{0, 0}, {0.1, 0}, {0.1, 5}, {0, 5}}), 0, 0.1 + 0.2);
+  QVERIFY(tenth && tenth->segments[0].to.x() == 0.3);
 }
 
 void OutlineSidesTest::whatCannotBe() {

@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "core/error.h"
+#include "parameter/written.h"
 #include "ui/controls/field_label.h"
 #include "ui/look/icons.h"
 #include "ui/look/popup_menu.h"
@@ -243,10 +244,23 @@ void ParameterField::contextMenuEvent(QContextMenuEvent* event) {
   menu.popup(event->globalPos());
 }
 
+namespace {
+
+// A field shows the beginning of a text that is too long for it: of 1.8651746813e-15 that would be another number.
+QString withExponentInSight(const QString& text) {
+  const QString number = text.section(u' ', 0, 0).remove(u'°');
+  constexpr int shortEnough = 8;
+  if (!number.contains(u'e') || number.size() <= shortEnough) return text;
+  return QString::number(number.toDouble(), 'g', 2) + text.mid(number.size());
+}
+
+}  // namespace
+
 QString displayText(const ParameterSpec& spec, const Value& value) {
   if (value.is_null()) return {};
   if (spec.kind == ParameterKind::File && value.is_object()) return qt(value.value("path", std::string())).section(u'/', -1);
-  return qt(formatText(spec, value, lengthUnit()));
+  const QString text = qt(formatText(spec, value, lengthUnit()));
+  return isNumeric(spec) ? withExponentInSight(text) : text;
 }
 
 Value parseTyped(const ParameterSpec& spec, const QString& text, const NamedNumbers& names) {

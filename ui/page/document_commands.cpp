@@ -37,10 +37,10 @@ DocumentCommands::DocumentCommands(Commands& commands, FeatureMenus& featureMenu
 void DocumentCommands::declareHistory() {
   const QString group = tr("Edit");
   commands_.add({"edit.undo", group, "undo", tr("&Undo"), tr("Take the last change back."), {QKeySequence::Undo}},
-                [this] { page_->session().undo(); });
+                [this] { page_->undo(); });
   commands_.add(
       {"edit.redo", group, "redo", tr("&Redo"), tr("Do again what was taken back."), {tr("Ctrl+Shift+Z"), tr("Ctrl+Y")}},
-      [this] { page_->session().redo(); });
+      [this] { page_->redo(); });
   commands_.add(
       {"edit.numbers", group, "expression", tr("Named &numbers…"), tr("Numbers with names that every field can use."), {}},
       [this] {
@@ -57,6 +57,11 @@ void DocumentCommands::declareHistory() {
                 [this] { page_->session().recompute(); });
 }
 
+DocumentTree& DocumentCommands::treeWithoutDrawing() {
+  page_->endQuestion();
+  return page_->tree();
+}
+
 void DocumentCommands::declareClipboard() {
   const QString group = tr("Edit");
   commands_.add({"edit.cut",
@@ -65,7 +70,7 @@ void DocumentCommands::declareClipboard() {
                  tr("Cu&t"),
                  tr("Take the selected features out, to be pasted elsewhere."),
                  {QKeySequence(QKeySequence::Cut)}},
-                [this] { page_->tree().cutSelected(); });
+                [this] { treeWithoutDrawing().cutSelected(); });
   commands_.add({"edit.copy",
                  group,
                  "copy",
@@ -79,14 +84,14 @@ void DocumentCommands::declareClipboard() {
                  tr("&Paste"),
                  tr("Add the features that were copied, in this document or another."),
                  {QKeySequence(QKeySequence::Paste)}},
-                [this] { page_->tree().paste(); });
+                [this] { treeWithoutDrawing().paste(); });
   commands_.add({"edit.duplicate",
                  group,
                  "duplicate",
                  tr("&Duplicate"),
                  tr("Add the selected features once more, made from the same inputs."),
                  {tr("Ctrl+D")}},
-                [this] { page_->tree().duplicateSelected(); });
+                [this] { treeWithoutDrawing().duplicateSelected(); });
 }
 
 void DocumentCommands::declareFeatureEdits() {
@@ -179,7 +184,6 @@ void DocumentCommands::addTo(QMenu* edit) {
 }
 
 void DocumentCommands::refreshHistory() {
-  const History& steps = page_->session().history();
   const auto describe = [&](const char* id, const QString& plain, const QString& full, const std::string& what,
                             const QString& whyNot) {
     QAction& action = *commands_.action(QLatin1String(id));
@@ -188,8 +192,8 @@ void DocumentCommands::refreshHistory() {
     action.setText(what.empty() ? plain : full.arg(qt(what)));
     action.setIconText(iconText);
   };
-  describe("edit.undo", tr("&Undo"), tr("&Undo: %1"), steps.undoText(), tr("Nothing has been changed yet."));
-  describe("edit.redo", tr("&Redo"), tr("&Redo: %1"), steps.redoText(), tr("Nothing was taken back."));
+  describe("edit.undo", tr("&Undo"), tr("&Undo: %1"), page_->undoText(), tr("Nothing has been changed yet."));
+  describe("edit.redo", tr("&Redo"), tr("&Redo: %1"), page_->redoText(), tr("Nothing was taken back."));
 }
 
 // "Hide" or "Show", "Suppress" or "Compute again": what would happen now.

@@ -9,6 +9,7 @@ namespace blossom::ui {
 
 class Commands;
 class DocumentPage;
+class DocumentTree;
 class FeatureMenus;
 
 /// The commands on features: declared here once, for the Edit menu, the context menus of tree and view, and the palette.
@@ -26,6 +27,8 @@ class DocumentCommands : public QObject {
   void declareHistory();
   void declareFeatureEdits();
   void declareClipboard();
+  /// The tree, for a command that adds or takes away features: what is drawn meanwhile is given up.
+  DocumentTree& treeWithoutDrawing();
   void declareSelection();
   void fillContextMenu(QMenu&);
   void fitToSelection();

@@ -211,6 +211,7 @@ void DocumentPage::connectWidgets() {
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
   connect(properties_, &PropertyPanel::manualWanted, this, &DocumentPage::manualWanted);
   connect(tools_.get(), &PageTools::changed, this, &DocumentPage::toolChanged);
+  connect(tools_.get(), &PageTools::stepsChanged, this, &DocumentPage::stateChanged);
   connect(tools_.get(), &PageTools::hint, this, &DocumentPage::hint);
   connect(tools_.get(), &PageTools::failed, this, [this](const Error& error) { showError(error); });
   connectPicking();
@@ -271,7 +272,8 @@ void DocumentPage::choose(const QString& question, const std::vector<FeatureId>&
 }
 
 void DocumentPage::endQuestion() {
-  if (dynamic_cast<ChooseTool*>(tools_->started())) endTool();
+  const Tool* const started = tools_->started();
+  if (dynamic_cast<const ChooseTool*>(started) || (started && started->drawsIn())) endTool();
 }
 
 bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_->started()) != nullptr; }

@@ -60,8 +60,13 @@ class DocumentPage : public QObject, public ToolHost {
   void endTool() { tools_->end(); }
   /// Asks in the view for one of these features, which light up; Esc or another tool ends it without an answer.
   void choose(const QString& question, const std::vector<FeatureId>& features, std::function<void(const FeatureId&)> then);
-  /// Ends such a question, as another command begins.
+  /// Ends such a question, or a drawing that is not finished, as another command begins.
   void endQuestion();
+  /// Undo and redo of what the tool has begun, where it has steps of its own, else of the document.
+  void undo();
+  void redo();
+  [[nodiscard]] std::string undoText() const;
+  [[nodiscard]] std::string redoText() const;
   void startMeasuring();
   void startSection();
   [[nodiscard]] bool measuring() const;

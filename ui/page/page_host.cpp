@@ -30,6 +30,28 @@ void DocumentPage::makeSequence() {
     session_.commit(document().with(*feature), tr("Play %1").arg(qt(shownName(*feature))));
 }
 
+std::string DocumentPage::undoText() const {
+  const QString own = tools_->started() ? tools_->started()->undoText() : QString();
+  return own.isEmpty() ? session_.history().undoText() : own.toStdString();
+}
+
+std::string DocumentPage::redoText() const {
+  const QString own = tools_->started() ? tools_->started()->redoText() : QString();
+  return own.isEmpty() ? session_.history().redoText() : own.toStdString();
+}
+
+void DocumentPage::undo() {
+  Tool* const started = tools_->started();
+  if (started && !started->undoText().isEmpty()) return started->undo();
+  session_.undo();
+}
+
+void DocumentPage::redo() {
+  Tool* const started = tools_->started();
+  if (started && !started->redoText().isEmpty()) return started->redo();
+  session_.redo();
+}
+
 std::optional<QPointF> DocumentPage::onScreen(const Vec3& p) const { return view_->camera().project(p); }
 
 Value DocumentPage::typed(const ParameterSpec& spec, const QString& text) const {

@@ -19,7 +19,9 @@ void PageTools::drop() {
 
 void PageTools::follow(Tool& tool) {
   connect(&tool, &Tool::changed, this, [this, sender = &tool] {
-    if (sender == this->tool()) emit hint(sender->hint());
+    if (sender != this->tool()) return;
+    emit hint(sender->hint());
+    tellSteps();
   });
   connect(&tool, &Tool::finished, this, [this, finished = &tool] {
     if (tool_.get() != finished && handles_.get() != finished) return;
@@ -32,10 +34,17 @@ void PageTools::follow(Tool& tool) {
   });
 }
 
+// Of a tool that can take back steps of its own; asked at each of its changes, told when there is news.
+void PageTools::tellSteps() {
+  const QStringList now = tool_ ? QStringList{tool_->undoText(), tool_->redoText()} : QStringList();
+  if (std::exchange(steps_, now) != now) emit stepsChanged();
+}
+
 void PageTools::giveViewItsTool() {
   view_.setTool(tool(), !tool_);
   emit hint(tool() ? tool()->hint() : ViewWidget::idleHint());
   emit changed();
+  tellSteps();
 }
 
 void PageTools::start(std::unique_ptr<Tool> started) {

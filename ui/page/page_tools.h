@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QStringList>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,7 @@ class PageTools : public QObject {
 
  signals:
   void changed();
+  void stepsChanged();  ///< what Undo and Redo would do with the tool that was started
   void hint(const QString&);
   void failed(const blossom::Error&);
 
@@ -39,6 +41,7 @@ class PageTools : public QObject {
   void follow(Tool&);
   void makeHandles(const MakeTool&, const FeatureId&);
   void giveViewItsTool();
+  void tellSteps();
   void turnToPlane(const Vec3& normal);
   void turnBack();
 
@@ -47,6 +50,7 @@ class PageTools : public QObject {
   ViewWidget& view_;
   std::unique_ptr<Tool> tool_, handles_;
   FeatureId handled_;
+  QStringList steps_;
   struct Turned {
     Turn before, during;
   };

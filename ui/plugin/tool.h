@@ -94,6 +94,14 @@ class Tool : public QObject {
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }  ///< if Esc is not accepted, it ends the tool
+  /// Something is being typed: the hint stays in the status line wherever the mouse goes.
+  [[nodiscard]] virtual bool entering() const { return false; }
+  /// What `undo` and `redo` would take back and give again of what the tool has begun, "the last point"; empty: the
+  /// document's last change is meant.
+  [[nodiscard]] virtual QString undoText() const { return {}; }
+  [[nodiscard]] virtual QString redoText() const { return {}; }
+  virtual void undo() {}
+  virtual void redo() {}
   /// The normal of the plane that the tool draws in, to which the view turns as it begins; empty: the view stays.
   [[nodiscard]] virtual std::optional<Vec3> drawsIn() const { return std::nullopt; }
   /// The objects that `ToolEvent::pick` finds and that are highlighted under the mouse.

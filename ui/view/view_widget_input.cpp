@@ -25,7 +25,9 @@ void ViewWidget::setNavigation(NavigationStyle style) { navigation_->setStyle(st
 
 NavigationStyle ViewWidget::navigation() const { return navigation_->style(); }
 
-QString ViewWidget::restingHint() const { return tool_ && !handles_ ? tool_->hint() : idleHint(navigation()); }
+QString ViewWidget::restingHint() const {
+  return tool_ && (!handles_ || tool_->entering()) ? tool_->hint() : idleHint(navigation());
+}
 
 void ViewWidget::mousePressEvent(QMouseEvent* event) {
   event->accept();

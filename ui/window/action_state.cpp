@@ -17,8 +17,8 @@ ActionState actionState(DocumentPage& page) {
   state.modified = session.modified();
   state.hasFile = !session.file().empty();
   state.empty = document.features().empty();
-  state.undo = session.history().undoText();
-  state.redo = session.history().redoText();
+  state.undo = page.undoText();
+  state.redo = page.redoText();
   state.selected = page.tree().selected();
   if (!state.selected.empty() && document.contains(state.selected.front())) {
     const Feature& first = document.at(state.selected.front());

@@ -95,6 +95,7 @@ void DocumentFiles::importFiles(const QStringList& files) {
   rememberFolder(files.first());
   std::vector<std::filesystem::path> paths;
   for (const QString& file : files) paths.emplace_back(file.toStdString());
+  documents_.shown().endQuestion();
   documents_.shown().session().import(paths);
   documents_.refreshStart();
 }

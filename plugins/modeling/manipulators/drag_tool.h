@@ -1,8 +1,9 @@
 #pragma once
 #include <optional>
 
+#include "manipulators/size_entry.h"
 #include "manipulators/tool_scene.h"
-#include "parameter/value.h"
+#include "parameter/parameter.h"
 #include "ui/tools/handle_tool.h"
 
 namespace blossom::modeling {
@@ -21,6 +22,7 @@ class DragTool : public ui::HandleTool {
   bool move(const ui::ToolEvent&) override;
   bool doubleClick(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  [[nodiscard]] bool entering() const override { return typing_.has_value(); }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
 
  protected:
@@ -42,6 +44,13 @@ class DragTool : public ui::HandleTool {
   [[nodiscard]] virtual std::vector<Dimension> dimensions(const Value& parameters) const = 0;
   /// The parameters with another value of a dimension; empty when that is impossible.
   [[nodiscard]] virtual std::optional<Value> resized(const Value& parameters, std::size_t dimension, double to) const = 0;
+  /// The expression that a dimension is written as in the document; empty: it is a number.
+  [[nodiscard]] virtual std::string expressionFor(std::size_t dimension) const;
+  /// The parameters that the document keeps when a dimension was typed.
+  /// @param kept those after the edit, as they were written where they stay
+  /// @param next those after the edit, canonical
+  /// @throws Error when what was typed cannot be kept.
+  [[nodiscard]] virtual Value written(Value kept, const Value& next, std::size_t dimension, const Value& typed) const;
   /// The points for the current parameters of the feature.
   [[nodiscard]] virtual std::vector<Point> points(const Value& parameters) const = 0;
   /// The parameters after moving point `index`; empty when that is impossible.
@@ -66,6 +75,8 @@ class DragTool : public ui::HandleTool {
   [[nodiscard]] std::optional<std::size_t> dimensionUnder(const ui::ToolEvent&) const;
   [[nodiscard]] static QPointF shiftOf(const Dimension&);
   [[nodiscard]] double pixelsPerMm(const Dimension&) const;
+  [[nodiscard]] ParameterSpec specOf(const Dimension&) const;
+  [[nodiscard]] QString presentSize(std::size_t dimension) const;
   bool typingKey(const QKeyEvent&);
   void takeTyped();
   void stopTyping();
@@ -77,7 +88,8 @@ class DragTool : public ui::HandleTool {
   std::optional<Snap> snap_;
   std::optional<std::size_t> chosen_;
   std::optional<std::size_t> pointed_, typing_;  ///< a dimension: under the mouse; whose value is being typed
-  QString typed_, refusal_;
+  SizeEntry entry_;
+  QString refusal_;
 };
 
 }  // namespace blossom::modeling

@@ -3,6 +3,7 @@
 #include <vtkProp.h>
 
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <cmath>
 
 #include "core/angle.h"
@@ -89,6 +90,7 @@ void DrawTool::place() {
     return refuse(problem.isEmpty() ? tr("This point makes no segment; choose another.") : problem);
   }
   refusal_.clear();
+  undone_.clear();
   if (draft_.closed()) return finish();
   emit changed();
 }
@@ -112,9 +114,56 @@ void DrawTool::finish() {
 
 bool DrawTool::key(const QKeyEvent& event) {
   refusal_.clear();
-  const bool taken = entryKey(event) || commandKey(event);
+  const bool taken = historyKey(event) || entryKey(event) || commandKey(event);
   if (taken) emit changed();
   return taken;
+}
+
+QString DrawTool::undoText() const {
+  if (draft_.entry().open()) return tr("what is typed");
+  return draft_.started() ? tr("the last point") : QString();
+}
+QString DrawTool::redoText() const { return undone_.empty() ? QString() : tr("the last point"); }
+
+void DrawTool::takeBack() {
+  const OutlineDraft before = draft_;
+  if (draft_.back()) undone_.push_back(before);
+}
+
+void DrawTool::undo() {
+  refusal_.clear();
+  if (draft_.entry().open()) {
+    draft_.entry().clear();
+  } else {
+    takeBack();
+  }
+  emit changed();
+}
+
+// Where the mouse is now, and what is typed now, is not of the step.
+void DrawTool::redo() {
+  if (undone_.empty()) return;
+  refusal_.clear();
+  const auto hovered = draft_.hovered();
+  draft_ = undone_.back();
+  undone_.pop_back();
+  draft_.setLengthUnit(host().lengthUnit());
+  draft_.entry().clear();
+  if (hovered) draft_.hover(*hovered);
+  emit changed();
+}
+
+/// The keys of Undo and Redo; where there is no point to take back they are left to the document.
+bool DrawTool::historyKey(const QKeyEvent& event) {
+  if (event.matches(QKeySequence::Undo) && !undoText().isEmpty()) {
+    undo();
+    return true;
+  }
+  const bool again =
+      event.matches(QKeySequence::Redo) || (event.key() == Qt::Key_Y && event.modifiers() == Qt::ControlModifier);
+  if (!again || redoText().isEmpty()) return false;
+  redo();
+  return true;
 }
 
 /// Keys of a typed measure; they come first while one is open.
@@ -155,7 +204,7 @@ bool DrawTool::commandKey(const QKeyEvent& event) {
       return true;
     case Qt::Key_Backspace:
     case Qt::Key_Delete:
-      draft_.back();
+      takeBack();
       return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
@@ -218,15 +267,14 @@ void DrawTool::paintRubber(ToolPaint& paint) const {
   const auto rubber = target ? draft_.rubber() : std::nullopt;
   if (rubber) paint.segment(*rubber, paint.look().control, 1.5);
   const auto& snap = draft_.hovered();
+  if (!snap) return;
   if (typed) {
-    if (rubber)
-      paint.label((startPoint(*rubber) + endPoint(*rubber)) / 2, dimension(*rubber, host().lengthUnit()),
-                  paint.look().control);
-    if (snap)
-      paint.label(snap->point, QString::fromStdString(draft_.entry().text()) + QStringLiteral(" |"), paint.look().made);
+    // On one card with what it comes to: a second one would lie over it where the segment is short.
+    const QString text = QString::fromStdString(draft_.entry().text()) + QStringLiteral(" |");
+    const QString comesTo = rubber ? QStringLiteral("   = ") + dimension(*rubber, host().lengthUnit()) : QString();
+    paint.label(snap->point, text + comesTo, paint.look().made);
     return;
   }
-  if (!snap) return;
   QStringList words;
   if (rubber) words << dimension(*rubber, host().lengthUnit());
   for (const Guide& guide : snap->guides) paint.guide(guide, snap->point);

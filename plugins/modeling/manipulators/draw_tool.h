@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "kernel/outline/outline_draft.h"
 #include "manipulators/tool_scene.h"
 #include "ui/plugin/tool.h"
@@ -19,6 +21,10 @@ class DrawTool : public ui::Tool {
   bool release(const ui::ToolEvent&) override;
   bool doubleClick(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  [[nodiscard]] QString undoText() const override;
+  [[nodiscard]] QString redoText() const override;
+  void undo() override;
+  void redo() override;
   [[nodiscard]] std::optional<Vec3> drawsIn() const override { return Vec3::UnitZ(); }
   [[nodiscard]] ui::PickMode picks() const override { return ui::PickMode::None; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
@@ -31,11 +37,14 @@ class DrawTool : public ui::Tool {
   void refuse(const QString& why);
   bool entryKey(const QKeyEvent&);
   bool commandKey(const QKeyEvent&);
+  bool historyKey(const QKeyEvent&);
+  void takeBack();
   [[nodiscard]] QString wanted() const;
   void paintRubber(ToolPaint&) const;
   void paintDrawn(ToolPaint&) const;
 
   OutlineDraft draft_;
+  std::vector<OutlineDraft> undone_;  ///< as it was before each point that was taken back, the last one at the end
   SnapScene scene_;
   double millimetresPerPixel_ = 1;
   QString refusal_;  ///< why the last click had no effect; until the next move

@@ -5,13 +5,16 @@
 #include <QKeyEvent>
 
 #include "core/error.h"
+#include "document/named_numbers.h"
 #include "features_outline_value.h"
 #include "kernel/outline/outline_sides.h"
+#include "manipulators/side_writing.h"
 #include "manipulators/tool_paint.h"
 #include "manipulators/tool_scene.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
+
 EditTool::EditTool(ui::ToolHost& toolHost, FeatureId feature) : DragTool(toolHost, std::move(feature)) {}
 
 Value EditTool::withOutline(const Value& parameters, const DrawnOutline& outline) const {
@@ -43,6 +46,33 @@ std::optional<Value> EditTool::resized(const Value& parameters, std::size_t dime
   const DrawnOutline outline = drawnOutlineOf(parameters);
   const auto next = withSideLength(outline, straightSides(outline).at(dimension).segment, to);
   return next ? std::optional(withOutline(parameters, *next)) : std::nullopt;
+}
+
+std::string EditTool::expressionFor(std::size_t dimension) const {
+  const DrawnOutline outline = drawnOutlineOf(parameters());
+  return writtenLength(host().document().at(feature()).parameters, outline, straightSides(outline).at(dimension));
+}
+
+Value EditTool::written(Value kept, const Value& next, std::size_t dimension, const Value& typed) const {
+  const Document& document = host().document();
+  const DrawnOutline before = drawnOutlineOf(parameters()), after = drawnOutlineOf(next);
+  const StraightSide side = straightSides(before).at(dimension);
+  std::string expression = typed.is_string() ? typed.get<std::string>() : std::string();
+  if (isNamedExpression(typed)) expression = typed.at("expression").get<std::string>();
+  if (!axisOf(side)) {
+    if (isNamedExpression(typed))
+      throw Error(
+          ErrorCode::InvalidParameter,
+          tr("This side is slanted, and only level and upright sides keep an expression with names: type its value, or "
+             "write expressions for its points under \"segments\".")
+              .toStdString());
+    expression.clear();
+  }
+  // Which points go with the side shows in another length of it, also when this one stays.
+  const auto longer = withSideLength(before, side.segment, 1.001 * (side.to - side.from).norm());
+  const DrawnOutline& moved = after == before && longer ? *longer : after;
+  return withExpressions(std::move(kept), document.at(feature()).parameters, {before, after, moved, side, expression},
+                         namedNumbersOf(document));
 }
 
 std::optional<Value> EditTool::dragged(const Value& parameters, std::size_t index, const Vec2& to) const {
@@ -84,9 +114,8 @@ bool EditTool::doubleClick(const ui::ToolEvent& event) {
 
 bool EditTool::key(const QKeyEvent& event) {
   if (DragTool::key(event)) return true;
-  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
-    revert();
-    emit finished();
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_Escape) {
+    leave();
     return true;
   }
   const bool removes = event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
@@ -98,6 +127,14 @@ bool EditTool::key(const QKeyEvent& event) {
   if (next) commit(withOutline(parameters(), *next), tr("Remove a point"));
   emit changed();
   return true;
+}
+
+// What stays selected would be given handles again.
+void EditTool::leave() {
+  ui::ToolHost& workbench = host();
+  revert();
+  emit finished();
+  workbench.select({});
 }
 
 QString EditTool::idleHint() const {

@@ -20,11 +20,14 @@ class EditTool final : public DragTool {
   [[nodiscard]] std::vector<Point> points(const Value& parameters) const override;
   [[nodiscard]] std::vector<Dimension> dimensions(const Value& parameters) const override;
   [[nodiscard]] std::optional<Value> resized(const Value& parameters, std::size_t dimension, double to) const override;
+  [[nodiscard]] std::string expressionFor(std::size_t dimension) const override;
+  [[nodiscard]] Value written(Value kept, const Value& next, std::size_t dimension, const Value& typed) const override;
   [[nodiscard]] std::optional<Value> dragged(const Value& parameters, std::size_t index, const Vec2& to) const override;
   void paint(ToolPaint&, const Value& parameters) const override;
   [[nodiscard]] QString idleHint() const override;
 
  private:
+  void leave();
   [[nodiscard]] std::optional<OutlinePlace> placeUnder(const ui::ToolEvent&) const;
   [[nodiscard]] Value withOutline(const Value& parameters, const DrawnOutline&) const;
 

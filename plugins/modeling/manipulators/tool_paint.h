@@ -32,6 +32,8 @@ class ToolPaint {
   /// A text on a card above a point.
   /// @param shift logical pixels, to the right and up
   void label(const Vec2& at, const QString& text, const Color&, const QPointF& shift = {});
+  /// A text that is being typed, like a label; on the colour of a selection as long as the next key takes its place.
+  void entry(const Vec2& at, const QString& text, bool selected, const QPointF& shift);
 
   [[nodiscard]] const Look& look() const { return look_; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> take() { return std::move(props_); }

@@ -6,6 +6,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "geometry/planar/planar.h"
+#include "kernel/outline/outline_tidy.h"
 
 namespace blossom::modeling {
 namespace {}  // namespace
@@ -90,7 +91,8 @@ std::optional<Vec2> OutlineDraft::target() const {
     along = {std::cos(angle), std::sin(angle)};
     if (!typed.length) length = std::abs(offset.dot(along));
   }
-  return *begin + length * along;
+  const Vec2 end = *begin + length * along;
+  return tidied(end, std::max(sizeOf(*begin), sizeOf(end)));
 }
 
 std::optional<DrawnOutline> OutlineDraft::withSpline(DrawnOutline next, const Vec2& p, bool closing) const {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernel/outline/outline_tidy.h"
+
 namespace blossom::modeling {
 
 namespace {
@@ -99,7 +101,7 @@ std::optional<DrawnOutline> withSideLength(const DrawnOutline& outline, int segm
   if (!(along.norm() > 0) || !(length > 0)) return std::nullopt;
   const Vec2 by = along / along.norm() * (length - along.norm());
   if (by == Vec2::Zero()) return outline;
-  DrawnOutline next = translated(outline, ring, movedCorners(ring, segment, by), by);
+  DrawnOutline next = tidied(translated(outline, ring, movedCorners(ring, segment, by), by));
   return isSound(next) ? std::optional(std::move(next)) : std::nullopt;
 }
 

@@ -18,8 +18,8 @@ std::vector<StraightSide> straightSides(const DrawnOutline&);
 
 /// The outline with a line of another length. Its end moves along it, and what follows moves with it, up to the first line
 /// that is parallel to it and takes up the difference: all angles stay, a rectangle stays one. Where no line does, only the
-/// end of the line moves; of an open outline, the rest moves. Empty when the segment is no line, or when the result would be
-/// no sound outline. O(segments).
+/// end of the line moves; of an open outline, the rest moves. Coordinates come without the dirt of rounding. Empty when the
+/// segment is no line, or when the result would be no sound outline. O(segments).
 /// @param length mm, above 0
 std::optional<DrawnOutline> withSideLength(const DrawnOutline&, int segment, double length);
 

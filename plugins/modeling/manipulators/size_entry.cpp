@@ -1,0 +1,33 @@
+#include "manipulators/size_entry.h"
+
+#include <QKeyEvent>
+#include <utility>
+
+namespace blossom::modeling {
+
+void SizeEntry::open(const QString& present) {
+  present_ = text_ = present;
+  selected_ = !present.isEmpty();
+}
+
+bool SizeEntry::key(const QKeyEvent& event) {
+  switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Home:
+    case Qt::Key_End:
+      selected_ = false;
+      return true;
+    case Qt::Key_Backspace:
+    case Qt::Key_Delete:
+      text_ = std::exchange(selected_, false) ? QString() : text_.chopped(text_.isEmpty() ? 0 : 1);
+      return true;
+    default:
+      break;
+  }
+  if (event.text().isEmpty() || !event.text().front().isPrint()) return false;
+  text_ = (std::exchange(selected_, false) ? QString() : text_) + event.text();
+  return true;
+}
+
+}  // namespace blossom::modeling

@@ -49,6 +49,8 @@ class PaletteTest : public TreeFixture {
   void whatCannotBeDoneSaysWhy();
   void itClosesWithoutDoingAnything();
   void theToolBarFitsAnyWidth();
+  void aNarrowToolBarHidesNoGroup();
+  void theSignsOfCrowdedBarsAreSeen();
   void theWindowClosesAtAnyWidth();
   void aLongJobIsListedAndCancelled();
   void finishedWorkIsKeptWithItsMessage();
@@ -274,6 +276,54 @@ void PaletteTest::theToolBarFitsAnyWidth() {
     QVERIFY(shown >= 2);
     const auto* field = window_->findChild<QPushButton*>(QStringLiteral("findCommand"));
     QVERIFY(field && field->isVisible() && field->mapTo(window_.get(), field->rect().topRight()).x() <= width);
+  }
+}
+
+// The field gives way first; groups that find no room are behind one button, and the bar is used up to its end.
+void PaletteTest::aNarrowToolBarHidesNoGroup() {
+  auto* bar = window_->findChild<FeatureToolBar*>();
+  auto* const others = bar->findChild<QToolButton*>(QStringLiteral("otherGroups"));
+  auto* const find = bar->findChild<QPushButton*>(QStringLiteral("findCommand"));
+  QVERIFY(others && find);
+  for (const int width : {760, 900, 1100}) {
+    window_->resize(width, 600);
+    QCoreApplication::processEvents();
+    QVERIFY(bar->isVisible() && find->isVisible() && bar->rect().contains(find->geometry()));
+    qsizetype hidden = 0, widestLeft = 0;
+    for (const QToolButton* group : bar->findChildren<QToolButton*>(QStringLiteral("featureGroup"))) {
+      const QList<QAction*> entries = group->menu()->actions();
+      bool reachable = group->isVisible();
+      for (const QToolButton* button : bar->findChildren<QToolButton*>())
+        reachable = reachable || (button->isVisible() && entries.contains(button->defaultAction()));
+      if (!reachable) ++hidden;
+    }
+    for (const QToolButton* button : bar->findChildren<QToolButton*>())
+      if (button->isVisible()) widestLeft = std::max<qsizetype>(widestLeft, button->geometry().right());
+    QCOMPARE(others->isVisible(), hidden > 0);
+    if (hidden > 0) {
+      emit others->menu()->aboutToShow();
+      QCOMPARE(others->menu()->actions().size(), hidden);
+      QVERIFY2(find->width() <= 60, "the field gives way first");
+    }
+    QVERIFY(widestLeft <= find->x());
+  }
+}
+
+void PaletteTest::theSignsOfCrowdedBarsAreSeen() {
+  window_->resize(640, 600);
+  QCoreApplication::processEvents();
+  for (const char* name : {"qt_toolbar_ext_button", "qt_menubar_ext_button"}) {
+    const auto* sign = window_->findChild<QToolButton*>(QLatin1String(name));
+    QVERIFY2(sign, name);
+    const QImage picture = sign->icon().pixmap(16, 16).toImage();
+    int drawn = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (picture.pixelColor(x, y).alpha() > 200 &&
+            std::abs(picture.pixelColor(x, y).lightness() - theme().color("text").lightness()) < 30)
+          ++drawn;
+    QVERIFY2(drawn > 8, name);
+    QVERIFY2(sign->sizeHint().width() >= 20, name);
   }
 }
 

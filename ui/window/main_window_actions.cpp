@@ -155,10 +155,9 @@ void MainWindow::buildToolBar() {
   show({"file.open", "file.import", "file.save", "file.export"});
   show({"edit.undo", "edit.redo"});
   for (const char* id : {"view.fit", "view.home", "view.grid"}) bar->addAction(commands_.action(QLatin1String(id)));
-  auto* features = new FeatureToolBar(*featureMenus_);
+  auto* features = new FeatureToolBar(*featureMenus_, new FindField(commands_.action(QStringLiteral("edit.find-command"))));
   connect(features, &FeatureToolBar::hint, status_, &StatusLine::setHint);
   bar->addWidget(features);
-  bar->addWidget(new FindField(commands_.action(QStringLiteral("edit.find-command"))));
   setContextMenuPolicy(Qt::PreventContextMenu);
 }
 

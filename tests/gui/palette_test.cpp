@@ -46,6 +46,8 @@ class PaletteTest : public TreeFixture {
   void featuresAndPagesAreFound();
   void whatWasUsedStandsFirst();
   void theWholeNameStandsBeforeWhatWasUsed();
+  void theWordsOfTheTradeAreKnown();
+  void aBooleanBeginsAsItWasAskedFor();
   void whatCannotBeDoneSaysWhy();
   void itClosesWithoutDoingAnything();
   void theToolBarFitsAnyWidth();
@@ -234,6 +236,44 @@ void PaletteTest::theWholeNameStandsBeforeWhatWasUsed() {
   model.setPattern(QStringLiteral("pocket"));
   QCOMPARE(model.rowCount(), 2);
   QCOMPARE(model.at(0).id, pocket.id);
+}
+
+void PaletteTest::theWordsOfTheTradeAreKnown() {
+  for (const auto& [word, wanted] : {std::pair{"subtract", "boolean"},
+                                     {"union", "boolean"},
+                                     {"intersect", "boolean"},
+                                     {"hole", "boolean"},
+                                     {"3d", "extrude"},
+                                     {"push pull", "extrude"},
+                                     {"rotate", "transform"},
+                                     {"move", "transform"},
+                                     {"scale", "transform"},
+                                     {"mirror", "mirror"},
+                                     {"round", "fillet"},
+                                     {"bevel", "chamfer"},
+                                     {"array", "pattern"}}) {
+    openPalette(QLatin1String(word));
+    QVERIFY2(found().mid(0, 2).contains(QStringLiteral("feature.modeling.") + QLatin1String(wanted)),
+             qPrintable(QLatin1String(word) + QStringLiteral(": ") + found().mid(0, 3).join(u' ')));
+    palette().dismiss();
+  }
+  openPalette(QStringLiteral("measure"));
+  QCOMPARE(found().value(0), QStringLiteral("view.measure"));
+  palette().dismiss();
+  openPalette(QStringLiteral("cut"));
+  QCOMPARE(found().mid(0, 2), (QStringList{QStringLiteral("edit.cut"), QStringLiteral("feature.modeling.boolean")}));
+}
+
+void PaletteTest::aBooleanBeginsAsItWasAskedFor() {
+  const auto type = window_->session().app().registry->find("modeling.boolean");
+  QVERIFY(type);
+  window_->session().commit(
+      Document::of({feature("a", "modeling.box", {}, "Plate"), feature("b", "modeling.box", {}, "Pin")}), {});
+  waitUntilComputed();
+  openPalette(QStringLiteral("subtract"));
+  QTest::keyClick(palette().field(), Qt::Key_Return);
+  QCOMPARE(document().features().size(), std::size_t(3));
+  QCOMPARE(document().features().back()->parameters.value("operation", std::string()), std::string("difference"));
 }
 
 void PaletteTest::whatCannotBeDoneSaysWhy() {

@@ -82,7 +82,8 @@ void ViewCommands::addTools() {
                  tr("&Measure"),
                  tr("Measure lengths, distances, angles, radii and areas by clicking."),
                  {QKeySequence(QStringLiteral("M"))},
-                 true},
+                 true,
+                 tr("dimension;distance;ruler;length;angle").split(u';')},
                 [this] { page_().startMeasuring(); });
   commands_.add({"view.section",
                  group,
@@ -90,7 +91,8 @@ void ViewCommands::addTools() {
                  tr("&Section"),
                  tr("Cut the model open with a plane that can be dragged."),
                  {QKeySequence(QStringLiteral("X"))},
-                 true},
+                 true,
+                 tr("clip;cross section;cutaway").split(u';')},
                 [this] { page_().startSection(); });
 }
 

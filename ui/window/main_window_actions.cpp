@@ -75,7 +75,16 @@ void MainWindow::buildEditMenu() {
 void MainWindow::buildViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   const QString group = tr("View");
-  add(menu, {"view.fit", group, "fit", tr("&Fit"), tr("Show everything."), {tr("F")}}, [this] { view().fit(); });
+  add(menu,
+      {"view.fit",
+       group,
+       "fit",
+       tr("&Fit"),
+       tr("Show everything."),
+       {tr("F")},
+       false,
+       tr("zoom to fit;zoom all;frame").split(u';')},
+      [this] { view().fit(); });
   menu->addAction(commands_.action(QStringLiteral("view.fit-selection")));
   add(menu, {"view.home", group, "home", tr("&Home"), tr("Look at everything as when it was opened."), {tr("0")}},
       [this] { view().lookFrom(QStringLiteral("auto")); });
@@ -101,7 +110,8 @@ void MainWindow::buildViewMenu() {
        tr("&Parallel projection"),
        tr("Without perspective: equal lengths look equal."),
        {tr("P")},
-       true},
+       true,
+       tr("orthographic;perspective").split(u';')},
       [this] { view().setParallel(commands_.action("view.parallel")->isChecked()); });
   add(menu, {"view.grid", group, "grid", tr("&Grid"), tr("Show the ground grid."), {tr("G")}, true},
       [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });

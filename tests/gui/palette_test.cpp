@@ -5,8 +5,10 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QTreeView>
 
 #include "tree_fixture.h"
 #include "ui/jobs/jobs_list.h"
@@ -57,6 +59,7 @@ class PaletteTest : public TreeFixture {
   void aLongJobIsListedAndCancelled();
   void finishedWorkIsKeptWithItsMessage();
   void theLogTellsWhatHappened();
+  void theLogFollowsTheNewest();
   void theCrossStaysInPlace();
   void everythingIsComputedAnew();
 
@@ -455,6 +458,28 @@ void PaletteTest::theLogTellsWhatHappened() {
   const ErrorBar& bar = window_->page().errors();
   QVERIFY(bar.message().contains(QStringLiteral("is used by")));
   QCOMPARE(messages(LogList::Level::Error), QStringList{bar.message() + u' ' + bar.hint()});
+}
+
+void PaletteTest::theLogFollowsTheNewest() {
+  LogList& log = window_->logAndJobs().log();
+  for (int k = 0; k < 80; ++k) log.add(LogList::Level::Note, QStringLiteral("a"), QString::number(k));
+  run("view.log");
+  const auto* rows = window_->findChild<QTreeView*>(QStringLiteral("log"));
+  QVERIFY(rows && rows->isVisible());
+  const QScrollBar& bar = *rows->verticalScrollBar();
+  QTRY_VERIFY(bar.maximum() > 0 && bar.value() == bar.maximum());
+  for (int k = 0; k < 20; ++k) log.add(LogList::Level::Note, QStringLiteral("a"), QString::number(k));
+  const int rowHeight = rows->visualRect(rows->model()->index(0, 0)).height();
+  QTRY_VERIFY(bar.maximum() > 90 * rowHeight - rows->viewport()->height() && bar.value() == bar.maximum());
+  rows->verticalScrollBar()->setValue(0);  // something older is read
+  log.add(LogList::Level::Note, QStringLiteral("a"), QStringLiteral("newest"));
+  QCoreApplication::processEvents();
+  QCOMPARE(bar.value(), 0);
+  window_->session().commit(Document::of({feature("w", "test.waiting")}), {});
+  QTRY_VERIFY(window_->session().evaluating());
+  window_->session().cancel();
+  QTRY_COMPARE(log.index(log.rowCount() - 1, LogList::MessageColumn).data().toString(),
+               QStringLiteral("Computing was cancelled."));
 }
 
 void PaletteTest::theCrossStaysInPlace() {

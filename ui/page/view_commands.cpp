@@ -132,8 +132,11 @@ void ViewCommands::refresh() {
   commands_.action(QStringLiteral("view.measure"))->setChecked(page_().measuring());
   commands_.action(QStringLiteral("view.section"))->setChecked(page_().section().has_value());
   const ViewWidget& view = page_().view();
-  for (const PickModeCommand& each : pickModes)
-    commands_.action(QLatin1String(each.id))->setChecked(view.pickMode() == each.mode);
+  for (const PickModeCommand& each : pickModes) {
+    QAction* const action = commands_.action(QLatin1String(each.id));
+    action->setChecked(view.pickMode() == each.mode);
+    if (action->isChecked()) emit pickModeShown(*action);
+  }
   for (const DisplayModeCommand& each : displayModes)
     commands_.action(QLatin1String(each.id))->setChecked(view.displayMode() == each.mode);
 }

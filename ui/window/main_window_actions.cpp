@@ -118,7 +118,10 @@ void MainWindow::buildViewMenu() {
   menu->addSeparator();
   viewCommands_ = new ViewCommands(
       commands_, [this]() -> DocumentPage& { return page(); }, this);
-  viewCommands_->addTo(*menu, *menuBar()->addMenu(tr("&Select")));
+  QMenu* const select = menuBar()->addMenu(tr("&Select"));
+  viewCommands_->addTo(*menu, *select);
+  status_->setPickModes(select);
+  connect(viewCommands_, &ViewCommands::pickModeShown, status_, &StatusLine::showPickMode);
   menu->addSeparator();
   logAndJobs_ = new LogAndJobs(*this, commands_);
   logAndJobs_->addTo(*menu);

@@ -478,8 +478,10 @@ void PaletteTest::theLogFollowsTheNewest() {
   window_->session().commit(Document::of({feature("w", "test.waiting")}), {});
   QTRY_VERIFY(window_->session().evaluating());
   window_->session().cancel();
-  QTRY_COMPARE(log.index(log.rowCount() - 1, LogList::MessageColumn).data().toString(),
-               QStringLiteral("Computing was cancelled."));
+  QTRY_VERIFY(log.index(log.rowCount() - 1, LogList::MessageColumn)
+                  .data()
+                  .toString()
+                  .startsWith(QStringLiteral("Computing was cancelled")));
 }
 
 void PaletteTest::theCrossStaysInPlace() {

@@ -38,8 +38,6 @@ void LogList::watch(DocumentPage& page) {
   // What failed and what was refused is all told there.
   connect(&page.errors(), &ErrorBar::errorShown, this,
           [this, watched](const QString& sentences) { add(Level::Error, watched->session().title(), sentences); });
-  connect(&session, &Session::evaluationCancelled, this,
-          [this, watched] { add(Level::Note, watched->session().title(), tr("Computing was cancelled.")); });
   connect(&session, &Session::evaluationFinished, this, [this, watched] { addResults(*watched); });
   connect(&page, &QObject::destroyed, this, [this, watched] { said_.erase(watched); });
 }

@@ -66,6 +66,7 @@ class DocumentsTest : public WindowFixture {
   void theStartPageFitsNarrowWindows();
   void aNewDocumentIsAnEmptyCanvas();
   void severalFilesOpenAndBadOnesAreToldTogether();
+  void aFolderIsCalledAFolder();
   void droppedGeometryJoinsTheDocument();
   void whatACrashLeftIsOffered();
   void discardedItIsGone();
@@ -356,6 +357,13 @@ void DocumentsTest::aNewDocumentIsAnEmptyCanvas() {
   for (Tile* tile : start->findChildren<Tile*>())
     if (tile->isVisibleTo(start) && (tile->focusPolicy() & Qt::TabFocus)) ++reached;
   QVERIFY(reached >= sampleFiles().size());
+}
+
+void DocumentsTest::aFolderIsCalledAFolder() {
+  window_->openFiles({folder_.path()});
+  QTRY_VERIFY(window_->errors().isVisible());
+  QVERIFY2(window_->errors().hint().contains(QStringLiteral("is a folder")), qPrintable(window_->errors().hint()));
+  QVERIFY(window_->errors().hint().contains(folder_.path()));
 }
 
 void DocumentsTest::severalFilesOpenAndBadOnesAreToldTogether() {

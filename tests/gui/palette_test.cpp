@@ -51,6 +51,7 @@ class PaletteTest : public TreeFixture {
   void theWordsOfTheTradeAreKnown();
   void aBooleanBeginsAsItWasAskedFor();
   void whatCannotBeDoneSaysWhy();
+  void theStatusIsAsBeforeWhenItCloses();
   void itClosesWithoutDoingAnything();
   void theToolBarFitsAnyWidth();
   void aNarrowToolBarHidesNoGroup();
@@ -286,6 +287,17 @@ void PaletteTest::whatCannotBeDoneSaysWhy() {
   const QModelIndex index = palette().model().index(row);
   QVERIFY(!index.data(PaletteModel::EnabledRole).toBool());
   QCOMPARE(index.data(PaletteModel::HelpRole).toString(), QStringLiteral("Select a feature first."));
+}
+
+void PaletteTest::theStatusIsAsBeforeWhenItCloses() {
+  showChain();
+  run("view.measure");
+  const auto* status = window_->findChild<StatusLine*>();
+  const QString wanted = window_->view().restingHint();
+  QVERIFY(window_->page().measuring() && !wanted.isEmpty());
+  openPalette(QStringLiteral("grid"));
+  QTest::keyClick(palette().field(), Qt::Key_Escape);
+  QTRY_COMPARE_WITH_TIMEOUT(status->hint(), wanted, 10000);
 }
 
 void PaletteTest::itClosesWithoutDoingAnything() {

@@ -49,6 +49,7 @@ FeatureType transformFeature() {
   using P = TransformParameters;
   return feature<P>("modeling.transform", "Transform", "A shape moved, turned and scaled.")
       .icon("transform")
+      .keywords({"move", "translate", "rotate", "turn", "scale", "resize", "place", "shift"})
       .input(anyInput("a shape to move"))
       .parameter("move", &P::move, displacement(), "Translation, after rotation and scaling.")
       .parameter("angle", &P::angle, angle(), "Rotation about the axis.")
@@ -154,6 +155,7 @@ FeatureType patternFeature() {
   return inWorker(
       feature<P>("modeling.pattern", "Pattern", "Copies of a shape in rows or round an axis.")
           .icon("pattern")
+          .keywords({"array", "repeat", "copies", "row", "grid", "polar", "linear", "circular"})
           .input(anyInput("a shape to repeat"))
           .parameter("kind", &P::kind, choice({"linear", "circular"}), "Whether the copies stand in rows or round an axis.")
           .parameter("count", &P::count, count(1, 1000), "Number of copies in a row, including the original.")
@@ -189,6 +191,7 @@ FeatureType mirrorFeature() {
   return inWorker(
       feature<P>("modeling.mirror", "Mirror", "A shape and its mirror image in a plane.")
           .icon("mirror")
+          .keywords({"reflect", "flip", "symmetry"})
           .input(anyInput("a shape to mirror"))
           .parameter("normal", &P::normal, vector(), "Normal of the mirror plane.")
           .parameter("point", &P::point, point(), "A point in the mirror plane.")

@@ -53,6 +53,7 @@ FeatureType box() {
   using P = BoxParameters;
   auto builder = feature<P>("modeling.box", "Box", "A box with three edge lengths.");
   builder.icon("box")
+      .keywords({"cube", "block", "cuboid"})
       .parameter("width", &P::width, positiveLength(), "Length along its x axis.")
       .parameter("depth", &P::depth, positiveLength(), "Length along its y axis.")
       .parameter("height", &P::height, positiveLength(), "Length along its axis.")

@@ -58,6 +58,7 @@ FeatureType extrudeFeature() {
   return inWorker(
       feature<P>("modeling.extrude", "Extrude", "A solid over an outline, straight or tapered.")
           .icon("extrude")
+          .keywords({"3d", "push pull", "pushpull", "pad", "thicken", "raise", "prism"})
           .produces({ShapeKind::Brep})
           .input(profileInput("an outline to extrude"))
           .parameter("height", &P::height, length(), "Height along the direction; below 0: in the opposite direction.")
@@ -107,6 +108,7 @@ FeatureType revolveFeature() {
   using P = RevolveParameters;
   return inWorker(feature<P>("modeling.revolve", "Revolve", "A solid that an outline sweeps when it turns about an axis.")
                       .icon("revolve")
+                      .keywords({"lathe", "rotate", "spin", "turned part"})
                       .produces({ShapeKind::Brep})
                       .input(profileInput("an outline to revolve"))
                       .parameter("axis", &P::axis, vector(), "Direction of the axis; it lies beside the outline.")
@@ -166,6 +168,7 @@ FeatureType loftFeature() {
   return inWorker(
       feature<P>("modeling.loft", "Loft", "A solid through two or more outlines.")
           .icon("loft")
+          .keywords({"skin", "blend", "sections"})
           .produces({ShapeKind::Brep})
           .input({.name = "sections",
                   .help = "Outlines in their order.",
@@ -198,6 +201,7 @@ FeatureType pipeFeature() {
   return inWorker(
       feature<P>("modeling.pipe", "Pipe", "A solid that an outline sweeps along a path.")
           .icon("pipe")
+          .keywords({"sweep", "tube", "along a path"})
           .produces({ShapeKind::Brep})
           .input({.name = "profile",
                   .help = "The outline that is moved.",

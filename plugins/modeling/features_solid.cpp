@@ -51,6 +51,9 @@ FeatureType booleanFeature() {
   return inWorker(
       feature<P>("modeling.boolean", "Boolean", "Solids or regions united, cut from each other or intersected.")
           .icon("boolean")
+          .keywords({"union", "unite", "fuse", "join", "add", "merge", "combine"}, {{"operation", "union"}})
+          .keywords({"subtract", "cut", "difference", "hole", "drill", "remove"}, {{"operation", "difference"}})
+          .keywords({"intersect", "intersection", "common"}, {{"operation", "intersection"}})
           .produces({ShapeKind::Brep, ShapeKind::Region})
           .input({.name = "shapes",
                   .help = "Solids, or regions. A difference is the first without the others.",
@@ -82,6 +85,7 @@ FeatureType filletFeature() {
   return inWorker(
       feature<P>("modeling.fillet", "Fillet", "A solid with rounded edges.")
           .icon("fillet")
+          .keywords({"round", "rounding", "blend", "radius", "soft edge"})
           .produces({ShapeKind::Brep})
           .input(solidInput("a solid to round"))
           .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to round.")
@@ -107,6 +111,7 @@ FeatureType chamferFeature() {
   return inWorker(
       feature<P>("modeling.chamfer", "Chamfer", "A solid with edges cut off by flat strips.")
           .icon("chamfer")
+          .keywords({"bevel", "break edge", "slope"})
           .produces({ShapeKind::Brep})
           .input(solidInput("a solid to bevel"))
           .parameter("edges", &P::edges, whenNone(list(subShape("edge")), "all sharp edges"), "The edges to cut off.")
@@ -133,6 +138,7 @@ FeatureType shellFeature() {
   return inWorker(
       feature<P>("modeling.shell", "Shell", "A solid hollowed out to walls of even thickness.")
           .icon("shell")
+          .keywords({"hollow", "thickness", "wall"})
           .produces({ShapeKind::Brep})
           .input(solidInput("a solid to hollow out"))
           .parameter("faces", &P::faces, whenNone(list(subShape("face")), "a closed hollow"), "The faces to open.")

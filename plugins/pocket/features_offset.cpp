@@ -154,6 +154,7 @@ FeatureType offsetFeature() {
   using P = OffsetParameters;
   return feature<P>("pocket.offset", "Offset", "Outlines at even distances from the outlines of a part.")
       .icon("offset")
+      .keywords({"inset", "parallel outline", "contour"})
       .produces({ShapeKind::Region, ShapeKind::Curves})
       .input(partInput("an outline to offset"))
       .parameter("distance", &P::distance, distances(),

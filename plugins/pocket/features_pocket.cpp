@@ -236,6 +236,7 @@ FeatureType pocketFeature() {
   using P = PocketParameters;
   return feature<P>("pocket.pocket", "Pocket", "A toolpath that clears a part down to a depth, islands left standing.")
       .icon("pocket")
+      .keywords({"mill", "cam", "toolpath", "g-code", "clear"})
       .produces({ShapeKind::Toolpath})
       .input(partInput("an outline or solid to cut a pocket into"))
       .parameter("tool-diameter", &P::toolDiameter, positiveLength(), "Diameter of the end mill.")

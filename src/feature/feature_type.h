@@ -96,6 +96,12 @@ struct PlayedBy {
   int frames = 25;        ///< as many as Play asks for
 };
 
+/// Another word by which users look for a feature type.
+struct Keyword {
+  std::string word;                ///< in lower case: "subtract", "push pull"
+  Value preset = Value::object();  ///< parameters that a feature begins with when it is asked for by this word
+};
+
 struct InputImage;
 
 /// A feature type, declared once. Command, flags, help, dialog, panel, undo text, document format and manual page are
@@ -124,6 +130,7 @@ struct FeatureType {
   /// What the result depends on beside parameters and inputs, as a text that changes with it, such as the state of a font
   /// file; not set: nothing.
   std::function<std::string(const Value& parameters)> dependsOn = {};
+  std::vector<Keyword> keywords = {};
 };
 
 /// Assigns the shapes to the inputs in the order of declaration: each input receives the shapes it accepts until it is full,
@@ -159,6 +166,10 @@ class FeatureBuilder {
   }
   FeatureBuilder& example(std::string line) {
     type_.examples.push_back(std::move(line));
+    return *this;
+  }
+  FeatureBuilder& keywords(std::vector<std::string> words, const Value& preset = Value::object()) {
+    for (std::string& word : words) type_.keywords.push_back({std::move(word), preset});
     return *this;
   }
   FeatureBuilder& byOutput(ChoiceByOutput choice) {

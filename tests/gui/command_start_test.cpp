@@ -17,6 +17,7 @@ class CommandStartTest : public WindowFixture {
   void init() { openNewDocument(); }
   void cleanup() { window_.reset(); }
   void edgesThatArePickedAreRounded();
+  void theSelectModeIsSeenAndTheBackgroundClears();
   void moreEdgesArePickedOnTheInput();
   void whatIsMissingIsAskedForInTheView();
   void theAnswerMayComeFromTheTree();
@@ -55,6 +56,23 @@ void CommandStartTest::edgesThatArePickedAreRounded() {
   QCOMPARE(features(), std::size_t{2});
   QCOMPARE(window_->page().document().at(last()).parameters.at("edges").size(), std::size_t{1});
   COMPARE_NEAR(measureOf(last(), "volume"), rounded(1, 60), 1e-3);
+}
+
+void CommandStartTest::theSelectModeIsSeenAndTheBackgroundClears() {
+  const FeatureId id = box();
+  const auto* mode = window_->findChild<QToolButton*>(QStringLiteral("pickMode"));
+  QVERIFY(mode && mode->isVisible());
+  QCOMPARE(mode->text(), QStringLiteral("Select: Features"));
+  run("select.edges");
+  QCOMPARE(mode->text(), QStringLiteral("Select: Edges"));
+  QVERIFY(mode->menu()->actions().contains(window_->commands().action(QStringLiteral("select.faces"))));
+  window_->page().select(id);
+  clickAt(edgesInSight(id)[0]);
+  QCOMPARE(window_->view().selectedParts().size(), std::size_t{1});
+  QVERIFY(!window_->page().selection().empty());
+  QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, QPoint(6, window_->view().height() - 6));
+  QVERIFY(window_->view().selectedParts().empty());
+  QVERIFY(window_->page().selection().empty());
 }
 
 void CommandStartTest::moreEdgesArePickedOnTheInput() {

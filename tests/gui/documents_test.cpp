@@ -6,6 +6,8 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include "document/journal_files.h"
@@ -60,8 +62,11 @@ class DocumentsTest : public WindowFixture {
   void aFileChangedByOthersIsNotOverwrittenUnasked();
   void whatCannotBeSavedIsSaidWithAWayOut();
   void recentFilesAreShownAndForgotten();
+  void anErrorMovesNothing();
+  void theStartPageFitsNarrowWindows();
   void aNewDocumentIsAnEmptyCanvas();
   void severalFilesOpenAndBadOnesAreToldTogether();
+  void aFolderIsCalledAFolder();
   void droppedGeometryJoinsTheDocument();
   void whatACrashLeftIsOffered();
   void discardedItIsGone();
@@ -297,6 +302,46 @@ void DocumentsTest::recentFilesAreShownAndForgotten() {
   RecentFiles::instance().setPinned(here, false);
 }
 
+// What is told lies over the view, which keeps its place and size; the cube stays free.
+void DocumentsTest::anErrorMovesNothing() {
+  openAll({saved(QStringLiteral("here.blossom"))});
+  const auto place = [&] { return QRect(window_->view().mapToGlobal(QPoint()), window_->view().size()); };
+  const QRect before = place();
+  window_->errors().showError(QStringLiteral("This cannot be done."), QStringLiteral("Do something else."));
+  QCoreApplication::processEvents();
+  QVERIFY(window_->errors().isVisible() && window_->errors().height() >= 30);
+  QCOMPARE(place(), before);
+  const QPoint bar = window_->errors().mapToGlobal(QPoint(0, 0));
+  QVERIFY(before.contains(bar));
+  QVERIFY(bar.x() + window_->errors().width() < before.right() - 110);
+  window_->errors().hide();
+  QCoreApplication::processEvents();
+  QCOMPARE(place(), before);
+}
+
+void DocumentsTest::theStartPageFitsNarrowWindows() {
+  auto* start = window_->findChild<StartPage*>();
+  QVERIFY(start->isVisible());
+  for (const int width : {640, 900, 1280}) {
+    window_->resize(width, 600);
+    QCoreApplication::processEvents();
+    QCoreApplication::processEvents();
+    const auto* scroll = start->findChild<QScrollArea*>();
+    QCOMPARE(scroll->horizontalScrollBar()->maximum(), 0);
+    for (const QPushButton* each : start->findChildren<QPushButton*>()) {
+      if (!each->isVisible()) continue;
+      const int right = each->mapTo(scroll->viewport(), QPoint(each->width(), 0)).x();
+      QVERIFY2(right <= scroll->viewport()->width(), qPrintable(each->accessibleName() + each->text()));
+    }
+  }
+  // What the bar tells is seen above it.
+  window_->errors().showError(QStringLiteral("This cannot be done."), QStringLiteral("Do something else."));
+  QCoreApplication::processEvents();
+  const int bottom = window_->errors().mapToGlobal(QPoint(0, window_->errors().height())).y();
+  QVERIFY(start->mapToGlobal(QPoint()).y() >= bottom);
+  window_->errors().hide();
+}
+
 void DocumentsTest::aNewDocumentIsAnEmptyCanvas() {
   auto* start = window_->findChild<StartPage*>();
   QVERIFY(start->isVisible());
@@ -312,6 +357,13 @@ void DocumentsTest::aNewDocumentIsAnEmptyCanvas() {
   for (Tile* tile : start->findChildren<Tile*>())
     if (tile->isVisibleTo(start) && (tile->focusPolicy() & Qt::TabFocus)) ++reached;
   QVERIFY(reached >= sampleFiles().size());
+}
+
+void DocumentsTest::aFolderIsCalledAFolder() {
+  window_->openFiles({folder_.path()});
+  QTRY_VERIFY(window_->errors().isVisible());
+  QVERIFY2(window_->errors().hint().contains(QStringLiteral("is a folder")), qPrintable(window_->errors().hint()));
+  QVERIFY(window_->errors().hint().contains(folder_.path()));
 }
 
 void DocumentsTest::severalFilesOpenAndBadOnesAreToldTogether() {

@@ -5,8 +5,10 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QTreeView>
 
 #include "tree_fixture.h"
 #include "ui/jobs/jobs_list.h"
@@ -46,13 +48,19 @@ class PaletteTest : public TreeFixture {
   void featuresAndPagesAreFound();
   void whatWasUsedStandsFirst();
   void theWholeNameStandsBeforeWhatWasUsed();
+  void theWordsOfTheTradeAreKnown();
+  void aBooleanBeginsAsItWasAskedFor();
   void whatCannotBeDoneSaysWhy();
+  void theStatusIsAsBeforeWhenItCloses();
   void itClosesWithoutDoingAnything();
   void theToolBarFitsAnyWidth();
+  void aNarrowToolBarHidesNoGroup();
+  void theSignsOfCrowdedBarsAreSeen();
   void theWindowClosesAtAnyWidth();
   void aLongJobIsListedAndCancelled();
   void finishedWorkIsKeptWithItsMessage();
   void theLogTellsWhatHappened();
+  void theLogFollowsTheNewest();
   void theCrossStaysInPlace();
   void everythingIsComputedAnew();
 
@@ -234,6 +242,44 @@ void PaletteTest::theWholeNameStandsBeforeWhatWasUsed() {
   QCOMPARE(model.at(0).id, pocket.id);
 }
 
+void PaletteTest::theWordsOfTheTradeAreKnown() {
+  for (const auto& [word, wanted] : {std::pair{"subtract", "boolean"},
+                                     {"union", "boolean"},
+                                     {"intersect", "boolean"},
+                                     {"hole", "boolean"},
+                                     {"3d", "extrude"},
+                                     {"push pull", "extrude"},
+                                     {"rotate", "transform"},
+                                     {"move", "transform"},
+                                     {"scale", "transform"},
+                                     {"mirror", "mirror"},
+                                     {"round", "fillet"},
+                                     {"bevel", "chamfer"},
+                                     {"array", "pattern"}}) {
+    openPalette(QLatin1String(word));
+    QVERIFY2(found().mid(0, 2).contains(QStringLiteral("feature.modeling.") + QLatin1String(wanted)),
+             qPrintable(QLatin1String(word) + QStringLiteral(": ") + found().mid(0, 3).join(u' ')));
+    palette().dismiss();
+  }
+  openPalette(QStringLiteral("measure"));
+  QCOMPARE(found().value(0), QStringLiteral("view.measure"));
+  palette().dismiss();
+  openPalette(QStringLiteral("cut"));
+  QCOMPARE(found().mid(0, 2), (QStringList{QStringLiteral("edit.cut"), QStringLiteral("feature.modeling.boolean")}));
+}
+
+void PaletteTest::aBooleanBeginsAsItWasAskedFor() {
+  const auto type = window_->session().app().registry->find("modeling.boolean");
+  QVERIFY(type);
+  window_->session().commit(
+      Document::of({feature("a", "modeling.box", {}, "Plate"), feature("b", "modeling.box", {}, "Pin")}), {});
+  waitUntilComputed();
+  openPalette(QStringLiteral("subtract"));
+  QTest::keyClick(palette().field(), Qt::Key_Return);
+  QCOMPARE(document().features().size(), std::size_t(3));
+  QCOMPARE(document().features().back()->parameters.value("operation", std::string()), std::string("difference"));
+}
+
 void PaletteTest::whatCannotBeDoneSaysWhy() {
   openPalette(QStringLiteral("delete"));
   const int row = static_cast<int>(found().indexOf(QStringLiteral("edit.delete")));
@@ -241,6 +287,17 @@ void PaletteTest::whatCannotBeDoneSaysWhy() {
   const QModelIndex index = palette().model().index(row);
   QVERIFY(!index.data(PaletteModel::EnabledRole).toBool());
   QCOMPARE(index.data(PaletteModel::HelpRole).toString(), QStringLiteral("Select a feature first."));
+}
+
+void PaletteTest::theStatusIsAsBeforeWhenItCloses() {
+  showChain();
+  run("view.measure");
+  const auto* status = window_->findChild<StatusLine*>();
+  const QString wanted = window_->view().restingHint();
+  QVERIFY(window_->page().measuring() && !wanted.isEmpty());
+  openPalette(QStringLiteral("grid"));
+  QTest::keyClick(palette().field(), Qt::Key_Escape);
+  QTRY_COMPARE_WITH_TIMEOUT(status->hint(), wanted, 10000);
 }
 
 void PaletteTest::itClosesWithoutDoingAnything() {
@@ -274,6 +331,54 @@ void PaletteTest::theToolBarFitsAnyWidth() {
     QVERIFY(shown >= 2);
     const auto* field = window_->findChild<QPushButton*>(QStringLiteral("findCommand"));
     QVERIFY(field && field->isVisible() && field->mapTo(window_.get(), field->rect().topRight()).x() <= width);
+  }
+}
+
+// The field gives way first; groups that find no room are behind one button, and the bar is used up to its end.
+void PaletteTest::aNarrowToolBarHidesNoGroup() {
+  auto* bar = window_->findChild<FeatureToolBar*>();
+  auto* const others = bar->findChild<QToolButton*>(QStringLiteral("otherGroups"));
+  auto* const find = bar->findChild<QPushButton*>(QStringLiteral("findCommand"));
+  QVERIFY(others && find);
+  for (const int width : {760, 900, 1100}) {
+    window_->resize(width, 600);
+    QCoreApplication::processEvents();
+    QVERIFY(bar->isVisible() && find->isVisible() && bar->rect().contains(find->geometry()));
+    qsizetype hidden = 0, widestLeft = 0;
+    for (const QToolButton* group : bar->findChildren<QToolButton*>(QStringLiteral("featureGroup"))) {
+      const QList<QAction*> entries = group->menu()->actions();
+      bool reachable = group->isVisible();
+      for (const QToolButton* button : bar->findChildren<QToolButton*>())
+        reachable = reachable || (button->isVisible() && entries.contains(button->defaultAction()));
+      if (!reachable) ++hidden;
+    }
+    for (const QToolButton* button : bar->findChildren<QToolButton*>())
+      if (button->isVisible()) widestLeft = std::max<qsizetype>(widestLeft, button->geometry().right());
+    QCOMPARE(others->isVisible(), hidden > 0);
+    if (hidden > 0) {
+      emit others->menu()->aboutToShow();
+      QCOMPARE(others->menu()->actions().size(), hidden);
+      QVERIFY2(find->width() <= 60, "the field gives way first");
+    }
+    QVERIFY(widestLeft <= find->x());
+  }
+}
+
+void PaletteTest::theSignsOfCrowdedBarsAreSeen() {
+  window_->resize(640, 600);
+  QCoreApplication::processEvents();
+  for (const char* name : {"qt_toolbar_ext_button", "qt_menubar_ext_button"}) {
+    const auto* sign = window_->findChild<QToolButton*>(QLatin1String(name));
+    QVERIFY2(sign, name);
+    const QImage picture = sign->icon().pixmap(16, 16).toImage();
+    int drawn = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (picture.pixelColor(x, y).alpha() > 200 &&
+            std::abs(picture.pixelColor(x, y).lightness() - theme().color("text").lightness()) < 30)
+          ++drawn;
+    QVERIFY2(drawn > 8, name);
+    QVERIFY2(sign->sizeHint().width() >= 20, name);
   }
 }
 
@@ -365,6 +470,30 @@ void PaletteTest::theLogTellsWhatHappened() {
   const ErrorBar& bar = window_->page().errors();
   QVERIFY(bar.message().contains(QStringLiteral("is used by")));
   QCOMPARE(messages(LogList::Level::Error), QStringList{bar.message() + u' ' + bar.hint()});
+}
+
+void PaletteTest::theLogFollowsTheNewest() {
+  LogList& log = window_->logAndJobs().log();
+  for (int k = 0; k < 80; ++k) log.add(LogList::Level::Note, QStringLiteral("a"), QString::number(k));
+  run("view.log");
+  const auto* rows = window_->findChild<QTreeView*>(QStringLiteral("log"));
+  QVERIFY(rows && rows->isVisible());
+  const QScrollBar& bar = *rows->verticalScrollBar();
+  QTRY_VERIFY(bar.maximum() > 0 && bar.value() == bar.maximum());
+  for (int k = 0; k < 20; ++k) log.add(LogList::Level::Note, QStringLiteral("a"), QString::number(k));
+  const int rowHeight = rows->visualRect(rows->model()->index(0, 0)).height();
+  QTRY_VERIFY(bar.maximum() > 90 * rowHeight - rows->viewport()->height() && bar.value() == bar.maximum());
+  rows->verticalScrollBar()->setValue(0);  // something older is read
+  log.add(LogList::Level::Note, QStringLiteral("a"), QStringLiteral("newest"));
+  QCoreApplication::processEvents();
+  QCOMPARE(bar.value(), 0);
+  window_->session().commit(Document::of({feature("w", "test.waiting")}), {});
+  QTRY_VERIFY(window_->session().evaluating());
+  window_->session().cancel();
+  QTRY_VERIFY(log.index(log.rowCount() - 1, LogList::MessageColumn)
+                  .data()
+                  .toString()
+                  .startsWith(QStringLiteral("Computing was cancelled")));
 }
 
 void PaletteTest::theCrossStaysInPlace() {

@@ -15,6 +15,7 @@ class PanelDraggingTest : public PanelFixture {
   void init() { openPanel(); }
   void cleanup() { closePanel(); }
   void keysAndWheelStepAsOneEdit();
+  void theWheelEditsOnlyWhereItsTurnBegan();
   void labelsAreScrubbed();
   void escapeEndsAScrub();
   void ratiosAreDragged();
@@ -54,6 +55,35 @@ void PanelDraggingTest::keysAndWheelStepAsOneEdit() {
   QCOMPARE(now("angle"), Value(48.0));
   session_->undo();
   QCOMPARE(now("angle"), Value(45.0));
+}
+
+// A field that slides under the pointer while the panel scrolls keeps its value.
+void PanelDraggingTest::theWheelEditsOnlyWhereItsTurnBegan() {
+  auto* length = editor<QLineEdit>("length");
+  length->setFocus();
+  settle();
+  const std::string before = toJson(session_->document());
+  const QPoint where = length->mapToGlobal(middle(length));
+  const auto turn = [&](QWidget* under, quint64 at, const QPoint& pointer) {
+    QWheelEvent wheel(under->mapFromGlobal(pointer), pointer, {}, QPoint(0, -120), Qt::NoButton, {}, Qt::NoScrollPhase,
+                      false);
+    wheel.setTimestamp(at);
+    QApplication::sendEvent(under, &wheel);
+  };
+  turn(panel_->viewport(), 5000, where);
+  for (quint64 at = 5100; at < 8000; at += 300) turn(length, at, where);
+  settle();
+  QCOMPARE(toJson(session_->document()), before);
+  QCOMPARE(length->text(), QStringLiteral("10 mm"));
+  turn(length, 12000, where);  // after a pause, and one edit with what follows
+  turn(length, 12300, where);
+  QTRY_COMPARE(qt(session_->history().undoText()), QStringLiteral("Change length of All"));
+  QCOMPARE(now("length"), Value(8.0));
+  session_->undo();
+  QCOMPARE(toJson(session_->document()), before);
+  turn(panel_->viewport(), 20000, where - QPoint(0, 200));
+  turn(length, 20100, where);  // the pointer was moved onto it
+  QTRY_COMPARE(now("length"), Value(9.0));
 }
 
 void PanelDraggingTest::labelsAreScrubbed() {

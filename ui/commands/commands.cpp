@@ -36,7 +36,7 @@ QAction* Commands::add(const CommandSpec& spec, std::function<void()> go) {
     if (command) emit hint(command->whyNot.isEmpty() ? command->help : command->help + u' ' + command->whyNot);
   });
   window_->addAction(action);  // its keys work wherever it is shown, and where it is not
-  commands_.push_back({spec.id, spec.group, spec.icon, action, spec.keys, spec.help, {}});
+  commands_.push_back({spec.id, spec.group, spec.icon, action, spec.keys, spec.help, {}, spec.keywords});
   const QSettings settings;
   const QVariant own = settings.value(keyOf(spec.id));
   show(commands_.back(), own.isValid() ? QKeySequence::listFromString(own.toString()) : spec.keys);

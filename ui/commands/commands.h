@@ -16,7 +16,8 @@ struct Command {
   QAction* action = nullptr;
   QList<QKeySequence> standardKeys;
   QString help;
-  QString whyNot;  ///< while it is disabled: why, in one sentence; may be empty
+  QString whyNot;             ///< while it is disabled: why, in one sentence; may be empty
+  QStringList keywords = {};  ///< other words by which the palette finds it
 };
 
 struct CommandSpec {
@@ -26,6 +27,7 @@ struct CommandSpec {
   QString help;  ///< one sentence, for tool tip, status line and palette
   QList<QKeySequence> keys = {};
   bool checkable = false;
+  QStringList keywords = {};
 };
 
 /// All commands of the window, declared once; menus, tool bar, palette, shortcut editor and the manual's page of keys are

@@ -6,6 +6,7 @@
 
 #include "ui/controls/document_undo.h"
 #include "ui/controls/stepping.h"
+#include "ui/controls/wheel_gesture.h"
 
 namespace blossom::ui {
 
@@ -32,6 +33,8 @@ NumberLine::NumberLine(QWidget* parent) : QLineEdit(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   setMinimumWidth(26);
   leaveUndoToTheDocument(this);
+  installEventFilter(this);
+  watchWheel();
 }
 
 void NumberLine::keyPressEvent(QKeyEvent* event) {
@@ -46,8 +49,14 @@ void NumberLine::keyReleaseEvent(QKeyEvent* event) {
   QLineEdit::keyReleaseEvent(event);
 }
 
+// Undo takes back what the wheel did so far, which is to be a step of its own first.
+bool NumberLine::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && wheelTimer_ != 0) endSteps();
+  return QLineEdit::eventFilter(watched, event);
+}
+
 void NumberLine::wheelEvent(QWheelEvent* event) {
-  if (!hasFocus() || isReadOnly()) return event->ignore();  // the panel scrolls
+  if (!wheelMeans(*this) || isReadOnly()) return event->ignore();  // the panel scrolls
   if (wheelTimer_ != 0) killTimer(wheelTimer_);
   wheelTimer_ = startTimer(wheelRestMs);
   stepping_ = true;

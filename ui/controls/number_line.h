@@ -3,8 +3,8 @@
 
 namespace blossom::ui {
 
-/// A line edit for a number: arrow keys, page keys and the wheel (only with the focus) emit steps, which end when the key is
-/// released or the wheel rests.
+/// A line edit for a number: arrow keys, page keys and the wheel (when it is meant for it) emit steps, which end when the
+/// key is released or the wheel rests.
 class NumberLine : public QLineEdit {
   Q_OBJECT
  public:
@@ -15,6 +15,7 @@ class NumberLine : public QLineEdit {
   void stepsEnded();
 
  protected:
+  bool eventFilter(QObject*, QEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void keyReleaseEvent(QKeyEvent*) override;
   void wheelEvent(QWheelEvent*) override;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ui/controls/stepping.h"
+#include "ui/controls/wheel_gesture.h"
 #include "ui/look/theme.h"
 
 namespace blossom::ui {
@@ -36,6 +37,7 @@ bool answersKey(const QKeyEvent& event) {
 }  // namespace
 
 RatioSlider::RatioSlider(QWidget* parent) : QLineEdit(parent) {
+  watchWheel();
   setReadOnly(true);
   setAlignment(Qt::AlignRight);
   setCursor(Qt::SizeHorCursor);
@@ -161,7 +163,7 @@ void RatioSlider::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void RatioSlider::wheelEvent(QWheelEvent* event) {
-  if (!hasFocus() || !isReadOnly()) return event->ignore();
+  if (!wheelMeans(*this) || !isReadOnly()) return event->ignore();
   if (wheelTimer_ != 0) killTimer(wheelTimer_);
   wheelTimer_ = startTimer(wheelRestMs);
   step(event->angleDelta().y() / 120.0 * 0.01);

@@ -6,7 +6,7 @@
 namespace blossom::ui {
 
 /// ms without movement after which a turn of the wheel ends.
-constexpr int wheelRestMs = 250;
+constexpr int wheelRestMs = 600;
 
 /// Step of a key, a notch of the wheel or some pixels of dragging: 1 for counts and angles, about a tenth of small lengths
 /// and numbers; a tenth of that with Shift, ten times with Ctrl.

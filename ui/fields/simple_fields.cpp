@@ -7,6 +7,7 @@
 #include "ui/controls/document_undo.h"
 #include "ui/controls/ratio_slider.h"
 #include "ui/controls/switch_box.h"
+#include "ui/controls/wheel_gesture.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {
@@ -29,6 +30,7 @@ ChoiceField::ChoiceField(const ParameterSpec& given, const Context& context, QWi
   box_->setMinimumContentsLength(3);
   box_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   box_->installEventFilter(this);
+  watchWheel();
   setEditor(box_);
   connect(box_, &QComboBox::activated, this, [this](int index) {
     const QVariant name = box_->itemData(index);
@@ -43,9 +45,9 @@ void ChoiceField::display(const Value& shown) {
     box_->setCurrentIndex(spec().mayBeAbsent ? 0 : -1);
 }
 
-// The wheel scrolls the panel unless the box was chosen first.
+// The wheel scrolls the panel unless the turn began on the box that was chosen.
 bool ChoiceField::eventFilter(QObject* object, QEvent* event) {
-  if (object == box_ && event->type() == QEvent::Wheel && !box_->hasFocus()) {
+  if (object == box_ && event->type() == QEvent::Wheel && !wheelMeans(*box_)) {
     event->ignore();
     return true;
   }

@@ -27,6 +27,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr int widest = 916;  // five tiles
+constexpr int narrowWidth = 600;
 
 QLabel* label(const QString& text, const char* name) {
   auto* made = new QLabel(text);
@@ -98,7 +99,9 @@ StartPage::StartPage(QWidget* parent)
   auto* all = new QVBoxLayout(content);
   all->setContentsMargins(36, 32, 36, 32);
   all->setSpacing(10);
-  all->addLayout(headings());
+  all_ = all;
+  headings_ = headings();
+  all->addLayout(headings_);
   all->addSpacing(16);
   all->addWidget(label(tr("SAMPLES"), "sectionTitle"));
   all->addWidget(samples_);
@@ -117,7 +120,6 @@ StartPage::StartPage(QWidget* parent)
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(middle);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
@@ -125,7 +127,7 @@ StartPage::StartPage(QWidget* parent)
   fillSamples();
 }
 
-QLayout* StartPage::headings() {
+QBoxLayout* StartPage::headings() {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   auto* words = new QVBoxLayout;
@@ -145,7 +147,11 @@ QLayout* StartPage::headings() {
   connect(fresh, &QPushButton::clicked, this, &StartPage::newWanted);
   connect(open, &QPushButton::clicked, this, &StartPage::openWanted);
   connect(import, &QPushButton::clicked, this, &StartPage::importWanted);
-  for (QPushButton* each : {fresh, import, open}) row->addWidget(each, 0, Qt::AlignTop);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  for (QPushButton* each : {fresh, import, open}) buttons->addWidget(each, 0, Qt::AlignTop);
+  buttons->addStretch();
+  row->addLayout(buttons);
   return row;
 }
 
@@ -197,7 +203,17 @@ void StartPage::showMenu(const QString& file, bool pinned, const QPoint& at) {
   menu->popup(at);
 }
 
-void StartPage::showOver(QWidget* widget) {
+// In a narrow window the buttons stand below the words, and the margins go before a column of tiles does.
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  const bool narrow = width() < narrowWidth;
+  headings_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  const int side = narrow ? 14 : 36;
+  all_->setContentsMargins(side, 32, side, 32);
+}
+
+void StartPage::showOver(QWidget* widget, std::function<int()> covered) {
+  toldAbove_ = std::move(covered);
   raise();
   if (covered_ == widget && !isHidden()) return;
   countRefresh(WindowPart::StartPage);
@@ -215,7 +231,9 @@ void StartPage::putAway() {
 }
 
 void StartPage::follow() {
-  if (covered_ && parentWidget()) setGeometry(QRect(covered_->mapTo(parentWidget(), QPoint()), covered_->size()));
+  if (!covered_ || !parentWidget()) return;
+  const int top = toldAbove_ ? toldAbove_() : 0;
+  setGeometry(QRect(covered_->mapTo(parentWidget(), QPoint()), covered_->size()).adjusted(0, top, 0, 0));
 }
 
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {

@@ -2,8 +2,11 @@
 #include <QFrame>
 #include <QPointer>
 #include <QStringList>
+#include <functional>
 
 #include "ui/files/sample_pictures.h"
+
+class QBoxLayout;
 
 namespace blossom::ui {
 
@@ -14,8 +17,9 @@ class StartPage : public QFrame {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
-  /// Lies over this widget from here on, wherever that goes.
-  void showOver(QWidget*);
+  /// Lies over this widget from here on, wherever that goes, below what `covered` says is told above.
+  void showOver(QWidget*, std::function<int()> covered);
+  void follow();
   void putAway();
 
  signals:
@@ -25,19 +29,21 @@ class StartPage : public QFrame {
   void fileChosen(const QString& file);
 
  protected:
+  void resizeEvent(QResizeEvent*) override;
   void showEvent(QShowEvent*) override;
   void hideEvent(QHideEvent*) override;
   bool eventFilter(QObject*, QEvent*) override;
 
  private:
-  QLayout* headings();
+  QBoxLayout* headings();
   void fillSamples();
   void fillRecent();
   void showMenu(const QString& file, bool pinned, const QPoint& at);
-  void follow();
 
   SamplePictures pictures_;
   QPointer<QWidget> covered_;
+  std::function<int()> toldAbove_;
+  QBoxLayout *headings_ = nullptr, *all_ = nullptr;
   TileGrid *samples_, *recent_;
   QWidget* recentTitle_;
 };

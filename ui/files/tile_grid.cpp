@@ -41,6 +41,8 @@ void TileGrid::arrange() {
   setFixedHeight(std::max(0, rows * (Tile::height + gap) - gap));
 }
 
+QSize TileGrid::minimumSizeHint() const { return {Tile::smallestWidth, 0}; }
+
 void TileGrid::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   arrange();

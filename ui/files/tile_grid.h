@@ -16,6 +16,9 @@ class TileGrid : public QWidget {
   void setTiles(std::vector<Tile*>);  ///< takes ownership; deletes the previous ones
   [[nodiscard]] const std::vector<Tile*>& tiles() const { return tiles_; }
 
+  /// One column: how many there are follows the width.
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
  protected:
   void resizeEvent(QResizeEvent*) override;
 

@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QToolButton>
 #include <QTreeView>
@@ -63,11 +64,14 @@ LogPanel::LogPanel(LogList& log, QWidget* parent) : QWidget(parent), filter_(new
   rows_->header()->resizeSection(LogList::DocumentColumn, 160);
   rows_->header()->setStretchLastSection(true);
   rows_->installEventFilter(this);
-  // Follows what is new unless something older is being read.
-  connect(filter_, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
-    const QScrollBar* bar = rows_->verticalScrollBar();
-    if (bar->value() == bar->maximum()) QMetaObject::invokeMethod(rows_, &QTreeView::scrollToBottom, Qt::QueuedConnection);
+  // The list is laid out late, and not at all while it is hidden: whether it stands at its end is asked when the user moves
+  // it, not when something comes.
+  const QScrollBar* scroll = rows_->verticalScrollBar();
+  connect(scroll, &QScrollBar::valueChanged, this, [this, scroll](int value) {
+    if (isVisible() && !settling_) follows_ = value >= scroll->maximum();
   });
+  connect(scroll, &QScrollBar::rangeChanged, this, &LogPanel::scrollToNewest);
+  connect(filter_, &QAbstractItemModel::rowsInserted, this, &LogPanel::scrollToNewest);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 2, 0, 0);
   column->setSpacing(4);
@@ -113,6 +117,19 @@ QString LogPanel::text() const {
     all += cells.join(u'\t') + u'\n';
   }
   return all;
+}
+
+void LogPanel::scrollToNewest() {
+  if (!follows_ || !isVisible()) return;
+  const QScopedValueRollback<bool> own(settling_, true);
+  rows_->scrollToBottom();
+}
+
+// It opens at the newest line.
+void LogPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  follows_ = true;
+  scrollToNewest();
 }
 
 void LogPanel::copy() const { QGuiApplication::clipboard()->setText(text()); }

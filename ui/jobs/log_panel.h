@@ -36,13 +36,17 @@ class LogPanel : public QWidget {
   [[nodiscard]] LogFilter& filter() { return *filter_; }
 
  protected:
+  void showEvent(QShowEvent*) override;
   bool eventFilter(QObject*, QEvent*) override;
 
  private:
   QWidget* bar(LogList&);
   void copy() const;
+  void scrollToNewest();
   LogFilter* filter_;
   QTreeView* rows_;
+  bool settling_ = false;  // the scroll bar is moved by the panel itself
+  bool follows_ = true;    // what is new; not while something older is being read
 };
 
 }  // namespace blossom::ui

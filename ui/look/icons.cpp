@@ -38,12 +38,12 @@ QSvgRenderer& renderer(const QByteArray& source) {
 
 class ThemedEngine final : public QIconEngine {
  public:
-  explicit ThemedEngine(QString name) : name_(std::move(name)) {}
+  explicit ThemedEngine(QString name, bool clear = false) : name_(std::move(name)), clear_(clear) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-    const char* token = mode == QIcon::Disabled                            ? "faint"
-                        : mode == QIcon::Active || mode == QIcon::Selected ? "text"
-                                                                           : "muted";
+    const char* token = mode == QIcon::Disabled                                      ? "faint"
+                        : clear_ || mode == QIcon::Active || mode == QIcon::Selected ? "text"
+                                                                                     : "muted";
     const Theme& colors = theme();
     QByteArray source = iconSource(name_, colors.color(token), colors);
     if (mode == QIcon::Disabled) source = iconSource(name_, colors.color(token), disabledTheme(colors));
@@ -57,7 +57,7 @@ class ThemedEngine final : public QIconEngine {
     paint(&painter, QRect(QPoint(), size), mode, state);
     return pixmap;
   }
-  QIconEngine* clone() const override { return new ThemedEngine(name_); }
+  QIconEngine* clone() const override { return new ThemedEngine(name_, clear_); }
 
  private:
   static Theme disabledTheme(Theme colors) {
@@ -65,6 +65,7 @@ class ThemedEngine final : public QIconEngine {
     return colors;
   }
   QString name_;
+  bool clear_;
 };
 
 }  // namespace
@@ -80,6 +81,8 @@ QByteArray iconSource(const QString& name, const QColor& color, const Theme& the
 }
 
 QIcon icon(const QString& name) { return QIcon(new ThemedEngine(name)); }
+
+QIcon clearIcon(const QString& name) { return QIcon(new ThemedEngine(name, true)); }
 
 void paintIcon(QPainter& painter, const QRectF& rect, const QString& name, const QColor& color) {
   renderer(iconSource(name, color, theme())).render(&painter, rect);

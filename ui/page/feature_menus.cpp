@@ -42,9 +42,9 @@ void FeatureMenus::addGroup(const LoadedPlugin& plugin) {
     const auto type = app_.registry->find(id);
     if (!type) continue;
     const std::string iconName = type->icon.empty() ? plugin.manifest.icon : type->icon;
-    const CommandSpec spec{QStringLiteral("feature.") + qt(id), group.title, qt(iconName), qt(type->title),
-                           qt(type->summary)};
-    QAction* action = commands_.add(spec, [this, type] { add(*type); });
+    CommandSpec spec{QStringLiteral("feature.") + qt(id), group.title, qt(iconName), qt(type->title), qt(type->summary)};
+    for (const Keyword& each : type->keywords) spec.keywords << qt(each.word);
+    QAction* action = commands_.add(spec, [this, type] { add(*type, Value::object()); });
     group.menu->addAction(action);
     group.actions.push_back(action);
     types_.emplace_back(action, type);
@@ -75,9 +75,18 @@ QString FeatureMenus::wants(const QString& commandId) const {
   return start.missing ? tr("Takes %1.").arg(wantedShape(*start.missing)) : QString();
 }
 
-void FeatureMenus::add(const FeatureType& type) {
+void FeatureMenus::add(const FeatureType& type, const Value& preset) {
   page_->endQuestion();
-  if (!page_->startDrawing(type.id)) begin(type, selected_);
+  if (!page_->startDrawing(type.id)) begin(type, selected_, preset);
+}
+
+void FeatureMenus::startAs(const QString& commandId, const QString& keyword) {
+  for (const auto& [action, type] : types_) {
+    if (action->objectName() != commandId || !action->isEnabled()) continue;
+    for (const Keyword& each : type->keywords)
+      if (qt(each.word) == keyword) return add(*type, each.preset);
+    return action->trigger();
+  }
 }
 
 namespace {
@@ -93,13 +102,15 @@ void inDocumentOrder(const Document& document, Place from, Place to) {
 }  // namespace
 
 // What is missing is taken where the document leaves no choice, else asked for in the view.
-void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen) {
+void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen, const Value& preset) {
   DocumentPage& page = *page_;
   while (true) {
     const FeatureStart start = featureStart(page.session(), type, chosen, page.view().selectedParts());
     if (!start.missing) {
       page.view().setSelectedParts({});
-      return page.session().addFeature(type, start.inputs, start.parameters);
+      Value parameters = preset;
+      parameters.update(start.parameters);
+      return page.session().addFeature(type, start.inputs, parameters);
     }
     const std::vector<FeatureId> fitting = fittingFeatures(page.session(), *start.missing, start.inputs);
     const std::size_t wanted = start.missing->minimum - start.has;
@@ -112,10 +123,10 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen)
       inDocumentOrder(page.document(), chosen.end() - static_cast<std::ptrdiff_t>(start.missing->minimum), chosen.end());
       continue;
     }
-    return page.choose(questionFor(type, start), fitting, [this, &type, chosen](const FeatureId& id) {
+    return page.choose(questionFor(type, start), fitting, [this, &type, chosen, preset](const FeatureId& id) {
       std::vector<FeatureId> more = chosen;
       more.push_back(id);
-      begin(type, std::move(more));
+      begin(type, std::move(more), preset);
     });
   }
 }

@@ -34,14 +34,16 @@ class FeatureMenus : public QObject {
   [[nodiscard]] std::vector<QAction*> taking(const std::vector<FeatureId>&) const;
   /// What is still to be selected for a type, in a sentence; empty when nothing is, or when the command is no feature type.
   [[nodiscard]] QString wants(const QString& commandId) const;
+  /// Begins a feature as by its command, with the parameters that a keyword of its type stands for.
+  void startAs(const QString& commandId, const QString& keyword);
   void setPage(DocumentPage* page) { page_ = page; }  ///< where features are added
   void setSelection(std::vector<FeatureId> selected) { selected_ = std::move(selected); }
 
  private:
   void addGroup(const LoadedPlugin&);
-  void add(const FeatureType&);
+  void add(const FeatureType&, const Value& preset);
   /// Adds a feature that takes what is chosen so far, or asks for more.
-  void begin(const FeatureType&, std::vector<FeatureId> chosen);
+  void begin(const FeatureType&, std::vector<FeatureId> chosen, const Value& preset);
   void tellNothingFits(const FeatureType&, const InputSpec& missing);
   void addFromFile(const FeatureType&);
   const App& app_;

@@ -10,6 +10,7 @@
 #include "ui/look/theme.h"
 #include "ui/look/units.h"
 #include "ui/panel/fault_bar.h"
+#include "ui/panel/overlaid_bars.h"
 #include "ui/panel/property_panel.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/tools/choose_tool.h"
@@ -79,11 +80,10 @@ void DocumentPage::buildWidgets() {
   auto* column = new QVBoxLayout(canvas_);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(errors_);
-  column->addWidget(faults_);
   column->addWidget(view_, 1);
   column->addWidget(timeline_);
   timeline_->hide();
+  notes_ = new OverlaidBars(*view_, {errors_, faults_});
 }
 
 std::vector<ViewItem> DocumentPage::shownItems() const { return scene_.items(tree_->selected()); }

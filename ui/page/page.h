@@ -21,6 +21,7 @@ class DocumentTree;
 class DocumentTreePanel;
 class ErrorBar;
 class FaultBar;
+class OverlaidBars;
 class PropertyPanel;
 class TimelineBar;
 class ViewWidget;
@@ -41,6 +42,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] PropertyPanel& properties() { return *properties_; }
   [[nodiscard]] ErrorBar& errors() { return *errors_; }
   [[nodiscard]] FaultBar& faults() { return *faults_; }
+  [[nodiscard]] OverlaidBars& notes() { return *notes_; }   ///< both, over the view
   [[nodiscard]] Playback& playback() { return playback_; }  ///< of the sequences that are shown
   [[nodiscard]] QWidget* side() { return side_; }           ///< owned by the page until a window takes it in
   [[nodiscard]] QWidget* canvas() { return canvas_; }       ///< likewise
@@ -136,6 +138,7 @@ class DocumentPage : public QObject, public ToolHost {
   ViewWidget* view_;
   ErrorBar* errors_;
   FaultBar* faults_;  // features that fail
+  OverlaidBars* notes_ = nullptr;
   Playback playback_;
   PageScene scene_{session_, playback_, manipulators_};
   TimelineBar* timeline_;

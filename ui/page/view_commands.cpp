@@ -82,7 +82,8 @@ void ViewCommands::addTools() {
                  tr("&Measure"),
                  tr("Measure lengths, distances, angles, radii and areas by clicking."),
                  {QKeySequence(QStringLiteral("M"))},
-                 true},
+                 true,
+                 tr("dimension;distance;ruler;length;angle").split(u';')},
                 [this] { page_().startMeasuring(); });
   commands_.add({"view.section",
                  group,
@@ -90,7 +91,8 @@ void ViewCommands::addTools() {
                  tr("&Section"),
                  tr("Cut the model open with a plane that can be dragged."),
                  {QKeySequence(QStringLiteral("X"))},
-                 true},
+                 true,
+                 tr("clip;cross section;cutaway").split(u';')},
                 [this] { page_().startSection(); });
 }
 
@@ -130,8 +132,11 @@ void ViewCommands::refresh() {
   commands_.action(QStringLiteral("view.measure"))->setChecked(page_().measuring());
   commands_.action(QStringLiteral("view.section"))->setChecked(page_().section().has_value());
   const ViewWidget& view = page_().view();
-  for (const PickModeCommand& each : pickModes)
-    commands_.action(QLatin1String(each.id))->setChecked(view.pickMode() == each.mode);
+  for (const PickModeCommand& each : pickModes) {
+    QAction* const action = commands_.action(QLatin1String(each.id));
+    action->setChecked(view.pickMode() == each.mode);
+    if (action->isChecked()) emit pickModeShown(*action);
+  }
   for (const DisplayModeCommand& each : displayModes)
     commands_.action(QLatin1String(each.id))->setChecked(view.displayMode() == each.mode);
 }

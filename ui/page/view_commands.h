@@ -2,6 +2,7 @@
 #include <QObject>
 #include <functional>
 
+class QAction;
 class QMenu;
 
 namespace blossom::ui {
@@ -17,6 +18,9 @@ class ViewCommands : public QObject {
   ViewCommands(Commands&, std::function<DocumentPage&()> page, QObject* parent);
   void addTo(QMenu& view, QMenu& select);
   void refresh();  ///< another page is shown, or its view has changed
+
+ signals:
+  void pickModeShown(const QAction& chosen);  ///< what a click selects, as the command that chose it
 
  private:
   void addPickModes();

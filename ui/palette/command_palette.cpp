@@ -136,9 +136,11 @@ void CommandPalette::tellHint(const QModelIndex& index) {
 void CommandPalette::run(const QModelIndex& index) {
   if (!index.isValid()) return;
   const PaletteEntry entry = model_->at(index.row());
+  const QString keyword = model_->keywordOf(index.row());
   if (!entry.enabled) return tellHint(index);
   dismiss();
   remember(entry.id);
+  if (entry.goAs && !keyword.isEmpty()) return entry.goAs(keyword);
   entry.go();
 }
 

@@ -16,6 +16,8 @@ struct PaletteEntry {
   bool enabled = true;
   QString whyNot;  ///< shown instead of the help when it is disabled
   std::function<void()> go;
+  QStringList keywords = {};                              ///< other words for it, in lower case
+  std::function<void(const QString& keyword)> goAs = {};  ///< when it was found by a keyword; not set: as `go`
 };
 
 using PaletteSource = std::function<std::vector<PaletteEntry>()>;
@@ -32,14 +34,20 @@ class PaletteModel : public QAbstractListModel {
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex&, int role) const override;
   [[nodiscard]] const PaletteEntry& at(int row) const { return entries_[rows_[static_cast<std::size_t>(row)].entry]; }
+  /// The keyword by which a row was found; empty: by its text.
+  [[nodiscard]] QString keywordOf(int row) const { return rows_[static_cast<std::size_t>(row)].keyword; }
 
  private:
   struct Row {
     std::size_t entry;
     int score;
     QList<int> letters;  // matching letters of the text
+    QString keyword = {};
   };
   [[nodiscard]] std::optional<Row> rowFor(std::size_t entry, const QString& pattern) const;
+  [[nodiscard]] std::optional<Row> rowByText(std::size_t entry, const QString& pattern) const;
+  [[nodiscard]] std::optional<Row> rowByKeyword(std::size_t entry, const QString& pattern) const;
+  [[nodiscard]] int liking(std::size_t entry) const;
   std::vector<PaletteEntry> entries_;
   std::vector<int> latelyScore_;
   std::vector<Row> rows_;

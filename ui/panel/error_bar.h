@@ -14,7 +14,7 @@ struct Offer {
   std::function<void()> go;
 };
 
-/// Shows an error with its remedy above the view; not modal.
+/// Shows an error with its remedy over the upper edge of the view; not modal.
 class ErrorBar : public PassingBar {
   Q_OBJECT
  public:

@@ -6,9 +6,9 @@ namespace blossom::ui {
 
 class Session;
 
-/// A bar above the view while a feature fails: its name, the reason, the place and the remedy. Shows the selected feature or
+/// A bar over the view while a feature fails: its name, the reason, the place and the remedy. Shows the selected feature or
 /// else the first that failed, with a button to select it. Once dismissed it appears only for another failure. During a drag
-/// it does not change, so that the view keeps its size.
+/// it does not change.
 class FaultBar final : public ErrorBar {
   Q_OBJECT
  public:

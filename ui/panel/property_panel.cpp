@@ -167,7 +167,7 @@ void PropertyPanel::rebuild() {
   } else {
     column_->addWidget(title(tr("PROPERTIES"), form_));
     column_->addWidget(styled(session_.document().features().empty()
-                                  ? tr("Nothing is open yet.")
+                                  ? tr("There is nothing in this document yet.")
                                   : tr("Select a feature to see what it is made from and what it came to."),
                               "note", form_));
   }

@@ -12,6 +12,7 @@ class FindField : public QPushButton {
   explicit FindField(QAction* opens, QWidget* parent = nullptr);
 
  protected:
+  void resizeEvent(QResizeEvent*) override;
   void enterEvent(QEnterEvent*) override;
 
  private:

@@ -88,6 +88,8 @@ class ViewWidget : public QWidget, private PictureSubject {
   /// What is shown, drawn before when it is out of date.
   QImage grabFramebuffer() { return picture_->upToDate(); }
 
+  /// What the mouse would do on the view now, with the tool that is started.
+  [[nodiscard]] QString restingHint() const;
   /// What the mouse would do when it rests on the view.
   static QString idleHint(NavigationStyle style = NavigationStyle::Blossom) { return navigationHint(style); }
 
@@ -134,7 +136,6 @@ class ViewWidget : public QWidget, private PictureSubject {
   [[nodiscard]] std::vector<Vec3> everything();
   void placeCube();
   // What the mouse does.
-  [[nodiscard]] QString restingHint() const;
   [[nodiscard]] ToolEvent toolEvent(QPointF at, Qt::MouseButton, Qt::KeyboardModifiers);
   void showToolProps();
   bool offerKey(const QKeyEvent&);

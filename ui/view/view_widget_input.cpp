@@ -244,10 +244,13 @@ void ViewWidget::click(QPointF at, Qt::KeyboardModifiers modifiers) {
   if (tool_ && !handles_) return;  // it had its chance
   const Pick pick = pickAt(at, pickMode_);
   emit partPicked(pick, modifiers);
-  if (isPartMode(pickMode_))
+  if (isPartMode(pickMode_)) {
     selectParts(pick.part.index < 0 ? std::vector<Pick>() : std::vector<Pick>{pick}, modifiers);
-  else if (pickMode_ == PickMode::Feature)
-    emit picked(qt(pick.feature), modifiers.testFlag(Qt::ControlModifier));
+    // Beside a part there may still be its feature; beside everything nothing stays selected.
+    const bool plain = !modifiers.testFlag(Qt::ControlModifier) && !modifiers.testFlag(Qt::ShiftModifier);
+    if (plain && pick.feature.empty() && pickAt(at, PickMode::Feature).feature.empty()) emit picked({}, false);
+  }
+  if (pickMode_ == PickMode::Feature) emit picked(qt(pick.feature), modifiers.testFlag(Qt::ControlModifier));
 }
 
 // With Ctrl parts are added, and taken away when all of them were selected already; Shift only adds.

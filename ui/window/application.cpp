@@ -10,6 +10,7 @@
 
 #include "core/version.h"
 #include "scene/scene.h"
+#include "ui/look/icons.h"
 #include "ui/settings/language.h"
 
 namespace blossom::ui {
@@ -23,6 +24,14 @@ class QuietStyle final : public QProxyStyle {
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
     if (hint == SH_UnderlineShortcut) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+  // Fusion's own signs for what found no room in a bar are dark, and too small to be hit.
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override {
+    if (which == SP_ToolBarHorizontalExtensionButton) return clearIcon(QStringLiteral("overflow"));
+    return QProxyStyle::standardIcon(which, option, widget);
+  }
+  int pixelMetric(PixelMetric which, const QStyleOption* option, const QWidget* widget) const override {
+    return which == PM_ToolBarExtensionExtent ? 24 : QProxyStyle::pixelMetric(which, option, widget);
   }
   // Buttons of a tool bar stand in even steps. A least width in the style sheet would let a crowded bar cut their labels.
   QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,

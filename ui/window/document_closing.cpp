@@ -16,8 +16,8 @@ namespace {
 
 QString listedName(const Session& session) {
   if (session.fromSample()) return DocumentClosing::tr("%1 (sample, untitled)").arg(session.title());
-  if (session.file().empty() && !session.suggestedName().isEmpty())
-    return DocumentClosing::tr("%1 (untitled)").arg(session.title());
+  const bool named = !session.suggestedName().isEmpty() && session.title() != Session::tr("Untitled");
+  if (session.file().empty() && named) return DocumentClosing::tr("%1 (untitled)").arg(session.title());
   return session.title();
 }
 

@@ -1,5 +1,6 @@
 #include "ui/window/document_files.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -27,6 +28,7 @@ QString documentFilter() { return DocumentFiles::tr("Blossom documents (*.blosso
 /// As far as it can be told without reading it; empty when it may be opened.
 QString problemWith(const App& app, const QString& file) {
   const QFileInfo info(file);
+  if (info.isDir()) return DocumentFiles::tr("%1 is a folder. Open the files in it instead.").arg(QDir(file).absolutePath());
   if (!info.isFile()) return DocumentFiles::tr("%1 is not there.").arg(info.fileName());
   const Format* format = app.formats->find(info.suffix().toStdString());
   if (isDocument(file.toStdString()) || (format && format->read)) return {};
@@ -57,7 +59,8 @@ void DocumentFiles::open(const QString& file, bool salvage) {
 }
 
 void DocumentFiles::open(const QStringList& files) {
-  if (files.size() == 1) return open(files.first());  // its own page says what is wrong with it
+  if (files.size() == 1 && !QFileInfo(files.first()).isDir())
+    return open(files.first());  // its own page says what is wrong with it
   QStringList problems;
   for (const QString& file : files) {
     const QString problem = problemWith(app_, file);
@@ -67,9 +70,9 @@ void DocumentFiles::open(const QStringList& files) {
       problems << problem;
   }
   if (problems.isEmpty()) return;
-  const auto tell = [shown = &documents_.shown(),
-                     text = tr("%1 of %2 files cannot be opened.").arg(problems.size()).arg(files.size()),
-                     problems] { shown->errors().showError(text, problems.join(u'\n')); };
+  const QString text = files.size() == 1 ? tr("This cannot be opened.")
+                                         : tr("%1 of %2 files cannot be opened.").arg(problems.size()).arg(files.size());
+  const auto tell = [shown = &documents_.shown(), text, problems] { shown->errors().showError(text, problems.join(u'\n')); };
   if (documents_.shown().session().job().running())  // what is read now will start with a clean slate
     connect(&documents_.shown(), &DocumentPage::opened, this, tell, Qt::SingleShotConnection);
   else

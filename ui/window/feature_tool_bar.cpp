@@ -29,7 +29,9 @@ int widthOf(const QWidget* button) { return button->sizeHint().width() + gap; }
 
 }  // namespace
 
-FeatureToolBar::FeatureToolBar(const FeatureMenus& menus, QWidget* parent) : QWidget(parent) {
+FeatureToolBar::FeatureToolBar(const FeatureMenus& menus, QWidget* field, QWidget* parent)
+    : QWidget(parent), others_(toolButton(this)), field_(field) {
+  field_->setParent(this);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   for (const FeatureGroup& source : menus.groups()) {
     Group group;
@@ -54,6 +56,24 @@ FeatureToolBar::FeatureToolBar(const FeatureMenus& menus, QWidget* parent) : QWi
     group.line->setObjectName(QStringLiteral("groupLine"));
     groups_.push_back(std::move(group));
   }
+  offerRest();
+}
+
+void FeatureToolBar::offerRest() {
+  auto* menu = new QMenu(this);
+  others_->setObjectName(QStringLiteral("otherGroups"));
+  others_->setIcon(clearIcon(QStringLiteral("overflow")));
+  others_->setText(tr("More"));
+  others_->setToolTip(tr("The groups for which the window is too narrow"));
+  others_->setPopupMode(QToolButton::InstantPopup);
+  others_->setMenu(menu);
+  others_->installEventFilter(this);
+  others_->setVisible(false);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    for (const Group& group : groups_)
+      if (!group.hasRoom) menu->addAction(group.rest->menu()->menuAction());
+  });
 }
 
 // With `shown` of its buttons, and the menu when that is not all.
@@ -69,26 +89,42 @@ QSize FeatureToolBar::sizeHint() const {
     width += lineSpace + widthOf(group, group.buttons.size());
     for (const QToolButton* button : group.buttons) height = std::max(height, button->sizeHint().height());
   }
-  return {width, height};
+  return {width + field_->maximumWidth(), height};
 }
 
-// No narrower than one button a group.
+// One button a group.
+int FeatureToolBar::leastOfAll() const {
+  return std::accumulate(groups_.begin(), groups_.end(), 0,
+                         [this](int sum, const Group& group) { return sum + lineSpace + leastWidth(group); });
+}
+
 QSize FeatureToolBar::minimumSizeHint() const {
-  int width = 0;
-  for (const Group& group : groups_) width += lineSpace + std::min(widthOf(group, 0), widthOf(group, group.buttons.size()));
-  return {width, sizeHint().height()};
+  return {lineSpace + ui::widthOf(others_) + field_->minimumWidth(), sizeHint().height()};
+}
+
+// The first groups that find room, and the button for the others when those are not all.
+void FeatureToolBar::chooseGroups(int width) {
+  const bool all = leastOfAll() <= width;
+  int left = all ? width : width - lineSpace - ui::widthOf(others_);
+  for (Group& group : groups_) {
+    left -= lineSpace + leastWidth(group);
+    group.hasRoom = left >= 0;
+  }
+  others_->setVisible(!all);
 }
 
 // One button more for each group in turn, as long as there is room.
 void FeatureToolBar::share(int width) {
-  for (Group& group : groups_) group.shown = group.buttons.size() == 1 ? 1 : 0;
+  for (Group& group : groups_) group.shown = group.hasRoom && group.buttons.size() == 1 ? 1 : 0;
   const auto total = [this] {
-    return std::accumulate(groups_.begin(), groups_.end(), 0,
-                           [this](int sum, const Group& group) { return sum + lineSpace + widthOf(group, group.shown); });
+    return std::accumulate(groups_.begin(), groups_.end(), 0, [this](int sum, const Group& group) {
+      return group.hasRoom ? sum + lineSpace + widthOf(group, group.shown) : sum;
+    });
   };
   for (bool grown = true; grown;) {
     grown = false;
     for (Group& group : groups_) {
+      if (!group.hasRoom) continue;
       const std::size_t before = group.shown;
       // The last one takes the place of the menu; where both are equally wide it comes for free.
       for (std::size_t more = 1; more <= 2 && group.shown == before && before + more <= group.buttons.size(); ++more) {
@@ -101,12 +137,26 @@ void FeatureToolBar::share(int width) {
 }
 
 void FeatureToolBar::arrange() {
-  share(width());
+  const int field = std::clamp(width() - leastOfAll(), field_->minimumWidth(), field_->maximumWidth());
+  const int room = width() - field;
+  chooseGroups(room);
+  share(others_->isHidden() ? room : room - lineSpace - ui::widthOf(others_));
   int x = 0;
-  for (Group& group : groups_) place(group, x);
+  for (Group& group : groups_) group.hasRoom ? place(group, x) : hide(group);
+  const QSize size = others_->sizeHint();
+  others_->setGeometry(x + lineSpace, (height() - size.height()) / 2, size.width(), size.height());
+  const int high = std::min(field_->sizeHint().height(), height());
+  field_->setGeometry(room, (height() - high) / 2, field, high);
+}
+
+void FeatureToolBar::hide(Group& group) {
+  group.line->hide();
+  group.rest->hide();
+  for (QToolButton* button : group.buttons) button->hide();
 }
 
 void FeatureToolBar::place(Group& group, int& x) {
+  group.line->show();
   group.line->setGeometry(x + lineSpace / 2, 8, 1, height() - 16);
   x += lineSpace;
   const auto put = [&](QToolButton* button, bool visible) {

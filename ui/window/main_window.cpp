@@ -141,7 +141,11 @@ void MainWindow::buildPalette() {
   palette_->addSource(fileEntries([this](const QString& file) { files_->open(file); }));
   palette_->addSource(
       manualEntries([this] { return ManualPages(app_, commands_); }, [this](const QString& name) { openManual(name); }));
-  connect(palette_, &CommandPalette::hint, this, [this](const QString& text) { status_->setHint(text); });
+  // When it has closed, the line tells again what it told before it opened.
+  connect(palette_, &CommandPalette::hint, this, [this](const QString& text) {
+    const bool ofView = text.isEmpty() && (page().toolStarted() || view().underMouse());
+    status_->setHint(ofView ? view().restingHint() : text);
+  });
 }
 
 void MainWindow::openManual(const QString& page) {

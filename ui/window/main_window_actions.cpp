@@ -75,7 +75,16 @@ void MainWindow::buildEditMenu() {
 void MainWindow::buildViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   const QString group = tr("View");
-  add(menu, {"view.fit", group, "fit", tr("&Fit"), tr("Show everything."), {tr("F")}}, [this] { view().fit(); });
+  add(menu,
+      {"view.fit",
+       group,
+       "fit",
+       tr("&Fit"),
+       tr("Show everything."),
+       {tr("F")},
+       false,
+       tr("zoom to fit;zoom all;frame").split(u';')},
+      [this] { view().fit(); });
   menu->addAction(commands_.action(QStringLiteral("view.fit-selection")));
   add(menu, {"view.home", group, "home", tr("&Home"), tr("Look at everything as when it was opened."), {tr("0")}},
       [this] { view().lookFrom(QStringLiteral("auto")); });
@@ -101,14 +110,18 @@ void MainWindow::buildViewMenu() {
        tr("&Parallel projection"),
        tr("Without perspective: equal lengths look equal."),
        {tr("P")},
-       true},
+       true,
+       tr("orthographic;perspective").split(u';')},
       [this] { view().setParallel(commands_.action("view.parallel")->isChecked()); });
   add(menu, {"view.grid", group, "grid", tr("&Grid"), tr("Show the ground grid."), {tr("G")}, true},
       [this] { view().setGridVisible(commands_.action("view.grid")->isChecked()); });
   menu->addSeparator();
   viewCommands_ = new ViewCommands(
       commands_, [this]() -> DocumentPage& { return page(); }, this);
-  viewCommands_->addTo(*menu, *menuBar()->addMenu(tr("&Select")));
+  QMenu* const select = menuBar()->addMenu(tr("&Select"));
+  viewCommands_->addTo(*menu, *select);
+  status_->setPickModes(select);
+  connect(viewCommands_, &ViewCommands::pickModeShown, status_, &StatusLine::showPickMode);
   menu->addSeparator();
   logAndJobs_ = new LogAndJobs(*this, commands_);
   logAndJobs_->addTo(*menu);
@@ -155,10 +168,9 @@ void MainWindow::buildToolBar() {
   show({"file.open", "file.import", "file.save", "file.export"});
   show({"edit.undo", "edit.redo"});
   for (const char* id : {"view.fit", "view.home", "view.grid"}) bar->addAction(commands_.action(QLatin1String(id)));
-  auto* features = new FeatureToolBar(*featureMenus_);
+  auto* features = new FeatureToolBar(*featureMenus_, new FindField(commands_.action(QStringLiteral("edit.find-command"))));
   connect(features, &FeatureToolBar::hint, status_, &StatusLine::setHint);
   bar->addWidget(features);
-  bar->addWidget(new FindField(commands_.action(QStringLiteral("edit.find-command"))));
   setContextMenuPolicy(Qt::PreventContextMenu);
 }
 

@@ -1,5 +1,6 @@
 #include "ui/window/open_documents.h"
 
+#include <QPointer>
 #include <QStackedWidget>
 #include <algorithm>
 
@@ -7,6 +8,7 @@
 #include "ui/files/start_page.h"
 #include "ui/look/text.h"
 #include "ui/page/page.h"
+#include "ui/panel/overlaid_bars.h"
 #include "ui/view/view_widget.h"
 
 namespace blossom::ui {
@@ -79,6 +81,7 @@ DocumentPage& OpenDocuments::add() {
   connect(page, &DocumentPage::toolChanged, this, [this, page] {
     if (page == &shown()) refreshStart();
   });
+  connect(&page->notes(), &OverlaidBars::coverageChanged, start_, &StartPage::follow);
   emit added(page);
   show(pages_.size() - 1);
   return *page;
@@ -123,8 +126,11 @@ void OpenDocuments::refreshTabs() {
 }
 
 void OpenDocuments::refreshStart() {
-  if (startFor_ == &shown() && shown().untouched())
-    start_->showOver(&shown().view());
+  const bool starts = startFor_ == &shown() && shown().untouched();
+  shown().notes().leaveCorner(!starts);
+  if (starts)
+    start_->showOver(&shown().view(),
+                     [page = QPointer<DocumentPage>(&shown())] { return page ? page->notes().covered() : 0; });
   else
     start_->putAway();
 }

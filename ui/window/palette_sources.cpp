@@ -35,7 +35,7 @@ QString readableName(const QString& file) {
   return sentenceCase(QFileInfo(file).completeBaseName().replace(u'-', u' ').replace(u'_', u' '));
 }
 
-PaletteEntry entryOf(const Command& command, const FeatureMenus& menus, const QString& iconName) {
+PaletteEntry entryOf(const Command& command, FeatureMenus& menus, const QString& iconName) {
   const QString wants = menus.wants(command.id);
   PaletteEntry entry;
   entry.id = command.id;
@@ -46,6 +46,11 @@ PaletteEntry entryOf(const Command& command, const FeatureMenus& menus, const QS
   entry.help = wants.isEmpty() ? command.help : command.help + u' ' + wants;
   entry.enabled = command.action->isEnabled();
   entry.whyNot = command.whyNot;
+  entry.keywords = command.keywords;
+  if (command.id.startsWith(QLatin1String("feature.")))
+    entry.goAs = [menus = QPointer<FeatureMenus>(&menus), id = command.id](const QString& keyword) {
+      if (menus) menus->startAs(id, keyword);
+    };
   entry.go = [action = QPointer<QAction>(command.action)] {
     if (action) action->trigger();
   };
@@ -54,7 +59,7 @@ PaletteEntry entryOf(const Command& command, const FeatureMenus& menus, const QS
 
 }  // namespace
 
-PaletteSource commandEntries(const Commands& commands, const FeatureMenus& menus) {
+PaletteSource commandEntries(const Commands& commands, FeatureMenus& menus) {
   return [&] {
     std::vector<PaletteEntry> entries;
     entries.reserve(commands.all().size());

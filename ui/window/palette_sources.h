@@ -11,7 +11,7 @@ class FeatureMenus;
 class ManualPages;
 
 /// Every command of the window, feature types of all plugins among them.
-PaletteSource commandEntries(const Commands&, const FeatureMenus&);
+PaletteSource commandEntries(const Commands&, FeatureMenus&);
 /// Samples, then the documents that were opened lately.
 PaletteSource fileEntries(std::function<void(const QString& file)> open);
 /// The features of the document that is shown: chosen, one is selected.

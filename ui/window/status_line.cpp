@@ -1,7 +1,9 @@
 #include "ui/window/status_line.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QToolButton>
 #include <cmath>
@@ -12,6 +14,7 @@ namespace blossom::ui {
 
 StatusLine::StatusLine(QWidget* parent)
     : QFrame(parent),
+      pickMode_(new QToolButton),
       hint_(new QLabel),
       whereabouts_(new QLabel),
       workText_(new QToolButton),
@@ -31,9 +34,16 @@ StatusLine::StatusLine(QWidget* parent)
   workText_->setObjectName(QStringLiteral("work"));
   workText_->setToolTip(tr("Show all jobs"));
   connect(workText_, &QToolButton::clicked, this, &StatusLine::jobsWanted);
+  pickMode_->setObjectName(QStringLiteral("pickMode"));
+  pickMode_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  pickMode_->setIconSize({14, 14});
+  pickMode_->setPopupMode(QToolButton::InstantPopup);
+  pickMode_->setToolTip(tr("What a click in the view selects"));
+  pickMode_->hide();
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(14, 0, 14, 0);
   row->setSpacing(10);
+  row->addWidget(pickMode_);  // first, so that no text that grows moves it
   row->addWidget(hint_, 1);
   row->addWidget(whereabouts_);
   row->addWidget(workText_);
@@ -66,6 +76,16 @@ QString StatusLine::hint() const { return hint_->text(); }
 void StatusLine::setJobs(int running) {
   jobs_ = running;
   if (!patience_.isActive()) refresh();
+}
+
+void StatusLine::setPickModes(QMenu* modes) {
+  pickMode_->setMenu(modes);
+  pickMode_->show();
+}
+
+void StatusLine::showPickMode(const QAction& chosen) {
+  pickMode_->setText(tr("Select: %1").arg(chosen.iconText()));
+  pickMode_->setIcon(chosen.icon());
 }
 
 void StatusLine::setWhereabouts(const QString& text) { whereabouts_->setText(text); }

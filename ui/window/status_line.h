@@ -2,7 +2,9 @@
 #include <QFrame>
 #include <QTimer>
 
+class QAction;
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QToolButton;
 
@@ -23,6 +25,9 @@ class StatusLine : public QFrame {
   /// Two sorts of work may run at once; each has its own key.
   void setWork(const QString& key, const QString& what, double fraction);
   void endWork(const QString& key);
+  /// Offers what a click in the view may select; the mode in force stands at the left.
+  void setPickModes(QMenu*);
+  void showPickMode(const QAction& chosen);
   void setJobs(int running);  ///< of all documents
   [[nodiscard]] QString hint() const;
   [[nodiscard]] bool working() const { return !work_.isEmpty(); }
@@ -38,6 +43,7 @@ class StatusLine : public QFrame {
     double fraction = 0;
   };
   QMap<QString, Work> work_;
+  QToolButton* pickMode_;
   QLabel* hint_;
   QLabel* whereabouts_;
   QToolButton* workText_;

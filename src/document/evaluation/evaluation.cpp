@@ -221,11 +221,18 @@ std::shared_ptr<const FeatureResult> Evaluation::passedOn(const Feature& feature
   return result;
 }
 
-/// @throws Error InvalidInput that names the first input that failed and where the failure began.
+/// @throws Error InvalidInput that names the first input that failed and where the failure began, or the first that is left
+/// out and has nothing to pass on.
 void Evaluation::checkInputs(const Feature& feature, Outcome& outcome) const {
   for (const auto& id : feature.inputs) {
     const Outcome& input = outcomes_.at(id);
-    if (!input.rootError) continue;
+    if (!input.rootError) {
+      const Feature* source = &document_.at(id);
+      while (source->suppressed && !source->inputs.empty()) source = &document_.at(source->inputs.front());
+      if (!source->suppressed) continue;
+      throw Error(ErrorCode::InvalidInput, fmt::format("Its input \"{}\" is suppressed.", shownName(*source)),
+                  "Let it be computed again, or take another input.");
+    }
     outcome.rootError = input.rootError;
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("Its input \"{}\" failed: {}", shownName(document_.at(id)), input.rootError->message()),

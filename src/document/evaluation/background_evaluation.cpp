@@ -101,7 +101,8 @@ void BackgroundEvaluation::startWork(Place& place) {
   Workshop::Piece piece;
   piece.key = place.prepared.key;
   piece.generation = generation_;
-  piece.expectedMs = place.costMs;
+  // How many frames there are decides, more than what the last ones took: a sequence never takes the place of quick ones.
+  piece.expectedMs = place.sequence ? std::max(place.costMs, Workshop::longFrom) : place.costMs;
   piece.computing = place.computingShare;
   piece.compute = [work = place.prepared.work, sources = sources_, keep = worthKeeping_](const Progress& progress) {
     const FeatureMade made = resultOf(*work, sources, progress);

@@ -8,8 +8,6 @@
 namespace blossom {
 namespace {
 
-/// What is expected to take longer, in ms, counts as long; some threads are left to what is quick.
-constexpr double longFrom = 500;
 constexpr std::size_t leftToQuickOnes = 2;
 
 }  // namespace

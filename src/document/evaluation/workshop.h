@@ -21,6 +21,9 @@ class Workshop {
  public:
   using Result = std::shared_ptr<const FeatureResult>;
 
+  /// What is expected to take as many ms, or more, counts as long.
+  static constexpr double longFrom = 500;
+
   struct Piece {
     // What it is; never changed once it was handed over.
     std::string key;                                 ///< content key; empty: no other can join

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/thread_priority.h"
-#include "document/evaluation/evaluation.h"
+#include "document/evaluation/background_evaluation.h"
 #include "results/result_store.h"
 
 namespace blossom {
@@ -17,7 +17,7 @@ namespace {
 struct BackgroundRun {
   Document document;
   Progress progress;
-  Evaluator::Done done;
+  Evaluator::Show show;
   std::function<void(Results)> finished;
 };
 
@@ -34,8 +34,8 @@ struct Evaluator::State {
   std::shared_ptr<ResultStore> store;
   std::atomic<bool> anew = false;  ///< what was kept before is not to be found any more
 
-  // The background thread: one job waits at most, for only the newest matters. `mutex` guards all of the following and is
-  // never held while a callback runs or a job is destroyed.
+  // The background thread goes through documents and gives their features to the workshop. One job waits at most, for only
+  // the newest matters. `mutex` guards all of the following and is never held while a callback runs or a job is destroyed.
   std::mutex mutex;
   std::condition_variable changed;
   std::optional<BackgroundRun> waiting;
@@ -50,9 +50,12 @@ struct Evaluator::State {
   std::thread keeper;
   CancelToken keeping;
 
+  Workshop workshop;  // ends first: its threads use all of these
+
+  [[nodiscard]] EvaluationSources sources() { return {*registry, cache, files, costs, anew ? nullptr : store.get()}; }
+
   Results evaluate(const Document& document, const Progress& progress, const Done& done) {
-    cache.makeRoomFor(document.features().size());
-    Evaluation evaluation(document, *registry, cache, files, costs, anew ? nullptr : store.get());
+    Evaluation evaluation(document, sources());
     try {
       Results results = evaluation.run(progress, done);
       keep(evaluation.worthKeeping());
@@ -66,7 +69,7 @@ struct Evaluator::State {
   void keep(const std::vector<Evaluation::Worthy>&);
   void writeKept();
   void work();
-  void perform(const BackgroundRun&);
+  void perform(BackgroundRun&);
   void end();
 };
 
@@ -106,6 +109,7 @@ void Evaluator::State::end() {
   }
   changed.notify_all();
   if (thread.joinable()) thread.join();
+  workshop.waitUntilIdle();
   if (!keeper.joinable()) return;
   {
     std::unique_lock lock(mutex);
@@ -117,12 +121,12 @@ void Evaluator::State::end() {
   keeper.join();
 }
 
-void Evaluator::State::perform(const BackgroundRun& job) {
+void Evaluator::State::perform(BackgroundRun& job) {
   try {
-    Results results =
-        evaluate(job.document, job.progress, [&](const FeatureId& id, const std::shared_ptr<const FeatureResult>& result) {
-          if (job.done && !job.progress.cancelled()) job.done(id, result);
-        });
+    cache.makeRoomFor(job.document.features().size());
+    BackgroundEvaluation evaluation(job.document, sources(), workshop, std::move(job.show),
+                                    [this](const Evaluation::Worthy& worthy) { keep({worthy}); });
+    Results results = evaluation.run(job.progress);
     if (job.finished && !job.progress.cancelled()) job.finished(std::move(results));
   } catch (const Error& e) {
     if (e.code() != ErrorCode::Cancelled) throw;
@@ -142,6 +146,7 @@ void Evaluator::State::work() {
     perform(*job);
     job.reset();
     lock.lock();
+    if (!waiting) workshop.cancel();  // no document follows that could want what goes on
     running.reset();
     changed.notify_all();
   }
@@ -156,18 +161,24 @@ Evaluator::~Evaluator() {
 }
 
 Results Evaluator::evaluate(const Document& document, const Progress& progress, const Done& done) {
+  state_->cache.makeRoomFor(document.features().size());
   return state_->evaluate(document, progress, done);
 }
 
-void Evaluator::evaluateInBackground(Document document, std::function<void(double, const std::string&)> progress, Done done,
+Results Evaluator::evaluateBeside(const Document& document, const Progress& progress) {
+  return state_->evaluate(document, progress, {});
+}
+
+void Evaluator::evaluateInBackground(Document document, std::function<void(double, const std::string&)> progress, Show show,
                                      std::function<void(Results)> finished) {
   std::optional<BackgroundRun> job(BackgroundRun{std::move(document), Progress(CancelToken(), std::move(progress)),
-                                                 std::move(done), std::move(finished)});
+                                                 std::move(show), std::move(finished)});
   const std::lock_guard lock(state_->mutex);
   if (state_->running) state_->running->cancel();
   state_->waiting.swap(job);  // the one replaced is destroyed after the lock is gone: `job` is older than `lock`
   if (!state_->thread.joinable()) state_->thread = std::thread([state = state_.get()] { state->work(); });
   state_->changed.notify_all();
+  state_->workshop.wake();
 }
 
 void Evaluator::cancelBackground() {
@@ -175,6 +186,7 @@ void Evaluator::cancelBackground() {
   const std::lock_guard lock(state_->mutex);
   if (state_->running) state_->running->cancel();
   dropped.swap(state_->waiting);
+  state_->workshop.cancel();
   state_->changed.notify_all();  // wakes waitForBackground
 }
 
@@ -184,9 +196,13 @@ void Evaluator::forget() {
 }
 
 void Evaluator::waitForBackground() {
-  std::unique_lock lock(state_->mutex);
-  if (state_->thread.get_id() == std::this_thread::get_id()) return;  // a callback would wait for itself
-  state_->changed.wait(lock, [&] { return !state_->running && !state_->waiting; });
+  if (state_->workshop.ownsThisThread()) return;  // a callback would wait for itself
+  {
+    std::unique_lock lock(state_->mutex);
+    if (state_->thread.get_id() == std::this_thread::get_id()) return;
+    state_->changed.wait(lock, [&] { return !state_->running && !state_->waiting; });
+  }
+  state_->workshop.waitUntilIdle();
 }
 
 }  // namespace blossom

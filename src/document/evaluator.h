@@ -46,15 +46,23 @@ class Evaluator {
   /// @throws Error Cancelled only.
   Results evaluate(const Document&, const Progress&, const Done& done = {});
 
-  /// Fractions of progress are shares of the time that the features took last time, as far as that is known.
-  /// The same on a background thread, which makes all callbacks. A new call cancels the previous one without waiting;
-  /// `finished` is called for the newest only.
-  void evaluateInBackground(Document, std::function<void(double fraction, const std::string& stage)> progress, Done done,
+  /// The same for a document beside the one that is worked on: the room in the cache stays as it is.
+  Results evaluateBeside(const Document&, const Progress&);
+
+  /// Shows the result of a feature, with progress and cancel; called by several threads at once.
+  using Show = std::function<void(const FeatureId&, const std::shared_ptr<const FeatureResult>&, const Progress&)>;
+
+  /// The same on background threads, which make all callbacks: features that do not need each other are computed and shown
+  /// side by side, the quickest first. A new call takes the place of the previous one without waiting: what is being
+  /// computed or shown for that and is the same now goes on, everything else is cancelled. `finished` is called for the
+  /// newest only, when all is shown. Fractions of progress are shares of the time that features took last time, showing
+  /// included.
+  void evaluateInBackground(Document, std::function<void(double fraction, const std::string& stage)> progress, Show,
                             std::function<void(Results)> finished);
   void cancelBackground();  ///< does not wait
   void forget();            ///< all results: the next evaluation computes everything
-  void
-  waitForBackground();  ///< until the background thread is idle; not to be called by a thread that the callbacks wait for
+  /// Until the background threads are idle; not to be called by a thread that the callbacks wait for.
+  void waitForBackground();
 
  private:
   struct State;

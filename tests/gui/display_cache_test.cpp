@@ -1,6 +1,8 @@
 #include "ui/session/display_cache.h"
 
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <array>
+#include <thread>
 
 #include "support/support.h"
 
@@ -43,6 +45,7 @@ class DisplayCacheTest : public QObject {
  private slots:
   void whatCannotBeDrawnKeepsItsReason();
   void theSameShapeIsDrawnOnce();
+  void threadsDrawTheSameShapeOnce();
   void aToleranceIsKept();
 };
 
@@ -65,6 +68,17 @@ void DisplayCacheTest::theSameShapeIsDrawnOnce() {
   DisplayCache cache;
   const auto first = cache.view(result, 0, Progress::none()), second = cache.view(result, 0, Progress::none());
   QVERIFY(first->scene.faces && first->scene.faces == second->scene.faces);
+}
+
+// Features that are shown side by side may share a shape, as one that is suppressed does with its input.
+void DisplayCacheTest::threadsDrawTheSameShapeOnce() {
+  const auto ball = sphere();
+  DisplayCache cache;
+  std::array<std::shared_ptr<const FeatureView>, 4> views;
+  std::vector<std::thread> threads;
+  for (auto& view : views) threads.emplace_back([&] { view = cache.view(ball, 0.01, Progress::none()); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& view : views) QVERIFY(view->scene.faces && view->scene.faces == views[0]->scene.faces);
 }
 
 void DisplayCacheTest::aToleranceIsKept() {

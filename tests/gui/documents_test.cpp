@@ -68,6 +68,7 @@ class DocumentsTest : public WindowFixture {
   void severalFilesOpenAndBadOnesAreToldTogether();
   void aFolderIsCalledAFolder();
   void droppedGeometryJoinsTheDocument();
+  void whatCannotBeReadMakesNoFeature();
   void whatACrashLeftIsOffered();
   void discardedItIsGone();
 
@@ -405,6 +406,43 @@ void DocumentsTest::droppedGeometryJoinsTheDocument() {
   QTRY_VERIFY(window_->page(0).errors().message().size() > 0);
   QCOMPARE(qt(window_->page(0).session().history().undoText()), QStringLiteral("Import 3 files"));
   window_->page(0).session().undo();
+}
+
+void DocumentsTest::whatCannotBeReadMakesNoFeature() {
+  openAll({saved(QStringLiteral("base.blossom"))});
+  const auto write = [&](const char* name, const char* text) {
+    QFile out(folder_.filePath(QLatin1String(name)));
+    if (out.open(QIODevice::WriteOnly)) out.write(text);
+    return folder_.filePath(QLatin1String(name)).toStdString();
+  };
+  const auto drawing = write("fine.svg", "<svg xmlns='http://www.w3.org/2000/svg'><rect width='40' height='20'/></svg>");
+  const auto rubbish = write("rubbish.svg", "There is no drawing in here."), other = write("other.stl", "Nor a mesh.");
+  Session& session = window_->page(0).session();
+  QSignalSpy warned(&session, &Session::warned), failed(&session, &Session::failed), begun(&session.job(), &Job::finished);
+  const std::size_t before = session.document().features().size();
+
+  // Nothing good among them: the document stays as it was.
+  session.import({rubbish});
+  QTRY_COMPARE(begun.count(), 1);
+  QCOMPARE(failed.count(), 1);
+  session.import({rubbish, other});
+  QTRY_COMPARE(begun.count(), 2);
+  QTRY_COMPARE(warned.count(), 1);
+  QCOMPARE(session.document().features().size(), before);
+  QVERIFY(!session.modified());
+
+  session.import({rubbish, drawing, other});
+  QTRY_COMPARE(begun.count(), 3);
+  QTRY_COMPARE(session.document().features().size(), before + 1);
+  QTRY_COMPARE(warned.count(), 2);
+  const QStringList told = warned.back().front().toStringList();
+  QCOMPARE(told.size(), 2);
+  QVERIFY2(told[0].contains(QStringLiteral("rubbish.svg")) && told[1].contains(QStringLiteral("other.stl")),
+           qPrintable(told.join(u'\n')));
+  QTRY_VERIFY(!session.evaluating());
+  for (const auto& feature : session.document().features())
+    QVERIFY(session.view(feature->id) && !session.view(feature->id)->result->error);
+  session.undo();
 }
 
 /// As if an earlier run had been killed with these unsaved.

@@ -240,7 +240,7 @@ void ResultStoreTest::endingDuringAnEvaluationKeepsWhatWasDone() {
   {
     Evaluator evaluator(registry, 16, std::make_shared<ResultStore>(folder.path(), "v1"));
     std::atomic<bool> first = false;
-    evaluator.evaluateInBackground(document, {}, [&](const FeatureId&, const auto&) { first = true; }, {});
+    evaluator.evaluateInBackground(document, {}, [&](const FeatureId&, const auto&, const auto&) { first = true; }, {});
     QTRY_VERIFY_WITH_TIMEOUT(first, 60000);
   }
   QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});

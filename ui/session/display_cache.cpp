@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 
 #include "core/parallel.h"
 #include "document/error_of.h"
@@ -13,6 +14,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr std::size_t keptVersions = 2;  // of every feature of a document
+constexpr std::chrono::milliseconds pollEvery(20);
 
 bool isSolid(const Measures& measures) {
   if (measures.kind == "solid") return true;
@@ -92,6 +94,38 @@ void DisplayCache::makeRoomFor(std::size_t features) {
   most_ = std::max(most_, keptVersions * features);
 }
 
+/// Under the guard. It becomes the newest.
+const FeatureView* DisplayCache::known(const Drawing& drawing) {
+  const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
+    return addressOf(e.shape) == drawing.first && e.chord == drawing.second;
+  });
+  if (it == entries_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, it);
+  return &it->view;
+}
+
+/// True with a drawing that is there; else the caller is to make it.
+bool DisplayCache::awaitOrBegin(const Drawing& drawing, FeatureView& view, const Progress& progress) {
+  std::unique_lock lock(guard_);
+  for (;;) {
+    if (const FeatureView* const found = known(drawing)) {
+      view = *found;
+      return true;
+    }
+    if (underWay_.insert(drawing).second) return false;
+    drawn_.wait_for(lock, pollEvery);
+    progress.check();
+  }
+}
+
+void DisplayCache::end(const Drawing& drawing) {
+  {
+    const std::scoped_lock lock(guard_);
+    underWay_.erase(drawing);
+  }
+  drawn_.notify_all();
+}
+
 std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<const FeatureResult>& result, double chord,
                                                       const Progress& progress) {
   auto view = std::make_shared<FeatureView>();
@@ -104,16 +138,9 @@ std::shared_ptr<const FeatureView> DisplayCache::view(const std::shared_ptr<cons
     view->measures = withFigures(std::move(view->measures), *result);
     return view;
   };
-  {
-    const std::scoped_lock lock(guard_);
-    const auto it = std::find_if(entries_.begin(), entries_.end(),
-                                 [&](const Entry& e) { return e.chord == chord && addressOf(e.shape) == addressOf(shape); });
-    if (it != entries_.end()) {
-      entries_.splice(entries_.begin(), entries_, it);
-      *view = it->view;
-      return finish();
-    }
-  }
+  const Drawing drawing{addressOf(shape), chord};
+  if (awaitOrBegin(drawing, *view, progress)) return finish();
+  const std::shared_ptr<void> atEnd(nullptr, [&](void*) { end(drawing); });
   view->result = nullptr;
   if (const std::optional<Error> error = errorOf("Showing the result", [&] { draw(*view, shape, chord, progress); }))
     return failed(*result, *error);

@@ -1,7 +1,10 @@
 #pragma once
+#include <condition_variable>
 #include <list>
 #include <memory>
 #include <mutex>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "core/progress.h"
@@ -11,7 +14,7 @@
 
 namespace blossom::ui {
 
-/// What the window shows of one result: made once, on the evaluating thread.
+/// What the window shows of one result: made once, on a thread of the evaluator.
 struct FeatureView {
   std::shared_ptr<const FeatureResult> result;
   Shape shape;  ///< that is drawn: of the result, or the last one before the feature failed
@@ -20,7 +23,8 @@ struct FeatureView {
   Measures measures;
 };
 
-/// Remembers the drawings and measures of the last shapes, so that undo shows at once what was shown before. Thread-safe.
+/// Remembers the drawings and measures of the last shapes, so that undo shows at once what was shown before. What another
+/// thread is drawing is waited for. Thread-safe.
 class DisplayCache {
  public:
   /// @param chord mm that what is drawn may lie from the shape; 0: as fine as the window shows it (see tessellate.h).
@@ -35,7 +39,14 @@ class DisplayCache {
     Shape shape;       // keeps the address that is the key alive
     FeatureView view;  // without result
   };
+  using Drawing = std::pair<const void*, double>;  // address of the shape, chord
+  [[nodiscard]] const FeatureView* known(const Drawing&);
+  [[nodiscard]] bool awaitOrBegin(const Drawing&, FeatureView&, const Progress&);
+  void end(const Drawing&);
+
   std::mutex guard_;
+  std::condition_variable drawn_;
+  std::set<Drawing> underWay_;
   std::list<Entry> entries_;  // newest first
   std::size_t most_ = 96;
 };

@@ -47,7 +47,6 @@ Session::Session(App app, QObject* parent)
 }
 
 Session::~Session() {
-  displayToken_.cancel();
   evaluator_.cancelBackground();
   evaluator_.waitForBackground();
 }
@@ -128,11 +127,9 @@ void Session::tellViews() {
   if (!untold_.empty()) emit viewsChanged(std::exchange(untold_, {}));
 }
 
-// Results, drawings and measures are made on the evaluator's thread and arrive here one by one; listeners are told of all
-// that have come in a turn of the event loop together.
+// Results, drawings and measures are made on the evaluator's threads and arrive here one by one; listeners are told of all
+// that have come in a turn of the event loop together. What is being made, and is the same in this document, goes on.
 void Session::evaluate() {
-  displayToken_.cancel();
-  displayToken_ = CancelToken();
   const std::uint64_t generation = ++generation_;
   keepWaiting();
   evaluating_ = true;
@@ -151,15 +148,9 @@ void Session::evaluate() {
       [this, here](double fraction, const std::string& stage) {
         here([this, fraction, text = qt(stage)] { emit evaluationProgressed(fraction, text); });
       },
-      [here, cache = cache_, token = displayToken_, chord = drawingTolerance(), this](
-          const FeatureId& id, const std::shared_ptr<const FeatureResult>& result) {
-        if (token.cancelled()) return;
-        std::shared_ptr<const FeatureView> view;
-        try {
-          view = cache->view(result, chord, Progress(token));
-        } catch (const Error&) {
-          return;  // cancelled: a newer evaluation is under way
-        }
+      [here, cache = cache_, chord = drawingTolerance(), this](
+          const FeatureId& id, const std::shared_ptr<const FeatureResult>& result, const Progress& progress) {
+        const std::shared_ptr<const FeatureView> view = cache->view(result, chord, progress);  // or cancelled
         here([this, id, view] {
           if (document().contains(id)) take(id, view);
         });
@@ -226,7 +217,6 @@ void Session::cancel() {
 
 void Session::cancelEvaluation() {
   if (!evaluating_) return;
-  displayToken_.cancel();
   evaluator_.cancelBackground();
   ++generation_;
   evaluating_ = false;

@@ -147,7 +147,6 @@ class Session : public QObject {
   FileStamp stamp_;  // of the file when it was opened or saved here
   Mailbox here_;     // outlives all that post to it
   SafetyCopy safety_;
-  CancelToken displayToken_;
   Evaluator evaluator_;
   Job job_;
 };

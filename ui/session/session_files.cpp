@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "app/read_import.h"
 #include "document/edits.h"
 #include "document/storage.h"
 #include "exchange/format/export_shape.h"
@@ -26,18 +27,6 @@ bool chordChosen(const Format* format, const Value& options) {
   if (!format || chord == options.end()) return false;
   return std::none_of(format->writeOptions.begin(), format->writeOptions.end(),
                       [&](const ParameterSpec& spec) { return spec.name == "chord" && spec.fallback == *chord; });
-}
-
-Feature newFeature(const Document& document, const FeatureType& type, std::vector<FeatureId> inputs) {
-  Feature feature;
-  feature.id = document.freshId(type.command);
-  feature.type = type.id;
-  feature.name = type.title;
-  const auto sameName = [&](const auto& other) { return other->name == feature.name; };
-  for (int n = 2; std::any_of(document.features().begin(), document.features().end(), sameName); ++n)
-    feature.name = type.title + " " + std::to_string(n);
-  feature.inputs = std::move(inputs);
-  return feature;
 }
 
 /// As it was when that step was made; another state, which nothing equals, when somebody has written it since.
@@ -95,9 +84,11 @@ void Session::open(const std::filesystem::path& file, bool salvage) {
   const std::uint64_t edits = edits_;
   begin(
       tr("Opening %1").arg(fileName(file)),
-      [this, file, salvage, result, stamp](const Progress&) {
+      [this, file, salvage, result, stamp](const Progress& progress) {
         *stamp = FileStamp::of(file);  // before it is read: what comes later counts as a change
         *result = openAny(app_, file, salvage);
+        if (!isDocument(file))
+          readImport(app_, evaluator_, result->document, result->document.features().front()->id, progress);
       },
       [this, file, salvage, result, stamp, edits] {
         if (!untouchedSince(edits, fileName(file))) return;
@@ -111,46 +102,6 @@ void Session::open(const std::filesystem::path& file, bool salvage) {
         tellWithheld();
       },
       file);
-}
-
-// Those that cannot be read are told together; the others are there. What is edited meanwhile stays: the files are read into
-// a document of their own, which joins the one that is there then.
-void Session::import(const std::vector<std::filesystem::path>& files) {
-  struct Result {
-    Document imported;
-    std::vector<FeatureId> features;
-    QStringList problems;
-  };
-  auto result = std::make_shared<Result>();
-  const QString what =
-      files.size() == 1 ? tr("Import %1").arg(fileName(files.front())) : tr("Import %1 files").arg(files.size());
-  begin(
-      what,
-      [this, files, result](const Progress& progress) {
-        for (std::size_t i = 0; i < files.size(); ++i) {
-          progress.report(static_cast<double>(i) / static_cast<double>(files.size()));
-          try {
-            FeatureId added;
-            result->imported = withImported(app_, result->imported, files[i], &added);
-            result->features.push_back(added);
-          } catch (const Error& error) {
-            if (files.size() == 1) throw;
-            result->problems << qt(error.message());
-          }
-        }
-      },
-      [this, result, what] {
-        if (!result->features.empty()) {
-          Document joined = history_.committed();
-          FeatureId last;
-          for (const FeatureId& id : result->features)
-            joined = withFeatureOf(*app_.registry, joined, result->imported, id, &last);
-          commit(std::move(joined), what);
-          emit featureAdded(qt(last));
-        }
-        if (!result->problems.isEmpty()) emit warned(result->problems);
-      },
-      files.front());
 }
 
 void Session::save(const std::filesystem::path& file, std::function<void()> then) {
@@ -240,33 +191,6 @@ void Session::exportFeatures(const std::vector<FeatureId>& ids, const std::files
       [this, file, figures, warnings] {
         emit noted(tr("Exported %1: %2.").arg(fileName(file), *figures));
         if (!warnings->isEmpty()) emit exportWarned(*warnings);
-      },
-      file);
-}
-
-void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs, const Value& parameters) {
-  Feature feature = newFeature(document(), type, inputs);
-  feature.parameters = parameters;
-  commit(document().with(feature), tr("Add %1").arg(qt(type.title)));
-  emit featureAdded(qt(feature.id));
-}
-
-void Session::addFeatureFromFile(const FeatureType& type, const std::filesystem::path& file) {
-  struct Result {
-    Document imported;
-    FeatureId feature;
-  };
-  auto result = std::make_shared<Result>();
-  begin(
-      tr("Importing %1").arg(fileName(file)),
-      [this, file, result](const Progress&) { result->imported = withImported(app_, Document(), file, &result->feature); },
-      [this, result, type] {
-        FeatureId input;
-        const Document joined =
-            withFeatureOf(*app_.registry, history_.committed(), result->imported, result->feature, &input);
-        const Feature feature = newFeature(joined, type, {input});
-        commit(joined.with(feature), tr("Add %1").arg(qt(type.title)));
-        emit featureAdded(qt(feature.id));
       },
       file);
 }

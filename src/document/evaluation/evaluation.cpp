@@ -4,54 +4,13 @@
 
 #include <optional>
 
-#include "core/stopwatch.h"
 #include "document/error_of.h"
 #include "document/part_references.h"
 #include "document/storage.h"
 #include "feature/acceptance.h"
-#include "results/result_store.h"
 
 namespace blossom {
 namespace {
-
-/// Where a feature type that runs in a child process tells what that costs beside its kernel.
-constexpr const char* workerTime = "worker_ms";
-
-/// What is computed quicker than this, in ms, is not read from the disk any quicker.
-constexpr double worthIt = 10;
-
-/// Measures gouge with the function of a result that is computed anew when it is asked for.
-GougeOf gougeAnew(const FeatureType& type, const Value& parameters, const Inputs& inputs) {
-  return [evaluate = type.evaluate, parameters, inputs](const Toolpath& other, const Progress& progress) {
-    const Evaluated made = evaluate(parameters, inputs, progress.part(0, 0.5));
-    return made.shape.get<Toolpath>()->gougeOf(other, progress.part(0.5, 1));
-  };
-}
-
-/// Whether the same content would meet the same error again.
-bool lasting(const std::optional<Error>& error) {
-  if (!error) return true;
-  switch (error->code()) {
-    case ErrorCode::InvalidParameter:
-    case ErrorCode::InvalidInput:
-    case ErrorCode::Degenerate:
-    case ErrorCode::FormatDamaged:
-    case ErrorCode::FormatUnknown:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// Whether what was kept may be a result of this type; files in a folder may be anything.
-bool isOf(const FeatureType& type, const KeptResult& kept) {
-  try {
-    checkResult(type, kept.evaluated.shape);
-  } catch (const Error&) {
-    return false;
-  }
-  return !kept.gougeLeftOut || kept.evaluated.shape.get<Toolpath>() != nullptr;
-}
 
 Error unknownType(const std::string& type) {
   const std::string plugin = type.substr(0, type.find('.'));
@@ -71,20 +30,16 @@ Progress shareOf(const Progress& whole, double from, double to, const std::strin
 Results Evaluation::run(const Progress& progress, const Evaluator::Done& done) {
   Results results;
   double all = 0;
-  for (const auto& feature : document_.features()) all += feature->suppressed ? 0 : costs_.expected(*feature);
+  for (const auto& feature : document_.features()) all += feature->suppressed ? 0 : sources_.costs.expected(*feature);
   ShareDone share(all);
   for (const auto& each : document_.features()) {
     const Feature& feature = *each;
-    const double expected = feature.suppressed ? 0 : costs_.expected(feature);
+    const double expected = feature.suppressed ? 0 : sources_.costs.expected(feature);
     progress.report(share.now(), shownName(feature));
-    Outcome& outcome = outcomes_[feature.id];
-    auto result = feature.suppressed ? passedOn(feature, outcome)
-                                     : evaluated(feature, outcome,
-                                                 shareOf(progress, share.now(), share.with(expected), shownName(feature)));
+    const Progress part = shareOf(progress, share.now(), share.with(expected), shownName(feature));
+    const Prepared prepared = prepare(feature, part);
+    auto result = conclude(feature, prepared, prepared.result ? prepared.result : made(*prepared.work, part));
     share.finish(expected, result->fromCache);
-    outcome.shape = result->evaluated.shape;
-    outcome.warnings = result->evaluated.warnings;
-    if (result->error && !outcome.rootError) outcome.rootError = std::make_shared<const Error>(*result->error);
     if (done) done(feature.id, result);
     results.emplace(feature.id, std::move(result));
   }
@@ -92,82 +47,75 @@ Results Evaluation::run(const Progress& progress, const Evaluator::Done& done) {
   return results;
 }
 
-std::shared_ptr<const FeatureResult> Evaluation::evaluated(const Feature& feature, Outcome& outcome,
-                                                           const Progress& progress) {
-  auto result = std::make_shared<FeatureResult>();
-  std::string key;
-  std::shared_ptr<const FeatureResult> found;
-  std::optional<Stopwatch> watch;
-  bool changed = false;
-  Value parts = Value::object();
-  result->error = errorOf(shownName(feature), [&] {
-    const auto type = registry_.find(feature.type);
-    if (!type) throw unknownType(feature.type);
-    checkInputs(feature, outcome);
-    Value named = completed(type->parameters, feature.parameters), keyed;
-    checkNamedInputs(*type, named);
-    std::optional<Inputs> arranged;
-    if (namesParts(type->parameters, named)) {
-      arranged = inputsOf(feature, *type);
-      FoundParts again = foundParts(feature, *type, named, *arranged, construction_, progress);
-      named = std::move(again.now);
-      parts = std::move(again.kept);
-      result->lost = std::move(again.lost);
-      if (!result->lost.empty()) throw lostError(result->lost.front());
-    }
-    const Value before = outcome.parameters = named;
-    const Value parameters = openedFiles(type->parameters, std::move(named), keyed);
-    key = keyOf(feature, *type, parameters, keyed);
-    const auto inputs = [&]() -> const Inputs& {
-      if (!arranged) arranged = inputsOf(feature, *type);
-      return *arranged;
-    };
-    found = known(key, *type, parameters, inputs);
-    if (found) return;
-    inputs();
-    watch.emplace();
-    result->evaluated = type->evaluate(parameters, *arranged, progress);
-    checkResult(*type, result->evaluated.shape);
-    refuseInfiniteFigures(result->evaluated);
-    // A file that was written meanwhile may have been read as it is now: the result is of no content that is known.
-    Value after;
-    openedFiles(type->parameters, before, after);
-    changed = after != keyed;
-  });
-  if (watch) {
-    result->kernelMs = watch->elapsedMs();
-    costs_.took(feature, result->kernelMs);
-  }
-  if (found) {
-    result = std::make_shared<FeatureResult>(*found);
-    result->fromCache = true;
-    result->kernelMs = 0;
-    result->evaluated.stats.erase(workerTime);
-  } else if (!key.empty() && !changed && lasting(result->error)) {
-    cache_.store(key, std::make_shared<FeatureResult>(*result), generation_);
-    if (!result->error && result->kernelMs > worthIt) worthy_.emplace_back(key, result);
-  }
-  result->parts = std::move(parts);
-  if (!result->error) outcome.key = key;
-  return result;
+std::shared_ptr<const FeatureResult> Evaluation::made(const FeatureWork& work, const Progress& progress) {
+  const FeatureMade made = resultOf(work, sources_, progress);
+  if (made.worthKeeping) worthy_.emplace_back(work.key, made.result);
+  return made.result;
 }
 
-/// The result of this content from memory, or else from the disk.
-std::shared_ptr<const FeatureResult> Evaluation::known(const std::string& key, const FeatureType& type,
-                                                       const Value& parameters,
-                                                       const std::function<const Inputs&()>& arranged) {
-  if (auto found = cache_.find(key)) return found;
-  auto kept = store_ ? store_->find(key) : std::nullopt;
-  if (!kept || !isOf(type, *kept)) return nullptr;
-  if (kept->gougeLeftOut) {
-    Toolpath path = *kept->evaluated.shape.get<Toolpath>();
-    path.gougeOf = gougeAnew(type, parameters, arranged());
-    kept->evaluated.shape = std::move(path);
+Evaluation::Prepared Evaluation::prepare(const Feature& feature, const Progress& progress) {
+  Prepared prepared;
+  Outcome& outcome = outcomes_[feature.id];
+  if (feature.suppressed) {
+    prepared.result = passedOn(feature, outcome);
+    return prepared;
   }
-  auto found = std::make_shared<FeatureResult>();
-  found->evaluated = std::move(kept->evaluated);
-  cache_.store(key, found, generation_);
-  return found;
+  auto work = std::make_shared<FeatureWork>();
+  work->feature = feature;
+  work->document = document_;
+  work->generation = generation_;
+  std::shared_ptr<const FeatureResult> found;
+  const std::optional<Error> error =
+      errorOf(shownName(feature), [&] { found = prepareWork(*work, prepared, outcome, progress); });
+  prepared.key = work->key;
+  if (found) {
+    prepared.result = asKnown(*found);
+  } else if (error) {
+    auto failed = std::make_shared<FeatureResult>();
+    failed->error = error;
+    failed->lost = prepared.lost;
+    if (!work->key.empty() && lasting(error)) sources_.cache.store(work->key, failed, generation_);
+    prepared.result = std::move(failed);
+  } else {
+    prepared.work = std::move(work);
+  }
+  return prepared;
+}
+
+/// The result when it is in the cache; else all is ready for it to be computed.
+std::shared_ptr<const FeatureResult> Evaluation::prepareWork(FeatureWork& work, Prepared& prepared, Outcome& outcome,
+                                                             const Progress& progress) {
+  const Feature& feature = work.feature;
+  work.type = sources_.registry.find(feature.type);
+  if (!work.type) throw unknownType(feature.type);
+  checkInputs(feature, outcome);
+  Value named = completed(work.type->parameters, feature.parameters);
+  checkNamedInputs(*work.type, named);
+  std::optional<Inputs> arranged;
+  if (namesParts(work.type->parameters, named)) {
+    arranged = inputsOf(feature, *work.type);
+    FoundParts again = foundParts(feature, *work.type, named, *arranged, construction_, progress);
+    named = std::move(again.now);
+    prepared.parts = std::move(again.kept);
+    prepared.lost = std::move(again.lost);
+    if (!prepared.lost.empty()) throw lostError(prepared.lost.front());
+  }
+  work.named = outcome.parameters = named;
+  work.parameters = openedFiles(work.type->parameters, std::move(named), work.keyed, sources_.files, document_);
+  work.key = keyOf(feature, *work.type, work.parameters, work.keyed);
+  if (auto found = sources_.cache.find(work.key)) return found;
+  work.inputs = arranged ? std::move(*arranged) : inputsOf(feature, *work.type);
+  return nullptr;
+}
+
+std::shared_ptr<const FeatureResult> Evaluation::conclude(const Feature& feature, const Prepared& prepared,
+                                                          std::shared_ptr<const FeatureResult> result) {
+  Outcome& outcome = outcomes_[feature.id];
+  outcome.shape = result->evaluated.shape;
+  outcome.warnings = result->evaluated.warnings;
+  if (!feature.suppressed && !result->error) outcome.key = prepared.key;
+  if (result->error && !outcome.rootError) outcome.rootError = std::make_shared<const Error>(*result->error);
+  return withParts(std::move(result), prepared.parts);
 }
 
 /// @throws Error of arrangedInputs; what the inputs were warned of may be why they do not fit.
@@ -191,7 +139,7 @@ Inputs Evaluation::inputsOf(const Feature& feature, const FeatureType& type) con
 ConstructionStep Evaluation::stepOf(const FeatureId& id) const {
   const Feature* feature = &document_.at(id);
   while (feature->suppressed && !feature->inputs.empty()) feature = &document_.at(feature->inputs.front());
-  const auto type = registry_.find(feature->type);
+  const auto type = sources_.registry.find(feature->type);
   if (!type) throw unknownType(feature->type);
   ConstructionStep step;
   step.id = feature->id;
@@ -237,27 +185,6 @@ void Evaluation::checkInputs(const Feature& feature, Outcome& outcome) const {
     throw Error(ErrorCode::InvalidInput,
                 fmt::format("Its input \"{}\" failed: {}", shownName(document_.at(id)), input.rootError->message()),
                 input.rootError->hint());
-  }
-}
-
-/// The parameters with paths that can be opened; `keyed` gets them with content hashes in place of paths.
-Value Evaluation::openedFiles(const std::vector<ParameterSpec>& specs, Value parameters, Value& keyed) {
-  keyed = parameters;
-  for (const auto& spec : specs) openFiles(spec, parameters[spec.name], keyed[spec.name]);
-  return parameters;
-}
-
-void Evaluation::openFiles(const ParameterSpec& spec, Value& parameter, Value& keyed) {
-  if (parameter.is_null()) return;
-  if (spec.kind == ParameterKind::File) {
-    const auto opened = files_.open(parameter, document_);
-    // the name counts: readers go by the extension, and some results carry the file's name
-    keyed = {{"name", opened.path.filename().string()}, {"content", opened.hash}};
-    parameter = {{"path", opened.path.string()}, {"asset", parameter.value("asset", "")}};
-  } else if (spec.kind == ParameterKind::List) {
-    for (std::size_t i = 0; i < parameter.size(); ++i) openFiles(spec.fields.at(0), parameter[i], keyed[i]);
-  } else if (spec.kind == ParameterKind::Record) {
-    for (const auto& field : spec.fields) openFiles(field, parameter[field.name], keyed[field.name]);
   }
 }
 

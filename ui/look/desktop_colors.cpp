@@ -15,7 +15,7 @@ namespace {
 const QString service = QStringLiteral("org.freedesktop.portal.Desktop");
 const QString path = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString interface = QStringLiteral("org.freedesktop.portal.Settings");
-const QString group = QStringLiteral("org.freedesktop.appearance");
+const QString colorGroup = QStringLiteral("org.freedesktop.appearance");
 const QString schemeKey = QStringLiteral("color-scheme");
 
 constexpr uint prefersDark = 1, prefersLight = 2;
@@ -38,7 +38,7 @@ void DesktopColors::listen() {
   bus.connect(service, path, interface, QStringLiteral("SettingChanged"), this,
               SLOT(settingChanged(QString, QString, QDBusVariant)));
   QDBusMessage question = QDBusMessage::createMethodCall(service, path, interface, QStringLiteral("Read"));
-  question << group << schemeKey;
+  question << colorGroup << schemeKey;
   auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
   connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher] {
     const QDBusPendingReply<QDBusVariant> reply = *watcher;
@@ -48,7 +48,7 @@ void DesktopColors::listen() {
 }
 
 void DesktopColors::settingChanged(const QString& changedGroup, const QString& changedKey, const QDBusVariant& value) {
-  if (changedGroup == group && changedKey == schemeKey) take(value.variant());
+  if (changedGroup == colorGroup && changedKey == schemeKey) take(value.variant());
 }
 
 void DesktopColors::take(const QVariant& given) {

@@ -89,7 +89,8 @@ Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, cons
 
 Document withChangedEdit(const ui::ToolHost& host, const FeatureId& id, const MotionEdit& edit) {
   Feature feature = host.document().at(id);
-  for (const auto& [name, value] : parametersOf(edit).items()) feature.parameters[name] = value;
+  const Value decided = parametersOf(edit);
+  for (const auto& [name, value] : decided.items()) feature.parameters[name] = value;
   return host.document().with(std::move(feature));
 }
 

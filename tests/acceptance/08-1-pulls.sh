@@ -11,9 +11,10 @@ qtest "several places with pins" "$tests/sweep_together_test"
 at_most "  poles off the shortest change by singular values / its size" "$(figure sweep_together_test shortest_change_apart)" 1e-10
 at_most "  contradicting places: poles off the least squares / their size" "$(figure sweep_together_test least_squares_apart)" 1e-12
 at_most "  farthest miss / size of the poles" "$(figure sweep_together_test together_miss_share)" 1e-12
-qtest "symmetric edits" "$tests/sweep_symmetry_test"
+qtest "n-fold edits" "$tests/sweep_symmetry_test"
 at_most "  2- to 7-fold: distance of a copy / size of the poles" "$(figure sweep_symmetry_test fold_asymmetry)" 1e-12
-at_most "  mirrored, and mirrored fourfold: the same" "$(figure sweep_symmetry_test mirror_asymmetry)" 1e-12
+qtest "mirrored edits, and symmetry that rows do not allow" "$tests/sweep_mirror_test"
+at_most "  mirrored, and mirrored fourfold: the same" "$(figure sweep_mirror_test mirror_asymmetry)" 1e-12
 qtest "edits of files and features" "$tests/sweep_edits_test"
 
 # On the command line: one pull and one twist make four blades, by commands and by the edits of a file

@@ -3,6 +3,8 @@
 #include <QTableWidget>
 
 #include "document/named_numbers.h"
+#include "ui/fields/list_field.h"
+#include "ui/fields/list_row.h"
 #include "ui/numbers/numbers_dialog.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
@@ -19,6 +21,7 @@ class TypedNumbersTest : public WindowFixture {
   void sidesOfARectangleAreTyped();
   void sidesOfADrawnRectangleAreTyped();
   void expressionsAtSidesOfADrawnOutline();
+  void thePanelKeepsExpressionsOfOtherPoints();
   void aSlantedSideRefusesNames();
   void theSizeFieldBeginsWithThePresentSize();
   void enterAndEscapeLeaveTheEditing();
@@ -126,6 +129,28 @@ void TypedNumbersTest::expressionsAtSidesOfADrawnOutline() {
   COMPARE_NEAR(measureOf(outline, "area"), 115.0 * 40, 1e-9);
   setNumbers({{"width", "60 mm"}});
   COMPARE_NEAR(measureOf(outline, "area"), 85.0 * 40, 1e-9);
+}
+
+void TypedNumbersTest::thePanelKeepsExpressionsOfOtherPoints() {
+  setNumbers({{"width", "60 mm"}});
+  const FeatureId outline = addOutline({{60, 0}, {60, 40}, {0, 40}});
+  openNumber({30, 0, 0}, -Vec3::UnitY(), 17);
+  type("width+20");
+  const auto& rows = dynamic_cast<ListField*>(window_->page().properties().field(QStringLiteral("segments")))->rows();
+  const auto lineOf = [&](std::size_t row, const char* axis) {
+    rows[row]->open(true);
+    return rows[row]->field()->findChild<QLineEdit*>(QLatin1String(axis));
+  };
+  QCOMPARE(lineOf(0, "x")->text(), QStringLiteral("width+20"));
+  QLineEdit* last = lineOf(2, "y");
+  last->setFocus();
+  last->selectAll();
+  QTest::keyClicks(last, QStringLiteral("45"));
+  QTest::keyClick(last, Qt::Key_Return);
+  waitUntilComputed();
+  const Value segments = parameter(outline, "segments");
+  QCOMPARE(segments.at(2).at("to").at(1).get<double>(), 45.0);
+  for (const int k : {0, 1}) QCOMPARE(segments.at(k).at("to").at(0).at("expression"), Value("width+20"));
 }
 
 void TypedNumbersTest::aSlantedSideRefusesNames() {

@@ -6,7 +6,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <optional>
 
+#include "core/error.h"
 #include "ui/fields/list_row.h"
 #include "ui/look/icons.h"
 #include "ui/look/text.h"
@@ -14,6 +16,21 @@
 namespace blossom::ui {
 
 namespace {
+
+Value canonicalOrNothing(const ParameterSpec& spec, const Value& written) {
+  try {
+    return written.is_array() ? checked(spec, written) : Value::array();
+  } catch (const Error&) {
+    return Value::array();
+  }
+}
+
+/// Where an item stands in a list: where it is expected, else the first that is equal.
+std::optional<std::size_t> placeOf(const Value& list, const Value& item, std::size_t expected) {
+  if (expected < list.size() && list[expected] == item) return expected;
+  const auto found = std::find(list.begin(), list.end(), item);
+  return found == list.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - list.begin()));
+}
 
 constexpr std::size_t rowsAtOnce = 20;  // so that a list of thousands does not hold up the window
 
@@ -58,8 +75,15 @@ void ListField::display(const Value& shown) {
 
 Value ListField::written() const {
   Value all = value();
-  for (std::size_t i = 0; all.is_array() && i < std::min(rows_.size(), all.size()); ++i)
-    if (const ParameterField* field = rows_[i]->field(); field && field->value() == all[i]) all[i] = field->written();
+  if (!all.is_array()) return all;
+  const Value canonical = canonicalOrNothing(spec(), held_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const ParameterField* field = i < rows_.size() ? rows_[i]->field() : nullptr;
+    if (field && field->value() == all[i])
+      all[i] = field->written();
+    else if (const auto place = placeOf(canonical, all[i], i))
+      all[i] = held_[*place];
+  }
   return all;
 }
 
@@ -72,7 +96,7 @@ void ListField::fitRows() {
   }
   while (rows_.size() < count) addRow();
   for (std::size_t i = 0; i < count; ++i) {
-    if (given_.is_array() && i < given_.size() && rows_[i]->field()) rows_[i]->field()->setWritten(given_[i]);
+    if (given_.is_array() && i < given_.size()) rows_[i]->setWritten(given_[i]);
     rows_[i]->setValue(draft_[i]);
     rows_[i]->setEnds(i == 0, i + 1 == draft_.size());
   }

@@ -19,7 +19,7 @@ class ListField final : public ParameterField {
   ListField(const ParameterSpec&, const Context&, QWidget* parent);
   [[nodiscard]] bool editing() const override;
   [[nodiscard]] Value written() const override;
-  void setWritten(const Value& given) override { given_ = given; }
+  void setWritten(const Value& given) override { given_ = held_ = given; }
   [[nodiscard]] const std::vector<ListRow*>& rows() const { return rows_; }
 
  private:
@@ -37,6 +37,7 @@ class ListField final : public ParameterField {
 
   Value draft_ = Value::array();  // what is shown; more than the value while an item must still be given
   Value given_;                   // what the document holds, until the rows know
+  Value held_;                    // the same, for the items that have no field yet
   std::size_t limit_;
   std::vector<ListRow*> rows_;
   QVBoxLayout* column_;

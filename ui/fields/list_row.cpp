@@ -95,11 +95,17 @@ void ListRow::open(bool on) {
   if (on && !field_) {
     makeField();
     column_->addWidget(field_);
+    field_->setWritten(written_);
     field_->setValue(value_);
   }
   if (field_) field_->setVisible(on);
   title_->setIcon(icon(on ? QStringLiteral("chevron-down") : QStringLiteral("chevron-right")));
   if (title_->isChecked() != on) title_->setChecked(on);
+}
+
+void ListRow::setWritten(const Value& given) {
+  written_ = given;
+  if (field_) field_->setWritten(given);
 }
 
 void ListRow::setValue(const Value& value) {

@@ -14,6 +14,7 @@ class ListRow final : public QWidget {
   Q_OBJECT
  public:
   ListRow(const ParameterSpec& element, std::size_t index, const ParameterField::Context&, QWidget* parent);
+  void setWritten(const Value& given);  ///< what the document holds of the value that is set next
   void setValue(const Value&);
   [[nodiscard]] bool editing() const { return field_ && field_->editing(); }
   [[nodiscard]] ParameterField* field() const { return field_; }
@@ -44,7 +45,7 @@ class ListRow final : public QWidget {
 
   ParameterSpec element_;
   ParameterField::Context context_;
-  Value value_;
+  Value value_, written_;
   bool record_;
   bool first_ = false, last_ = false;
   bool dragging_ = false;

@@ -1215,6 +1215,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Saving replaces it.</source>
         <translation>Speichern ersetzt es.</translation>
     </message>
+    <message>
+        <source>%1 is a folder. Open the files in it instead.</source>
+        <translation>%1 ist ein Ordner. Öffnen Sie stattdessen die Dateien darin.</translation>
+    </message>
+    <message>
+        <source>This cannot be opened.</source>
+        <translation>Das kann nicht geöffnet werden.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentModel</name>
@@ -1606,6 +1614,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Everything of %1</source>
         <translation>Alles aus %1</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Weiteres</translation>
+    </message>
+    <message>
+        <source>The groups for which the window is too narrow</source>
+        <translation>Die Gruppen, für die das Fenster zu schmal ist</translation>
     </message>
 </context>
 <context>
@@ -2307,6 +2323,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Dark letters on light ground.</source>
         <translation>Dunkle Schrift auf hellem Grund.</translation>
     </message>
+    <message>
+        <source>zoom to fit;zoom all;frame</source>
+        <translation>alles zeigen;einpassen;zoom</translation>
+    </message>
+    <message>
+        <source>orthographic;perspective</source>
+        <translation>orthografisch;perspektive</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ManualText</name>
@@ -2699,8 +2723,8 @@ Seitwärts ziehen ändert ihn.</translation>
         <translation>EIGENSCHAFTEN</translation>
     </message>
     <message>
-        <source>Nothing is open yet.</source>
-        <translation>Noch ist nichts offen.</translation>
+        <source>There is nothing in this document yet.</source>
+        <translation>In diesem Dokument ist noch nichts.</translation>
     </message>
     <message>
         <source>Select a feature to see what it is made from and what it came to.</source>
@@ -3119,6 +3143,14 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>%1 jobs: </source>
         <translation>%1 Aufgaben: </translation>
     </message>
+    <message>
+        <source>What a click in the view selects</source>
+        <translation>Was ein Klick in der Ansicht auswählt</translation>
+    </message>
+    <message>
+        <source>Select: %1</source>
+        <translation>Auswählen: %1</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::SubShapeField</name>
@@ -3519,6 +3551,14 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>No sequence is shown: a morph with several frames makes one.</source>
         <translation>Es wird keine Folge gezeigt: Ein Morph mit mehreren Bildern macht eine.</translation>
+    </message>
+    <message>
+        <source>dimension;distance;ruler;length;angle</source>
+        <translation>maß;abstand;lineal;länge;winkel</translation>
+    </message>
+    <message>
+        <source>clip;cross section;cutaway</source>
+        <translation>schneiden;querschnitt;aufschneiden</translation>
     </message>
 </context>
 <context>

@@ -1215,6 +1215,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>Saving replaces it.</source>
         <translation>저장하면 덮어씁니다.</translation>
     </message>
+    <message>
+        <source>%1 is a folder. Open the files in it instead.</source>
+        <translation>%1은(는) 폴더입니다. 그 안의 파일을 여십시오.</translation>
+    </message>
+    <message>
+        <source>This cannot be opened.</source>
+        <translation>열 수 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentModel</name>
@@ -1606,6 +1614,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Everything of %1</source>
         <translation>%1 전체</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>더 보기</translation>
+    </message>
+    <message>
+        <source>The groups for which the window is too narrow</source>
+        <translation>창이 좁아 들어가지 못한 그룹</translation>
     </message>
 </context>
 <context>
@@ -2307,6 +2323,14 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>Dark letters on light ground.</source>
         <translation>밝은 바탕에 어두운 글자.</translation>
     </message>
+    <message>
+        <source>zoom to fit;zoom all;frame</source>
+        <translation>전체 보기;맞춤;확대</translation>
+    </message>
+    <message>
+        <source>orthographic;perspective</source>
+        <translation>직교;원근</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ManualText</name>
@@ -2699,8 +2723,8 @@ Drag sideways to change it.</source>
         <translation>속성</translation>
     </message>
     <message>
-        <source>Nothing is open yet.</source>
-        <translation>아직 열린 것이 없습니다.</translation>
+        <source>There is nothing in this document yet.</source>
+        <translation>이 문서에는 아직 아무것도 없습니다.</translation>
     </message>
     <message>
         <source>Select a feature to see what it is made from and what it came to.</source>
@@ -3119,6 +3143,14 @@ Drag sideways to change it.</source>
         <source>%1 jobs: </source>
         <translation>작업 %1개: </translation>
     </message>
+    <message>
+        <source>What a click in the view selects</source>
+        <translation>보기에서 클릭하면 선택되는 것</translation>
+    </message>
+    <message>
+        <source>Select: %1</source>
+        <translation>선택: %1</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::SubShapeField</name>
@@ -3519,6 +3551,14 @@ Drag sideways to change it.</source>
     <message>
         <source>No sequence is shown: a morph with several frames makes one.</source>
         <translation>표시된 시퀀스가 없습니다. 프레임이 여럿인 모프가 시퀀스를 만듭니다.</translation>
+    </message>
+    <message>
+        <source>dimension;distance;ruler;length;angle</source>
+        <translation>치수;거리;자;길이;각도</translation>
+    </message>
+    <message>
+        <source>clip;cross section;cutaway</source>
+        <translation>자르기;단면;절단</translation>
     </message>
 </context>
 <context>

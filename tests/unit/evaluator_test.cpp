@@ -256,7 +256,7 @@ class EvaluatorTest : public QObject {
     const Results results = evaluator.evaluate(document, {});
     QCOMPARE(value(results, "c"), 101.0);
     QVERIFY(results.at("s")->evaluated.shape.empty() && !results.at("s")->error);
-    QCOMPARE(results.at("d")->error->message(), std::string("Its input \"s\" is suppressed."));
+    QCOMPARE(results.at("d")->error->message(), std::string("Its input \"Number s\" is suppressed."));
   }
 
   void filesCountByTheirContent() {

@@ -69,7 +69,7 @@ void BackgroundEvaluation::start(Place& place, const Progress& progress) {
   place.prepared = evaluation_.prepare(*place.feature, Progress(progress.token()));
   Evaluation::Prepared& prepared = place.prepared;
   if (prepared.work) weigh(place, prepared.work->parameters);
-  const Workshop::Joined joined = workshop_.join(prepared.key, generation_, showing(place, true));
+  const Workshop::Joined joined = workshop_.join(prepared.key, generation_, showing(place, prepared.work != nullptr));
   if (joined.piece) {
     place.piece = joined.piece;
     place.shows = joined.shows;

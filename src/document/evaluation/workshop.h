@@ -55,13 +55,12 @@ class Workshop {
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
-  /// A piece of this content that is under way, which is wanted from here on; nullptr when there is none.
-  /// @param show takes the place of what would have shown it, unless that is at work; then `joined` tells that it was not
-  /// taken
   struct Joined {
     Handle piece;
-    bool shows = false;
+    bool shows = false;  ///< by the function given; else it shows the result in another way
   };
+  /// A piece of this content that is under way, which is wanted from here on; a null piece when there is none.
+  /// @param show takes the place of the former one, unless that is at work or belongs to the same document
   Joined join(const std::string& key, std::uint64_t generation, std::function<void(const Result&, const Progress&)> show);
   Handle begin(Piece);
 

@@ -52,6 +52,8 @@ Value withNumbersOf(const Value& written, const NamedNumbers& names) {
   return all;
 }
 
+const Value& parameterOfEnd(const Value& written) { return written.at("segments").at(0).at("to").at(0); }
+
 std::string lengthAt(const Value& written, std::size_t index) {
   const DrawnOutline outline = outlineOf(written);
   return writtenLength(written, outline, straightSides(outline).at(index));
@@ -101,6 +103,7 @@ void SideWritingTest::bothSizesOfARectangle() {
 
 void SideWritingTest::anExpressionForTheSameLength() {
   const Value kept = typed(rectangle({0, 0}), 0, "width", numbers(60));
+  QCOMPARE(parameterOfEnd(kept), (Value{{"expression", "width"}, {"value", 60.0}}));
   QCOMPARE(lengthsOf(kept)[0], 60.0);
   QCOMPARE(lengthAt(kept, 0), std::string("width"));
   COMPARE_NEAR(lengthsOf(withNumbersOf(kept, numbers(75)))[2], 75, 1e-12);

@@ -26,7 +26,7 @@ Value canonicalOrNothing(const ParameterSpec& spec, const Value& written) {
 }
 
 /// Where an item stands in a list: where it is expected, else the first that is equal.
-std::optional<std::size_t> placeOf(const Value& list, const Value& item, std::size_t expected) {
+std::optional<std::size_t> placeInList(const Value& list, const Value& item, std::size_t expected) {
   if (expected < list.size() && list[expected] == item) return expected;
   const auto found = std::find(list.begin(), list.end(), item);
   return found == list.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - list.begin()));
@@ -81,7 +81,7 @@ Value ListField::written() const {
     const ParameterField* field = i < rows_.size() ? rows_[i]->field() : nullptr;
     if (field && field->value() == all[i])
       all[i] = field->written();
-    else if (const auto place = placeOf(canonical, all[i], i))
+    else if (const auto place = placeInList(canonical, all[i], i))
       all[i] = held_[*place];
   }
   return all;

@@ -44,6 +44,8 @@ class DragTool : public ui::HandleTool {
   [[nodiscard]] virtual std::vector<Dimension> dimensions(const Value& parameters) const = 0;
   /// The parameters with another value of a dimension; empty when that is impossible.
   [[nodiscard]] virtual std::optional<Value> resized(const Value& parameters, std::size_t dimension, double to) const = 0;
+  /// Of what a dimension is: its parameter, or a length.
+  [[nodiscard]] ParameterSpec specOf(const Dimension&) const;
   /// The expression that a dimension is written as in the document; empty: it is a number.
   [[nodiscard]] virtual std::string expressionFor(std::size_t dimension) const;
   /// The parameters that the document keeps when a dimension was typed.
@@ -75,7 +77,6 @@ class DragTool : public ui::HandleTool {
   [[nodiscard]] std::optional<std::size_t> dimensionUnder(const ui::ToolEvent&) const;
   [[nodiscard]] static QPointF shiftOf(const Dimension&);
   [[nodiscard]] double pixelsPerMm(const Dimension&) const;
-  [[nodiscard]] ParameterSpec specOf(const Dimension&) const;
   [[nodiscard]] QString presentSize(std::size_t dimension) const;
   bool typingKey(const QKeyEvent&);
   void takeTyped();

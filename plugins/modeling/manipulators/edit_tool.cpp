@@ -3,6 +3,7 @@
 #include <vtkProp.h>
 
 #include <QKeyEvent>
+#include <cmath>
 
 #include "core/error.h"
 #include "document/named_numbers.h"
@@ -68,9 +69,12 @@ Value EditTool::written(Value kept, const Value& next, std::size_t dimension, co
               .toStdString());
     expression.clear();
   }
-  // Which points go with the side shows in another length of it, also when this one stays.
-  const auto longer = withSideLength(before, side.segment, 1.001 * (side.to - side.from).norm());
-  const DrawnOutline& moved = after == before && longer ? *longer : after;
+  // Which points go with the side shows in another length of it, also when this one stays but for rounding.
+  const double length = (side.to - side.from).norm();
+  const auto longer = withSideLength(before, side.segment, 1.001 * length);
+  const bool stays =
+      std::abs(checked(specOf(dimensions(parameters()).at(dimension)), typed).get<double>() - length) < 1e-6 * length;
+  const DrawnOutline& moved = stays && longer ? *longer : after;
   return withExpressions(std::move(kept), document.at(feature()).parameters, {before, after, moved, side, expression},
                          namedNumbersOf(document));
 }

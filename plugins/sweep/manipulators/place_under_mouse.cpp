@@ -91,23 +91,26 @@ PlaceHit PlaceFinder::refined(const Ray& ray, const Cell& cell) const {
     return motion.closedU == ClosedU::No ? std::clamp(u, motion.domainU().first, motion.domainU().second) : u;
   };
   double u = start.u, v = start.v, distance = cell.distance;
-  constexpr int mostSteps = 12;
+  bool arrived = false;
+  constexpr int mostSteps = 24;
   for (int step = 0; step < mostSteps; ++step) {
     const MotionPoint x = evaluate(motion, insidePeriod(motion, u), v);
     const Vec3 off = ray.origin + distance * ray.direction - x.point;
-    if (off.norm() <= 1e-13 * (1 + distance)) break;
+    arrived = off.norm() <= 1e-13 * (1 + distance);
     // off = x_u du + x_v dv - d ds by Cramer's rule.
     const Vec3 across = x.du.cross(x.dv);
     const double det = across.dot(ray.direction);
-    if (det == 0) break;
-    u = inside(u + off.dot(x.dv.cross(ray.direction)) / det);
-    v = std::clamp(v + off.dot(ray.direction.cross(x.du)) / det, motion.domainV().first, motion.domainV().second);
-    distance -= off.dot(across) / det;
-    if (std::abs(u - start.u) > 2 * stepU || std::abs(v - start.v) > 2 * stepV) {
-      u = start.u, v = start.v;
-      break;
-    }
+    if (arrived || det == 0) break;
+    const double du = off.dot(x.dv.cross(ray.direction)) / det, dv = off.dot(ray.direction.cross(x.du)) / det;
+    // At most a cell at once: where the surface is seen nearly edge on, a whole step may lead to another sheet of it.
+    const double share = 1 / std::max({1.0, std::abs(du) / stepU, std::abs(dv) / stepV});
+    u = inside(u + share * du);
+    v = std::clamp(v + share * dv, motion.domainV().first, motion.domainV().second);
+    distance -= share * off.dot(across) / det;
   }
+  if (!arrived && (ray.origin + distance * ray.direction - evaluate(motion, insidePeriod(motion, u), v).point).norm() >
+                      1e-9 * (1 + distance))
+    u = start.u, v = start.v;
   PlaceHit hit = placeHit(motion, {insidePeriod(motion, u), v});
   hit.distance = (hit.point - ray.origin).dot(ray.direction);
   return hit;

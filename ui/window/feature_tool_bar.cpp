@@ -136,8 +136,15 @@ void FeatureToolBar::share(int width) {
   }
 }
 
+// Of the field: as much as all buttons leave, but its words are seen also where there are more buttons than room.
+int FeatureToolBar::comfortable() const {
+  constexpr int withWords = 150;
+  const int all = sizeHint().width() - field_->maximumWidth();
+  return std::clamp(width() - all, withWords, field_->maximumWidth());
+}
+
 void FeatureToolBar::arrange() {
-  const int field = std::clamp(width() - leastOfAll(), field_->minimumWidth(), field_->maximumWidth());
+  const int field = std::clamp(width() - leastOfAll(), field_->minimumWidth(), comfortable());
   const int room = width() - field;
   chooseGroups(room);
   share(others_->isHidden() ? room : room - lineSpace - ui::widthOf(others_));

@@ -11,7 +11,7 @@ class QToolButton;
 
 namespace blossom::ui {
 
-/// The feature types of all plugins in the tool bar, a group each. and the field that finds commands at its end. Groups
+/// The feature types of all plugins in the tool bar, a group each, and the field that finds commands at its end. Groups
 /// share the width there is; what finds no room is in the menu behind the group's last button. The field shrinks before a
 /// group goes; groups that went are in one menu more.
 class FeatureToolBar : public QWidget {
@@ -44,6 +44,7 @@ class FeatureToolBar : public QWidget {
     return std::min(widthOf(group, 0), widthOf(group, group.buttons.size()));
   }
   [[nodiscard]] int leastOfAll() const;
+  [[nodiscard]] int comfortable() const;
   void chooseGroups(int width);
   void share(int width);
   void hide(Group&);

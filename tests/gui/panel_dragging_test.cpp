@@ -1,3 +1,4 @@
+#include <QKeyEvent>
 #include <QWheelEvent>
 
 #include "panel_fixture.h"
@@ -83,7 +84,10 @@ void PanelDraggingTest::theWheelEditsOnlyWhereItsTurnBegan() {
   QCOMPARE(toJson(session_->document()), before);
   turn(panel_->viewport(), 20000, where - QPoint(0, 200));
   turn(length, 20100, where);  // the pointer was moved onto it
-  QTRY_COMPARE(now("length"), Value(9.0));
+  QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+  QApplication::sendEvent(length, &undo);  // undo does not wait for the wheel to rest
+  QCOMPARE(qt(session_->history().undoText()), QStringLiteral("Change length of All"));
+  QCOMPARE(now("length"), Value(9.0));
 }
 
 void PanelDraggingTest::labelsAreScrubbed() {

@@ -12,9 +12,7 @@ class UndoFilter final : public QObject {
 
  private:
   bool eventFilter(QObject*, QEvent* event) override {
-    if (event->type() != QEvent::ShortcutOverride || line_->isModified()) return false;
-    const auto* key = static_cast<QKeyEvent*>(event);
-    if (!key->matches(QKeySequence::Undo) && !key->matches(QKeySequence::Redo)) return false;
+    if (line_->isModified() || !asksForUndo(*event)) return false;
     event->ignore();  // so the key goes on to the window's shortcuts
     return true;
   }
@@ -23,6 +21,12 @@ class UndoFilter final : public QObject {
 };
 
 }  // namespace
+
+bool asksForUndo(const QEvent& event) {
+  if (event.type() != QEvent::ShortcutOverride) return false;
+  const auto& key = static_cast<const QKeyEvent&>(event);
+  return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
 
 void leaveUndoToTheDocument(QLineEdit* line) { new UndoFilter(line); }
 

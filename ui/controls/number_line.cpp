@@ -51,7 +51,7 @@ void NumberLine::keyReleaseEvent(QKeyEvent* event) {
 
 // Undo takes back what the wheel did so far, which is to be a step of its own first.
 bool NumberLine::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && wheelTimer_ != 0) endSteps();
+  if (wheelTimer_ != 0 && asksForUndo(*event)) endSteps();
   return QLineEdit::eventFilter(watched, event);
 }
 

@@ -50,7 +50,7 @@ class WheelGesture final : public QObject {
   quint64 last_ = 0;
 };
 
-WheelGesture& gesture() {
+WheelGesture& wheelGesture() {
   static QPointer<WheelGesture> watching;
   if (!watching) {
     watching = new WheelGesture(qApp);
@@ -61,8 +61,8 @@ WheelGesture& gesture() {
 
 }  // namespace
 
-void watchWheel() { gesture(); }
+void watchWheel() { wheelGesture(); }
 
-bool wheelMeans(const QWidget& field) { return field.hasFocus() && gesture().isFor(field); }
+bool wheelMeans(const QWidget& field) { return field.hasFocus() && wheelGesture().isFor(field); }
 
 }  // namespace blossom::ui

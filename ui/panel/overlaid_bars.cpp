@@ -9,8 +9,8 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int corner = 128;
-constexpr int leastWidth = 400;
+constexpr int cubeCorner = 128;
+constexpr int leastBarsWidth = 400;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void OverlaidBars::settle() {
   const int before = covered();
   const bool any = std::any_of(bars_.begin(), bars_.end(), [](const QWidget* bar) { return !bar->isHidden(); });
   if (any) {
-    const int width = std::max(std::min(leastWidth, view_->width()), view_->width() - (leavesCorner_ ? corner : 0));
+    const int width = std::max(std::min(leastBarsWidth, view_->width()), view_->width() - (leavesCorner_ ? cubeCorner : 0));
     layout()->invalidate();
     const int high = layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : layout()->sizeHint().height();
     setGeometry(view_->x(), view_->y(), width, high);

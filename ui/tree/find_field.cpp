@@ -10,7 +10,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int leastWidth = 52, wordsWidth = 145, keysWidth = 190, mostWidth = 210;
+constexpr int leastFindWidth = 52, findWordsWidth = 145, findKeysWidth = 190, mostFindWidth = 210;
 
 }  // namespace
 
@@ -20,8 +20,8 @@ FindField::FindField(QAction* opens, QWidget* parent) : QPushButton(parent), ope
   setAccessibleName(tr("Find a command"));
   setFocusPolicy(Qt::NoFocus);
   setCursor(Qt::PointingHandCursor);
-  setMinimumWidth(leastWidth);
-  setMaximumWidth(mostWidth);
+  setMinimumWidth(leastFindWidth);
+  setMaximumWidth(mostFindWidth);
   keys_->setObjectName(QStringLiteral("keys"));
   keys_->setAttribute(Qt::WA_TransparentForMouseEvents);
   auto* row = new QHBoxLayout(this);
@@ -41,9 +41,9 @@ void FindField::refresh() {
 // In a narrow window the words go first, and the picture stays.
 void FindField::resizeEvent(QResizeEvent* event) {
   QPushButton::resizeEvent(event);
-  const QString words = width() < wordsWidth ? QString() : tr("Find a command");
+  const QString words = width() < findWordsWidth ? QString() : tr("Find a command");
   if (text() != words) setText(words);
-  keys_->setVisible(width() >= keysWidth);
+  keys_->setVisible(width() >= findKeysWidth);
 }
 
 void FindField::enterEvent(QEnterEvent* event) {

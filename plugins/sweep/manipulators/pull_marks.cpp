@@ -24,8 +24,8 @@ void PullMarks::lines(const std::vector<std::vector<Vec3>>& all, const Color& co
 /// With a border of the colour of the background: what is selected has the warm accent itself.
 void PullMarks::edged(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
   constexpr double border = 2;
+  lines(all, color, width);  // first: of what lies at one depth, the first is seen
   lines(all, host_.look().backgroundBottom, width + 2 * border);
-  lines(all, color, width);
 }
 
 /// Beside the background: what is idle, or on the far side.

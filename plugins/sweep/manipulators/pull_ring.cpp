@@ -18,7 +18,7 @@ using Stroke = std::vector<Vec2>;
 /// Letters in a square from -1 to 1.
 const std::vector<Stroke>& letter(std::size_t share) {
   static const std::array<std::vector<Stroke>, 3> all{
-      {{{{-0.8, 1}, {0.8, 1}}, {{0, 1}, {0, -1}}},
+      {{{{-0.8, 1}, {0.8, 1}}, {{0.0, 1.0}, {0.0, -1.0}}},
        {{{-0.7, -1}, {-0.7, 1}, {0.3, 1}, {0.7, 0.75}, {0.7, 0.25}, {0.3, 0}, {-0.7, 0}}, {{0.1, 0}, {0.75, -1}}},
        {{{0.7, 0.7},
          {0.3, 1},

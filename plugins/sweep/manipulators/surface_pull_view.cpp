@@ -84,15 +84,15 @@ void SurfacePullTool::markPlace(PullMarks& marks) const {
 }
 
 void SurfacePullTool::markDrag(PullMarks& marks) const {
-  const Vec3 end = placeHit(live_->motion(), under_->at).point;
-  if (!mode_.twists()) marks.ring(end, mode_);
+  const Vec3 end = placeHit(live_->motion(), under_->at).point, centre = point(surface_->motion().trajectory, under_->at.v);
+  if (mode_.twists())
+    marks.twist(centre, twistAxis(surface_->motion(), under_->at, mode_.axis()), under_->point - centre, angle());
+  else
+    marks.ring(end, mode_);
   marks.drag(*live_, target_.start(), end);
   std::vector<Vec3> copies;
   copiesProblem(live_->motion(), under_->at, mode_.symmetry(), copies);
   marks.copies(copies);
-  if (!mode_.twists()) return;
-  const Vec3 centre = point(surface_->motion().trajectory, under_->at.v);
-  marks.twist(centre, twistAxis(surface_->motion(), under_->at, mode_.axis()), under_->point - centre, angle());
 }
 
 }  // namespace blossom::sweep

@@ -96,7 +96,7 @@ PlaceHit PlaceFinder::refined(const Ray& ray, const Cell& cell) const {
   for (int step = 0; step < mostSteps; ++step) {
     const MotionPoint x = evaluate(motion, insidePeriod(motion, u), v);
     const Vec3 off = ray.origin + distance * ray.direction - x.point;
-    arrived = off.norm() <= 1e-13 * (1 + distance);
+    arrived = off.norm() <= 1e-12 * (1 + distance);
     // off = x_u du + x_v dv - d ds by Cramer's rule.
     const Vec3 across = x.du.cross(x.dv);
     const double det = across.dot(ray.direction);
@@ -108,9 +108,9 @@ PlaceHit PlaceFinder::refined(const Ray& ray, const Cell& cell) const {
     v = std::clamp(v + share * dv, motion.domainV().first, motion.domainV().second);
     distance -= share * off.dot(across) / det;
   }
-  if (!arrived && (ray.origin + distance * ray.direction - evaluate(motion, insidePeriod(motion, u), v).point).norm() >
-                      1e-9 * (1 + distance))
-    u = start.u, v = start.v;
+  // Another sheet of the surface, or none: the ray misses it within the cell.
+  constexpr double cells = 3;
+  if (!arrived || std::abs(u - start.u) > cells * stepU || std::abs(v - start.v) > cells * stepV) u = start.u, v = start.v;
   PlaceHit hit = placeHit(motion, {insidePeriod(motion, u), v});
   hit.distance = (hit.point - ray.origin).dot(ray.direction);
   return hit;

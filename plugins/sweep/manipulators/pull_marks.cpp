@@ -21,13 +21,6 @@ void PullMarks::lines(const std::vector<std::vector<Vec3>>& all, const Color& co
   if (!all.empty()) props_.push_back(ui::linesProp(all, color, width * host_.pixelRatio()));
 }
 
-/// With a border of the colour of the background: what is selected has the warm accent itself.
-void PullMarks::edged(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
-  constexpr double border = 2;
-  lines(all, host_.look().backgroundBottom, width + 2 * border);
-  lines(all, color, width);
-}
-
 /// Beside the background: what is idle, or on the far side.
 Color PullMarks::faint(const Color& color) const {
   constexpr double share = 0.6;
@@ -53,8 +46,9 @@ void PullMarks::copies(const std::vector<Vec3>& all) {
 
 void PullMarks::ring(const Vec3& centre, const PullMode& mode) {
   const RingLines ring = ringLines(centre, facing_, mode.weights());
-  edged(ring.idle, mixed(host_.look().control, host_.look().backgroundBottom, 0.4), 2);
-  edged(ring.active, host_.look().made, 2.5);
+  lines(ring.idle, mixed(host_.look().control, host_.look().backgroundBottom, 0.4), 2);
+  lines(ring.active, host_.look().made, 2.5);
+  lines(ring.border, host_.look().backgroundBottom, 1);
 }
 
 void PullMarks::twist(const Vec3& centre, const Vec3& axis, const Vec3& arm, const std::optional<double>& degrees) {
@@ -62,7 +56,7 @@ void PullMarks::twist(const Vec3& centre, const Vec3& axis, const Vec3& arm, con
   const auto all = twistLines(centre, axis, arm, degrees.value_or(0), axisPixels * pixel, twistRadius * pixel);
   lines({all.front()}, host_.look().control, 2);
   if (!degrees) return;
-  edged({all.back()}, host_.look().made, 2);
+  lines({all.back()}, host_.look().made, 2);
   const Vec3& end = all.back()[all.back().size() - 2];
   props_.push_back(ui::labelProp(QStringLiteral("%1°").arg(*degrees, 0, 'f', 1), end,
                                  ui::labelLook(host_.look(), host_.look().made, host_.pixelRatio())));
@@ -71,7 +65,7 @@ void PullMarks::twist(const Vec3& centre, const Vec3& axis, const Vec3& arm, con
 void PullMarks::drag(const LiveEdit& live, const Vec3& from, const Vec3& to) {
   const Color& made = host_.look().made;
   lines(changedNet(live.gridBefore(), live.grid(), netEvery), made, 1);
-  edged({{from, to}}, made, 1.5);
+  lines({{from, to}}, made, 1.5);
   props_.push_back(ui::pointsProp({to}, made, pointPixels * host_.pixelRatio()));
 }
 

@@ -27,7 +27,6 @@ class PullMarks {
 
  private:
   void lines(const std::vector<std::vector<Vec3>>&, const Color&, double width);
-  void edged(const std::vector<std::vector<Vec3>>&, const Color&, double width);
   void surfaceLines(const SurfaceLines&, double width);
   [[nodiscard]] Color faint(const Color&) const;
 

@@ -18,7 +18,7 @@ using Stroke = std::vector<Vec2>;
 /// Letters in a square from -1 to 1.
 const std::vector<Stroke>& letter(std::size_t share) {
   static const std::array<std::vector<Stroke>, 3> all{
-      {{{{-0.8, 1}, {0.8, 1}}, {{0, 1}, {0, -1}}},
+      {{{{-0.8, 1}, {0.8, 1}}, {{0.0, 1.0}, {0.0, -1.0}}},
        {{{-0.7, -1}, {-0.7, 1}, {0.3, 1}, {0.7, 0.75}, {0.7, 0.25}, {0.3, 0}, {-0.7, 0}}, {{0.1, 0}, {0.75, -1}}},
        {{{0.7, 0.7},
          {0.3, 1},
@@ -43,10 +43,10 @@ Vec2 polar(double radius, double degrees) {
   return {radius * std::cos(degrees * radian), radius * std::sin(degrees * radian)};
 }
 
-std::vector<Vec3> arcOnScreen(const Vec3& centre, const Facing& to, double from, double degrees) {
+std::vector<Vec3> arcOnScreen(const Vec3& centre, const Facing& to, double radius, double from, double degrees) {
   constexpr int steps = 24;
   std::vector<Vec3> arc;
-  for (int i = 0; i <= steps; ++i) arc.push_back(onScreen(centre, to, polar(ringRadius, from + degrees * i / steps)));
+  for (int i = 0; i <= steps; ++i) arc.push_back(onScreen(centre, to, polar(radius, from + degrees * i / steps)));
   return arc;
 }
 
@@ -68,8 +68,13 @@ RingLines ringLines(const Vec3& centre, const Facing& to, const PullWeights& wei
   const std::array<double, 3> middles{90, 330, 210};  // clockwise from the top, in the order in which they act
   for (std::size_t k = 0; k < shares.size(); ++k) {
     const double from = middles[k] - arcOfShare / 2, filled = arcOfShare * shares[k];
-    if (shares[k] > 0) lines.active.push_back(arcOnScreen(centre, to, from, filled));
-    if (shares[k] < 1) lines.idle.push_back(arcOnScreen(centre, to, from + filled, arcOfShare - filled));
+    // Drivers draw lines of one pixel whatever width they are asked for: three of them make an arc.
+    for (const double off : {-0.7, 0.0, 0.7}) {
+      const double radius = ringRadius + off;
+      if (shares[k] > 0) lines.active.push_back(arcOnScreen(centre, to, radius, from, filled));
+      if (shares[k] < 1) lines.idle.push_back(arcOnScreen(centre, to, radius, from + filled, arcOfShare - filled));
+    }
+    for (const double off : {-2.0, 2.0}) lines.border.push_back(arcOnScreen(centre, to, ringRadius + off, from, arcOfShare));
     const Vec2 middle = polar(letterRadius, middles[k]);
     for (const Stroke& stroke : letter(k)) {
       std::vector<Vec3> line;

@@ -17,6 +17,7 @@ Facing facing(const Vec3& towards, double millimetresPerPixel);
 /// Lines of the ring around a point: an arc with its letter for each of the shares T, R, S of a pull.
 struct RingLines {
   std::vector<std::vector<Vec3>> active, idle;
+  std::vector<std::vector<Vec3>> border;  ///< beside the arcs, so that they are seen on a surface of their own colour
 };
 RingLines ringLines(const Vec3& centre, const Facing&, const PullWeights&);
 

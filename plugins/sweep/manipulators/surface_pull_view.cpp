@@ -72,24 +72,27 @@ std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
 
 void SurfacePullTool::markPlace(PullMarks& marks) const {
   const Motion& motion = surface_->motion();
+  // Of lines at one depth the first is seen: the ring before the iso-curves.
+  if (!mode_.twists()) marks.ring(under_->point, mode_);
   marks.place(motion, *under_, mode_, towards_);
   std::vector<Vec3> copies;
   copiesProblem(motion, under_->at, mode_.symmetry(), copies);
   marks.copies(copies);
-  if (!mode_.twists()) return marks.ring(under_->point, mode_);
+  if (!mode_.twists()) return;
   const Vec3 centre = point(motion.trajectory, under_->at.v);
   marks.twist(centre, twistAxis(motion, under_->at, mode_.axis()), under_->point - centre, std::nullopt);
 }
 
 void SurfacePullTool::markDrag(PullMarks& marks) const {
-  const Vec3 end = placeHit(live_->motion(), under_->at).point;
+  const Vec3 end = placeHit(live_->motion(), under_->at).point, centre = point(surface_->motion().trajectory, under_->at.v);
+  if (mode_.twists())
+    marks.twist(centre, twistAxis(surface_->motion(), under_->at, mode_.axis()), under_->point - centre, angle());
+  else
+    marks.ring(end, mode_);
   marks.drag(*live_, target_.start(), end);
   std::vector<Vec3> copies;
   copiesProblem(live_->motion(), under_->at, mode_.symmetry(), copies);
   marks.copies(copies);
-  if (!mode_.twists()) return marks.ring(end, mode_);
-  const Vec3 centre = point(surface_->motion().trajectory, under_->at.v);
-  marks.twist(centre, twistAxis(surface_->motion(), under_->at, mode_.axis()), under_->point - centre, angle());
 }
 
 }  // namespace blossom::sweep

@@ -24,6 +24,7 @@ ParameterSpec placeRecord() {
 
 std::vector<MotionPlace> placesOf(const std::vector<Value>& records) {
   std::vector<MotionPlace> places;
+  places.reserve(records.size());
   for (const Value& each : records) places.push_back({each.at("u").get<double>(), each.at("v").get<double>()});
   return places;
 }

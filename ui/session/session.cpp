@@ -21,6 +21,7 @@ QStringList toList(const std::vector<std::string>& sentences) {
 namespace {
 
 constexpr int patienceMs = 150;
+constexpr int tellingMs = 50;  // between refreshes while results arrive; the last ones are shown at once
 
 double drawingTolerance() { return Preferences::instance().get<double>("drawing-tolerance"); }
 
@@ -39,6 +40,7 @@ Session::Session(App app, QObject* parent)
   patience_.setInterval(patienceMs);
   connect(&patience_, &QTimer::timeout, this, &Session::evaluationOverdue);
   telling_.setSingleShot(true);
+  telling_.setInterval(tellingMs);
   connect(&telling_, &QTimer::timeout, this, &Session::tellViews);
   connect(&safety_, &SafetyCopy::failed, this, &Session::unsafe);
   connect(&Preferences::instance(), &Preferences::changed, this, [this](const QString& name) {
@@ -128,7 +130,7 @@ void Session::tellViews() {
 }
 
 // Results, drawings and measures are made on the evaluator's threads and arrive here one by one; listeners are told of all
-// that have come in a turn of the event loop together. What is being made, and is the same in this document, goes on.
+// that have come in a while together. What is being made, and is the same in this document, goes on.
 void Session::evaluate() {
   const std::uint64_t generation = ++generation_;
   keepWaiting();
@@ -207,7 +209,7 @@ void Session::take(const FeatureId& id, std::shared_ptr<const FeatureView> view)
   views_[id] = std::move(view);
   arrived_.insert(id);
   untold_.insert(id);
-  telling_.start();
+  if (!telling_.isActive()) telling_.start();
 }
 
 void Session::cancel() {

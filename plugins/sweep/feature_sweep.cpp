@@ -109,6 +109,7 @@ FeatureType sweepFeature() {
           .input({.name = "motion",
                   .help = "A motion: trajectory, orientation and scaling, and its edits.",
                   .kinds = {ShapeKind::Motion},
+                  .use = InputUse::Consumed,
                   .asks = "a motion to sweep with"})
           .parameter("solid", &P::solid, flag(), "Close the ends of a motion that closes in u and make a solid.")
           .parameter("mode", &P::mode, choice({"exact", "cubic"}),

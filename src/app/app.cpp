@@ -123,7 +123,7 @@ OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
   const auto opener = app.registry->opening(readableFormat(app, file).reads);
   if (opener) {
     Feature read = opened.document.at(import);
-    read.visible = false;
+    read.visible = opener->inputs.front().use == InputUse::Consumed;  // which steps back by itself
     Feature made;
     made.type = opener->id;
     made.id = opened.document.freshId(opener->command);

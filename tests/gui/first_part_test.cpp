@@ -58,7 +58,7 @@ class FirstPartTest : public WindowFixture {
   }
   /// A command by its name, with the keyboard alone.
   void palette(const char* words) {
-    QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
+    shortcut(Qt::Key_K);
     QTRY_VERIFY(QApplication::focusWidget() && QApplication::focusWidget()->inherits("QLineEdit"));
     QTest::keyClicks(QApplication::focusWidget(), QLatin1String(words));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
@@ -78,6 +78,12 @@ class FirstPartTest : public WindowFixture {
     QTest::keyClick(line, Qt::Key_Return);
     ++values_;
     waitUntilComputed();
+  }
+  /// A key of the window, which a window manager would have made active again after a dialog.
+  void shortcut(Qt::Key key) {
+    window_->activateWindow();
+    QTRY_VERIFY(window_->isActiveWindow());
+    QTest::keyClick(window_.get(), key, Qt::ControlModifier);
   }
   /// The name of a file in the dialog that a command opens.
   void answerFile(const QString& file) {
@@ -150,12 +156,12 @@ void FirstPartTest::aPartInSixteenClicks() {
   const QString file = folder_.filePath(QStringLiteral("part.blossom")),
                 step = folder_.filePath(QStringLiteral("part.step"));
   answerFile(file);
-  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+  shortcut(Qt::Key_S);
   QTRY_VERIFY(QFile::exists(file) && !window_->session().writing());
   answerFile(file);
-  QTest::keyClick(window_.get(), Qt::Key_W, Qt::ControlModifier);
+  shortcut(Qt::Key_W);
   QTRY_VERIFY(document().features().empty());
-  QTest::keyClick(window_.get(), Qt::Key_O, Qt::ControlModifier);
+  shortcut(Qt::Key_O);
   QTRY_VERIFY(!document().features().empty());
   waitUntilComputed();
   COMPARE_NEAR(measureOf(part, "volume"), changed(), 1e-3);

@@ -361,8 +361,6 @@ void SweepWindowTest::anOpenSurfaceIsPulledAtAnEditThatIsSelected() {
   drag(from, from + QPoint(20, 10));
   QCOMPARE(all("sweep.pull").size(), std::size_t(1));
   const FeatureId pulled = all("sweep.pull").front();
-  window_->tree().toggleVisible(pulled);  // hidden like the motion of the file; what is hidden has no handles
-  waitUntilComputed();
   window_->tree().select(pulled);
   window_->view().setFocus();
   const QPoint other = screenOf(PlaceOfMotion(before, 0.9, 0.8).x);

@@ -158,7 +158,7 @@ class ViewWidget : public QWidget, private PictureSubject {
 
   QPointer<Tool> tool_;
   bool handles_ = false, toolHasMouse_ = false;
-  QPointF pressedAt_;  ///< where the tool was asked last
+  std::optional<QPointF> pressedAt_;  ///< where the tool took a press; empty after a double click, which is done
   KeyOffer keyOffer_ = KeyOffer::None;
   PickMode pickMode_ = PickMode::Feature;
   Pick hovered_;

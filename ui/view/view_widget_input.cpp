@@ -65,7 +65,8 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
   const bool taken = tool_ && tool_->release(toolEvent(at, event->button(), event->modifiers()));
   const bool ofTool = toolHasMouse_ || taken;
   // Handles may cover all of a shape: where one has nothing to do with a click, the shape is selected.
-  const bool leftByHandle = toolHasMouse_ && handles_ && !taken && (at - pressedAt_).manhattanLength() < clickReach;
+  const bool leftByHandle =
+      toolHasMouse_ && handles_ && !taken && pressedAt_ && (at - *pressedAt_).manhattanLength() < clickReach;
   if (event->buttons() == Qt::NoButton) toolHasMouse_ = false;
   const MouseNavigation::Ended ended = navigation_->release();
   emit hint(restingHint());
@@ -80,6 +81,7 @@ void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
   const ToolEvent at = toolEvent(event->position(), event->button(), event->modifiers());
   if (tool_ && (tool_->doubleClick(at) || (tool_ && tool_->press(at)))) {
     toolHasMouse_ = true;
+    pressedAt_.reset();
     return;
   }
   if (event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton) fit();

@@ -57,6 +57,11 @@ bool DragTool::press(const ui::ToolEvent& event) {
   return HandleTool::press(event) || (event.button == Qt::LeftButton && dimensionUnder(event));
 }
 
+// A click on a number is for the number.
+bool DragTool::release(const ui::ToolEvent& event) {
+  return HandleTool::release(event) || (event.button == Qt::LeftButton && dimensionUnder(event));
+}
+
 bool DragTool::move(const ui::ToolEvent& event) {
   const bool taken = HandleTool::move(event);
   const auto under = held() || hovered() ? std::nullopt : dimensionUnder(event);

@@ -19,6 +19,7 @@ class DragTool : public ui::HandleTool {
 
   [[nodiscard]] QString hint() const override;
   bool press(const ui::ToolEvent&) override;
+  bool release(const ui::ToolEvent&) override;
   bool move(const ui::ToolEvent&) override;
   bool doubleClick(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;

@@ -63,7 +63,7 @@ Value DragTool::written(Value kept, const Value& /*next*/, std::size_t dimension
 // As it was typed, where that still comes to the size in the present unit.
 QString DragTool::presentSize(std::size_t dimension) const {
   const Dimension size = dimensions(parameters_).at(dimension);
-  const QString expression = QString::fromStdString(expressionFor(dimension));
+  QString expression = QString::fromStdString(expressionFor(dimension));
   try {
     const ParameterSpec spec = specOf(size);
     const double comesTo = expression.isEmpty() ? NAN : checked(spec, host().typed(spec, expression)).get<double>();

@@ -28,7 +28,7 @@ std::vector<Vec3> readTargets(const MotionNode& node) {
 }
 
 Vec3 readAxis(const MotionNode& node) {
-  const Vec3 axis = node.numbers<3>("a direction [x, y, z]");
+  Vec3 axis = node.numbers<3>("a direction [x, y, z]");
   if (axis.isZero(0)) node.fail("must have a length");
   return axis;
 }
@@ -64,7 +64,7 @@ MotionEdit readPull(const MotionNode& node) {
   pull.to = readTargets(node.at("to"));
   if (node.has("weights")) pull.weights = readWeights(node.at("weights"));
   if (node.has("axis")) pull.axis = readAxis(node.at("axis"));
-  const MotionEdit edit = withCommonKeys(node, pull);
+  MotionEdit edit = withCommonKeys(node, pull);
   const std::size_t places = std::get<MotionPull>(edit).at.size();
   if (pull.to.size() != places)
     node.at("to").fail(

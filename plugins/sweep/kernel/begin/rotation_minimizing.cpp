@@ -47,9 +47,10 @@ class FrameCarrier {
     const CurvePoint end = curve_.at(to);
     const double middle = from.at + (to - from.at) / 2;
     if (halvings < maximumFrameHalvings && !isTame(from, end)) return carryHalves(from, middle, to, halvings);
-    const CurveFrame whole = stepped(from, end, to);
+    CurveFrame whole = stepped(from, end, to);
     if (accuracy_ == 0) return whole;
-    const CurveFrame half = stepped(from, curve_.at(middle), middle), fine = stepped(half, end, to);
+    const CurveFrame half = stepped(from, curve_.at(middle), middle);
+    CurveFrame fine = stepped(half, end, to);
     // With an error of C h^5, two half steps keep 1/16 of it and differ from the whole step by 15/16.
     const double error = std::abs(signedAngle(whole.normal, fine.normal, fine.tangent)) / 15;
     if (error <= std::max(accuracy_ * (to - from.at), frameRounding)) {

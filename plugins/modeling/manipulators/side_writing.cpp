@@ -111,7 +111,7 @@ bool runsForwards(const StraightSide& side, int axis) { return side.to[axis] > s
 /// What a coordinate that goes with the end of the side becomes.
 std::string following(const SideEdit& edit, const Texts& before, const Texts& after, const Place& place, int axis) {
   const Place end = endOf(edit.side, edit.before);
-  const std::string next = farEnd(after.at(beginOf(edit.side), axis), runsForwards(edit.side, axis), edit.length);
+  std::string next = farEnd(after.at(beginOf(edit.side), axis), runsForwards(edit.side, axis), edit.length);
   const std::string was = before.at(end, axis), text = before.at(place, axis);
   if (text == was) return next;
   if (!before.expressed(end, axis) && !before.expressed(place, axis))

@@ -37,8 +37,7 @@ double startAwayFromCorners(const PolarProfile& profile) {
 /// The radius as a function of the parameter of the turn.
 class RadiusOverTurn {
  public:
-  RadiusOverTurn(const PolarProfile& profile, std::size_t rows, double start)
-      : profile_(profile), turn_(rows, start), start_(start) {
+  RadiusOverTurn(const PolarProfile& profile, std::size_t rows, double start) : profile_(profile), turn_(rows, start) {
     for (const auto& joint : profile.joints()) {
       const double angle = joint.angle - fullTurn * std::floor((joint.angle - start) / fullTurn);
       joints_.emplace(turn_.parameterOf(angle), joint);
@@ -84,7 +83,6 @@ class RadiusOverTurn {
  private:
   const PolarProfile& profile_;
   ClosedTurn turn_;
-  double start_;
   std::map<double, PolarProfile::Joint> joints_;
 };
 

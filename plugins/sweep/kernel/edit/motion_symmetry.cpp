@@ -58,7 +58,7 @@ Vec4 stepOf(const Motion& motion, double v, int fold) {
   };
   Vec4 sum = Vec4::Zero();
   for (std::size_t i = 0; i < free; ++i) sum += times(shifted(i), conjugate(rows[i]));
-  const Vec4 step = unit(sum, v);
+  Vec4 step = unit(sum, v);
   double off = 0;
   for (std::size_t i = 0; i < free; ++i) off += (shifted(i) - times(step, rows[i])).squaredNorm();
   if (off > sameRow * sameRow * squareSum(rows))
@@ -86,6 +86,7 @@ std::vector<Matrix3d> foldTurns(const Motion& motion, double v, int fold) {
                        fold),
            "A symmetric edit needs a frame that turns along u.");
   std::vector<Matrix3d> turns;
+  turns.reserve(static_cast<std::size_t>(fold));
   for (int k = 0; k < fold; ++k)
     turns.push_back(
         Eigen::AngleAxisd(2 * std::numbers::pi * static_cast<double>(k * parts % fold) / fold, step.tail<3>() / length)

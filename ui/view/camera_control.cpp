@@ -91,6 +91,7 @@ void CameraControl::glideTo(const State& goal, bool animated) {
   }
   state_ = goal;
   emit moved();
+  emit jumped();
 }
 
 Ray CameraControl::rayThrough(QPointF at) const {

@@ -52,6 +52,7 @@ class CameraControl : public QObject {
 
  signals:
   void moved();
+  void jumped();  ///< follows `moved` where it is not one of many moves
 
  private:
   struct State {

@@ -48,6 +48,7 @@ class LivePicture : public QObject {
   [[nodiscard]] QString problem() const;  ///< why nothing can be drawn; empty when all is well
   void redraw();                          ///< soon; smoothed when things have come to rest
   void redrawMoving();                    ///< the same while the camera moves
+  void redrawAtRest();                    ///< the same when nothing is going to move: it is smoothed at once
   void wantFrame() { next_.start(); }     ///< soon, if there is anything new to draw
   /// Paints the widget with what there is, drawn at once when there is nothing yet. To be called by its paint event.
   void paint();
@@ -66,7 +67,7 @@ class LivePicture : public QObject {
   void painted();  ///< and on the screen
 
  private:
-  [[nodiscard]] bool smooth() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
+  [[nodiscard]] bool smooth() const;
   void fitSize();
   void beginFrame();
   void comeToRest();

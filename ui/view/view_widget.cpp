@@ -38,6 +38,7 @@ void ViewWidget::connectParts() {
     showToolProps();  // in the widths of this scale
   });
   connect(&camera_, &CameraControl::moved, picture_.get(), &LivePicture::redrawMoving);
+  connect(&camera_, &CameraControl::jumped, picture_.get(), &LivePicture::redrawAtRest);
   connect(navigation_, &MouseNavigation::hint, this, &ViewWidget::hint);
   connect(cube_, &ViewCube::sideChosen, this, [this](const QString& view) { lookFrom(view); });
   connect(cube_, &ViewCube::hint, this, &ViewWidget::hint);

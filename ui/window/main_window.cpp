@@ -191,7 +191,7 @@ void MainWindow::connectStatus(DocumentPage& page) {
 
 void MainWindow::connectFiles(DocumentPage& page) {
   DocumentPage* const sender = &page;
-  connect(sender, &DocumentPage::opened, this, [this, sender] {
+  connect(sender, &DocumentPage::opened, this, [sender] {
     if (!sender->session().file().empty()) DocumentFiles::remember(qt(sender->session().file().string()));
   });
   connect(&sender->session(), &Session::saveFailed, this,

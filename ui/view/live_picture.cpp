@@ -13,15 +13,14 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int lookMs = 2;                              // between looks whether a frame is there
-constexpr int samplesPerPixel = Smoothing::fewFrames;  // of each pixel, where the graphics are fast
-constexpr double fastMs = 2;                           // a frame without them that takes no longer can have them
-constexpr double fluentMs = 20;                        // a frame with them that takes longer had better not
-constexpr double heavyMs = 30;                         // a frame that takes longer is smoothed by few others
-constexpr double stutterMs = 50;                       // a frame that takes longer does not look like movement
-constexpr double easyMs = 12;                          // a coarse frame that takes no longer need not be coarse
-constexpr int restMs = 140;                            // after the last change
-constexpr std::chrono::microseconds soon(1500);        // worth waiting for: fast graphics need no second look
+constexpr int lookMs = 2;                        // between looks whether a frame is there
+constexpr int samplesPerPixel = 4;               // of each pixel, where the graphics are fast
+constexpr double fastMs = 2;                     // a frame without them that takes no longer can have them
+constexpr double fluentMs = 20;                  // a frame with them that takes longer had better not
+constexpr double stutterMs = 50;                 // a frame that takes longer does not look like movement
+constexpr double easyMs = 12;                    // a coarse frame that takes no longer need not be coarse
+constexpr int restMs = 140;                      // after the last change
+constexpr std::chrono::microseconds soon(1500);  // worth waiting for: fast graphics need no second look
 
 }  // namespace
 
@@ -41,11 +40,6 @@ LivePicture::~LivePicture() { painter_->remove(&subject_.renderer()); }
 QString LivePicture::problem() const { return painter_->problem(); }
 
 bool LivePicture::sharp() const { return !frame_ && !subject_.stale() && smooth(); }
-
-bool LivePicture::smooth() const {
-  if (multisampled_ && smoothing_.taken() > 0) return true;
-  return smoothing_.complete(lastFrameMs_ > heavyMs ? Smoothing::fewFrames : Smoothing::frames);
-}
 
 void LivePicture::redrawMoving() {
   moving_ = true;

@@ -67,7 +67,7 @@ class LivePicture : public QObject {
   void painted();  ///< and on the screen
 
  private:
-  [[nodiscard]] bool smooth() const;
+  [[nodiscard]] bool smooth() const { return smoothing_.complete() || (multisampled_ && smoothing_.taken() > 0); }
   void fitSize();
   void beginFrame();
   void comeToRest();

@@ -11,11 +11,10 @@ namespace blossom::ui {
 class Smoothing {
  public:
   static constexpr int frames = 8;
-  static constexpr int fewFrames = 4;  ///< as many as fast graphics take of each pixel
 
   void restart() { taken_ = 0; }
   [[nodiscard]] int taken() const { return taken_; }
-  [[nodiscard]] bool complete(int wanted = frames) const { return taken_ >= wanted; }
+  [[nodiscard]] bool complete() const { return taken_ >= frames; }
   /// By how many device pixels the next frame lies aside; the first lies in place.
   [[nodiscard]] QPointF offset() const;
   /// Takes one more frame, pixels 0xAARRGGBB with the lowest line first as OpenGL returns them. The picture, of the same

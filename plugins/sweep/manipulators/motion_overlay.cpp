@@ -11,6 +11,7 @@
 
 #include "geometry/bspline/bspline.h"
 #include "geometry/shape/motion.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 
@@ -52,15 +53,6 @@ class Lines {
 
 double along(std::pair<double, double> domain, std::size_t k, std::size_t count) {
   return domain.first + (domain.second - domain.first) * static_cast<double>(k) / static_cast<double>(count - 1);
-}
-
-/// The vector a turned by the quaternion q of any length.
-Vec3 turned(const Vec4& q, const Vec3& a) {
-  const Vec3 axis = q.tail<3>();
-  const auto cross = [](const Vec3& x, const Vec3& y) {
-    return Vec3(x.y() * y.z() - x.z() * y.y(), x.z() * y.x() - x.x() * y.z(), x.x() * y.y() - x.y() * y.x());
-  };
-  return ((q[0] * q[0] - axis.squaredNorm()) * a + 2 * axis.dot(a) * axis + 2 * q[0] * cross(axis, a)) / q.squaredNorm();
 }
 
 /// Where the frame at v carries p, from the trajectory: a length that suits the drawing.

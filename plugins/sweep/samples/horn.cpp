@@ -15,7 +15,7 @@ double spiralRadius(double part) { return firstRadius * std::exp(growth * 2 * st
 
 Curve spiral() {
   Curve curve{3, clampedKnots(3, evenBreaks(14)), {}};
-  for (const double part : greville(3, curve.knots)) {
+  for (const double part : grevilleAbscissae(3, curve.knots)) {
     const double angle = 2 * std::numbers::pi * turns * part, radius = spiralRadius(part);
     curve.poles.emplace_back(radius * std::cos(angle), radius * std::sin(angle), -slope * radius, 1);
   }
@@ -28,7 +28,7 @@ Motion horn() {
   Motion motion =
       motionFromCurve(spiral(), {.radius = 1, .tolerance = 1e-4, .rows = 12, .columns = 14, .normal = Vec3::UnitZ()}).motion;
   Surface& scaling = motion.scaling;
-  const std::vector<double> along = greville(scaling.degreeV, scaling.knotsV);
+  const std::vector<double> along = grevilleAbscissae(scaling.degreeV, scaling.knotsV);
   for (std::size_t i = 0; i < scaling.countU(); ++i)
     for (std::size_t j = 0; j < scaling.countV(); ++j) scaling.pole(i, j)[0] = girth * spiralRadius(along[j]);
   return motion;

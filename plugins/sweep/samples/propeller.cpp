@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "kernel/edit/direct_manipulation.h"
+#include "kernel/quaternion.h"
 #include "samples.h"
 
 namespace blossom::sweep::samples {
@@ -14,7 +15,7 @@ constexpr std::size_t spansU = 16;
 /// The hub: a cylinder with knots close together where the blades will grow.
 Motion hub() {
   const std::vector<double> knotsV = clampedKnots(3, {0, 0.14, 0.26, 0.36, 0.43, 0.5, 0.57, 0.64, 0.74, 0.86, 1});
-  const auto orientation = [](double angle, double) { return turn(Vec3::UnitZ(), angle); };
+  const auto orientation = [](double angle, double) { return rotationAbout(Vec3::UnitZ(), angle); };
   const auto scaling = [](double, double) { return Vec4(hubRadius, hubRadius, hubRadius, 1); };
   return {straight(3, knotsV, {0, 0, -hubHeight / 2}, {0, 0, hubHeight / 2}), closedBicubic(spansU, knotsV, -1, orientation),
           closedBicubic(spansU, knotsV, 1, scaling), ClosedU::AntiPeriodic, Vec3::UnitX()};

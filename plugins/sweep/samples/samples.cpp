@@ -1,53 +1,19 @@
 #include "samples.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "geometry/bspline/bspline.h"
-#include "geometry/bspline/product.h"
+#include "kernel/quaternion.h"
 
 namespace blossom::sweep::samples {
 
 using std::numbers::pi;
 
-Vec4 turn(const Vec3& axis, double radians) {
-  const Vec3 w = std::sin(radians / 2) * axis;
-  return {std::cos(radians / 2), w.x(), w.y(), w.z()};
-}
-
-Vec4 times(const Vec4& a, const Vec4& b) {
-  const Vec3 x = a.tail<3>(), y = b.tail<3>(), z = a[0] * y + b[0] * x + x.cross(y);
-  return {a[0] * b[0] - x.dot(y), z.x(), z.y(), z.z()};
-}
-
-std::vector<double> evenBreaks(std::size_t n) {
-  std::vector<double> breaks;
-  for (std::size_t i = 0; i <= n; ++i) breaks.push_back(static_cast<double>(i) / static_cast<double>(n));
-  return breaks;
-}
-
-std::vector<double> clampedKnots(int degree, const std::vector<double>& breaks) {
-  std::vector<double> knots(static_cast<std::size_t>(degree), breaks.front());
-  knots.insert(knots.end(), breaks.begin(), breaks.end());
-  knots.insert(knots.end(), static_cast<std::size_t>(degree), breaks.back());
-  return knots;
-}
-
-std::vector<double> greville(int degree, const std::vector<double>& knots) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i + static_cast<std::size_t>(degree) + 1 < knots.size(); ++i)
-    result.push_back(std::accumulate(knots.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                                     knots.begin() + static_cast<std::ptrdiff_t>(i) + 1 + degree, 0.0) /
-                     degree);
-  return result;
-}
-
 Curve straight(int degree, const std::vector<double>& knots, const Vec3& from, const Vec3& to) {
   Curve curve{degree, knots, {}};
   const auto [first, last] = curve.knots.empty() ? std::pair{0.0, 1.0} : std::pair{knots.front(), knots.back()};
-  for (const double at : greville(degree, knots)) {
+  for (const double at : grevilleAbscissae(degree, knots)) {
     const Vec3 p = from + (to - from) * ((at - first) / (last - first));
     curve.poles.emplace_back(p.x(), p.y(), p.z(), 1);
   }
@@ -56,7 +22,7 @@ Curve straight(int degree, const std::vector<double>& knots, const Vec3& from, c
 
 Motion cylinder() {
   const std::vector<double> knotsV = clampedKnots(3, evenBreaks(4));
-  const auto orientation = [](double angle, double) { return turn(Vec3::UnitZ(), angle); };
+  const auto orientation = [](double angle, double) { return rotationAbout(Vec3::UnitZ(), angle); };
   const auto scaling = [](double, double) { return Vec4(10, 10, 10, 1); };
   return {straight(3, knotsV, Vec3::Zero(), {0, 0, 40}), closedBicubic(8, knotsV, -1, orientation),
           closedBicubic(8, knotsV, 1, scaling), ClosedU::AntiPeriodic, Vec3::UnitX()};
@@ -76,19 +42,6 @@ Curve halfAngleCurve(std::size_t spans, double halfAngle) {
   return clamped(curve);
 }
 
-/// Circle of the radius given that keeps step with the rotations of `c`: R c^2 / |c|^2 for c as a complex number.
-Curve circleInStep(const Curve& c, double radius) {
-  Curve a = c, b = c;
-  for (std::size_t i = 0; i < c.poles.size(); ++i) {
-    const double w = c.poles[i][0], z = c.poles[i][3];
-    a.poles[i] = {w, w, 0, z};
-    b.poles[i] = {w, z, 0, z};
-  }
-  Curve circle = product(a, b);
-  for (Vec4& pole : circle.poles) pole = Vec4(radius * (pole[0] - pole[3]), 2 * radius * pole[1], 0, pole[0] + pole[3]);
-  return circle;
-}
-
 }  // namespace
 
 Motion torus() {
@@ -96,7 +49,7 @@ Motion torus() {
   const Curve big = halfAngleCurve(spans, pi);
   std::vector<Vec4> quaternions, ones;
   for (std::size_t i = 0; i < spans; ++i) {
-    const Vec4 small = turn(-Vec3::UnitY(), 2 * pi * (static_cast<double>(i) - 1) / static_cast<double>(spans));
+    const Vec4 small = rotationAbout(-Vec3::UnitY(), 2 * pi * (static_cast<double>(i) - 1) / static_cast<double>(spans));
     for (const Vec4& pole : big.poles) quaternions.push_back(times(pole, small));
     ones.insert(ones.end(), 2, Vec4(10, 10, 10, 1));
   }
@@ -117,10 +70,10 @@ Motion twistedTube() {
   const double bend = 2 * pi / 3, radius = 45;
   const std::vector<double> knotsV = clampedKnots(3, evenBreaks(10));
   Curve trajectory{3, knotsV, {}};
-  for (const double v : greville(3, knotsV))
+  for (const double v : grevilleAbscissae(3, knotsV))
     trajectory.poles.emplace_back(radius * (1 - std::cos(bend * v)), 0, radius * std::sin(bend * v), 1);
   const auto orientation = [&](double angle, double v) {
-    return times(turn(Vec3::UnitY(), bend * v), turn(Vec3::UnitZ(), angle + pi * v));
+    return times(rotationAbout(Vec3::UnitY(), bend * v), rotationAbout(Vec3::UnitZ(), angle + pi * v));
   };
   const auto scaling = [&](double angle, double v) {
     const double s = (10 - 3 * v) * (1 + 0.32 * std::cos(3 * angle));

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "geometry/shape/motion.h"
+#include "kernel/begin/turning_spline.h"
 
 namespace blossom::sweep::samples {
 
@@ -14,15 +15,6 @@ Motion propeller();    ///< Yoon & Lee 2009, Fig. 7: four blades out of a cylind
 
 // Pieces that the motions are put together from.
 
-/// Quaternion of a turn about an axis of unit length.
-Vec4 turn(const Vec3& axis, double radians);
-Vec4 times(const Vec4& a, const Vec4& b);
-/// 0, 1/n .. 1.
-std::vector<double> evenBreaks(std::size_t n);
-/// Clamped full vector from breaks.
-std::vector<double> clampedKnots(int degree, const std::vector<double>& breaks);
-/// Mean of `degree` knots in a row for each pole: a spline whose poles are linear in these is linear.
-std::vector<double> greville(int degree, const std::vector<double>& knots);
 /// Straight trajectory from `from` to `to` at even speed.
 Curve straight(int degree, const std::vector<double>& knots, const Vec3& from, const Vec3& to);
 /// Bicubic surface closed in u over `spans` even spans: pole (angle of the turn, Greville abscissa in v).
@@ -30,7 +22,7 @@ template <class Pole>
 Surface closedBicubic(std::size_t spans, const std::vector<double>& knotsV, double sign, Pole pole) {
   std::vector<Vec4> poles;
   for (std::size_t i = 0; i < spans; ++i)
-    for (const double v : greville(3, knotsV))
+    for (const double v : grevilleAbscissae(3, knotsV))
       // Pole i of a cubic stands over break i - 1, so that u = 0 is the angle 0.
       poles.push_back(pole(2 * std::numbers::pi * (static_cast<double>(i) - 1) / static_cast<double>(spans), v));
   return unwrapped(3, 3, evenBreaks(spans), knotsV, std::move(poles), sign);

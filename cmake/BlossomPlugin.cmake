@@ -1,8 +1,9 @@
-# blossom_plugin(ID): a plugin made of plugin.json, all .cpp below kernel, *.cpp (the feature types) and manipulators/*.cpp in the current folder.
+# blossom_plugin(ID): a plugin made of plugin.json, all .cpp below kernel, *.cpp (the feature types) and all .cpp below manipulators in the current folder.
 # The kernel is a static library of its own, so that tests and benchmarks can link it without the plugin.
 function(blossom_plugin id)
   file(GLOB_RECURSE kernel_sources CONFIGURE_DEPENDS kernel/*.cpp)
   add_library(blossom_${id}_kernel STATIC ${kernel_sources})
+  blossom_compile_by_folder(blossom_${id}_kernel)
   target_include_directories(blossom_${id}_kernel PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(blossom_${id}_kernel PUBLIC Blossom::geometry PRIVATE Blossom::flags)
 
@@ -12,12 +13,14 @@ function(blossom_plugin id)
     return()
   endif()
   add_library(blossom_${id} MODULE ${feature_sources})
+  blossom_compile_by_folder(blossom_${id})
   target_link_libraries(blossom_${id} PRIVATE blossom_${id}_kernel Blossom::feature fmt::fmt Blossom::flags)
   set(modules blossom_${id})
 
-  file(GLOB manipulator_sources CONFIGURE_DEPENDS manipulators/*.cpp manipulators/*.h)
+  file(GLOB_RECURSE manipulator_sources CONFIGURE_DEPENDS manipulators/*.cpp manipulators/*.h)
   if(BLOSSOM_BUILD_UI AND manipulator_sources)
     add_library(blossom_${id}_manipulators MODULE ${manipulator_sources})
+    blossom_compile_by_folder(blossom_${id}_manipulators)
     target_link_libraries(blossom_${id}_manipulators PRIVATE blossom_${id}_kernel Blossom::ui Blossom::flags)
     set_target_properties(blossom_${id}_manipulators PROPERTIES AUTOMOC ON)  # tools have signals
     list(APPEND modules blossom_${id}_manipulators)

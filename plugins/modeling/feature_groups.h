@@ -11,4 +11,7 @@ void registerProfileFeatures(Registry&);  ///< extrude, revolve, loft, pipe
 void registerSolidFeatures(Registry&);    ///< Boolean, fillet, chamfer, shell
 void registerArrangements(Registry&);     ///< transform, pattern, mirror
 
+/// An angle of up to one full turn in either direction.
+ParameterSpec turn();
+
 }  // namespace blossom::modeling

@@ -24,10 +24,10 @@ InputSpec anyInput(const char* asks) {
           .asks = asks};
 }
 
-Vec3 directionOf(const Vec3& v, const char* what) { return toVec(toDirection(v, what).XYZ()); }
+Vec3 unitVector(const Vec3& v, const char* what) { return toVec(toDirection(v, what).XYZ()); }
 
 Map turned(const Vec3& centre, const Vec3& axis, double degrees) {
-  return Eigen::Translation3d(centre) * Eigen::AngleAxisd(toRadians(degrees), directionOf(axis, "axis")) *
+  return Eigen::Translation3d(centre) * Eigen::AngleAxisd(toRadians(degrees), unitVector(axis, "axis")) *
          Eigen::Translation3d(-centre);
 }
 
@@ -39,7 +39,7 @@ struct TransformParameters {
 Map mapOf(const TransformParameters& p) {
   Map map = Map::Identity();
   map.translate(p.move + p.centre);
-  if (p.angle != 0) map.rotate(Eigen::AngleAxisd(toRadians(p.angle), directionOf(p.axis, "axis")));
+  if (p.angle != 0) map.rotate(Eigen::AngleAxisd(toRadians(p.angle), unitVector(p.axis, "axis")));
   map.scale(p.scale * p.stretch);
   map.translate(-p.centre);
   return map;
@@ -143,13 +143,6 @@ Evaluated patternOf(const PatternParameters& p, const Inputs& inputs, const Prog
   return {assembled(copies, p.join && copies.size() > 1, progress), {{"copies", maps.size()}}, {}};
 }
 
-ParameterSpec turn() {
-  ParameterSpec spec = angle();
-  spec.minimum = -360;
-  spec.maximum = 360;
-  return spec;
-}
-
 FeatureType patternFeature() {
   using P = PatternParameters;
   return inWorker(
@@ -179,7 +172,7 @@ struct MirrorParameters {
 };
 
 Map reflection(const Vec3& point, const Vec3& normal) {
-  const Vec3 n = directionOf(normal, "normal");
+  const Vec3 n = unitVector(normal, "normal");
   Map map = Map::Identity();
   map.linear() -= 2 * n * n.transpose();
   map.translation() = 2 * n.dot(point) * n;

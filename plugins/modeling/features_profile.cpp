@@ -91,13 +91,6 @@ struct RevolveParameters {
   SubShapeValue face;
 };
 
-ParameterSpec turn() {
-  ParameterSpec spec = angle();
-  spec.minimum = -360;
-  spec.maximum = 360;
-  return spec;
-}
-
 std::vector<InputImage> endsOf(const RevolveParameters& p, const Inputs&) {
   if (std::abs(p.angle) >= 360) return {{0}};
   const Eigen::AngleAxisd turn(toRadians(p.angle), p.axis.normalized());
@@ -230,6 +223,13 @@ FeatureType pipeFeature() {
 }
 
 }  // namespace
+
+ParameterSpec turn() {
+  ParameterSpec spec = angle();
+  spec.minimum = -360;
+  spec.maximum = 360;
+  return spec;
+}
 
 void registerProfileFeatures(Registry& registry) {
   registry.addAll(extrudeFeature(), revolveFeature(), loftFeature(), pipeFeature());

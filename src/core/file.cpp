@@ -17,12 +17,13 @@
 
 namespace blossom {
 namespace fs = std::filesystem;
-namespace {
 
-[[noreturn]] void cannotWrite(const fs::path& target, const std::string& why) {
+void cannotWrite(const fs::path& target, const std::string& why) {
   throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} cannot be written: {}.", target.string(), why),
               "Check that the folder exists, that you may write there and that the disk is not full.");
 }
+
+namespace {
 
 /// Renaming over it would work all the same, but is not what its owner wants.
 void refuseProtected(const fs::path& target) {

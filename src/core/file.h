@@ -14,6 +14,9 @@ inline constexpr std::uintmax_t maximumFileSize = 2ull << 30;
 /// @throws Error FileNotFound, FileUnreadable (also for a folder), LimitExceeded.
 std::string readFile(const std::filesystem::path&);
 
+/// @throws Error FileUnwritable, with the reason `why` (no full stop) and what to check.
+[[noreturn]] void cannotWrite(const std::filesystem::path& target, const std::string& why);
+
 /// Calls `write` with a temporary file beside `target`, syncs that file to the disk and renames it to `target`: after a
 /// crash or an exception the old file is intact. The temporary file is removed when `write` throws.
 /// @throws Error FileUnwritable; whatever `write` throws.

@@ -7,16 +7,13 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/file.h"
 
 namespace blossom {
 namespace {
 
 /// 2 January 1980, noon: the first day that a zip can represent in every time zone.
 constexpr time_t fixedTime = 315662400;
-
-[[noreturn]] void cannotWrite(const std::filesystem::path& path, const std::string& why) {
-  throw Error(ErrorCode::FileUnwritable, fmt::format("The file {} cannot be written: {}.", path.string(), why));
-}
 
 std::string textOf(int code) {
   zip_error_t error;

@@ -15,6 +15,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "geometry/occt/occt_vector.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
 
@@ -32,8 +33,6 @@ std::string formName(const std::array<const char*, N>& names, int type) {
   return names.at(std::min(static_cast<std::size_t>(type), N - 1));
 }
 
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
-
 std::string formOf(const TopoDS_Face& face) { return formName(surfaceForms, BRepAdaptor_Surface(face, false).GetType()); }
 
 std::string formOf(const TopoDS_Edge& edge) {
@@ -43,17 +42,17 @@ std::string formOf(const TopoDS_Edge& edge) {
 Likeness likeness(const TopoDS_Face& face) {
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(face, properties, 1e-6);
-  return {formOf(face), vec(properties.CentreOfMass()), properties.Mass()};
+  return {formOf(face), toVec(properties.CentreOfMass()), properties.Mass()};
 }
 
 Likeness likeness(const TopoDS_Edge& edge) {
-  if (BRep_Tool::Degenerated(edge)) return {formOf(edge), vec(BRep_Tool::Pnt(TopExp::FirstVertex(edge))), 0};
+  if (BRep_Tool::Degenerated(edge)) return {formOf(edge), toVec(BRep_Tool::Pnt(TopExp::FirstVertex(edge))), 0};
   const BRepAdaptor_Curve curve(edge);
-  return {formOf(edge), vec(curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)),
+  return {formOf(edge), toVec(curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)),
           GCPnts_AbscissaPoint::Length(curve)};
 }
 
-Likeness likeness(const TopoDS_Vertex& vertex) { return {"point", vec(BRep_Tool::Pnt(vertex)), 0}; }
+Likeness likeness(const TopoDS_Vertex& vertex) { return {"point", toVec(BRep_Tool::Pnt(vertex)), 0}; }
 
 Likeness likeness(const TopoDS_Shape& part) {
   switch (part.ShapeType()) {

@@ -8,12 +8,13 @@
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 
+#include "geometry/occt/occt_vector.h"
+
 namespace blossom {
 
 namespace {
 
 gp_Pnt point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 }  // namespace
 
@@ -34,7 +35,7 @@ void PlacedFace::findInside() {
   double s = 0.4142135623730951, t = 0.7320508075688772;
   for (int k = 0; k < tries && static_cast<int>(inside_.size()) < wanted; ++k) {
     const gp_Pnt2d uv(u0 + s * (u1 - u0), v0 + t * (v1 - v0));
-    if (border_->Perform(uv, Standard_False) == TopAbs_IN) inside_.push_back(vec(surface_->Value(uv)));
+    if (border_->Perform(uv, Standard_False) == TopAbs_IN) inside_.push_back(toVec(surface_->Value(uv)));
     s = std::fmod(s + 0.7548776662466927, 1.0);
     t = std::fmod(t + 0.5698402909980532, 1.0);
   }

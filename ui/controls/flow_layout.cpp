@@ -7,7 +7,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int gap = 4;
+constexpr int flowGap = 4;
 
 }  // namespace
 
@@ -50,11 +50,11 @@ int FlowLayout::arranged(const QRect& area, bool place) const {
     const QSize wanted(std::min(item->sizeHint().width(), area.width()), item->sizeHint().height());
     if (x > area.x() && x + wanted.width() > area.right() + 1) {
       x = area.x();
-      y += line + gap;
+      y += line + flowGap;
       line = 0;
     }
     if (place) item->setGeometry(QRect(QPoint(x, y), wanted));
-    x += wanted.width() + gap;
+    x += wanted.width() + flowGap;
     line = std::max(line, wanted.height());
   }
   return y + line - area.y();

@@ -9,7 +9,7 @@ namespace blossom::ui {
 namespace {
 
 constexpr QRectF track(1, 0, 30, 16);
-constexpr int gap = 9;
+constexpr int switchGap = 9;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ SwitchBox::SwitchBox(QWidget* parent) : QCheckBox(parent) {
 
 QSize SwitchBox::sizeHint() const {
   const int words = std::max(fontMetrics().horizontalAdvance(tr("on")), fontMetrics().horizontalAdvance(tr("off")));
-  return {static_cast<int>(track.right()) + gap + words + 2, 27};
+  return {static_cast<int>(track.right()) + switchGap + words + 2, 27};
 }
 
 bool SwitchBox::hitButton(const QPoint& at) const {
@@ -44,7 +44,8 @@ void SwitchBox::paintEvent(QPaintEvent*) {
   painter.setBrush(isChecked() ? colors.color("onMade") : colors.color(isEnabled() ? "muted" : "faint"));
   painter.drawEllipse(QRectF(isChecked() ? slot.right() - size - 3 : slot.left() + 3, slot.top() + 3, size, size));
   painter.setPen(colors.color(isEnabled() ? "text" : "faint"));
-  painter.drawText(QRectF(slot.right() + gap, 0, width(), height()), Qt::AlignVCenter, isChecked() ? tr("on") : tr("off"));
+  painter.drawText(QRectF(slot.right() + switchGap, 0, width(), height()), Qt::AlignVCenter,
+                   isChecked() ? tr("on") : tr("off"));
 }
 
 }  // namespace blossom::ui

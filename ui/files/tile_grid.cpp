@@ -8,12 +8,12 @@
 namespace blossom::ui {
 
 namespace {
-constexpr int gap = 12;
+constexpr int tileGap = 12;
 }
 
 TileGrid::TileGrid(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
   grid_->setContentsMargins(0, 0, 0, 0);
-  grid_->setSpacing(gap);
+  grid_->setSpacing(tileGap);
   grid_->setSizeConstraint(QLayout::SetNoConstraint);  // its columns follow the width, not the other way round
 }
 
@@ -26,7 +26,7 @@ void TileGrid::setTiles(std::vector<Tile*> tiles) {
 }
 
 void TileGrid::arrange() {
-  const int columns = std::max(1, (width() + gap) / (Tile::smallestWidth + gap));
+  const int columns = std::max(1, (width() + tileGap) / (Tile::smallestWidth + tileGap));
   if (columns == columns_) return;
   columns_ = columns;
   while (QLayoutItem* item = grid_->takeAt(0)) delete item;
@@ -38,7 +38,7 @@ void TileGrid::arrange() {
   }
   const int rows = (static_cast<int>(tiles_.size()) + columns - 1) / columns;
   for (int row = 0; row < grid_->rowCount(); ++row) grid_->setRowMinimumHeight(row, row < rows ? Tile::height : 0);
-  setFixedHeight(std::max(0, rows * (Tile::height + gap) - gap));
+  setFixedHeight(std::max(0, rows * (Tile::height + tileGap) - tileGap));
 }
 
 QSize TileGrid::minimumSizeHint() const { return {Tile::smallestWidth, 0}; }

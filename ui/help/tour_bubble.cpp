@@ -15,7 +15,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int tipSize = 10, radius = 10, gap = 6, bubbleWidth = 340;
+constexpr int tipSize = 10, radius = 10, bubbleGap = 6, bubbleWidth = 340;
 
 }  // namespace
 
@@ -84,13 +84,13 @@ QPoint TourBubble::placeFor(Tip tip, const QRect& target) const {
   const QPoint middle = target.center() - QPoint(width() / 2, height() / 2);
   switch (tip) {
     case Tip::Left:
-      return {target.right() + gap, middle.y()};
+      return {target.right() + bubbleGap, middle.y()};
     case Tip::Right:
-      return {target.left() - gap - width(), middle.y()};
+      return {target.left() - bubbleGap - width(), middle.y()};
     case Tip::Top:
-      return {middle.x(), target.bottom() + gap};
+      return {middle.x(), target.bottom() + bubbleGap};
     case Tip::Bottom:
-      return {middle.x(), target.top() - gap - height()};
+      return {middle.x(), target.top() - bubbleGap - height()};
     case Tip::None:
       break;
   }

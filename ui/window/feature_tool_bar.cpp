@@ -13,7 +13,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int lineSpace = 19, gap = 1;
+constexpr int lineSpace = 19, buttonGap = 1;
 
 QToolButton* toolButton(QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -25,7 +25,7 @@ QToolButton* toolButton(QWidget* parent) {
 
 bool looksLike(const QIcon& a, const QIcon& b) { return a.pixmap(20, 20).toImage() == b.pixmap(20, 20).toImage(); }
 
-int widthOf(const QWidget* button) { return button->sizeHint().width() + gap; }
+int widthOf(const QWidget* button) { return button->sizeHint().width() + buttonGap; }
 
 }  // namespace
 
@@ -171,7 +171,7 @@ void FeatureToolBar::place(Group& group, int& x) {
     if (!visible) return;
     const QSize size = button->sizeHint();
     button->setGeometry(x, (height() - size.height()) / 2, size.width(), size.height());
-    x += size.width() + gap;
+    x += size.width() + buttonGap;
   };
   for (std::size_t i = 0; i < group.buttons.size(); ++i) put(group.buttons[i], i < group.shown);
   const bool more = group.shown < group.buttons.size();

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The last line of a fixed-format file has a T in column 73 (IGES 5.3, 2.2.4.6).
-void checkComplete(const std::string& path) {
+void requireLastLine(const std::string& path) {
   const std::string tail = tailOf(path, 4096);
   for (std::size_t at = tail.find('T'); at != std::string::npos; at = tail.find('T', at + 1)) {
     const std::size_t start = tail.find_last_of("\r\n", at) + 1;  // npos + 1 is the start of the text
@@ -75,7 +75,7 @@ void writeIges(const Brep& brep, const std::string& path, const Value& options, 
 }
 
 BrepImport readIges(const std::string& path, const Progress& progress) {
-  checkComplete(path);
+  requireLastLine(path);
   const OcctSession session;
   const OcctSetting unit("xstep.cascade.unit", "MM");
   return withOcctErrors(ErrorCode::FormatDamaged, "It cannot be understood as IGES.", [&] {

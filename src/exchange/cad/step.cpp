@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void checkComplete(const std::string& path) {
+void requireEnd(const std::string& path) {
   if (tailOf(path, 4096).find("END-ISO-10303-21") != std::string::npos) return;
   throw Error(ErrorCode::FormatDamaged, "Its end is missing (END-ISO-10303-21): it was cut off or not written completely.",
               "Fetch or export the file again.");
@@ -145,7 +145,7 @@ void writeStep(const Brep& brep, const std::string& path, const Value& options, 
 }
 
 BrepImport readStep(const std::string& path, const Progress& progress) {
-  checkComplete(path);
+  requireEnd(path);
   const OcctSession session;
   const OcctSetting unit("xstep.cascade.unit", "MM");
   return withOcctErrors(ErrorCode::FormatDamaged, "It cannot be understood as STEP.", [&] {

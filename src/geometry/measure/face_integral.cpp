@@ -63,7 +63,7 @@ double absoluteFor(const std::vector<TopoDS_Edge>& edges, const Vec3& reference)
 }
 
 /// Half the sum of the integrals of (x - reference) x dx along the edges.
-Vec3 vectorArea(const std::vector<TopoDS_Edge>& edges, const Vec3& reference) {
+Vec3 areaInside(const std::vector<TopoDS_Edge>& edges, const Vec3& reference) {
   const double absolute = absoluteFor(edges, reference);
   Vec3 sum = Vec3::Zero();
   for (const TopoDS_Edge& edge : edges) {
@@ -92,7 +92,7 @@ FaceIntegral integratePlanar(const TopoDS_Face& face, const BRepAdaptor_Surface&
   std::erase_if(edges, [](const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge); });
   if (edges.empty()) return {};
   const Vec3 start = toVec(BRepAdaptor_Curve(edges.front()).Value(BRepAdaptor_Curve(edges.front()).FirstParameter()).XYZ());
-  const double area = vectorArea(edges, start).dot(normal);
+  const double area = areaInside(edges, start).dot(normal);
   return {std::abs(area), area * (toVec(origin.XYZ()) - reference).dot(normal) / 3 * direction(face)};
 }
 

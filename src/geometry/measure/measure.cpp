@@ -138,7 +138,7 @@ Measures measureToolpath(const Toolpath& path) {
   return measures;
 }
 
-struct Visitor {
+struct MeasuringVisitor {
   const Progress& progress;
   Measures operator()(std::monostate) const { return {"nothing", {}}; }
   Measures operator()(const Region& region) const { return measureRegion(region, progress); }
@@ -170,7 +170,7 @@ void refuseInfinite(const Measures& measures) {
 
 Measures measure(const Shape& shape, const Progress& progress) {
   progress.check();
-  Measures measures = shape.visit(Visitor{progress});
+  Measures measures = shape.visit(MeasuringVisitor{progress});
   refuseInfinite(measures);
   return measures;
 }

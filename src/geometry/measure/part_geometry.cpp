@@ -89,7 +89,7 @@ std::vector<Triangle3> allTriangles(const Mesh& mesh) {
   return result;
 }
 
-struct Visitor {
+struct PartVisitor {
   SubShapeKind kind;
   int index;
 
@@ -152,6 +152,6 @@ struct Visitor {
 
 }  // namespace
 
-PartGeometry geometryOf(const MeasuredPart& part) { return part.shape.visit(Visitor{part.kind, part.index}); }
+PartGeometry geometryOf(const MeasuredPart& part) { return part.shape.visit(PartVisitor{part.kind, part.index}); }
 
 }  // namespace blossom

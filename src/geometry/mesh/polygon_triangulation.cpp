@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-using Triangles = std::vector<std::array<int, 3>>;
+using CornerTriples = std::vector<std::array<int, 3>>;
 
 /// Twice the signed area of a triangle.
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -40,7 +40,7 @@ double nothing(std::span<const Vec3> polygon) {
 }
 
 /// Both triangles of the diagonal must turn the right way, and by more than rounding; of two such diagonals the shorter one.
-Triangles splitQuad(std::span<const Vec3> quad) {
+CornerTriples splitQuad(std::span<const Vec3> quad) {
   const std::vector<Vec2> p = flattened(quad);
   const double minimum = nothing(quad) * std::max((p[0] - p[2]).norm(), (p[1] - p[3]).norm());
   const double first = std::min(turn(p[0], p[1], p[2]), turn(p[0], p[2], p[3]));
@@ -59,8 +59,8 @@ class EarClipper {
     std::iota(left_.begin(), left_.end(), 0);
   }
 
-  Triangles run() {
-    Triangles triangles;
+  CornerTriples run() {
+    CornerTriples triangles;
     std::size_t place = 0;
     while (left_.size() > 3) {
       place = nextEar(place % left_.size());

@@ -49,7 +49,7 @@ Bounds ofPoles(const std::vector<Vec4>& poles) {
   return box;
 }
 
-struct Visitor {
+struct BoundsVisitor {
   Bounds operator()(std::monostate) const { return {}; }
   Bounds operator()(const Region& region) const { return ofPaths(region.loops); }
   Bounds operator()(const Curves& curves) const { return ofPaths(curves.paths); }
@@ -91,6 +91,6 @@ struct Visitor {
 
 }  // namespace
 
-Bounds bounds(const Shape& shape) { return shape.visit(Visitor{}); }
+Bounds bounds(const Shape& shape) { return shape.visit(BoundsVisitor{}); }
 
 }  // namespace blossom

@@ -109,7 +109,7 @@ Tessellation tessellateToolpath(const Toolpath& path, double chord, const Progre
   return result;
 }
 
-struct Visitor {
+struct TessellationVisitor {
   const TessellationOptions& options;
   const Progress& progress;
 
@@ -169,7 +169,7 @@ std::optional<Color> singleColor(const std::vector<Color>& colors) {
 
 Tessellation tessellate(const Shape& shape, const TessellationOptions& options, const Progress& progress) {
   progress.check();
-  return shape.visit(Visitor{resolved(options, shape), progress});
+  return shape.visit(TessellationVisitor{resolved(options, shape), progress});
 }
 
 Mesh toMesh(const Tessellation& tessellation) {

@@ -23,7 +23,7 @@ namespace blossom::modeling {
 
 namespace {
 
-constexpr double smallest = 1e-6;
+constexpr double smallestHeight = 1e-6;
 
 TopoDS_Shape moved(const TopoDS_Shape& shape, const gp_Vec& by) {
   gp_Trsf trsf;
@@ -49,7 +49,7 @@ TopoDS_Shape taperedBothWays(const TopoDS_Face& face, const gp_Pln& plane, const
   if (!o.direction.isZero() && !directionOf(o, plane).IsParallel(plane.Axis().Direction(), 1e-9))
     throw Error(ErrorCode::InvalidParameter, "A taper and a slanted direction cannot be combined.",
                 "Set the taper to 0 or the direction to 0,0,0.");
-  if (std::abs(o.back) < smallest) return taperedSolid(face, plane, o.height, o.taper, progress);
+  if (std::abs(o.back) < smallestHeight) return taperedSolid(face, plane, o.height, o.taper, progress);
   const TopoDS_Shape there = taperedSolid(face, plane, o.height, o.taper, progress),
                      back = taperedSolid(face, plane, -o.back, o.taper, progress);
   return BRepAlgoAPI_Fuse(there, back).Shape();
@@ -73,7 +73,7 @@ TopoDS_Shape sheetOver(const TopoDS_Wire& wire, const ExtrudeOptions& o) {
 }
 
 void check(const ExtrudeOptions& o) {
-  if (std::abs(o.height + o.back) < smallest)
+  if (std::abs(o.height + o.back) < smallestHeight)
     throw Error(ErrorCode::InvalidParameter, "The extrusion has no height.", "Give a height other than 0.");
   if (o.back < 0 || (o.height < 0 && o.back > 0))
     throw Error(ErrorCode::InvalidParameter, "The two ways of the extrusion go against each other.",
@@ -81,7 +81,7 @@ void check(const ExtrudeOptions& o) {
   if (!(std::abs(o.taper) < 89))
     throw Error(ErrorCode::InvalidParameter,
                 fmt::format("The taper must stay within -89 and 89 degrees; it is {}.", formatNumber(o.taper)));
-  if (std::abs(o.taper) > 1e-9 && std::abs(o.height) < smallest)
+  if (std::abs(o.taper) > 1e-9 && std::abs(o.height) < smallestHeight)
     throw Error(ErrorCode::InvalidParameter, "A tapered extrusion needs a height other than 0.");
 }
 

@@ -18,10 +18,10 @@ namespace blossom::modeling {
 
 namespace {
 
-constexpr double smallest = 1e-6;
+constexpr double smallestLength = 1e-6;
 
 void needLength(double value, const char* what) {
-  if (!(value > smallest))
+  if (!(value > smallestLength))
     throw Error(ErrorCode::InvalidParameter, fmt::format("The {} must be above 0; it is {} mm.", what, formatNumber(value)));
 }
 
@@ -62,7 +62,7 @@ TopoDS_Shape makeCylinder(const CylinderOptions& o) {
 }
 
 TopoDS_Shape makeCone(const ConeOptions& o) {
-  if (std::abs(o.bottomRadius - o.topRadius) <= smallest)
+  if (std::abs(o.bottomRadius - o.topRadius) <= smallestLength)
     return makeCylinder({.radius = o.bottomRadius, .height = o.height, .angle = o.angle, .placement = o.placement});
   needLength(o.height, "height");
   needLength(std::max(o.bottomRadius, o.topRadius), "larger radius");
@@ -82,7 +82,7 @@ TopoDS_Shape makeSphere(const SphereOptions& o) {
 
 TopoDS_Shape makeTorus(const TorusOptions& o) {
   needLength(o.tube, "tube radius");
-  if (!(o.radius > o.tube + smallest))
+  if (!(o.radius > o.tube + smallestLength))
     throw Error(ErrorCode::InvalidParameter,
                 fmt::format("The torus would cut through itself: its tube of {} mm reaches the axis, which is {} mm away.",
                             formatNumber(o.tube), formatNumber(o.radius)),

@@ -8,7 +8,7 @@
 namespace blossom::subdivision {
 namespace {
 
-constexpr int lattice = 4;  // pieces along a side of a patch
+constexpr int piecesAlong = 4;  // pieces along a side of a patch
 
 }  // namespace
 
@@ -52,10 +52,10 @@ void LivePull::reach(std::vector<int> free, const Progress& progress) {
 
 void LivePull::addPatch(int patch) {
   const bool triangle = surface_.domain(patch) == Domain::Triangle;
-  std::array<std::array<int, lattice + 1>, lattice + 1> number{};
-  for (int i = 0; i <= lattice; ++i)
-    for (int j = 0; j <= (triangle ? lattice - i : lattice); ++j) {
-      const Row row = surface_.row({patch, static_cast<double>(i) / lattice, static_cast<double>(j) / lattice});
+  std::array<std::array<int, piecesAlong + 1>, piecesAlong + 1> number{};
+  for (int i = 0; i <= piecesAlong; ++i)
+    for (int j = 0; j <= (triangle ? piecesAlong - i : piecesAlong); ++j) {
+      const Row row = surface_.row({patch, static_cast<double>(i) / piecesAlong, static_cast<double>(j) / piecesAlong});
       number[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = static_cast<int>(still_.size());
       still_.push_back(combined(row, points_));
       Row& acting = sampleRows_.emplace_back();
@@ -67,10 +67,10 @@ void LivePull::addPatch(int patch) {
       }
     }
   const auto at = [&](int i, int j) { return number[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]; };
-  for (int i = 0; i < lattice; ++i)
-    for (int j = 0; j < (triangle ? lattice - i : lattice); ++j) {
+  for (int i = 0; i < piecesAlong; ++i)
+    for (int j = 0; j < (triangle ? piecesAlong - i : piecesAlong); ++j) {
       triangles_.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-      if (!triangle || i + j + 1 < lattice) triangles_.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+      if (!triangle || i + j + 1 < piecesAlong) triangles_.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
     }
 }
 

@@ -11,7 +11,7 @@ namespace blossom::pocket {
 
 namespace {
 
-constexpr int maximumSteps = 30;
+constexpr int newtonSteps = 30;
 
 struct Pull {
   double distance = 0;
@@ -49,7 +49,7 @@ Vec2 footOn(Contact& contact, const Vec2& x) {
 
 std::optional<Vec2> pointAtDistance(Contact a, Contact b, double d, const Vec2& guess, double reach) {
   Vec2 x = guess;
-  for (int step = 0; step < maximumSteps; ++step) {
+  for (int step = 0; step < newtonSteps; ++step) {
     const Pull pa = pullOf(a, x);
     const Pull pb = pullOf(b, x);
     const double determinant = cross(pa.direction, pb.direction);
@@ -66,7 +66,7 @@ std::optional<Vec2> pointAtDistance(Contact a, Contact b, double d, const Vec2& 
 
 std::optional<Vec2> pointBetween(Contact a, Contact b, const Vec2& guess, double reach) {
   Vec2 x = guess;
-  for (int step = 0; step < maximumSteps; ++step) {
+  for (int step = 0; step < newtonSteps; ++step) {
     const Pull pa = pullOf(a, x);
     const Pull pb = pullOf(b, x);
     const Vec2 across = pa.direction - pb.direction;
@@ -84,7 +84,7 @@ std::optional<Disc> discTouching(std::vector<Contact> contacts, const Disc& gues
   double r = guess.radius;
   const auto count = static_cast<Eigen::Index>(contacts.size());
   if (count < 3) return std::nullopt;
-  for (int step = 0; step < maximumSteps; ++step) {
+  for (int step = 0; step < newtonSteps; ++step) {
     Eigen::MatrixX3d rows(count, 3);
     Eigen::VectorXd residual(count);
     for (Eigen::Index i = 0; i < count; ++i) {

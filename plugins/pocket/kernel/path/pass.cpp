@@ -79,7 +79,7 @@ std::vector<Grown> nodesAt(const ClearanceDiagram& diagram, double distance, std
               "Use a slightly different tool diameter or stepover.");
 }
 
-std::vector<Stroke> strokesOf(const std::vector<Grown>& grown) {
+std::vector<Stroke> grownStrokes(const std::vector<Grown>& grown) {
   std::vector<Stroke> strokes;
   for (const Grown& each : grown)
     for (const Pass& pass : each.node.passes) strokes.insert(strokes.end(), pass.strokes().begin(), pass.strokes().end());
@@ -99,7 +99,7 @@ bool isAlong(const PassNode& node, const StrokeTree& ways, double near) {
 std::vector<Grown> firstNodes(const ClearanceDiagram& diagram, SlotSearch& slots, double distance, bool climb,
                               const Progress& progress) {
   std::vector<Grown> grown = nodesAt(diagram, distance, 0, climb, progress);
-  std::vector<Pass> passes = slots.leftOut(strokesOf(grown), distance, progress);
+  std::vector<Pass> passes = slots.leftOut(grownStrokes(grown), distance, progress);
   if (passes.empty()) return grown;
   std::vector<Stroke> ways;
   for (const Pass& pass : passes) ways.insert(ways.end(), pass.strokes().begin(), pass.strokes().end());

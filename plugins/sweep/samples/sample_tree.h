@@ -30,7 +30,12 @@ class SampleTree {
   }
   void pull(const char* name, Value parameters) { edit("sweep-pull", name, std::move(parameters)); }
   void twist(const char* name, Value parameters) { edit("sweep-twist", name, std::move(parameters)); }
-  void sweep(const char* name) { blossom::samples::add(app_, document_, "sweep", name, Value::object(), {motions_.back()}); }
+  FeatureId sweep(const char* name) {
+    return blossom::samples::add(app_, document_, "sweep", name, Value::object(), {motions_.back()});
+  }
+  void move(const FeatureId& id, const char* name, const Vec3& by) {
+    blossom::samples::add(app_, document_, "transform", name, {{"move", valueOf(by)}}, {id});
+  }
   /// All that became of the motion, frame by frame.
   void grow(const char* name, int frames) {
     blossom::samples::add(app_, document_, "sweep-growth", name, {{"frames", frames}}, motions_);

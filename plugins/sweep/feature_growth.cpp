@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 
@@ -24,27 +26,53 @@ struct GrowthParameters {
   int cells = 5;
 };
 
+MotionMeshOptions meshOptionsOf(const GrowthParameters& p) { return {static_cast<std::size_t>(p.cells)}; }
+
+std::size_t countOf(const GrowthParameters& p) { return static_cast<std::size_t>(std::max(p.frames, 1)); }
+
+/// All frames are held in memory.
+void requireRoom(const Motion& motion, const GrowthParameters& p) {
+  constexpr std::size_t mostCells = std::size_t{1} << 24;
+  if (p.as != GrowAs::Mesh || cellsOfMesh(motion, meshOptionsOf(p)) <= mostCells / countOf(p)) return;
+  throw Error(ErrorCode::LimitExceeded, "The meshes of all frames together would have more than 33 million triangles.",
+              "Ask for fewer frames or cells.");
+}
+
 Shape shapeOf(const Motion& motion, const GrowthParameters& p, const Progress& progress) {
-  if (p.as == GrowAs::Mesh) return motionMesh(motion, {static_cast<std::size_t>(p.cells)}, progress);
+  if (p.as == GrowAs::Mesh) return motionMesh(motion, meshOptionsOf(p), progress);
   Surface surface = productSurface(motion, {}, progress).surface;
   if (p.as == GrowAs::Surface) return surface;
   return Brep(makeSolid(surface, progress).solid);
 }
 
+double timeOf(const GrowthParameters& p, std::size_t frame) {
+  if (p.frames == 0) return p.t;
+  return p.frames == 1 ? 1 : static_cast<double>(frame) / (p.frames - 1);
+}
+
 GrowthPlace placeOf(const GrowthParameters& p, std::size_t frame, std::size_t steps) {
-  if (p.frames == 0) return growthPlace(p.t, steps);
-  if (p.frames == 1) return {steps - 1, 1};
+  if (p.frames < 2) return growthPlace(timeOf(p, frame), steps);
   return growthPlace(frame, static_cast<std::size_t>(p.frames), steps);
 }
 
+/// What is wrong on the way is not seen at its ends.
+Shape frameOf(const std::vector<GrowthStep>& steps, const GrowthParameters& p, std::size_t frame, const Progress& progress) {
+  const GrowthPlace place = placeOf(p, frame, steps.size());
+  try {
+    return shapeOf(grown(steps[place.step], place.share, progress), p, progress);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::Cancelled) throw;
+    throw Error(error.code(), fmt::format("At t = {:.3g} of the way: {}", timeOf(p, frame), error.message()), error.hint());
+  }
+}
+
 std::vector<Shape> framesOf(const std::vector<GrowthStep>& steps, const GrowthParameters& p, const Progress& progress) {
-  std::vector<Shape> frames(static_cast<std::size_t>(std::max(p.frames, 1)));
+  std::vector<Shape> frames(countOf(p));
   const Progress cancelOnly(progress.token());
   std::atomic<std::size_t> done = 0;
   const auto make = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const GrowthPlace place = placeOf(p, k, steps.size());
-      frames[k] = shapeOf(grown(steps[place.step], place.share, cancelOnly), p, cancelOnly);
+      frames[k] = frameOf(steps, p, k, cancelOnly);
       progress.report(static_cast<double>(++done) / static_cast<double>(frames.size()), "Growing");
     }
   };
@@ -63,6 +91,7 @@ Evaluated evaluateGrowth(const GrowthParameters& p, const Inputs& inputs, const 
     following.push_back(inputs.get<Motion>(1, k));
   }
   const std::vector<GrowthStep> steps = growthSteps(inputs.get<Motion>(), following, progress.part(0, 0.1));
+  requireRoom(steps.front().from, p);
   std::vector<Shape> frames = framesOf(steps, p, progress.part(0.1, 1));
   Evaluated out;
   out.stats["steps"] = steps.size();
@@ -71,7 +100,7 @@ Evaluated evaluateGrowth(const GrowthParameters& p, const Inputs& inputs, const 
     return out;
   }
   Sequence sequence;
-  for (int k = 0; k < p.frames; ++k) sequence.times.push_back(p.frames == 1 ? 1.0 : static_cast<double>(k) / (p.frames - 1));
+  for (std::size_t k = 0; k < frames.size(); ++k) sequence.times.push_back(timeOf(p, k));
   sequence.frames = std::move(frames);
   out.shape = std::move(sequence);
   return out;

@@ -41,20 +41,33 @@ void addTriangles(int countU, int countV, Tessellation& result) {
     }
 }
 
+struct Parameters {
+  std::vector<double> us, vs;
+};
+
+Parameters parametersOf(const Motion& motion, const MotionMeshOptions& options) {
+  return {spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, options.cells),
+          spanParameters(motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots},
+                         options.cells)};
+}
+
+std::size_t cellsOf(const Parameters& at) { return (at.us.size() - 1) * (at.vs.size() - 1); }
+
 }  // namespace
 
+std::size_t cellsOfMesh(const Motion& motion, const MotionMeshOptions& options) {
+  return cellsOf(parametersOf(motion, options));
+}
+
 Mesh motionMesh(const Motion& motion, const MotionMeshOptions& options, const Progress& progress) {
-  const std::vector<double> us =
-      spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, options.cells);
-  const std::vector<double> vs = spanParameters(
-      motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots}, options.cells);
-  if (us.size() * vs.size() > mostCells)
+  const Parameters at = parametersOf(motion, options);
+  if (cellsOf(at) > mostCells)
     throw Error(ErrorCode::LimitExceeded, "The mesh of this motion would have too many triangles.", "Ask for fewer cells.");
   MotionGrid grid;
-  evaluateGrid(motion, us, vs, grid, GridDerivatives::No, progress);
+  evaluateGrid(motion, at.us, at.vs, grid, GridDerivatives::No, progress);
   Tessellation result;
-  addPoints(grid, us, vs, result);
-  addTriangles(static_cast<int>(us.size()), static_cast<int>(vs.size()), result);
+  addPoints(grid, at.us, at.vs, result);
+  addTriangles(static_cast<int>(at.us.size()), static_cast<int>(at.vs.size()), result);
   progress.check();
   return toMesh(result);
 }

@@ -21,7 +21,7 @@ equal "pictures of the stages a to f by hand, and of their samples" "$(ls "$pict
 
 # The way there as frames
 qtest "growth: ways of pulls and twists, frames on the ends of edits, the last one bit for bit" "$tests/sweep_growth_test"
-at_most "  places off the straight way to their targets, share of the size" "$(figure sweep_growth_test growth_off_the_way_share)" 1e-10
+at_most "  places off the straight way to their targets, share of the size" "$(figure sweep_growth_test growth_off_the_way_share)" 1e-12
 "$bin/blossom" convert "$root/resources/samples/propeller-growing.blossom" -o "$pictures/frame.stl" --json >"$out/frames.log" 2>&1
 equal "frames of a cylinder that becomes a propeller" "$(ls "$pictures"/frame*.stl 2>/dev/null | wc -l)" 25
 echo "      look at them in ${pictures#"$root"/}"

@@ -102,7 +102,7 @@ class SweepGrowthTest : public QObject {
       const Vec3 wanted = start + share * (edit.to.front() - start);
       for (const GrowthStep& step : {GrowthStep{motion, whole.motion, edit}, GrowthStep{motion, whole.motion}}) {
         const double off = (pointAt(grown(step, share), edit.at.front()) - wanted).norm() / size;
-        QVERIFY2(off < 1e-10, qPrintable(QString::number(off)));
+        QVERIFY2(off < 1e-12, qPrintable(QString::number(off)));
         largest_ = std::max(largest_, off);
       }
     }

@@ -1,5 +1,6 @@
-// check_solid SOLID.step [MESH.stl DEFLECTION]: is the solid closed and valid by OCCT's own check, and does the mesh enclose
-// its volume? Prints JSON. `volume` is OCCT's, `volume_by_spans` the divergence theorem over every span of its surfaces.
+// check_solid SOLID.step MESH.stl DEFLECTION: is the solid closed and valid by OCCT's own check, and does the mesh enclose
+// its volume? check_solid SWEEP.step: beside OCCT's own integration, to 1e-6, the divergence theorem over every span of the
+// surfaces that OCCT has read, `volume_by_spans`, for solids of whole surfaces and planes. Prints JSON.
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -132,7 +133,7 @@ double volumeBySpans(const TopoDS_Shape& shape, const gp_Pnt& origin) {
 
 int main(int argc, char** argv) {
   if (argc != 2 && argc != 4) {
-    std::cerr << "check_solid SOLID.step [MESH.stl DEFLECTION]\n";
+    std::cerr << "check_solid SOLID.step MESH.stl DEFLECTION, or check_solid SWEEP.step\n";
     return 2;
   }
   std::cout.setstate(std::ios::failbit);  // OCCT talks on stdout
@@ -154,9 +155,10 @@ int main(int argc, char** argv) {
       closed = closed && BRep_Tool::IsClosed(s.Current());
   nlohmann::json told{{"solids", solids},
                       {"valid", solids > 0 && closed && volume.Mass() > 0 && BRepCheck_Analyzer(shape).IsValid()},
-                      {"volume", volume.Mass()},
-                      {"volume_by_spans", volumeBySpans(shape, volume.CentreOfMass())}};
-  if (argc == 4) {
+                      {"volume", volume.Mass()}};
+  if (argc == 2) {
+    told["volume_by_spans"] = volumeBySpans(shape, volume.CentreOfMass());
+  } else {
     const auto [meshVolume, meshClosed] = binaryStl(argv[2]);
     const double bound = area.Mass() * std::stod(argv[3]);
     told["mesh_volume"] = meshVolume;

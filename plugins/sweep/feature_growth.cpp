@@ -23,7 +23,7 @@ struct GrowthParameters {
   double t = 0.5;
   int frames = 0;
   GrowAs as = GrowAs::Mesh;
-  int cells = 5;
+  int cells = 6;
 };
 
 MotionMeshOptions meshOptionsOf(const GrowthParameters& p) { return {static_cast<std::size_t>(p.cells)}; }

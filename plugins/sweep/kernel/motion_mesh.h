@@ -8,7 +8,7 @@
 namespace blossom::sweep {
 
 struct MotionMeshOptions {
-  std::size_t cells = 5;  ///< in each direction of every span between the knots of the factors
+  std::size_t cells = 6;  ///< in each direction of every span between the knots of the factors
 };
 
 /// How many cells of two triangles the mesh of a motion has. O(knots log knots).

@@ -14,4 +14,7 @@ FeatureType frameFeature();
 FeatureType primitiveFeature();
 FeatureType refineFeature();
 
+/// The way through the edits, as a sequence.
+FeatureType growthFeature();
+
 }  // namespace blossom::sweep

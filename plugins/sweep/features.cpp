@@ -5,4 +5,5 @@ BLOSSOM_PLUGIN(registry) {
   using namespace blossom::sweep;
   registry.addAll(sweepFeature(), pullFeature(), twistFeature());
   registry.addAll(frameFeature(), primitiveFeature(), refineFeature());
+  registry.add(growthFeature());
 }

@@ -1,11 +1,11 @@
 // A part and a morph from an empty window with few clicks, as somebody who knows the program makes them: the mouse sends X
 // events, which are counted; commands come from menus and from the palette (Ctrl+K).
-#include <QMenuBar>
 #include <QToolButton>
 #include <numbers>
 
 #include "exchange/format/format.h"
 #include "geometry/measure/measure.h"
+#include "menu_clicks.h"
 #include "ui/page/page.h"
 #include "ui/timeline/timeline_bar.h"
 #include "ui/tree/document_delegate.h"
@@ -42,19 +42,9 @@ class FirstPartTest : public WindowFixture {
   void click(QWidget* widget) { click(widget, widget->rect().center()); }
   void clickView(const Vec3& p, bool control = false) { click(&view(), screenOf(p), control); }
 
-  /// A command from the menu bar: two clicks.
   void menu(const QString& title, const char* command) {
-    QMenuBar* bar = window_->menuBar();
-    for (QAction* top : bar->actions()) {
-      if (top->text().remove(u'&') != title) continue;
-      click(bar, bar->actionGeometry(top).center());
-      QTRY_VERIFY(top->menu()->isVisible());
-      QAction* wanted = window_->commands().action(QLatin1String(command));
-      QVERIFY2(top->menu()->actions().contains(wanted), command);
-      click(top->menu(), top->menu()->actionGeometry(wanted).center());
-      return waitUntilComputed();
-    }
-    QFAIL(qPrintable(title));
+    test::clickMenu(*mouse_, *window_, title, command);
+    waitUntilComputed();
   }
   /// A command by its name, with the keyboard alone.
   void palette(const char* words) {

@@ -8,26 +8,14 @@
 #include "core/error.h"
 #include "kernel/grid/motion_grid.h"
 #include "kernel/grid/motion_point.h"
+#include "kernel/grid/span_parameters.h"
 #include "kernel/product_surface.h"
 
 namespace blossom::sweep {
 
 namespace {
 
-/// Eight places in every span between the knots of all factors, and the end of the domain.
-std::vector<double> places(std::pair<double, double> domain, std::initializer_list<const std::vector<double>*> factors) {
-  std::vector<double> breaks;
-  for (const auto* knots : factors)
-    for (const double knot : *knots)
-      if (knot >= domain.first && knot <= domain.second) breaks.push_back(knot);
-  std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-  std::vector<double> result;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-    for (int k = 0; k < 8; ++k) result.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * k / 8);
-  result.push_back(breaks.back());
-  return result;
-}
+constexpr std::size_t placesInSpan = 8;
 
 /// Coefficients of W = tw |r|^2 sw as the first component of a surface.
 Surface denominator(const Motion& motion, const Progress& progress) {
@@ -51,9 +39,10 @@ double greville(int degree, const std::vector<double>& knots, std::size_t pole) 
 }  // namespace
 
 Validity examine(const Motion& motion, const Progress& progress) {
-  const std::vector<double> us = places(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU});
-  const std::vector<double> vs =
-      places(motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots});
+  const std::vector<double> us =
+      spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, placesInSpan);
+  const std::vector<double> vs = spanParameters(
+      motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots}, placesInSpan);
   MotionGrid grid;
   evaluateGrid(motion, us, vs, grid, GridDerivatives::Yes, progress);
   Validity result;

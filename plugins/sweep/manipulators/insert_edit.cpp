@@ -9,7 +9,8 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr const char *sweepType = "sweep.sweep", *pullType = "sweep.pull", *twistType = "sweep.twist";
+constexpr const char *sweepType = "sweep.sweep", *pullType = "sweep.pull", *twistType = "sweep.twist",
+                     *growthType = "sweep.growth";
 
 bool isEdit(const Feature& feature) { return feature.type == pullType || feature.type == twistType; }
 
@@ -18,10 +19,11 @@ const Motion* motionOf(const ui::ToolHost& host, const FeatureId& id) {
   return result && !result->error ? result->evaluated.shape.get<Motion>() : nullptr;
 }
 
-/// The last of the edits that follow one another; where they branch, the branching one.
+/// The last of the edits that follow one another; where they branch, the branching one. A growth only watches them.
 FeatureId lastOf(const Document& document, FeatureId id) {
   for (;;) {
-    const std::vector<FeatureId> users = document.usersOf(id);
+    std::vector<FeatureId> users = document.usersOf(id);
+    std::erase_if(users, [&](const FeatureId& user) { return document.at(user).type == growthType; });
     if (users.size() != 1 || !isEdit(document.at(users.front()))) return id;
     id = users.front();
   }

@@ -1,20 +1,14 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 
-#include "core/error.h"
+#include "app/sample_maker.h"
+#include "documents.h"
 #include "exchange/formats.h"
 #include "samples.h"
 
-/// make_sweep_samples FOLDER: writes the sample motions as JSON files.
+/// make_sweep_samples FOLDER: writes the sample motions as JSON files, and the documents whose trees hold edits.
 int main(int argc, char** argv) {
   using namespace blossom;
-  if (argc != 2) {
-    fmt::print(stderr, "make_sweep_samples FOLDER\n");
-    return 2;
-  }
-  try {
-    const std::filesystem::path folder = argv[1];
+  return samples::run(argc, argv, [](const App& app, const std::filesystem::path& folder) {
     const Format format = motionFormat();
     const auto write = [&](const Motion& motion, const char* name) {
       format.write(motion, folder / name, Value::object(), Progress::none());
@@ -25,9 +19,9 @@ int main(int argc, char** argv) {
     write(sweep::samples::twistedTube(), "twisted-tube.json");
     write(sweep::samples::horn(), "horn.json");
     write(sweep::samples::propeller(), "propeller.json");
-  } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.message());
-    return 1;
-  }
-  return 0;
+    write(sweep::samples::sweptPoint(), "swept-point.json");
+    sweep::samples::writeFigureSeven(app, folder);
+    sweep::samples::writeFigures(app, folder);
+    sweep::samples::writeThings(app, folder);
+  });
 }

@@ -12,6 +12,7 @@ Motion helicoid();     ///< two turns, pitch 20, radius 25
 Motion twistedTube();  ///< three lobes, twisted by half a turn along a bend
 Motion horn();         ///< a shell: a section along a spiral, growing with it
 Motion propeller();    ///< Yoon & Lee 2009, Fig. 7: four blades out of a cylinder
+Motion sweptPoint();   ///< Fig. 2: a point on the z axis of a frame that leans more and more
 
 // Pieces that the motions are put together from.
 

@@ -47,4 +47,12 @@ Motion withEditsApplied(const Motion& given, const Progress& progress) {
   return motion;
 }
 
+std::vector<Motion> afterEachEdit(const Motion& given, const Progress& progress) {
+  std::vector<Motion> motions{given};
+  motions.front().edits.clear();
+  for (std::size_t i = 0; i < given.edits.size(); ++i)
+    motions.push_back(afterEdit(motions.back(), i, given.edits[i], progress));
+  return motions;
+}
+
 }  // namespace blossom::sweep

@@ -12,6 +12,7 @@
 #include "cli/output.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
+#include "document/edits.h"
 
 namespace blossom {
 namespace {
@@ -159,6 +160,7 @@ class FeatureCommand {
     for (const std::string& input : inputs_) ids.push_back(addInput(invocation_, document, input, warnings));
     for (auto& [place, made] : made_->features()) {
       made.id = document.freshId(made.id);
+      made.name = freeName(document, made.name);
       ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(std::min(place, ids.size())), made.id);
       document = document.with(std::move(made));
     }
@@ -168,16 +170,14 @@ class FeatureCommand {
   /// The document that this command line describes: its inputs, then the feature itself.
   [[nodiscard]] Document document(const Value& parameters, FeatureId& id, std::vector<std::string>& warnings) const {
     Document result;
-    Feature feature;
-    if (!fileParameter()) feature.inputs = addInputs(result, warnings);
-    for (const FeatureId& input : feature.inputs) {
+    std::vector<FeatureId> inputs;
+    if (!fileParameter()) inputs = addInputs(result, warnings);
+    for (const FeatureId& input : inputs) {
       Feature hidden = result.at(input);
       hidden.visible = false;
       result = result.with(std::move(hidden));
     }
-    feature.type = type_->id;
-    feature.name = type_->title;
-    feature.id = result.freshId(type_->command);
+    Feature feature = newFeature(result, *type_, std::move(inputs));
     feature.parameters = parameters;
     id = feature.id;
     return result.with(std::move(feature));

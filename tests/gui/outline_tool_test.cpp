@@ -26,6 +26,7 @@ class OutlineToolTest : public OutlineFixture {
   void controlSwitchesSnappingOff();
   void closingAcrossItselfIsRefusedWithThePlace();
   void theHintAlwaysTellsWhatTheMouseWouldDo();
+  void everyOutlineHasANameOfItsOwn();
 };
 
 void OutlineToolTest::drawnByClicksWithSnapping() {
@@ -231,6 +232,25 @@ void OutlineToolTest::theHintAlwaysTellsWhatTheMouseWouldDo() {
   QCOMPARE(QSet<QString>(hints.begin(), hints.end()).size(), hints.size());
   for (const QString& hint : hints) QVERIFY(!hint.isEmpty());
   QVERIFY(!tool.props().empty());
+}
+
+void OutlineToolTest::everyOutlineHasANameOfItsOwn() {
+  Workbench bench(app_);
+  const auto drawn = [&] {
+    Tool& tool = bench.draw();
+    for (const Vec2& p : {Vec2(0, 0), Vec2(40, 0), Vec2(0, 30), Vec2(0, 0)}) click(tool, p.x(), p.y());
+    return bench.document().at(bench.selection().at(0)).name;
+  };
+  QCOMPARE(drawn(), std::string("Outline"));
+  QCOMPARE(drawn(), std::string("Outline 2"));
+  Feature renamed = bench.document().at(bench.selection().at(0));
+  renamed.name = "Lid";
+  bench.commit(bench.document().with(renamed), {});
+  QCOMPARE(drawn(), std::string("Outline 2"));
+  bench.undo();
+  QCOMPARE(drawn(), std::string("Outline 2"));
+  QCOMPARE(drawn(), std::string("Outline 3"));
+  QCOMPARE(bench.document().features()[1]->name, std::string("Lid"));
 }
 
 QTEST_MAIN(OutlineToolTest)

@@ -1,6 +1,4 @@
 // The part of Session that makes features of files, and others; files are read by a Job.
-#include <algorithm>
-
 #include "app/read_import.h"
 #include "document/edits.h"
 #include "ui/look/text.h"
@@ -11,18 +9,6 @@ namespace blossom::ui {
 namespace {
 
 QString importedName(const std::filesystem::path& file) { return qt(file.filename().string()); }
-
-Feature newFeature(const Document& document, const FeatureType& type, std::vector<FeatureId> inputs) {
-  Feature feature;
-  feature.id = document.freshId(type.command);
-  feature.type = type.id;
-  feature.name = type.title;
-  const auto sameName = [&](const auto& other) { return other->name == feature.name; };
-  for (int n = 2; std::any_of(document.features().begin(), document.features().end(), sameName); ++n)
-    feature.name = type.title + " " + std::to_string(n);
-  feature.inputs = std::move(inputs);
-  return feature;
-}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "manipulators/draw_tool.h"
 
+#include "document/edits.h"
 #include "features_outline_value.h"
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
@@ -79,11 +80,8 @@ void DrawTool::finish() {
     emit finished();
     return;
   }
-  Feature feature;
-  feature.type = "modeling.outline";
-  const auto type = host().registry().at(feature.type);
-  feature.id = host().document().freshId(type->command);
-  feature.name = type->title;
+  const auto type = host().registry().at("modeling.outline");
+  Feature feature = newFeature(host().document(), *type);
   feature.parameters = completed(type->parameters, parametersOf(draft_.outline()));
   const FeatureId id = feature.id;
   host().commit(host().document().with(std::move(feature)), tr("Draw outline"));

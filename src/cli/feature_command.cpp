@@ -154,10 +154,21 @@ class FeatureCommand {
     }
   }
 
+  /// The options with which the file at a place of the command line is imported.
+  [[nodiscard]] Value importedWith(std::size_t place) const {
+    for (const auto& [before, made] : made_->features())
+      if (before <= place) ++place;
+    const auto single = [](const InputSpec& spec) { return spec.minimum == 1 && spec.maximum == 1; };
+    if (place >= type_->inputs.size() || !std::all_of(type_->inputs.begin(), type_->inputs.end(), single))
+      return Value::object();
+    return type_->inputs[place].importedWith;
+  }
+
   /// Files and what is written down, and between them, each in its place, what flags make.
   [[nodiscard]] std::vector<FeatureId> addInputs(Document& document, std::vector<std::string>& warnings) const {
     std::vector<FeatureId> ids;
-    for (const std::string& input : inputs_) ids.push_back(addInput(invocation_, document, input, warnings));
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+      ids.push_back(addInput(invocation_, document, inputs_[i], warnings, importedWith(i)));
     for (auto& [place, made] : made_->features()) {
       made.id = document.freshId(made.id);
       made.name = freeName(document, made.name);

@@ -4,6 +4,7 @@
 #include "ui/controls/stepping.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
+#include "ui/look/text.h"
 #include "ui/panel/result_rows.h"
 
 using namespace blossom;
@@ -25,6 +26,7 @@ class PanelUnitsTest : public PanelFixture {
   void pointsAreShownInInches();
   void listsAndRecordsAreShownInInches();
   void resultsAreShownInInches();
+  void figuresAreShownInInches();
   void otherKindsStayAsTheyAre();
   void whatIsTypedSurvivesTheChange();
   void withMillimetresAllIsAsBefore();
@@ -225,6 +227,18 @@ void PanelUnitsTest::resultsAreShownInInches() {
   prefer("cm");
   QTRY_COMPARE(result("Area"), QStringLiteral("154.838 cm²"));
   QCOMPARE(result("Volume"), QStringLiteral("131.097 cm³"));
+}
+
+// Figures that are no measures have their unit in their names.
+void PanelUnitsTest::figuresAreShownInInches() {
+  QTRY_COMPARE(result("Chosen"), QStringLiteral("12.25 mm"));
+  prefer("in");
+  QTRY_COMPARE(result("Chosen"), QStringLiteral("0.48228 in"));
+  QCOMPARE(statUnit("uncut_within_mm2"), QStringLiteral(" in²"));
+  QCOMPARE(shownStat("uncut_within_mm2", 25.4 * 25.4).get<double>(), 1.0);
+  QCOMPARE(statUnit("worker_ms") + statUnit("time_s"), QStringLiteral(" ms s"));
+  QCOMPARE(shownStat("worker_ms", 12), Value(12));
+  QCOMPARE(statUnit("chosen"), QString());
 }
 
 void PanelUnitsTest::otherKindsStayAsTheyAre() {

@@ -1,5 +1,6 @@
 #include "ui/look/text.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 #include <cmath>
 #include <map>
@@ -102,7 +103,9 @@ QString sentenceCase(QString text) {
   return text;
 }
 
-QString measureLabel(const std::string& name) {
+namespace {
+
+QString englishLabel(const std::string& name) {
   static const std::map<std::string, QString> labels{{"min_weight", QStringLiteral("Smallest weight")},
                                                      {"deviation", QStringLiteral("Largest deviation")},
                                                      {"closed_u", QStringLiteral("Closing in u")},
@@ -119,6 +122,13 @@ QString measureLabel(const std::string& name) {
   for (const auto& [suffix, unit] : unitSuffixes())
     if (words.endsWith(suffix)) words.chop(suffix.size());
   return sentenceCase(words.replace(u'_', u' '));
+}
+
+}  // namespace
+
+// Names of figures come from everywhere: those in resources/translations/features_*.ts are translated.
+QString measureLabel(const std::string& name) {
+  return QCoreApplication::translate("Figures", englishLabel(name).toUtf8().constData());
 }
 
 QString statUnit(const std::string& name) {

@@ -17,7 +17,7 @@ QString readable(std::int64_t value);
 QString readable(const Measure&);
 /// A length, area or volume (mm) in the unit of length that the user prefers.
 double inShownUnit(double value, MeasureUnit);
-/// "Smallest weight" for "min_weight".
+/// "Smallest weight" for "min_weight", in the language of the window.
 QString measureLabel(const std::string& name);
 /// " mm" where the name of a figure says it; lengths and areas in the unit that the user prefers, as shownStat gives them.
 QString statUnit(const std::string& name);

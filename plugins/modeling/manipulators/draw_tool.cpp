@@ -1,9 +1,9 @@
 #include "manipulators/draw_tool.h"
 
-#include "document/edits.h"
 #include "features_outline_value.h"
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
+#include "ui/look/registry_text.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
@@ -81,7 +81,7 @@ void DrawTool::finish() {
     return;
   }
   const auto type = host().registry().at("modeling.outline");
-  Feature feature = newFeature(host().document(), *type);
+  Feature feature = ui::namedFeature(host().document(), *type);
   feature.parameters = completed(type->parameters, parametersOf(draft_.outline()));
   const FeatureId id = feature.id;
   host().commit(host().document().with(std::move(feature)), tr("Draw outline"));

@@ -5,10 +5,10 @@
 #include <QKeyEvent>
 #include <cmath>
 
-#include "document/edits.h"
 #include "geometry/shape/bounds.h"
 #include "geometry/tessellate/tessellate.h"
 #include "kernel/curve_through.h"
+#include "ui/look/registry_text.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::subdivision {
@@ -127,7 +127,7 @@ void StrokeTool::finish() {
     return;
   }
   Document document = host().document();
-  Feature stroke = newFeature(document, *host().registry().at("subdivision.stroke"));
+  Feature stroke = ui::namedFeature(document, *host().registry().at("subdivision.stroke"));
   stroke.parameters["points"] = Value::array();
   for (const Vec3& p : points_) stroke.parameters["points"].push_back(Value::array({p.x(), p.y(), p.z()}));
   FeatureId shown = stroke.id;

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "document/edits.h"
 #include "manipulators/edit_values.h"
+#include "ui/look/registry_text.h"
 
 namespace blossom::sweep {
 
@@ -71,7 +71,7 @@ std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& 
 Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, const MotionEdit& edit) {
   Document document = host.document();
   const auto type = host.registry().at(std::holds_alternative<MotionPull>(edit) ? pullType : twistType);
-  Feature feature = newFeature(document, *type, {placement.source});
+  Feature feature = ui::namedFeature(document, *type, {placement.source});
   feature.parameters = parametersOf(edit);
   feature.visible = document.at(placement.source).visible;
   const FeatureId id = feature.id;

@@ -1,10 +1,13 @@
+#include <QEnterEvent>
 #include <QLabel>
+#include <QSignalSpy>
 
 #include "panel_fixture.h"
 #include "ui/controls/stepping.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
 #include "ui/look/text.h"
+#include "ui/look/units.h"
 #include "ui/panel/result_rows.h"
 
 using namespace blossom;
@@ -97,6 +100,19 @@ void PanelUnitsTest::errorsAndExamplesNameTheUnit() {
   QTest::keyClicks(line, QStringLiteral("1 + 25.4 mm"));
   const auto* note = field("length")->findChild<QLabel*>(QStringLiteral("note"));
   QCOMPARE(note->text(), QStringLiteral("= 2 in"));
+  // So are the bounds that the status line tells.
+  ParameterSpec spec = blossom::length();
+  spec.minimum = 12.7;
+  QCOMPARE(describe(spec, lengthUnit()), std::string("length in inches, at least 0.5 in"));
+  spec.maximum = 25.4;
+  QCOMPARE(describe(spec, lengthUnit()), std::string("length in inches, from 0.5 to 1 in"));
+  QCOMPARE(describe(spec), std::string("length in mm, from 12.7 to 25.4 mm"));
+  QSignalSpy hints(field("length"), &ParameterField::hint);
+  QEnterEvent enters(QPointF(4, 4), QPointF(4, 4), QPointF(4, 4));
+  QApplication::sendEvent(field("length"), &enters);
+  QVERIFY(!hints.isEmpty());
+  QVERIFY2(hints.last().front().toString().contains(QStringLiteral("Length in inches")),
+           qPrintable(hints.last().front().toString()));
 }
 
 void PanelUnitsTest::keysStepInRoundInches() {

@@ -209,7 +209,7 @@ void ParameterField::resizeEvent(QResizeEvent*) { reset_->move(caption_->maximum
 void ParameterField::enterEvent(QEnterEvent*) {
   refreshMarks();
   emit hint(QStringLiteral("%1: %2 %3")
-                .arg(shownLabel(spec_), registryText(spec_.help), sentenceCase(qt(describe(spec_))) + u'.'));
+                .arg(shownLabel(spec_), registryText(spec_.help), sentenceCase(qt(describe(spec_, lengthUnit()))) + u'.'));
 }
 
 void ParameterField::leaveEvent(QEvent*) { reset_->hide(); }

@@ -156,9 +156,12 @@ FeatureType simulateFeature() {
       .icon("simulate")
       .produces({ShapeKind::Toolpath})
       .input({.name = "program",
-              .help = "A toolpath, or a G-code program that moves in z and turns a spindle (M3) or names a tool (T).",
+              .help =
+                  "A toolpath or a G-code program. In a document, a program that starts no spindle (M3) and names no tool "
+                  "(T) is one when it is imported as \"toolpath\".",
               .kinds = {ShapeKind::Toolpath},
-              .asks = "a program to simulate"})
+              .asks = "a program to simulate",
+              .importedWith = {{"gcode", {{"as", "toolpath"}}}}})
       .input(partInput("the part that it cuts"))
       .parameter("tool-diameter", &P::toolDiameter, lengthFromZero(), "0: the tool that the program names.")
       .parameter("tool-corner", &P::toolCorner, lengthFromZero(), "Corner radius of the given tool.")

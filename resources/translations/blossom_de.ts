@@ -132,7 +132,7 @@
     </message>
 </context>
 <context>
-    <name>Parameter</name>
+    <name>Registry</name>
     <message>
         <source>theme</source>
         <translation>Farben</translation>

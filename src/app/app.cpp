@@ -94,10 +94,8 @@ Document withLinked(const App& app, const Document& document, const fs::path& fi
     throw Error(ErrorCode::FileUnreadable, fmt::format("{} is not a file.", file.string()),
                 "Give a file, not a folder or a device.");
   readableFormat(app, file);
-  Feature import;
-  import.type = importType;
-  import.id = document.freshId(app.registry->at(importType)->command);
-  import.name = readableName(file);
+  Feature import = newFeature(document, *app.registry->at(importType));
+  import.name = freeName(document, readableName(file));
   const fs::path named = document.access() ? fs::absolute(file) : file;  // whose own paths begin elsewhere
   if (document.access()) document.access()->allow(named);
   import.parameters["file"] = Value{{"path", named.string()}, { "asset", "" }};
@@ -124,12 +122,8 @@ OpenedDocument openAny(const App& app, const fs::path& file, bool salvage) {
   if (opener) {
     Feature read = opened.document.at(import);
     read.visible = opener->inputs.front().use == InputUse::Consumed;  // which steps back by itself
-    Feature made;
-    made.type = opener->id;
-    made.id = opened.document.freshId(opener->command);
-    made.name = opener->title;
-    made.inputs = {import};
-    opened.document = opened.document.with(std::move(read)).with(std::move(made));
+    const Document imported = opened.document.with(std::move(read));
+    opened.document = imported.with(newFeature(imported, *opener, {import}));
   }
   return opened;
 }

@@ -12,6 +12,7 @@
 #include "cli/output.h"
 #include "cli/progress_display.h"
 #include "cli/report.h"
+#include "document/edits.h"
 
 namespace blossom {
 namespace {
@@ -153,12 +154,24 @@ class FeatureCommand {
     }
   }
 
+  /// The options with which the file at a place of the command line is imported.
+  [[nodiscard]] Value importedWith(std::size_t place) const {
+    for (const auto& [before, made] : made_->features())
+      if (before <= place) ++place;
+    const auto single = [](const InputSpec& spec) { return spec.minimum == 1 && spec.maximum == 1; };
+    if (place >= type_->inputs.size() || !std::all_of(type_->inputs.begin(), type_->inputs.end(), single))
+      return Value::object();
+    return type_->inputs[place].importedWith;
+  }
+
   /// Files and what is written down, and between them, each in its place, what flags make.
   [[nodiscard]] std::vector<FeatureId> addInputs(Document& document, std::vector<std::string>& warnings) const {
     std::vector<FeatureId> ids;
-    for (const std::string& input : inputs_) ids.push_back(addInput(invocation_, document, input, warnings));
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+      ids.push_back(addInput(invocation_, document, inputs_[i], warnings, importedWith(i)));
     for (auto& [place, made] : made_->features()) {
       made.id = document.freshId(made.id);
+      made.name = freeName(document, made.name);
       ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(std::min(place, ids.size())), made.id);
       document = document.with(std::move(made));
     }
@@ -168,16 +181,14 @@ class FeatureCommand {
   /// The document that this command line describes: its inputs, then the feature itself.
   [[nodiscard]] Document document(const Value& parameters, FeatureId& id, std::vector<std::string>& warnings) const {
     Document result;
-    Feature feature;
-    if (!fileParameter()) feature.inputs = addInputs(result, warnings);
-    for (const FeatureId& input : feature.inputs) {
+    std::vector<FeatureId> inputs;
+    if (!fileParameter()) inputs = addInputs(result, warnings);
+    for (const FeatureId& input : inputs) {
       Feature hidden = result.at(input);
       hidden.visible = false;
       result = result.with(std::move(hidden));
     }
-    feature.type = type_->id;
-    feature.name = type_->title;
-    feature.id = result.freshId(type_->command);
+    Feature feature = newFeature(result, *type_, std::move(inputs));
     feature.parameters = parameters;
     id = feature.id;
     return result.with(std::move(feature));

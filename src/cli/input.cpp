@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/import_feature.h"
 #include "document/edits.h"
 #include "document/file_access.h"
 
@@ -91,7 +92,7 @@ OpenedDocument openInput(const Invocation& invocation, const fs::path& file) {
 }
 
 FeatureId addInput(const Invocation& invocation, Document& document, const std::string& text,
-                   std::vector<std::string>& warnings) {
+                   std::vector<std::string>& warnings, const Value& options) {
   if (text.empty()) throw UsageError("An input is empty.", "Give the name of a file or a shape such as ball:5:3.");
   const auto [file, wanted] = splitFeature(text);
   std::error_code ec;
@@ -103,6 +104,10 @@ FeatureId addInput(const Invocation& invocation, Document& document, const std::
   if (isDocument(file) && !fs::is_directory(file, ec)) return addFromDocument(invocation, document, file, wanted, warnings);
   FeatureId added;
   document = withLinked(invocation.app, document, file, &added);
+  Feature import = document.at(added);
+  for (const auto& [format, given] : options.items())
+    if (importUses(*invocation.app.formats, format, file)) import.parameters[format] = given;
+  document = document.with(std::move(import));
   return added;
 }
 

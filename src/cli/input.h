@@ -7,9 +7,11 @@
 namespace blossom {
 
 /// Adds the feature for an INPUT of the command line: a file, a literal (ball:5:3), the last feature of a document
-/// (model.blossom) or a feature of a document by id (model.blossom#sweep-1).
+/// (model.blossom) or a feature of a document by id (model.blossom#sweep-1). A file is imported with `options`, by format,
+/// as in InputSpec::importedWith.
 /// @throws Error FileNotFound, FormatUnknown, NotFound; UsageError when the text is empty.
-FeatureId addInput(const Invocation&, Document&, const std::string& text, std::vector<std::string>& warnings);
+FeatureId addInput(const Invocation&, Document&, const std::string& text, std::vector<std::string>& warnings,
+                   const Value& options = Value::object());
 
 /// A document, or any other file as a new one; with --salvage what is readable of a damaged document.
 /// @throws Error as openAny; the hint at damage says whether --salvage would help.

@@ -142,14 +142,21 @@ std::optional<Document> withStepped(const Document& document, const std::vector<
 }
 
 std::string freeName(const Document& document, const std::string& name) {
-  const auto taken = [&](const std::string& wanted) {
-    const auto features = document.features();
-    return std::any_of(features.begin(), features.end(), [&](const auto& each) { return each->name == wanted; });
-  };
-  if (!taken(name)) return name;
+  std::set<std::string_view> taken;
+  for (const auto& feature : document.features()) taken.insert(feature->name);
+  if (!taken.contains(name)) return name;
   const std::string stem = withoutNumber(name, ' ');
   for (int n = 2;; ++n)
-    if (std::string free = stem + ' ' + std::to_string(n); !taken(free)) return free;
+    if (std::string free = stem + ' ' + std::to_string(n); !taken.contains(free)) return free;
+}
+
+Feature newFeature(const Document& document, const FeatureType& type, std::vector<FeatureId> inputs) {
+  Feature feature;
+  feature.id = document.freshId(type.command);
+  feature.type = type.id;
+  feature.name = freeName(document, type.title);
+  feature.inputs = std::move(inputs);
+  return feature;
 }
 
 Document withCopies(const Document& into, const Document& clip, const std::vector<FeatureId>& wanted,
@@ -198,6 +205,7 @@ Document withFeatureOf(const Registry& registry, const Document& into, const Doc
     const auto type = registry.find(copy.type);
     if (result.contains(copy.id))
       copy.id = result.freshId(type ? type->command : copy.type.substr(copy.type.rfind('.') + 1));
+    copy.name = freeName(result, copy.name);
     renamed[each->id] = copy.id;
     for (FeatureId& input : copy.inputs) input = renamed.at(input);
     if (type) eachFile(type->parameters, copy.parameters, [&](Value& file) { settleFile(file, other, result); });

@@ -10,6 +10,7 @@
 namespace blossom {
 
 class Registry;
+struct FeatureType;
 
 /// Everything that is made from one of `ids`, directly or not, without those themselves; in document order.
 std::vector<FeatureId> dependants(const Document&, const std::vector<FeatureId>& ids);
@@ -30,8 +31,12 @@ Document withMoved(const Document&, const std::vector<FeatureId>& ids, std::size
 /// `ids` one place up (-1) or down (+1). @throws as withMoved; nullopt when they stand at that end already.
 std::optional<Document> withStepped(const Document&, const std::vector<FeatureId>& ids, int by);
 
-/// "Box", or "Box 2" when there is one; a number that `name` ends in is counted on.
+/// "Box", or "Box 2" when there is one; a number that `name` ends in is counted on. O(n log n) in the features.
 std::string freeName(const Document&, const std::string& name);
+
+/// A feature as it is added to a document, with an id and a name that no other one has there: the title of its type, counted
+/// on. All features begin so, whoever adds them.
+Feature newFeature(const Document&, const FeatureType&, std::vector<FeatureId> inputs = {});
 
 /// `wanted` of `clip` added to a document as new features with ids and names of their own; `added` is what they are called
 /// there. What they are made from is taken over too, unless `into` holds just that feature already.
@@ -41,7 +46,8 @@ Document withCopies(const Document& into, const Document& clip, const std::vecto
 Document excerpt(const Document&, const std::vector<FeatureId>& wanted);
 
 /// `into` with the features of `other` added that `wanted` needs, itself included, under free ids made from the commands of
-/// their types; `added` is what `wanted` is called there. Files that `other` may not read are not read there either.
+/// their types and free names; `added` is the id of `wanted` there. Files that `other` may not read are not read there
+/// either.
 /// @throws Error NotFound.
 Document withFeatureOf(const Registry&, const Document& into, const Document& other, const FeatureId& wanted,
                        FeatureId* added);

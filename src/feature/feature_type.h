@@ -33,6 +33,8 @@ struct InputSpec {
   std::size_t maximum = 1;
   InputUse use = InputUse::Kept;
   std::string asks = {};  ///< asked for as: "an outline to extrude"; empty: by the names of the kinds
+  /// On the command line a file given for it is imported with these options: {"gcode": {"as": "toolpath"}}.
+  Value importedWith = Value::object();
 };
 
 inline constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();

@@ -29,8 +29,10 @@ std::string fieldNames(const std::vector<ParameterSpec>& fields) {
   return enumerated(names, "and");
 }
 
+std::string plural(const LengthUnit& unit) { return unit.name == "in" ? "inches" : unit.name == "ft" ? "feet" : unit.name; }
+
 /// "length in mm", without the range.
-std::string describeKind(const ParameterSpec& spec) {
+std::string describeKind(const ParameterSpec& spec, const LengthUnit& unit) {
   switch (spec.kind) {
     case ParameterKind::Flag:
       return "yes or no";
@@ -40,7 +42,7 @@ std::string describeKind(const ParameterSpec& spec) {
     case ParameterKind::Ratio:
       return "number";
     case ParameterKind::Length:
-      return "length in mm";
+      return "length in " + plural(unit);
     case ParameterKind::Angle:
       return "angle in degrees";
     case ParameterKind::Choice:
@@ -50,11 +52,11 @@ std::string describeKind(const ParameterSpec& spec) {
     case ParameterKind::Color:
       return "colour as #rrggbb";
     case ParameterKind::Point:
-      return "point x,y,z in mm";
+      return "point x,y,z in " + plural(unit);
     case ParameterKind::Vector:
       return "vector x,y,z";
     case ParameterKind::Displacement:
-      return "displacement x,y,z in mm";
+      return "displacement x,y,z in " + plural(unit);
     case ParameterKind::File:
       return spec.fileTypes.empty() ? "file" : fmt::format("file ({})", spec.fileTypes);
     case ParameterKind::Curve:
@@ -62,7 +64,7 @@ std::string describeKind(const ParameterSpec& spec) {
     case ParameterKind::SubShape:
       return fmt::format("{} as input:{}:number", subShapeKind(spec), subShapeKind(spec));
     case ParameterKind::List:
-      return spec.fields.empty() ? "list" : fmt::format("list; each item: {}", describe(spec.fields.front()));
+      return spec.fields.empty() ? "list" : fmt::format("list; each item: {}", describe(spec.fields.front(), unit));
     case ParameterKind::Record:
       return fmt::format("record of {} as JSON", fieldNames(spec.fields));
   }
@@ -82,9 +84,9 @@ std::string label(const ParameterSpec& spec) {
   return text;
 }
 
-std::string describe(const ParameterSpec& spec) {
-  std::string text = describeKind(spec);
-  if (const std::string range = describeRange(spec); !range.empty()) text += ", " + range;
+std::string describe(const ParameterSpec& spec, const LengthUnit& unit) {
+  std::string text = describeKind(spec, unit);
+  if (const std::string range = describeRange(spec, unit); !range.empty()) text += ", " + range;
   if (!spec.noneMeans.empty()) text += "; none: " + spec.noneMeans;
   return text;
 }

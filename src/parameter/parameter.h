@@ -49,8 +49,8 @@ struct ParameterSpec {
 
 /// The name as users read it: "area preserving".
 std::string label(const ParameterSpec&);
-/// Accepted values, for help and manual: "length in mm, above 0".
-std::string describe(const ParameterSpec&);
+/// Accepted values, for help and manual: "length in mm, above 0 mm".
+std::string describe(const ParameterSpec&, const LengthUnit& = {});
 /// Returns the canonical form of a value after checking kind, range and choices; integers become numbers, texts with units
 /// are parsed, of a number written with names (parameter/written.h) its value is taken.
 /// @throws Error InvalidParameter such as "t must lie between 0 and 1; it is 1.4."

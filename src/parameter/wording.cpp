@@ -11,9 +11,15 @@ constexpr std::size_t longestQuote = 60;
 
 std::string items(double n) { return fmt::format("{} {}", formatNumber(n), n == 1 ? "item" : "items"); }
 
+std::string plainBound(const ParameterSpec& spec, double value, const LengthUnit& unit) {
+  return formatNumber(spec.kind == ParameterKind::Length ? value / unit.millimetres : value);
+}
+
 /// Bound with its unit; lists are bounded in their number of items.
-std::string bound(const ParameterSpec& spec, double value) {
-  return spec.kind == ParameterKind::List ? items(value) : formatNumber(value) + std::string(unitSuffix(spec));
+std::string bound(const ParameterSpec& spec, double value, const LengthUnit& unit = {}) {
+  if (spec.kind == ParameterKind::List) return items(value);
+  const std::string number = plainBound(spec, value, unit);
+  return spec.kind == ParameterKind::Length ? number + ' ' + unit.name : number + std::string(unitSuffix(spec));
 }
 
 }  // namespace
@@ -33,12 +39,12 @@ std::string_view unitSuffix(const ParameterSpec& spec) {
   return "";
 }
 
-std::string describeRange(const ParameterSpec& spec) {
+std::string describeRange(const ParameterSpec& spec, const LengthUnit& unit) {
   if (spec.minimum && spec.maximum)
-    return fmt::format("{} {} to {}", spec.aboveMinimum ? "above" : "from", formatNumber(*spec.minimum),
-                       bound(spec, *spec.maximum));
-  if (spec.minimum) return fmt::format("{} {}", spec.aboveMinimum ? "above" : "at least", bound(spec, *spec.minimum));
-  if (spec.maximum) return fmt::format("at most {}", bound(spec, *spec.maximum));
+    return fmt::format("{} {} to {}", spec.aboveMinimum ? "above" : "from", plainBound(spec, *spec.minimum, unit),
+                       bound(spec, *spec.maximum, unit));
+  if (spec.minimum) return fmt::format("{} {}", spec.aboveMinimum ? "above" : "at least", bound(spec, *spec.minimum, unit));
+  if (spec.maximum) return fmt::format("at most {}", bound(spec, *spec.maximum, unit));
   return {};
 }
 

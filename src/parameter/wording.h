@@ -10,7 +10,7 @@ namespace blossom {
 /// "a", "a or b", "a, b or c".
 std::string enumerated(const std::vector<std::string>& names, std::string_view lastJoint);
 /// "from 0 to 1", "above 0", "at least 3"; empty when the range is unbounded.
-std::string describeRange(const ParameterSpec&);
+std::string describeRange(const ParameterSpec&, const LengthUnit& = {});
 /// "must lie between 0 and 1", "must be above 0 mm".
 std::string demandRange(const ParameterSpec&);
 /// " mm", "°" or empty.

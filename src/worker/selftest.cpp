@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "worker/calls.h"
 
 namespace blossom {
@@ -64,6 +65,7 @@ Value workerSelftest(const Value& arguments, const std::filesystem::path&, const
   const std::string mode = arguments.value("mode", "echo");
   if (mode == "echo") return arguments;
   if (mode == "pid") return ::getpid();
+  if (mode == "threads") return threadLimit();
   if (mode == "tell") return tellProcess(progress);
   if (mode == "wait") return waitToBeEnded(progress);
   if (mode == "abort") std::abort();

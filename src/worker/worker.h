@@ -56,10 +56,10 @@ void endAllWorkers() noexcept;
 ///
 /// Every worker also knows the call "worker.selftest", by which a test or a diagnosis sees that processes start, report and
 /// end as they should. Its argument "mode" is one of these, of which those without another result return the process id:
-/// "echo" returns the arguments; "pid" does nothing; "tell" reports the process id as stage, "wait" reports it and waits to
-/// be ended; "abort" crashes; "throw" throws the Error that "code", "message" and "hint" describe; "noise" prints to stdout;
-/// "memory" reserves "bytes" (without them, all it can get) and gives them back, "hoard" fills "bytes" and keeps them;
-/// "spin" takes "seconds" of computing time (without them, all it can get).
+/// "echo" returns the arguments; "pid" does nothing; "threads" returns the limit of threads; "tell" reports the process id
+/// as stage, "wait" reports it and waits to be ended; "abort" crashes; "throw" throws the Error that "code", "message" and
+/// "hint" describe; "noise" prints to stdout; "memory" reserves "bytes" (without them, all it can get) and gives them back,
+/// "hoard" fills "bytes" and keeps them; "spin" takes "seconds" of computing time (without them, all it can get).
 int workerMain();
 
 }  // namespace blossom

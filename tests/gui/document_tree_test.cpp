@@ -1,6 +1,5 @@
 #include "ui/tree/document_tree.h"
 
-#include <QClipboard>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
@@ -9,12 +8,8 @@
 #include "document/edits.h"
 #include "support/mouse.h"
 #include "tree_fixture.h"
-#include "ui/panel/fault_bar.h"
-#include "ui/tree/document_clipboard.h"
 #include "ui/tree/document_delegate.h"
-#include "ui/tree/document_model.h"
 #include "ui/tree/document_tree_panel.h"
-#include "ui/window/status_line.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -27,11 +22,8 @@ class DocumentTreeTest : public TreeFixture {
     openTestWindow();
     showChain();
   }
-  void cleanup() {
-    letGo_ = true;
-    window_.reset();
-    letGo_ = false;
-  }
+  void cleanup() { closeTestWindow(); }
+
   void renamedInPlace();
   void isolatedAndBack();
   void movedWhereItMayStand();
@@ -42,12 +34,6 @@ class DocumentTreeTest : public TreeFixture {
   void suppressedInsteadOfDeleted();
   void suppressedAndComputedAgain();
   void foundByNameTypeAndState();
-  void duplicatedWithTheSameInputs();
-  void pastedIntoAnotherDocument();
-  void pastedFromText();
-  void failuresSayWhyAndWhatToDo();
-  void failuresAreToldAboveTheView();
-  void whatIsOutOfDateIsDrawnFaintly();
   void eyeHidesAndShows();
   void contextMenuIsMadeOfCommands();
   void commandsSayWhyTheyCannot();
@@ -57,11 +43,6 @@ class DocumentTreeTest : public TreeFixture {
     int shown = 0;
     for (int row = 0; row < window_->tree().model()->rowCount(); ++row) shown += window_->tree().isRowHidden(row) ? 0 : 1;
     return shown;
-  }
-  [[nodiscard]] QModelIndex row(const char* id) {
-    const auto found = window_->tree().model()->match(window_->tree().model()->index(0, 0), DocumentModel::IdRole,
-                                                      QLatin1String(id), 1, Qt::MatchExactly);
-    return found.isEmpty() ? QModelIndex() : found.front();
   }
   QPushButton* offered(const QString& label) {
     for (QPushButton* button : window_->errors().findChildren<QPushButton*>())
@@ -249,166 +230,6 @@ void DocumentTreeTest::foundByNameTypeAndState() {
   QTest::keyClick(field, Qt::Key_Escape);
   QCOMPARE(shownRows(), 6);
   QVERIFY(field->isHidden());
-}
-
-void DocumentTreeTest::duplicatedWithTheSameInputs() {
-  choose({"b", "d"});
-  trigger("edit.duplicate");
-  QCOMPARE(order().size(), std::size_t(6));
-  QCOMPARE(undoText(), QStringLiteral("Duplicate 2 features"));
-  const std::vector<FeatureId> copies = window_->tree().selected();
-  QCOMPARE(copies.size(), std::size_t(2));
-  QCOMPARE(document().at(copies[0]).inputs, std::vector<FeatureId>{"a"});
-  QCOMPARE(document().at(copies[1]).inputs, (std::vector<FeatureId>{copies[0], "c"}));
-  QCOMPARE(document().at(copies[0]).name, std::string("b 2"));
-  undo();
-  QCOMPARE(order(), (std::vector<FeatureId>{"a", "b", "c", "d"}));
-}
-
-void DocumentTreeTest::pastedIntoAnotherDocument() {
-  choose({"b"});
-  trigger("edit.copy");
-  trigger("edit.paste");
-  QCOMPARE(order().size(), std::size_t(5));  // made from the "a" that is there
-  undo();
-  window_->addPage();
-  trigger("edit.paste");
-  QCOMPARE(order(), (std::vector<FeatureId>{"a", "b"}));
-  QCOMPARE(document().at("b").inputs, std::vector<FeatureId>{"a"});
-  undo();
-  QVERIFY(order().empty());
-}
-
-// Another program sees text; what comes from one is checked.
-void DocumentTreeTest::pastedFromText() {
-  const auto content = std::make_shared<const std::string>("solid nothing");
-  Feature file = feature("file", "exchange.import");
-  file.parameters = {{"file", {{"asset", contentHash(*content)}, {"name", "nothing.stl"}}}};
-  const Document source = Document::of({file}).withAsset(contentHash(*content), content);
-  const std::unique_ptr<QMimeData> own(toMimeData({source, {"file"}}));
-  QMimeData foreign;
-  for (const QString& format : own->formats()) foreign.setData(format, own->data(format));
-  QVERIFY(own->text().contains(QStringLiteral("exchange.import")));
-  const auto read = fromMimeData(&foreign);
-  QVERIFY(read);
-  QCOMPARE(read->wanted, std::vector<FeatureId>{"file"});
-  QCOMPARE(read->document.at("file").parameters, file.parameters);
-  QCOMPARE(*read->document.assets().at(contentHash(*content)), *content);
-  QMimeData damaged;
-  damaged.setData(own->formats().front(), "{\"blossom\": 1, \"features\": [");
-  VERIFY_ERROR(fromMimeData(&damaged), ErrorCode::FormatDamaged);
-}
-
-void DocumentTreeTest::failuresSayWhyAndWhatToDo() {
-  const int plain = window_->tree().visualRect(row("a")).height();
-  window_->session().commit(document().with(feature("f", "test.failing", {}, "Pocket")), {});
-  waitUntilComputed();
-  const QModelIndex failed = row("f");
-  QVERIFY(failed.data(DocumentModel::FailedRole).toBool());
-  QCOMPARE(failed.data(DocumentModel::StateRole).toString(), QStringLiteral("The tool of 12 mm is too large."));
-  QCOMPARE(failed.data(DocumentModel::RemedyRole).toString(), QStringLiteral("A tool of 4.8 mm would fit."));
-  const QString tip = failed.data(Qt::ToolTipRole).toString();
-  QVERIFY(tip.contains(QStringLiteral("too large")) && tip.contains(QStringLiteral("would fit")));
-  QTRY_VERIFY2(window_->tree().visualRect(failed).height() > plain, "the remedy has a line of its own");
-}
-
-void DocumentTreeTest::failuresAreToldAboveTheView() {
-  window_->resize(1024, 700);
-  const FaultBar& bar = window_->page().faults();
-  QVERIFY(bar.isHidden());
-  window_->session().commit(document().with(feature("f", "test.failing", {}, "Pocket")), {});
-  waitUntilComputed();
-  choose({"f"});
-  QTRY_VERIFY(bar.isVisible());
-  QCOMPARE(bar.message(), QStringLiteral("Pocket: The tool of 12 mm is too large."));
-  QCOMPARE(bar.hint(), QStringLiteral("A tool of 4.8 mm would fit."));
-  // All of it is seen, at the top of the view, whatever the panel shows.
-  QCoreApplication::processEvents();
-  QCOMPARE(bar.visibleRegion().boundingRect(), bar.rect());
-  const QRect canvas(window_->view().mapTo(window_.get(), QPoint()), window_->view().size());
-  const QRect place(bar.mapTo(window_.get(), QPoint()), bar.size());
-  QVERIFY(canvas.contains(place) && place.bottom() < canvas.center().y());
-  const auto offers = [&] {
-    int shown = 0;
-    for (const auto* button : bar.findChildren<QPushButton*>()) shown += button->isHidden() ? 0 : 1;
-    return shown;
-  };
-  QCOMPARE(offers(), 0);
-
-  // Seen from another feature it offers the way; it goes with the failure, and Esc dismisses it until there is another.
-  choose({"a"});
-  QVERIFY(bar.isVisible());
-  QCOMPARE(offers(), 1);
-  bar.findChild<QPushButton*>()->click();
-  QCOMPARE(window_->tree().current(), FeatureId("f"));
-  QVERIFY(bar.isVisible());
-  QTest::keyClick(&window_->view(), Qt::Key_Escape);
-  QVERIFY(bar.isHidden());
-  Feature other = document().at("a");
-  other.visible = false;
-  window_->session().commit(document().with(other), {});
-  waitUntilComputed();
-  QVERIFY(bar.isHidden());
-  window_->session().commit(document().with(feature("g", "test.failing", {}, "Slot")), {});
-  waitUntilComputed();
-  choose({"g"});
-  QVERIFY(bar.isVisible() && bar.message().startsWith(QStringLiteral("Slot: ")));
-  window_->session().commit(document().without("g").without("f"), {});
-  waitUntilComputed();
-  QVERIFY(bar.isHidden());
-}
-
-/// Mean difference of the pixels, 0 to 255.
-static double contrast(const QImage& a, const QImage& b) {
-  double sum = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x) {
-      const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
-      sum += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue());
-    }
-  return sum / 3 / a.width() / a.height();
-}
-
-void DocumentTreeTest::whatIsOutOfDateIsDrawnFaintly() {
-  Session& session = window_->session();
-  Feature input = feature("a", "test.block"), shown = feature("w", "test.waiting");
-  input.visible = false;
-  letGo_ = true;
-  session.commit(Document::of({input, shown}), QStringLiteral("Begin"));
-  waitUntilComputed();
-  window_->view().fit(false);
-  const QImage ready = canvas();
-  Feature hidden = shown;
-  hidden.visible = false;
-  session.commit(document().with(hidden), QStringLiteral("Hide"));
-  waitUntilComputed();
-  const double whole = contrast(ready, canvas());
-  const QImage empty = canvas();
-  QVERIFY(whole > 1);
-  undo();
-  waitUntilComputed();
-  QCOMPARE(canvas(), ready);
-
-  letGo_ = false;
-  Feature changed = shown;
-  changed.inputs = {"a"};
-  session.commit(document().with(changed), QStringLiteral("Change"));
-  QTRY_VERIFY(session.outdated("w"));
-  QVERIFY(!session.outdated("a"));
-  // Drawn with 3/10, it differs from the ground by less than 51/100 even where two of its sides lie on each other.
-  QVERIFY2(contrast(canvas(), empty) < 0.6 * whole, qPrintable(QString::number(contrast(canvas(), empty) / whole)));
-  QVERIFY(contrast(canvas(), empty) > 0.1 * whole);
-  session.cancelEvaluation();
-  window_->errors().hide();  // the view has the size of before
-  QVERIFY(session.outdated("w"));
-  QTRY_COMPARE(canvas().size(), empty.size());
-  QVERIFY(contrast(canvas(), empty) < 0.6 * whole);
-  letGo_ = true;
-  session.compute();
-  QVERIFY(session.outdated("w"));  // it was waited for before
-  waitUntilComputed();
-  QVERIFY(!session.outdated("w"));
-  QCOMPARE(canvas(), ready);
 }
 
 void DocumentTreeTest::eyeHidesAndShows() {

@@ -16,6 +16,9 @@ class DrawingViewTest : public WindowFixture {
   void init() { openNewDocument(); }
   void cleanup() { window_.reset(); }
   void theViewTurnsToThePlaneAndBack();
+  void theFirstOutlineGivesTheViewBack();
+  void aSolidIsNotLeftSeenFromAbove();
+  void whoHasTurnedADrawingKeepsTheView();
   void whoHasTurnedTheViewKeepsIt();
   void digitsTurnTheViewBeforeTheFirstPoint();
   void theMouseMovesTheViewWhileDrawing();
@@ -36,7 +39,8 @@ class DrawingViewTest : public WindowFixture {
 };
 
 void DrawingViewTest::theViewTurnsToThePlaneAndBack() {
-  add("modeling.box", {{"position", {100, 0, 0}}});  // a planar drawing alone is looked at from above, whatever was before
+  add("modeling.box",
+      {{"position", {100, 0, 0}}});  // a planar drawing that was not made by hand is looked at from above at first
   view().lookFrom(QStringLiteral("iso"), false);
   const Turn before = view().camera().turn();
   QVERIFY(before.pitch < 80);
@@ -52,6 +56,50 @@ void DrawingViewTest::theViewTurnsToThePlaneAndBack() {
   QVERIFY(!window_->page().toolStarted());
   QCOMPARE(window_->page().document().at(last()).type, std::string("modeling.outline"));
   QTRY_COMPARE(pitch(), before.pitch);
+}
+
+void DrawingViewTest::theFirstOutlineGivesTheViewBack() {
+  const Turn before = view().camera().turn();
+  QVERIFY(before.pitch < 80);
+  startDrawing();
+  const std::vector<Vec3> corners{{0, 0, 0}, {30, 0, 0}, {0, 20, 0}};
+  for (const Vec3& p : corners) clickAt(p);
+  clickAt(corners.front());
+  QVERIFY(!window_->page().toolStarted());
+  waitUntilComputed();
+  QTRY_COMPARE(pitch(), before.pitch);
+  QCOMPARE(view().camera().turn().yaw, before.yaw);
+  QVERIFY(!view().parallel());
+  QTRY_VERIFY(view().sharp());
+  for (const Vec3& p : corners) QVERIFY(view().rect().contains(screenOf(p)));
+  // And so it stays when a solid is made of it.
+  run("feature.modeling.extrude");
+  waitUntilComputed();
+  QCOMPARE(window_->page().document().at(last()).type, std::string("modeling.extrude"));
+  QCOMPARE(view().camera().heading().pitch, before.pitch);
+}
+
+void DrawingViewTest::aSolidIsNotLeftSeenFromAbove() {
+  const auto extruded = [&](const FeatureId& outline) { return add("modeling.extrude", {{"height", 20}}, {outline}); };
+  const FeatureId rectangle = add("modeling.rectangle", {{"width", 60}, {"height", 40}});
+  QCOMPARE(pitch(), 90.0);
+  const FeatureId solid = extruded(rectangle);
+  QTRY_COMPARE(pitch(), turnOf("iso").pitch);
+  QVERIFY(!view().parallel());
+  // Once; a view from above that was asked for stays.
+  view().lookFrom(QStringLiteral("top"), false);
+  window_->session().commit(window_->page().document().without(solid), QStringLiteral("Delete"));
+  waitUntilComputed();
+  extruded(rectangle);
+  QCOMPARE(view().camera().heading().pitch, 90.0);
+}
+
+void DrawingViewTest::whoHasTurnedADrawingKeepsTheView() {
+  const FeatureId circle = add("modeling.circle");
+  QCOMPARE(pitch(), 90.0);
+  view().camera().lookFrom({20, 60}, false);
+  add("modeling.extrude", {{"height", 20}}, {circle});
+  QCOMPARE(view().camera().heading().pitch, 60.0);
 }
 
 void DrawingViewTest::whoHasTurnedTheViewKeepsIt() {

@@ -1,9 +1,13 @@
+#include <QEnterEvent>
 #include <QLabel>
+#include <QSignalSpy>
 
 #include "panel_fixture.h"
 #include "ui/controls/stepping.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
+#include "ui/look/text.h"
+#include "ui/look/units.h"
 #include "ui/panel/result_rows.h"
 
 using namespace blossom;
@@ -25,6 +29,7 @@ class PanelUnitsTest : public PanelFixture {
   void pointsAreShownInInches();
   void listsAndRecordsAreShownInInches();
   void resultsAreShownInInches();
+  void figuresAreShownInInches();
   void otherKindsStayAsTheyAre();
   void whatIsTypedSurvivesTheChange();
   void withMillimetresAllIsAsBefore();
@@ -95,6 +100,19 @@ void PanelUnitsTest::errorsAndExamplesNameTheUnit() {
   QTest::keyClicks(line, QStringLiteral("1 + 25.4 mm"));
   const auto* note = field("length")->findChild<QLabel*>(QStringLiteral("note"));
   QCOMPARE(note->text(), QStringLiteral("= 2 in"));
+  // So are the bounds that the status line tells.
+  ParameterSpec spec = blossom::length();
+  spec.minimum = 12.7;
+  QCOMPARE(describe(spec, lengthUnit()), std::string("length in inches, at least 0.5 in"));
+  spec.maximum = 25.4;
+  QCOMPARE(describe(spec, lengthUnit()), std::string("length in inches, from 0.5 to 1 in"));
+  QCOMPARE(describe(spec), std::string("length in mm, from 12.7 to 25.4 mm"));
+  QSignalSpy hints(field("length"), &ParameterField::hint);
+  QEnterEvent enters(QPointF(4, 4), QPointF(4, 4), QPointF(4, 4));
+  QApplication::sendEvent(field("length"), &enters);
+  QVERIFY(!hints.isEmpty());
+  QVERIFY2(hints.last().front().toString().contains(QStringLiteral("Length in inches")),
+           qPrintable(hints.last().front().toString()));
 }
 
 void PanelUnitsTest::keysStepInRoundInches() {
@@ -225,6 +243,18 @@ void PanelUnitsTest::resultsAreShownInInches() {
   prefer("cm");
   QTRY_COMPARE(result("Area"), QStringLiteral("154.838 cm²"));
   QCOMPARE(result("Volume"), QStringLiteral("131.097 cm³"));
+}
+
+// Figures that are no measures have their unit in their names.
+void PanelUnitsTest::figuresAreShownInInches() {
+  QTRY_COMPARE(result("Chosen"), QStringLiteral("12.25 mm"));
+  prefer("in");
+  QTRY_COMPARE(result("Chosen"), QStringLiteral("0.48228 in"));
+  QCOMPARE(statUnit("uncut_within_mm2"), QStringLiteral(" in²"));
+  QCOMPARE(shownStat("uncut_within_mm2", 25.4 * 25.4).get<double>(), 1.0);
+  QCOMPARE(statUnit("worker_ms") + statUnit("time_s"), QStringLiteral(" ms s"));
+  QCOMPARE(shownStat("worker_ms", 12), Value(12));
+  QCOMPARE(statUnit("chosen"), QString());
 }
 
 void PanelUnitsTest::otherKindsStayAsTheyAre() {

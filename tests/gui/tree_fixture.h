@@ -1,6 +1,7 @@
 #pragma once
 #include <atomic>
 
+#include "ui/tree/document_model.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
@@ -20,6 +21,7 @@ class TreeFixture : public WindowFixture {
   }
 
   void openTestWindow() {
+    letGo_ = false;
     App app = loadApp({test::buildFolder() / "lib/blossom/plugins"});
     auto registry = std::make_shared<Registry>(*app.registry);
     registry->add(block());
@@ -31,6 +33,11 @@ class TreeFixture : public WindowFixture {
     window_->show();
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  }
+
+  void closeTestWindow() {
+    letGo_ = true;
+    window_.reset();
   }
 
   /// A, B = joined(A), C, D = joined(B, C): all visible and computed.
@@ -55,6 +62,11 @@ class TreeFixture : public WindowFixture {
     QAction* action = window_->commands().action(QLatin1String(command));
     QVERIFY2(action->isEnabled(), command);
     action->trigger();
+  }
+  [[nodiscard]] QModelIndex row(const char* id) {
+    const auto found = window_->tree().model()->match(window_->tree().model()->index(0, 0), DocumentModel::IdRole,
+                                                      QLatin1String(id), 1, Qt::MatchExactly);
+    return found.isEmpty() ? QModelIndex() : found.front();
   }
   void choose(const std::vector<FeatureId>& ids) {
     window_->tree().clearSelection();

@@ -5,6 +5,7 @@
 #include "document/named_numbers.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
+#include "ui/look/preferences.h"
 #include "ui/numbers/numbers_dialog.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
@@ -240,6 +241,13 @@ void TypedNumbersTest::theTableIsEditedInItsDialog() {
   table->item(1, 0)->setText(QStringLiteral("width"));
   table->item(1, 1)->setText(QStringLiteral("60 mm"));
   QVERIFY2(problem->text().isEmpty(), qPrintable(problem->text()));
+  QCOMPARE(table->item(0, 2)->text(), QStringLiteral("30 mm"));
+  Preferences::instance().set("length-unit", "cm");
+  table->item(0, 1)->setText(QStringLiteral("width*width"));
+  QCOMPARE(table->item(1, 2)->text(), QStringLiteral("6 cm"));
+  QCOMPARE(table->item(0, 2)->text(), QStringLiteral("36 cm²"));
+  Preferences::instance().set("length-unit", "mm");
+  table->item(0, 1)->setText(QStringLiteral("width/2"));
   QCOMPARE(table->item(0, 2)->text(), QStringLiteral("30 mm"));
   dialogOf()->accept();
   QCOMPARE(numbersOf(document()), (std::vector<NamedNumber>{{"half", "width/2"}, {"width", "60 mm"}}));

@@ -97,6 +97,8 @@ void AppTest::theLastFeatureIsTheLastThatWorks() {
   Document document = withLinked(app_, Document(), file("triangle.off"), &first);
   document = withLinked(app_, document, file("triangle.off"), &second);
   QCOMPARE(lastFeature(document).id, second);
+  QCOMPARE(document.at(first).name, std::string("triangle"));
+  QCOMPARE(document.at(second).name, std::string("triangle 2"));
   Feature suppressed = document.at(second);
   suppressed.suppressed = true;
   QCOMPARE(lastFeature(document.with(suppressed)).id, first);

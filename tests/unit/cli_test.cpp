@@ -51,6 +51,7 @@ class CliTest : public QObject {
   void wrongUseIsAnErrorObjectToo();
   void infoMeasuresACube();
   void infoOfManyFilesIsStillOneObject();
+  void infoTellsWarningsOfFeatures();
   void convertWritesSeveralFilesAtOnce();
   void numbersReadBackAsTheSameDouble();
   void failuresEndWithOneAndAnErrorObject_data();
@@ -163,6 +164,19 @@ void CliTest::infoOfManyFilesIsStillOneObject() {
   const Ran ran = blossom({"info", "cube.off", "other.off", "--json"});
   QCOMPARE(ran.code, 0);
   QCOMPARE(ran.json().at("files").size(), std::size_t{2});
+}
+
+void CliTest::infoTellsWarningsOfFeatures() {
+  blossom::writeAtomically(file("drawing.svg"),
+                           "<svg xmlns='http://www.w3.org/2000/svg'><rect width='4' height='2'/><text>note</text></svg>");
+  QCOMPARE(blossom({"import", "drawing.svg", "-o", "model.blossom"}).code, 0);
+  const Ran object = blossom({"info", "model.blossom", "--json"}), table = blossom({"info", "model.blossom"});
+  QCOMPARE(object.code, 0);
+  const Json warnings = object.json().at("features").at(0).at("warnings");
+  QCOMPARE(warnings.size(), std::size_t(1));
+  const auto warning = warnings.at(0).get<std::string>();
+  QVERIFY2(warning.find("1 text") != std::string::npos, warning.c_str());
+  QCOMPARE(table.err, "blossom: warning: drawing: " + warning + "\n");
 }
 
 void CliTest::convertWritesSeveralFilesAtOnce() {

@@ -113,6 +113,29 @@ class DocumentEditsTest : public QObject {
     QCOMPARE(freeName(document, "Ball"), std::string("Ball"));
   }
 
+  void whatIsAddedHasANameOfItsOwn() {
+    const Registry registry = readers();
+    const auto type = registry.at("test.thing");
+    Document document = Document().with(newFeature(Document(), *type));
+    for (int k = 0; k < 3; ++k) document = document.with(newFeature(document, *type, {"reading-1"}));
+    const auto names = [&] {
+      std::vector<std::string> all;
+      for (const auto& feature : document.features()) all.push_back(feature->name);
+      return all;
+    };
+    QCOMPARE(names(), (std::vector<std::string>{"Reading", "Reading 2", "Reading 3", "Reading 4"}));
+    QCOMPARE(order(document), (Ids{"reading-1", "reading-2", "reading-3", "reading-4"}));
+    QCOMPARE(document.at("reading-3").inputs, Ids{"reading-1"});
+    // A name that is free again is given again; the others keep theirs.
+    document = document.without("reading-2");
+    document = document.with(newFeature(document, *type));
+    QCOMPARE(names(), (std::vector<std::string>{"Reading", "Reading 3", "Reading 4", "Reading 2"}));
+    // From another document, too.
+    FeatureId added;
+    document = withFeatureOf(registry, document, Document().with(newFeature(Document(), *type)), "reading-1", &added);
+    QCOMPARE(document.at(added).name, std::string("Reading 5"));
+  }
+
   void anExcerptHoldsWhatIsNeeded() {
     const Document document = sample().withAsset("hash", std::make_shared<const std::string>("content"));
     QCOMPARE(order(excerpt(document, {"c"})), (Ids{"a", "b", "c"}));

@@ -10,8 +10,11 @@
 #include <functional>
 #include <future>
 #include <set>
+#include <sstream>
 #include <thread>
 
+#include "cli/cli.h"
+#include "core/parallel.h"
 #include "document/evaluator.h"
 #include "support/command_line.h"
 #include "support/modeling.h"
@@ -147,6 +150,21 @@ class KeptWorkerTest : public QObject {
     ::waitid(P_PID, static_cast<id_t>(first), &ended, WEXITED | WNOWAIT);
     QVERIFY(servingPid() != first);
     QVERIFY(!exists(first));
+  }
+
+  void theLimitOfThreadsReachesIt() {
+    const int first = servingPid();
+    for (const int threads : {1, 3, 0}) {
+      setThreadLimit(threads);
+      QCOMPARE(selftest({{"mode", "threads"}}).get<int>(), threads);
+      QCOMPARE(servingPid(), first);
+    }
+    // From the command line, which sets the limit before it looks for the file.
+    std::ostringstream out, err;
+    const std::array words{"blossom", "info", "no-such-file.off", "--threads", "2"};
+    QCOMPARE(runCli(theApp(), static_cast<int>(words.size()), words.data(), Terminal{out, err, false, {}}), 1);
+    QCOMPARE(selftest({{"mode", "threads"}}).get<int>(), 2);
+    setThreadLimit(0);
   }
 
   void anIdleChildEnds() {

@@ -104,6 +104,32 @@ class PocketCliTest : public QObject {
     refuses({"pocket", "circle:20", "--tool-diameter", "100", "-o", "part.stl"}, "cannot hold a toolpath", "a mesh");
   }
 
+  // No M3, no T: taken for a drawing elsewhere, but here a program is asked for.
+  void programsOfFewWordsAreSimulated() {
+    write("bar.svg",
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 60' width='100mm' height='60mm'>"
+          "<path d='M0 0H100V60H0Z'/></svg>");
+    const std::string moves = "G0 Z5\nG0 X50 Y30\nG1 Z-2 F100\nX60\nG0 Z5\nM2\n";
+    write("full.nc", ("G21 G90\nT1 M6\nS12000 M3\n" + moves).c_str());
+    write("few.nc", ("G21 G90\n" + moves).c_str());
+    const QStringList onBar{"--part", "bar.svg", "--depth", "2"}, tool{"--tool-diameter", "6"};
+    const Answer toolless = blossom(QStringList{"simulate", "few.nc"} + onBar);
+    QVERIFY2(toolless.message().find("which tool") != std::string::npos, toolless.message().c_str());
+    QVERIFY2(toolless.hint().find("--tool-diameter") != std::string::npos, toolless.hint().c_str());
+    const Answer full = blossom(QStringList{"simulate", "full.nc"} + onBar + tool),
+                 few = blossom(QStringList{"simulate", "few.nc"} + onBar + tool);
+    QCOMPARE(few.json["result"], full.json["result"]);
+    QCOMPARE(few.json["warnings"].size(), full.json["warnings"].size() + 1);
+    const std::string told = few.json["warnings"].dump();
+    QVERIFY2(told.find("neither starts a spindle (M3) nor names a tool (T)") != std::string::npos, told.c_str());
+    QVERIFY2(full.json["warnings"].dump().find("neither") == std::string::npos, full.json["warnings"].dump().c_str());
+    // What cannot be followed is named, here too.
+    write("drill.nc", "G21 G90\nG0 Z5\nG81 X5 Y5 Z-2 R1 F100\nG80\nM2\n");
+    const Answer drilled = blossom(QStringList{"simulate", "drill.nc"} + onBar + tool);
+    QVERIFY2(drilled.message().find("Line 3") != std::string::npos, drilled.message().c_str());
+    QVERIFY2(drilled.hint().find("plain moves") != std::string::npos, drilled.hint().c_str());
+  }
+
   void simulationsTellWhatWouldHurt() {
     write("plate.svg",
           "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 60' width='100mm' height='60mm'>"

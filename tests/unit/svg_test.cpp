@@ -217,6 +217,33 @@ class SvgTest : public QObject {
     }
   }
 
+  void whatANestedWindowCropsIsTold() {
+    const auto told = [](const std::string& body) {
+      const Imported imported = read(body, "viewBox='0 0 100 100'");
+      return imported.warnings.empty() ? std::string() : imported.warnings.front();
+    };
+    const std::string inside = "<circle cx='10' cy='10' r='10'/>", outside = "<circle cx='10' cy='10' r='10.1'/>";
+    const auto nested = [](const std::string& more, const std::string& body) {
+      return "<svg x='30' width='20' height='20' " + more + ">" + body + "</svg>";
+    };
+    const std::string sentence = "the window of a nested svg or symbol may crop them: 1 of its shapes.";
+    QCOMPARE(told(nested("", inside)), std::string());
+    QVERIFY(told(nested("", inside + outside)).ends_with(sentence));
+    QVERIFY(told(nested("overflow='visible'", nested("style='overflow:hidden'", outside))).ends_with(sentence));
+    for (const char* shown : {"overflow='visible'", "style='overflow:visible'"})
+      QCOMPARE(told(nested(shown, outside)), std::string());
+    // The circle of radius 10 about (10, 10) seen through boxes of its size, half of it, and turned with all around it.
+    QCOMPARE(told(nested("viewBox='0 0 20 20'", inside)), std::string());
+    QVERIFY(told(nested("viewBox='0 0 10 10'", inside)).ends_with(sentence));
+    QCOMPARE(told("<g transform='rotate(30) scale(2)'>" + nested("", inside) + "</g>"), std::string());
+    // A symbol has the size that its use gives it; per cents within a window are of that window.
+    const std::string symbol =
+        "<symbol id='s' viewBox='0 0 20 20'>" + inside + "<rect width='100%' height='100%'/></symbol>";
+    QCOMPARE(told(symbol + "<use href='#s' width='5' height='5'/>"), std::string());
+    QCOMPARE(told(nested("", "<rect width='100%' height='100%'/>")), std::string());
+    QVERIFY(told("<symbol id='s'>" + outside + "</symbol><use href='#s' width='20' height='20'/>").ends_with(sentence));
+  }
+
   void paintAndLayer() {
     const Curves curves = curvesOf(
         "<g id='cut'><circle r='1' fill='#ff0000'/><g inkscape:label='inner' style='fill:none;stroke:rgb(0,0,255)'><circle "

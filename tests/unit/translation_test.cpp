@@ -1,35 +1,12 @@
-#include <QDir>
-#include <QFile>
 #include <QRegularExpression>
-#include <QXmlStreamReader>
 
 #include "support/support.h"
+#include "support/translations.h"
+
+using blossom::test::Message;
+using blossom::test::messagesOf;
 
 namespace {
-
-struct Message {
-  QString context, source, translation;
-  bool finished = true;
-};
-
-std::vector<Message> messagesOf(const QString& file) {
-  QFile input(file);
-  if (!input.open(QIODevice::ReadOnly)) return {};
-  QXmlStreamReader xml(&input);
-  std::vector<Message> messages;
-  QString context;
-  while (!xml.atEnd()) {
-    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-    if (xml.name() == QLatin1String("name")) context = xml.readElementText();
-    if (xml.name() == QLatin1String("message")) messages.push_back({context, {}, {}, true});
-    if (xml.name() == QLatin1String("source")) messages.back().source = xml.readElementText();
-    if (xml.name() == QLatin1String("translation")) {
-      messages.back().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
-      messages.back().translation = xml.readElementText();
-    }
-  }
-  return messages;
-}
 
 QStringList placeholders(const QString& text) {
   static const QRegularExpression pattern(QStringLiteral("%\\d|%n"));
@@ -59,10 +36,7 @@ class TranslationTest : public QObject {
 
  private:
   static void languages();
-  static QString file(const QString& code) {
-    return QString::fromStdString((blossom::test::sourceFolder() / "resources/translations").string()) +
-           QStringLiteral("/blossom_%1.ts").arg(code);
-  }
+  static QString file(const QString& code) { return blossom::test::translationFile(QStringLiteral("blossom_") + code); }
 };
 
 void TranslationTest::languages() {

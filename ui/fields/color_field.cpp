@@ -45,7 +45,7 @@ void ColorField::choose() {
   dialog_ = new QColorDialog(swatch_->color().isValid() ? swatch_->color() : QColor(Qt::white), this);
   dialog_->setAttribute(Qt::WA_DeleteOnClose);
   dialog_->setOption(QColorDialog::DontUseNativeDialog);
-  dialog_->setWindowTitle(sentenceCase(qt(label(spec()))));
+  dialog_->setWindowTitle(shownLabel(spec()));
   connect(dialog_, &QColorDialog::currentColorChanged, this, [this](const QColor& color) {
     swatch_->setColor(color);
     offer(color.name().toStdString(), true);

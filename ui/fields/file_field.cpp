@@ -9,6 +9,7 @@
 
 #include "ui/controls/document_undo.h"
 #include "ui/look/icons.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/session/file_places.h"
 
@@ -45,7 +46,7 @@ bool FileField::editing() const { return line_->isModified(); }
 void FileField::display(const Value& shown) {
   line_->setText(displayText(spec(), shown));
   const QString path = shown.is_object() ? qt(shown.value("path", std::string())) : QString();
-  line_->setToolTip(path.isEmpty() ? qt(spec().help) : path);
+  line_->setToolTip(path.isEmpty() ? registryText(spec().help) : path);
   line_->setCursorPosition(0);
 }
 
@@ -70,8 +71,7 @@ void FileField::choose() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   QStringList patterns;
   for (const QString& extension : extensions()) patterns << QStringLiteral("*.") + extension;
-  if (!patterns.isEmpty())
-    dialog->setNameFilters({QStringLiteral("%1 (%2)").arg(sentenceCase(qt(label(spec()))), patterns.join(u' '))});
+  if (!patterns.isEmpty()) dialog->setNameFilters({QStringLiteral("%1 (%2)").arg(shownLabel(spec()), patterns.join(u' '))});
   connect(dialog, &QFileDialog::fileSelected, this, &FileField::take);
   dialog->open();
 }

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "ui/fields/list_row.h"
 #include "ui/look/icons.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {
@@ -54,7 +55,7 @@ ListField::ListField(const ParameterSpec& given, const Context& outside, QWidget
   add->setProperty("role", QStringLiteral("add"));
   add->setIcon(icon(QStringLiteral("plus")));
   add->setToolTip(tr("Add an item"));
-  add->setAccessibleName(tr("Add an item to %1").arg(qt(label(given))));
+  add->setAccessibleName(tr("Add an item to %1").arg(registryText(label(given))));
   connect(add, &QToolButton::clicked, this, &ListField::add);
   setWideEditor(body, add);
   dropLine_->setObjectName(QStringLiteral("dropLine"));

@@ -13,6 +13,7 @@
 #include "ui/controls/field_label.h"
 #include "ui/look/icons.h"
 #include "ui/look/popup_menu.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
 
@@ -50,8 +51,8 @@ QLabel* hiddenLine(const char* name) {
 QString FieldContext::nameOf(const Value& subShape, bool brief) const {
   if (!subShape.is_object()) return {};
   const std::string input = subShape.value("input", std::string());
-  QString part =
-      sentenceCase(qt(subShape.value("kind", std::string()))) + u' ' + QString::number(subShape.value("index", -1));
+  QString part = sentenceCase(registryText(subShape.value("kind", std::string()))) + u' ' +
+                 QString::number(subShape.value("index", -1));
   if (brief && sources.size() <= 1) return part;
   for (const Source& source : sources)
     if (source.input == input) return ParameterField::tr("%1 of %2").arg(part, source.name);
@@ -68,7 +69,7 @@ ParameterField::ParameterField(ParameterSpec spec, Context context, QWidget* par
       problem_(hiddenLine("fieldError")),
       reset_(new QToolButton(this)) {
   caption_->setFixedWidth(labelWidth);
-  caption_->setToolTip(qt(spec_.help));
+  caption_->setToolTip(registryText(spec_.help));
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(10);
   grid_->setVerticalSpacing(3);
@@ -90,8 +91,8 @@ ParameterField::ParameterField(ParameterSpec spec, Context context, QWidget* par
 void ParameterField::setEditor(QWidget* editor) {
   editor_ = editor;
   editor->setAccessibleName(shownLabel(spec_));
-  editor->setAccessibleDescription(qt(spec_.help));
-  editor->setToolTip(qt(spec_.help));
+  editor->setAccessibleDescription(registryText(spec_.help));
+  editor->setToolTip(registryText(spec_.help));
   caption_->setBuddy(editor);
   grid_->addWidget(editor, 0, 1);
 }
@@ -100,7 +101,7 @@ void ParameterField::setWideEditor(QWidget* editor, QWidget* corner) {
   editor_ = editor;
   corner_ = corner;
   editor->setAccessibleName(shownLabel(spec_));
-  editor->setAccessibleDescription(qt(spec_.help));
+  editor->setAccessibleDescription(registryText(spec_.help));
   caption_->setBuddy(editor);
   if (corner) grid_->addWidget(corner, 0, 1, Qt::AlignRight);
   grid_->addWidget(editor, 1, 0, 1, 2);
@@ -207,7 +208,8 @@ void ParameterField::resizeEvent(QResizeEvent*) { reset_->move(caption_->maximum
 
 void ParameterField::enterEvent(QEnterEvent*) {
   refreshMarks();
-  emit hint(QStringLiteral("%1: %2 %3").arg(shownLabel(spec_), qt(spec_.help), sentenceCase(qt(describe(spec_))) + u'.'));
+  emit hint(QStringLiteral("%1: %2 %3")
+                .arg(shownLabel(spec_), registryText(spec_.help), sentenceCase(qt(describe(spec_, lengthUnit()))) + u'.'));
 }
 
 void ParameterField::leaveEvent(QEvent*) { reset_->hide(); }
@@ -259,6 +261,7 @@ QString withExponentInSight(const QString& text) {
 QString displayText(const ParameterSpec& spec, const Value& value) {
   if (value.is_null()) return {};
   if (spec.kind == ParameterKind::File && value.is_object()) return qt(value.value("path", std::string())).section(u'/', -1);
+  if (spec.kind == ParameterKind::Choice && value.is_string()) return shownChoice(value.get<std::string>());
   const QString text = qt(formatText(spec, value, lengthUnit()));
   return isNumeric(spec) ? withExponentInSight(text) : text;
 }
@@ -267,10 +270,8 @@ Value parseTyped(const ParameterSpec& spec, const QString& text, const NamedNumb
   return parseText(spec, text.trimmed().toStdString(), lengthUnit(), names);
 }
 
-QString shownLabel(const ParameterSpec& spec) {
-  return sentenceCase(QCoreApplication::translate("Parameter", label(spec).c_str()));
-}
+QString shownLabel(const ParameterSpec& spec) { return sentenceCase(registryText(label(spec))); }
 
-QString shownChoice(const std::string& name) { return QCoreApplication::translate("Parameter", name.c_str()); }
+QString shownChoice(const std::string& name) { return registryText(name); }
 
 }  // namespace blossom::ui

@@ -5,6 +5,7 @@
 
 #include "ui/controls/field_label.h"
 #include "ui/controls/switch_box.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 
 namespace blossom::ui {
@@ -98,7 +99,7 @@ QString summaryOf(const ParameterSpec& record, const Value& value) {
     if (!value.is_object() || !value.contains(field.name) || parts.size() == 3) continue;
     const bool lengthy = field.kind == List || field.kind == Record || field.kind == Curve || field.kind == SubShape;
     const QString text = lengthy ? QString() : displayText(field, value.at(field.name));
-    if (!text.isEmpty()) parts << (field.kind == Flag ? qt(label(field)) + u' ' + text : text);
+    if (!text.isEmpty()) parts << (field.kind == Flag ? registryText(label(field)) + u' ' + text : text);
   }
   return parts.join(QStringLiteral(" · "));
 }

@@ -11,6 +11,7 @@
 #include "ui/controls/flow_layout.h"
 #include "ui/controls/pick_button.h"
 #include "ui/fields/lost_parts.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/plugin/tool.h"
 
@@ -18,11 +19,11 @@ namespace blossom::ui {
 
 SubShapeField::SubShapeField(const ParameterSpec& given, const Context& outside, QWidget* parent)
     : ParameterField(given, outside, parent), chips_(new QWidget), flow_(new FlowLayout(chips_)) {
-  const QString what = qt(subShapeKind(element()));
+  const QString kind = qt(subShapeKind(element())), translated = registryText(kind.toStdString());
+  const QString many = counted(QStringLiteral("0"), kind).mid(2);  // "edges"; an English plural
   if (context()->picking) {
-    pick_ = new PickButton(QStringLiteral("pick-") + what,
-                           several() ? tr("Pick in the view: %1").arg(counted(QStringLiteral("0"), what).mid(2))
-                                     : tr("Pick in the view: %1").arg(what));
+    pick_ = new PickButton(QStringLiteral("pick-") + kind,
+                           tr("Pick in the view: %1").arg(several() && translated == kind ? many : translated));
     connect(pick_, &QToolButton::toggled, this, &SubShapeField::togglePick);
   }
   setWideEditor(chips_, pick_);
@@ -44,7 +45,7 @@ void SubShapeField::display(const Value&) {
   pointAt(Value(pointed_), false);  // its chip has gone
   for (std::size_t i = 0; i < all.size(); ++i) addChip(all[i], i);
   if (all.empty()) {
-    const QString means = spec().noneMeans.empty() ? tr("none") : qt(spec().noneMeans);
+    const QString means = spec().noneMeans.empty() ? tr("none") : registryText(spec().noneMeans);
     auto* none = new QLabel(context()->picking ? tr("%1; pick in the view").arg(means) : means);
     none->setObjectName(QStringLiteral("note"));
     flow_->addWidget(none);
@@ -115,9 +116,9 @@ void SubShapeField::togglePick(bool on) {
   request.kind = subShapeKindOf(subShapeKind(element()));
   request.several = several();
   for (const FieldContext::Source& source : context()->sources) request.features.push_back(source.feature);
-  const QString what = qt(subShapeKind(element()));
-  request.hint = several() ? tr("Click every %1 for %2, again to let go; Esc ends").arg(what, qt(label(spec())))
-                           : tr("Click the %1 for %2; Esc ends").arg(what, qt(label(spec())));
+  const QString what = registryText(subShapeKind(element()));
+  request.hint = several() ? tr("Click every %1 for %2, again to let go; Esc ends").arg(what, registryText(label(spec())))
+                           : tr("Click the %1 for %2; Esc ends").arg(what, registryText(label(spec())));
   emit pickWanted(this, request);
   markChosen();
 }

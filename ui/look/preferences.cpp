@@ -10,20 +10,20 @@ namespace blossom::ui {
 namespace {
 
 // Names are keys of the settings and labels of the form at once; as labels they are translated.
-[[maybe_unused]] constexpr const char* shownNames[] = {QT_TRANSLATE_NOOP("Parameter", "theme"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "language"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "length unit"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "navigation"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "drawing tolerance"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "projection"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "autosave"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "autosave minutes"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "threads"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "system"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "dark"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "light"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "perspective"),
-                                                       QT_TRANSLATE_NOOP("Parameter", "parallel")};
+[[maybe_unused]] constexpr const char* shownNames[] = {QT_TRANSLATE_NOOP("Registry", "theme"),
+                                                       QT_TRANSLATE_NOOP("Registry", "language"),
+                                                       QT_TRANSLATE_NOOP("Registry", "length unit"),
+                                                       QT_TRANSLATE_NOOP("Registry", "navigation"),
+                                                       QT_TRANSLATE_NOOP("Registry", "drawing tolerance"),
+                                                       QT_TRANSLATE_NOOP("Registry", "projection"),
+                                                       QT_TRANSLATE_NOOP("Registry", "autosave"),
+                                                       QT_TRANSLATE_NOOP("Registry", "autosave minutes"),
+                                                       QT_TRANSLATE_NOOP("Registry", "threads"),
+                                                       QT_TRANSLATE_NOOP("Registry", "system"),
+                                                       QT_TRANSLATE_NOOP("Registry", "dark"),
+                                                       QT_TRANSLATE_NOOP("Registry", "light"),
+                                                       QT_TRANSLATE_NOOP("Registry", "perspective"),
+                                                       QT_TRANSLATE_NOOP("Registry", "parallel")};
 
 ParameterSpec declared(std::string name, ParameterSpec spec, const Value& fallback, const QString& help) {
   spec.name = std::move(name);

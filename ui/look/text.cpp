@@ -1,5 +1,6 @@
 #include "ui/look/text.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 #include <cmath>
 #include <map>
@@ -42,12 +43,19 @@ QString unitText(MeasureUnit unit) {
 }
 
 // Names of figures may end in their unit.
-const std::vector<std::pair<QString, QString>>& unitSuffixes() {
-  static const std::vector<std::pair<QString, QString>> suffixes{{QStringLiteral("_mm2"), QStringLiteral(" mm²")},
-                                                                 {QStringLiteral("_mm"), QStringLiteral(" mm")},
-                                                                 {QStringLiteral("_ms"), QStringLiteral(" ms")},
-                                                                 {QStringLiteral("_s"), QStringLiteral(" s")}};
+const std::vector<std::pair<QString, MeasureUnit>>& unitSuffixes() {
+  static const std::vector<std::pair<QString, MeasureUnit>> suffixes{{QStringLiteral("_mm2"), MeasureUnit::Area},
+                                                                     {QStringLiteral("_mm"), MeasureUnit::Length},
+                                                                     {QStringLiteral("_ms"), MeasureUnit::None},
+                                                                     {QStringLiteral("_s"), MeasureUnit::Time}};
   return suffixes;
+}
+
+MeasureUnit unitOfStat(const std::string& name) {
+  if (name == "deviation") return MeasureUnit::Length;
+  for (const auto& [suffix, unit] : unitSuffixes())
+    if (qt(name).endsWith(suffix)) return unit;
+  return MeasureUnit::None;
 }
 
 const Measure* find(const Measures& measures, std::string_view name) {
@@ -95,7 +103,9 @@ QString sentenceCase(QString text) {
   return text;
 }
 
-QString measureLabel(const std::string& name) {
+namespace {
+
+QString englishLabel(const std::string& name) {
   static const std::map<std::string, QString> labels{{"min_weight", QStringLiteral("Smallest weight")},
                                                      {"deviation", QStringLiteral("Largest deviation")},
                                                      {"closed_u", QStringLiteral("Closing in u")},
@@ -114,11 +124,20 @@ QString measureLabel(const std::string& name) {
   return sentenceCase(words.replace(u'_', u' '));
 }
 
+}  // namespace
+
+// Names of figures come from everywhere: those in resources/translations/features_*.ts are translated.
+QString measureLabel(const std::string& name) {
+  return QCoreApplication::translate("Figures", englishLabel(name).toUtf8().constData());
+}
+
 QString statUnit(const std::string& name) {
-  if (name == "deviation") return QStringLiteral(" mm");
-  for (const auto& [suffix, unit] : unitSuffixes())
-    if (qt(name).endsWith(suffix)) return unit;
-  return {};
+  return qt(name).endsWith(QLatin1String("_ms")) ? QStringLiteral(" ms") : unitText(unitOfStat(name));
+}
+
+Value shownStat(const std::string& name, const Value& value) {
+  const double factor = inShownUnit(1, unitOfStat(name));
+  return factor != 1 && value.is_number() ? Value(factor * value.get<double>()) : value;
 }
 
 bool worthReading(const std::string& name, const Value& value) {

@@ -17,10 +17,12 @@ QString readable(std::int64_t value);
 QString readable(const Measure&);
 /// A length, area or volume (mm) in the unit of length that the user prefers.
 double inShownUnit(double value, MeasureUnit);
-/// "Smallest weight" for "min_weight".
+/// "Smallest weight" for "min_weight", in the language of the window.
 QString measureLabel(const std::string& name);
-/// " mm" where the name of a figure says it.
+/// " mm" where the name of a figure says it; lengths and areas in the unit that the user prefers, as shownStat gives them.
 QString statUnit(const std::string& name);
+/// A figure in the unit that statUnit names; what is no number stays as it is.
+Value shownStat(const std::string& name, const Value&);
 /// False for figures that only tell a programmer something, or that say that nothing happened.
 bool worthReading(const std::string& name, const Value&);
 /// "5 solids", "1 vertex", "84 vertices"; names in capitals stay as they are.

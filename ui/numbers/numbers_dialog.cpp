@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "ui/look/text.h"
+#include "ui/look/units.h"
 #include "ui/session/session.h"
 
 namespace blossom::ui {
@@ -18,11 +19,13 @@ namespace {
 
 enum Column { Name, Written, Result, Columns };
 
-/// "60 mm", "30°", "5"
+/// "60 mm", "2400 mm²", "30°", "5"; lengths in the unit that the user prefers.
 QString shown(const Dimensioned& value) {
-  const QString number = QString::number(value.value, 'g', 12);
-  if (value.is(1, 0)) return number + QStringLiteral(" mm");
-  return value.is(0, 1) ? number + QStringLiteral("°") : number;
+  const auto number = [](double each) { return QString::number(each, 'g', 12); };
+  const LengthUnit& unit = lengthUnit();
+  if (value.is(1, 0)) return number(value.value / unit.millimetres) + u' ' + qt(unit.name);
+  if (value.is(2, 0)) return number(value.value / (unit.millimetres * unit.millimetres)) + u' ' + qt(unit.name) + u'²';
+  return number(value.value) + (value.is(0, 1) ? QStringLiteral("°") : QString());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/commands/commands.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/page/feature_start.h"
 #include "ui/page/page.h"
@@ -35,15 +36,17 @@ FeatureMenus::FeatureMenus(const App& app, Commands& commands, QWidget* window)
 }
 
 void FeatureMenus::addGroup(const LoadedPlugin& plugin) {
-  FeatureGroup group{qt(plugin.manifest.title), qt(plugin.manifest.icon), nullptr, {}};
+  FeatureGroup group{registryText(plugin.manifest.title), qt(plugin.manifest.icon), nullptr, {}};
   group.menu = new QMenu(group.title, window_);
   group.menu->setToolTipsVisible(true);
   for (const std::string& id : plugin.manifest.features) {
     const auto type = app_.registry->find(id);
     if (!type) continue;
     const std::string iconName = type->icon.empty() ? plugin.manifest.icon : type->icon;
-    CommandSpec spec{QStringLiteral("feature.") + qt(id), group.title, qt(iconName), qt(type->title), qt(type->summary)};
+    CommandSpec spec{QStringLiteral("feature.") + qt(id), group.title, qt(iconName), registryText(type->title),
+                     registryText(type->summary)};
     for (const Keyword& each : type->keywords) spec.keywords << qt(each.word);
+    if (spec.text != qt(type->title)) spec.keywords << qt(type->title).toLower();  // what tutorials call it
     QAction* action = commands_.add(spec, [this, type] { add(*type, Value::object()); });
     group.menu->addAction(action);
     group.actions.push_back(action);
@@ -132,21 +135,21 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen,
 }
 
 void FeatureMenus::tellNothingFits(const FeatureType& type, const InputSpec& missing) {
-  page_->showError(Error(
-      ErrorCode::InvalidInput,
-      missing.minimum == 1
-          ? tr("There is nothing here yet for %1: it takes %2.").arg(qt(type.title), wantedShape(missing)).toStdString()
-          : tr("There is too little here for %1: it takes %2, %3 times.")
-                .arg(qt(type.title), wantedShape(missing))
-                .arg(missing.minimum)
-                .toStdString(),
-      tr("Draw or make one, or import a file.").toStdString()));
+  page_->showError(Error(ErrorCode::InvalidInput,
+                         missing.minimum == 1 ? tr("There is nothing here yet for %1: it takes %2.")
+                                                    .arg(registryText(type.title), wantedShape(missing))
+                                                    .toStdString()
+                                              : tr("There is too little here for %1: it takes %2, %3 times.")
+                                                    .arg(registryText(type.title), wantedShape(missing))
+                                                    .arg(missing.minimum)
+                                                    .toStdString(),
+                         tr("Draw or make one, or import a file.").toStdString()));
   if (type.inputs.size() != 1 || missing.minimum != 1) return;
   page_->errors().offer(tr("Import a file…"), [this, &type] { addFromFile(type); });
 }
 
 void FeatureMenus::addFromFile(const FeatureType& type) {
-  const QString title = tr("%1: choose a file with %2").arg(qt(type.title), wantedShape(type.inputs.front()));
+  const QString title = tr("%1: choose a file with %2").arg(registryText(type.title), wantedShape(type.inputs.front()));
   const QString file = QFileDialog::getOpenFileName(window_, title, {}, readFilters(app_).join(QStringLiteral(";;")));
   if (!file.isEmpty()) page_->session().addFeatureFromFile(type, file.toStdString());
 }

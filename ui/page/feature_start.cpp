@@ -8,6 +8,7 @@
 #include "geometry/occt/sub_shape.h"
 #include "geometry/shape/kind_names.h"
 #include "parameter/wording.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 
@@ -112,14 +113,14 @@ std::vector<FeatureId> fittingFeatures(const Session& session, const InputSpec& 
 }
 
 QString wantedShape(const InputSpec& spec) {
-  if (!spec.asks.empty()) return qt(spec.asks);
+  if (!spec.asks.empty()) return registryText(spec.asks);
   return spec.kinds.empty() ? tr("a shape") : qt(kindNames(spec.kinds, true));
 }
 
 QString questionFor(const FeatureType& type, const FeatureStart& start) {
   const QString wanted = wantedShape(*start.missing);
-  QString question =
-      start.missing->asks.empty() ? tr("Choose %1 for %2").arg(wanted, qt(type.title)) : tr("Choose %1").arg(wanted);
+  QString question = start.missing->asks.empty() ? tr("Choose %1 for %2").arg(wanted, registryText(type.title))
+                                                 : tr("Choose %1").arg(wanted);
   if (start.missing->minimum == 1) return question;
   return tr("%1 (%2 of %3)").arg(question).arg(start.has + 1).arg(start.missing->minimum);
 }

@@ -104,7 +104,7 @@ void DocumentPage::connectSession() {
   });
   connect(&session_, &Session::opened, this, [this] {
     endTool();
-    fitPending_ = true;
+    firstLook_.expect();
     errors_->hide();
     view_->setItems({});
     measurements_.clear();
@@ -121,11 +121,11 @@ void DocumentPage::connectSession() {
   });
   connect(&session_, &Session::evaluationFinished, this, [this] {
     emit workEnded(evaluationKey);
-    if (fitPending_ && tree_->selected().empty()) selectLast();
-    if (fitPending_) tree_->scrollToTop();
+    if (firstLook_.pending() && tree_->selected().empty()) selectLast();
+    if (firstLook_.pending()) tree_->scrollToTop();
     view_->markItems();
     view_->markOverlay();
-    fitWhenFirstShown();
+    lookAtFirstShapes();
   });
   connect(&session_, &Session::featureAdded, this, [this](const QString& id) {
     errors_->hide();  // what the command before could not do
@@ -211,6 +211,7 @@ void DocumentPage::connectWidgets() {
   connect(properties_, &PropertyPanel::hint, this, &DocumentPage::hint);
   connect(properties_, &PropertyPanel::manualWanted, this, &DocumentPage::manualWanted);
   connect(tools_.get(), &PageTools::changed, this, &DocumentPage::toolChanged);
+  connect(tools_.get(), &PageTools::drawn, this, [this] { firstLook_.drawn(); });
   connect(tools_.get(), &PageTools::stepsChanged, this, &DocumentPage::stateChanged);
   connect(tools_.get(), &PageTools::hint, this, &DocumentPage::hint);
   connect(tools_.get(), &PageTools::failed, this, [this](const Error& error) { showError(error); });
@@ -340,12 +341,23 @@ void DocumentPage::selectLast() {
   QMetaObject::invokeMethod(this, &DocumentPage::showProperties, Qt::QueuedConnection);
 }
 
-void DocumentPage::fitWhenFirstShown() {
-  if (!fitPending_ || document().features().empty()) return;
-  fitPending_ = false;
-  view_->lookFrom(QStringLiteral("auto"), false);
-  if (Preferences::instance().get<std::string>("projection") == "parallel") view_->setParallel(true);
+void DocumentPage::lookAtFirstShapes() {
+  if (document().features().empty()) return;
+  if (firstLook_.pending())
+    firstLook_.show(*view_);
+  else if (firstLook_.awaitsSolid() && showsSolid())
+    firstLook_.showSolid(*view_, !toolStarted());
+  else
+    return;
   emit stateChanged();
+}
+
+bool DocumentPage::showsSolid() const {
+  const std::vector<ViewItem> items = shownItems();
+  return std::any_of(items.begin(), items.end(), [this](const ViewItem& item) {
+    const Shape* shape = session_.shape(item.id);
+    return shape && !item.scene.planar && (shape->kind() == ShapeKind::Brep || shape->kind() == ShapeKind::Mesh);
+  });
 }
 
 void DocumentPage::showError(const Error& error, const QString& file) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "ui/page/first_look.h"
 #include "ui/page/page_scene.h"
 #include "ui/page/page_tools.h"
 #include "ui/plugin/manipulator.h"
@@ -124,7 +125,8 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();
   void showProperties();
   void selectLast();
-  void fitWhenFirstShown();
+  void lookAtFirstShapes();
+  [[nodiscard]] bool showsSolid() const;
   void connectPicking();
   void showChoice(std::optional<PageScene::Choice>);
 
@@ -144,7 +146,7 @@ class DocumentPage : public QObject, public ToolHost {
   TimelineBar* timeline_;
   QPointer<QWidget> side_, canvas_;
   std::unique_ptr<PageTools> tools_;
-  bool fitPending_ = true;
+  FirstLook firstLook_;
   bool fillPanelLater_ = false;
 };
 

@@ -26,6 +26,7 @@ void PageTools::follow(Tool& tool) {
   connect(&tool, &Tool::finished, this, [this, finished = &tool] {
     if (tool_.get() != finished && handles_.get() != finished) return;
     if (tool_.get() == finished) turnBack();
+    if (tool_.get() == finished && finished->drawsIn()) emit drawn();
     std::unique_ptr<Tool>& place = tool_.get() == finished ? tool_ : handles_;
     view_.setTool(nullptr);
     place.release()->deleteLater();  // it is still on the stack

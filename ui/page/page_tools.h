@@ -33,6 +33,7 @@ class PageTools : public QObject {
 
  signals:
   void changed();
+  void drawn();         ///< a tool that draws in a plane has ended by itself
   void stepsChanged();  ///< what Undo and Redo would do with the tool that was started
   void hint(const QString&);
   void failed(const blossom::Error&);

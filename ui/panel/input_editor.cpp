@@ -13,6 +13,7 @@
 #include "ui/fields/parameter_field.h"
 #include "ui/look/icons.h"
 #include "ui/look/popup_menu.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/plugin/tool.h"
 #include "ui/session/session.h"
@@ -55,9 +56,9 @@ InputEditor::InputEditor(Session& session, FeatureId feature, std::shared_ptr<co
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(besideCaption);
   grid_->setVerticalSpacing(3);
-  auto* name = new FieldLabel(sentenceCase(qt(input().name)));
+  auto* name = new FieldLabel(sentenceCase(registryText(input().name)));
   name->setFixedWidth(labelWidth);
-  name->setToolTip(qt(input().help));
+  name->setToolTip(registryText(input().help));
   chips_->setSpacing(4);
   problem_->setObjectName(QStringLiteral("fieldError"));
   problem_->setWordWrap(true);
@@ -222,7 +223,7 @@ void InputEditor::take(std::size_t place, const FeatureId& id) {
 void InputEditor::commit(const std::vector<FeatureId>& taken) {
   Feature feature = session_.document().at(feature_);
   feature.inputs = inputSlots()->with(spec_, taken);
-  const QString what = tr("Change %1 of %2").arg(qt(input().name), qt(shownName(feature)));
+  const QString what = tr("Change %1 of %2").arg(registryText(input().name), qt(shownName(feature)));
   try {
     const Document changed = session_.document().with(feature);
     showProblem({});
@@ -271,7 +272,7 @@ void InputEditor::showProblem(const QString& text) {
 }
 
 void InputEditor::enterEvent(QEnterEvent*) {
-  emit hint(QStringLiteral("%1: %2").arg(sentenceCase(qt(input().name)), qt(input().help)));
+  emit hint(QStringLiteral("%1: %2").arg(sentenceCase(registryText(input().name)), registryText(input().help)));
 }
 
 }  // namespace blossom::ui

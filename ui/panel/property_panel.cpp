@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "document/named_numbers.h"
 #include "ui/fields/parameter_field.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
 #include "ui/panel/field_of_error.h"
@@ -183,7 +184,7 @@ void PropertyPanel::addFeature(const Feature& feature) {
   type_ = session_.app().registry->find(feature.type);
   header_ = new FeatureHeader(form_);
   if (type_)
-    header_->setType(qt(type_->title), qt(type_->summary), qt(referencePageName(type_->id)));
+    header_->setType(registryText(type_->title), registryText(type_->summary), qt(referencePageName(type_->id)));
   else
     header_->setProblem(tr("The plugin that makes \"%1\" is not installed.").arg(qt(feature.type)));
   connect(header_, &FeatureHeader::renamed, this, &PropertyPanel::rename);

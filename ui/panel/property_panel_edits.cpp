@@ -6,6 +6,7 @@
 #include "document/file_access.h"
 #include "document/file_values.h"
 #include "ui/fields/parameter_field.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/panel/feature_header.h"
 #include "ui/panel/input_editor.h"
@@ -91,7 +92,8 @@ void PropertyPanel::commit(ParameterField* field, const Value& value) {
   const Document document =
       session_.document().with(changed(field->spec().name, field->value() == value ? field->written() : value));
   if (namesFiles(field->spec(), value)) return takeFiles(field, document);
-  session_.commit(document, tr("Change %1 of %2").arg(qt(label(field->spec())), qt(shownName(document.at(shown_)))));
+  session_.commit(document,
+                  tr("Change %1 of %2").arg(registryText(label(field->spec())), qt(shownName(document.at(shown_)))));
 }
 
 // The content of a file is kept in the document; it is read elsewhere than in the window's thread, while the user may go on.
@@ -115,7 +117,7 @@ void PropertyPanel::takeFiles(ParameterField* field, const Document& document) {
           return;
         }
         session_.commit(withParameterOf(session_.document(), *embedded, feature, spec.name),
-                        tr("Change %1 of %2").arg(qt(label(spec)), qt(shownName(embedded->at(feature)))));
+                        tr("Change %1 of %2").arg(registryText(label(spec)), qt(shownName(embedded->at(feature)))));
       });
 }
 

@@ -113,7 +113,8 @@ void ResultTable::addResult(const FeatureView& view, const std::vector<std::stri
   for (const auto& [name, value] : view.result->evaluated.stats.items()) {
     if (std::find(shown.begin(), shown.end(), name) != shown.end() || !worthReading(name, value)) continue;
     if (value.is_number())
-      addRow(measureLabel(name), statText(value), statUnit(name).trimmed(), qt(value.dump()));
+      addRow(measureLabel(name), statText(shownStat(name, value)), statUnit(name).trimmed(),
+             qt(shownStat(name, value).dump()));
     else
       addText(measureLabel(name), statText(value) + statUnit(name));
   }

@@ -1,8 +1,7 @@
 // The part of Session that makes features of files, and others; files are read by a Job.
-#include <algorithm>
-
 #include "app/read_import.h"
 #include "document/edits.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 
@@ -11,18 +10,6 @@ namespace blossom::ui {
 namespace {
 
 QString importedName(const std::filesystem::path& file) { return qt(file.filename().string()); }
-
-Feature newFeature(const Document& document, const FeatureType& type, std::vector<FeatureId> inputs) {
-  Feature feature;
-  feature.id = document.freshId(type.command);
-  feature.type = type.id;
-  feature.name = type.title;
-  const auto sameName = [&](const auto& other) { return other->name == feature.name; };
-  for (int n = 2; std::any_of(document.features().begin(), document.features().end(), sameName); ++n)
-    feature.name = type.title + " " + std::to_string(n);
-  feature.inputs = std::move(inputs);
-  return feature;
-}
 
 }  // namespace
 
@@ -71,9 +58,9 @@ void Session::import(const std::vector<std::filesystem::path>& files) {
 }
 
 void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs, const Value& parameters) {
-  Feature feature = newFeature(document(), type, inputs);
+  Feature feature = namedFeature(document(), type, inputs);
   feature.parameters = parameters;
-  commit(document().with(feature), tr("Add %1").arg(qt(type.title)));
+  commit(document().with(feature), tr("Add %1").arg(registryText(type.title)));
   emit featureAdded(qt(feature.id));
 }
 
@@ -93,8 +80,8 @@ void Session::addFeatureFromFile(const FeatureType& type, const std::filesystem:
         FeatureId input;
         const Document joined =
             withFeatureOf(*app_.registry, history_.committed(), result->imported, result->feature, &input);
-        const Feature feature = newFeature(joined, type, {input});
-        commit(joined.with(feature), tr("Add %1").arg(qt(type.title)));
+        const Feature feature = namedFeature(joined, type, {input});
+        commit(joined.with(feature), tr("Add %1").arg(registryText(type.title)));
         emit featureAdded(qt(feature.id));
       },
       file);

@@ -22,8 +22,8 @@ struct Language {
 constexpr Language languages[] = {{"english", ""}, {"deutsch", "de"}, {"한국어", "ko"}};
 
 // Among the resources when installed; in the tree they are built beside the programs.
-QString translationFile(const QString& code) {
-  const fs::path name = fs::path("translations") / ("blossom_" + code.toStdString() + ".qm");
+QString translationFile(const std::string& part, const QString& code) {
+  const fs::path name = fs::path("translations") / (part + '_' + code.toStdString() + ".qm");
   std::error_code ec;
   fs::path folder = fs::read_symlink("/proc/self/exe", ec).parent_path();
   if (const fs::path installed = resourceFolder() / name; fs::exists(installed, ec)) return qt(installed.string());
@@ -60,7 +60,8 @@ void installLanguage() {
   const QString code = languageCode(preference, QLocale::system().uiLanguages());
   if (code.isEmpty()) return;
   install(QLibraryInfo::path(QLibraryInfo::TranslationsPath) + QStringLiteral("/qtbase_") + code);  // buttons of dialogs
-  install(translationFile(code));
+  install(translationFile("blossom", code));
+  install(translationFile("features", code));  // texts of the registry
 }
 
 }  // namespace blossom::ui

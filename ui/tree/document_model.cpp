@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/look/icons.h"
+#include "ui/look/registry_text.h"
 #include "ui/look/text.h"
 #include "ui/session/session.h"
 #include "ui/thread/refreshes.h"
@@ -222,7 +223,7 @@ QString DocumentModel::tipOf(const Feature& feature) const {
 
 QString DocumentModel::typeOf(const Feature& feature) const {
   const auto type = session_.app().registry->find(feature.type);
-  return type ? qt(type->title) : qt(feature.type);
+  return type ? registryText(type->title) : qt(feature.type);
 }
 
 QString DocumentModel::iconOf(const Feature& feature) const {

@@ -3,6 +3,7 @@
 #include "features_outline_value.h"
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
+#include "ui/look/registry_text.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::modeling {
@@ -79,11 +80,8 @@ void DrawTool::finish() {
     emit finished();
     return;
   }
-  Feature feature;
-  feature.type = "modeling.outline";
-  const auto type = host().registry().at(feature.type);
-  feature.id = host().document().freshId(type->command);
-  feature.name = type->title;
+  const auto type = host().registry().at("modeling.outline");
+  Feature feature = ui::namedFeature(host().document(), *type);
   feature.parameters = completed(type->parameters, parametersOf(draft_.outline()));
   const FeatureId id = feature.id;
   host().commit(host().document().with(std::move(feature)), tr("Draw outline"));

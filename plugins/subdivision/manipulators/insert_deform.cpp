@@ -1,7 +1,9 @@
 #include "manipulators/insert_deform.h"
 
+#include "document/edits.h"
 #include "geometry/mesh/mesh.h"
 #include "pulls.h"
+#include "ui/look/registry_text.h"
 
 namespace blossom::subdivision {
 namespace {
@@ -37,12 +39,7 @@ void takeDeform(const ui::ToolHost& host, const FeatureId& id, DeformPlace& plac
 }
 
 Feature fresh(const ui::ToolHost& host, const Document& document, const char* type) {
-  const auto found = host.registry().at(type);
-  Feature feature;
-  feature.type = type;
-  feature.id = document.freshId(found->command);
-  feature.name = found->title;
-  return feature;
+  return ui::namedFeature(document, *host.registry().at(type));
 }
 
 /// How often a cage is refined for its smooth surface to be drawn at every movement of the mouse, even without a graphics
@@ -102,7 +99,7 @@ Document withDeform(const ui::ToolHost& host, Document document, const DeformPla
   document = hidden(document, place.base).with(std::move(deform));
   Feature smooth = place.smooth.empty() ? fresh(host, document, subdivideType) : document.at(place.smooth);
   if (place.smooth.empty()) {
-    smooth.name = "Smooth";
+    smooth.name = freeName(document, ui::registryText("Smooth").toStdString());
     smooth.parameters = {{"scheme", place.scheme}, {"levels", levelsFor(host, place.base)}, {"as", "limit"}};
   }
   smooth.inputs = {id};

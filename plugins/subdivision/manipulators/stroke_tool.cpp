@@ -8,6 +8,7 @@
 #include "geometry/shape/bounds.h"
 #include "geometry/tessellate/tessellate.h"
 #include "kernel/curve_through.h"
+#include "ui/look/registry_text.h"
 #include "ui/tools/view_props.h"
 
 namespace blossom::subdivision {
@@ -125,12 +126,8 @@ void StrokeTool::finish() {
     emit finished();
     return;
   }
-  Feature stroke;
-  stroke.type = "subdivision.stroke";
-  const auto type = host().registry().at(stroke.type);
   Document document = host().document();
-  stroke.id = document.freshId(type->command);
-  stroke.name = type->title;
+  Feature stroke = ui::namedFeature(document, *host().registry().at("subdivision.stroke"));
   stroke.parameters["points"] = Value::array();
   for (const Vec3& p : points_) stroke.parameters["points"].push_back(Value::array({p.x(), p.y(), p.z()}));
   FeatureId shown = stroke.id;

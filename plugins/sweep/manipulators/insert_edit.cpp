@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "manipulators/edit_values.h"
+#include "ui/look/registry_text.h"
 
 namespace blossom::sweep {
 
@@ -72,12 +73,8 @@ std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& 
 Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, const MotionEdit& edit) {
   Document document = host.document();
   const auto type = host.registry().at(std::holds_alternative<MotionPull>(edit) ? pullType : twistType);
-  Feature feature;
-  feature.type = type->id;
-  feature.id = document.freshId(type->command);
-  feature.name = type->title;
+  Feature feature = ui::namedFeature(document, *type, {placement.source});
   feature.parameters = parametersOf(edit);
-  feature.inputs = {placement.source};
   feature.visible = document.at(placement.source).visible;
   const FeatureId id = feature.id;
   document = document.with(std::move(feature));

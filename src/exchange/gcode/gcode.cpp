@@ -163,6 +163,9 @@ std::string sentence(const std::string& doubt) {
 /// What is to be known of a program that is read as moves.
 std::vector<std::string> doubtsOf(const GcodeProgram& program) {
   std::vector<std::string> sentences;
+  if (!program.turnsSpindle && !program.namesTool && !(program.cutter.diameter > 0))
+    sentences.emplace_back(
+        "The program neither starts a spindle (M3) nor names a tool (T); its moves are followed all the same.");
   for (const std::string& doubt : program.doubts) sentences.push_back(sentence(doubt));
   if (!program.notKept.empty())
     sentences.push_back(

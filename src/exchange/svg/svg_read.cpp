@@ -14,6 +14,7 @@
 #include "exchange/svg/svg_shapes.h"
 #include "exchange/svg/svg_values.h"
 #include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
 
 namespace blossom::svg {
 
@@ -40,7 +41,24 @@ struct Style {
   bool evenOdd = false, visible = true, displayed = true;
   bool cropped = false;           ///< by a clip-path or mask of its own
   bool croppedFromAbove = false;  ///< by that of what it stands in
+  bool overflows = false;         ///< a nested svg or symbol shows what lies outside its window
   std::string layer;
+};
+
+/// The window of a nested svg or a symbol, which crops what lies outside it; of splines the poles count.
+struct CropWindow {
+  Affine place;  ///< of its corner at (0, 0) in mm
+  Vec2 size;
+
+  [[nodiscard]] bool holds(const std::vector<Path>& paths) const {
+    const Eigen::Matrix<double, 2, 3> toWindow(place.inverse().affine());
+    Curves seen;
+    for (const Path& path : paths) seen.paths.push_back(transformed(path, toWindow));
+    const Bounds box = bounds(Shape(std::move(seen)));
+    const double slack = 1e-6 * size.maxCoeff();
+    return box.empty ||
+           ((box.low.head<2>().array() >= -slack).all() && (box.high.head<2>().array() <= size.array() + slack).all());
+  }
 };
 
 class Reader {
@@ -128,15 +146,18 @@ class Reader {
         style.displayed = value != "none";
       else if (name == "clip-path" || name == "mask")
         style.cropped = namesElement(value);
+      else if (name == "overflow")
+        style.overflows = value == "visible" || value == "auto";
     }
   }
 
   /// Attributes, then the style sheet, then the style attribute (SVG 1.1, 6.4).
   Style styled(const xml_node& node, Style style) const {
     style.croppedFromAbove = style.croppedFromAbove || style.cropped;
-    style.cropped = false;
+    style.cropped = style.overflows = false;
     Declarations attributes;
-    for (const char* name : {"fill", "stroke", "color", "fill-rule", "visibility", "display", "clip-path", "mask"})
+    for (const char* name :
+         {"fill", "stroke", "color", "fill-rule", "visibility", "display", "clip-path", "mask", "overflow"})
       if (const auto a = node.attribute(name)) attributes.emplace(name, trimmed(a.value()));
     apply(attributes, style);
     if (!rules_.empty()) {
@@ -231,12 +252,17 @@ class Reader {
     const double width = lengths_.x(sized, "width", lengths_.viewport.x()),
                  height = lengths_.y(sized, "height", lengths_.viewport.y());
     Affine place = isSymbol ? outer : Affine(outer * Eigen::Translation2d(lengths_.x(node, "x"), lengths_.y(node, "y")));
-    if (const auto box = lengths_.viewBox(node); box && width > 0 && height > 0) {
+    const bool hasWindow = width > 0 && height > 0;
+    const bool crops = hasWindow && !style.overflows && std::abs(place.linear().determinant()) >= 1e-18;
+    if (crops) windows_.push_back({place, {width, height}});
+    if (hasWindow) lengths_.viewport = {width, height};
+    if (const auto box = lengths_.viewBox(node); box && hasWindow) {
       place = place * fitViewBox(*box, width, height, node.attribute("preserveAspectRatio").value());
       lengths_.viewport = {(*box)[2], (*box)[3]};
     }
     children(node, place, style, depth + 1);
     lengths_.viewport = saved;
+    if (crops) windows_.pop_back();
   }
 
   void shape(const xml_node& node, std::string_view name, const Affine& place, const Style& style) {
@@ -256,7 +282,17 @@ class Reader {
     if (!filled && style.stroke == "none") ++unpainted_;
     if (style.cropped || style.croppedFromAbove) ++cropped_;
     if (filled) (style.evenOdd ? evenOdd_ : nonZero_) += paths.size();
+    const std::size_t first = curves_.paths.size();
     for (Path& path : paths) add(std::move(path), place, style, filled);
+    countOutside(first);
+  }
+
+  /// Whether any window crops a shape, whose paths begin with the given one.
+  void countOutside(std::size_t first) {
+    if (windows_.empty()) return;
+    const std::vector<Path> paths(curves_.paths.begin() + static_cast<std::ptrdiff_t>(first), curves_.paths.end());
+    const auto holds = [&](const CropWindow& window) { return window.holds(paths); };
+    if (!std::all_of(windows_.begin(), windows_.end(), holds)) ++outside_;
   }
 
   void add(Path path, const Affine& place, const Style& style, bool filled) {
@@ -295,6 +331,9 @@ class Reader {
     warn(collapsed_ > 0, fmt::format("{} shapes are scaled to nothing and were left out.", collapsed_));
     warn(unpainted_ > 0, fmt::format("{} shapes have neither fill nor stroke; they were read all the same.", unpainted_));
     warn(cropped_ > 0, fmt::format("Read whole, although a clip-path or a mask may crop them: {} of its shapes.", cropped_));
+    warn(
+        outside_ > 0,
+        fmt::format("Read whole, although the window of a nested svg or symbol may crop them: {} of its shapes.", outside_));
     warn(evenOdd_ > 0 && nonZero_ > 0, "Its shapes use both fill rules; all are read with the rule nonzero.");
     curves_.fillRule = evenOdd_ > 0 && nonZero_ == 0 ? FillRule::EvenOdd : FillRule::NonZero;
     imported.entities = entities_.toValue();
@@ -312,8 +351,9 @@ class Reader {
   Curves curves_;
   Counter entities_, skipped_;
   std::set<std::string> open_;
-  std::size_t elements_ = 0, segments_ = 0, lost_ = 0, collapsed_ = 0, unpainted_ = 0, cropped_ = 0, evenOdd_ = 0,
-              nonZero_ = 0;
+  std::vector<CropWindow> windows_;  ///< that the element being read lies in
+  std::size_t elements_ = 0, segments_ = 0, lost_ = 0, collapsed_ = 0, unpainted_ = 0, cropped_ = 0, outside_ = 0,
+              evenOdd_ = 0, nonZero_ = 0;
   int useDepth_ = 0;
 };
 

@@ -15,7 +15,7 @@ function(blossom_plugin id)
   target_link_libraries(blossom_${id} PRIVATE blossom_${id}_kernel Blossom::feature fmt::fmt Blossom::flags)
   set(modules blossom_${id})
 
-  file(GLOB manipulator_sources CONFIGURE_DEPENDS manipulators/*.cpp manipulators/*.h)
+  file(GLOB_RECURSE manipulator_sources CONFIGURE_DEPENDS manipulators/*.cpp manipulators/*.h)
   if(BLOSSOM_BUILD_UI AND manipulator_sources)
     add_library(blossom_${id}_manipulators MODULE ${manipulator_sources})
     target_link_libraries(blossom_${id}_manipulators PRIVATE blossom_${id}_kernel Blossom::ui Blossom::flags)

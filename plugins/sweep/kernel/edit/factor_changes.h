@@ -52,10 +52,10 @@ struct ScalingChange {
 /// Changes of single poles of the three factors of a motion. Those in one list are made in order; the lists concern
 /// different numbers, so that their order does not matter.
 struct FactorChanges {
-  std::vector<TrajectoryMove> trajectory;
-  std::vector<TrajectoryWeight> weights;
-  std::vector<OrientationTurn> orientation;
-  std::vector<ScalingChange> scaling;
+  std::vector<TrajectoryMove> trajectory = {};
+  std::vector<TrajectoryWeight> weights = {};
+  std::vector<OrientationTurn> orientation = {};
+  std::vector<ScalingChange> scaling = {};
   [[nodiscard]] bool empty() const;
   friend bool operator==(const FactorChanges&, const FactorChanges&) = default;
 };

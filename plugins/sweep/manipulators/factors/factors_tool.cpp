@@ -47,8 +47,9 @@ void FactorsTool::load() {
   placement_ = factorPlacement(host(), feature());
   const Shape given = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
   // While the next one is computed, the one before stays in sight.
-  if (given.empty() || given.get<Motion>() == wanted_.get<Motion>()) return;
+  if (given.empty() || given.get<Motion>() == wanted_.get<Motion>()) return tellEditable();
   wanted_ = given;
+  tellEditable();
   loading_.cancel();
   loading_ = {};
   thread_.start([this, given, token = loading_] {
@@ -72,7 +73,13 @@ void FactorsTool::show(std::shared_ptr<const LiveSurface> surface) {
   if (panel_) panel_->net().setPoles(layoutOf(surface_->motion(), factor_));
   fillPanel();
   drawMotion();
+  tellEditable();
   emit changed();
+}
+
+/// The net stays as it is while the motion is computed: it would only flicker.
+void FactorsTool::tellEditable() {
+  if (panel_) panel_->net().setProperty("editable", editable());
 }
 
 bool FactorsTool::editable() const {

@@ -44,6 +44,7 @@ class FactorsTool final : public ui::HandleTool {
   void enter(const FactorChanges&, const QString& what, int field);
   void insertKnot(bool alongU, double knot);
   [[nodiscard]] bool editable() const;
+  void tellEditable();
   [[nodiscard]] const Motion& motion() const { return live_ ? live_->motion() : surface_->motion(); }
 
   // Handles on the trajectory: its poles, then the axes of the one that is chosen.

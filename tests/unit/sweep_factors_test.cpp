@@ -9,6 +9,7 @@
 #include "sweep/kernel/edit/factor_changes.h"
 #include "sweep/kernel/grid/factor_comb.h"
 #include "sweep/kernel/grid/motion_point.h"
+#include "sweep/manipulators/motion_lines.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -337,6 +338,25 @@ class SweepFactorsTest : public QObject {
     for (std::size_t k = 0; k + 1 < samples; ++k) turned += comb.velocity[k].z() / (samples - 1);
     COMPARE_NEAR(std::abs(turned), 2 * std::numbers::pi, 1e-6);
     for (const Vec3& velocity : comb.velocity) QVERIFY(velocity.head<2>().norm() < 1e-12);
+  }
+
+  void framesStandOnTheSurface() {
+    auto random = seededRandom();
+    const Motion motion = randomMotion(random, ClosedU::No);
+    constexpr std::size_t countU = 4, countV = 3;
+    const std::array<Polylines, 3> axes = frameLines(motion, countU, countV, 2);
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      QCOMPARE(axes[k].size(), countU * countV);
+      for (std::size_t n = 0; n < axes[k].size(); ++n) {
+        const double u = static_cast<double>(n / countV) / (countU - 1), v = static_cast<double>(n % countV) / (countV - 1);
+        const Vec3 from = axes[k][n].front(), arm = axes[k][n].back() - from;
+        QVERIFY((from - evaluate(motion, u, v).point).norm() < 1e-12);
+        QVERIFY(arm.normalized().cross(frameAt(motion, u, v).col(static_cast<Eigen::Index>(k))).norm() < 1e-12);
+        longest = std::max(longest, arm.norm());
+      }
+    }
+    COMPARE_NEAR(longest, 2, 1e-12);
   }
 };
 

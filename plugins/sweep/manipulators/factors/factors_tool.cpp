@@ -15,7 +15,7 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr double poleGrip = 9, axisGrip = 6, axisPixels = 64;  // on the screen
+constexpr double poleGrip = 9, axisGrip = 6, axisReach = 64;  // on the screen
 
 double distanceTo(const QPointF& p, const QPointF& a, const QPointF& b) {
   const QPointF along = b - a, from = p - a;
@@ -100,7 +100,7 @@ std::optional<Vec3> FactorsTool::axesAt() const {
   return pole < all.size() ? std::optional(all[pole]) : std::nullopt;
 }
 
-double FactorsTool::axisLength() const { return axisPixels * millimetresPerPixel(); }
+double FactorsTool::axisLength() const { return axisReach * millimetresPerPixel(); }
 
 bool FactorsTool::press(const ui::ToolEvent& event) {
   towards_ = event.ray.direction;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/angle.h"
 #include "core/error.h"
@@ -119,7 +120,7 @@ void FactorsTool::connectPanel(FactorsPanel& panel) {
   connect(&net, &FactorNet::dragged, this, &FactorsTool::dragNet);
   connect(&net, &FactorNet::knotWanted, this, &FactorsTool::insertKnot);
   connect(&net, &FactorNet::hovered, this, [this](const QString& what) {
-    said_ = what;
+    if (std::exchange(said_, what) == what) return;
     emit changed();
   });
   connect(&panel.ball(), &TurnBall::turned, this, &FactorsTool::dragBall);
@@ -291,6 +292,7 @@ std::optional<Vec3> FactorsTool::typedAxis() {
 void FactorsTool::type(int field, const QString& text) {
   // Axis and angle are for the buttons beside the trackball.
   if (!editable() || chosen_.empty() || factor_ == Factor::Orientation) return;
+  if (text.trimmed().isEmpty()) return fillPanel();
   const auto number = typedNumber(field, text);
   if (!number) return;
   const FactorChanges changes = field == weightField ? weightSet(surface_->motion(), factor_, chosen_, *number)

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "kernel/quaternion.h"
 #include "manipulators/factors/axis_colors.h"

@@ -1,5 +1,7 @@
 #include <QDir>
+#include <QLabel>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>

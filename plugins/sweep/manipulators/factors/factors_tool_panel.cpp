@@ -26,9 +26,6 @@ namespace {
 constexpr std::size_t plotSamples = 161;
 constexpr int weightField = FactorsPanel::fieldCount - 1;
 
-/// Of a drag: in words, with a hint how it ends.
-QString ending(const QString& what) { return FactorsTool::tr("Let go to %1 · Esc takes it back").arg(what); }
-
 ParameterSpec specOfField(Factor factor, int field) {
   ParameterSpec spec = factor == Factor::Trajectory && field < weightField     ? length()
                        : factor == Factor::Orientation && field == weightField ? angle()
@@ -213,16 +210,17 @@ void FactorsTool::dragNet(const QPointF& pixels) {
     const auto axis = typedAxis();
     if (!axis) return;
     const double degrees = draggedDegrees(pixels);
-    return dragPanel(turnedPoles(chosen_, *axis, degrees, false), ending(tr("turn by %1°").arg(degrees)));
+    return dragPanel(turnedPoles(chosen_, *axis, degrees, false),
+                     tr("Let go to turn by %1° · Esc takes it back").arg(degrees));
   }
   const double factor = draggedFactor(pixels);
   if (factor_ == Factor::Trajectory)
     return dragPanel(weightedPoles(surface_->motion(), factor_, chosen_, factor),
-                     ending(tr("multiply the weight by %1").arg(factor)));
+                     tr("Let go to multiply the weight by %1 · Esc takes it back").arg(factor));
   Vec3 factors = Vec3::Ones();
   for (int k = 0; k < 3; ++k)
     if (panel_->scaled()[static_cast<std::size_t>(k)]) factors[k] = factor;
-  dragPanel(scaledPoles(chosen_, factors), ending(tr("scale by %1").arg(factor)));
+  dragPanel(scaledPoles(chosen_, factors), tr("Let go to scale by %1 · Esc takes it back").arg(factor));
 }
 
 void FactorsTool::dragBall(const Vec3& turn) {
@@ -230,7 +228,7 @@ void FactorsTool::dragBall(const Vec3& turn) {
   constexpr double tenths = 10;
   const double degrees = std::round(toDegrees(turn.norm()) * tenths) / tenths;
   const Vec3 axis = turn.norm() > 0 ? Vec3(turn.normalized()) : Vec3::UnitZ();
-  dragPanel(turnedPoles(chosen_, axis, degrees, false), ending(tr("turn by %1°").arg(degrees)));
+  dragPanel(turnedPoles(chosen_, axis, degrees, false), tr("Let go to turn by %1° · Esc takes it back").arg(degrees));
 }
 
 void FactorsTool::dragPanel(const FactorChanges& changes, const QString& what) {

@@ -8,6 +8,7 @@ FeatureType sweepFeature();
 // Edits of a motion.
 FeatureType pullFeature();
 FeatureType twistFeature();
+FeatureType factorsFeature();
 
 // How a motion begins.
 FeatureType frameFeature();

@@ -3,7 +3,7 @@
 
 BLOSSOM_PLUGIN(registry) {
   using namespace blossom::sweep;
-  registry.addAll(sweepFeature(), pullFeature(), twistFeature());
+  registry.addAll(sweepFeature(), pullFeature(), twistFeature(), factorsFeature());
   registry.addAll(frameFeature(), primitiveFeature(), refineFeature());
   registry.add(growthFeature());
 }

@@ -93,6 +93,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] Bounds extent() const override;
   [[nodiscard]] std::optional<QPointF> onScreen(const Vec3&) const override;
   [[nodiscard]] double pixelRatio() const override;
+  [[nodiscard]] QWidget* viewWidget() const override;
   void preview(Document document) override { session_.preview(std::move(document)); }
   void endPreview() override { session_.endPreview(); }
   void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }

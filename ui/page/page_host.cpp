@@ -67,6 +67,7 @@ LengthUnit DocumentPage::lengthUnit() const { return ui::lengthUnit(); }
 
 double DocumentPage::gridSpacing() const { return view_->gridSpacing(); }
 double DocumentPage::pixelRatio() const { return view_->devicePixelRatioF(); }
+QWidget* DocumentPage::viewWidget() const { return view_; }
 Bounds DocumentPage::extent() const { return view_->extent(); }
 std::optional<CutPlane> DocumentPage::section() const { return view_->section(); }
 void DocumentPage::setSection(const std::optional<CutPlane>& plane) { view_->setSection(plane); }

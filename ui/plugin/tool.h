@@ -18,6 +18,7 @@
 #include "scene/scene.h"
 
 class QKeyEvent;
+class QWidget;
 class vtkProp;
 
 namespace blossom::ui {
@@ -72,6 +73,8 @@ class ToolHost {
   [[nodiscard]] virtual std::optional<QPointF> onScreen(const Vec3&) const { return std::nullopt; }
   /// Device pixels per logical pixel of the view.
   [[nodiscard]] virtual double pixelRatio() const { return 1; }
+  /// The view, for a card that floats over it (ui/tools/floating_panel.h); nullptr where there is none.
+  [[nodiscard]] virtual QWidget* viewWidget() const { return nullptr; }
   /// Shows a document without recording it; ended by the next commit or by endPreview.
   virtual void preview(Document) = 0;
   virtual void endPreview() = 0;

@@ -11,9 +11,14 @@ namespace blossom::sweep {
 namespace {
 
 constexpr const char *sweepType = "sweep.sweep", *pullType = "sweep.pull", *twistType = "sweep.twist",
-                     *growthType = "sweep.growth";
+                     *factorsType = "sweep.factors", *refineType = "sweep.refine", *growthType = "sweep.growth";
 
-bool isEdit(const Feature& feature) { return feature.type == pullType || feature.type == twistType; }
+bool isDirect(const Feature& feature) { return feature.type == pullType || feature.type == twistType; }
+
+/// Makes another motion of one motion: what is seen of it is its last edit.
+bool isEdit(const Feature& feature) {
+  return isDirect(feature) || feature.type == factorsType || feature.type == refineType;
+}
 
 const Motion* motionOf(const ui::ToolHost& host, const FeatureId& id) {
   const auto result = host.result(id);
@@ -54,7 +59,7 @@ std::optional<EditPlacement> editPlacement(const ui::ToolHost& host, const Featu
 
 std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& placement) {
   const Feature& feature = host.document().at(placement.source);
-  if (!isEdit(feature) || feature.suppressed || feature.inputs.size() != 1 || !motionOf(host, feature.inputs.front()))
+  if (!isDirect(feature) || feature.suppressed || feature.inputs.size() != 1 || !motionOf(host, feature.inputs.front()))
     return std::nullopt;
   LastEdit last{feature.id, {}, host.result(feature.inputs.front())->evaluated.shape};
   try {

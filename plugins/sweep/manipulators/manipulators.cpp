@@ -1,3 +1,4 @@
+#include "manipulators/factors/factors_tool.h"
 #include "manipulators/motion_overlay.h"
 #include "manipulators/surface_pull_tool.h"
 
@@ -10,4 +11,11 @@ BLOSSOM_MANIPULATORS(registry) {
       return std::make_unique<SurfacePullTool>(host, id);
     });
   }
+  const auto editFactors = [](ui::ToolHost& host, const FeatureId& id) -> std::unique_ptr<ui::Tool> {
+    return std::make_unique<FactorsTool>(host, id);
+  };
+  registry.addOverlay("sweep.factors", motionOverlay);
+  registry.addHandles("sweep.factors", editFactors);
+  registry.addTool({"sweep.factors", "Factors", "Edits the poles of trajectory, orientation and scaling of a motion.",
+                    "factors", "sweep.factors", editFactors});
 }

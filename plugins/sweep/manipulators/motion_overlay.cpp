@@ -7,11 +7,14 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include <algorithm>
+#include <optional>
 
+#include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "geometry/shape/motion.h"
+#include "kernel/edit/apply_edits.h"
 #include "kernel/quaternion.h"
+#include "manipulators/motion_lines.h"
 
 namespace blossom::sweep {
 
@@ -55,26 +58,27 @@ double along(std::pair<double, double> domain, std::size_t k, std::size_t count)
   return domain.first + (domain.second - domain.first) * static_cast<double>(k) / static_cast<double>(count - 1);
 }
 
-/// Where the frame at v carries p, from the trajectory: a length that suits the drawing.
-double axisLength(const Motion& motion) {
-  const double u = motion.domainU().first, v = (motion.domainV().first + motion.domainV().second) / 2;
-  const Vec4 s = evaluate(motion.scaling, u, v);
-  const double reach = (s.head<3>().cwiseProduct(motion.point) / s[3]).norm();
-  const double height =
-      (point(motion.trajectory, motion.domainV().second) - point(motion.trajectory, motion.domainV().first)).norm();
-  return 0.6 * (reach > 0 ? reach : std::max(height / 10, 1e-3));
-}
-
 /// The motion that an edit makes, or a sweep takes.
-const Motion* shownMotion(const ui::OverlayContext& context) {
+const Motion* givenMotion(const ui::OverlayContext& context) {
   if (const Motion* made = context.result.get<Motion>()) return made;
   return context.inputs.empty() ? nullptr : context.inputs.front().get<Motion>();
+}
+
+/// With the edits that it keeps: what is seen is swept by it as edited. One that cannot be edited so has no surface either.
+std::optional<Motion> shownMotion(const ui::OverlayContext& context) {
+  const Motion* given = givenMotion(context);
+  if (!given) return std::nullopt;
+  try {
+    return withEditsApplied(*given);
+  } catch (const Error&) {
+    return *given;
+  }
 }
 
 }  // namespace
 
 std::vector<vtkSmartPointer<vtkProp>> motionOverlay(const ui::OverlayContext& context) {
-  const Motion* motion = shownMotion(context);
+  const std::optional<Motion> motion = shownMotion(context);
   if (!motion) return {};
   Lines trajectory, axes, spokes;
   vtkIdType previous = -1;
@@ -83,7 +87,7 @@ std::vector<vtkSmartPointer<vtkProp>> motionOverlay(const ui::OverlayContext& co
     if (previous >= 0) trajectory.connect({previous, here});
     previous = here;
   }
-  const double length = axisLength(*motion), u = motion->domainU().first;
+  const double length = suitableAxis(*motion), u = motion->domainU().first;
   for (std::size_t k = 0; k < frames; ++k) {
     const double v = along(motion->domainV(), k, frames);
     const Vec3 origin = point(motion->trajectory, v);

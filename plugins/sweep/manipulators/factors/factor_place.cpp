@@ -1,0 +1,112 @@
+#include "manipulators/factors/factor_place.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "factor_values.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr const char *sweepFeatureType = "sweep.sweep", *factorsFeatureType = "sweep.factors",
+                     *refineFeatureType = "sweep.refine";
+
+bool isMotion(const ui::ToolHost& host, const FeatureId& id) {
+  const auto result = host.result(id);
+  return result && !result->error && result->evaluated.shape.kind() == ShapeKind::Motion;
+}
+
+bool changesMotion(const Feature& feature) {
+  return feature.type == "sweep.pull" || feature.type == "sweep.twist" || feature.type == factorsFeatureType ||
+         feature.type == refineFeatureType;
+}
+
+/// A new feature between the motion and its sweeps.
+Document inserted(const ui::ToolHost& host, const EditPlacement& placement, const char* typeId, Value parameters) {
+  Document document = host.document();
+  const auto type = host.registry().at(typeId);
+  Feature feature;
+  feature.type = type->id;
+  feature.id = document.freshId(type->command);
+  feature.name = type->title;
+  feature.parameters = std::move(parameters);
+  feature.inputs = {placement.source};
+  feature.visible = document.at(placement.source).visible;
+  const FeatureId id = feature.id;
+  document = document.with(std::move(feature));
+  for (const FeatureId& user : placement.users) {
+    Feature changed = document.at(user);
+    std::replace(changed.inputs.begin(), changed.inputs.end(), placement.source, id);
+    document = document.with(std::move(changed));
+  }
+  return document;
+}
+
+/// Numbers that depend on named ones, and whatever else only its user can change.
+bool hasExpressions(const Value& value, int depth = 0) {
+  constexpr int ofRecord = 2;  // parameters, list, record
+  if (value.is_object() && depth > ofRecord) return true;
+  if (!value.is_structured()) return false;
+  return std::any_of(value.begin(), value.end(), [&](const Value& part) { return hasExpressions(part, depth + 1); });
+}
+
+const Feature* lastWhen(const ui::ToolHost& host, const EditPlacement& placement, const char* type) {
+  const Feature& feature = host.document().at(placement.source);
+  return feature.type == type && !feature.suppressed && !hasExpressions(feature.parameters) ? &feature : nullptr;
+}
+
+const char* nameOfFactor(Factor factor) {
+  return factor == Factor::Trajectory ? "trajectory" : factor == Factor::Orientation ? "orientation" : "scaling";
+}
+
+}  // namespace
+
+FeatureId featureOfFactors(const ui::ToolHost& host, const FeatureId& given) {
+  const std::vector<FeatureId> selected = host.selection();
+  const FeatureId id = !given.empty() ? given : selected.size() == 1 ? selected.front() : FeatureId();
+  const bool there = !id.empty() && host.document().contains(id);
+  if (there &&
+      (host.document().at(id).type == sweepFeatureType || changesMotion(host.document().at(id)) || isMotion(host, id)))
+    return id;
+  throw Error(ErrorCode::InvalidInput, "The factors to edit are those of a motion, and none is selected.",
+              "Select a sweep, or a motion, and try again.");
+}
+
+std::optional<EditPlacement> factorPlacement(const ui::ToolHost& host, const FeatureId& selected) {
+  if (auto placement = editPlacement(host, selected)) return placement;
+  if (!host.document().contains(selected) || !isMotion(host, selected)) return std::nullopt;
+  EditPlacement placement{selected, {}};
+  const Document& document = host.document();
+  for (std::vector<FeatureId> users = document.usersOf(selected);
+       users.size() == 1 && changesMotion(document.at(users.front())); users = document.usersOf(placement.source))
+    placement.source = users.front();
+  if (!isMotion(host, placement.source)) return std::nullopt;
+  for (const FeatureId& user : document.usersOf(placement.source))
+    if (document.at(user).type == sweepFeatureType) placement.users.push_back(user);
+  return placement;
+}
+
+Document withFactorChanges(const ui::ToolHost& host, const EditPlacement& placement, const FactorChanges& changes) {
+  const Feature* const last = lastWhen(host, placement, factorsFeatureType);
+  if (!last) return inserted(host, placement, factorsFeatureType, valuesOf(changes));
+  Feature changed = *last;
+  const Value complete = completed(host.registry().at(factorsFeatureType)->parameters, last->parameters);
+  const Value joined = valuesOf(followedBy(changesOf(complete), changes));
+  for (const auto& [name, value] : joined.items()) changed.parameters[name] = value;
+  return host.document().with(std::move(changed));
+}
+
+Document withFactorKnot(const ui::ToolHost& host, const EditPlacement& placement, Factor factor, bool alongU, double knot) {
+  const char* const direction = alongU ? "u" : "v";
+  const Feature* const last = lastWhen(host, placement, refineFeatureType);
+  if (!last || last->parameters.value("factors", std::string("all")) != nameOfFactor(factor))
+    return inserted(host, placement, refineFeatureType,
+                    Value::object({{direction, Value::array({knot})}, {"factors", nameOfFactor(factor)}}));
+  Feature changed = *last;
+  if (!changed.parameters.contains(direction)) changed.parameters[direction] = Value::array();
+  changed.parameters[direction].push_back(knot);
+  return host.document().with(std::move(changed));
+}
+
+}  // namespace blossom::sweep

@@ -1,0 +1,244 @@
+#include "manipulators/factors/factors_panel.h"
+
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "manipulators/factors/comb_plot.h"
+#include "manipulators/factors/turn_ball.h"
+#include "ui/controls/number_line.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr int panelWidth = 324;
+
+QToolButton* checkButton(const QString& text, const QString& help) {
+  auto* made = new QToolButton;
+  made->setText(text);
+  made->setToolTip(help);
+  made->setAccessibleName(text);
+  made->setCheckable(true);
+  made->setFocusPolicy(Qt::StrongFocus);
+  return made;
+}
+
+void markWrong(QLineEdit* field, bool wrong) {
+  field->setProperty("wrong", wrong);
+  field->style()->unpolish(field);
+  field->style()->polish(field);
+}
+
+}  // namespace
+
+FactorsPanel::FactorsPanel(QWidget* view)
+    : FloatingPanel(view, Place::UpperLeft),
+      factors_(new QButtonGroup(this)),
+      directions_(new QButtonGroup(this)),
+      net_(new FactorNet),
+      plot_(new CombPlot),
+      ball_(new TurnBall),
+      turning_(new QWidget),
+      turn_(new QPushButton(tr("Turn"))),
+      set_(new QPushButton(tr("Set"))),
+      frames_(checkButton(tr("Frames"), tr("Draw the frames M(u, v) along u and v"))),
+      iso_(checkButton(tr("Iso-curves"), tr("Draw the curves of constant u and v at the knots"))),
+      combs_(checkButton(tr("Comb"), tr("Draw the curvature comb of the trajectory"))),
+      summary_(new QLabel),
+      problem_(new QLabel) {
+  setAccessibleName(tr("Factors"));
+  build();
+  connect(factors_, &QButtonGroup::idClicked, this, [this](int id) { emit factorChosen(static_cast<Factor>(id)); });
+  connect(directions_, &QButtonGroup::idClicked, this, &FactorsPanel::displayChosen);
+  connect(turn_, &QPushButton::clicked, this, [this] { emit turnWanted(false); });
+  connect(set_, &QPushButton::clicked, this, [this] { emit turnWanted(true); });
+  for (QToolButton* each : {frames_, iso_, combs_}) connect(each, &QToolButton::clicked, this, &FactorsPanel::displayChosen);
+  setFactor(factor_);
+}
+
+void FactorsPanel::build() {
+  setFixedWidth(panelWidth);
+  summary_->setObjectName(QStringLiteral("note"));
+  problem_->setObjectName(QStringLiteral("fieldError"));
+  problem_->setWordWrap(true);
+  problem_->hide();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 8, 10, 10);
+  column->setSpacing(6);
+  column->addLayout(factorRow());
+  column->addWidget(net_);
+  column->addWidget(summary_);
+  column->addLayout(fieldGrid());
+  turning_->setLayout(turnRow());
+  column->addWidget(turning_);
+  column->addWidget(problem_);
+  column->addWidget(plot_);
+  column->addLayout(displayRow());
+}
+
+QHBoxLayout* FactorsPanel::factorRow() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  const std::pair<Factor, QString> all[] = {
+      {Factor::Trajectory, tr("Trajectory")}, {Factor::Orientation, tr("Orientation")}, {Factor::Scaling, tr("Scaling")}};
+  for (const auto& [factor, text] : all) {
+    QToolButton* button = checkButton(text, tr("Edit the poles of this factor"));
+    factors_->addButton(button, static_cast<int>(factor));
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  return row;
+}
+
+QGridLayout* FactorsPanel::fieldGrid() {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(4);
+  grid->setVerticalSpacing(2);
+  for (int k = 0; k < fieldCount; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    names_[i] = checkButton({}, {});
+    names_[i]->setChecked(true);
+    names_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    fields_[i] = new ui::NumberLine;
+    fields_[i]->setProperty("tight", true);
+    fields_[i]->setAlignment(Qt::AlignRight);
+    fields_[i]->setObjectName(QStringLiteral("factorField%1").arg(k));
+    grid->addWidget(names_[i], 0, k);
+    grid->addWidget(fields_[i], 1, k);
+    connect(fields_[i], &QLineEdit::returnPressed, this, [this, k] {
+      fields_[static_cast<std::size_t>(k)]->setModified(true);  // once more, though it is the same number
+    });
+    connect(fields_[i], &QLineEdit::editingFinished, this, [this, k] { enter(k); });
+  }
+  return grid;
+}
+
+QHBoxLayout* FactorsPanel::turnRow() {
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  row->addWidget(ball_);
+  auto* buttons = new QVBoxLayout;
+  turn_->setToolTip(tr("Turn the chosen poles about the axis by the angle"));
+  set_->setToolTip(tr("Give the chosen poles this turn from the fixed axes"));
+  buttons->addStretch(1);
+  for (QPushButton* each : {turn_, set_}) {
+    each->setAutoDefault(false);
+    buttons->addWidget(each);
+  }
+  buttons->addStretch(1);
+  row->addLayout(buttons, 1);
+  return row;
+}
+
+QHBoxLayout* FactorsPanel::displayRow() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  const std::pair<QString, QString> along[] = {{tr("Along u"), tr("The comb along u through the chosen pole")},
+                                               {tr("Along v"), tr("The comb along v through the chosen pole")}};
+  int id = 0;
+  for (const auto& [text, help] : along) {
+    QToolButton* button = checkButton(text, help);
+    directions_->addButton(button, id++);
+    row->addWidget(button);
+  }
+  directions_->button(1)->setChecked(true);
+  row->addStretch(1);
+  combs_->setChecked(true);
+  for (QToolButton* each : {combs_, frames_, iso_}) row->addWidget(each);
+  return row;
+}
+
+void FactorsPanel::setFactor(Factor factor) {
+  factor_ = factor;
+  factors_->button(static_cast<int>(factor))->setChecked(true);
+  labelFields(factor);
+  turning_->setVisible(factor == Factor::Orientation);
+  combs_->setVisible(factor == Factor::Trajectory);
+  for (QAbstractButton* each : directions_->buttons()) each->setVisible(factor != Factor::Trajectory);
+  forgive();
+  settle();
+}
+
+void FactorsPanel::labelFields(Factor factor) {
+  const QString letters[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
+  for (int k = 0; k < fieldCount; ++k) {
+    QToolButton* const name = names_[static_cast<std::size_t>(k)];
+    const bool coordinate = k + 1 < fieldCount;
+    const QString text = coordinate ? letters[k] : factor == Factor::Orientation ? tr("Angle") : tr("Weight");
+    name->setText(coordinate && factor == Factor::Orientation ? tr("Axis %1").arg(text) : text);
+    name->setAccessibleName(name->text());
+    // Only of the scaling is there a choice.
+    const bool choice = coordinate && factor == Factor::Scaling;
+    name->setCheckable(choice);
+    name->setAttribute(Qt::WA_TransparentForMouseEvents, !choice);
+    name->setFocusPolicy(choice ? Qt::StrongFocus : Qt::NoFocus);
+    if (choice) name->setChecked(true);
+    name->setToolTip(choice ? tr("A drag in the net scales along this axis") : QString());
+    QLineEdit* const field = fields_[static_cast<std::size_t>(k)];
+    field->setAccessibleName(name->text());
+    field->setModified(false);
+    field->clear();
+  }
+  if (factor != Factor::Orientation) return;
+  const QString start[] = {QStringLiteral("0"), QStringLiteral("0"), QStringLiteral("1"), QStringLiteral("15")};
+  for (int k = 0; k < fieldCount; ++k) fields_[static_cast<std::size_t>(k)]->setText(start[k]);
+}
+
+void FactorsPanel::setValues(const Texts& texts, bool editable) {
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    QLineEdit* const field = fields_[k];
+    field->setEnabled(editable || factor_ == Factor::Orientation);
+    const bool typing = field->hasFocus() && field->isModified();
+    if (factor_ == Factor::Orientation || typing || field->text() == texts[k]) continue;
+    field->setText(texts[k]);
+    field->setCursorPosition(0);
+  }
+  for (QWidget* each : std::initializer_list<QWidget*>{turn_, set_, ball_}) each->setEnabled(editable);
+}
+
+void FactorsPanel::setSummary(const QString& summary) {
+  if (summary_->text() != summary) summary_->setText(summary);
+}
+
+void FactorsPanel::enter(int field) {
+  QLineEdit* const line = fields_[static_cast<std::size_t>(field)];
+  if (!line->isModified()) return;
+  line->setModified(false);
+  forgive();
+  emit typed(field, line->text());
+}
+
+void FactorsPanel::refuse(int field, const QString& why) {
+  if (field >= 0) markWrong(fields_[static_cast<std::size_t>(field)], true);
+  problem_->setText(why);
+  problem_->show();
+  settle();
+}
+
+void FactorsPanel::forgive() {
+  for (QLineEdit* field : fields_) markWrong(field, false);
+  if (problem_->isHidden()) return;
+  problem_->hide();
+  settle();
+}
+
+bool FactorsPanel::alongU() const { return directions_->checkedId() == 0; }
+
+std::array<bool, 3> FactorsPanel::scaled() const {
+  return {names_[0]->isChecked(), names_[1]->isChecked(), names_[2]->isChecked()};
+}
+
+bool FactorsPanel::showsFrames() const { return frames_->isChecked(); }
+bool FactorsPanel::showsIsoCurves() const { return iso_->isChecked(); }
+bool FactorsPanel::showsCombs() const { return combs_->isChecked(); }
+QString FactorsPanel::text(int field) const { return fields_[static_cast<std::size_t>(field)]->text(); }
+
+}  // namespace blossom::sweep

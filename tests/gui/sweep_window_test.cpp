@@ -1,22 +1,19 @@
-#include <QDir>
 #include <QElapsedTimer>
-#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
 
 #include "support/sweep_formulas.h"
-#include "ui/plugin/tool.h"
+#include "sweep_fixture.h"
 #include "ui/thread/stall_watch.h"
 #include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
-#include "window_fixture.h"
 
 using namespace blossom;
 using namespace blossom::test;
 using namespace blossom::ui;
 
 /// A swept surface is pulled by hand through the real window; the poles that come out are those of the paper's formulas.
-class SweepWindowTest : public WindowFixture {
+class SweepWindowTest : public SweepFixture {
   Q_OBJECT
  private slots:
   void initTestCase() { setUpOnce(); }
@@ -36,82 +33,7 @@ class SweepWindowTest : public WindowFixture {
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
   void aLargeMotionIsDraggedLive();
   void theHandlesAreSeen();
-
- private:
-  void openSample(const char* name);
-  void mouse(QEvent::Type, const QPoint& at, Qt::KeyboardModifiers modifiers = {});
-  void key(Qt::Key key) { QTest::keyClick(&window_->view(), key); }
-  /// Waits until the surface can be taken hold of.
-  void hover(const QPoint& at);
-  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {});
-  [[nodiscard]] QString hint() const { return window_->page().tool() ? window_->page().tool()->hint() : QString(); }
-  [[nodiscard]] QPoint onTheSide() const;
-  [[nodiscard]] const Document& document() const { return window_->page().document(); }
-  [[nodiscard]] std::vector<FeatureId> all(const char* type) const;
-  [[nodiscard]] const Feature& only(const char* type) const { return document().at(all(type).front()); }
-  [[nodiscard]] const Motion& motionOf(const FeatureId& id) const {
-    return *window_->session().view(id)->result->evaluated.shape.get<Motion>();
-  }
-  [[nodiscard]] const Surface& surfaceOf(const FeatureId& id) const {
-    return *window_->session().view(id)->result->evaluated.shape.get<Surface>();
-  }
-  static Vec3 vectorOf(const Value& p) { return {p[0].get<double>(), p[1].get<double>(), p[2].get<double>()}; }
-  void keepPictures(const char* name, const QPoint& at);
-
-  FeatureId source_, sweep_;
-  bool held_ = false;
 };
-
-/// From the file to its sweep, which is selected and seen from a corner.
-void SweepWindowTest::openSample(const char* name) {
-  openAndWait(QString::fromStdString(sample(name).string()));
-  sweep_ = sweep();
-  source_ = document().at(sweep_).inputs.front();
-  window_->view().lookFrom(QStringLiteral("iso"), false);
-  window_->view().fit(false);
-  window_->tree().select(sweep_);
-  window_->view().setFocus();
-}
-
-/// Straight to the view: moves by way of the display arrive in their own time.
-void SweepWindowTest::mouse(QEvent::Type type, const QPoint& at, Qt::KeyboardModifiers modifiers) {
-  const bool moves = type == QEvent::MouseMove;
-  held_ = type == QEvent::MouseButtonPress || (held_ && moves);
-  ViewWidget& view = window_->view();
-  QMouseEvent event(type, at, view.mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
-                    held_ ? Qt::LeftButton : Qt::NoButton, modifiers);
-  QApplication::sendEvent(&view, &event);
-}
-
-void SweepWindowTest::hover(const QPoint& at) {
-  const auto over = [&] {
-    mouse(QEvent::MouseMove, at);
-    return !hint().isEmpty() && !hint().startsWith(QStringLiteral("Drag a place"));
-  };
-  QTRY_VERIFY2_WITH_TIMEOUT(over(), qPrintable("the surface cannot be taken hold of: " + hint()), 60000);
-}
-
-void SweepWindowTest::drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers) {
-  hover(from);
-  mouse(QEvent::MouseButtonPress, from);
-  for (int k = 1; k <= 6; ++k) mouse(QEvent::MouseMove, from + (to - from) * k / 6, modifiers);
-  mouse(QEvent::MouseButtonRelease, to, modifiers);
-  waitUntilComputed();
-}
-
-/// A place of the cylinder about z at half its height that is seen neither from the front nor edge on.
-QPoint SweepWindowTest::onTheSide() const {
-  const Vec3 eye = window_->view().camera().turn().toCamera();
-  const double azimuth = std::atan2(eye.y(), eye.x()) + 0.8;
-  return screenOf(Vec3(10 * std::cos(azimuth), 10 * std::sin(azimuth), 21));
-}
-
-std::vector<FeatureId> SweepWindowTest::all(const char* type) const {
-  std::vector<FeatureId> found;
-  for (const auto& feature : document().features())
-    if (feature->type == type) found.push_back(feature->id);
-  return found;
-}
 
 void SweepWindowTest::eachWayAloneMovesItsPolesByTheFormula_data() {
   QTest::addColumn<int>("key");
@@ -406,21 +328,6 @@ void SweepWindowTest::aLargeMotionIsDraggedLive() {
   waitUntilComputed();
   QCOMPARE(all("sweep.pull").size(), std::size_t(1));
   QVERIFY(!window_->session().view(sweep_)->result->error);
-}
-
-/// Kept where BLOSSOM_PICTURES says, to be looked at.
-void SweepWindowTest::keepPictures(const char* name, const QPoint& at) {
-  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
-  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
-    ThemeManager::instance().apply(choice);
-    mouse(QEvent::MouseMove, at);
-    QVERIFY(!canvas().isNull());
-    const QPixmap picture = window_->grab();
-    QVERIFY(!picture.isNull());
-    const QString theme = choice == ThemeChoice::Light ? QStringLiteral("light") : QStringLiteral("dark");
-    if (!folder.isEmpty())
-      QVERIFY(picture.save(QDir(folder).filePath(QStringLiteral("%1-%2.png").arg(QLatin1String(name), theme))));
-  }
 }
 
 void SweepWindowTest::theHandlesAreSeen() {

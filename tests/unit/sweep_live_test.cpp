@@ -195,6 +195,25 @@ class SweepLiveTest : public QObject {
     }
   }
 
+  /// Many parameters of a span are evaluated by powers, a single one by its basis functions.
+  void manyParametersOfASpanAreAsOne() {
+    auto random = seededRandom();
+    double apart = 0;
+    for (int k = 0; k < 30; ++k) {
+      const Motion motion = motionOfKind(random, k);
+      const auto us = evenParameters(motion.domainU(), 200), vs = randomParameters(random, motion.domainV(), {});
+      MotionGrid grid, row;
+      evaluateGrid(motion, us, vs, grid);
+      for (std::size_t i = 0; i < us.size(); i += 7) {
+        evaluateGrid(motion, std::span(us).subspan(i, 1), vs, row);
+        for (std::size_t l = 0; l < vs.size(); ++l)
+          apart = std::max(apart, (grid.pointAt(i, l) - row.pointAt(0, l)).norm() / (1 + row.pointAt(0, l).norm()));
+      }
+    }
+    qInfo("figure spans_apart %.2e", apart);
+    QVERIFY2(apart < 1e-12, qPrintable(QString::number(apart)));
+  }
+
   void whatIsTheSameIsNotEvaluated() {
     auto random = seededRandom();
     Motion motion = randomMotion(random, ClosedU::No);

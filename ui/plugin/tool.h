@@ -1,4 +1,5 @@
 #pragma once
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <QObject>
@@ -42,6 +43,14 @@ struct ToolEvent {
   Qt::MouseButton button = Qt::NoButton;
   Qt::KeyboardModifiers modifiers;
   double millimetresPerPixel = 1;  ///< at the camera's target
+};
+
+/// A picture of a shape while a tool changes it, drawn instead of features in the colours and the display mode of what is
+/// being made. Points and normals may be changed in place between two calls of `Tool::standIn`, cells may not.
+struct StandIn {
+  std::vector<FeatureId> insteadOf;    ///< those of them that are shown are hidden meanwhile
+  vtkSmartPointer<vtkPolyData> faces;  ///< triangles, with a normal for each point
+  vtkSmartPointer<vtkPolyData> edges;  ///< polylines; null: none
 };
 
 /// Interface of the workbench for tools.
@@ -109,8 +118,10 @@ class Tool : public QObject {
   [[nodiscard]] virtual std::optional<Vec3> drawsIn() const { return std::nullopt; }
   /// The objects that `ToolEvent::pick` finds and that are highlighted under the mouse.
   [[nodiscard]] virtual PickMode picks() const { return PickMode::Any; }
-  /// Objects drawn over the scene, never picked. Called after every `changed`.
+  /// Objects drawn over the scene, never picked. Called before the next frame after `changed`, however often it came.
   [[nodiscard]] virtual std::vector<vtkSmartPointer<vtkProp>> props() const { return {}; }
+  /// A shape that stands in for features; empty: they are shown themselves. Called like `props`.
+  [[nodiscard]] virtual std::optional<StandIn> standIn() const { return std::nullopt; }
   /// The document changed under the tool (undo, a new result). A tool whose feature is gone should emit finished().
   virtual void documentChanged() {}
   /// Called when the tool is ended from outside (Esc, another tool): reverts previews.

@@ -17,9 +17,11 @@ constexpr int lookMs = 2;                        // between looks whether a fram
 constexpr int samplesPerPixel = 4;               // of each pixel, where the graphics are fast
 constexpr double fastMs = 2;                     // a frame without them that takes no longer can have them
 constexpr double fluentMs = 20;                  // a frame with them that takes longer had better not
-constexpr double stutterMs = 50;                 // a frame that takes longer does not look like movement
-constexpr double easyMs = 12;                    // a coarse frame that takes no longer need not be coarse
+constexpr double stutterMs = 30;                 // a frame that takes longer does not look like movement
+constexpr double easyMs = 7;                     // a coarse frame that takes no longer need not be coarse
+constexpr double quickMs = 12;                   // a frame that takes no longer may be begun between two changes
 constexpr int restMs = 140;                      // after the last change
+constexpr int shortRestMs = 10;                  // where frames are quick
 constexpr std::chrono::microseconds soon(1500);  // worth waiting for: fast graphics need no second look
 
 }  // namespace
@@ -172,7 +174,9 @@ void LivePicture::chooseSmoothing() {
     return;
   }
   // What has just been opened is not being moved.
-  settle_.start(opened_ && smoothing_.taken() <= 1 ? restMs : 0);
+  const bool quick = lastFrameMs_ <= quickMs && frameSize_ == picture_.size();
+  const int rest = quick ? shortRestMs : restMs;
+  settle_.start(opened_ && smoothing_.taken() <= 1 ? rest : 0);
 }
 
 }  // namespace blossom::ui

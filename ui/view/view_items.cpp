@@ -86,6 +86,7 @@ ItemsChange ViewItems::set(const std::vector<ViewItem>& items) {
     const bool recolored = shown.role != item.role || shown.presence != item.presence;
     shown.role = item.role;
     shown.presence = item.presence;
+    shown.replaced = isReplaced(item.id);
     const bool renewed = renew(shown, item);
     if (renewed) change.shapes.push_back(item.id);
     if (recolored || renewed) paint(item.id, shown);
@@ -163,6 +164,7 @@ std::vector<Vec3> ViewItems::pointsToCome() const {
 void ViewItems::setLook(const Look& look) {
   look_ = look;
   for (auto& [id, shown] : shown_) paint(id, shown);
+  paint({}, standInShown_);
 }
 
 void ViewItems::setDisplayMode(DisplayMode mode) {
@@ -171,6 +173,7 @@ void ViewItems::setDisplayMode(DisplayMode mode) {
     applyMode(shown);
     applyCulling(shown);
   }
+  applyMode(standInShown_);
 }
 
 void ViewItems::applyMode(const Shown& shown) const {
@@ -179,14 +182,46 @@ void ViewItems::applyMode(const Shown& shown) const {
   for (const auto& actor : shown.actors) {
     const ActorRole part = roleOf(actor);
     if (part == ActorRole::Faces) {
-      actor->SetVisibility(!wires || triangles);
+      actor->SetVisibility(!shown.replaced && (!wires || triangles));
       if (wires)
         actor->GetProperty()->SetRepresentationToWireframe();
       else
         actor->GetProperty()->SetRepresentationToSurface();
     }
-    if (part == ActorRole::Edges) actor->SetVisibility(mode_ != DisplayMode::Shaded || isDrawing(shown.scene));
+    if (part == ActorRole::Edges)
+      actor->SetVisibility(!shown.replaced && (mode_ != DisplayMode::Shaded || isDrawing(shown.scene)));
+    if (part == ActorRole::Points) actor->SetVisibility(!shown.replaced);
   }
+}
+
+bool ViewItems::isReplaced(const FeatureId& id) const {
+  return standIn_ && std::find(standIn_->insteadOf.begin(), standIn_->insteadOf.end(), id) != standIn_->insteadOf.end();
+}
+
+void ViewItems::markReplaced() {
+  for (auto& [id, shown] : shown_) {
+    if (shown.replaced == isReplaced(id)) continue;
+    shown.replaced = !shown.replaced;
+    applyMode(shown);
+  }
+}
+
+// It is what is made, whatever becomes of the shapes it stands for; open, as both of its sides may be seen.
+bool ViewItems::setStandIn(const std::optional<StandIn>& standIn) {
+  const auto facesOf = [](const std::optional<StandIn>& each) { return each ? each->faces.Get() : nullptr; };
+  const bool other = facesOf(standIn) != facesOf(standIn_);
+  standIn_ = standIn;
+  markReplaced();
+  if (!other) return false;
+  hide(standInShown_);
+  standInShown_ = {};
+  if (!standIn_) return true;
+  standInShown_.scene.faces = standIn_->faces;
+  standInShown_.scene.edges = standIn_->edges;
+  standInShown_.role = ItemRole::Made;
+  show(standInShown_);
+  paint({}, standInShown_);
+  return true;
 }
 
 void ViewItems::setHovered(const FeatureId& id) {
@@ -206,6 +241,7 @@ void ViewItems::setSection(const std::optional<CutPlane>& cut) {
   }
   if (!switched) return;
   for (const auto& [id, shown] : shown_) applySection(shown);
+  applySection(standInShown_);
 }
 
 void ViewItems::applySection(const Shown& shown) const {
@@ -251,7 +287,7 @@ vtkPlane* ViewItems::clip() const { return section_ ? clip_.Get() : nullptr; }
 
 // Only colours change: the geometry stays on the card.
 void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
-  const bool hovered = id == hovered_;
+  const bool hovered = !id.empty() && id == hovered_;
   for (const auto& actor : shown.actors) {
     const ActorRole part = roleOf(actor);
     const Opacity opacity = opacityOf(shown.presence);

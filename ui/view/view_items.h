@@ -63,6 +63,8 @@ class ViewItems {
   /// To be called before each frame. @param millimetresPerPixel in the plane of the section
   void placeCaps(vtkCamera&, double millimetresPerPixel) const;
   void setHovered(const FeatureId&);  ///< lights up as a whole; empty: none
+  /// What a tool shows instead of some shapes, which can be picked all the same. @returns whether other data are shown
+  bool setStandIn(const std::optional<StandIn>&);
   void setSection(const std::optional<CutPlane>&);
   /// What everything that follows the section is clipped by; nullptr: there is none.
   [[nodiscard]] vtkPlane* clip() const;
@@ -90,6 +92,7 @@ class ViewItems {
     SceneData scene;
     ItemRole role = ItemRole::Plain;
     Presence presence = Presence::Whole;
+    bool replaced = false;  ///< something stands in for it
     std::vector<vtkSmartPointer<vtkActor>> actors;
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
@@ -104,12 +107,16 @@ class ViewItems {
   void paintFaces(vtkActor&, const Shown&, bool hovered) const;
   void paintEdges(vtkActor&, const Shown&, bool hovered) const;
   static void layer(vtkActor&, const Shown&);
+  [[nodiscard]] bool isReplaced(const FeatureId&) const;
+  void markReplaced();
   void applyMode(const Shown&) const;
   void applySection(const Shown&) const;
   void applyCulling(const Shown&) const;
 
   vtkRenderer* renderer_;
   std::map<FeatureId, Shown> shown_;
+  std::optional<StandIn> standIn_;
+  Shown standInShown_;
   Look look_ = Look::dark();
   DisplayMode mode_ = DisplayMode::ShadedWithEdges;
   FeatureId hovered_;

@@ -46,6 +46,10 @@ void ViewStage::replace(Props& before, Props now) {
   for (const auto& prop : before) renderer_->AddViewProp(prop);
 }
 
+void ViewStage::setStandIn(const std::optional<StandIn>& standIn) {
+  if (items_.setStandIn(standIn)) keepGridLast();
+}
+
 void ViewStage::setLook(const Look& look) {
   look_ = look;
   setUpRenderer(renderer_, look_);

@@ -33,6 +33,7 @@ class ViewStage {
   void setOverlay(Props props) { replace(overlay_, std::move(props)); }
   [[nodiscard]] bool hasOverlay() const { return !overlay_.empty(); }
   void setToolProps(Props props) { replace(toolProps_, std::move(props)); }
+  void setStandIn(const std::optional<StandIn>&);
 
   void setLook(const Look&);
   void setScale(double devicePixelsPerPixel);

@@ -35,7 +35,7 @@ void ViewWidget::connectParts() {
   connect(picture_.get(), &LivePicture::painted, this, &ViewWidget::framePainted);
   connect(picture_.get(), &LivePicture::scaleChanged, this, [this] {
     stage_.setScale(picture_->scale());
-    showToolProps();  // in the widths of this scale
+    markTool();  // in the widths of this scale
   });
   connect(&camera_, &CameraControl::moved, picture_.get(), &LivePicture::redrawMoving);
   connect(&camera_, &CameraControl::jumped, picture_.get(), &LivePicture::redrawAtRest);
@@ -65,6 +65,7 @@ void ViewWidget::resizeEvent(QResizeEvent* event) {
 void ViewWidget::placeCube() { cube_->move(width() - cube_->width() - 14, 12); }
 
 void ViewWidget::prepareFrame(QPointF offset, QSize picture) {
+  bringToolUpToDate();
   frameTurn_ = camera_.turn();
   stage_.prepare(camera_, size(), offset, picture);
 }
@@ -109,7 +110,7 @@ void ViewWidget::setOverlay(std::vector<vtkSmartPointer<vtkProp>> overlay) {
 
 void ViewWidget::setLook(const Look& look) {
   stage_.setLook(look);
-  showToolProps();  // in the colours of this look
+  markTool();  // in the colours of this look
 }
 
 void ViewWidget::setGridVisible(bool visible) {
@@ -133,6 +134,7 @@ void ViewWidget::setSection(const std::optional<CutPlane>& section) {
 
 std::vector<Vec3> ViewWidget::everything() {
   bringUpToDate();
+  bringToolUpToDate();
   return stage_.points();
 }
 

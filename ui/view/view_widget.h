@@ -137,7 +137,8 @@ class ViewWidget : public QWidget, private PictureSubject {
   void placeCube();
   // What the mouse does.
   [[nodiscard]] ToolEvent toolEvent(QPointF at, Qt::MouseButton, Qt::KeyboardModifiers);
-  void showToolProps();
+  void markTool();
+  void bringToolUpToDate();
   bool offerKey(const QKeyEvent&);
   void hoverAt(QPointF at, Qt::KeyboardModifiers);
   void setHovered(const Pick&);
@@ -158,6 +159,7 @@ class ViewWidget : public QWidget, private PictureSubject {
 
   QPointer<Tool> tool_;
   bool handles_ = false, toolHasMouse_ = false;
+  bool toolStale_ = false;            ///< what it draws
   std::optional<QPointF> pressedAt_;  ///< where the tool took a press; empty after a double click, which is done
   KeyOffer keyOffer_ = KeyOffer::None;
   PickMode pickMode_ = PickMode::Feature;

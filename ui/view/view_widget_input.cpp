@@ -170,17 +170,27 @@ void ViewWidget::setSelectedParts(const std::vector<Pick>& parts) {
 
 void ViewWidget::setTool(Tool* tool, bool handles) {
   if (tool_ && tool_ != tool) disconnect(tool_, nullptr, this, nullptr);
-  if (tool && tool_ != tool) connect(tool, &Tool::changed, this, &ViewWidget::showToolProps);
+  if (tool && tool_ != tool) connect(tool, &Tool::changed, this, &ViewWidget::markTool);
   tool_ = tool;
   handles_ = handles && tool;
   toolHasMouse_ = false;
   setHovered({});
-  showToolProps();
+  markTool();
 }
 
-void ViewWidget::showToolProps() {
+// Several movements of the mouse may come before a frame is there. What the mouse moves counts as moving.
+void ViewWidget::markTool() {
+  toolStale_ = true;
+  if (toolHasMouse_)
+    picture_->redrawMoving();
+  else
+    picture_->redraw();
+}
+
+void ViewWidget::bringToolUpToDate() {
+  if (!std::exchange(toolStale_, false)) return;
+  stage_.setStandIn(tool_ ? tool_->standIn() : std::nullopt);
   stage_.setToolProps(tool_ ? tool_->props() : ViewStage::Props());
-  picture_->redraw();
 }
 
 ToolEvent ViewWidget::toolEvent(QPointF at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {

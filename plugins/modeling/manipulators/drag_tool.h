@@ -1,10 +1,10 @@
 #pragma once
 #include <optional>
 
-#include "manipulators/size_entry.h"
 #include "manipulators/tool_scene.h"
 #include "parameter/parameter.h"
 #include "ui/tools/handle_tool.h"
+#include "ui/tools/typed_text.h"
 
 namespace blossom::modeling {
 
@@ -90,7 +90,7 @@ class DragTool : public ui::HandleTool {
   std::optional<Snap> snap_;
   std::optional<std::size_t> chosen_;
   std::optional<std::size_t> pointed_, typing_;  ///< a dimension: under the mouse; whose value is being typed
-  SizeEntry entry_;
+  ui::TypedText entry_;
   QString refusal_;
 };
 

@@ -17,9 +17,12 @@ constexpr double degreesPerRadian = 180 / std::numbers::pi;
 
 }  // namespace
 
-DragTarget::DragTarget(const PlaceHit& start, const ui::ToolEvent& event)
-    : start_(start.point), now_(start.point), towards_(event.ray.direction) {
+DragTarget::DragTarget(const PlaceHit& start, const Vec3& towards)
+    : start_(start.point), now_(start.point), towards_(towards) {
   if (start.normal.squaredNorm() > 0) normal_ = start.normal;
+}
+
+DragTarget::DragTarget(const PlaceHit& start, const ui::ToolEvent& event) : DragTarget(start, event.ray.direction) {
   if (const auto held = inPlane(event.ray)) off_ = *held - start_;
 }
 

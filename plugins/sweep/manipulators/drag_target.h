@@ -11,6 +11,8 @@ class DragTarget {
  public:
   DragTarget() = default;
   DragTarget(const PlaceHit& start, const ui::ToolEvent&);
+  /// Without a mouse: the goal is typed.
+  DragTarget(const PlaceHit& start, const Vec3& towards);
 
   /// In the plane through the point that faces the viewer; with Shift along the normal of the surface. Where the mouse
   /// determines no point, the one before.

@@ -16,6 +16,12 @@ std::vector<MotionPlace> placesIn(const Value& parameters, const char* name) {
   return placesOf(parameters.at(name).get<std::vector<Value>>());
 }
 
+Value recordsOf(const std::vector<MotionPlace>& places) {
+  Value records = Value::array();
+  for (const MotionPlace& at : places) records.push_back(Value::object({{"u", at.u}, {"v", at.v}}));
+  return records;
+}
+
 EditSymmetry symmetryOf(const Value& parameters) {
   return {parameters.at("fold").get<int>(), parameters.at("mirror").get<bool>()};
 }
@@ -52,13 +58,15 @@ Value parametersOf(const MotionPull& edit) {
 }
 
 Value parametersOf(const MotionTwist& edit) {
-  Value places = Value::array();
-  for (const MotionPlace& at : edit.at) places.push_back(Value::object({{"u", at.u}, {"v", at.v}}));
-  return Value::object({{"places", places},
+  return Value::object({{"places", recordsOf(edit.at)},
                         {"axis", arrayOf(edit.axis)},
                         {"angle", edit.angle},
                         {"fold", edit.symmetry.fold},
                         {"mirror", edit.symmetry.mirror}});
+}
+
+Value pinsOf(const MotionEdit& edit) {
+  return std::visit([](const auto& each) { return recordsOf(each.pins); }, edit);
 }
 
 }  // namespace blossom::sweep

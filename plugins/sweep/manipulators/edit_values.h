@@ -13,5 +13,6 @@ MotionTwist twistOf(const Value& parameters);
 /// Everything the mouse decides; pins and the axis of a pull are left out.
 Value parametersOf(const MotionPull&);
 Value parametersOf(const MotionTwist&);
+Value pinsOf(const MotionEdit&);  ///< the parameter `pins` of both
 
 }  // namespace blossom::sweep

@@ -35,8 +35,11 @@ FeatureId lastOf(const Document& document, FeatureId id) {
   }
 }
 
-Value parametersOf(const MotionEdit& edit) {
-  return std::visit([](const auto& each) { return blossom::sweep::parametersOf(each); }, edit);
+Value parametersOf(const MotionEdit& edit, const std::optional<TypedGoal>& typed) {
+  Value parameters = std::visit([](const auto& each) { return blossom::sweep::parametersOf(each); }, edit);
+  if (typed && std::holds_alternative<MotionPull>(edit)) parameters["pulls"][typed->place]["to"] = typed->written;
+  if (typed && std::holds_alternative<MotionTwist>(edit)) parameters["angle"] = typed->written;
+  return parameters;
 }
 
 }  // namespace
@@ -71,15 +74,17 @@ std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& 
   } catch (const std::exception&) {
     return std::nullopt;  // the feature itself says what is wrong with it, or depends on named numbers
   }
-  const bool single = std::visit([](const auto& each) { return each.at.size() == 1; }, last.edit);
-  return single ? std::optional(last) : std::nullopt;
+  const bool any = std::visit([](const auto& each) { return !each.at.empty(); }, last.edit);
+  return any ? std::optional(last) : std::nullopt;
 }
 
-Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, const MotionEdit& edit) {
+Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, const MotionEdit& edit,
+                  const std::optional<TypedGoal>& typed) {
   Document document = host.document();
   const auto type = host.registry().at(std::holds_alternative<MotionPull>(edit) ? pullType : twistType);
   Feature feature = ui::namedFeature(document, *type, {placement.source});
-  feature.parameters = parametersOf(edit);
+  feature.parameters = parametersOf(edit, typed);
+  if (const Value pins = pinsOf(edit); !pins.empty()) feature.parameters["pins"] = pins;
   feature.visible = document.at(placement.source).visible;
   const FeatureId id = feature.id;
   document = document.with(std::move(feature));
@@ -91,9 +96,10 @@ Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, cons
   return document;
 }
 
-Document withChangedEdit(const ui::ToolHost& host, const FeatureId& id, const MotionEdit& edit) {
+Document withChangedEdit(const ui::ToolHost& host, const FeatureId& id, const MotionEdit& edit,
+                         const std::optional<TypedGoal>& typed) {
   Feature feature = host.document().at(id);
-  const Value decided = parametersOf(edit);
+  const Value decided = parametersOf(edit, typed);
   for (const auto& [name, value] : decided.items()) feature.parameters[name] = value;
   return host.document().with(std::move(feature));
 }

@@ -16,7 +16,7 @@ struct EditPlacement {
 /// is what is seen. Empty for other features, and while the motion has no result.
 std::optional<EditPlacement> editPlacement(const ui::ToolHost&, const FeatureId& selected);
 
-/// An edit that the mouse can change: the last one before the sweep, of a single place.
+/// An edit that the mouse can change: the last one before the sweep.
 struct LastEdit {
   FeatureId id;
   MotionEdit edit;
@@ -24,9 +24,15 @@ struct LastEdit {
 };
 std::optional<LastEdit> lastEdit(const ui::ToolHost&, const EditPlacement&);
 
+/// What the document is to keep of the goal of an edit that was typed: three coordinates, or an angle.
+struct TypedGoal {
+  std::size_t place = 0;  ///< of a pull: the one it is the goal of
+  Value written;
+};
+
 /// The document with one more edit between the motion and its sweeps.
-Document withEdit(const ui::ToolHost&, const EditPlacement&, const MotionEdit&);
+Document withEdit(const ui::ToolHost&, const EditPlacement&, const MotionEdit&, const std::optional<TypedGoal>& = {});
 /// The document with an edit that is there changed; pins and what else the mouse does not decide stay.
-Document withChangedEdit(const ui::ToolHost&, const FeatureId&, const MotionEdit&);
+Document withChangedEdit(const ui::ToolHost&, const FeatureId&, const MotionEdit&, const std::optional<TypedGoal>& = {});
 
 }  // namespace blossom::sweep

@@ -1,5 +1,7 @@
 #include "manipulators/live_edit.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "kernel/edit/apply_edits.h"
 
@@ -11,20 +13,36 @@ QString sentences(const std::string& what, const std::string& remedy) {
   return QString::fromStdString(remedy.empty() ? what : what + " " + remedy);
 }
 
+/// What least squares leave of it is as little as can be.
+bool isShared(const Obstacle& obstacle) { return obstacle.why == Unreached::TooClose || obstacle.why == Unreached::Pinned; }
+
 }  // namespace
+
+LiveEdit::LiveEdit(std::shared_ptr<const LiveSurface> before, bool capped)
+    : before_(std::move(before)),
+      grid_(before_->grid),
+      mesh_(grid_.grid(), {grid_.motion().closedU != ClosedU::No, capped && grid_.motion().closedU != ClosedU::No}) {}
 
 void LiveEdit::show(const Motion& base, const MotionEdit& edit) {
   reason_.clear();
+  nearest_ = false;
+  remainder_ = 0;
   try {
     const EditResult result = edited(base, edit);
-    grid_.update(result.motion);
-    if (result.obstacles.empty()) return;
-    const Explanation reason = explain(result.obstacles.front());
-    reason_ = sentences(reason.what, reason.remedy);
+    mesh_.update(grid_.grid(), grid_.update(result.motion));
+    judge(result);
   } catch (const Error& error) {
-    grid_.update(before_->motion());
+    mesh_.update(grid_.grid(), grid_.update(before_->motion()));
     reason_ = sentences(error.message(), error.hint());
   }
+}
+
+void LiveEdit::judge(const EditResult& result) {
+  if (result.obstacles.empty()) return;
+  const Explanation reason = explain(result.obstacles.front());
+  reason_ = sentences(reason.what, reason.remedy);
+  nearest_ = std::all_of(result.obstacles.begin(), result.obstacles.end(), isShared);
+  remainder_ = result.remainder;
 }
 
 }  // namespace blossom::sweep

@@ -3,22 +3,33 @@
 #include <vtkProp.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/edit/motion_symmetry.h"
-#include "manipulators/live_net.h"
 
 namespace blossom::sweep {
 
 namespace {
 
-constexpr std::size_t netEvery = 4;                  // rows of the live grid
 constexpr double axisPixels = 90, twistRadius = 40;  // half the length of an axis; the arc of a point on it
-constexpr double pointPixels = 10, copyPixels = 8;
+constexpr double pointPixels = 10, copyPixels = 8, pinPixels = 7;
+constexpr double seamPixels = 1.3;
+constexpr QPointF halfLabel(26, 11);  // logical pixels, of a card with an angle
+constexpr double labelDistance = 16;  // from the end of an arc to the card
 
 }  // namespace
 
 void PullMarks::lines(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
   if (!all.empty()) props_.push_back(ui::linesProp(all, color, width * host_.pixelRatio()));
+}
+
+void PullMarks::seamed(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
+  lines(all, color, width);
+  lines(besides(all, facing_, seamPixels), host_.look().backgroundBottom, width);
+}
+
+void PullMarks::points(const std::vector<Vec3>& all, const Color& color, double pixels) {
+  if (!all.empty()) props_.push_back(ui::pointsProp(all, color, pixels * host_.pixelRatio()));
 }
 
 /// Beside the background: what is idle, or on the far side.
@@ -37,11 +48,17 @@ void PullMarks::place(const Motion& motion, const PlaceHit& hit, const PullMode&
   const double side = hit.normal.dot(towards) >= 0 ? 1 : -1;
   surfaceLines(borderOf(motion, editRegion(motion, hit.at, mode.way()), towards, side), 1);
   surfaceLines(isoCurvesThrough(motion, hit.at, towards, side), 1.8);
-  props_.push_back(ui::pointsProp({hit.point}, host_.look().control, pointPixels * host_.pixelRatio()));
+  points({hit.point}, host_.look().control, pointPixels);
 }
 
-void PullMarks::copies(const std::vector<Vec3>& all) {
-  if (!all.empty()) props_.push_back(ui::pointsProp(all, host_.look().control, copyPixels * host_.pixelRatio()));
+void PullMarks::copies(const std::vector<Vec3>& all) { points(all, host_.look().control, copyPixels); }
+
+void PullMarks::chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& pinned) {
+  points(moved, host_.look().control, pointPixels);
+  std::vector<std::vector<Vec3>> squares;
+  for (const Vec3& at : pinned) squares.push_back(squareOnScreen(at, facing_, pinPixels));
+  seamed(squares, host_.look().control, 2);
+  points(pinned, host_.look().control, copyPixels / 2);
 }
 
 void PullMarks::ring(const Vec3& centre, const PullMode& mode) {
@@ -51,22 +68,38 @@ void PullMarks::ring(const Vec3& centre, const PullMode& mode) {
   lines(ring.border, host_.look().backgroundBottom, 1);
 }
 
-void PullMarks::twist(const Vec3& centre, const Vec3& axis, const Vec3& arm, const std::optional<double>& degrees) {
-  const double pixel = facing_.pixel;
-  const auto all = twistLines(centre, axis, arm, degrees.value_or(0), axisPixels * pixel, twistRadius * pixel);
-  lines({all.front()}, host_.look().control, 2);
-  if (!degrees) return;
-  lines({all.back()}, host_.look().made, 2);
-  const Vec3& end = all.back()[all.back().size() - 2];
-  props_.push_back(ui::labelProp(QStringLiteral("%1°").arg(*degrees, 0, 'f', 1), end,
-                                 ui::labelLook(host_.look(), host_.look().made, host_.pixelRatio())));
+void PullMarks::axis(const Vec3& centre, const Vec3& axis) {
+  const Vec3 half = axisPixels * facing_.pixel * axis;
+  seamed({{centre - half, centre + half}}, host_.look().control, 2);
 }
 
-void PullMarks::drag(const LiveEdit& live, const Vec3& from, const Vec3& to) {
-  const Color& made = host_.look().made;
-  lines(changedNet(live.gridBefore(), live.grid(), netEvery), made, 1);
-  lines({{from, to}}, made, 1.5);
-  props_.push_back(ui::pointsProp({to}, made, pointPixels * host_.pixelRatio()));
+void PullMarks::turn(const TwistArc& arc, const QString& text) {
+  const std::vector<Vec3> line = arcOf(arc, twistRadius * facing_.pixel);
+  seamed({line}, host_.look().made, 2);
+  if (text.isEmpty()) return;
+  // Beyond the end of the arc, where neither the arc nor the point that is dragged lies.
+  const Vec3 &foot = line.front(), &end = line[line.size() - 2];
+  const Vec2 out((end - foot).dot(facing_.right), (end - foot).dot(facing_.up));
+  const Vec2 away = out.norm() > 0 ? Vec2(out.normalized()) : Vec2(0, 1);
+  ui::LabelLook look = ui::labelLook(host_.look(), host_.look().made, host_.pixelRatio());
+  look.card = ui::qtColor(host_.look().backgroundBottom);
+  look.shift = {away.x() * (labelDistance + halfLabel.x()),
+                away.y() * (labelDistance + halfLabel.y()) - halfLabel.y() - ui::labelGap};
+  props_.push_back(ui::labelProp(text, end, look));
+}
+
+void PullMarks::way(const Vec3& from, const Vec3& to) {
+  seamed({{from, to}}, host_.look().control, 1.5);
+  points({to}, host_.look().control, pointPixels);
+}
+
+void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& unit) {
+  const Color &made = host_.look().made, &ground = host_.look().backgroundBottom;
+  ui::LabelLook look = ui::labelLook(host_.look(), text.selected() ? ground : made, host_.pixelRatio());
+  look.card = ui::qtColor(text.selected() ? made : ground);
+  look.border = ui::qtColor(made);
+  look.shift = {0, ringReach};  // above the ring
+  props_.push_back(ui::labelProp(text.selected() ? text.text() + unit : text.text() + QStringLiteral(" |"), at, look));
 }
 
 std::vector<Vec3> copiesOf(const Motion& motion, const MotionPlace& at, const EditSymmetry& symmetry) {

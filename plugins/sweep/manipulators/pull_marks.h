@@ -1,17 +1,19 @@
 #pragma once
-#include <optional>
+#include <QString>
 #include <vector>
 
 #include "manipulators/edit_region.h"
-#include "manipulators/live_edit.h"
+#include "manipulators/place_under_mouse.h"
 #include "manipulators/pull_ring.h"
 #include "ui/plugin/tool.h"
+#include "ui/tools/typed_text.h"
 
 namespace blossom::sweep {
 
 using Props = std::vector<ui::PropPtr>;
 
-/// What the surface pull tool draws, in the control colour what controls and in the warm one what is being made.
+/// What the surface pull tool draws: in the control colour what controls, in the warm one what is active. Lines have a seam
+/// in the colour of the background, so that they are seen on a surface of any colour.
 class PullMarks {
  public:
   PullMarks(const ui::ToolHost& host, const Facing& facing, Props& props) : host_(host), facing_(facing), props_(props) {}
@@ -19,15 +21,24 @@ class PullMarks {
   /// The point under the mouse, its iso-curves and the border of what an edit there would touch.
   void place(const Motion&, const PlaceHit&, const PullMode&, const Vec3& towards);
   void copies(const std::vector<Vec3>&);
+  /// Places that go along, and those that stay.
+  void chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& pinned);
   void ring(const Vec3& centre, const PullMode&);
-  /// The axis through the trajectory, and with an angle the arc that the arm describes.
-  void twist(const Vec3& centre, const Vec3& axis, const Vec3& arm, const std::optional<double>& degrees);
-  /// The surface as it becomes, and the way of the point that is dragged.
-  void drag(const LiveEdit&, const Vec3& from, const Vec3& to);
+  /// The axis of a twist, through the trajectory.
+  void axis(const Vec3& centre, const Vec3& axis);
+  /// The arc of the arm, with a text beside its end.
+  void turn(const TwistArc&, const QString& text);
+  /// Of the point that is dragged.
+  void way(const Vec3& from, const Vec3& to);
+  /// What is typed about a point.
+  void entry(const Vec3& at, const ui::TypedText&, const QString& unit);
 
  private:
   void lines(const std::vector<std::vector<Vec3>>&, const Color&, double width);
+  /// With a seam; `seam` lies behind what is drawn before it, as all that comes later.
+  void seamed(const std::vector<std::vector<Vec3>>&, const Color&, double width);
   void surfaceLines(const SurfaceLines&, double width);
+  void points(const std::vector<Vec3>&, const Color&, double pixels);
   [[nodiscard]] Color faint(const Color&) const;
 
   const ui::ToolHost& host_;

@@ -1,5 +1,6 @@
 #include "manipulators/pull_mode.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace blossom::sweep {
@@ -49,6 +50,8 @@ bool PullMode::key(int key) {
     axis_ = axis_ == Axis::Tangent ? Axis::Arm : axis_ == Axis::Arm ? Axis::Across : Axis::Tangent;
   } else if (key == Qt::Key_M) {
     symmetry_.mirror = !symmetry_.mirror;
+  } else if (finestLevel > 0 && (key == Qt::Key_PageUp || key == Qt::Key_PageDown)) {
+    level_ = std::clamp(level_ + (key == Qt::Key_PageUp ? 1 : -1), 0, finestLevel);
   } else {
     return false;
   }
@@ -89,5 +92,7 @@ QString PullMode::symmetryText() const {
   if (copies) return tr("%1 copies").arg(symmetry_.fold);
   return symmetry_.mirror ? tr("mirrored") : QString();
 }
+
+QString PullMode::levelText() const { return finestLevel > 0 ? tr("level %1").arg(level_) : QString(); }
 
 }  // namespace blossom::sweep

@@ -10,8 +10,8 @@ namespace blossom::sweep {
 namespace {
 
 constexpr double radian = std::numbers::pi / 180;
-constexpr double ringRadius = 26, letterRadius = 38, letterSize = 9;  // pixels
-constexpr double arcOfShare = 96;                                     // degrees; the rest of a third is a gap
+constexpr double ringRadius = 26, letterRadius = 38, letterSize = 9, seamOfLetters = 1.3;  // pixels
+constexpr double arcOfShare = 96;  // degrees; the rest of a third is a gap
 
 using Stroke = std::vector<Vec2>;
 
@@ -79,23 +79,41 @@ RingLines ringLines(const Vec3& centre, const Facing& to, const PullWeights& wei
     for (const Stroke& stroke : letter(k)) {
       std::vector<Vec3> line;
       for (const Vec2& p : stroke) line.push_back(onScreen(centre, to, middle + letterSize / 2 * p));
+      for (auto& beside : besides({line}, to, seamOfLetters)) lines.border.push_back(std::move(beside));
       (shares[k] > 0 ? lines.active : lines.idle).push_back(std::move(line));
     }
   }
   return lines;
 }
 
-std::vector<std::vector<Vec3>> twistLines(const Vec3& centre, const Vec3& axis, const Vec3& arm, double degrees,
-                                          double halfLength, double radius) {
-  const Vec3 foot = centre + arm.dot(axis) * axis;
-  Vec3 radial = arm - arm.dot(axis) * axis;
-  if (!(radial.norm() > radius * 1e-3)) radial = radius * axis.unitOrthogonal();
+std::vector<Vec3> arcOf(const TwistArc& twist, double radius) {
+  const Vec3 foot = twist.centre + twist.arm.dot(twist.axis) * twist.axis;
+  Vec3 radial = twist.arm - twist.arm.dot(twist.axis) * twist.axis;
+  if (!(radial.norm() > radius * 1e-3)) radial = radius * twist.axis.unitOrthogonal();
   std::vector<Vec3> arc{foot};
   constexpr double step = 3;  // degrees
-  const int steps = 1 + static_cast<int>(std::abs(degrees) / step);
-  for (int i = 0; i <= steps; ++i) arc.push_back(foot + Eigen::AngleAxisd(degrees * radian * i / steps, axis) * radial);
+  const int steps = 1 + static_cast<int>(std::abs(twist.degrees) / step);
+  for (int i = 0; i <= steps; ++i)
+    arc.push_back(foot + Eigen::AngleAxisd(twist.degrees * radian * i / steps, twist.axis) * radial);
   arc.push_back(foot);
-  return {{foot - halfLength * axis, foot + halfLength * axis}, arc};
+  return arc;
+}
+
+std::vector<Vec3> squareOnScreen(const Vec3& centre, const Facing& to, double half) {
+  std::vector<Vec3> square;
+  for (const Vec2& corner : {Vec2(1, 1), Vec2(-1, 1), Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1)})
+    square.push_back(onScreen(centre, to, half * corner));
+  return square;
+}
+
+std::vector<std::vector<Vec3>> besides(const std::vector<std::vector<Vec3>>& lines, const Facing& to, double pixels) {
+  std::vector<std::vector<Vec3>> all;
+  for (const Vec2& side : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
+    for (std::vector<Vec3> line : lines) {
+      for (Vec3& p : line) p = onScreen(p, to, pixels * side);
+      all.push_back(std::move(line));
+    }
+  return all;
 }
 
 }  // namespace blossom::sweep

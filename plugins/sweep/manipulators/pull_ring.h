@@ -17,13 +17,23 @@ Facing facing(const Vec3& towards, double millimetresPerPixel);
 /// Lines of the ring around a point: an arc with its letter for each of the shares T, R, S of a pull.
 struct RingLines {
   std::vector<std::vector<Vec3>> active, idle;
-  std::vector<std::vector<Vec3>> border;  ///< beside the arcs, so that they are seen on a surface of their own colour
+  std::vector<std::vector<Vec3>> border;  ///< beside arcs and letters, which are seen on a surface of their own colour
 };
 RingLines ringLines(const Vec3& centre, const Facing&, const PullWeights&);
 
-/// The axis of a twist through a point of the trajectory, and the arc from an arm by an angle. Where the arm has no length,
-/// the arc has `radius`.
-std::vector<std::vector<Vec3>> twistLines(const Vec3& centre, const Vec3& axis, const Vec3& arm, double degrees,
-                                          double halfLength, double radius);
+inline constexpr double ringReach = 46;  ///< pixels from the centre within which the ring and its letters lie
+
+/// What a twist does to an arm from a point of the trajectory.
+struct TwistArc {
+  Vec3 centre, axis, arm;
+  double degrees = 0;
+};
+/// From the foot of the arm on the axis along the arc and back. Where the arm has no length, the arc has `radius`.
+std::vector<Vec3> arcOf(const TwistArc&, double radius);
+
+/// A square that faces the viewer; `half` of its side in pixels.
+std::vector<Vec3> squareOnScreen(const Vec3& centre, const Facing&, double half);
+/// Copies of lines to both sides, above and below, `pixels` away on the screen.
+std::vector<std::vector<Vec3>> besides(const std::vector<std::vector<Vec3>>& lines, const Facing&, double pixels);
 
 }  // namespace blossom::sweep

@@ -2,10 +2,12 @@
 #include <memory>
 #include <optional>
 
-#include "manipulators/drag_target.h"
+#include "manipulators/held_edit.h"
 #include "manipulators/insert_edit.h"
-#include "manipulators/live_edit.h"
+#include "manipulators/lingering_picture.h"
+#include "manipulators/pull_grip.h"
 #include "manipulators/pull_mode.h"
+#include "manipulators/typed_goal.h"
 #include "ui/thread/background.h"
 #include "ui/thread/mailbox.h"
 #include "ui/tools/handle_tool.h"
@@ -15,8 +17,9 @@ namespace blossom::sweep {
 class PullMarks;
 
 /// Pulls a swept surface by hand while its sweep, or an edit of its motion, is selected: any place of the surface is a
-/// handle. During a drag a grid of the surface follows at once; the end of the drag adds a pull or a twist before the sweep,
-/// or changes the last one when its place was taken, as one step of undo. Finding places is prepared in the background.
+/// handle. During a drag a shaded grid of the surface stands in for it and follows at once; the end of the drag, or Enter
+/// after the goal was typed, adds a pull or a twist before the sweep, or changes the last one when a place of it was taken,
+/// as one step of undo. Finding places is prepared in the background.
 class SurfacePullTool : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -28,9 +31,11 @@ class SurfacePullTool : public ui::HandleTool {
   bool move(const ui::ToolEvent&) override;
   bool release(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  [[nodiscard]] bool entering() const override { return entry_.has_value(); }
   /// No picking during a drag.
   [[nodiscard]] ui::PickMode picks() const override { return held() ? ui::PickMode::None : ui::PickMode::Feature; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
+  [[nodiscard]] std::optional<ui::StandIn> standIn() const override;
 
  private:
   /// What `handleUnder` finds.
@@ -45,32 +50,40 @@ class SurfacePullTool : public ui::HandleTool {
   void putBack() override;
 
   void look(const ui::ToolEvent&);
-  [[nodiscard]] std::optional<PlaceHit> lastUnder(const ui::ToolEvent&) const;
-  [[nodiscard]] std::optional<PlaceHit> anyUnder(const ui::ToolEvent&) const;
-  [[nodiscard]] bool changesLast() const;
-  [[nodiscard]] const Motion& base() const;
-  [[nodiscard]] MotionEdit currentEdit() const;
-  [[nodiscard]] MotionTwist currentTwist() const;
-  [[nodiscard]] MotionPull currentPull() const;
-  [[nodiscard]] double angle() const;
+  void hold(const DragTarget&, double pixel);
   void follow();
+  void commitEdit(const std::optional<TypedGoal>&);
+  [[nodiscard]] bool solid() const;
+
+  // Keys.
+  bool chooseKey(int key);
+  bool typingKey(const QKeyEvent&);
+  void startTyping();
+  void followTyped();
+  void takeTyped();
+  void stopTyping();
+
+  // What is said and drawn.
+  [[nodiscard]] QString typingHint() const;
   [[nodiscard]] QString heldHint() const;
   [[nodiscard]] QString hoverHint() const;
+  [[nodiscard]] QString chosenHint() const;
+  [[nodiscard]] QString leftText() const;
   void markPlace(PullMarks&) const;
-  void markDrag(PullMarks&) const;
+  void markEdit(PullMarks&) const;
 
   PullMode mode_;
   std::optional<EditPlacement> placement_;
   std::optional<LastEdit> last_;
   Shape wanted_;  ///< the motion whose surface is shown, or being prepared
   std::shared_ptr<const LiveSurface> surface_;
-  std::optional<PlaceHit> under_;  ///< the place under the mouse; during a drag the one taken hold of
-  bool onLast_ = false;            ///< it is that of the last edit
-  Vec3 towards_ = Vec3::UnitY();   ///< line of sight
-
-  DragTarget target_;
-  std::optional<Motion> lastBase_;  ///< before the last edit, when its place was taken
-  std::unique_ptr<LiveEdit> live_;
+  ChosenPlaces chosen_;
+  std::optional<PullGrip> under_;   ///< what is under the mouse
+  Vec3 towards_ = Vec3::UnitY();    ///< line of sight
+  std::unique_ptr<HeldEdit> edit_;  ///< that is being made
+  std::optional<GoalEntry> entry_;  ///< its goal is being typed
+  QString refusal_;                 ///< why it cannot be what is typed
+  std::optional<LingeringPicture> lingering_;
   QPointF pressedAt_;
   bool dragged_ = false;
 

@@ -10,7 +10,10 @@ namespace blossom::sweep {
 
 namespace {
 
-QString joined(const QStringList& parts) { return parts.join(QStringLiteral(" · ")); }
+QString joined(QStringList parts) {
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(" · "));
+}
 
 /// Why there are no copies of a place; empty when there are, or none are wanted.
 QString copiesProblem(const Motion& motion, const MotionPlace& at, const EditSymmetry& symmetry, std::vector<Vec3>& copies) {
@@ -22,40 +25,73 @@ QString copiesProblem(const Motion& motion, const MotionPlace& at, const EditSym
   return {};
 }
 
+std::vector<Vec3> pointsAt(const Motion& motion, const std::vector<MotionPlace>& places) {
+  std::vector<Vec3> points;
+  points.reserve(places.size());
+  for (const MotionPlace& at : places) points.push_back(placeHit(motion, at).point);
+  return points;
+}
+
 }  // namespace
 
 QString SurfacePullTool::hint() const {
   if (!surface_) return {};  // the view says what it does by itself
-  if (held()) return heldHint();
+  if (entry_) return typingHint();
+  if (held() && edit_) return heldHint();
   if (hovered() && under_) return hoverHint();
-  return tr("Drag a place on the surface to pull it");
+  return joined({tr("Drag a place on the surface to pull it"), chosenHint()});
+}
+
+QString SurfacePullTool::typingHint() const {
+  if (!refusal_.isEmpty()) return refusal_;
+  if (!edit_->live().arrived()) return edit_->live().reason();
+  return entry_->isAngle() ? tr("Type the angle of the twist · Enter takes it · Esc leaves it as it is")
+                           : tr("Type where the point goes: x, y, z · Enter takes it · Esc leaves it as it is");
 }
 
 QString SurfacePullTool::heldHint() const {
-  if (live_ && !live_->arrived()) return tr("Nothing will be changed here: %1").arg(live_->reason());
+  const LiveEdit& live = edit_->live();
+  if (!edit_->possible()) return tr("Nothing will be changed here: %1").arg(live.reason());
   QStringList parts;
+  if (!live.arrived()) parts << tr("The places cannot all arrive; %1 is left at most").arg(leftText());
   if (mode_.twists())
-    parts << tr("Let go to twist by %1° about %2").arg(angle(), 0, 'f', 1).arg(mode_.axisText()) << tr("A: another axis");
+    parts << tr("Let go to twist by %1° about %2").arg(edit_->angle(mode_), 0, 'f', 1).arg(mode_.axisText())
+          << tr("A: another axis") << tr("Enter: type the angle");
   else
-    parts << tr("Let go to pull the point here %1").arg(mode_.wayText()) << tr("Shift: along the normal");
-  if (const QString symmetry = mode_.symmetryText(); !symmetry.isEmpty()) parts << symmetry;
-  return joined(parts << tr("Esc takes it back"));
+    parts << tr("Let go to pull the point here %1").arg(mode_.wayText()) << tr("Shift: along the normal")
+          << tr("Enter: type the target");
+  return joined(parts << mode_.symmetryText() << mode_.levelText() << tr("Esc takes it back"));
+}
+
+QString SurfacePullTool::leftText() const {
+  const double left = edit_->live().remainder();
+  if (mode_.twists()) return QStringLiteral("%1°").arg(left, 0, 'g', 2);
+  const LengthUnit unit = host().lengthUnit();
+  return QStringLiteral("%1 %2").arg(left / unit.millimetres, 0, 'g', 2).arg(QString::fromStdString(unit.name));
 }
 
 QString SurfacePullTool::hoverHint() const {
   std::vector<Vec3> copies;
-  if (const QString problem = copiesProblem(surface_->motion(), under_->at, mode_.symmetry(), copies); !problem.isEmpty())
+  if (const QString problem = copiesProblem(surface_->motion(), under_->hit.at, mode_.symmetry(), copies);
+      !problem.isEmpty())
     return joined({problem, tr("1: no copies")});
   QStringList parts;
   if (mode_.twists())
-    parts << tr("Drag to twist the surface here about %1").arg(mode_.axisText()) << tr("A: another axis") << tr("W: pull");
+    parts << tr("Drag to twist the surface here about %1").arg(mode_.axisText()) << tr("A: another axis") << tr("W: pull")
+          << tr("Enter: type the angle");
   else
-    parts << (onLast_ ? tr("Drag to pull this point further, %1").arg(mode_.wayText())
-                      : tr("Drag to pull this point %1").arg(mode_.wayText()))
-          << tr("T, R, S: one way alone") << tr("W: twist");
+    parts << (under_->ofLast ? tr("Drag to pull this point further, %1").arg(mode_.wayText())
+                             : tr("Drag to pull this point %1").arg(mode_.wayText()))
+          << tr("T, R, S: one way alone") << tr("W: twist") << tr("Enter: type the target");
   const QString symmetry = mode_.symmetryText();
-  parts << (symmetry.isEmpty() ? tr("2–9, M: copies") : tr("%1 (1: none)").arg(symmetry));
+  parts << (chosen_.empty() ? tr("Shift-click: take it along") + QStringLiteral(", ") + tr("P: pin it") : chosenHint());
+  parts << (symmetry.isEmpty() ? tr("2–9, M: copies") : tr("%1 (1: none)").arg(symmetry)) << mode_.levelText();
   return joined(parts);
+}
+
+QString SurfacePullTool::chosenHint() const {
+  if (chosen_.empty()) return {};
+  return tr("chosen: %1, pinned: %2 (Esc: none)").arg(chosen_.moved.size()).arg(chosen_.pinned.size());
 }
 
 std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
@@ -63,35 +99,46 @@ std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
   if (!surface_) return props;
   const Facing face = facing(towards_, millimetresPerPixel());
   PullMarks marks(host(), face, props);
-  if (held() && live_)
-    markDrag(marks);
+  const bool editing = edit_ && (held() || entry_);
+  if (editing)
+    markEdit(marks);
   else if (hovered() && under_)
     markPlace(marks);
+  const Motion& motion = editing ? edit_->live().motion() : surface_->motion();
+  marks.chosen(pointsAt(motion, chosen_.moved), pointsAt(motion, chosen_.pinned));
   return props;
 }
 
 void SurfacePullTool::markPlace(PullMarks& marks) const {
   const Motion& motion = surface_->motion();
+  const PlaceHit& hit = under_->hit;
   // Of lines at one depth the first is seen: the ring before the iso-curves.
-  if (!mode_.twists()) marks.ring(under_->point, mode_);
-  marks.place(motion, *under_, mode_, towards_);
+  if (!mode_.twists()) marks.ring(hit.point, mode_);
+  marks.place(motion, hit, mode_, towards_);
   std::vector<Vec3> copies;
-  copiesProblem(motion, under_->at, mode_.symmetry(), copies);
+  copiesProblem(motion, hit.at, mode_.symmetry(), copies);
   marks.copies(copies);
   if (!mode_.twists()) return;
-  const Vec3 centre = point(motion.trajectory, under_->at.v);
-  marks.twist(centre, twistAxis(motion, under_->at, mode_.axis()), under_->point - centre, std::nullopt);
+  const Vec3 centre = point(motion.trajectory, hit.at.v);
+  marks.axis(centre, twistAxis(motion, hit.at, mode_.axis()));
 }
 
-void SurfacePullTool::markDrag(PullMarks& marks) const {
-  const Vec3 end = placeHit(live_->motion(), under_->at).point, centre = point(surface_->motion().trajectory, under_->at.v);
-  if (mode_.twists())
-    marks.twist(centre, twistAxis(surface_->motion(), under_->at, mode_.axis()), under_->point - centre, angle());
-  else
+void SurfacePullTool::markEdit(PullMarks& marks) const {
+  const PlaceHit& hit = edit_->grip().hit;
+  const Motion& now = edit_->live().motion();
+  const Vec3 end = placeHit(now, hit.at).point, centre = point(surface_->motion().trajectory, hit.at.v);
+  if (entry_) marks.entry(end, entry_->text(), entry_->isAngle() ? QStringLiteral("°") : QString());
+  if (mode_.twists()) {
+    const Vec3 axis = twistAxis(surface_->motion(), hit.at, mode_.axis());
+    marks.axis(centre, axis);
+    marks.turn({centre, axis, hit.point - centre, edit_->turnedBy(mode_)},
+               entry_ ? QString() : QStringLiteral("%1°").arg(edit_->angle(mode_), 0, 'f', 1));
+  } else {
     marks.ring(end, mode_);
-  marks.drag(*live_, target_.start(), end);
+  }
+  marks.way(edit_->from(), end);
   std::vector<Vec3> copies;
-  copiesProblem(live_->motion(), under_->at, mode_.symmetry(), copies);
+  copiesProblem(now, hit.at, mode_.symmetry(), copies);
   marks.copies(copies);
 }
 

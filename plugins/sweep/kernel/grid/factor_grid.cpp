@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/bspline/bspline.h"
+
 namespace blossom::sweep {
 
 namespace {
@@ -28,10 +30,23 @@ void contractRow(const Vec4* poles, const BasisTable& v, const GridRange& column
 /// place modulo a power of two compete for the same few lines of the first-level cache.
 std::size_t arrayLength(std::size_t count) { return ((count + 7) / 8 | 1) * 8; }
 
+/// Taylor's formula about the middle. O(1).
+CubicSpan cubicSpan(std::span<const double> knots, std::size_t span) {
+  constexpr double factorials[4] = {1, 1, 2, 6};
+  CubicSpan cubic;
+  cubic.middle = (knots[span] + knots[span + 1]) / 2;
+  double derivatives[16];
+  basisDerivatives(3, knots, span, cubic.middle, 3, derivatives);
+  for (std::size_t power = 0; power < 4; ++power)
+    for (std::size_t row = 0; row < 4; ++row) cubic.weights[power][row] = derivatives[power * 4 + row] / factorials[power];
+  return cubic;
+}
+
 }  // namespace
 
-FactorGrid::FactorGrid(const Surface& surface, BasisTable u, BasisTable v)
+FactorGrid::FactorGrid(const Surface& surface, std::span<const double> us, BasisTable u, BasisTable v)
     : u_(std::move(u)), v_(std::move(v)), stride_(arrayLength(v_.size())) {
+  findSpans(surface, us);
   if (u_.size() == 0) return;
   const auto [low, high] = std::minmax_element(u_.first.begin(), u_.first.end());
   firstRow_ = *low;
@@ -39,6 +54,23 @@ FactorGrid::FactorGrid(const Surface& surface, BasisTable u, BasisTable v)
   planes_.resize(rowCount_ * 8 * stride_);
   for (std::size_t i = 0; i < rowCount_; ++i)
     contractRow(&surface.pole(firstRow_ + i, 0), v_, {0, v_.size()}, planes_.data() + i * 8 * stride_, stride_);
+}
+
+/// Runs of parameters in one span that are long enough for its coefficients to be worth their cost.
+void FactorGrid::findSpans(const Surface& surface, std::span<const double> us) {
+  constexpr std::size_t leastRun = 12;
+  spanOf_.assign(us.size(), -1);
+  fromMiddle_.assign(us.size(), 0);
+  if (u_.degree != 3) return;
+  for (std::size_t k = 0, end = 0; k < us.size(); k = end) {
+    while (end < us.size() && u_.first[end] == u_.first[k]) ++end;
+    if (end - k < leastRun) continue;
+    spans_.push_back(cubicSpan(surface.knotsU, u_.first[k] + 3));
+    for (std::size_t i = k; i < end; ++i) {
+      spanOf_[i] = static_cast<int>(spans_.size()) - 1;
+      fromMiddle_[i] = us[i] - spans_.back().middle;
+    }
+  }
 }
 
 void FactorGrid::updateRow(const Surface& surface, std::size_t row, const GridRange& poles) {

@@ -132,21 +132,18 @@ BLOSSOM_INLINE void evaluateColumns(const GridFactors& factors, const GridRange&
   const auto& table = factors.trajectory;
   const TrajectoryBlock t = {arraysAt<const double>(table.point, order, begin),
                              arraysAt<const double>(table.derivative, order, begin)};
+  const std::size_t turning[4] = {0, order.first + 1, order.second + 1, order.third + 1},
+                    scaling[4] = {order.first, order.second, order.third, 3};
   FactorBlock r, s;
+  PowerBlock powersOfR, powersOfS;
   for (std::size_t k = rows.begin; k < rows.end; ++k) {
-    const FactorRow orientation = factorRow(factors.orientation, k, begin), scaling = factorRow(factors.scaling, k, begin);
     const OutputBlock out = outputAt(grid, order, k * grid.countV + begin);
-    sumRows(orientation, 0, count, r, 0);
-    sumRows(orientation, order.first + 1, count, r, 1);
-    sumRows(orientation, order.second + 1, count, r, 2);
-    sumRows(orientation, order.third + 1, count, r, 3);
-    sumRows(scaling, 3, count, s, 3);
-    sumRows(scaling, order.third, count, s, 2);
+    sumFactor<0>(factorRow(factors.orientation, k, begin), turning, count, powersOfR, r);
     if (axis < 3) {
+      sumFactor<2>(factorRow(factors.scaling, k, begin), scaling, count, powersOfS, s);
       combineOnAxis<Derivatives>(r, s, factors.point[static_cast<Eigen::Index>(axis)], t, count, out);
     } else {
-      sumRows(scaling, order.first, count, s, 0);
-      sumRows(scaling, order.second, count, s, 1);
+      sumFactor<0>(factorRow(factors.scaling, k, begin), scaling, count, powersOfS, s);
       combine<Derivatives>(r, s, factors.point, t, count, out);
     }
   }
@@ -172,7 +169,7 @@ void evaluateBlock(const GridFactors& factors, const GridRange& rows, std::size_
 }
 
 FactorGrid tabulate(const Surface& factor, std::span<const double> us, std::span<const double> vs) {
-  return {factor, tabulateBasis(factor.degreeU, factor.knotsU, us), tabulateBasis(factor.degreeV, factor.knotsV, vs)};
+  return {factor, us, tabulateBasis(factor.degreeU, factor.knotsU, us), tabulateBasis(factor.degreeV, factor.knotsV, vs)};
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
-#include "manipulators/size_entry.h"
+#include "ui/tools/typed_text.h"
 
 #include <QKeyEvent>
 #include <utility>
 
-namespace blossom::modeling {
+namespace blossom::ui {
 
-void SizeEntry::open(const QString& present) {
+void TypedText::open(const QString& present) {
   present_ = text_ = present;
   selected_ = !present.isEmpty();
 }
 
-bool SizeEntry::key(const QKeyEvent& event) {
+bool TypedText::key(const QKeyEvent& event) {
   switch (event.key()) {
     case Qt::Key_Left:
     case Qt::Key_Right:
@@ -30,4 +30,4 @@ bool SizeEntry::key(const QKeyEvent& event) {
   return true;
 }
 
-}  // namespace blossom::modeling
+}  // namespace blossom::ui

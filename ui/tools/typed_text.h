@@ -3,11 +3,11 @@
 
 class QKeyEvent;
 
-namespace blossom::modeling {
+namespace blossom::ui {
 
-/// A size that is typed in the view: it begins with the present one, selected, so that the first key takes its place; an
-/// arrow key, Home or End keeps it to be added to.
-class SizeEntry {
+/// What is typed in the view: it begins with the present text, selected, so that the first key takes its place; an arrow
+/// key, Home or End keeps it to be added to.
+class TypedText {
  public:
   void open(const QString& present);
   /// Of a printable character, Backspace and the keys that leave the selection. @returns whether it was one of these.
@@ -15,7 +15,7 @@ class SizeEntry {
 
   [[nodiscard]] const QString& text() const { return text_; }
   [[nodiscard]] bool selected() const { return selected_; }
-  /// It would leave the size as it is.
+  /// It would leave everything as it is.
   [[nodiscard]] bool unchanged() const { return text_.trimmed().isEmpty() || text_ == present_; }
 
  private:
@@ -23,4 +23,4 @@ class SizeEntry {
   bool selected_ = false;
 };
 
-}  // namespace blossom::modeling
+}  // namespace blossom::ui

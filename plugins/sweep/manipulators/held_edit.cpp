@@ -1,0 +1,113 @@
+#include "manipulators/held_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "geometry/bspline/bspline.h"
+#include "kernel/edit/apply_edits.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr double shortestRadius = 40;  // pixels, at which the mouse turns what lies on the axis
+constexpr double angleStep = 0.1;      // degrees
+constexpr double fullTurn = 360;
+
+bool sameAxis(const Vec3& a, const Vec3& b) {
+  constexpr double rounding = 1e-9;
+  return (a.normalized() - b.normalized()).norm() < rounding;
+}
+
+}  // namespace
+
+HeldEdit::HeldEdit(Start start) : start_(std::move(start)), live_(start_.surface, start_.capped) {
+  if (!start_.grip.ofLast || !start_.last) return;
+  try {
+    lastBase_ = withEditsApplied(*start_.last->base.get<Motion>());
+  } catch (const Error&) {
+    start_.grip.ofLast.reset();  // then one more edit is made
+  }
+}
+
+void HeldEdit::follow(const ui::ToolEvent& event) {
+  start_.pixel = event.millimetresPerPixel;
+  start_.target.follow(event);
+}
+
+void HeldEdit::show(const PullMode& mode) { live_.show(base(mode), edit(mode)); }
+
+bool HeldEdit::changesLast(const PullMode& mode) const {
+  if (!start_.grip.ofLast || !start_.last || !lastBase_ || !start_.chosen.empty()) return false;
+  if (const auto* pull = std::get_if<MotionPull>(&start_.last->edit))
+    return !mode.twists() && pull->weights == mode.weights() && pull->symmetry == mode.symmetry();
+  const auto& twist = std::get<MotionTwist>(start_.last->edit);
+  return mode.twists() && twist.symmetry == mode.symmetry() &&
+         sameAxis(twist.axis, twistAxis(before(), start_.grip.hit.at, mode.axis()));
+}
+
+const Motion& HeldEdit::base(const PullMode& mode) const { return changesLast(mode) ? *lastBase_ : before(); }
+
+MotionEdit HeldEdit::edit(const PullMode& mode) const {
+  if (mode.twists()) return twist(mode);
+  return pull(mode);
+}
+
+/// Of a new edit: what is held first, then what goes along.
+std::vector<MotionPlace> HeldEdit::places() const {
+  std::vector<MotionPlace> all{start_.grip.hit.at};
+  for (const MotionPlace& at : start_.chosen.moved)
+    if (!(at == all.front())) all.push_back(at);
+  return all;
+}
+
+std::size_t HeldEdit::place() const { return start_.grip.ofLast.value_or(0); }
+
+/// What goes along goes the same way as what is held. A goal that was typed is meant exactly.
+MotionPull HeldEdit::pull(const PullMode& mode) const {
+  const bool last = changesLast(mode);
+  const Vec3 way = goal() - from();
+  MotionPull pull{places(), {}, mode.weights()};
+  pull.pins = start_.chosen.pinned;
+  pull.symmetry = mode.symmetry();  // a level of the edit, mode.level(), belongs here and to changesLast
+  if (last) pull = std::get<MotionPull>(start_.last->edit);
+  pull.to.clear();
+  const std::size_t held = last ? place() : 0;
+  for (std::size_t k = 0; k < pull.at.size(); ++k) {
+    const Vec3 aim = k == held ? goal() : Vec3(placeHit(before(), pull.at[k]).point + way);
+    pull.to.push_back(goal_ ? aim : reachableTarget(base(mode), pull.at[k], mode.way(), aim));
+  }
+  return pull;
+}
+
+MotionTwist HeldEdit::twist(const PullMode& mode) const {
+  MotionTwist twist{places(), twistAxis(before(), start_.grip.hit.at, mode.axis()), 0, start_.chosen.pinned,
+                    mode.symmetry()};
+  if (changesLast(mode)) twist = std::get<MotionTwist>(start_.last->edit);
+  twist.angle = turned_.value_or(std::clamp(twist.angle + mouseAngle(mode), -fullTurn, fullTurn));
+  return twist;
+}
+
+double HeldEdit::angle(const PullMode& mode) const { return twist(mode).angle; }
+
+double HeldEdit::turnedBy(const PullMode& mode) const {
+  const double already = changesLast(mode) ? std::get<MotionTwist>(start_.last->edit).angle : 0;
+  return angle(mode) - already;
+}
+
+double HeldEdit::mouseAngle(const PullMode& mode) const {
+  const PlaceHit& held = start_.grip.hit;
+  const Vec3 axis = twistAxis(before(), held.at, mode.axis()), arm = held.point - point(before().trajectory, held.at.v);
+  const double degrees =
+      draggedAngle(axis, arm, start_.target.now() - from(), start_.target.towards(), shortestRadius * start_.pixel);
+  return angleStep * std::round(degrees / angleStep);
+}
+
+bool HeldEdit::changesAnything(const PullMode& mode) const {
+  if (mode.twists()) return turnedBy(mode) != 0;
+  constexpr double rounding = 1e-9;
+  return (goal() - from()).norm() > rounding * (1 + from().norm());
+}
+
+}  // namespace blossom::sweep

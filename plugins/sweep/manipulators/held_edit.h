@@ -1,0 +1,62 @@
+#pragma once
+#include <optional>
+
+#include "manipulators/drag_target.h"
+#include "manipulators/live_edit.h"
+#include "manipulators/pull_grip.h"
+
+namespace blossom::sweep {
+
+/// An edit while it is made: the place that is held, where it goes, what goes along, and the surface that follows. What it
+/// does is asked of a PullMode, which may change at any time.
+class HeldEdit {
+ public:
+  struct Start {
+    std::shared_ptr<const LiveSurface> surface;
+    PullGrip grip;
+    ChosenPlaces chosen;
+    std::optional<LastEdit> last;
+    DragTarget target;
+    double pixel = 1;     ///< mm
+    bool capped = false;  ///< the ends are drawn closed
+  };
+  explicit HeldEdit(Start);
+
+  void follow(const ui::ToolEvent&);
+  void aimAt(const Vec3& goal) { goal_ = goal; }          ///< exactly, whatever the mouse does
+  void turnTo(double degrees) { turned_ = degrees; }      ///< of a twist, the same
+  void forgetTyped() { goal_.reset(), turned_.reset(); }  ///< the mouse decides again
+  void show(const PullMode&);                             ///< brings the surface up to date
+
+  /// Grabbed at a place of the last edit, and in the same way.
+  [[nodiscard]] bool changesLast(const PullMode&) const;
+  [[nodiscard]] MotionEdit edit(const PullMode&) const;
+  [[nodiscard]] std::size_t place() const;               ///< which of the edit's places is held
+  [[nodiscard]] double angle(const PullMode&) const;     ///< of the twist, degrees, in steps that can be read
+  [[nodiscard]] double turnedBy(const PullMode&) const;  ///< by how much of it the surface has turned since
+  [[nodiscard]] bool changesAnything(const PullMode&) const;
+  /// It arrives, or as near as all of its places can together.
+  [[nodiscard]] bool possible() const { return live_.arrived() || live_.nearest(); }
+
+  [[nodiscard]] const PullGrip& grip() const { return start_.grip; }
+  [[nodiscard]] const ChosenPlaces& chosen() const { return start_.chosen; }
+  [[nodiscard]] const Vec3& from() const { return start_.grip.hit.point; }
+  [[nodiscard]] const Vec3& goal() const { return goal_ ? *goal_ : start_.target.now(); }
+  [[nodiscard]] const LiveEdit& live() const { return live_; }
+
+ private:
+  [[nodiscard]] const Motion& before() const { return start_.surface->motion(); }
+  [[nodiscard]] const Motion& base(const PullMode&) const;
+  [[nodiscard]] MotionPull pull(const PullMode&) const;
+  [[nodiscard]] MotionTwist twist(const PullMode&) const;
+  [[nodiscard]] std::vector<MotionPlace> places() const;
+  [[nodiscard]] double mouseAngle(const PullMode&) const;
+
+  Start start_;
+  std::optional<Motion> lastBase_;  ///< before the last edit, when a place of it was taken
+  std::optional<Vec3> goal_;        ///< that was typed
+  std::optional<double> turned_;    ///< likewise the angle
+  LiveEdit live_;
+};
+
+}  // namespace blossom::sweep

@@ -1,0 +1,74 @@
+#include "manipulators/pull_grip.h"
+
+#include <algorithm>
+
+#include "kernel/edit/motion_symmetry.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+constexpr double gripReach = 8;  // pixels
+
+double distanceFrom(const Ray& ray, const Vec3& p) {
+  const Vec3 from = p - ray.origin;
+  return (from - std::max(0.0, from.dot(ray.direction)) * ray.direction).norm();
+}
+
+/// Takes it out when it is there.
+bool takenOut(std::vector<MotionPlace>& places, const MotionPlace& at) { return std::erase(places, at) > 0; }
+
+/// The nearest of some places to the ray that is within reach.
+std::optional<PullGrip> nearestOf(const std::vector<MotionPlace>& places, const Motion& motion, const ui::ToolEvent& event) {
+  std::optional<PullGrip> best;
+  double distance = gripReach * event.millimetresPerPixel;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k].v < motion.domainV().first || places[k].v > motion.domainV().second) continue;
+    PlaceHit hit = placeHit(motion, {insidePeriod(motion, places[k].u), places[k].v});
+    const double off = distanceFrom(event.ray, hit.point);
+    if (off > distance) continue;
+    distance = off;
+    hit.distance = (hit.point - event.ray.origin).dot(event.ray.direction);
+    best = PullGrip{hit, k};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<MotionPlace> ChosenPlaces::all() const {
+  std::vector<MotionPlace> both = moved;
+  both.insert(both.end(), pinned.begin(), pinned.end());
+  return both;
+}
+
+void ChosenPlaces::toggleMoved(const MotionPlace& at) {
+  takenOut(pinned, at);
+  if (!takenOut(moved, at)) moved.push_back(at);
+}
+
+void ChosenPlaces::togglePinned(const MotionPlace& at) {
+  takenOut(moved, at);
+  if (!takenOut(pinned, at)) pinned.push_back(at);
+}
+
+const std::vector<MotionPlace>& editedPlaces(const MotionEdit& edit) {
+  return std::visit([](const auto& each) -> const std::vector<MotionPlace>& { return each.at; }, edit);
+}
+
+std::optional<PullGrip> gripUnder(const ui::ToolHost& host, const LiveSurface& surface, const ChosenPlaces& chosen,
+                                  const std::optional<LastEdit>& last, const ui::ToolEvent& event) {
+  std::optional<PullGrip> grip = nearestOf(chosen.all(), surface.motion(), event);
+  if (grip) grip->ofLast.reset();
+  if (!grip && last) grip = nearestOf(editedPlaces(last->edit), surface.motion(), event);
+  if (!grip)
+    if (const auto hit = surface.finder.find(event.ray)) grip = PullGrip{*hit, {}};
+  if (!grip) return std::nullopt;
+  const double slack = gripReach * event.millimetresPerPixel;
+  const bool hidden = !event.pick.feature.empty() && event.pick.part.distance < grip->hit.distance - slack;
+  const auto cut = host.section();
+  if (hidden || (cut && cut->height(grip->hit.point) > 0)) return std::nullopt;
+  return grip;
+}
+
+}  // namespace blossom::sweep

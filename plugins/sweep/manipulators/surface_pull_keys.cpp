@@ -1,0 +1,112 @@
+// The keys of the surface pull tool: ways of pulling, places that are chosen, and goals that are typed.
+#include <vtkProp.h>
+
+#include <QKeyEvent>
+
+#include "core/error.h"
+#include "manipulators/surface_pull_tool.h"
+
+namespace blossom::sweep {
+
+bool SurfacePullTool::key(const QKeyEvent& event) {
+  if (entry_) return typingKey(event);
+  if (HandleTool::key(event)) return true;
+  const bool plain = held() ? !event.modifiers().testFlag(Qt::ControlModifier)
+                            : !(event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier));
+  if (!surface_ || !plain) return false;
+  const bool ready = hovered() || held();
+  if (!chooseKey(event.key()) && !(ready && mode_.key(event.key()))) return false;
+  if (!entry_) follow();
+  emit changed();
+  return true;
+}
+
+/// Pins the place under the mouse, forgets all that were chosen, begins to type the goal.
+bool SurfacePullTool::chooseKey(int key) {
+  if (key == Qt::Key_Escape && !chosen_.empty()) {
+    chosen_ = {};
+    return true;
+  }
+  if (!under_ || !(hovered() || held())) return false;
+  if (key == Qt::Key_P && !held()) {
+    chosen_.togglePinned(under_->hit.at);
+    return true;
+  }
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && (edit_ || !held())) {
+    startTyping();
+    return true;
+  }
+  return false;
+}
+
+void SurfacePullTool::startTyping() {
+  if (!edit_) hold(DragTarget(under_->hit, towards_), millimetresPerPixel());
+  refusal_.clear();
+  entry_ = mode_.twists() ? GoalEntry::ofAngle(edit_->angle(mode_)) : GoalEntry::ofPoint(host(), edit_->goal());
+  follow();
+}
+
+bool SurfacePullTool::typingKey(const QKeyEvent& event) {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  switch (event.key()) {
+    case Qt::Key_Escape:
+      stopTyping();
+      break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      takeTyped();
+      break;
+    default:
+      if (!entry_->key(event)) return false;
+      followTyped();
+  }
+  emit changed();
+  return true;
+}
+
+/// As far as it can be understood; half a number need not be.
+void SurfacePullTool::followTyped() {
+  refusal_.clear();
+  try {
+    if (entry_->unchanged()) {
+      edit_->forgetTyped();
+      return follow();
+    }
+    const GoalEntry::Goal goal = entry_->goal(host());
+    if (entry_->isAngle())
+      edit_->turnTo(goal.angle);
+    else
+      edit_->aimAt(goal.point);
+    follow();
+  } catch (const Error& error) {
+    refusal_ = QString::fromStdString(error.message());
+  }
+}
+
+void SurfacePullTool::takeTyped() {
+  followTyped();
+  if (!refusal_.isEmpty()) return;
+  if (!edit_->changesAnything(mode_)) return stopTyping();
+  if (!edit_->possible()) {
+    refusal_ = edit_->live().reason();
+    return;
+  }
+  std::optional<TypedGoal> typed;
+  if (!entry_->unchanged()) typed = TypedGoal{edit_->changesLast(mode_) ? edit_->place() : 0, entry_->goal(host()).written};
+  entry_.reset();
+  commitEdit(typed);
+}
+
+/// The mouse decides again, if its button is still down.
+void SurfacePullTool::stopTyping() {
+  if (!entry_) return;
+  entry_.reset();
+  refusal_.clear();
+  if (edit_) edit_->forgetTyped();
+  if (held())
+    follow();
+  else
+    edit_.reset();
+}
+
+}  // namespace blossom::sweep

@@ -1,0 +1,73 @@
+#include "manipulators/typed_goal.h"
+
+#include "core/error.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+/// Between commas, but for those within parentheses; semicolons part as well.
+QStringList coordinatesIn(const QString& text) {
+  QStringList parts{QString()};
+  int depth = 0;
+  for (const QChar& each : text) {
+    if (each == u'(') ++depth;
+    if (each == u')') --depth;
+    if (depth <= 0 && (each == u',' || each == u';'))
+      parts << QString();
+    else
+      parts.last() += each;
+  }
+  return parts;
+}
+
+QString shownNumber(double value) {
+  constexpr int digits = 6;
+  return QString::number(std::abs(value) < 1e-9 ? 0 : value, 'g', digits);
+}
+
+}  // namespace
+
+GoalEntry GoalEntry::ofPoint(const ui::ToolHost& host, const Vec3& present) {
+  GoalEntry entry;
+  entry.present_ = present;
+  QStringList all;
+  for (Eigen::Index k = 0; k < 3; ++k) all << shownNumber(present[k] / host.lengthUnit().millimetres);
+  entry.text_.open(all.join(QStringLiteral(", ")));
+  return entry;
+}
+
+GoalEntry GoalEntry::ofAngle(double presentDegrees) {
+  GoalEntry entry;
+  entry.angle_ = true;
+  entry.text_.open(shownNumber(presentDegrees));
+  return entry;
+}
+
+GoalEntry::Goal GoalEntry::goal(const ui::ToolHost& host) const {
+  if (!angle_) return pointGoal(host);
+  ParameterSpec spec = angle();
+  spec.name = "angle";
+  const Value written = host.typed(spec, text_.text());
+  return {Vec3::Zero(), checked(spec, written).get<double>(), written};
+}
+
+GoalEntry::Goal GoalEntry::pointGoal(const ui::ToolHost& host) const {
+  const QStringList parts = coordinatesIn(text_.text());
+  if (parts.size() != 3)
+    throw Error(ErrorCode::InvalidParameter, tr("A target has three coordinates: x, y, z.").toStdString());
+  Goal goal{present_, 0, Value::array()};
+  for (int k = 0; k < 3; ++k) {
+    if (!parts[k].trimmed().isEmpty()) {
+      ParameterSpec spec = coordinateOf(point());
+      spec.name = std::array{"x", "y", "z"}.at(static_cast<std::size_t>(k));
+      goal.written.push_back(host.typed(spec, parts[k].trimmed()));
+      goal.point[k] = checked(spec, goal.written.back()).get<double>();
+    } else {
+      goal.written.push_back(present_[k]);
+    }
+  }
+  return goal;
+}
+
+}  // namespace blossom::sweep

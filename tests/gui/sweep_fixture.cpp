@@ -1,0 +1,75 @@
+#include "sweep_fixture.h"
+
+#include <QDir>
+#include <QMouseEvent>
+#include <cmath>
+
+#include "ui/tree/document_tree.h"
+
+namespace blossom::ui {
+
+using test::sample;
+
+void SweepFixture::openSample(const char* name) {
+  openAndWait(QString::fromStdString(sample(name).string()));
+  sweep_ = sweep();
+  source_ = document().at(sweep_).inputs.front();
+  window_->view().lookFrom(QStringLiteral("iso"), false);
+  window_->view().fit(false);
+  window_->tree().select(sweep_);
+  window_->view().setFocus();
+}
+
+void SweepFixture::mouse(QEvent::Type type, const QPoint& at, Qt::KeyboardModifiers modifiers) {
+  const bool moves = type == QEvent::MouseMove;
+  held_ = type == QEvent::MouseButtonPress || (held_ && moves);
+  ViewWidget& view = window_->view();
+  QMouseEvent event(type, at, view.mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
+                    held_ ? Qt::LeftButton : Qt::NoButton, modifiers);
+  QApplication::sendEvent(&view, &event);
+}
+
+void SweepFixture::hover(const QPoint& at) {
+  const auto over = [&] {
+    mouse(QEvent::MouseMove, at);
+    return !hint().isEmpty() && !hint().startsWith(QStringLiteral("Drag a place"));
+  };
+  QTRY_VERIFY2_WITH_TIMEOUT(over(), qPrintable("the surface cannot be taken hold of: " + hint()), 60000);
+}
+
+void SweepFixture::drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers) {
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  for (int k = 1; k <= 6; ++k) mouse(QEvent::MouseMove, from + (to - from) * k / 6, modifiers);
+  mouse(QEvent::MouseButtonRelease, to, modifiers);
+  waitUntilComputed();
+}
+
+QPoint SweepFixture::onTheSide() const {
+  const Vec3 eye = window_->view().camera().turn().toCamera();
+  const double azimuth = std::atan2(eye.y(), eye.x()) + 0.8;
+  return screenOf(Vec3(10 * std::cos(azimuth), 10 * std::sin(azimuth), 21));
+}
+
+std::vector<FeatureId> SweepFixture::all(const char* type) const {
+  std::vector<FeatureId> found;
+  for (const auto& feature : document().features())
+    if (feature->type == type) found.push_back(feature->id);
+  return found;
+}
+
+void SweepFixture::keepPictures(const char* name, const QPoint& at) {
+  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
+  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+    ThemeManager::instance().apply(choice);
+    mouse(QEvent::MouseMove, at);
+    QVERIFY(!canvas().isNull());
+    const QPixmap picture = window_->grab();
+    QVERIFY(!picture.isNull());
+    const QString theme = choice == ThemeChoice::Light ? QStringLiteral("light") : QStringLiteral("dark");
+    if (!folder.isEmpty())
+      QVERIFY(picture.save(QDir(folder).filePath(QStringLiteral("%1-%2.png").arg(QLatin1String(name), theme))));
+  }
+}
+
+}  // namespace blossom::ui

@@ -1,0 +1,201 @@
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <cmath>
+
+#include "support/sweep_formulas.h"
+#include "sweep_fixture.h"
+#include "ui/tree/document_tree.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::ui;
+
+/// The shaded surface that follows the mouse, in the real window: where it is, how it looks, and how quickly it comes.
+class SweepLiveWindowTest : public SweepFixture {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { setUpOnce(); }
+  void init() { openWindow(); }
+  void cleanup() { window_.reset(); }
+
+  void whatIsShownIsTheEditedSurface();
+  void theSurfaceLooksAsAtRest_data();
+  void theSurfaceLooksAsAtRest();
+  void whatWasLetGoStaysUntilItIsComputed();
+  void framesAreMeasured();
+
+ private:
+  [[nodiscard]] std::optional<StandIn> standIn() const { return window_->page().tool()->standIn(); }
+  void setSolid(bool solid);
+};
+
+void SweepLiveWindowTest::setSolid(bool solid) {
+  Feature feature = document().at(sweep_);
+  feature.parameters["solid"] = solid;
+  window_->session().commit(document().with(feature), QStringLiteral("Solid"));
+  waitUntilComputed();
+}
+
+/// Places of the picture lie on the surface that comes out, and its normals are those of that surface.
+void SweepLiveWindowTest::whatIsShownIsTheEditedSurface() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  QVERIFY(!standIn());
+  mouse(QEvent::MouseButtonPress, from);
+  QVERIFY(!standIn());  // it may be a click
+  for (const int x : {20, 90, 55}) mouse(QEvent::MouseMove, from + QPoint(x, -x / 3));
+  const auto shown = standIn();
+  QVERIFY(shown);
+  QCOMPARE(shown->insteadOf, std::vector<FeatureId>{sweep_});
+  vtkPolyData& faces = *shown->faces;
+  mouse(QEvent::MouseButtonRelease, from + QPoint(55, -18));
+  waitUntilComputed();
+  const Motion& after = motionOf(only("sweep.pull").id);
+
+  constexpr int side = 128;  // at least
+  QVERIFY(faces.GetNumberOfPoints() >= side * side);
+  const auto count = static_cast<int>(std::lround(std::sqrt(static_cast<double>(faces.GetNumberOfPoints()))));
+  QCOMPARE(static_cast<vtkIdType>(count) * count, faces.GetNumberOfPoints());
+  const auto [u0, u1] = after.domainU();
+  const auto [v0, v1] = after.domainV();
+  constexpr double step = 1e-5;
+  for (int k = 1; k < count - 1; k += 9)
+    for (int l = 1; l < count - 1; l += 7) {
+      const double u = u0 + (u1 - u0) * k / (count - 1), v = v0 + (v1 - v0) * l / (count - 1);
+      Vec3 point, normal;
+      faces.GetPoint(static_cast<vtkIdType>(k) * count + l, point.data());
+      faces.GetPointData()->GetNormals()->GetTuple(static_cast<vtkIdType>(k) * count + l, normal.data());
+      QVERIFY((point - PlaceOfMotion(after, u, v).x).norm() < 1e-11);
+      const Vec3 alongU = PlaceOfMotion(after, u + step, v).x - PlaceOfMotion(after, u - step, v).x,
+                 alongV = PlaceOfMotion(after, u, v + step).x - PlaceOfMotion(after, u, v - step).x;
+      QVERIFY((normal - alongU.cross(alongV).normalized()).norm() < 1e-4);
+    }
+}
+
+void SweepLiveWindowTest::theSurfaceLooksAsAtRest_data() {
+  QTest::addColumn<bool>("solid");
+  QTest::newRow("surface") << false;
+  QTest::newRow("solid") << true;
+}
+
+void SweepLiveWindowTest::theSurfaceLooksAsAtRest() {
+  QFETCH(bool, solid);
+  window_->resize(1280, 720);
+  openSample("cylinder.json");
+  if (solid) setSolid(true);
+  const QPoint from = onTheSide(), to = from + QPoint(80, -20);
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  for (int k = 1; k <= 4; ++k) mouse(QEvent::MouseMove, from + (to - from) * k / 4);
+  QVERIFY(standIn());
+  const QImage during = canvas();
+  keepPictures(solid ? "pull-live-solid" : "pull-live", to);
+  mouse(QEvent::MouseButtonRelease, to);
+  waitUntilComputed();
+  QVERIFY(!standIn());
+  mouse(QEvent::MouseMove, QPoint(5, 5));
+  const QImage rest = canvas();
+  QCOMPARE(rest.size(), during.size());
+  int other = 0;
+  for (int y = 0; y < rest.height(); ++y)
+    for (int x = 0; x < rest.width(); ++x) {
+      const QColor a = during.pixelColor(x, y), b = rest.pixelColor(x, y);
+      if (std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) > 60) ++other;
+    }
+  const double share = other / static_cast<double>(rest.width() * rest.height());
+  qInfo("figure live_pixels_apart %.5f", share);
+  QVERIFY2(share < 0.01, qPrintable(QString::number(share)));  // ring, way and point are gone
+}
+
+void SweepLiveWindowTest::whatWasLetGoStaysUntilItIsComputed() {
+  openSample("propeller.json");
+  window_->view().lookFrom(QStringLiteral("top"), false);
+  window_->view().fit(false);
+  Vec3 tip = Vec3::Zero();
+  for (const Vec4& pole : surfaceOf(sweep_).poles)
+    if (const Vec3 p = pole.head<3>() / pole[3]; p.head<2>().norm() > tip.head<2>().norm()) tip = p;
+  const QPoint from = screenOf(Vec3(tip.x() / 2, tip.y() / 2, tip.z()));
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(20, 20));
+  const auto during = standIn();
+  QVERIFY(during);
+  mouse(QEvent::MouseButtonRelease, from + QPoint(20, 20));
+  QVERIFY(standIn());  // no result can be there without an event
+  QVERIFY(standIn()->faces == during->faces);
+  waitUntilComputed();
+  QTRY_VERIFY(!standIn());
+
+  // Undo does not wait for it.
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(-15, 25));
+  mouse(QEvent::MouseButtonRelease, from + QPoint(-15, 25));
+  QVERIFY(standIn());
+  window_->session().undo();
+  QVERIFY(!standIn());
+  waitUntilComputed();
+}
+
+/// What is told is measured here and judged by tests/acceptance: frames on the screen while the mouse moves, and how long
+/// after its last movement all edges are smooth.
+void SweepLiveWindowTest::framesAreMeasured() {
+  window_->resize(1280, 720);
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(10, 0));
+  (void)canvas();  // the first picture sends the surface to the graphics card
+
+  std::vector<double> frames;
+  QElapsedTimer since;
+  const auto counting = connect(&window_->view(), &ViewWidget::framePainted, this, [&] {
+    frames.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
+    since.restart();
+  });
+  constexpr int wantedMoves = 250;
+  int moves = 0;
+  QTimer moving;
+  QEventLoop loop;
+  const auto move = [&] {
+    ++moves;
+    mouse(QEvent::MouseMove, from + QPoint(40 + qRound(35 * std::sin(moves * 0.05)), qRound(25 * std::cos(moves * 0.07))));
+    if (moves == wantedMoves) loop.quit();
+  };
+  connect(&moving, &QTimer::timeout, &loop, move);
+  moving.setTimerType(Qt::PreciseTimer);
+  since.start();
+  moving.start(8);
+  loop.exec();
+  moving.stop();
+  disconnect(counting);
+  QVERIFY(frames.size() > 5);
+  std::sort(frames.begin(), frames.end());
+  const auto quick = std::count_if(frames.begin(), frames.end(), [](double ms) { return ms < 33; });
+  qInfo("figure pull_frames_measured %zu", frames.size());
+  qInfo("figure pull_frames_quick_percent %.1f", 100.0 * static_cast<double>(quick) / static_cast<double>(frames.size()));
+  qInfo("figure pull_frame_95_ms %.1f", frames[frames.size() * 95 / 100]);
+
+  std::vector<double> rests;
+  for (int k = 0; k < 7; ++k) {
+    for (int i = 0; i < 5; ++i) move();
+    QElapsedTimer rest;
+    rest.start();
+    while (!window_->view().sharp() && rest.elapsed() < 5000)
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 2);
+    rests.push_back(static_cast<double>(rest.nsecsElapsed()) / 1e6);
+  }
+  std::sort(rests.begin(), rests.end());
+  qInfo("figure pull_sharp_ms %.1f", rests[rests.size() / 2]);
+  QVERIFY(window_->view().sharp());
+  mouse(QEvent::MouseButtonRelease, from);
+  waitUntilComputed();
+}
+
+BLOSSOM_WINDOW_TEST_MAIN(SweepLiveWindowTest)
+#include "sweep_live_window_test.moc"

@@ -60,6 +60,13 @@ std::optional<EditPlacement> editPlacement(const ui::ToolHost& host, const Featu
   return placement;
 }
 
+bool makesSolid(const ui::ToolHost& host, const EditPlacement& placement) {
+  if (placement.users.empty()) return false;
+  const Value& parameters = host.document().at(placement.users.front()).parameters;
+  const auto found = parameters.find("solid");
+  return found != parameters.end() && found->is_boolean() && found->get<bool>();
+}
+
 std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& placement) {
   const Feature& feature = host.document().at(placement.source);
   if (!isDirect(feature) || feature.suppressed || feature.inputs.size() != 1 || !motionOf(host, feature.inputs.front()))

@@ -16,6 +16,9 @@ struct EditPlacement {
 /// is what is seen. Empty for other features, and while the motion has no result.
 std::optional<EditPlacement> editPlacement(const ui::ToolHost&, const FeatureId& selected);
 
+/// Whether the first of the sweeps is to be a solid, so that its ends are closed.
+bool makesSolid(const ui::ToolHost&, const EditPlacement&);
+
 /// An edit that the mouse can change: the last one before the sweep.
 struct LastEdit {
   FeatureId id;

@@ -19,9 +19,7 @@ bool isShared(const Obstacle& obstacle) { return obstacle.why == Unreached::TooC
 }  // namespace
 
 LiveEdit::LiveEdit(std::shared_ptr<const LiveSurface> before, bool capped)
-    : before_(std::move(before)),
-      grid_(before_->grid),
-      mesh_(grid_.grid(), {grid_.motion().closedU != ClosedU::No, capped && grid_.motion().closedU != ClosedU::No}) {}
+    : before_(std::move(before)), grid_(before_->grid), mesh_(grid_.grid(), liveForm(grid_.motion(), capped)) {}
 
 void LiveEdit::show(const Motion& base, const MotionEdit& edit) {
   reason_.clear();

@@ -65,6 +65,11 @@ bool meets(const MotionGrid& grid, std::size_t columnA, std::size_t columnB) {
 
 }  // namespace
 
+LiveForm liveForm(const Motion& motion, bool capped) {
+  const bool closed = motion.closedU != ClosedU::No;
+  return {closed, capped && closed};
+}
+
 LiveMesh::LiveMesh(const MotionGrid& grid, const LiveForm& form) : form_(form), countU_(grid.countU), countV_(grid.countV) {
   form_.capped = form_.capped && countV_ > 1 && !meets(grid, 0, countV_ - 1);
   const std::size_t count = countU_ * countV_ + (form_.capped ? 2 * (countU_ + 1) : 0);

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "geometry/shape/motion.h"
 #include "kernel/grid/grid_range.h"
 #include "kernel/grid/motion_grid.h"
 
@@ -17,6 +18,9 @@ struct LiveForm {
   bool closedU = false;  ///< u has no ends
   bool capped = false;   ///< the ends in v are closed, as those of a solid
 };
+
+/// @param capped the sweep is to be a solid
+LiveForm liveForm(const Motion&, bool capped);
 
 /// The shaded picture of a grid that is kept up to date: triangles between its places, with its own exact normals, and its
 /// borders. Points and normals are changed in place, and only where the grid has changed; the triangles stay, so that only

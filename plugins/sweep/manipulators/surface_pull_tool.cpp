@@ -100,15 +100,9 @@ bool SurfacePullTool::take(std::size_t /*handle*/, const ui::ToolEvent& event) {
 }
 
 void SurfacePullTool::hold(const DragTarget& target, double pixel) {
-  edit_ = std::make_unique<HeldEdit>(HeldEdit::Start{surface_, *under_, chosen_, last_, target, pixel, solid()});
+  edit_ = std::make_unique<HeldEdit>(
+      HeldEdit::Start{surface_, *under_, chosen_, last_, target, pixel, placement_ && makesSolid(host(), *placement_)});
   dragged_ = false;
-}
-
-bool SurfacePullTool::solid() const {
-  if (!placement_ || placement_->users.empty()) return false;
-  const Value& parameters = host().document().at(placement_->users.front()).parameters;
-  const auto found = parameters.find("solid");
-  return found != parameters.end() && found->is_boolean() && found->get<bool>();
 }
 
 void SurfacePullTool::drag(const ui::ToolEvent& event) {

@@ -53,7 +53,6 @@ class SurfacePullTool : public ui::HandleTool {
   void hold(const DragTarget&, double pixel);
   void follow();
   void commitEdit(const std::optional<TypedGoal>&);
-  [[nodiscard]] bool solid() const;
 
   // Keys.
   bool chooseKey(int key);

@@ -4,13 +4,16 @@
 
 namespace blossom::sweep {
 
+FactorLive::FactorLive(std::shared_ptr<const LiveSurface> before, bool capped)
+    : before_(std::move(before)), grid_(before_->grid), mesh_(grid_.grid(), liveForm(grid_.motion(), capped)) {}
+
 void FactorLive::show(const FactorChanges& changes) {
   reason_.clear();
   changes_ = changes;
   try {
-    grid_.update(withChangedFactors(before_->motion(), changes).motion);
+    mesh_.update(grid_.grid(), grid_.update(withChangedFactors(before_->motion(), changes).motion));
   } catch (const Error& error) {
-    grid_.update(before_->motion());
+    mesh_.update(grid_.grid(), grid_.update(before_->motion()));
     reason_ = QString::fromStdString(error.hint().empty() ? error.message() : error.message() + " " + error.hint());
   }
 }

@@ -43,6 +43,7 @@ FactorsTool::~FactorsTool() {
 }
 
 void FactorsTool::load() {
+  if (lingering_ && lingering_->over(host())) lingering_.reset();
   cancelPanel();
   placement_ = factorPlacement(host(), feature());
   const Shape given = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
@@ -160,7 +161,7 @@ bool FactorsTool::take(std::size_t handle, const ui::ToolEvent& event) {
   }
   const Vec3 start = handle < all.size() ? all[handle] : *axesAt();
   pole_ = PoleDrag(start, axis, event.ray);
-  live_ = std::make_unique<FactorLive>(surface_);
+  startLive();
   pressedAt_ = event.at;
   dragged_ = false;
   return true;
@@ -182,8 +183,21 @@ void FactorsTool::follow(const FactorChanges& changes) {
 void FactorsTool::place() {
   if (!dragged_ || !live_ || !live_->possible() || !editable()) return;
   if (live_->changes().empty() || pole_.moved().norm() == 0) return;
-  const FactorChanges changes = live_->changes();
-  commit(withFactorChanges(host(), *placement_, changes), tr("Move poles of the trajectory"));
+  commitDrag(tr("Move poles of the trajectory"));
+}
+
+void FactorsTool::startLive() {
+  live_ = std::make_unique<FactorLive>(surface_, placement_ && makesSolid(host(), *placement_));
+}
+
+/// The changes that are seen as one step of undo; what is seen stays until the sweep is computed.
+void FactorsTool::commitDrag(const QString& what) {
+  const std::unique_ptr<FactorLive> done = std::move(live_);
+  std::optional<LingeringPicture> lingering;
+  lingering.emplace(host(), ui::StandIn{placement_->users, done->mesh().faces(), done->mesh().edges()});
+  commit(withFactorChanges(host(), *placement_, done->changes()), what);
+  lingering->begin(host());
+  if (!lingering->over(host())) lingering_ = std::move(lingering);
 }
 
 void FactorsTool::putBack() {

@@ -7,6 +7,7 @@
 #include "manipulators/factors/factor_net.h"
 #include "manipulators/factors/factor_place.h"
 #include "manipulators/factors/pole_drag.h"
+#include "manipulators/lingering_picture.h"
 #include "ui/thread/background.h"
 #include "ui/thread/mailbox.h"
 #include "ui/tools/handle_tool.h"
@@ -33,6 +34,7 @@ class FactorsTool final : public ui::HandleTool {
   bool key(const QKeyEvent&) override;
   [[nodiscard]] ui::PickMode picks() const override { return held() ? ui::PickMode::None : ui::PickMode::Feature; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
+  [[nodiscard]] std::optional<ui::StandIn> standIn() const override;
   void revert() override;
 
  private:
@@ -74,14 +76,15 @@ class FactorsTool final : public ui::HandleTool {
   void turn(bool absolute);
   [[nodiscard]] std::optional<double> typedNumber(int field, const QString& text);
   [[nodiscard]] std::optional<Vec3> typedAxis();
+  void startLive();
   void follow(const FactorChanges&);
+  void commitDrag(const QString& what);
   void look();
   [[nodiscard]] bool draws(bool (FactorsPanel::*shown)() const) const;
 
   // What is drawn.
   void drawTrajectory(Props&) const;
   void drawPlaces(Props&) const;
-  void drawDrag(Props&) const;
   void drawMotion();
 
   Factor factor_ = Factor::Scaling;
@@ -94,6 +97,7 @@ class FactorsTool final : public ui::HandleTool {
   Vec3 towards_ = Vec3(-1, 1, -1).normalized();  ///< line of sight
 
   std::unique_ptr<FactorLive> live_;
+  std::optional<LingeringPicture> lingering_;
   bool onPanel_ = false;  ///< the drag is one on the card
   PoleDrag pole_;
   QPointF pressedAt_;

@@ -234,7 +234,7 @@ void FactorsTool::dragBall(const Vec3& turn) {
 void FactorsTool::dragPanel(const FactorChanges& changes, const QString& what) {
   if (chosen_.empty()) return;
   onPanel_ = true;
-  if (!live_) live_ = std::make_unique<FactorLive>(surface_);
+  if (!live_) startLive();
   said_ = what;
   follow(changes);
   emit changed();
@@ -242,11 +242,10 @@ void FactorsTool::dragPanel(const FactorChanges& changes, const QString& what) {
 
 void FactorsTool::dropPanel() {
   if (!std::exchange(onPanel_, false) || !live_) return;
-  const bool possible = live_->possible();
-  const FactorChanges changes = live_->changes();
-  live_.reset();
   said_.clear();
-  if (possible) enter(changes, undoTextOf(changes), -1);
+  if (live_->possible() && editable() && withChangedFactors(surface_->motion(), live_->changes()).changedPoles > 0)
+    commitDrag(undoTextOf(live_->changes()));
+  live_.reset();
   fillPanel();
   drawMotion();
   emit changed();

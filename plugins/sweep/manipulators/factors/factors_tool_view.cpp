@@ -6,7 +6,6 @@
 #include "manipulators/factors/axis_colors.h"
 #include "manipulators/factors/factors_panel.h"
 #include "manipulators/factors/factors_tool.h"
-#include "manipulators/live_net.h"
 #include "manipulators/motion_lines.h"
 
 namespace blossom::sweep {
@@ -14,7 +13,7 @@ namespace blossom::sweep {
 namespace {
 
 constexpr double polePixels = 8, chosenPixels = 11, placePixels = 5, combPixels = 60;
-constexpr std::size_t liveNetEvery = 4, framesAround = 8, framesAlong = 7;
+constexpr std::size_t framesAround = 8, framesAlong = 7;
 constexpr std::size_t mostPlaces = 600, mostBorders = 12;  // more of them would only hide the surface
 
 }  // namespace
@@ -44,7 +43,6 @@ std::vector<vtkSmartPointer<vtkProp>> FactorsTool::props() const {
     drawTrajectory(props);
   else
     drawPlaces(props);
-  if (live_) drawDrag(props);
   props.insert(props.end(), motionProps_.begin(), motionProps_.end());
   return props;
 }
@@ -96,10 +94,10 @@ void FactorsTool::drawPlaces(Props& props) const {
   if (!others.empty()) props.push_back(ui::pointsProp(others, view.look().control, placePixels * ratio));
 }
 
-/// The surface as it becomes.
-void FactorsTool::drawDrag(Props& props) const {
-  const auto net = changedNet(live_->gridBefore(), live_->grid(), liveNetEvery);
-  if (!net.empty()) props.push_back(ui::linesProp(net, host().look().made, host().pixelRatio()));
+std::optional<ui::StandIn> FactorsTool::standIn() const {
+  if (live_ && placement_ && (dragged_ || onPanel_))
+    return ui::StandIn{placement_->users, live_->mesh().faces(), live_->mesh().edges()};
+  return lingering_ ? std::optional(lingering_->picture()) : std::nullopt;
 }
 
 void FactorsTool::drawMotion() {

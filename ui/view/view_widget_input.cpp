@@ -118,9 +118,11 @@ void ViewWidget::leaveEvent(QEvent*) {
   setHovered({});
   emit hint({});
   emit whereabouts({});
+  legend_->setValue({});
 }
 
 void ViewWidget::tellWhereabouts(QPointF at) {
+  if (legend_->range()) legend_->setValue(stage_.items().curvatureAt(pickAt(at, PickMode::Face)));
   const Ray ray = camera_.rayThrough(at);
   const QString grid = tr("grid %1").arg(readableLength(stage_.gridSpacing()));
   const double reach = std::abs(ray.direction.z()) > 0.05 ? -ray.origin.z() / ray.direction.z() : -1;

@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <list>
 #include <memory>
-#include <set>
+#include <optional>
 
+#include "core/error.h"
 #include "core/progress.h"
 #include "geometry/shape/shape.h"
 #include "scene/surface_study.h"

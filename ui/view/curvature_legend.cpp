@@ -24,7 +24,7 @@ CurvatureLegend::CurvatureLegend(QWidget* parent) : QWidget(parent) {
   hide();
 }
 
-void CurvatureLegend::show(SurfaceDisplay display, const std::optional<CurvatureRange>& range) {
+void CurvatureLegend::showScale(SurfaceDisplay display, const std::optional<CurvatureRange>& range) {
   if (display == display_ && range == range_) return;
   display_ = display;
   range_ = range;

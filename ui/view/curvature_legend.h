@@ -13,7 +13,7 @@ class CurvatureLegend : public QWidget {
  public:
   explicit CurvatureLegend(QWidget* parent);
   /// @param range empty: it hides
-  void show(SurfaceDisplay, const std::optional<CurvatureRange>& range);
+  void showScale(SurfaceDisplay, const std::optional<CurvatureRange>& range);
   /// Of the place under the mouse; empty: none.
   void setValue(std::optional<double> value);
   [[nodiscard]] const std::optional<CurvatureRange>& range() const { return range_; }

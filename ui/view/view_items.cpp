@@ -102,7 +102,8 @@ ItemsChange ViewItems::set(const std::vector<ViewItem>& items) {
     if (recolored && section_) applySection(shown);
     change.colors = change.colors || recolored || studied;
   }
-  followRange();
+  if (followRange())
+    for (auto& [id, shown] : shown_) recolor(id, shown, true);
   return change;
 }
 
@@ -189,12 +190,22 @@ void ViewItems::setLook(const Look& look) {
 }
 
 void ViewItems::setDisplayMode(DisplayMode mode) {
+  const bool values = showsCurvature(surfaceDisplay(mode_)) || showsCurvature(surfaceDisplay(mode));
   mode_ = mode;
-  followRange();
-  for (const auto& [id, shown] : shown_) {
-    applyMode(shown);
+  (void)followRange();
+  for (auto& [id, shown] : shown_) {
+    recolor(id, shown, values);
     applyCulling(shown);
   }
+}
+
+/// Other colours of points are other data on the card: those of large shapes go there piece by piece, as new shapes do.
+/// @param values whether colours of points come, change or go
+void ViewItems::recolor(const FeatureId& id, Shown& shown, bool values) {
+  if (!values || !shown.study || shown.scene.pieces.empty()) return applyMode(shown);
+  replace(shown);
+  show(shown);
+  paint(id, shown);
 }
 
 void ViewItems::setZebra(const ZebraLook& zebra) {
@@ -205,21 +216,19 @@ void ViewItems::setZebra(const ZebraLook& zebra) {
 
 std::optional<CurvatureRange> ViewItems::curvatureRange() const { return range_; }
 
-/// One scale for all shapes.
-void ViewItems::followRange() {
+/// One scale for all shapes. @returns whether it is another one
+bool ViewItems::followRange() {
   const SurfaceDisplay display = surfaceDisplay(mode_);
   double bound = 0;
   for (const auto& [id, shown] : shown_)
     if (shown.study && shown.presence != Presence::SteppedBack)
       bound = std::max(bound, curvatureBound(*shown.study, display));
-  const std::optional<CurvatureRange> range =
-      bound > 0 ? std::optional(blossom::curvatureRange(display, bound)) : std::nullopt;
-  if (range == range_ && colors_ && colorsOf_ == display) return;
+  const auto range = bound > 0 ? std::optional(blossom::curvatureRange(display, bound)) : std::nullopt;
+  if (range == range_ && display == colorsOf_) return false;
   range_ = range;
   colorsOf_ = display;
   colors_ = range ? curvatureColors(display, *range) : nullptr;
-  if (range)
-    for (const auto& [id, shown] : shown_) applyMode(shown);
+  return true;
 }
 
 std::optional<double> ViewItems::curvatureAt(const Pick& pick) const {

@@ -117,7 +117,8 @@ class ViewItems {
   static void layer(vtkActor&, const Shown&);
   void applyMode(const Shown&) const;
   void shade(vtkActor&, const Shown&) const;
-  void followRange();
+  void recolor(const FeatureId&, Shown&, bool values);
+  [[nodiscard]] bool followRange();
   void applySection(const Shown&) const;
   void applyCulling(const Shown&) const;
 

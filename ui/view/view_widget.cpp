@@ -69,7 +69,7 @@ void ViewWidget::placeCube() {
   legend_->move(14, height() - legend_->height() - 14);
 }
 
-void ViewWidget::followCurvature() { legend_->show(surfaceDisplay(displayMode()), stage_.items().curvatureRange()); }
+void ViewWidget::followCurvature() { legend_->showScale(surfaceDisplay(displayMode()), stage_.items().curvatureRange()); }
 
 void ViewWidget::prepareFrame(QPointF offset, QSize picture) {
   frameTurn_ = camera_.turn();

@@ -1,5 +1,8 @@
 #include <QSignalSpy>
 
+#include "ui/commands/commands.h"
+#include "ui/look/preferences.h"
+#include "ui/page/page.h"
 #include "ui/view/curvature_legend.h"
 #include "window_fixture.h"
 

@@ -10,6 +10,7 @@
 
 #include "ui/look/text.h"
 #include "ui/look/units.h"
+#include "ui/view/curvature_legend.h"
 #include "ui/view/mouse_navigation.h"
 #include "ui/view/view_widget.h"
 

@@ -53,7 +53,7 @@ std::vector<StripeEdge> stripeEdges(const QImage& picture, int x, int top, int b
   std::vector<StripeEdge> edges;
   for (int y = top; y < bottom; ++y) {
     const double before = qGreen(picture.pixel(x, y)) - middle, after = qGreen(picture.pixel(x, y + 1)) - middle;
-    if ((before < 0) != (after < 0)) edges.push_back({y + before / (before - after), after > 0});
+    if ((before < 0) != (after < 0)) edges.push_back({y + before / (before - after), before < 0});
   }
   return edges;
 }

@@ -42,7 +42,7 @@ const char* const lights = R"(
 // Striped surroundings, far away, in a mirror: stripes are where the direction that the sight line is thrown back to has a
 // certain height. It is smooth everywhere, so a stripe breaks only where the normal jumps and bends only where its change
 // does. Edges are as wide as a pixel; where stripes are finer than pixels they fade to grey.
-const char* const zebra = R"(
+const char* const zebraStripes = R"(
   vec3 zebraBack = reflect(normalize(vertexVC.xyz), normalVCVSOutput);
   float zebraAt = dot(zebraBack, zebraAcross);
   float zebraPixel = max(fwidth(zebraAt), 1.0e-6);
@@ -141,7 +141,7 @@ void shadeFaces(vtkActor& actor, bool capped, const FaceShading& shading) {
   const bool striped = shading.display == SurfaceDisplay::Zebra;
   shader.ClearAllFragmentShaderReplacements();
   shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
-                                      std::string(striped ? zebra : lights) + (capped ? cap : ""), false);
+                                      std::string(striped ? zebraStripes : lights) + (capped ? cap : ""), false);
   shader.GetFragmentCustomUniforms()->RemoveAllUniforms();  // those of the cap are set before each frame
   if (striped) setUniform(*shader.GetFragmentCustomUniforms(), "zebraAcross", acrossStripes(shading.zebra));
   if (showsCurvature(shading.display) && shading.colors && hasCurvature(*actor.GetMapper(), shading.display))

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t versionsKept = 2;  // of every feature of a document
 
-const void* placeOf(const Shape& shape) {
+const void* studiedAddress(const Shape& shape) {
   return shape.visit([](const auto& value) { return static_cast<const void*>(&value); });
 }
 
@@ -29,12 +29,12 @@ SurfaceStudies::Entry* SurfaceStudies::find(const Key& key) {
 void SurfaceStudies::makeRoomFor(std::size_t features) { most_ = std::max(most_, versionsKept * features); }
 
 std::shared_ptr<const SurfaceStudy> SurfaceStudies::known(const Shape& shape, double chord, int isoCurves) {
-  const Entry* const entry = find({placeOf(shape), chord, isoCurves});
+  const Entry* const entry = find({studiedAddress(shape), chord, isoCurves});
   return entry ? entry->study : nullptr;
 }
 
 void SurfaceStudies::want(const Shape& shape, double chord, int isoCurves) {
-  const Key key{placeOf(shape), chord, isoCurves};
+  const Key key{studiedAddress(shape), chord, isoCurves};
   if (find(key)) return;
   entries_.push_front({key, shape, nullptr});
   // Those under way stay whatever their number: their shapes are being read.

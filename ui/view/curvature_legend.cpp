@@ -11,7 +11,7 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr double barLeft = 4, barTop = 40, barWidth = 16, barHeight = 160;
+constexpr double scaleLeft = 4, scaleTop = 40, scaleWidth = 16, scaleHeight = 160;
 
 QString curvatureText(double value) { return QString::number(value, 'g', 3); }
 
@@ -53,32 +53,32 @@ QString CurvatureLegend::title() const {
 
 double CurvatureLegend::heightOf(double value) const {
   const double place = (value - range_->low) / (range_->high - range_->low);
-  return barTop + barHeight * (1 - std::clamp(place, 0.0, 1.0));
+  return scaleTop + scaleHeight * (1 - std::clamp(place, 0.0, 1.0));
 }
 
 void CurvatureLegend::paintEvent(QPaintEvent*) {
   if (!range_) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  QLinearGradient colors(0, barTop + barHeight, 0, barTop);
+  QLinearGradient colors(0, scaleTop + scaleHeight, 0, scaleTop);
   for (int i = 0; i <= 16; ++i) colors.setColorAt(i / 16.0, qtColor(curvatureColor(display_, i / 16.0)));
   painter.setPen(Qt::NoPen);
   painter.setBrush(colors);
-  painter.drawRoundedRect(QRectF(barLeft, barTop, barWidth, barHeight), 2, 2);
+  painter.drawRoundedRect(QRectF(scaleLeft, scaleTop, scaleWidth, scaleHeight), 2, 2);
 
   const QColor ink = qtColor(theme().look().curve);
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
   painter.setPen(ink);
-  painter.drawText(QRectF(barLeft, 0, width() - barLeft, line), Qt::AlignLeft | Qt::AlignVCenter, title());
-  painter.drawText(QRectF(barLeft, line, width() - barLeft, line), Qt::AlignLeft | Qt::AlignVCenter,
+  painter.drawText(QRectF(scaleLeft, 0, width() - scaleLeft, line), Qt::AlignLeft | Qt::AlignVCenter, title());
+  painter.drawText(QRectF(scaleLeft, line, width() - scaleLeft, line), Qt::AlignLeft | Qt::AlignVCenter,
                    QString::fromUtf8(curvatureUnit(display_)));
   const auto write = [&](double value, double x, const QColor& color) {
     painter.setPen(color);
     painter.drawText(QRectF(x, heightOf(value) - line / 2, width() - x, line), Qt::AlignLeft | Qt::AlignVCenter,
                      curvatureText(value));
   };
-  const double beside = barLeft + barWidth + 10;
+  const double beside = scaleLeft + scaleWidth + 10;
   const double middle = (range_->low + range_->high) / 2;
   for (const double value : {range_->low, middle, range_->high})
     if (!value_ || std::abs(heightOf(value) - heightOf(*value_)) > line) write(value, beside, ink);
@@ -87,7 +87,7 @@ void CurvatureLegend::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(ink);
   painter.drawPolygon(
-      QPolygonF{{barLeft + barWidth + 1, y}, {barLeft + barWidth + 7, y - 4}, {barLeft + barWidth + 7, y + 4}});
+      QPolygonF{{scaleLeft + scaleWidth + 1, y}, {scaleLeft + scaleWidth + 7, y - 4}, {scaleLeft + scaleWidth + 7, y + 4}});
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);

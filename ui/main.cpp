@@ -32,6 +32,7 @@ struct Options {
   QString screenshot;
   QSize size;  // empty: as suits the screen
   ThemeChoice theme = ThemeChoice::System;
+  DisplayMode display = DisplayMode::ShadedWithEdges;
   bool exitWhenDone = false;
 };
 
@@ -47,6 +48,14 @@ QSize parseSize(const QString& text) {
   return size;
 }
 
+DisplayMode parseDisplay(const QString& text) {
+  const std::optional<DisplayMode> mode = displayModeOf(text);
+  if (!mode)
+    wrongUse(QStringLiteral("there is no display \"%1\"; displays are %2.")
+                 .arg(text, displayModeNames().join(QStringLiteral(", "))));
+  return *mode;
+}
+
 struct Flags {
   const QCommandLineOption screenshot{QStringLiteral("screenshot"),
                                       QStringLiteral("Write a picture of the window once everything is computed."),
@@ -55,6 +64,10 @@ struct Flags {
                                 QStringLiteral("WIDTHxHEIGHT")};
   const QCommandLineOption theme{
       QStringLiteral("theme"), QStringLiteral("dark or light; otherwise as chosen in the window."), QStringLiteral("NAME")};
+  const QCommandLineOption display{
+      QStringLiteral("display"),
+      QStringLiteral("How shapes are drawn at first: edges, shaded, wireframe, zebra, gaussian, mean, largest, iso."),
+      QStringLiteral("MODE")};
   const QCommandLineOption timings{QStringLiteral("print-timings"),
                                    QStringLiteral("Print when the window was shown and the first shape painted.")};
   const QCommandLineOption leave{QStringLiteral("exit"), QStringLiteral("Close after the screenshot.")};
@@ -68,7 +81,7 @@ void setUp(QCommandLineParser& parser, const Flags& flags) {
                                QStringLiteral("[FILE..]"));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addOptions({flags.screenshot, flags.size, flags.theme, flags.timings, flags.leave});
+  parser.addOptions({flags.screenshot, flags.size, flags.theme, flags.display, flags.timings, flags.leave});
 }
 
 // Help and version need no display.
@@ -101,6 +114,7 @@ Options readOptions() {
   options.files = parser.positionalArguments();
   options.screenshot = parser.value(flags.screenshot);
   if (parser.isSet(flags.size)) options.size = parseSize(parser.value(flags.size));
+  if (parser.isSet(flags.display)) options.display = parseDisplay(parser.value(flags.display));
   options.exitWhenDone = parser.isSet(flags.leave);
   printTimings(parser.isSet(flags.timings));
   const QString named = parser.value(flags.theme);
@@ -161,6 +175,7 @@ int run(GuardedApplication& application) {
   QObject::connect(&application, &GuardedApplication::escaped, &window,
                    [&window](const Error& error) { window.page().showError(error); });
   tellFirstFrame(window);
+  window.page().setDisplayMode(options.display);
   if (!options.files.isEmpty()) window.openFiles(options.files);  // are read while the window comes up
   window.show();
   reached("window shown");

@@ -24,6 +24,13 @@ std::vector<ParameterSpec> pictureOptions() {
           option(choice({"dark", "light"}), "theme", "Colours of canvas and edges.", "dark"),
           option(flag(), "transparent", "Leave the background out.", false),
           option(flag(), "edges", "Draw the feature edges.", true),
+          option(choice(surfaceDisplayNames()), "display",
+                 "What the faces tell of their surfaces: zebra stripes, Gaussian, mean or largest curvature in colours, or "
+                 "iso-curves.",
+                 "plain"),
+          option(count(1, 200), "stripes", "Dark stripes of the zebra, from one side of the surroundings to the other.", 12),
+          option(angle(), "stripe-angle", "Turns the stripes of the zebra from level.", 0.0),
+          option(count(0, 100), "iso-curves", "Iso-curves in each direction of a face.", 8),
           option(length(), "chord", "Largest distance between the shape and its picture; 0 is as fine as the picture needs.",
                  0.0)};
 }
@@ -55,6 +62,9 @@ PictureOptions readPictureOptions(const Value& values) {
   options.transparent = all.at("transparent").get<bool>();
   options.edges = all.at("edges").get<bool>();
   options.chord = all.at("chord").get<double>();
+  options.display = surfaceDisplayOf(all.at("display").get<std::string>());
+  options.zebra = {all.at("stripes").get<int>(), all.at("stripe-angle").get<double>()};
+  options.isoCurves = all.at("iso-curves").get<int>();
   return options;
 }
 

@@ -27,7 +27,8 @@ class RenderCommand {
     options_ =
         std::make_unique<ParameterFlags>(line, app_, invocation.app.formats->find("png")->writeOptions, "", "Picture");
     setExamples(app_,
-                {"blossom render part.step -o part.png", "blossom render propeller.json -o p.png --size 1920x1080 --light"});
+                {"blossom render part.step -o part.png", "blossom render propeller.json -o p.png --size 1920x1080 --light",
+                 "blossom render propeller.json -o stripes.png --display zebra"});
   }
 
  private:
@@ -78,13 +79,18 @@ class RenderCommand {
     std::vector<Shape> shapes;
     for (const std::string& file : files_) addShapes(file, progress.part(0, 0.5), shapes);
     const Stopwatch drawing;
-    renderPicture(shapes, output_, options, progress.part(0.5, 1));
-    report(planned, options, drawing.elapsedMs());
+    const auto colors = renderPicture(shapes, output_, options, progress.part(0.5, 1));
+    report(planned, options, colors, drawing.elapsedMs());
     return 0;
   }
 
-  void report(const std::vector<Output>& planned, const PictureOptions& options, double drawMs) const {
+  void report(const std::vector<Output>& planned, const PictureOptions& options, const std::optional<CurvatureRange>& colors,
+              double drawMs) const {
     Value result{{"kind", "picture"}, {"width", options.width}, {"height", options.height}};
+    if (colors) {  // the ends of the scale, in 1/mm or 1/mm^2
+      result["curvature_low"] = colors->low;
+      result["curvature_high"] = colors->high;
+    }
     Value stats{{"render_ms", drawMs}, {"total_ms", invocation_.elapsedMs()}};
     std::ostream& out = invocation_.terminal.out;
     if (invocation_.json) {

@@ -8,6 +8,7 @@
 
 #include "scene/scene.h"
 #include "scene/shading.h"
+#include "scene/surface_study.h"
 
 namespace blossom {
 
@@ -18,8 +19,7 @@ using ActorPtr = vtkSmartPointer<vtkActor>;
 ActorPtr makeActor(vtkPolyData* data, const Color& color) {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData(data);
-  mapper->SetScalarModeToUseCellData();
-  mapper->SetScalarVisibility(data->GetCellData()->GetScalars() != nullptr);
+  useOwnColors(*mapper);
   auto actor = ActorPtr::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color.red, color.green, color.blue);
@@ -96,10 +96,21 @@ std::vector<ActorPtr> makeActors(const SceneData& data, const Look& look) {
   return actors;
 }
 
+// They lie on the surface itself, up to the chord of the picture behind the triangles of its faces.
+ActorPtr makeIsoCurveActor(vtkPolyData* isoCurves, const Look& look) {
+  ActorPtr actor = makeActor(isoCurves, mixed(look.edge, look.surface, 0.25));
+  pullForward(*actor);
+  actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-3, -60);
+  actor->GetProperty()->SetLighting(false);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(look.edgeWidth));
+  return actor;
+}
+
 ActorRole roleOf(vtkActor* actor) {
   const auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputAsDataSet());
   auto& polyData = const_cast<vtkPolyData&>(*data);
   if (polyData.GetNumberOfPolys() > 0) return ActorRole::Faces;
+  if (polyData.GetCellData()->HasArray("iso")) return ActorRole::IsoCurves;
   return polyData.GetNumberOfLines() > 0 ? ActorRole::Edges : ActorRole::Points;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <vtkActor.h>
 #include <vtkImageData.h>
+#include <vtkLookupTable.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -10,12 +11,16 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include "core/error.h"
 #include "core/file.h"
 #include "scene/offscreen.h"
 #include "scene/onion_skin.h"
+#include "scene/picture_legend.h"
 #include "scene/scene.h"
+#include "scene/shading.h"
+#include "scene/surface_study.h"
 
 namespace blossom {
 
@@ -33,6 +38,7 @@ void checkSize(const PictureOptions& options) {
 struct Drawing {
   SceneData shape;
   std::vector<SceneData> frames;
+  std::optional<SurfaceStudy> study;  // where the display needs one
 };
 
 /// Evenly spread, the first and the last among them.
@@ -44,16 +50,31 @@ std::vector<const Shape*> someFrames(const Sequence& sequence) {
   return frames;
 }
 
+bool needsStudy(SurfaceDisplay display) { return showsCurvature(display) || display == SurfaceDisplay::IsoCurves; }
+
 Drawing drawingOf(const Shape& shape, const PictureOptions& options, const Progress& progress) {
-  const auto drawn = [&](const Shape& each) {
-    return toSceneData(tessellate(each, {.chord = options.chord, .angle = 0.12}, progress));
-  };
-  const auto* sequence = shape.get<Sequence>();
-  if (!sequence || sequence->frames.empty()) return {drawn(shape), {}};
+  const TessellationOptions fineness{.chord = options.chord, .angle = 0.12};
+  const auto drawn = [&](const Shape& each) { return toSceneData(tessellate(each, fineness, progress)); };
   Drawing drawing;
-  for (const Shape* frame : someFrames(*sequence)) drawing.frames.push_back(drawn(*frame));
-  drawing.shape = drawing.frames.back();
+  const auto* sequence = shape.get<Sequence>();
+  if (sequence && !sequence->frames.empty())
+    for (const Shape* frame : someFrames(*sequence)) drawing.frames.push_back(drawn(*frame));
+  if (needsStudy(options.display)) {
+    drawing.study = studySurfaces(shape, fineness, options.isoCurves, progress);
+    drawing.shape = drawing.study->scene;
+  } else {
+    drawing.shape = drawing.frames.empty() ? drawn(shape) : drawing.frames.back();
+  }
   return drawing;
+}
+
+/// One scale for all shapes, by the one that bends most.
+std::optional<CurvatureRange> rangeOf(const std::vector<Drawing>& drawn, SurfaceDisplay display) {
+  double bound = 0;
+  for (const Drawing& drawing : drawn)
+    if (drawing.study) bound = std::max(bound, curvatureBound(*drawing.study, display));
+  if (bound == 0) return std::nullopt;
+  return curvatureRange(display, bound);
 }
 
 std::vector<Drawing> tessellateAll(const std::vector<Shape>& shapes, const PictureOptions& options,
@@ -79,11 +100,19 @@ void fillScene(vtkRenderer* renderer, const std::vector<Drawing>& drawn, Look lo
   look.edgeWidth *= factor;
   look.pointSize *= factor;
   setUpRenderer(renderer, look);
-  for (const auto& [shape, frames] : drawn) {
+  const auto range = rangeOf(drawn, options.display);
+  const auto colors = range ? curvatureColors(options.display, *range) : nullptr;
+  // Stripes show creases better than the lines that hide them.
+  const bool edges = options.edges && options.display != SurfaceDisplay::Zebra;
+  for (const auto& [shape, frames, study] : drawn) {
     for (const auto& actor : makeActors(shape, look)) {
-      if (!options.edges && shape.faces && roleOf(actor) == ActorRole::Edges) continue;
+      if (!edges && shape.faces && roleOf(actor) == ActorRole::Edges) continue;
+      if (roleOf(actor) == ActorRole::Faces && !shape.planar)
+        shadeFaces(*actor, false, {options.display, options.zebra, colors});
       renderer->AddActor(actor);
     }
+    if (study && study->isoCurves && options.display == SurfaceDisplay::IsoCurves)
+      renderer->AddActor(makeIsoCurveActor(study->isoCurves, look));
     for (const auto& skin : onionSkin(frames, look, 1, 1)) renderer->AddViewProp(skin);
   }
   fitCamera(renderer, options.view);
@@ -133,8 +162,8 @@ std::string pngOf(const Image& image, const std::filesystem::path& path, int cha
 
 }  // namespace
 
-void renderPicture(const std::vector<Shape>& shapes, const std::filesystem::path& png, const PictureOptions& options,
-                   const Progress& progress) {
+std::optional<CurvatureRange> renderPicture(const std::vector<Shape>& shapes, const std::filesystem::path& png,
+                                            const PictureOptions& options, const Progress& progress) {
   static std::mutex onePictureAtATime;
   checkSize(options);
   const std::vector<Drawing> drawn = tessellateAll(shapes, options, progress.part(0, 0.5));
@@ -146,8 +175,11 @@ void renderPicture(const std::vector<Shape>& shapes, const std::filesystem::path
       [&](vtkRenderer* renderer) { fillScene(renderer, drawn, look, options, widthFactor(options, supersampling)); },
       progress.part(0.5, 0.95));
   if (!options.transparent) layOver(image, look);
+  const std::optional<CurvatureRange> range = rangeOf(drawn, options.display);
+  if (range) drawLegend(image, options.display, *range, look);
   writeAtomically(png, pngOf(image, png, options.transparent ? 4 : 3));
   progress.report(1);
+  return range;
 }
 
 }  // namespace blossom

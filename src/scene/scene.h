@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "geometry/shape/shape.h"
 #include "geometry/tessellate/tessellate.h"
 #include "geometry/values/color.h"
+#include "scene/surface_display.h"
 
 // A vtkSmartPointer can only be copied where its type is complete.
 #include <vtkActor.h>
@@ -59,8 +61,8 @@ SceneData toSceneData(const Tessellation&);
 
 /// Actors of a shape, ready to be added to a renderer: faces first (one for each piece), then edges, then points.
 std::vector<vtkSmartPointer<vtkActor>> makeActors(const SceneData&, const Look&);
-/// The data of a shape that an actor of `makeActors` draws.
-enum class ActorRole { Faces, Edges, Points };
+/// The data of a shape that an actor of `makeActors` or `makeIsoCurveActor` draws.
+enum class ActorRole { Faces, Edges, Points, IsoCurves };
 ActorRole roleOf(vtkActor*);
 
 /// Sets lights and gradient background.
@@ -81,14 +83,18 @@ struct PictureOptions {
   bool transparent = false;
   bool edges = true;
   double chord = 0;  ///< mm; 0: chosen by the resolution of the picture
+  SurfaceDisplay display = SurfaceDisplay::Plain;
+  ZebraLook zebra;
+  int isoCurves = 8;  ///< in each direction of a face
 };
 
 /// Renders shapes to a PNG file without a display (EGL surfaceless context). The image is drawn in tiles at twice its size
-/// and scaled down, so it may be larger than any frame buffer. Callable from any thread, one picture at a time.
+/// and scaled down, so it may be larger than any frame buffer. Callable from any thread, one picture at a time. Curvatures
+/// come with a legend at the lower left. @returns the range of its colours, when curvature is shown.
 /// @throws Error Internal with the driver's message when no context can be created; InvalidParameter; InvalidInput when
 /// there is nothing to draw; FileUnwritable; Cancelled.
-void renderPicture(const std::vector<Shape>&, const std::filesystem::path& png, const PictureOptions&,
-                   const Progress& = Progress::none());
+std::optional<CurvatureRange> renderPicture(const std::vector<Shape>&, const std::filesystem::path& png,
+                                            const PictureOptions&, const Progress& = Progress::none());
 
 /// Sends what VTK has to say (GLEW's complaints about a missing display among it) to memory instead of a window or stderr.
 /// Called by everything in this room that renders.

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene/scene.h"
+#include "scene/surface_study.h"
 
 namespace blossom {
 
@@ -71,6 +71,17 @@ vtkSmartPointer<vtkIntArray> numberArray(const char* name, const std::vector<int
   return array;
 }
 
+void addCurvatures(vtkPolyData& data, const std::vector<SurfaceCurvature>& curvatures) {
+  for (const SurfaceDisplay display : {SurfaceDisplay::Gaussian, SurfaceDisplay::Mean, SurfaceDisplay::Largest}) {
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetName(curvatureArray(display));
+    array->SetNumberOfTuples(static_cast<vtkIdType>(curvatures.size()));
+    for (std::size_t i = 0; i < curvatures.size(); ++i)
+      array->SetValue(static_cast<vtkIdType>(i), static_cast<float>(curvatureValue(curvatures[i], display)));
+    data.GetPointData()->AddArray(array);
+  }
+}
+
 vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
   if (t.triangles.empty()) return nullptr;
   auto points = makePoints(t.points.size());
@@ -85,6 +96,7 @@ vtkSmartPointer<vtkPolyData> makeFaces(const Tessellation& t) {
   data->SetPoints(points);
   data->SetPolys(cells);
   if (t.normals.size() == t.points.size()) data->GetPointData()->SetNormals(normalArray(t.normals));
+  if (t.curvatures.size() == t.points.size()) addCurvatures(*data, t.curvatures);
   if (!t.faceColors.empty()) data->GetCellData()->SetScalars(faceColorArray(t));
   if (t.faceOfTriangle.size() == t.triangles.size()) data->GetCellData()->AddArray(numberArray("face", t.faceOfTriangle));
   return data;
@@ -97,7 +109,7 @@ Tessellation partOf(const Tessellation& t, std::size_t first, std::size_t last) 
   Tessellation part;
   part.faceColors = t.faceColors;
   std::vector<int> places(t.points.size(), -1);
-  const bool normals = t.normals.size() == t.points.size();
+  const bool normals = t.normals.size() == t.points.size(), curved = t.curvatures.size() == t.points.size();
   for (std::size_t i = first; i < last; ++i) {
     std::array<int, 3> triangle = t.triangles[i];
     for (int& corner : triangle) {
@@ -106,6 +118,7 @@ Tessellation partOf(const Tessellation& t, std::size_t first, std::size_t last) 
         place = static_cast<int>(part.points.size());
         part.points.push_back(t.points[static_cast<std::size_t>(corner)]);
         if (normals) part.normals.push_back(t.normals[static_cast<std::size_t>(corner)]);
+        if (curved) part.curvatures.push_back(t.curvatures[static_cast<std::size_t>(corner)]);
       }
       corner = place;
     }

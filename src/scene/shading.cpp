@@ -2,13 +2,21 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkDataSet.h>
+#include <vtkLookupTable.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <string>
+
+#include "scene/surface_study.h"
 
 namespace blossom {
 
@@ -29,6 +37,18 @@ const char* const lights = R"(
   const mat4x3 blossomLights = mat4x3(0.72, 0.702, 0.6768, 0.36, 0.3564, 0.3528, 0.252, 0.266, 0.28, 0.276, 0.288, 0.30);
   fragOutput0 = vec4(ambientColor + diffuseColor * (blossomLights * blossomLit) +
                      specularColor * (blossomLights * blossomShine), opacity);
+)";
+
+// Striped surroundings, far away, in a mirror: stripes are where the direction that the sight line is thrown back to has a
+// certain height. It is smooth everywhere, so a stripe breaks only where the normal jumps and bends only where its change
+// does. Edges are as wide as a pixel; where stripes are finer than pixels they fade to grey.
+const char* const zebraStripes = R"(
+  vec3 zebraBack = reflect(normalize(vertexVC.xyz), normalVCVSOutput);
+  float zebraAt = dot(zebraBack, zebraAcross);
+  float zebraPixel = max(fwidth(zebraAt), 1.0e-6);
+  float zebraLight = clamp((0.25 - abs(fract(zebraAt) - 0.5)) / zebraPixel + 0.5, 0.0, 1.0);
+  zebraLight = mix(zebraLight, 0.5, smoothstep(0.35, 0.7, zebraPixel));
+  fragOutput0 = vec4(mix(vec3(0.04), mix(vec3(0.97), diffuseColor, 0.25), zebraLight), opacity);
 )";
 
 // The far side of a closed shape is only seen through the cut: there the sight line enters the material.
@@ -62,6 +82,33 @@ void setUniform(vtkUniforms& uniforms, const char* name, const Vec3& v, double w
   uniforms.SetUniform4f(name, values.data());
 }
 
+void setUniform(vtkUniforms& uniforms, const char* name, const Vec3& v) {
+  const std::array<float, 3> values{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  uniforms.SetUniform3f(name, values.data());
+}
+
+/// In the plane of the picture, across the stripes; its length makes one stripe of each 1.
+Vec3 acrossStripes(const ZebraLook& look) {
+  const double angle = look.angle * M_PI / 180;
+  return Vec3(-std::sin(angle), std::cos(angle), 0) * (look.stripes / 2.0);
+}
+
+bool hasCurvature(vtkMapper& mapper, SurfaceDisplay display) {
+  vtkDataSet* const data = mapper.GetInputAsDataSet();
+  return data && data->GetPointData()->HasArray(curvatureArray(display));
+}
+
+/// The values are interpolated, not the colours: bands have the form of the curvature within a triangle too.
+void colorByCurvature(vtkMapper& mapper, const FaceShading& shading) {
+  mapper.SetScalarModeToUsePointFieldData();
+  mapper.SelectColorArray(curvatureArray(shading.display));
+  mapper.SetColorModeToMapScalars();
+  mapper.SetLookupTable(shading.colors);
+  mapper.SetUseLookupTableScalarRange(true);
+  mapper.SetInterpolateScalarsBeforeMapping(true);
+  mapper.SetScalarVisibility(true);
+}
+
 void setUniform(vtkUniforms& uniforms, const char* name, const Color& color) {
   const std::array<float, 3> values{static_cast<float>(color.red), static_cast<float>(color.green),
                                     static_cast<float>(color.blue)};
@@ -70,11 +117,37 @@ void setUniform(vtkUniforms& uniforms, const char* name, const Color& color) {
 
 }  // namespace
 
-void shadeFaces(vtkActor& actor, bool capped) {
+void useOwnColors(vtkMapper& mapper) {
+  const vtkDataSet* const data = mapper.GetInputAsDataSet();
+  mapper.SetScalarModeToUseCellData();
+  mapper.SetInterpolateScalarsBeforeMapping(false);
+  mapper.SetScalarVisibility(data && const_cast<vtkDataSet*>(data)->GetCellData()->GetScalars() != nullptr);
+}
+
+vtkSmartPointer<vtkLookupTable> curvatureColors(SurfaceDisplay display, const CurvatureRange& range) {
+  constexpr int entries = 256;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(entries);
+  for (int i = 0; i < entries; ++i) {
+    const Color color = curvatureColor(display, i / (entries - 1.0));
+    table->SetTableValue(i, color.red, color.green, color.blue);
+  }
+  table->SetTableRange(range.low, range.high);
+  return table;
+}
+
+void shadeFaces(vtkActor& actor, bool capped, const FaceShading& shading) {
   vtkShaderProperty& shader = *actor.GetShaderProperty();
+  const bool striped = shading.display == SurfaceDisplay::Zebra;
   shader.ClearAllFragmentShaderReplacements();
-  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true, std::string(lights) + (capped ? cap : ""), false);
-  if (!capped) shader.GetFragmentCustomUniforms()->RemoveAllUniforms();
+  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                      std::string(striped ? zebraStripes : lights) + (capped ? cap : ""), false);
+  shader.GetFragmentCustomUniforms()->RemoveAllUniforms();  // those of the cap are set before each frame
+  if (striped) setUniform(*shader.GetFragmentCustomUniforms(), "zebraAcross", acrossStripes(shading.zebra));
+  if (showsCurvature(shading.display) && shading.colors && hasCurvature(*actor.GetMapper(), shading.display))
+    colorByCurvature(*actor.GetMapper(), shading);
+  else
+    useOwnColors(*actor.GetMapper());
 }
 
 void placeCap(vtkActor& actor, const CutPlane& cut, const CapLook& look, vtkCamera& camera) {

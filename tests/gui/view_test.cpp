@@ -10,6 +10,7 @@
 #include "support/mouse.h"
 #include "support/support.h"
 #include "ui/look/theme.h"
+#include "ui/view/curvature_legend.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/application.h"
 
@@ -358,7 +359,58 @@ class ViewTest : public QObject {
     QVERIFY(!view_->pickAt(at({-10, 10, 0}), PickMode::Vertex).feature.empty());  // seen through the block
   }
 
+  /// The stripes of a ball of one colour are dark and light; back in the plain mode, the picture is the one before.
+  void displaysOfSurfacesLeaveThePlainPicture() {
+    const QImage plain = still();
+    const auto study = std::make_shared<const SurfaceStudy>(studySurfaces(
+        Brep(BRepPrimAPI_MakeSphere(gp_Pnt(60, 0, 10), 10).Shape()), {.chord = 0.01, .angle = 0.1}, 5, Progress::none()));
+    const auto darkPixels = [&](const QImage& image) {
+      int dark = 0;
+      const QPointF middle = at({60, 0, 10}) * view_->devicePixelRatioF();
+      for (int y = -20; y <= 20; ++y)
+        for (int x = -20; x <= 20; ++x) dark += qGreen(image.pixel(middle.toPoint() + QPoint(x, y))) < 40;
+      return dark;
+    };
+    QCOMPARE(darkPixels(plain), 0);
+    view_->setDisplayMode(DisplayMode::Zebra);
+    QVERIFY(darkPixels(still()) > 300);
+    view_->setDisplayMode(DisplayMode::ShadedWithEdges);
+    QVERIFY(still() == plain);
+
+    const auto& legend = *view_->findChild<CurvatureLegend*>();
+    view_->setDisplayMode(DisplayMode::MeanCurvature);
+    QVERIFY(!legend.range());  // there is no study yet: drawn as ever
+    QVERIFY(still() == plain);
+    view_->setSelectedParts({view_->pickAt(at({60, 0, 20}), PickMode::Face)});
+    view_->setItems({{"box", box_}, {"ball", ball_, ItemRole::Plain, Presence::Whole, study}});
+    QCOMPARE(view_->selectedParts().size(), std::size_t{1});  // it is the same shape
+    view_->setSelectedParts({});
+    QVERIFY(legend.range() == (CurvatureRange{-0.1, 0.1}) && legend.isVisible());
+    test::moveMouse(view_.get(), at({60, 0, 20}).toPoint());
+    QVERIFY(legend.value().has_value());
+    COMPARE_NEAR(*legend.value(), 0.1, 1e-6);
+    test::moveMouse(view_.get(), QPoint(5, 5));
+    QVERIFY(!legend.value());
+    const QImage curved = still();
+    QVERIFY(curved != plain);
+    view_->setDisplayMode(DisplayMode::IsoCurves);
+    QVERIFY(!legend.range() && !legend.isVisible());
+    const QImage lines = still();
+    QVERIFY(lines != plain && lines != curved);
+    view_->setDisplayMode(DisplayMode::Shaded);
+    view_->setDisplayMode(DisplayMode::ShadedWithEdges);
+    QVERIFY(still() == plain);
+    QCOMPARE(displayModeNames().size(), 8);
+    for (const QString& name : displayModeNames()) QVERIFY(displayModeOf(name).has_value());
+    QVERIFY(displayModeOf(QStringLiteral("plain")) == DisplayMode::ShadedWithEdges);
+    QVERIFY(!displayModeOf(QStringLiteral("leopard")));
+  }
+
  private:
+  QImage still() {
+    (void)QTest::qWaitFor([&] { return view_->sharp(); }, 60'000);
+    return view_->grabFramebuffer().copy();
+  }
   [[nodiscard]] QPointF at(const Vec3& p) const { return view_->camera().project(p); }
   SceneData box_, ball_;
   std::unique_ptr<ViewWidget> view_;

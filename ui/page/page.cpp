@@ -28,6 +28,12 @@ namespace {
 
 const QString evaluationKey = QStringLiteral("a");
 const QString jobKey = QStringLiteral("b");
+const QString studyKey = QStringLiteral("c");
+
+ZebraLook preferredZebra() {
+  const Preferences& preferences = Preferences::instance();
+  return {preferences.get<int>("zebra-stripes"), preferences.get<double>("zebra-angle")};
+}
 
 bool holds(const std::vector<FeatureId>& ids, const FeatureId& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -52,8 +58,10 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
   buildWidgets();
   connectSession();
   connectNotes();
+  connectStudies();
   connectWidgets();
   view_->setLook(look_);
+  view_->setZebra(preferredZebra());
 }
 
 // The widgets look at the session: they go first.
@@ -143,6 +151,32 @@ void DocumentPage::connectSession() {
   });
 }
 
+/// What a display of surfaces needs comes later; until then shapes are drawn as ever.
+void DocumentPage::connectStudies() {
+  scene_.setStudies([this](const Shape& shape) { return studyOf(shape); });
+  connect(&studies_, &SurfaceStudies::arrived, view_, &ViewWidget::markItems);
+  connect(&studies_, &SurfaceStudies::started, this,
+          [this] { emit workChanged(studyKey, tr("Looking at the surfaces"), 0); });
+  connect(&studies_, &SurfaceStudies::progressed, this, [this](double fraction) {
+    if (studies_.running()) emit workChanged(studyKey, tr("Looking at the surfaces"), fraction);
+  });
+  connect(&studies_, &SurfaceStudies::ended, this, [this] { emit workEnded(studyKey); });
+  connect(&studies_, &SurfaceStudies::failed, errors_, &ErrorBar::showError);
+}
+
+std::shared_ptr<const SurfaceStudy> DocumentPage::studyOf(const Shape& shape) {
+  studies_.makeRoomFor(document().features().size());
+  const double chord = Preferences::instance().get<double>("drawing-tolerance");
+  const int curves = Preferences::instance().get<int>("iso-curves");
+  if (needsStudy(view_->displayMode())) studies_.want(shape, chord, curves);
+  return studies_.known(shape, chord, curves);
+}
+
+void DocumentPage::setDisplayMode(DisplayMode mode) {
+  studies_.allowAgain();
+  view_->setDisplayMode(mode);
+}
+
 /// What the session tells of goes above the view.
 void DocumentPage::connectNotes() {
   connect(&session_, &Session::failed, this, &DocumentPage::showError);
@@ -229,6 +263,8 @@ void DocumentPage::connectWidgets() {
 void DocumentPage::followPreference(const QString& name) {
   if (name == QLatin1String("navigation"))
     view_->setNavigation(navigationStyle(qt(Preferences::instance().get<std::string>("navigation"))));
+  if (name == QLatin1String("zebra-stripes") || name == QLatin1String("zebra-angle")) view_->setZebra(preferredZebra());
+  if (name == QLatin1String("iso-curves")) view_->markItems();
   if (name != QLatin1String("length-unit")) return;
   properties_->show(properties_->shown());
   tree_->viewport()->update();

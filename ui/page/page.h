@@ -11,6 +11,7 @@
 #include "ui/plugin/manipulator.h"
 #include "ui/plugin/tool.h"
 #include "ui/session/session.h"
+#include "ui/session/surface_studies.h"
 #include "ui/timeline/playback.h"
 #include "ui/tools/measurements.h"
 
@@ -73,6 +74,11 @@ class DocumentPage : public QObject, public ToolHost {
   void startMeasuring();
   void startSection();
   [[nodiscard]] bool measuring() const;
+  /// What was cancelled or failed before is tried again.
+  void setDisplayMode(DisplayMode);
+  /// What the display needs is being computed.
+  [[nodiscard]] bool studying() const { return studies_.running(); }
+  void cancelStudies() { studies_.cancel(); }
   /// They stay in the view until they are deleted.
   [[nodiscard]] Measurements& measurements() { return measurements_; }
 
@@ -116,6 +122,8 @@ class DocumentPage : public QObject, public ToolHost {
   void buildWidgets();
   void connectSession();
   void connectNotes();
+  void connectStudies();
+  [[nodiscard]] std::shared_ptr<const SurfaceStudy> studyOf(const Shape&);
   void connectWidgets();
   void followPreference(const QString& name);
   void refreshTimeline();
@@ -133,6 +141,7 @@ class DocumentPage : public QObject, public ToolHost {
 
   const ManipulatorRegistry& manipulators_;
   Session session_;
+  SurfaceStudies studies_;
   Look look_;
   Measurements measurements_{*this};
   DocumentTree* tree_;

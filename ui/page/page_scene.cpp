@@ -20,6 +20,12 @@ SceneData PageScene::sceneNow(const FeatureView& view) const {
   return view.frames->at(static_cast<std::size_t>(playback_.frameOf(static_cast<int>(view.frames->size()))));
 }
 
+const Shape& PageScene::shapeNow(const FeatureView& view) const {
+  const auto* const sequence = view.frames ? view.shape.get<Sequence>() : nullptr;
+  if (!sequence) return view.shape;
+  return sequence->frames.at(static_cast<std::size_t>(playback_.frameOf(static_cast<int>(view.frames->size()))));
+}
+
 /// The parts that the features of a document play while some are selected.
 struct PageScene::Parts {
   std::set<FeatureId> selected, inputs, usedUp, controls;
@@ -79,7 +85,9 @@ std::vector<ViewItem> PageScene::items(const std::vector<FeatureId>& selected) c
     if (!view || view->scene.empty()) continue;
     const std::optional<Presence> presence = presenceOf(feature->id, parts);
     if (!presence) continue;
-    items.push_back({feature->id, sceneNow(*view), roleOf(feature->id, parts), *presence});
+    const bool studied = studyOf_ && *presence != Presence::SteppedBack;
+    items.push_back({feature->id, sceneNow(*view), roleOf(feature->id, parts), *presence,
+                     studied ? studyOf_(shapeNow(*view)) : nullptr});
   }
   return items;
 }

@@ -1,6 +1,8 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -30,6 +32,10 @@ class PageScene {
 
   void choose(std::optional<Choice> choice) { choice_ = std::move(choice); }
 
+  /// Gives what displays of surfaces need of a shape that is shown, or nullptr.
+  using StudyOf = std::function<std::shared_ptr<const SurfaceStudy>(const Shape&)>;
+  void setStudies(StudyOf studyOf) { studyOf_ = std::move(studyOf); }
+
   /// Sequences in the frame of the timeline; selected features and their inputs in colours of their own. What has gone into
   /// the result of another feature is left out, or steps back while that one is selected; when it is selected itself, its
   /// results step back.
@@ -48,12 +54,14 @@ class PageScene {
   [[nodiscard]] ItemRole roleOf(const FeatureId&, const Parts&) const;
   [[nodiscard]] std::shared_ptr<const FeatureView> shownView(const Feature&) const;
   [[nodiscard]] SceneData sceneNow(const FeatureView&) const;
+  [[nodiscard]] const Shape& shapeNow(const FeatureView&) const;
   /// Features whose shapes have gone into the results of others.
   [[nodiscard]] std::set<FeatureId> usedUpNow() const;
   /// The visible sequences that are not used up.
   [[nodiscard]] std::vector<std::shared_ptr<const FeatureView>> sequences() const;
 
   std::optional<Choice> choice_;
+  StudyOf studyOf_;
   const Session& session_;
   const Playback& playback_;
   const ManipulatorRegistry& manipulators_;

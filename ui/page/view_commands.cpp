@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ui/commands/commands.h"
+#include "ui/look/icons.h"
 #include "ui/page/page.h"
 #include "ui/view/view_widget.h"
 
@@ -26,9 +27,15 @@ struct DisplayModeCommand {
   const char* id;
   DisplayMode mode;
 };
-constexpr std::array<DisplayModeCommand, 3> displayModes{{{"view.shaded-edges", DisplayMode::ShadedWithEdges},
+constexpr std::array<DisplayModeCommand, 8> displayModes{{{"view.shaded-edges", DisplayMode::ShadedWithEdges},
                                                           {"view.shaded", DisplayMode::Shaded},
-                                                          {"view.wireframe", DisplayMode::Wireframe}}};
+                                                          {"view.wireframe", DisplayMode::Wireframe},
+                                                          {"view.zebra", DisplayMode::Zebra},
+                                                          {"view.gaussian-curvature", DisplayMode::GaussianCurvature},
+                                                          {"view.mean-curvature", DisplayMode::MeanCurvature},
+                                                          {"view.largest-curvature", DisplayMode::LargestCurvature},
+                                                          {"view.iso-curves", DisplayMode::IsoCurves}}};
+constexpr std::size_t plainModes = 3;
 
 constexpr std::array<const char*, 4> timelineCommands{"timeline.play", "timeline.next", "timeline.previous",
                                                       "timeline.onion-skin"};
@@ -63,15 +70,32 @@ void ViewCommands::addPickModes() {
 
 void ViewCommands::addDisplayModes() {
   const QString group = tr("View");
-  const auto add = [&](const DisplayModeCommand& each, const char* icon, const QString& text, const QString& help) {
-    commands_.add({QLatin1String(each.id), group, QLatin1String(icon), text, help, {}, true}, [this, mode = each.mode] {
-      page_().view().setDisplayMode(mode);
-      refresh();
-    });
+  const auto add = [&](const DisplayModeCommand& each, const char* icon, const QString& text, const QString& help,
+                       const QString& keywords = {}) {
+    commands_.add(
+        {QLatin1String(each.id), group, QLatin1String(icon), text, help, {}, true, keywords.split(u';', Qt::SkipEmptyParts)},
+        [this, mode = each.mode] {
+          page_().setDisplayMode(mode);
+          refresh();
+        });
   };
   add(displayModes[0], "edges", tr("Shaded with &edges"), tr("Draw faces and their edges."));
   add(displayModes[1], "shaded", tr("&Shaded"), tr("Draw faces alone."));
   add(displayModes[2], "wireframe", tr("&Wireframe"), tr("Draw edges alone."));
+  add(displayModes[3], "zebra", tr("&Zebra stripes"),
+      tr("Faces mirror striped surroundings: stripes bend where surfaces do."),
+      tr("reflection;continuity;surface quality;highlight lines"));
+  add(displayModes[4], "curvature", tr("&Gaussian curvature"),
+      tr("Colours of the product of the principal curvatures: domes, saddles, and what can be unrolled."),
+      tr("surface quality;colours;developable"));
+  add(displayModes[5], "curvature", tr("&Mean curvature"),
+      tr("Colours of the mean of the principal curvatures: bulges, hollows and minimal surfaces."),
+      tr("surface quality;colours"));
+  add(displayModes[6], "curvature", tr("&Largest curvature"),
+      tr("Colours of the tightest bend at every place: its radius limits tools and offsets."),
+      tr("surface quality;colours;radius;principal curvature"));
+  add(displayModes[7], "iso-curves", tr("&Iso-curves"), tr("Draw curves of constant parameter on the faces."),
+      tr("isoparametric;parameter lines;surface quality"));
 }
 
 void ViewCommands::addTools() {
@@ -115,7 +139,10 @@ void ViewCommands::addTimeline() {
 }
 
 void ViewCommands::addTo(QMenu& view, QMenu& select) {
-  for (const DisplayModeCommand& each : displayModes) view.addAction(commands_.action(QLatin1String(each.id)));
+  for (std::size_t i = 0; i < plainModes; ++i) view.addAction(commands_.action(QLatin1String(displayModes[i].id)));
+  QMenu* const surfaces = view.addMenu(icon(QStringLiteral("zebra")), tr("Surface &quality"));
+  for (std::size_t i = plainModes; i < displayModes.size(); ++i)
+    surfaces->addAction(commands_.action(QLatin1String(displayModes[i].id)));
   view.addSeparator();
   for (const char* id : {"view.measure", "view.section"}) view.addAction(commands_.action(QLatin1String(id)));
   view.addSeparator();

@@ -47,7 +47,7 @@ Measures withFigures(Measures measures, const FeatureResult& result) {
 double usable(double chord, const Shape& shape) { return chord > 0 ? std::max(chord, bounds(shape).diagonal() * 1e-5) : 0; }
 
 SceneData drawn(const Shape& shape, double chord, const Progress& progress) {
-  return toSceneData(tessellate(shape, {.chord = usable(chord, shape), .angle = 0.2}, progress));
+  return toSceneData(tessellate(shape, drawnFineness(shape, chord), progress));
 }
 
 void addPicks(SceneData& scene) { scene.picks = std::make_shared<const PickIndex>(scene); }
@@ -88,6 +88,8 @@ void draw(FeatureView& view, const Shape& shape, double chord, const Progress& p
 }
 
 }  // namespace
+
+TessellationOptions drawnFineness(const Shape& shape, double chord) { return {.chord = usable(chord, shape), .angle = 0.2}; }
 
 void DisplayCache::makeRoomFor(std::size_t features) {
   const std::scoped_lock lock(guard_);

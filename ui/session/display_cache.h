@@ -10,6 +10,7 @@
 #include "core/progress.h"
 #include "document/evaluator.h"
 #include "geometry/measure/measure.h"
+#include "geometry/tessellate/tessellate.h"
 #include "scene/scene.h"
 
 namespace blossom::ui {
@@ -22,6 +23,9 @@ struct FeatureView {
   std::shared_ptr<const std::vector<SceneData>> frames;  ///< of a sequence, else null; `scene` is the last of them
   Measures measures;
 };
+
+/// How finely the window draws a shape. @param chord mm; 0: chosen by its size
+TessellationOptions drawnFineness(const Shape&, double chord);
 
 /// Remembers the drawings and measures of the last shapes, so that undo shows at once what was shown before. What another
 /// thread is drawing is waited for. Thread-safe.

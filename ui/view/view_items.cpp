@@ -51,6 +51,15 @@ void setColor(vtkActor& actor, const Color& color) { actor.GetProperty()->SetCol
 
 bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
 
+/// The faces of a study are those of the scene, and know their curvatures.
+SceneData drawnData(const SceneData& scene, const SurfaceStudy* study) {
+  SceneData data = scene;
+  if (!study || !study->scene.faces) return data;
+  data.faces = study->scene.faces;
+  data.pieces = study->scene.pieces;
+  return data;
+}
+
 /// Edges without numbers do not tell the form of a shape: a wireframe of it shows its triangles.
 bool needsTriangles(const SceneData& scene) { return !scene.edges || subShapeData(scene, SubShapeKind::Edge, 0).empty(); }
 
@@ -88,11 +97,14 @@ ItemsChange ViewItems::set(const std::vector<ViewItem>& items) {
     shown.presence = item.presence;
     shown.replaced = isReplaced(item.id);
     const bool renewed = renew(shown, item);
+    const bool studied = !renewed && renewStudy(shown, item);
     if (renewed) change.shapes.push_back(item.id);
-    if (recolored || renewed) paint(item.id, shown);
+    if (recolored || renewed || studied) paint(item.id, shown);
     if (recolored && section_) applySection(shown);
-    change.colors = change.colors || recolored;
+    change.colors = change.colors || recolored || studied;
   }
+  if (followRange())
+    for (auto& [id, shown] : shown_) recolor(id, shown, true);
   return change;
 }
 
@@ -103,14 +115,26 @@ bool ViewItems::renew(Shown& shown, const ViewItem& item) {
   if (same && !shown.actors.empty()) return false;
   replace(shown);
   shown.scene = item.scene;
+  shown.study = item.study;
   if (!shown.scene.picks) shown.scene.picks = std::make_shared<const PickIndex>(shown.scene);
+  show(shown);
+  return true;
+}
+
+/// True when the same shape comes with a study that it did not have before. Its triangles go to the card once more, with
+/// their curvatures, and stay there whatever is displayed later.
+bool ViewItems::renewStudy(Shown& shown, const ViewItem& item) {
+  if (!item.study || item.study == shown.study) return false;
+  replace(shown);
+  shown.study = item.study;
   show(shown);
   return true;
 }
 
 void ViewItems::show(Shown& shown) {
   countRefresh(WindowPart::Actors);
-  shown.actors = makeActors(shown.scene, look_);
+  shown.actors = makeActors(drawnData(shown.scene, shown.study.get()), look_);
+  if (shown.study && shown.study->isoCurves) shown.actors.push_back(makeIsoCurveActor(shown.study->isoCurves, look_));
   applyMode(shown);
   applySection(shown);
   if (shown.scene.pieces.empty()) {
@@ -168,12 +192,53 @@ void ViewItems::setLook(const Look& look) {
 }
 
 void ViewItems::setDisplayMode(DisplayMode mode) {
+  const bool values = showsCurvature(surfaceDisplay(mode_)) || showsCurvature(surfaceDisplay(mode));
   mode_ = mode;
-  for (const auto& [id, shown] : shown_) {
-    applyMode(shown);
+  (void)followRange();
+  for (auto& [id, shown] : shown_) {
+    recolor(id, shown, values);
     applyCulling(shown);
   }
   applyMode(standInShown_);
+}
+
+/// Other colours of points are other data on the card: those of large shapes go there piece by piece, as new shapes do.
+/// @param values whether colours of points come, change or go
+void ViewItems::recolor(const FeatureId& id, Shown& shown, bool values) {
+  if (!values || !shown.study || shown.scene.pieces.empty()) return applyMode(shown);
+  replace(shown);
+  show(shown);
+  paint(id, shown);
+}
+
+void ViewItems::setZebra(const ZebraLook& zebra) {
+  zebra_ = zebra;
+  if (mode_ != DisplayMode::Zebra) return;
+  for (const auto& [id, shown] : shown_) applyMode(shown);
+  applyMode(standInShown_);
+}
+
+std::optional<CurvatureRange> ViewItems::curvatureRange() const { return range_; }
+
+/// One scale for all shapes. @returns whether it is another one
+bool ViewItems::followRange() {
+  const SurfaceDisplay display = surfaceDisplay(mode_);
+  double bound = 0;
+  for (const auto& [id, shown] : shown_)
+    if (shown.study && shown.presence != Presence::SteppedBack)
+      bound = std::max(bound, curvatureBound(*shown.study, display));
+  const auto range = bound > 0 ? std::optional(blossom::curvatureRange(display, bound)) : std::nullopt;
+  if (range == range_ && display == colorsOf_) return false;
+  range_ = range;
+  colorsOf_ = display;
+  colors_ = range ? curvatureColors(display, *range) : nullptr;
+  return true;
+}
+
+std::optional<double> ViewItems::curvatureAt(const Pick& pick) const {
+  const auto it = shown_.find(pick.feature);
+  if (!range_ || it == shown_.end() || !it->second.study || pick.part.kind != SubShapeKind::Face) return std::nullopt;
+  return drawnCurvature(*it->second.study, surfaceDisplay(mode_), pick.part.index, pick.part.point);
 }
 
 void ViewItems::applyMode(const Shown& shown) const {
@@ -187,9 +252,11 @@ void ViewItems::applyMode(const Shown& shown) const {
         actor->GetProperty()->SetRepresentationToWireframe();
       else
         actor->GetProperty()->SetRepresentationToSurface();
+      shade(*actor, shown);
     }
-    if (part == ActorRole::Edges)
-      actor->SetVisibility(!shown.replaced && (mode_ != DisplayMode::Shaded || isDrawing(shown.scene)));
+    const bool edges = mode_ != DisplayMode::Shaded && mode_ != DisplayMode::Zebra;  // stripes show creases better
+    if (part == ActorRole::Edges) actor->SetVisibility(!shown.replaced && (edges || isDrawing(shown.scene)));
+    if (part == ActorRole::IsoCurves) actor->SetVisibility(!shown.replaced && mode_ == DisplayMode::IsoCurves);
     if (part == ActorRole::Points) actor->SetVisibility(!shown.replaced);
   }
 }
@@ -224,6 +291,11 @@ bool ViewItems::setStandIn(const std::optional<StandIn>& standIn) {
   return true;
 }
 
+void ViewItems::shade(vtkActor& actor, const Shown& shown) const {
+  if (shown.scene.planar) return;
+  shadeFaces(actor, section_ && isFilled(shown.scene, shown.presence), {surfaceDisplay(mode_), zebra_, colors_});
+}
+
 void ViewItems::setHovered(const FeatureId& id) {
   if (id == hovered_) return;
   const FeatureId before = std::exchange(hovered_, id);
@@ -251,8 +323,7 @@ void ViewItems::applySection(const Shown& shown) const {
     // The cut is drawn in front of the edges behind it, by so little that it stays behind all else.
     if (roleOf(actor) == ActorRole::Edges && shown.scene.solid)
       actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(section_ ? -1 : -3, section_ ? -1 : -6);
-    if (roleOf(actor) == ActorRole::Faces && !shown.scene.planar)
-      shadeFaces(*actor, section_ && isFilled(shown.scene, shown.presence));
+    if (roleOf(actor) == ActorRole::Faces) shade(*actor, shown);
   }
   applyCulling(shown);
 }
@@ -295,6 +366,7 @@ void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
     layer(*actor, shown);
     if (part == ActorRole::Faces) paintFaces(*actor, shown, hovered);
     if (part == ActorRole::Edges) paintEdges(*actor, shown, hovered);
+    if (part == ActorRole::IsoCurves) paintIsoCurves(*actor, shown);
     if (part == ActorRole::Points) actor->GetProperty()->SetPointSize(static_cast<float>(look_.pointSize));
   }
 }
@@ -332,6 +404,13 @@ void ViewItems::paintEdges(vtkActor& actor, const Shown& shown, bool hovered) co
   setColor(actor, hovered ? mixed(color, plain ? look_.control : accent, 0.75) : color);
   const double width = look_.edgeWidth * (drawing ? 1.5 : 1.1) * (hovered ? 1.35 : 1);
   actor.GetProperty()->SetLineWidth(static_cast<float>(width));
+}
+
+void ViewItems::paintIsoCurves(vtkActor& actor, const Shown& shown) const {
+  const Color& accent = shown.role == ItemRole::Made ? look_.made : look_.control;
+  const Color& face = shown.role == ItemRole::Plain ? look_.surface : accent;
+  setColor(actor, mixed(look_.edge, face, 0.25));
+  actor.GetProperty()->SetLineWidth(static_cast<float>(look_.edgeWidth));
 }
 
 bool ViewItems::planar() const {

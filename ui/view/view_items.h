@@ -1,5 +1,6 @@
 #pragma once
 #include <vtkActor.h>
+#include <vtkLookupTable.h>
 #include <vtkSmartPointer.h>
 
 #include <map>
@@ -10,7 +11,9 @@
 #include "geometry/shape/bounds.h"
 #include "scene/picking.h"
 #include "scene/scene.h"
+#include "scene/surface_study.h"
 #include "ui/plugin/tool.h"
+#include "ui/view/display_mode.h"
 
 class vtkCamera;
 class vtkPlane;
@@ -20,8 +23,6 @@ namespace blossom::ui {
 
 /// How a shape takes part in what is being done, and thereby its colour.
 enum class ItemRole { Plain, Made, Control };
-
-enum class DisplayMode { ShadedWithEdges, Shaded, Wireframe };
 
 /// How far a shape is what there is now.
 enum class Presence {
@@ -38,12 +39,14 @@ struct ViewItem {
   SceneData scene;
   ItemRole role = ItemRole::Plain;
   Presence presence = Presence::Whole;
+  /// What displays of surfaces need; nullptr: there is none yet, and the one before of the same shape stays.
+  std::shared_ptr<const SurfaceStudy> study = nullptr;
 };
 
 /// What new items have changed.
 struct ItemsChange {
   std::vector<FeatureId> shapes;  ///< features whose shape is new or gone
-  bool colors = false;            ///< of shapes that stay
+  bool colors = false;            ///< of shapes that stay, or what is told of their surfaces
   [[nodiscard]] bool any() const { return colors || !shapes.empty(); }
 };
 
@@ -58,6 +61,11 @@ class ViewItems {
   void setLook(const Look&);  ///< with widths in device pixels
   void setDisplayMode(DisplayMode);
   [[nodiscard]] DisplayMode displayMode() const { return mode_; }
+  void setZebra(const ZebraLook&);
+  /// The scale of the curvature that is shown, by the shape that bends most; empty: none is shown.
+  [[nodiscard]] std::optional<CurvatureRange> curvatureRange() const;
+  /// The curvature drawn at a place of a face; empty: none is.
+  [[nodiscard]] std::optional<double> curvatureAt(const Pick&) const;
   /// Leaves out the far sides of closed shapes, which are hidden: half the work.
   void setCulling(bool);
   /// To be called before each frame. @param millimetresPerPixel in the plane of the section
@@ -93,12 +101,14 @@ class ViewItems {
     ItemRole role = ItemRole::Plain;
     Presence presence = Presence::Whole;
     bool replaced = false;  ///< something stands in for it
+    std::shared_ptr<const SurfaceStudy> study;
     std::vector<vtkSmartPointer<vtkActor>> actors;
     std::vector<vtkSmartPointer<vtkActor>> coming;   ///< those of `actors` that are not in the renderer yet, last first
     std::vector<vtkSmartPointer<vtkActor>> leaving;  ///< in the renderer until nothing is coming
   };
   [[nodiscard]] Pick pickAmong(const Ray&, PickOptions, PickMode, bool steppedBack) const;
   [[nodiscard]] bool renew(Shown&, const ViewItem&);
+  [[nodiscard]] bool renewStudy(Shown&, const ViewItem&);
   void show(Shown&);
   void replace(Shown&);
   void hide(Shown&);
@@ -106,10 +116,14 @@ class ViewItems {
   void paint(const FeatureId&, const Shown&) const;
   void paintFaces(vtkActor&, const Shown&, bool hovered) const;
   void paintEdges(vtkActor&, const Shown&, bool hovered) const;
+  void paintIsoCurves(vtkActor&, const Shown&) const;
   static void layer(vtkActor&, const Shown&);
   [[nodiscard]] bool isReplaced(const FeatureId&) const;
   void markReplaced();
   void applyMode(const Shown&) const;
+  void shade(vtkActor&, const Shown&) const;
+  void recolor(const FeatureId&, Shown&, bool values);
+  [[nodiscard]] bool followRange();
   void applySection(const Shown&) const;
   void applyCulling(const Shown&) const;
 
@@ -119,6 +133,10 @@ class ViewItems {
   Shown standInShown_;
   Look look_ = Look::dark();
   DisplayMode mode_ = DisplayMode::ShadedWithEdges;
+  ZebraLook zebra_;
+  std::optional<CurvatureRange> range_;
+  vtkSmartPointer<vtkLookupTable> colors_;  // of the range
+  SurfaceDisplay colorsOf_ = SurfaceDisplay::Plain;
   FeatureId hovered_;
   bool culling_ = false;
   std::optional<CutPlane> section_;

@@ -33,10 +33,8 @@ vtkRenderer& ViewStage::renderer() { return *renderer_; }
 
 ItemsChange ViewStage::setItems(const std::vector<ViewItem>& items) {
   ItemsChange change = items_.set(items);
-  if (!change.shapes.empty()) {
-    showMarks();
-    keepGridLast();
-  }
+  if (!change.shapes.empty()) showMarks();
+  if (change.any()) keepGridLast();
   return change;
 }
 

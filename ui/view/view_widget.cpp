@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/thread/refreshes.h"
+#include "ui/view/curvature_legend.h"
 #include "ui/view/mouse_navigation.h"
 #include "ui/view/rehearsal.h"
 #include "ui/view/view_cube.h"
@@ -17,6 +18,7 @@ ViewWidget::ViewWidget(QWidget* parent)
     : QWidget(parent),
       picture_(new LivePicture(*this, *this)),
       cube_(new ViewCube(this)),
+      legend_(new CurvatureLegend(this)),
       navigation_(new MouseNavigation(camera_, *this)) {
   quietVtk();
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -62,7 +64,12 @@ void ViewWidget::resizeEvent(QResizeEvent* event) {
   picture_->redraw();
 }
 
-void ViewWidget::placeCube() { cube_->move(width() - cube_->width() - 14, 12); }
+void ViewWidget::placeCube() {
+  cube_->move(width() - cube_->width() - 14, 12);
+  legend_->move(14, height() - legend_->height() - 14);
+}
+
+void ViewWidget::followCurvature() { legend_->showScale(surfaceDisplay(displayMode()), stage_.items().curvatureRange()); }
 
 void ViewWidget::prepareFrame(QPointF offset, QSize picture) {
   bringToolUpToDate();
@@ -98,6 +105,7 @@ void ViewWidget::setItems(const std::vector<ViewItem>& items) {
   std::copy_if(selected.begin(), selected.end(), std::back_inserter(kept),
                [&](const Pick& pick) { return !isChanged(pick); });
   if (kept.size() != selected.size()) setSelectedParts(kept);
+  followCurvature();
   if (change.any()) picture_->redraw();
 }
 
@@ -124,6 +132,13 @@ void ViewWidget::setParallel(bool parallel) { camera_.setParallel(parallel); }
 
 void ViewWidget::setDisplayMode(DisplayMode mode) {
   stage_.items().setDisplayMode(mode);
+  followCurvature();
+  if (source_.items && needsStudy(mode)) markItems();  // with what the mode needs
+  picture_->redraw();
+}
+
+void ViewWidget::setZebra(const ZebraLook& zebra) {
+  stage_.items().setZebra(zebra);
   picture_->redraw();
 }
 

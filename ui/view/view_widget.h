@@ -16,6 +16,7 @@
 
 namespace blossom::ui {
 
+class CurvatureLegend;
 class MouseNavigation;
 class ViewCube;
 
@@ -49,6 +50,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   [[nodiscard]] bool parallel() const { return camera_.parallel(); }
   void setDisplayMode(DisplayMode);
   [[nodiscard]] DisplayMode displayMode() const { return stage_.items().displayMode(); }
+  void setZebra(const ZebraLook&);
   void setNavigation(NavigationStyle);
   [[nodiscard]] NavigationStyle navigation() const;
   /// Cuts all shapes; closed ones look filled where they are cut. What is cut away is not picked.
@@ -135,6 +137,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   void paintProblem(const QPaintEvent&);
   [[nodiscard]] std::vector<Vec3> everything();
   void placeCube();
+  void followCurvature();
   // What the mouse does.
   [[nodiscard]] ToolEvent toolEvent(QPointF at, Qt::MouseButton, Qt::KeyboardModifiers);
   void markTool();
@@ -155,6 +158,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   std::unique_ptr<LivePicture> picture_;
   Turn frameTurn_;  // how the camera stands in the newest frame
   ViewCube* cube_;
+  CurvatureLegend* legend_;
   MouseNavigation* navigation_;
 
   QPointer<Tool> tool_;

@@ -10,6 +10,7 @@
 
 #include "ui/look/text.h"
 #include "ui/look/units.h"
+#include "ui/view/curvature_legend.h"
 #include "ui/view/mouse_navigation.h"
 #include "ui/view/view_widget.h"
 
@@ -118,9 +119,11 @@ void ViewWidget::leaveEvent(QEvent*) {
   setHovered({});
   emit hint({});
   emit whereabouts({});
+  legend_->setValue({});
 }
 
 void ViewWidget::tellWhereabouts(QPointF at) {
+  if (legend_->range()) legend_->setValue(stage_.items().curvatureAt(pickAt(at, PickMode::Face)));
   const Ray ray = camera_.rayThrough(at);
   const QString grid = tr("grid %1").arg(readableLength(stage_.gridSpacing()));
   const double reach = std::abs(ray.direction.z()) > 0.05 ? -ray.origin.z() / ray.direction.z() : -1;

@@ -127,7 +127,10 @@ void MainWindow::buildStatus() {
       tr("%1: find a command · Drop files to open them")
           .arg(commands_.action(QStringLiteral("edit.find-command"))->shortcut().toString(QKeySequence::NativeText)));
   connect(&commands_, &Commands::hint, status_, &StatusLine::setHint);
-  connect(status_, &StatusLine::cancelled, this, [this] { session().cancel(); });
+  connect(status_, &StatusLine::cancelled, this, [this] {
+    session().cancel();
+    page().cancelStudies();
+  });
   connect(status_, &StatusLine::jobsWanted, logAndJobs_, &LogAndJobs::toggleJobs);
   connect(&logAndJobs_->jobs(), &JobsList::runningChanged, status_, &StatusLine::setJobs);
   connect(logAndJobs_, &LogAndJobs::hint, status_, &StatusLine::setHint);
@@ -208,7 +211,7 @@ void MainWindow::followShown() {
   featureMenus_->setPage(&shown);
   documentCommands_->setPage(&shown);
   featureMenus_->setSelection(shown.tree().selected());
-  for (const char* key : {"a", "b"}) status_->endWork(QLatin1String(key));
+  for (const char* key : {"a", "b", "c"}) status_->endWork(QLatin1String(key));
   status_->setHint(shown.tool() ? shown.tool()->hint() : ViewWidget::idleHint());
   refreshActions();
 }
@@ -247,6 +250,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     session().cancelEvaluation();  // what is being saved beside it goes on
   else if (session().job().running())
     session().job().cancel();
+  else if (page().studying())
+    page().cancelStudies();
   else
     page().faults().hide();
 }

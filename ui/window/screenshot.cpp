@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QPixmap>
 
+#include "ui/page/page.h"
 #include "ui/view/view_widget.h"
 #include "ui/window/main_window.h"
 #include "ui/window/startup_clock.h"
@@ -21,7 +22,9 @@ void Screenshot::whenComputed() {
   if (window_.session().evaluating() || window_.session().job().running()) return;
   disconnect(&window_.view(), &ViewWidget::framePainted, this, nullptr);
   connect(&window_.view(), &ViewWidget::framePainted, this, [this] {
-    if (window_.session().evaluating() || window_.session().job().running() || !window_.view().sharp()) return;
+    if (window_.session().evaluating() || window_.session().job().running() || window_.page().studying() ||
+        !window_.view().sharp())
+      return;
     disconnect(&window_.view(), &ViewWidget::framePainted, this, nullptr);
     reached("final picture");
     QCoreApplication::processEvents();  // layouts settle in several rounds

@@ -22,7 +22,7 @@ class StatusLine : public QFrame {
   void setWhereabouts(const QString&);
   /// Shown for a few seconds in place of the hint.
   void announce(const QString&);
-  /// Two sorts of work may run at once; each has its own key.
+  /// Several sorts of work may run at once; each has its own key.
   void setWork(const QString& key, const QString& what, double fraction);
   void endWork(const QString& key);
   /// Offers what a click in the view may select; the mode in force stands at the left.

@@ -184,6 +184,7 @@ class ShapeMesher {
     }
     result_.points.resize(static_cast<std::size_t>(total));
     result_.normals.resize(static_cast<std::size_t>(total));
+    if (options_.curvature) result_.curvatures.resize(static_cast<std::size_t>(total));
     parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
         if (!faces_[f].triangulation.IsNull()) placeFace(faces_[f]);
@@ -200,6 +201,11 @@ class ShapeMesher {
       result_.points[index] = toVec(mesh.triangulation->Node(i).Transformed(place).XYZ());
       result_.normals[index] = mesh.normals ? gridNormal(mesh, static_cast<std::size_t>(i - 1))
                                             : Vec3(side * normalAt(surface, mesh.triangulation->UVNode(i), center));
+      if (!options_.curvature) continue;
+      SurfaceCurvature& curvature = result_.curvatures[index];
+      curvature = curvatureAt(surface, mesh.triangulation->UVNode(i), center);
+      curvature.mean *= side;
+      if (i % 4096 == 0) progress_.check();
     }
   }
 

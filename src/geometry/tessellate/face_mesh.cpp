@@ -78,6 +78,18 @@ Vec3 normalAt(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_P
   return {0, 0, 1};
 }
 
+SurfaceCurvature curvatureAt(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_Pnt2d& center) {
+  for (const double step : {0.0, 1e-4, 1e-3, 1e-2}) {
+    const gp_XY place = uv.XY() + (center.XY() - uv.XY()) * step;
+    gp_Pnt p;
+    gp_Vec du, dv, duu, dvv, duv;
+    surface.D2(place.X(), place.Y(), p, du, dv, duu, dvv, duv);
+    const auto vec = [](const gp_Vec& d) { return toVec(d.XYZ()); };
+    if (const auto found = curvatureOf({vec(du), vec(dv), vec(duu), vec(duv), vec(dvv)})) return *found;
+  }
+  return {};
+}
+
 std::vector<Collapsed> collapsedParameters(const Poly_Triangulation& triangulation, const BRepAdaptor_Surface& surface) {
   constexpr double nothing = 1e-8;
   const Box2 box = parameterBox(triangulation);

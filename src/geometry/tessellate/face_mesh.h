@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/vector.h"
+#include "geometry/values/surface_curvature.h"
 
 namespace blossom {
 
@@ -23,6 +24,10 @@ gp_Pnt2d parameterCenter(const Poly_Triangulation&);
 
 /// The unit normal of a surface; at a pole, that of a point a little inside.
 Vec3 normalAt(const BRepAdaptor_Surface&, const gp_Pnt2d& uv, const gp_Pnt2d& center);
+
+/// Curvatures with respect to the normal along du x dv, from the second derivatives; at a pole those of a point a little
+/// inside, 0 where there are none either.
+SurfaceCurvature curvatureAt(const BRepAdaptor_Surface&, const gp_Pnt2d& uv, const gp_Pnt2d& center);
 
 /// The parameter without influence on the position of a node, where an iso-parametric line of the surface shrinks to a
 /// point, as at the apex of a cone.

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/bspline/bspline.h"
+#include "geometry/tessellate/grid_curvature.h"
 
 namespace blossom {
 namespace {
@@ -158,12 +159,7 @@ SurfaceGrid evaluateGrid(const Surface& surface, std::vector<GridSample> u, std:
 }
 
 SecondOrder secondOrder(const Surface& surface, double u, double v) {
-  const std::vector<Vec4> d = derivatives(surface, u, v, 2);  // [i * 3 + j]
-  const auto [point, du, dv] = quotient(d[0], d[3], d[1]);
-  const double w = d[0].w();
-  const Vec3 uu = (d[6].head<3>() - 2 * d[3].w() * du - d[6].w() * point) / w;
-  const Vec3 vv = (d[2].head<3>() - 2 * d[1].w() * dv - d[2].w() * point) / w;
-  const Vec3 uv = (d[4].head<3>() - d[3].w() * dv - d[1].w() * du - d[4].w() * point) / w;
+  const auto [du, dv, uu, uv, vv] = jetOf(surface, u, v);
   const Vec3 normal = unitNormal(du, dv);
   const auto bend = [&](const Vec3& second) { return normal.norm() > 0.5 ? std::abs(second.dot(normal)) : second.norm(); };
   return {bend(uu), bend(uv), bend(vv), du.norm(), dv.norm()};

@@ -123,7 +123,7 @@ struct TessellationVisitor {
   Tessellation operator()(const Curve& curve) const { return tessellateCurve(curve, options.chord); }
   Tessellation operator()(const Surface& surface) const { return tessellateSurface(surface, options, progress); }
   Tessellation operator()(const Brep& brep) const { return tessellateBrep(brep, options, progress); }
-  Tessellation operator()(const Mesh& mesh) const { return tessellateMesh(mesh, progress); }
+  Tessellation operator()(const Mesh& mesh) const { return tessellateMesh(mesh, options, progress); }
   Tessellation operator()(const Motion& motion) const { return tessellateCurve(motion.trajectory, options.chord); }
   Tessellation operator()(const MedialAxis& axis) const { return tessellateMedialAxis(axis); }
   Tessellation operator()(const Toolpath& path) const { return tessellateToolpath(path, options.chord, progress); }

@@ -6,6 +6,7 @@
 #include "core/vector.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/shape/shape.h"
+#include "geometry/values/surface_curvature.h"
 
 namespace blossom {
 
@@ -15,6 +16,7 @@ struct TessellationOptions {
   double chord = 0.05;
   /// radians, maximum angle between normals of neighbouring vertices; features far smaller than the chord may exceed it
   double angle = 0.3;
+  bool curvature = false;  ///< of every point, too
 };
 
 /// Triangles, lines and points that represent a shape on the screen or in a mesh file. `points` and `normals` have equal
@@ -22,6 +24,9 @@ struct TessellationOptions {
 struct Tessellation {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;  ///< unit length, outward for solids
+  /// For each point with respect to its normal; empty unless they were asked for. Of faces and patches from the second
+  /// derivatives of their surfaces, of meshes from their triangles (mesh/discrete_curvature.h).
+  std::vector<SurfaceCurvature> curvatures;
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> faceOfTriangle;       ///< number of the face (see geometry/occt/sub_shape.h), for picking
   std::vector<Color> faceColors;         ///< per face; empty when the shape has no colours of its own

@@ -3,6 +3,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "geometry/tessellate/brep_mesher.h"
@@ -19,6 +20,10 @@ Vec3 moved(const gp_Trsf& place, const Vec3& p) {
 Vec3 turned(const gp_Trsf& place, const Vec3& direction) {
   const gp_Vec d = gp_Vec(direction.x(), direction.y(), direction.z()).Transformed(place);
   return Vec3(d.X(), d.Y(), d.Z()).normalized();
+}
+
+SurfaceCurvature scaledCurvature(const SurfaceCurvature& c, double factor) {
+  return {c.gaussian * factor * factor, c.mean * factor, c.spread * factor};
 }
 
 /// Colours of the faces of a part: those of their own, else of the solid they belong to; nothing where the part's colour
@@ -117,6 +122,8 @@ class AssemblyTessellator {
     const auto offset = static_cast<int>(result_.points.size());
     for (const Vec3& p : mesh.points) result_.points.push_back(moved(place, p));
     for (const Vec3& n : mesh.normals) result_.normals.push_back(turned(place, n));
+    for (const SurfaceCurvature& c : mesh.curvatures)
+      result_.curvatures.push_back(scaledCurvature(c, 1 / std::abs(place.ScaleFactor())));
     for (auto [a, b, c] : mesh.triangles) {
       if (place.IsNegative()) std::swap(b, c);
       result_.triangles.push_back({a + offset, b + offset, c + offset});

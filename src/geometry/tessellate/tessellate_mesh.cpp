@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/mesh/discrete_curvature.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/mesh/polygon_triangulation.h"
 #include "geometry/numeric/union_find.h"
@@ -16,14 +17,15 @@ const double sharpCosine = std::cos(std::numbers::pi / 6);
 
 class MeshTessellator {
  public:
-  MeshTessellator(const Mesh& mesh, const Progress& progress)
-      : mesh_(mesh), progress_(progress), topology_(meshTopology(mesh, progress)) {}
+  MeshTessellator(const Mesh& mesh, const TessellationOptions& options, const Progress& progress)
+      : mesh_(mesh), curvature_(options.curvature), progress_(progress), topology_(meshTopology(mesh, progress)) {}
 
   Tessellation run() {
     findFaceNormals();
     findSharpEdges();
     addPoints();
     addTriangles();
+    if (curvature_) result_.curvatures = discreteCurvature(result_.points, result_.normals, result_.triangles, progress_);
     for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
       const MeshEdge& edge = topology_.edges[e];
       if (sharp_[e]) result_.edges.push_back({point(edge.low), point(edge.high)});
@@ -106,6 +108,7 @@ class MeshTessellator {
   }
 
   const Mesh& mesh_;
+  const bool curvature_;
   const Progress& progress_;
   MeshTopology topology_;
   std::vector<Vec3> faceNormals_;
@@ -116,6 +119,8 @@ class MeshTessellator {
 
 }  // namespace
 
-Tessellation tessellateMesh(const Mesh& mesh, const Progress& progress) { return MeshTessellator(mesh, progress).run(); }
+Tessellation tessellateMesh(const Mesh& mesh, const TessellationOptions& options, const Progress& progress) {
+  return MeshTessellator(mesh, options, progress).run();
+}
 
 }  // namespace blossom

@@ -6,7 +6,7 @@ namespace blossom {
 
 Tessellation tessellateSurface(const Surface&, const TessellationOptions&, const Progress&);
 Tessellation tessellateBrep(const Brep&, const TessellationOptions&, const Progress&);
-Tessellation tessellateMesh(const Mesh&, const Progress&);
+Tessellation tessellateMesh(const Mesh&, const TessellationOptions&, const Progress&);
 Tessellation tessellateRegion(const Region&, const TessellationOptions&, const Progress&);
 
 /// Polyline within `chord` of a curve with positive weights, by halving Bézier pieces until their poles are close to the

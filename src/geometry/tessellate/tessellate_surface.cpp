@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tessellate/grid_curvature.h"
 #include "geometry/tessellate/grid_fit.h"
 #include "geometry/tessellate/tessellate_parts.h"
 
@@ -80,7 +81,10 @@ class SurfaceTessellator {
 }  // namespace
 
 Tessellation tessellateSurface(const Surface& surface, const TessellationOptions& options, const Progress& progress) {
-  return SurfaceTessellator(fitGrid(surface, options, GridBorder::Own, progress)).result();
+  const SurfaceGrid grid = fitGrid(surface, options, GridBorder::Own, progress);
+  Tessellation result = SurfaceTessellator(grid).result();
+  if (options.curvature) result.curvatures = gridCurvature(surface, grid, progress);
+  return result;
 }
 
 }  // namespace blossom

@@ -5,6 +5,7 @@
 #include "support/motion_sizes.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "support/symmetric_motions.h"
 #include "sweep/kernel/begin/motion_from_curve.h"
 #include "sweep/kernel/begin/motion_knots.h"
 #include "sweep/kernel/begin/primitive_motions.h"
@@ -142,6 +143,7 @@ class SweepSeamTest : public QObject {
     QCOMPARE(ring->orientation.ratio, -1.0);
     QCOMPARE(ring->scaling.ratio, 1.0);
     for (const JoinedEnds& ends : {ring->trajectory, ring->orientation, ring->scaling}) QCOMPARE(ends.continuity, 2);
+    QVERIFY(joinedInV(readMotionOf("torus.json")) && !joinedInV(readMotionOf("twisted-tube.json")));
     // Nothing changes along v: that is no ring.
     Motion still = primitiveMotion({}).motion;
     for (Vec4& pole : still.trajectory.poles) pole = Vec4(0, 0, 0, 1);

@@ -34,16 +34,13 @@ using Shares = std::map<std::size_t, double>;
 /// The periodic spline that a clamped one with joined ends is.
 class Ring {
  public:
-  Ring(int degree, const std::vector<double>& clamped, int continuity)
+  Ring(int degree, const std::vector<double>& clamped, const JoinedEnds& ends)
       : degree_(degree),
-        kept_(static_cast<std::size_t>(continuity)),
+        kept_(static_cast<std::size_t>(ends.continuity)),
         poles_(clamped.size() - static_cast<std::size_t>(degree) - 1),
-        clamped_(clamped) {
-    std::vector<double> period(static_cast<std::size_t>(degree - continuity), clamped.front());
-    period.insert(period.end(), clamped.begin() + degree + 1, clamped.end() - degree);
-    free_ = period.size() - 1;
-    knots_ = unwrappedKnots(degree, period);
-  }
+        free_(poles_ - 1 - kept_),
+        clamped_(clamped),
+        knots_(ringKnots(degree, clamped, ends)) {}
 
   [[nodiscard]] std::size_t countFree() const { return free_; }
   [[nodiscard]] std::size_t countPoles() const { return poles_; }
@@ -83,7 +80,7 @@ class Ring {
 
  private:
   int degree_;
-  std::size_t kept_, poles_, free_ = 0;
+  std::size_t kept_, poles_, free_;
   std::vector<double> clamped_, knots_;  ///< of the given spline; of the periodic one, unwrapped
 };
 
@@ -101,6 +98,12 @@ std::vector<double> weightsOfFree(const Curve& trajectory, const Ring& ring) {
 
 }  // namespace
 
+std::vector<double> ringKnots(int degree, const std::vector<double>& clamped, const JoinedEnds& ends) {
+  std::vector<double> period(static_cast<std::size_t>(degree - ends.continuity), clamped.front());
+  period.insert(period.end(), clamped.begin() + degree + 1, clamped.end() - degree);
+  return unwrappedKnots(degree, period);
+}
+
 void SeamV::assign(std::vector<std::vector<Share>> freeOfPole) {
   freeOfPole_ = std::move(freeOfPole);
   polesOfFree_.assign(freeOfPole_.size(), {});
@@ -109,7 +112,7 @@ void SeamV::assign(std::vector<std::vector<Share>> freeOfPole) {
 }
 
 SeamV::SeamV(const Curve& trajectory, const JoinedEnds& ends) {
-  const Ring ring(trajectory.degree, trajectory.knots, ends.continuity);
+  const Ring ring(trajectory.degree, trajectory.knots, ends);
   const std::vector<double> weights = weightsOfFree(trajectory, ring);
   std::vector<std::vector<Share>> all(ring.countPoles());
   for (std::size_t pole = 0; pole + 1 < all.size(); ++pole)
@@ -120,7 +123,7 @@ SeamV::SeamV(const Curve& trajectory, const JoinedEnds& ends) {
 }
 
 SeamV::SeamV(const Surface& factor, const JoinedEnds& ends) {
-  const Ring ring(factor.degreeV, factor.knotsV, ends.continuity);
+  const Ring ring(factor.degreeV, factor.knotsV, ends);
   std::vector<std::vector<Share>> all(ring.countPoles());
   for (std::size_t pole = 0; pole + 1 < all.size(); ++pole)
     for (const auto& [free, share] : ring.sharesOf(pole, ends.ratio)) all[pole].push_back({free, share});

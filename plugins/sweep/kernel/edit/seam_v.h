@@ -24,9 +24,12 @@ struct JoinedFactors {
 /// Empty when the motion does not close in v. O(poles).
 std::optional<JoinedFactors> joinedInV(const Motion&);
 
-/// Keeps the ends in v of one factor together while its poles change: with continuity k, the clamped poles of a closed
-/// factor of degree p are those of a periodic spline that has a knot of multiplicity p - k at the seam. Only the poles of
-/// that one are free, so that a change is the same wherever around the ring it is made. Free poles away from the seam are
+/// With continuity k, a factor of degree p whose ends are joined is a periodic spline with a knot of multiplicity p - k at
+/// the seam. These are the knots of that spline in v, continued by p knots on both sides.
+std::vector<double> ringKnots(int degree, const std::vector<double>& clamped, const JoinedEnds&);
+
+/// Keeps the ends in v of one factor together while its poles change. Only the poles of the periodic spline that it is are
+/// free, so that a change is the same wherever around the ring it is made. Free poles away from the seam are
 /// clamped poles, with the same numbers bit for bit; k + 1 fewer are free than stand in the factor.
 ///
 /// The poles of a trajectory are Euclidean here; free ones count with the weight that they have as rational poles, and

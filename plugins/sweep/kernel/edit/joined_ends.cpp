@@ -10,6 +10,9 @@ namespace {
 
 /// How far ends may lie apart, as a share of what poles differ by and, where they differ by little, of their size.
 constexpr double togetherOfSpread = 1e-9, togetherOfSize = 1e-14;
+/// The same for derivatives, by the error of poles that would explain it. It is smaller, because in short spans errors of
+/// poles explain much.
+constexpr double smoothOfSpread = 1e-11;
 /// A ratio this near to 1 or -1 is meant to be that.
 constexpr double sameLength = 1e-12;
 
@@ -76,15 +79,16 @@ std::optional<JoinedEnds> joinedEnds(const Lines& lines) {
   bool meet = true;
   for (const Curve& line : lines) {
     const std::vector<Vec4> start = derivatives(line, first, any.degree - 1), end = derivatives(line, last, any.degree - 1);
-    // What rounding of poles makes of derivatives.
-    double allowed = std::max(togetherOfSpread * extent.spread, togetherOfSize * extent.size);
+    double growth = 1;  // of errors of poles in the derivative
     for (int k = 0; k <= ends.continuity; ++k) {
       const auto order = static_cast<std::size_t>(k);
+      const double share = k == 0 ? togetherOfSpread : smoothOfSpread;
+      const double allowed = growth * std::max(share * extent.spread, togetherOfSize * extent.size);
       if ((end[order] - ratio * start[order]).norm() > allowed) {
         meet = meet && k > 0;
         ends.continuity = k - 1;
       }
-      allowed *= (any.degree - k) / spanAtEnds(any);
+      growth *= (any.degree - k) / spanAtEnds(any);
     }
   }
   return meet ? std::optional(ends) : std::nullopt;

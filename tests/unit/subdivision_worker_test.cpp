@@ -2,6 +2,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "geometry/occt/occt.h"

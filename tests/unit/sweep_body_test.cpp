@@ -1,6 +1,7 @@
 #include <QTemporaryDir>
 #include <numbers>
 
+#include "geometry/bspline/bspline.h"
 #include "geometry/occt/sub_shape.h"
 #include "support/command_line.h"
 #include "support/modeling.h"

@@ -1,4 +1,5 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <TopoDS_Edge.hxx>
 
 #include "geometry/bspline/bspline.h"
 #include "support/fake_worker.h"

@@ -78,11 +78,12 @@ TopoDS_Shape withSolids(const TopoDS_Shape& sewn) {
 
 }  // namespace
 
-Brep brepOf(const std::vector<Surface>& faces, const std::string& name, const Progress& progress) {
+Brep brepOf(const std::vector<Surface>& faces, const std::string& name, const std::optional<Color>& color,
+            const Progress& progress) {
   try {
     const TopoDS_Shape joined = sewn(faces, progress);
     checkNoneIsLost(joined, faces.size());
-    return Brep(withSolids(joined), name);
+    return Brep(withSolids(joined), name, color);
   } catch (const Standard_Failure& failure) {
     throw Error(ErrorCode::Degenerate, std::string("The faces cannot be joined: ") + failure.GetMessageString(),
                 "Look for faces of the cage that are squeezed to a line or a point.");

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,6 @@
 namespace blossom::subdivision {
 
 /// Faces sewn together where they meet; a solid when they close. @throws Error Degenerate when OCCT fails, Cancelled.
-Brep brepOf(const std::vector<Surface>&, const std::string& name, const Progress&);
+Brep brepOf(const std::vector<Surface>&, const std::string& name, const std::optional<Color>&, const Progress&);
 
 }  // namespace blossom::subdivision

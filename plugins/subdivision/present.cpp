@@ -44,7 +44,7 @@ void presentFaces(const Mesh& cage, const PresentOptions& options, Evaluated& ou
     throw Error(ErrorCode::InvalidInput, "The surfaces of Loop's scheme are no bicubic B-splines.",
                 "Take a limit mesh, or the scheme catmull-clark.");
   const FacesResult made = bsplineFaces(cage, {.tolerance = options.tolerance}, progress.part(0, 0.6));
-  out.shape = brepOf(made.faces, cage.name, progress.part(0.6, 1));
+  out.shape = brepOf(made.faces, cage.name, cage.color, progress.part(0.6, 1));
   out.stats["faces"] = made.faces.size();
   out.stats["exact_faces"] = made.exactFaces;
   out.stats["deviation_mm"] = made.deviation;

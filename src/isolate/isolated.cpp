@@ -62,16 +62,19 @@ bool isPlain(const Brep& brep) {
          part.children.empty();
 }
 
-/// A B-rep that its maker gave neither names nor colours has those of the first B-rep it was made of.
+/// A B-rep that its maker gave neither names nor colours has those of the first B-rep it was made of. Control shapes, such
+/// as the target of a deformation, are not what it is made of.
 Shape namedLike(const Shape& made, const FeatureType& type, const Inputs& inputs) {
   const Brep* brep = made.get<Brep>();
   if (!brep || !isPlain(*brep)) return made;
-  for (std::size_t spec = 0; spec < type.inputs.size(); ++spec)
+  for (std::size_t spec = 0; spec < type.inputs.size(); ++spec) {
+    if (type.inputs[spec].use == InputUse::Control) continue;
     for (const Shape& input : inputs.of(spec))
       if (const Brep* first = input.get<Brep>(); first && !first->roots().empty()) {
         const BrepInstance& root = first->roots().front();
         return Brep(brep->shape(), root.name, root.color || !root.part ? root.color : root.part->color);
       }
+  }
   return made;
 }
 

@@ -20,7 +20,8 @@ struct IsolationOptions {
 
 /// The same feature type, evaluated in a child process: what cannot poll `Progress` can so be cancelled at once, and may
 /// crash without harm. Takes and returns regions, curves, surfaces, B-reps, meshes, motions and sequences of them, with
-/// their names, colours and layers; a B-rep that is made without these gets name and colour of the first B-rep given.
+/// their names, colours and layers; a B-rep that is made without these gets name and colour of the first B-rep given
+/// (control shapes aside).
 ///
 /// The statistics get "worker_ms": what the evaluation took beside the kernel, which is the way to the child and back, and
 /// its start when none was kept (see runInWorker).

@@ -1,9 +1,7 @@
-#include <sys/stat.h>
-
-#include <QTemporaryDir>
 #include <future>
 
 #include "core/file.h"
+#include "support/fake_worker.h"
 #include "support/modeling.h"
 #include "worker/worker.h"
 
@@ -11,24 +9,6 @@ using namespace blossom;
 using namespace blossom::test;
 
 namespace {
-
-/// A worker program that only runs these shell words instead.
-class FakeWorker {
- public:
-  explicit FakeWorker(const char* words) {
-    (void)theApp();
-    const fs::path script = fs::path(folder_.path().toStdString()) / "worker";
-    writeAtomically(script, std::string("#!/bin/sh\n") + words + "\n");
-    ::chmod(script.c_str(), 0755);
-    before_ = qgetenv("BLOSSOM_WORKER");
-    qputenv("BLOSSOM_WORKER", script.c_str());
-  }
-  ~FakeWorker() { qputenv("BLOSSOM_WORKER", before_); }
-
- private:
-  QTemporaryDir folder_;
-  QByteArray before_;
-};
 
 /// Solids whose union takes OCCT many seconds.
 std::vector<Shape> manyBalls() {
@@ -47,7 +27,7 @@ class ModelingWorkerTest : public QObject {
  private slots:
   void aCrashIsAnErrorOfTheFeature() {
     const Shape box = made("box").shape;
-    const FakeWorker crashing("kill -SEGV $$");
+    const FakeWorker crashing(crashingWorker);
     for (const char* command : {"fillet", "chamfer", "shell"})
       VERIFY_REFUSED(refusal(command, {}, {box}), ErrorCode::WorkerDied, "crashed (SIGSEGV)");
     VERIFY_REFUSED(refusal("boolean", {}, {box, box}), ErrorCode::WorkerDied, "for the Boolean operation crashed");
@@ -57,7 +37,7 @@ class ModelingWorkerTest : public QObject {
   }
 
   void cheapFeaturesNeedNoWorker() {
-    const FakeWorker crashing("kill -SEGV $$");
+    const FakeWorker crashing(crashingWorker);
     const Shape box = made("box").shape;
     QVERIFY(isSound(made("pattern", {}, {box})));
     QVERIFY(isSound(made("mirror", {}, {box})));
@@ -67,12 +47,9 @@ class ModelingWorkerTest : public QObject {
 
   void whatHangsIsCancelled() {
     const Shape box = made("box").shape;
-    const FakeWorker hanging("read request; echo '{\"progress\": 0.5, \"stage\": \"hanging\"}'; exec sleep 600");
+    const FakeWorker hanging(hangingWorker);
     const CancelToken token;
-    const Progress cancelling(token, [&](double, const std::string& stage) {
-      if (stage == "hanging") token.cancel();
-    });
-    VERIFY_ERROR(made("fillet", {}, {box}, cancelling), ErrorCode::Cancelled);
+    VERIFY_ERROR(made("fillet", {}, {box}, cancellingWhenItHangs(token)), ErrorCode::Cancelled);
   }
 
   void longWorkIsCancelledInTheMiddle() {

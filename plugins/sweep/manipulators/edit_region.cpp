@@ -4,6 +4,7 @@
 
 #include "geometry/bspline/bspline.h"
 #include "kernel/edit/motion_symmetry.h"
+#include "kernel/edit/seam_v.h"
 #include "manipulators/place_under_mouse.h"
 
 namespace blossom::sweep {
@@ -24,12 +25,20 @@ void addLine(const std::vector<PlaceHit>& points, const Vec3& towards, double si
   }
 }
 
+/// v inside its range: the next period of a ring, or an end that rounding has passed.
+double insideRangeOfV(const Motion& motion, double v) {
+  const auto [first, last] = motion.domainV();
+  constexpr double rounding = 1e-9;
+  if (v < first) return v + (last - first);
+  return v > last + rounding * (last - first) ? v - (last - first) : std::min(v, last);
+}
+
 void addLine(const Motion& motion, MotionPlace from, MotionPlace to, const Vec3& towards, double side, SurfaceLines& lines) {
   std::vector<PlaceHit> points;
   for (int i = 0; i <= lineSamples; ++i) {
     const double t = static_cast<double>(i) / lineSamples;
     const MotionPlace at{from.u + (to.u - from.u) * t, from.v + (to.v - from.v) * t};
-    points.push_back(placeHit(motion, {insidePeriod(motion, at.u), std::min(at.v, motion.domainV().second)}));
+    points.push_back(placeHit(motion, {insidePeriod(motion, at.u), insideRangeOfV(motion, at.v)}));
   }
   addLine(points, towards, side, lines);
 }
@@ -57,19 +66,30 @@ SurfaceLines isoCurvesThrough(const Motion& motion, const MotionPlace& at, const
 
 EditRegion editRegion(const Motion& motion, const MotionPlace& at, PullMode::Way way) {
   std::pair<double, double> u{at.u, at.u}, v{at.v, at.v};
-  const auto add = [&](const Surface& factor) {
+  const auto joined = joinedInV(motion);
+  const auto addV = [&](int degree, const std::vector<double>& knots, JoinedEnds JoinedFactors::*ends) {
+    widen(v, reach(degree, joined ? ringKnots(degree, knots, *joined.*ends) : knots, at.v));
+  };
+  const auto add = [&](const Surface& factor, JoinedEnds JoinedFactors::*ends) {
     widen(u, reach(factor.degreeU, factor.knotsU, at.u));
-    widen(v, reach(factor.degreeV, factor.knotsV, at.v));
+    addV(factor.degreeV, factor.knotsV, ends);
   };
   if (way == PullMode::Way::Translate) {
     u = motion.domainU();
-    v = reach(motion.trajectory.degree, motion.trajectory.knots, at.v);
+    addV(motion.trajectory.degree, motion.trajectory.knots, &JoinedFactors::trajectory);
   }
-  if (way == PullMode::Way::Combined || way == PullMode::Way::Rotate || way == PullMode::Way::Twist) add(motion.orientation);
-  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale) add(motion.scaling);
-  const double period = motion.domainU().second - motion.domainU().first;
-  return {u.first, u.second, v.first, v.second,
-          way == PullMode::Way::Translate || (motion.closedU != ClosedU::No && u.second - u.first >= period)};
+  if (way == PullMode::Way::Combined || way == PullMode::Way::Rotate || way == PullMode::Way::Twist)
+    add(motion.orientation, &JoinedFactors::orientation);
+  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale) add(motion.scaling, &JoinedFactors::scaling);
+  const auto lengthOf = [](std::pair<double, double> range) { return range.second - range.first; };
+  const bool along = joined && lengthOf(v) >= lengthOf(motion.domainV());
+  if (along) v = motion.domainV();
+  return {u.first,
+          u.second,
+          v.first,
+          v.second,
+          way == PullMode::Way::Translate || (motion.closedU != ClosedU::No && lengthOf(u) >= lengthOf(motion.domainU())),
+          joined && !along};
 }
 
 SurfaceLines borderOf(const Motion& motion, const EditRegion& region, const Vec3& towards, double side) {
@@ -77,7 +97,7 @@ SurfaceLines borderOf(const Motion& motion, const EditRegion& region, const Vec3
   const double firstU = region.around ? motion.domainU().first : region.firstU,
                lastU = region.around ? motion.domainU().second : region.lastU;
   for (const double v : {region.firstV, region.lastV})
-    if (v > motion.domainV().first && v < motion.domainV().second)
+    if (region.ring || (v > motion.domainV().first && v < motion.domainV().second))
       addLine(motion, {firstU, v}, {lastU, v}, towards, side, lines);
   for (const double u : {region.firstU, region.lastU})
     if (!region.around && (motion.closedU != ClosedU::No || (u > motion.domainU().first && u < motion.domainU().second)))

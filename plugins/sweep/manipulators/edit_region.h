@@ -17,10 +17,11 @@ struct SurfaceLines {
 SurfaceLines isoCurvesThrough(const Motion&, const MotionPlace&, const Vec3& towards, double side);
 
 /// The part of the domain in which basis functions of the poles that an edit at one place changes are not 0. In a motion
-/// that is closed in u, u may lie outside the period.
+/// that is closed in u, u may lie outside the period, and in one that closes in v, v outside its range.
 struct EditRegion {
   double firstU = 0, lastU = 0, firstV = 0, lastV = 0;
   bool around = false;  ///< all of u
+  bool ring = false;    ///< the motion closes in v, and this is a part of it
 };
 EditRegion editRegion(const Motion&, const MotionPlace&, PullMode::Way);
 

@@ -35,7 +35,10 @@ MotionPlace placeInside(const Motion& motion, const MotionPlace& place) {
 
 EditPlaces::EditPlaces(const Motion& motion, std::span<const MotionPlace> at, std::span<const MotionPlace> pins,
                        const EditSymmetry& symmetry, const Progress& progress)
-    : given_(at.begin(), at.end()), symmetric_(symmetry.fold != 1 || symmetry.mirror), progress_(progress) {
+    : given_(at.begin(), at.end()),
+      seams_(seamsInV(motion)),
+      symmetric_(symmetry.fold != 1 || symmetry.mirror),
+      progress_(progress) {
   if (symmetry.fold < 1 || symmetry.fold > largestFold)
     throw Error(ErrorCode::InvalidParameter, fmt::format("The fold of a symmetric edit must lie between 1 and {}; it is {}.",
                                                          largestFold, symmetry.fold));
@@ -67,39 +70,39 @@ Eigen::MatrixXd EditPlaces::wantedAt(const std::function<Vector(EditPlace&)>& wa
 }
 
 template <class Row>
-PoleChange EditPlaces::changeOf(Row row, const Eigen::MatrixXd& wanted) {
+PoleChange EditPlaces::changeOf(Row row, const SeamV& seam, const Eigen::MatrixXd& wanted) {
   progress_.check();
   std::vector<PlaceRow> moved, pinned;
   for (EditPlace& place : places_) {
-    moved.push_back(row(place.at));
+    moved.push_back(seam.onFreePoles(row(place.at)));
     if (moved.back().cancelled) place.obstacles.push_back(Unreached::Cancelled);
   }
-  for (const MotionPlace& pin : pins_) pinned.push_back(row(pin));
-  PoleChange change = leastChange(moved, wanted, pinned, progress_);
+  for (const MotionPlace& pin : pins_) pinned.push_back(seam.onFreePoles(row(pin)));
+  const PoleChange change = leastChange(moved, wanted, pinned, progress_);
   together_ = change.residual > unmet * wanted.rowwise().norm().maxCoeff();
-  return change;
+  return seam.onAllPoles(change);
 }
 
 void EditPlaces::changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted) {
   Curve& trajectory = result_.motion.trajectory;
   const PoleChange change =
-      changeOf([&](const MotionPlace& at) { return placeRow(trajectory, at.v); }, wantedAt<Vec3>(wanted));
+      changeOf([&](const MotionPlace& at) { return placeRow(trajectory, at.v); }, seams_.trajectory, wantedAt<Vec3>(wanted));
   result_.movedPoles += applyChange(change, trajectory);
 }
 
 void EditPlaces::changeOrientation(const std::function<Vec4(EditPlace&)>& wanted) {
   Surface& orientation = result_.motion.orientation;
   const double closure = closureOfOrientation(result_.motion);
-  const PoleChange change =
-      changeOf([&](const MotionPlace& at) { return placeRow(orientation, at, closure); }, wantedAt<Vec4>(wanted));
+  const PoleChange change = changeOf([&](const MotionPlace& at) { return placeRow(orientation, at, closure); },
+                                     seams_.orientation, wantedAt<Vec4>(wanted));
   result_.movedPoles += applyChange(change, orientation, closure);
 }
 
 void EditPlaces::changeScaling(const std::function<Vec4(EditPlace&)>& wanted) {
   Surface& scaling = result_.motion.scaling;
   const double closure = closureOfScaling(result_.motion);
-  const PoleChange change =
-      changeOf([&](const MotionPlace& at) { return placeRow(scaling, at, closure); }, wantedAt<Vec4>(wanted));
+  const PoleChange change = changeOf([&](const MotionPlace& at) { return placeRow(scaling, at, closure); }, seams_.scaling,
+                                     wantedAt<Vec4>(wanted));
   result_.movedPoles += applyChange(change, scaling, closure);
 }
 

@@ -7,6 +7,7 @@
 #include "kernel/edit/edit_result.h"
 #include "kernel/edit/least_change.h"
 #include "kernel/edit/motion_symmetry.h"
+#include "kernel/edit/seam_v.h"
 
 namespace blossom::sweep {
 
@@ -19,7 +20,7 @@ struct EditPlace {
 };
 
 /// The places and pins of an edit with their copies, as rows of the factors, and the motion while it is edited. What pulls
-/// and twists share.
+/// and twists share. A motion that closes in v stays closed there, as smooth as it was (kernel/edit/seam_v.h).
 class EditPlaces {
  public:
   /// @throws Error InvalidParameter for no place, a place outside the domain, or a fold outside 1 .. 360; LimitExceeded
@@ -41,13 +42,14 @@ class EditPlaces {
 
  private:
   template <class Row>
-  PoleChange changeOf(Row row, const Eigen::MatrixXd& wanted);
+  PoleChange changeOf(Row row, const SeamV&, const Eigen::MatrixXd& wanted);
   template <class Vector>
   Eigen::MatrixXd wantedAt(const std::function<Vector(EditPlace&)>& wanted);
 
   EditResult result_;
   std::vector<EditPlace> places_;
   std::vector<MotionPlace> given_, pins_;
+  MotionSeams seams_;
   bool symmetric_, together_ = false;  ///< together_: the last change could not give every place what it wanted
   Progress progress_;
 };

@@ -27,7 +27,7 @@ Explanation reasonOf(Unreached why) {
       return {
           "the basis functions around this closed motion cancel each other there, so that no change of its poles "
           "reaches the place",
-          "Give the motion more poles in u."};
+          "Give the motion more poles in u, or in v when it closes there."};
     case Unreached::TooClose:
       return {"the places ask for more than the poles they share can do", "Pull fewer places, or places farther apart."};
     case Unreached::Pinned:

@@ -17,7 +17,8 @@ namespace blossom::sweep {
 /// computed from the motion given, in closed form; nothing is iterated. Each factor takes the change of its poles that is
 /// the smallest (kernel/edit/least_change.h); weights stay, and so does every pole whose basis function is 0 at all places,
 /// copies and pins. Several places are moved together, and symmetric edits are edits of several places
-/// (kernel/edit/motion_symmetry.h): a trajectory, which all copies share, takes the mean of what they want.
+/// (kernel/edit/motion_symmetry.h): a trajectory, which all copies share, takes the mean of what they want. A motion that
+/// closes in v stays closed there, as smooth as it is (kernel/edit/seam_v.h).
 ///
 /// A place has arrived when it is left by at most 1e-9 of the sizes involved, which allows for rounding where basis
 /// functions nearly cancel each other; most arrive within 1e-15 of them. Edits that the motion keeps (Motion::edits) are

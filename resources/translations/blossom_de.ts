@@ -189,6 +189,18 @@
         <source>drawing tolerance</source>
         <translation>Zeichengenauigkeit</translation>
     </message>
+    <message>
+        <source>zebra stripes</source>
+        <translation>Zebrastreifen</translation>
+    </message>
+    <message>
+        <source>zebra angle</source>
+        <translation>Winkel der Zebrastreifen</translation>
+    </message>
+    <message>
+        <source>iso curves</source>
+        <translation>Iso-Kurven</translation>
+    </message>
 </context>
 <context>
     <name>blossom::minkowski::MorphTool</name>
@@ -577,6 +589,234 @@
     </message>
 </context>
 <context>
+    <name>blossom::sweep::FactorNet</name>
+    <message>
+        <source>Poles over the (u, v) domain</source>
+        <translation>Pole über dem Bereich von (u, v)</translation>
+    </message>
+    <message>
+        <source>Click to insert a knot at %1 = %2</source>
+        <translation>Klick fügt bei %1 = %2 einen Knoten ein</translation>
+    </message>
+    <message>
+        <source>Click a pole to choose it, drag a frame around several · click in the margin to insert a knot</source>
+        <translation>Einen Pol anklicken, um ihn zu wählen; einen Rahmen um mehrere ziehen · Klick in den Rand fügt einen Knoten ein</translation>
+    </message>
+    <message>
+        <source>Drag to the right or left to turn the pole about the axis · Ctrl: choose several</source>
+        <translation>Nach rechts oder links ziehen dreht den Pol um die Achse · Strg: mehrere wählen</translation>
+    </message>
+    <message>
+        <source>Drag up or down to scale the pole · Ctrl: choose several</source>
+        <translation>Nach oben oder unten ziehen skaliert den Pol · Strg: mehrere wählen</translation>
+    </message>
+    <message>
+        <source>Drag up or down to change the weight of the pole · Ctrl: choose several</source>
+        <translation>Nach oben oder unten ziehen ändert das Gewicht des Pols · Strg: mehrere wählen</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::FactorsPanel</name>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Setzen</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Systeme</translation>
+    </message>
+    <message>
+        <source>Draw the frames M(u, v) along u and v</source>
+        <translation>Die Bezugssysteme M(u, v) entlang u und v zeichnen</translation>
+    </message>
+    <message>
+        <source>Iso-curves</source>
+        <translation>Iso-Kurven</translation>
+    </message>
+    <message>
+        <source>Draw the curves of constant u and v at the knots</source>
+        <translation>Die Kurven mit festem u und v an den Knoten zeichnen</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Kamm</translation>
+    </message>
+    <message>
+        <source>Draw the curvature comb of the trajectory</source>
+        <translation>Den Krümmungskamm der Bahn zeichnen</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Edit the poles of this factor</source>
+        <translation>Die Pole dieses Faktors bearbeiten</translation>
+    </message>
+    <message>
+        <source>Turn the chosen poles about the axis by the angle</source>
+        <translation>Die gewählten Pole um die Achse drehen, um den Winkel</translation>
+    </message>
+    <message>
+        <source>Give the chosen poles this turn from the fixed axes</source>
+        <translation>Den gewählten Polen diese Drehung geben, von den festen Achsen aus</translation>
+    </message>
+    <message>
+        <source>Along u</source>
+        <translation>Längs u</translation>
+    </message>
+    <message>
+        <source>The comb along u through the chosen pole</source>
+        <translation>Der Kamm längs u durch den gewählten Pol</translation>
+    </message>
+    <message>
+        <source>Along v</source>
+        <translation>Längs v</translation>
+    </message>
+    <message>
+        <source>The comb along v through the chosen pole</source>
+        <translation>Der Kamm längs v durch den gewählten Pol</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>A drag in the net scales along this axis</source>
+        <translation>Ziehen im Netz skaliert entlang dieser Achse</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::FactorsTool</name>
+    <message>
+        <source>Move poles of the trajectory</source>
+        <translation>Pole der Bahn verschieben</translation>
+    </message>
+    <message>
+        <source>Insert a knot</source>
+        <translation>Knoten einfügen</translation>
+    </message>
+    <message>
+        <source>No pole is chosen</source>
+        <translation>Kein Pol ist gewählt</translation>
+    </message>
+    <message>
+        <source>%1 poles</source>
+        <translation>%1 Pole</translation>
+    </message>
+    <message>
+        <source>Pole %1 · reaches %2</source>
+        <translation>Pol %1 · wirkt auf %2</translation>
+    </message>
+    <message>
+        <source>Pole (%1, %2) · reaches %3, %4</source>
+        <translation>Pol (%1, %2) · wirkt auf %3, %4</translation>
+    </message>
+    <message>
+        <source>along u at v = %1</source>
+        <translation>längs u bei v = %1</translation>
+    </message>
+    <message>
+        <source>along v at u = %1</source>
+        <translation>längs v bei u = %1</translation>
+    </message>
+    <message>
+        <source>Curvature along v, 1/mm</source>
+        <translation>Krümmung längs v, 1/mm</translation>
+    </message>
+    <message>
+        <source>Angular velocity, ° per range, %1</source>
+        <translation>Drehrate, ° je Bereich, %1</translation>
+    </message>
+    <message>
+        <source>Factors with curvature, %1</source>
+        <translation>Faktoren mit Krümmung, %1</translation>
+    </message>
+    <message>
+        <source>Let go to turn by %1° · Esc takes it back</source>
+        <translation>Loslassen dreht um %1° · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Let go to multiply the weight by %1 · Esc takes it back</source>
+        <translation>Loslassen multipliziert das Gewicht mit %1 · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Let go to scale by %1 · Esc takes it back</source>
+        <translation>Loslassen skaliert mit %1 · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Turn poles of the orientation</source>
+        <translation>Pole der Orientierung drehen</translation>
+    </message>
+    <message>
+        <source>Scale poles</source>
+        <translation>Pole skalieren</translation>
+    </message>
+    <message>
+        <source>Change weights of the trajectory</source>
+        <translation>Gewichte der Bahn ändern</translation>
+    </message>
+    <message>
+        <source>The motion is being prepared</source>
+        <translation>Die Bewegung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Nothing will be changed here: %1</source>
+        <translation>Hier wird nichts geändert: %1</translation>
+    </message>
+    <message>
+        <source>Let go to move the pole here · Esc takes it back</source>
+        <translation>Loslassen verschiebt den Pol hierher · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag to move the pole along %1</source>
+        <translation>Ziehen verschiebt den Pol entlang %1</translation>
+    </message>
+    <message>
+        <source>Drag to move the pole in the plane of the view · Shift: choose several · Alt: turn the view</source>
+        <translation>Ziehen verschiebt den Pol in der Ebene der Ansicht · Umschalt: mehrere wählen · Alt: Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Drag a pole of the trajectory, or choose one to move it along an axis</source>
+        <translation>Einen Pol der Bahn ziehen, oder einen wählen, um ihn entlang einer Achse zu verschieben</translation>
+    </message>
+    <message>
+        <source>Choose poles in the net and drag them there</source>
+        <translation>Pole im Netz wählen und dort ziehen</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::GoalEntry</name>
+    <message>
+        <source>A target has three coordinates: x, y, z.</source>
+        <translation>Ein Ziel hat drei Koordinaten: x, y, z.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::sweep::PullMode</name>
     <message>
         <source>by turning and scaling</source>
@@ -621,6 +861,10 @@
     <message>
         <source>mirrored</source>
         <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>Stufe %1</translation>
     </message>
 </context>
 <context>
@@ -697,6 +941,49 @@
         <source>%1 (1: none)</source>
         <translation>%1 (1: keine)</translation>
     </message>
+    <message>
+        <source>Type the angle of the twist · Enter takes it · Esc leaves it as it is</source>
+        <translation>Winkel der Verdrehung eingeben · Enter übernimmt · Esc lässt ihn, wie er ist</translation>
+    </message>
+    <message>
+        <source>Type where the point goes: x, y, z · Enter takes it · Esc leaves it as it is</source>
+        <translation>Eingeben, wohin der Punkt kommt: x, y, z · Enter übernimmt · Esc lässt es, wie es ist</translation>
+    </message>
+    <message>
+        <source>The places cannot all arrive; %1 is left at most</source>
+        <translation>Nicht alle Stellen können ankommen; es fehlen höchstens %1</translation>
+    </message>
+    <message>
+        <source>Enter: type the angle</source>
+        <translation>Enter: Winkel eingeben</translation>
+    </message>
+    <message>
+        <source>Enter: type the target</source>
+        <translation>Enter: Ziel eingeben</translation>
+    </message>
+    <message>
+        <source>Shift-click: take it along</source>
+        <translation>Umschalt+Klick: mitnehmen</translation>
+    </message>
+    <message>
+        <source>P: pin it</source>
+        <translation>P: feststecken</translation>
+    </message>
+    <message>
+        <source>chosen: %1, pinned: %2 (Esc: none)</source>
+        <translation>gewählt: %1, festgesteckt: %2 (Esc: keine)</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::TurnBall</name>
+    <message>
+        <source>Trackball</source>
+        <translation>Drehkugel</translation>
+    </message>
+    <message>
+        <source>Drag to turn the chosen poles as the view sees them; along the rim, about the line of sight</source>
+        <translation>Ziehen dreht die gewählten Pole, wie die Ansicht sie sieht; am Rand entlang um die Blickrichtung</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::AboutDialog</name>
@@ -732,17 +1019,6 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
-    <name>blossom::ui::ChooseTool</name>
-    <message>
-        <source>Esc ends</source>
-        <translation>Esc beendet</translation>
-    </message>
-    <message>
-        <source>%1: click it in the view or in the document; Esc ends</source>
-        <translation>%1: in der Ansicht oder im Dokument anklicken; Esc beendet</translation>
-    </message>
-</context>
-<context>
     <name>blossom::ui::Chip</name>
     <message>
         <source>Remove</source>
@@ -758,6 +1034,17 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>must be given</source>
         <translation>muss angegeben werden</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::ChooseTool</name>
+    <message>
+        <source>Esc ends</source>
+        <translation>Esc beendet</translation>
+    </message>
+    <message>
+        <source>%1: click it in the view or in the document; Esc ends</source>
+        <translation>%1: in der Ansicht oder im Dokument anklicken; Esc beendet</translation>
     </message>
 </context>
 <context>
@@ -808,6 +1095,21 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Manual</source>
         <translation>Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::CurvatureLegend</name>
+    <message>
+        <source>Gaussian curvature</source>
+        <translation>Gaußsche Krümmung</translation>
+    </message>
+    <message>
+        <source>Mean curvature</source>
+        <translation>Mittlere Krümmung</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>Größte Krümmung</translation>
     </message>
 </context>
 <context>
@@ -1300,6 +1602,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Play %1</source>
         <translation>%1 abspielen</translation>
+    </message>
+    <message>
+        <source>Looking at the surfaces</source>
+        <translation>Flächen untersuchen</translation>
     </message>
 </context>
 <context>
@@ -2567,6 +2873,37 @@ Seitwärts ziehen ändert ihn.</translation>
     </message>
 </context>
 <context>
+    <name>blossom::ui::NumbersDialog</name>
+    <message>
+        <source>Named numbers</source>
+        <translation>Benannte Zahlen</translation>
+    </message>
+    <message>
+        <source>A name can be used in every field of this document, as in width/2 + 3 mm. A value without a unit is a plain number.</source>
+        <translation>Ein Name kann in jedem Feld dieses Dokuments stehen, etwa breite/2 + 3 mm. Ein Wert ohne Einheit ist eine reine Zahl.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Comes to</source>
+        <translation>Ergibt</translation>
+    </message>
+    <message>
+        <source>Remove row</source>
+        <translation>Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Change named numbers</source>
+        <translation>Benannte Zahlen ändern</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::OpenDocuments</name>
     <message>
         <source>Not saved yet</source>
@@ -2620,6 +2957,13 @@ Seitwärts ziehen ändert ihn.</translation>
     </message>
 </context>
 <context>
+    <name>blossom::ui::PointTool</name>
+    <message>
+        <source>Ctrl: no snapping</source>
+        <translation>Strg: kein Fang</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::Preferences</name>
     <message>
         <source>Look</source>
@@ -2668,6 +3012,18 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>
         <translation>Worin Längen gezeigt werden und was eine Zahl ohne Einheit bedeutet. Dateien bleiben in mm.</translation>
+    </message>
+    <message>
+        <source>How many dark stripes the surroundings have that zebra stripes mirror.</source>
+        <translation>Wie viele dunkle Streifen die Umgebung hat, die sich als Zebrastreifen spiegelt.</translation>
+    </message>
+    <message>
+        <source>How far these stripes are turned from level.</source>
+        <translation>Wie weit diese Streifen aus der Waagrechten gedreht sind.</translation>
+    </message>
+    <message>
+        <source>How many curves of constant parameter a face shows in each direction.</source>
+        <translation>Wie viele Kurven mit festem Parameter eine Fläche in jeder Richtung zeigt.</translation>
     </message>
 </context>
 <context>
@@ -2757,6 +3113,10 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Rename %1</source>
         <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>%1 more with the results below.</source>
+        <translation>%1 weitere unten bei den Ergebnissen.</translation>
     </message>
 </context>
 <context>
@@ -3068,6 +3428,29 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>%1 already belongs to &quot;%2&quot; in %3.</source>
         <translation>%1 gehört schon zu „%2“ in %3.</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::SnapPlace</name>
+    <message>
+        <source>grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>on the edge</source>
+        <translation>auf der Kante</translation>
+    </message>
+    <message>
+        <source>midpoint</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
     </message>
 </context>
 <context>
@@ -3560,6 +3943,70 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>clip;cross section;cutaway</source>
         <translation>schneiden;querschnitt;aufschneiden</translation>
     </message>
+    <message>
+        <source>&amp;Zebra stripes</source>
+        <translation>&amp;Zebrastreifen</translation>
+    </message>
+    <message>
+        <source>Faces mirror striped surroundings: stripes bend where surfaces do.</source>
+        <translation>Flächen spiegeln eine gestreifte Umgebung: Die Streifen biegen sich, wo Flächen es tun.</translation>
+    </message>
+    <message>
+        <source>reflection;continuity;surface quality;highlight lines</source>
+        <translation>spiegelung;reflexion;stetigkeit;flächenqualität;glanzlinien</translation>
+    </message>
+    <message>
+        <source>&amp;Gaussian curvature</source>
+        <translation>&amp;Gaußsche Krümmung</translation>
+    </message>
+    <message>
+        <source>Colours of the product of the principal curvatures: domes, saddles, and what can be unrolled.</source>
+        <translation>Farben für das Produkt der Hauptkrümmungen: Kuppeln, Sättel und was sich abwickeln lässt.</translation>
+    </message>
+    <message>
+        <source>surface quality;colours;developable</source>
+        <translation>flächenqualität;farben;abwickelbar</translation>
+    </message>
+    <message>
+        <source>&amp;Mean curvature</source>
+        <translation>&amp;Mittlere Krümmung</translation>
+    </message>
+    <message>
+        <source>Colours of the mean of the principal curvatures: bulges, hollows and minimal surfaces.</source>
+        <translation>Farben für das Mittel der Hauptkrümmungen: Buckel, Mulden und Minimalflächen.</translation>
+    </message>
+    <message>
+        <source>surface quality;colours</source>
+        <translation>flächenqualität;farben</translation>
+    </message>
+    <message>
+        <source>&amp;Largest curvature</source>
+        <translation>G&amp;rößte Krümmung</translation>
+    </message>
+    <message>
+        <source>Colours of the tightest bend at every place: its radius limits tools and offsets.</source>
+        <translation>Farben für die engste Biegung an jeder Stelle: Ihr Radius begrenzt Werkzeuge und Parallelen.</translation>
+    </message>
+    <message>
+        <source>surface quality;colours;radius;principal curvature</source>
+        <translation>flächenqualität;farben;radius;hauptkrümmung</translation>
+    </message>
+    <message>
+        <source>&amp;Iso-curves</source>
+        <translation>&amp;Iso-Kurven</translation>
+    </message>
+    <message>
+        <source>Draw curves of constant parameter on the faces.</source>
+        <translation>Kurven mit festem Parameter auf die Flächen zeichnen.</translation>
+    </message>
+    <message>
+        <source>isoparametric;parameter lines;surface quality</source>
+        <translation>isoparametrisch;parameterlinien;flächenqualität</translation>
+    </message>
+    <message>
+        <source>Surface &amp;quality</source>
+        <translation>Flächen&amp;qualität</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ViewCube</name>
@@ -3577,67 +4024,6 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::ui::PointTool</name>
-    <message>
-        <source>Ctrl: no snapping</source>
-        <translation>Strg: kein Fang</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::ui::SnapPlace</name>
-    <message>
-        <source>grid</source>
-        <translation>Raster</translation>
-    </message>
-    <message>
-        <source>on the edge</source>
-        <translation>auf der Kante</translation>
-    </message>
-    <message>
-        <source>midpoint</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>centre</source>
-        <translation>Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>point</source>
-        <translation>Punkt</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::ui::NumbersDialog</name>
-    <message>
-        <source>Named numbers</source>
-        <translation>Benannte Zahlen</translation>
-    </message>
-    <message>
-        <source>A name can be used in every field of this document, as in width/2 + 3 mm. A value without a unit is a plain number.</source>
-        <translation>Ein Name kann in jedem Feld dieses Dokuments stehen, etwa breite/2 + 3 mm. Ein Wert ohne Einheit ist eine reine Zahl.</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Comes to</source>
-        <translation>Ergibt</translation>
-    </message>
-    <message>
-        <source>Remove row</source>
-        <translation>Zeile entfernen</translation>
-    </message>
-    <message>
-        <source>Change named numbers</source>
-        <translation>Benannte Zahlen ändern</translation>
     </message>
 </context>
 </TS>

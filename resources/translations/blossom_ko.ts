@@ -189,6 +189,18 @@
         <source>drawing tolerance</source>
         <translation>표시 허용 오차</translation>
     </message>
+    <message>
+        <source>zebra stripes</source>
+        <translation>얼룩말 줄무늬</translation>
+    </message>
+    <message>
+        <source>zebra angle</source>
+        <translation>얼룩말 줄무늬 각도</translation>
+    </message>
+    <message>
+        <source>iso curves</source>
+        <translation>등매개변수 곡선</translation>
+    </message>
 </context>
 <context>
     <name>blossom::minkowski::MorphTool</name>
@@ -422,7 +434,7 @@
     </message>
     <message>
         <source>This side is slanted, and only level and upright sides keep an expression with names: type its value, or write expressions for its points under &quot;segments&quot;.</source>
-        <translation>이 변은 기울어져 있습니다. 이름이 든 식은 수평이나 수직인 변만 유지합니다. 값을 입력하거나, &quot;구간&quot;에서quot;Segments&quot;구간&quot;에서quot;에서 그 점들을 식으로 쓰십시오.</translation>
+        <translation>이 변은 기울어져 있습니다. 이름이 든 식은 수평이나 수직인 변만 유지합니다. 값을 입력하거나, &quot;Segments&quot;에서 그 점들을 식으로 쓰십시오.</translation>
     </message>
 </context>
 <context>
@@ -577,6 +589,234 @@
     </message>
 </context>
 <context>
+    <name>blossom::sweep::FactorNet</name>
+    <message>
+        <source>Poles over the (u, v) domain</source>
+        <translation>(u, v) 영역의 제어점</translation>
+    </message>
+    <message>
+        <source>Click to insert a knot at %1 = %2</source>
+        <translation>클릭하면 %1 = %2에 매듭을 넣습니다</translation>
+    </message>
+    <message>
+        <source>Click a pole to choose it, drag a frame around several · click in the margin to insert a knot</source>
+        <translation>제어점을 클릭하여 고르고, 상자를 끌어 여러 개 고르기 · 가장자리를 클릭하면 매듭을 넣음</translation>
+    </message>
+    <message>
+        <source>Drag to the right or left to turn the pole about the axis · Ctrl: choose several</source>
+        <translation>좌우로 끌어 제어점을 축 둘레로 회전 · Ctrl: 여러 개 고르기</translation>
+    </message>
+    <message>
+        <source>Drag up or down to scale the pole · Ctrl: choose several</source>
+        <translation>위아래로 끌어 제어점의 크기 조절 · Ctrl: 여러 개 고르기</translation>
+    </message>
+    <message>
+        <source>Drag up or down to change the weight of the pole · Ctrl: choose several</source>
+        <translation>위아래로 끌어 제어점의 가중치 바꾸기 · Ctrl: 여러 개 고르기</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::FactorsPanel</name>
+    <message>
+        <source>Turn</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>지정</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>좌표계</translation>
+    </message>
+    <message>
+        <source>Draw the frames M(u, v) along u and v</source>
+        <translation>u와 v를 따라 좌표계 M(u, v) 그리기</translation>
+    </message>
+    <message>
+        <source>Iso-curves</source>
+        <translation>등매개변수 곡선</translation>
+    </message>
+    <message>
+        <source>Draw the curves of constant u and v at the knots</source>
+        <translation>매듭에서 u와 v가 일정한 곡선 그리기</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>곡률 빗</translation>
+    </message>
+    <message>
+        <source>Draw the curvature comb of the trajectory</source>
+        <translation>궤적의 곡률 빗 그리기</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>인자</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>궤적</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>크기 조절</translation>
+    </message>
+    <message>
+        <source>Edit the poles of this factor</source>
+        <translation>이 인자의 제어점 편집</translation>
+    </message>
+    <message>
+        <source>Turn the chosen poles about the axis by the angle</source>
+        <translation>고른 제어점을 축 둘레로 각도만큼 회전</translation>
+    </message>
+    <message>
+        <source>Give the chosen poles this turn from the fixed axes</source>
+        <translation>고른 제어점에 고정 축 기준으로 이 회전을 지정</translation>
+    </message>
+    <message>
+        <source>Along u</source>
+        <translation>u 방향</translation>
+    </message>
+    <message>
+        <source>The comb along u through the chosen pole</source>
+        <translation>고른 제어점을 지나는 u 방향 곡률 빗</translation>
+    </message>
+    <message>
+        <source>Along v</source>
+        <translation>v 방향</translation>
+    </message>
+    <message>
+        <source>The comb along v through the chosen pole</source>
+        <translation>고른 제어점을 지나는 v 방향 곡률 빗</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>각도</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>가중치</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>축 %1</translation>
+    </message>
+    <message>
+        <source>A drag in the net scales along this axis</source>
+        <translation>망에서 끌면 이 축 방향으로 크기를 조절합니다</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::FactorsTool</name>
+    <message>
+        <source>Move poles of the trajectory</source>
+        <translation>궤적의 제어점 이동</translation>
+    </message>
+    <message>
+        <source>Insert a knot</source>
+        <translation>매듭 넣기</translation>
+    </message>
+    <message>
+        <source>No pole is chosen</source>
+        <translation>고른 제어점 없음</translation>
+    </message>
+    <message>
+        <source>%1 poles</source>
+        <translation>제어점 %1개</translation>
+    </message>
+    <message>
+        <source>Pole %1 · reaches %2</source>
+        <translation>제어점 %1 · 영향 범위 %2</translation>
+    </message>
+    <message>
+        <source>Pole (%1, %2) · reaches %3, %4</source>
+        <translation>제어점 (%1, %2) · 영향 범위 %3, %4</translation>
+    </message>
+    <message>
+        <source>along u at v = %1</source>
+        <translation>u 방향, v = %1</translation>
+    </message>
+    <message>
+        <source>along v at u = %1</source>
+        <translation>v 방향, u = %1</translation>
+    </message>
+    <message>
+        <source>Curvature along v, 1/mm</source>
+        <translation>v 방향 곡률, 1/mm</translation>
+    </message>
+    <message>
+        <source>Angular velocity, ° per range, %1</source>
+        <translation>각속도, 구간당 °, %1</translation>
+    </message>
+    <message>
+        <source>Factors with curvature, %1</source>
+        <translation>인자와 곡률, %1</translation>
+    </message>
+    <message>
+        <source>Let go to turn by %1° · Esc takes it back</source>
+        <translation>놓으면 %1° 회전 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Let go to multiply the weight by %1 · Esc takes it back</source>
+        <translation>놓으면 가중치에 %1을(를) 곱함 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Let go to scale by %1 · Esc takes it back</source>
+        <translation>놓으면 크기를 %1배로 조절 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Turn poles of the orientation</source>
+        <translation>자세의 제어점 회전</translation>
+    </message>
+    <message>
+        <source>Scale poles</source>
+        <translation>제어점 크기 조절</translation>
+    </message>
+    <message>
+        <source>Change weights of the trajectory</source>
+        <translation>궤적의 가중치 변경</translation>
+    </message>
+    <message>
+        <source>The motion is being prepared</source>
+        <translation>운동을 준비하는 중</translation>
+    </message>
+    <message>
+        <source>Nothing will be changed here: %1</source>
+        <translation>여기서는 아무것도 바뀌지 않음: %1</translation>
+    </message>
+    <message>
+        <source>Let go to move the pole here · Esc takes it back</source>
+        <translation>놓으면 제어점을 여기로 이동 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Drag to move the pole along %1</source>
+        <translation>끌어서 제어점을 %1 방향으로 이동</translation>
+    </message>
+    <message>
+        <source>Drag to move the pole in the plane of the view · Shift: choose several · Alt: turn the view</source>
+        <translation>끌어서 제어점을 보기 평면에서 이동 · Shift: 여러 개 고르기 · Alt: 보기 회전</translation>
+    </message>
+    <message>
+        <source>Drag a pole of the trajectory, or choose one to move it along an axis</source>
+        <translation>궤적의 제어점을 끌거나, 하나를 골라 축 방향으로 이동</translation>
+    </message>
+    <message>
+        <source>Choose poles in the net and drag them there</source>
+        <translation>망에서 제어점을 골라 거기서 끌기</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::GoalEntry</name>
+    <message>
+        <source>A target has three coordinates: x, y, z.</source>
+        <translation>목표에는 좌표가 셋 있어야 합니다: x, y, z.</translation>
+    </message>
+</context>
+<context>
     <name>blossom::sweep::PullMode</name>
     <message>
         <source>by turning and scaling</source>
@@ -621,6 +861,10 @@
     <message>
         <source>mirrored</source>
         <translation>대칭</translation>
+    </message>
+    <message>
+        <source>level %1</source>
+        <translation>단계 %1</translation>
     </message>
 </context>
 <context>
@@ -697,6 +941,49 @@
         <source>%1 (1: none)</source>
         <translation>%1 (1: 없음)</translation>
     </message>
+    <message>
+        <source>Type the angle of the twist · Enter takes it · Esc leaves it as it is</source>
+        <translation>비틀 각도 입력 · Enter: 적용 · Esc: 그대로 두기</translation>
+    </message>
+    <message>
+        <source>Type where the point goes: x, y, z · Enter takes it · Esc leaves it as it is</source>
+        <translation>점이 갈 곳 입력: x, y, z · Enter: 적용 · Esc: 그대로 두기</translation>
+    </message>
+    <message>
+        <source>The places cannot all arrive; %1 is left at most</source>
+        <translation>모든 자리가 도달할 수는 없음. 남는 거리는 최대 %1</translation>
+    </message>
+    <message>
+        <source>Enter: type the angle</source>
+        <translation>Enter: 각도 입력</translation>
+    </message>
+    <message>
+        <source>Enter: type the target</source>
+        <translation>Enter: 목표 입력</translation>
+    </message>
+    <message>
+        <source>Shift-click: take it along</source>
+        <translation>Shift+클릭: 함께 당기기</translation>
+    </message>
+    <message>
+        <source>P: pin it</source>
+        <translation>P: 고정</translation>
+    </message>
+    <message>
+        <source>chosen: %1, pinned: %2 (Esc: none)</source>
+        <translation>고름: %1, 고정: %2 (Esc: 없음)</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::TurnBall</name>
+    <message>
+        <source>Trackball</source>
+        <translation>트랙볼</translation>
+    </message>
+    <message>
+        <source>Drag to turn the chosen poles as the view sees them; along the rim, about the line of sight</source>
+        <translation>끌면 고른 제어점을 보기에 보이는 대로 회전, 가장자리를 따라 끌면 시선 둘레로 회전</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::AboutDialog</name>
@@ -732,17 +1019,6 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     </message>
 </context>
 <context>
-    <name>blossom::ui::ChooseTool</name>
-    <message>
-        <source>Esc ends</source>
-        <translation>Esc로 끝내기</translation>
-    </message>
-    <message>
-        <source>%1: click it in the view or in the document; Esc ends</source>
-        <translation>%1: 보기나 문서에서 클릭하십시오. Esc로 끝냅니다</translation>
-    </message>
-</context>
-<context>
     <name>blossom::ui::Chip</name>
     <message>
         <source>Remove</source>
@@ -758,6 +1034,17 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>must be given</source>
         <translation>꼭 지정해야 함</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::ChooseTool</name>
+    <message>
+        <source>Esc ends</source>
+        <translation>Esc로 끝내기</translation>
+    </message>
+    <message>
+        <source>%1: click it in the view or in the document; Esc ends</source>
+        <translation>%1: 보기나 문서에서 클릭하십시오. Esc로 끝냅니다</translation>
     </message>
 </context>
 <context>
@@ -808,6 +1095,21 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Manual</source>
         <translation>설명서</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::CurvatureLegend</name>
+    <message>
+        <source>Gaussian curvature</source>
+        <translation>가우스 곡률</translation>
+    </message>
+    <message>
+        <source>Mean curvature</source>
+        <translation>평균 곡률</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>최대 곡률</translation>
     </message>
 </context>
 <context>
@@ -1300,6 +1602,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Play %1</source>
         <translation>%1 재생</translation>
+    </message>
+    <message>
+        <source>Looking at the surfaces</source>
+        <translation>곡면 살펴보는 중</translation>
     </message>
 </context>
 <context>
@@ -2567,6 +2873,37 @@ Drag sideways to change it.</source>
     </message>
 </context>
 <context>
+    <name>blossom::ui::NumbersDialog</name>
+    <message>
+        <source>Named numbers</source>
+        <translation>이름 붙은 수</translation>
+    </message>
+    <message>
+        <source>A name can be used in every field of this document, as in width/2 + 3 mm. A value without a unit is a plain number.</source>
+        <translation>이름은 이 문서의 모든 입력란에서 쓸 수 있습니다(예: width/2 + 3 mm). 단위가 없는 값은 단순한 수입니다.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>Comes to</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Remove row</source>
+        <translation>행 삭제</translation>
+    </message>
+    <message>
+        <source>Change named numbers</source>
+        <translation>이름 붙은 수 변경</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::OpenDocuments</name>
     <message>
         <source>Not saved yet</source>
@@ -2620,6 +2957,13 @@ Drag sideways to change it.</source>
     </message>
 </context>
 <context>
+    <name>blossom::ui::PointTool</name>
+    <message>
+        <source>Ctrl: no snapping</source>
+        <translation>Ctrl: 스냅 없음</translation>
+    </message>
+</context>
+<context>
     <name>blossom::ui::Preferences</name>
     <message>
         <source>Look</source>
@@ -2668,6 +3012,18 @@ Drag sideways to change it.</source>
     <message>
         <source>In which lengths are shown, and what a number without a unit means. Files stay in mm.</source>
         <translation>길이를 표시하는 단위이며, 단위 없이 적은 수의 단위이기도 합니다. 파일은 그대로 mm입니다.</translation>
+    </message>
+    <message>
+        <source>How many dark stripes the surroundings have that zebra stripes mirror.</source>
+        <translation>얼룩말 줄무늬로 비치는 주변에 있는 어두운 줄의 수입니다.</translation>
+    </message>
+    <message>
+        <source>How far these stripes are turned from level.</source>
+        <translation>이 줄무늬를 수평에서 돌린 각도입니다.</translation>
+    </message>
+    <message>
+        <source>How many curves of constant parameter a face shows in each direction.</source>
+        <translation>면이 각 방향으로 보이는 등매개변수 곡선의 수입니다.</translation>
     </message>
 </context>
 <context>
@@ -2757,6 +3113,10 @@ Drag sideways to change it.</source>
     <message>
         <source>Rename %1</source>
         <translation>%1 이름 바꾸기</translation>
+    </message>
+    <message>
+        <source>%1 more with the results below.</source>
+        <translation>아래 결과에 %1개 더 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -3068,6 +3428,29 @@ Drag sideways to change it.</source>
     <message>
         <source>%1 already belongs to &quot;%2&quot; in %3.</source>
         <translation>%1은(는) 이미 %3의 &quot;%2&quot;에 쓰입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::SnapPlace</name>
+    <message>
+        <source>grid</source>
+        <translation>격자</translation>
+    </message>
+    <message>
+        <source>on the edge</source>
+        <translation>모서리 위</translation>
+    </message>
+    <message>
+        <source>midpoint</source>
+        <translation>중점</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>중심</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>점</translation>
     </message>
 </context>
 <context>
@@ -3560,6 +3943,70 @@ Drag sideways to change it.</source>
         <source>clip;cross section;cutaway</source>
         <translation>자르기;단면;절단</translation>
     </message>
+    <message>
+        <source>&amp;Zebra stripes</source>
+        <translation>얼룩말 줄무늬(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Faces mirror striped surroundings: stripes bend where surfaces do.</source>
+        <translation>면에 줄무늬 주변이 비칩니다. 곡면이 휘는 곳에서 줄무늬도 휩니다.</translation>
+    </message>
+    <message>
+        <source>reflection;continuity;surface quality;highlight lines</source>
+        <translation>반사;연속성;곡면 품질;하이라이트 선</translation>
+    </message>
+    <message>
+        <source>&amp;Gaussian curvature</source>
+        <translation>가우스 곡률(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Colours of the product of the principal curvatures: domes, saddles, and what can be unrolled.</source>
+        <translation>주곡률의 곱을 나타내는 색: 볼록한 곳, 안장, 펼 수 있는 곳.</translation>
+    </message>
+    <message>
+        <source>surface quality;colours;developable</source>
+        <translation>곡면 품질;색;가전면</translation>
+    </message>
+    <message>
+        <source>&amp;Mean curvature</source>
+        <translation>평균 곡률(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Colours of the mean of the principal curvatures: bulges, hollows and minimal surfaces.</source>
+        <translation>주곡률의 평균을 나타내는 색: 불룩한 곳, 오목한 곳, 극소곡면.</translation>
+    </message>
+    <message>
+        <source>surface quality;colours</source>
+        <translation>곡면 품질;색</translation>
+    </message>
+    <message>
+        <source>&amp;Largest curvature</source>
+        <translation>최대 곡률(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Colours of the tightest bend at every place: its radius limits tools and offsets.</source>
+        <translation>자리마다 가장 급하게 휜 정도를 나타내는 색: 그 반지름이 공구와 오프셋을 제한합니다.</translation>
+    </message>
+    <message>
+        <source>surface quality;colours;radius;principal curvature</source>
+        <translation>곡면 품질;색;반지름;주곡률</translation>
+    </message>
+    <message>
+        <source>&amp;Iso-curves</source>
+        <translation>등매개변수 곡선(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Draw curves of constant parameter on the faces.</source>
+        <translation>면 위에 매개변수가 일정한 곡선을 그립니다.</translation>
+    </message>
+    <message>
+        <source>isoparametric;parameter lines;surface quality</source>
+        <translation>아이소커브;매개변수 선;곡면 품질</translation>
+    </message>
+    <message>
+        <source>Surface &amp;quality</source>
+        <translation>곡면 품질(&amp;Q)</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::ViewCube</name>
@@ -3577,67 +4024,6 @@ Drag sideways to change it.</source>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::ui::PointTool</name>
-    <message>
-        <source>Ctrl: no snapping</source>
-        <translation>Ctrl: 스냅 없음</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::ui::SnapPlace</name>
-    <message>
-        <source>grid</source>
-        <translation>격자</translation>
-    </message>
-    <message>
-        <source>on the edge</source>
-        <translation>모서리 위</translation>
-    </message>
-    <message>
-        <source>midpoint</source>
-        <translation>중점</translation>
-    </message>
-    <message>
-        <source>centre</source>
-        <translation>중심</translation>
-    </message>
-    <message>
-        <source>point</source>
-        <translation>점</translation>
-    </message>
-</context>
-<context>
-    <name>blossom::ui::NumbersDialog</name>
-    <message>
-        <source>Named numbers</source>
-        <translation>이름 붙은 수</translation>
-    </message>
-    <message>
-        <source>A name can be used in every field of this document, as in width/2 + 3 mm. A value without a unit is a plain number.</source>
-        <translation>이름은 이 문서의 모든 입력란에서 쓸 수 있습니다(예: width/2 + 3 mm). 단위가 없는 값은 단순한 수입니다.</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>이름</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>값</translation>
-    </message>
-    <message>
-        <source>Comes to</source>
-        <translation>결과</translation>
-    </message>
-    <message>
-        <source>Remove row</source>
-        <translation>행 삭제</translation>
-    </message>
-    <message>
-        <source>Change named numbers</source>
-        <translation>이름 붙은 수 변경</translation>
     </message>
 </context>
 </TS>

@@ -16,7 +16,10 @@ namespace blossom::ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("blossom::ui::FeatureStart", text); }
+/// Only here so that lupdate, too, sees the context of these texts.
+struct FeatureStartTexts {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::FeatureStart)
+};
 
 bool contains(const std::vector<FeatureId>& ids, const FeatureId& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -114,15 +117,16 @@ std::vector<FeatureId> fittingFeatures(const Session& session, const InputSpec& 
 
 QString wantedShape(const InputSpec& spec) {
   if (!spec.asks.empty()) return registryText(spec.asks);
-  return spec.kinds.empty() ? tr("a shape") : qt(kindNames(spec.kinds, true));
+  return spec.kinds.empty() ? FeatureStartTexts::tr("a shape") : qt(kindNames(spec.kinds, true));
 }
 
 QString questionFor(const FeatureType& type, const FeatureStart& start) {
   const QString wanted = wantedShape(*start.missing);
-  QString question = start.missing->asks.empty() ? tr("Choose %1 for %2").arg(wanted, registryText(type.title))
-                                                 : tr("Choose %1").arg(wanted);
+  QString question = start.missing->asks.empty()
+                         ? FeatureStartTexts::tr("Choose %1 for %2").arg(wanted, registryText(type.title))
+                         : FeatureStartTexts::tr("Choose %1").arg(wanted);
   if (start.missing->minimum == 1) return question;
-  return tr("%1 (%2 of %3)").arg(question).arg(start.has + 1).arg(start.missing->minimum);
+  return FeatureStartTexts::tr("%1 (%2 of %3)").arg(question).arg(start.has + 1).arg(start.missing->minimum);
 }
 
 }  // namespace blossom::ui

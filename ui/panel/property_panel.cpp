@@ -358,8 +358,7 @@ void PropertyPanel::showNotice(const std::vector<std::string>& warnings) {
   notice_->setVisible(!warnings.empty());
   if (warnings.empty()) return;
   QString text = qt(warnings.front());
-  if (warnings.size() > 1)
-    text += QStringLiteral("\n") + tr("%n more with the results below.", nullptr, int(warnings.size()) - 1);
+  if (warnings.size() > 1) text += QStringLiteral("\n") + tr("%1 more with the results below.").arg(warnings.size() - 1);
   notice_->setText(text);
 }
 

@@ -18,6 +18,12 @@ namespace blossom::ui {
 namespace {
 
 using Kind = SnapPlace::Kind;
+
+/// Only here so that lupdate, too, sees the context of these texts.
+struct SnapPlaceTexts {
+  Q_DECLARE_TR_FUNCTIONS(blossom::ui::SnapPlace)
+};
+
 constexpr std::size_t maximumPlaces = 100000;
 
 Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -121,21 +127,20 @@ std::optional<SnapPlace> snappedPlace(const std::vector<SnapPlace>& places, cons
 }
 
 QString snapPlaceName(SnapPlace::Kind kind) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("blossom::ui::SnapPlace", text); };
   switch (kind) {
     case Kind::Ground:
     case Kind::Face:
       return {};
     case Kind::Grid:
-      return tr("grid");
+      return SnapPlaceTexts::tr("grid");
     case Kind::Edge:
-      return tr("on the edge");
+      return SnapPlaceTexts::tr("on the edge");
     case Kind::Midpoint:
-      return tr("midpoint");
+      return SnapPlaceTexts::tr("midpoint");
     case Kind::Centre:
-      return tr("centre");
+      return SnapPlaceTexts::tr("centre");
     case Kind::Point:
-      return tr("point");
+      return SnapPlaceTexts::tr("point");
   }
   return {};
 }

@@ -56,6 +56,10 @@
         <translation>Kanten</translation>
     </message>
     <message>
+        <source>Edits</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
         <source>Ends</source>
         <translation>Enden</translation>
     </message>
@@ -132,6 +136,10 @@
         <translation>Größter Abstand vorher</translation>
     </message>
     <message>
+        <source>Moved poles</source>
+        <translation>Bewegte Pole</translation>
+    </message>
+    <message>
         <source>Moves</source>
         <translation>Bewegungen</translation>
     </message>
@@ -158,6 +166,10 @@
     <message>
         <source>Reachable</source>
         <translation>Erreichbar</translation>
+    </message>
+    <message>
+        <source>Remainder</source>
+        <translation>Rest</translation>
     </message>
     <message>
         <source>Residue</source>
@@ -190,6 +202,10 @@
     <message>
         <source>Splines</source>
         <translation>Splines</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Sums</source>
@@ -317,6 +333,10 @@
     <message>
         <source>A motion whose swept surface is pulled to targets, by moving, turning and scaling.</source>
         <translation>Eine Bewegung, deren überstrichene Fläche durch Verschieben, Drehen und Skalieren zu Zielen gezogen wird.</translation>
+    </message>
+    <message>
+        <source>A motion with single poles and weights of trajectory, orientation and scaling changed.</source>
+        <translation>Eine Bewegung, in der einzelne Pole und Gewichte von Bahn, Orientierung und Skalierung geändert sind.</translation>
     </message>
     <message>
         <source>A motion: trajectory, orientation and scaling, and its edits.</source>
@@ -555,6 +575,10 @@
         <translation>alle scharfen Kanten</translation>
     </message>
     <message>
+        <source>Along the axes x, y and z of the moving frame.</source>
+        <translation>Entlang der Achsen x, y und z des bewegten Bezugssystems.</translation>
+    </message>
+    <message>
         <source>Along x when it is not turned.</source>
         <translation>In x, wenn es nicht gedreht ist.</translation>
     </message>
@@ -699,6 +723,10 @@
         <translation>Achse im Raum, durch die Bahn.</translation>
     </message>
     <message>
+        <source>Axis in space.</source>
+        <translation>Achse im Raum.</translation>
+    </message>
+    <message>
         <source>b</source>
         <translation>b</translation>
     </message>
@@ -767,6 +795,10 @@
         <translation>Catmull-Clark</translation>
     </message>
     <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
         <source>center</source>
         <translation>Mitte</translation>
     </message>
@@ -821,6 +853,14 @@
     <message>
         <source>Colours of canvas and edges.</source>
         <translation>Farben von Hintergrund und Kanten.</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Column of the pole along v, counted from 0.</source>
+        <translation>Spalte des Pols in v, von 0 an gezählt.</translation>
     </message>
     <message>
         <source>columns</source>
@@ -905,6 +945,10 @@
     <message>
         <source>dark</source>
         <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>Dark stripes of the zebra, from one side of the surroundings to the other.</source>
+        <translation>Dunkle Streifen des Zebras, von einer Seite der Umgebung zur anderen.</translation>
     </message>
     <message>
         <source>decimals</source>
@@ -993,6 +1037,10 @@
     <message>
         <source>Displacement of each control shape from its drawn position, first to last; others stay.</source>
         <translation>Verschiebung jeder Kontrollform von der gezeichneten Stelle, von der ersten bis zur letzten; andere bleiben.</translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>distance</source>
@@ -1135,6 +1183,10 @@
         <translation>Faktor für den Abstand von Buchstabe zu Buchstabe.</translation>
     </message>
     <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
+    </message>
+    <message>
         <source>factors</source>
         <translation>Faktoren</translation>
     </message>
@@ -1195,6 +1247,10 @@
         <translation>Zähligkeit</translation>
     </message>
     <message>
+        <source>following</source>
+        <translation>danach</translation>
+    </message>
+    <message>
         <source>font</source>
         <translation>Schrift</translation>
     </message>
@@ -1251,12 +1307,20 @@
         <translation>G59</translation>
     </message>
     <message>
+        <source>gaussian</source>
+        <translation>gaußsche Krümmung</translation>
+    </message>
+    <message>
         <source>gcode</source>
         <translation>G-Code</translation>
     </message>
     <message>
         <source>grbl</source>
         <translation>GRBL</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
     </message>
     <message>
         <source>Growth of the share of the second solid with t.</source>
@@ -1295,8 +1359,16 @@
         <translation>Helix</translation>
     </message>
     <message>
+        <source>how</source>
+        <translation>wie</translation>
+    </message>
+    <message>
         <source>How far a tube bends or a sheet arches.</source>
         <translation>Wie weit sich ein Rohr biegt oder eine Bogenfläche wölbt.</translation>
+    </message>
+    <message>
+        <source>How far it is moved, or where it is placed.</source>
+        <translation>Wie weit er verschoben oder wohin er gesetzt wird.</translation>
     </message>
     <message>
         <source>How files of the format Control points (text) are read.</source>
@@ -1356,7 +1428,15 @@
     </message>
     <message>
         <source>iso</source>
-        <translation>isometrisch</translation>
+        <translation>iso</translation>
+    </message>
+    <message>
+        <source>iso curves</source>
+        <translation>Iso-Kurven</translation>
+    </message>
+    <message>
+        <source>Iso-curves in each direction of a face.</source>
+        <translation>Iso-Kurven in jeder Richtung einer Seite.</translation>
     </message>
     <message>
         <source>italic</source>
@@ -1365,6 +1445,10 @@
     <message>
         <source>iterations</source>
         <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>Its new weight, above 0; the pole stays in place.</source>
+        <translation>Sein neues Gewicht, über 0; der Pol bleibt an seinem Ort.</translation>
     </message>
     <message>
         <source>Its position.</source>
@@ -1401,6 +1485,10 @@
     <message>
         <source>lambda</source>
         <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größte Krümmung</translation>
     </message>
     <message>
         <source>Largest depth of one step; all steps are equal. 0: half the diameter.</source>
@@ -1559,12 +1647,20 @@
         <translation>Mach3</translation>
     </message>
     <message>
+        <source>mean</source>
+        <translation>mittlere Krümmung</translation>
+    </message>
+    <message>
         <source>Medial axis</source>
         <translation>Mittelachse</translation>
     </message>
     <message>
         <source>Melt</source>
         <translation>Abschmelzen</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
     </message>
     <message>
         <source>Meshes: Catmull-Clark for any polygons, Loop for triangles. Polygons: cubic or quadratic B-splines, or four-point, which passes through the points.</source>
@@ -1623,6 +1719,18 @@
         <translation>Verschiebung</translation>
     </message>
     <message>
+        <source>Moved by the vector, or placed at it.</source>
+        <translation>Um den Vektor verschoben oder an ihn gesetzt.</translation>
+    </message>
+    <message>
+        <source>Multiplied by the factors, or set to them.</source>
+        <translation>Mit den Faktoren multipliziert oder auf sie gesetzt.</translation>
+    </message>
+    <message>
+        <source>multiply</source>
+        <translation>multiplizieren</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -1673,6 +1781,10 @@
     <message>
         <source>Number the lines N10, N20, ..</source>
         <translation>Nummeriert die Zeilen N10, N20, ..</translation>
+    </message>
+    <message>
+        <source>Of a mesh: cells in each direction of every span of the control net.</source>
+        <translation>Bei einem Netz: Zellen in jeder Richtung jedes Abschnitts des Kontrollnetzes.</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -1735,6 +1847,10 @@
         <translation>Teil</translation>
     </message>
     <message>
+        <source>Part of the way, from 0 (before the edits) to 1 (after the last one).</source>
+        <translation>Teil des Weges, von 0 (vor den Änderungen) bis 1 (nach der letzten).</translation>
+    </message>
+    <message>
         <source>path</source>
         <translation>Pfad</translation>
     </message>
@@ -1783,6 +1899,10 @@
         <translation>Stellen, die bleiben, wo sie sind.</translation>
     </message>
     <message>
+        <source>plain</source>
+        <translation>schlicht</translation>
+    </message>
+    <message>
         <source>Plain motion</source>
         <translation>Einfache Bewegung</translation>
     </message>
@@ -1813,6 +1933,26 @@
     <message>
         <source>points</source>
         <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>pole</source>
+        <translation>Pol</translation>
+    </message>
+    <message>
+        <source>Pole of the trajectory, counted from 0.</source>
+        <translation>Pol der Bahn, von 0 an gezählt.</translation>
+    </message>
+    <message>
+        <source>Poles of the orientation that are turned, or set.</source>
+        <translation>Pole der Orientierung, die gedreht oder gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Poles of the scaling that are multiplied, or set.</source>
+        <translation>Pole der Skalierung, die multipliziert oder gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Poles of the trajectory that are moved or placed.</source>
+        <translation>Pole der Bahn, die verschoben oder gesetzt werden.</translation>
     </message>
     <message>
         <source>Polygon</source>
@@ -2003,6 +2143,14 @@
         <translation>rund</translation>
     </message>
     <message>
+        <source>row</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Row of the pole along u, counted from 0.</source>
+        <translation>Reihe des Pols in u, von 0 an gezählt.</translation>
+    </message>
+    <message>
         <source>rows</source>
         <translation>Reihen</translation>
     </message>
@@ -2069,6 +2217,10 @@
     <message>
         <source>segments</source>
         <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>set</source>
+        <translation>setzen</translation>
     </message>
     <message>
         <source>shape</source>
@@ -2255,6 +2407,14 @@
         <translation>Streckung</translation>
     </message>
     <message>
+        <source>stripe angle</source>
+        <translation>Winkel der Streifen</translation>
+    </message>
+    <message>
+        <source>stripes</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
         <source>style</source>
         <translation>Schnitt</translation>
     </message>
@@ -2269,6 +2429,10 @@
     <message>
         <source>subdivisions</source>
         <translation>Unterteilungen</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>Sweep</source>
@@ -2411,6 +2575,14 @@
         <translation>Die Zwischenkörper zweier Körper mit beliebig vielen Löchern und Ecken.</translation>
     </message>
     <message>
+        <source>The motion that grows, before its edits; those of its file come first.</source>
+        <translation>Die Bewegung, die wächst, vor ihren Änderungen; die ihrer Datei kommen zuerst.</translation>
+    </message>
+    <message>
+        <source>the motion to begin with</source>
+        <translation>die Bewegung für den Anfang</translation>
+    </message>
+    <message>
         <source>The motion to edit; edits of its file are applied first.</source>
         <translation>Die Bewegung, die bearbeitet wird; zuvor gelten die Änderungen ihrer Datei.</translation>
     </message>
@@ -2441,6 +2613,10 @@
     <message>
         <source>The points, first to last.</source>
         <translation>Die Punkte, vom ersten bis zum letzten.</translation>
+    </message>
+    <message>
+        <source>the pulls and twists after it</source>
+        <translation>die Züge und Verdrehungen danach</translation>
     </message>
     <message>
         <source>The same motion with more poles, so that pulls move smaller parts of it.</source>
@@ -2505,6 +2681,10 @@
     <message>
         <source>The space that one solid covers while its origin moves over the other.</source>
         <translation>Der Raum, den ein Körper überdeckt, während sein Ursprung über den anderen wandert.</translation>
+    </message>
+    <message>
+        <source>The surfaces on the way of a motion through its pulls and twists, carried out one after another.</source>
+        <translation>Die Flächen auf dem Weg einer Bewegung durch ihre Züge und Verdrehungen, eine nach der anderen ausgeführt.</translation>
     </message>
     <message>
         <source>The text; it may have several lines.</source>
@@ -2603,12 +2783,20 @@
         <translation>Drehung</translation>
     </message>
     <message>
+        <source>Turned further, or set to that turn from the fixed axes.</source>
+        <translation>Weitergedreht oder auf diese Drehung von den festen Achsen aus gesetzt.</translation>
+    </message>
+    <message>
         <source>turns</source>
         <translation>Windungen</translation>
     </message>
     <message>
         <source>Turns of a helicoid; below 0: clockwise.</source>
         <translation>Windungen einer Wendelfläche; unter 0: im Uhrzeigersinn.</translation>
+    </message>
+    <message>
+        <source>Turns the stripes of the zebra from level.</source>
+        <translation>Dreht die Streifen des Zebras aus der Waagrechten.</translation>
     </message>
     <message>
         <source>Twist</source>
@@ -2639,6 +2827,10 @@
         <translation>v</translation>
     </message>
     <message>
+        <source>vector</source>
+        <translation>Vektor</translation>
+    </message>
+    <message>
         <source>vertex</source>
         <translation>Ecke</translation>
     </message>
@@ -2647,12 +2839,32 @@
         <translation>Ansicht</translation>
     </message>
     <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
         <source>Weight and slant.</source>
         <translation>Stärke und Neigung.</translation>
     </message>
     <message>
+        <source>weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Weights of poles of the trajectory.</source>
+        <translation>Gewichte von Polen der Bahn.</translation>
+    </message>
+    <message>
         <source>What becomes of corners in the path.</source>
         <translation>Was aus Ecken im Pfad wird.</translation>
+    </message>
+    <message>
+        <source>What becomes of it, in order: every pull and twist after it.</source>
+        <translation>Was aus ihr wird, der Reihe nach: jedes Ziehen und Verdrehen danach.</translation>
+    </message>
+    <message>
+        <source>What is made: triangles with their corners on the surface, the exact surface, or the solid in it.</source>
+        <translation>Was entsteht: Dreiecke mit ihren Ecken auf der Fläche, die exakte Fläche oder der Körper darin.</translation>
     </message>
     <message>
         <source>What joins the point before to this one.</source>
@@ -2661,6 +2873,14 @@
     <message>
         <source>What lengths are written in: G21 or G20.</source>
         <translation>Worin Längen geschrieben werden: G21 oder G20.</translation>
+    </message>
+    <message>
+        <source>What the faces tell of their surfaces: zebra stripes, Gaussian, mean or largest curvature in colours, or iso-curves.</source>
+        <translation>Was die Seiten von ihren Flächen zeigen: Zebrastreifen, gaußsche, mittlere oder größte Krümmung in Farben, oder Iso-Kurven.</translation>
+    </message>
+    <message>
+        <source>What the weight is multiplied by, above 0.</source>
+        <translation>Womit das Gewicht multipliziert wird, über 0.</translation>
     </message>
     <message>
         <source>Where that place is to go.</source>
@@ -2741,6 +2961,10 @@
     <message>
         <source>Write text instead of binary.</source>
         <translation>Schreibt Text statt binär.</translation>
+    </message>
+    <message>
+        <source>zebra</source>
+        <translation>Zebra</translation>
     </message>
     <message>
         <source>zero</source>

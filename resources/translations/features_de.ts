@@ -28,6 +28,10 @@
         <translation>Teile</translation>
     </message>
     <message>
+        <source>Crosses itself</source>
+        <translation>Durchdringt sich</translation>
+    </message>
+    <message>
         <source>Curves</source>
         <translation>Kurven</translation>
     </message>
@@ -42,6 +46,10 @@
     <message>
         <source>Degree in v</source>
         <translation>Grad in v</translation>
+    </message>
+    <message>
+        <source>Depth of the crossing</source>
+        <translation>Tiefe der Durchdringung</translation>
     </message>
     <message>
         <source>Depths</source>
@@ -144,6 +152,10 @@
         <translation>Bewegungen</translation>
     </message>
     <message>
+        <source>Off the motion</source>
+        <translation>Abweichung von der Bewegung</translation>
+    </message>
+    <message>
         <source>Outside change</source>
         <translation>Änderung außerhalb</translation>
     </message>
@@ -190,6 +202,10 @@
     <message>
         <source>Smallest weight</source>
         <translation>Kleinstes Gewicht</translation>
+    </message>
+    <message>
+        <source>Smallest |xu × xv|</source>
+        <translation>Kleinstes |xu × xv|</translation>
     </message>
     <message>
         <source>Spans in u</source>
@@ -1395,6 +1411,10 @@
         <translation>Wie das Werkzeug in das Material kommt.</translation>
     </message>
     <message>
+        <source>How wide a part changes: 0 the spans of the motion, above it finer ones, below it coarser ones.</source>
+        <translation>Wie breit ein Teil sich ändert: 0 die Abschnitte der Bewegung, darüber feinere, darunter gröbere.</translation>
+    </message>
+    <message>
         <source>Import</source>
         <translation>Import</translation>
     </message>
@@ -1601,6 +1621,10 @@
     <message>
         <source>Less than a full turn leaves a wedge.</source>
         <translation>Weniger als eine volle Drehung lässt einen Keil übrig.</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>levels</source>

@@ -34,8 +34,16 @@ MotionPlace placeInside(const Motion& motion, const MotionPlace& place) {
 }  // namespace
 
 EditPlaces::EditPlaces(const Motion& motion, std::span<const MotionPlace> at, std::span<const MotionPlace> pins,
-                       const EditSymmetry& symmetry, const Progress& progress)
-    : given_(at.begin(), at.end()), symmetric_(symmetry.fold != 1 || symmetry.mirror), progress_(progress) {
+                       const EditSymmetry& symmetry, int level, const Progress& progress)
+    : given_(at.begin(), at.end()),
+      level_{level, symmetry.fold},
+      base_(baseKnots(motion)),
+      own_(level == 0 && !motion.base),
+      symmetric_(symmetry.fold != 1 || symmetry.mirror),
+      progress_(progress) {
+  if (level < coarsestLevel || level > finestLevel)
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The level of an edit must lie between {} and {}; it is {}.",
+                                                         coarsestLevel, finestLevel, level));
   if (symmetry.fold < 1 || symmetry.fold > largestFold)
     throw Error(ErrorCode::InvalidParameter, fmt::format("The fold of a symmetric edit must lie between 1 and {}; it is {}.",
                                                          largestFold, symmetry.fold));
@@ -80,27 +88,55 @@ PoleChange EditPlaces::changeOf(Row row, const Eigen::MatrixXd& wanted) {
   return change;
 }
 
+std::vector<MotionPlace> EditPlaces::spots() const {
+  std::vector<MotionPlace> all;
+  for (const EditPlace& place : places_) all.push_back(place.at);
+  return all;
+}
+
+void EditPlaces::remember() {
+  if (!result_.motion.base) result_.motion.base = base_;
+}
+
 void EditPlaces::changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted) {
   Curve& trajectory = result_.motion.trajectory;
-  const PoleChange change =
-      changeOf([&](const MotionPlace& at) { return placeRow(trajectory, at.v); }, wantedAt<Vec3>(wanted));
-  result_.movedPoles += applyChange(change, trajectory);
+  const Eigen::MatrixXd all = wantedAt<Vec3>(wanted);
+  if (own_) {
+    const PoleChange change = changeOf([&](const MotionPlace& at) { return placeRow(trajectory, at.v); }, all);
+    result_.movedPoles += applyChange(change, trajectory);
+    return;
+  }
+  const LevelCurve level(trajectory, base_.trajectory, level_, spots());
+  const PoleChange change = changeOf([&](const MotionPlace& at) { return level.row(at.v); }, all);
+  if (change.by.isZero(0)) return;
+  const std::size_t before = trajectory.poles.size();
+  result_.movedPoles += level.apply(change, trajectory);
+  if (trajectory.poles.size() != before) remember();
+}
+
+void EditPlaces::changeSurface(Surface& factor, double closure, const std::array<std::vector<double>, 2>& base,
+                               const Eigen::MatrixXd& wanted) {
+  if (own_) {
+    const PoleChange change = changeOf([&](const MotionPlace& at) { return placeRow(factor, at, closure); }, wanted);
+    result_.movedPoles += applyChange(change, factor, closure);
+    return;
+  }
+  const LevelSurface level(factor, closure, base, level_, spots());
+  const PoleChange change = changeOf([&](const MotionPlace& at) { return level.row(at); }, wanted);
+  if (change.by.isZero(0)) return;  // no knots for nothing
+  const std::size_t before = factor.poles.size();
+  result_.movedPoles += level.apply(change, factor);
+  if (factor.poles.size() != before) remember();
 }
 
 void EditPlaces::changeOrientation(const std::function<Vec4(EditPlace&)>& wanted) {
-  Surface& orientation = result_.motion.orientation;
-  const double closure = closureOfOrientation(result_.motion);
-  const PoleChange change =
-      changeOf([&](const MotionPlace& at) { return placeRow(orientation, at, closure); }, wantedAt<Vec4>(wanted));
-  result_.movedPoles += applyChange(change, orientation, closure);
+  const Eigen::MatrixXd all = wantedAt<Vec4>(wanted);
+  changeSurface(result_.motion.orientation, closureOfOrientation(result_.motion), base_.orientation, all);
 }
 
 void EditPlaces::changeScaling(const std::function<Vec4(EditPlace&)>& wanted) {
-  Surface& scaling = result_.motion.scaling;
-  const double closure = closureOfScaling(result_.motion);
-  const PoleChange change =
-      changeOf([&](const MotionPlace& at) { return placeRow(scaling, at, closure); }, wantedAt<Vec4>(wanted));
-  result_.movedPoles += applyChange(change, scaling, closure);
+  const Eigen::MatrixXd all = wantedAt<Vec4>(wanted);
+  changeSurface(result_.motion.scaling, closureOfScaling(result_.motion), base_.scaling, all);
 }
 
 EditResult EditPlaces::finished(const std::function<double(const EditPlace&)>& left, double allowed, Unreached otherwise) {

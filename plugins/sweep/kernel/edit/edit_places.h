@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "core/progress.h"
 #include "kernel/edit/edit_result.h"
 #include "kernel/edit/least_change.h"
+#include "kernel/edit/level_surface.h"
 #include "kernel/edit/motion_symmetry.h"
 
 namespace blossom::sweep {
@@ -22,12 +24,16 @@ struct EditPlace {
 /// and twists share.
 class EditPlaces {
  public:
-  /// @throws Error InvalidParameter for no place, a place outside the domain, or a fold outside 1 .. 360; LimitExceeded
-  /// above 400 places, pins and copies; as symmetricPlaces; Degenerate where the orientation vanishes.
+  /// @throws Error InvalidParameter for no place, a place outside the domain, a fold outside 1 .. 360 or a level outside
+  /// coarsestLevel .. finestLevel; LimitExceeded above 400 places, pins and copies; as symmetricPlaces; Degenerate where the
+  /// orientation vanishes.
   EditPlaces(const Motion&, std::span<const MotionPlace> at, std::span<const MotionPlace> pins, const EditSymmetry&,
-             const Progress&);
+             int level, const Progress&);
 
   /// Changes the value of a factor by `wanted(place)` at every place; pins stay. `wanted` sees the motion before the change.
+  /// At a finer level the factor gets the knots for it, and the motion remembers its base knots; at a coarser one, poles
+  /// change as functions with fewer knots do.
+  /// @throws Error LimitExceeded when a factor would get more than a million poles.
   void changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted);
   void changeOrientation(const std::function<Vec4(EditPlace&)>& wanted);
   void changeScaling(const std::function<Vec4(EditPlace&)>& wanted);
@@ -42,12 +48,19 @@ class EditPlaces {
  private:
   template <class Row>
   PoleChange changeOf(Row row, const Eigen::MatrixXd& wanted);
+  void changeSurface(Surface& factor, double closure, const std::array<std::vector<double>, 2>& base,
+                     const Eigen::MatrixXd& wanted);
+  void remember();
+  [[nodiscard]] std::vector<MotionPlace> spots() const;
   template <class Vector>
   Eigen::MatrixXd wantedAt(const std::function<Vector(EditPlace&)>& wanted);
 
   EditResult result_;
   std::vector<EditPlace> places_;
   std::vector<MotionPlace> given_, pins_;
+  EditLevel level_;
+  BaseKnots base_;                     ///< of the motion given
+  bool own_;                           ///< functions of the level are those of the factors as they are
   bool symmetric_, together_ = false;  ///< together_: the last change could not give every place what it wanted
   Progress progress_;
 };

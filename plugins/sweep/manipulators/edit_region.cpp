@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "geometry/bspline/bspline.h"
+#include "kernel/edit/edit_level.h"
 #include "kernel/edit/motion_symmetry.h"
+#include "kernel/edit/place_row.h"
 #include "manipulators/place_under_mouse.h"
 
 namespace blossom::sweep {
@@ -34,12 +36,6 @@ void addLine(const Motion& motion, MotionPlace from, MotionPlace to, const Vec3&
   addLine(points, towards, side, lines);
 }
 
-/// The knots at which the basis functions begin and end that are not 0 at t.
-std::pair<double, double> reach(int degree, const std::vector<double>& knots, double t) {
-  const std::size_t span = findSpan(degree, knots, t), p = static_cast<std::size_t>(degree);
-  return {knots[span - p], knots[span + p + 1]};
-}
-
 void widen(std::pair<double, double>& range, std::pair<double, double> by) {
   range = {std::min(range.first, by.first), std::max(range.second, by.second)};
 }
@@ -55,18 +51,25 @@ SurfaceLines isoCurvesThrough(const Motion& motion, const MotionPlace& at, const
   return lines;
 }
 
-EditRegion editRegion(const Motion& motion, const MotionPlace& at, PullMode::Way way) {
+EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMode& mode) {
+  const PullMode::Way way = mode.way();
+  const BaseKnots base = baseKnots(motion);
+  const auto reach = [&](const SplineSpace& now, const std::vector<double>& knots, double t) {
+    return reachAt(levelSpace(withInnerKnots(now, knots), mode.level(), mode.symmetry().fold), t);
+  };
   std::pair<double, double> u{at.u, at.u}, v{at.v, at.v};
-  const auto add = [&](const Surface& factor) {
-    widen(u, reach(factor.degreeU, factor.knotsU, at.u));
-    widen(v, reach(factor.degreeV, factor.knotsV, at.v));
+  const auto add = [&](const Surface& factor, double closure, const std::array<std::vector<double>, 2>& knots) {
+    widen(u, reach(spaceInU(factor, closure), knots[0], at.u));
+    widen(v, reach(spaceInV(factor), knots[1], at.v));
   };
   if (way == PullMode::Way::Translate) {
     u = motion.domainU();
-    v = reach(motion.trajectory.degree, motion.trajectory.knots, at.v);
+    v = reach(spaceOf(motion.trajectory), base.trajectory, at.v);
   }
-  if (way == PullMode::Way::Combined || way == PullMode::Way::Rotate || way == PullMode::Way::Twist) add(motion.orientation);
-  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale) add(motion.scaling);
+  if (way == PullMode::Way::Combined || way == PullMode::Way::Rotate || way == PullMode::Way::Twist)
+    add(motion.orientation, closureOfOrientation(motion), base.orientation);
+  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale)
+    add(motion.scaling, closureOfScaling(motion), base.scaling);
   const double period = motion.domainU().second - motion.domainU().first;
   return {u.first, u.second, v.first, v.second,
           way == PullMode::Way::Translate || (motion.closedU != ClosedU::No && u.second - u.first >= period)};

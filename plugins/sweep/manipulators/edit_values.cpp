@@ -20,6 +20,8 @@ EditSymmetry symmetryOf(const Value& parameters) {
   return {parameters.at("fold").get<int>(), parameters.at("mirror").get<bool>()};
 }
 
+int levelOf(const Value& parameters) { return parameters.at("level").get<int>(); }
+
 }  // namespace
 
 MotionPull pullOf(const Value& parameters) {
@@ -31,12 +33,13 @@ MotionPull pullOf(const Value& parameters) {
   edit.axis = vectorOf(parameters.at("axis"));
   edit.pins = placesIn(parameters, "pins");
   edit.symmetry = symmetryOf(parameters);
+  edit.level = levelOf(parameters);
   return edit;
 }
 
 MotionTwist twistOf(const Value& parameters) {
   return {placesIn(parameters, "places"), vectorOf(parameters.at("axis")), parameters.at("angle").get<double>(),
-          placesIn(parameters, "pins"), symmetryOf(parameters)};
+          placesIn(parameters, "pins"),   symmetryOf(parameters),          levelOf(parameters)};
 }
 
 Value parametersOf(const MotionPull& edit) {
@@ -48,7 +51,8 @@ Value parametersOf(const MotionPull& edit) {
                         {"rotate", edit.weights.rotate},
                         {"scale", edit.weights.scale},
                         {"fold", edit.symmetry.fold},
-                        {"mirror", edit.symmetry.mirror}});
+                        {"mirror", edit.symmetry.mirror},
+                        {"level", edit.level}});
 }
 
 Value parametersOf(const MotionTwist& edit) {
@@ -58,7 +62,8 @@ Value parametersOf(const MotionTwist& edit) {
                         {"axis", arrayOf(edit.axis)},
                         {"angle", edit.angle},
                         {"fold", edit.symmetry.fold},
-                        {"mirror", edit.symmetry.mirror}});
+                        {"mirror", edit.symmetry.mirror},
+                        {"level", edit.level}});
 }
 
 }  // namespace blossom::sweep

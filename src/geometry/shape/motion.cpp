@@ -54,17 +54,17 @@ void requireClosed(const char* factor, const Surface& surface, double sign) {
         fail(factor, fmt::format("it is to be closed in u, but its last {} rows do not repeat the first ones.", degree));
 }
 
-/// Base knots are some of the factor's own, as multiple or less.
+/// Base knots are some of the factor's own, as multiple or less, in order.
 void requireBase(const char* factor, const char* direction, const std::vector<double>& base, const SplineSpace& space) {
   const std::vector<double> own = innerKnots(space);
-  const auto fits = [&](double knot) {  // also what is not a number does not
-    return std::count(base.begin(), base.end(), knot) <= std::count(own.begin(), own.end(), knot) &&
-           std::binary_search(own.begin(), own.end(), knot);
-  };
-  for (std::size_t i = 0; i < base.size(); ++i)
-    if (!fits(base[i]) || (i > 0 && base[i] < base[i - 1]))
+  auto next = own.begin();
+  for (const double knot : base) {
+    next = std::lower_bound(next, own.end(), knot);
+    if (next == own.end() || *next != knot)  // what is not a number is none of them, either
       fail(factor, fmt::format("its base knot {} = {} is none of its own knots inside the domain, or not in order.",
-                               direction, base[i]));
+                               direction, knot));
+    ++next;
+  }
 }
 
 void requireBase(const Motion& motion) {

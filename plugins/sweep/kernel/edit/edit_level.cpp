@@ -9,8 +9,9 @@ namespace blossom::sweep {
 
 namespace {
 
-/// Share of the largest function at a place below which one counts as 0: it ends at a knot that the place is on.
-constexpr double hardlyThere = 1e-12;
+/// A place this near to a knot, as a share of its span, is on it, as are its copies around a motion up to rounding;
+/// functions that begin or end there have no larger share of the largest one than the other number.
+constexpr double onKnot = 1e-10, hardlyThere = 1e-9;
 
 }  // namespace
 
@@ -32,7 +33,9 @@ Reach reachAt(const SplineSpace& space, double t) {
   const std::size_t span = findSpan(space.degree, space.knots, t), first = span + 1 - width;
   std::vector<double> values(width);
   basisDerivatives(space.degree, space.knots, span, t, 0, values);
-  const double least = hardlyThere * *std::max_element(values.begin(), values.end());
+  const double length = space.knots[span + 1] - space.knots[span],
+               off = std::min(t - space.knots[span], space.knots[span + 1] - t);
+  const double least = off < onKnot * length ? hardlyThere * *std::max_element(values.begin(), values.end()) : 0;
   Reach reach{t, t};
   for (std::size_t k = 0; k < width; ++k)
     if (values[k] > least) {

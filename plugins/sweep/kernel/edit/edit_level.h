@@ -16,8 +16,8 @@ BaseKnots baseKnots(const Motion&);
 /// copies of the edit around the motion: coarser knots repeat as often
 SplineSpace levelSpace(const SplineSpace& base, int level, int parts);
 
-/// Where the functions that are not 0 at t reach, those left out that are 0 up to rounding. In a closed space it may pass
-/// beyond the domain.
+/// Where the functions that are not 0 at t reach; on a knot, up to rounding, those that begin or end there are left out. In
+/// a closed space it may pass beyond the domain.
 using Reach = std::pair<double, double>;
 Reach reachAt(const SplineSpace&, double t);
 

@@ -16,7 +16,7 @@ constexpr int radii = 10;
 constexpr double firstRadius = 0.25, shareOfDepth = 0.3;  ///< of the depth that is looked for
 
 /// The greatest heights, and some evenly chosen among the rest: artefacts of a thin wall may be many.
-std::vector<TrianglePair> chosen(const std::vector<TrianglePair>& pairs) {
+std::vector<TrianglePair> pairsChosen(const std::vector<TrianglePair>& pairs) {
   const std::size_t front = std::min(pairs.size(), highestTried);
   std::vector<TrianglePair> result(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(front));
   const std::size_t stride = std::max<std::size_t>(1, (pairs.size() - front) / othersTried);
@@ -50,7 +50,7 @@ class Examiner {
     result.triangles = mesh_.triangles.size();
     result.pairs = found.pairs.size();
     int left = placesExamined;
-    for (const TrianglePair& pair : chosen(found.pairs)) {
+    for (const TrianglePair& pair : pairsChosen(found.pairs)) {
       if (left == 0) break;
       progress_.check();
       const auto meeting = meetingOf(pair);

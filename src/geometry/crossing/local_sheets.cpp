@@ -12,9 +12,9 @@
 namespace blossom {
 namespace {
 
-using Side = std::pair<int, int>;
+using TriangleSide = std::pair<int, int>;
 
-Side sideOf(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+TriangleSide sideBetween(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// The triangles in a ball, divided until they are small.
 class Ball {
@@ -68,7 +68,8 @@ class Ball {
 
   /// The middle of a side, one point for both its triangles.
   int middleOf(const SheetTriangle& t, std::size_t a, std::size_t b) {
-    const auto [found, isNew] = middles_.try_emplace(sideOf(t.corners[a], t.corners[b]), static_cast<int>(points.size()));
+    const auto [found, isNew] =
+        middles_.try_emplace(sideBetween(t.corners[a], t.corners[b]), static_cast<int>(points.size()));
     if (isNew) {
       const Vec3& p = points[static_cast<std::size_t>(t.corners[a])];
       const Vec3& q = points[static_cast<std::size_t>(t.corners[b])];
@@ -124,7 +125,7 @@ class Ball {
   Vec3 middle_;
   double radius_;
   std::map<int, int> numbers_;
-  std::map<Side, int> middles_;
+  std::map<TriangleSide, int> middles_;
 };
 
 /// What hangs together over sides, all of its triangles turned one way round.
@@ -166,7 +167,7 @@ class Sheets {
       for (std::size_t i = 0; i < 3; ++i)
         for (const std::size_t other : bySide_.at(side(k, i))) {
           if (other == k || mark_[other] != 0) continue;
-          const bool sameWay = runs(k, i) != runs(other, i, side(k, i));
+          const bool sameWay = runsUp(k, side(k, i)) != runsUp(other, side(k, i));
           mark_[other] = sameWay ? mark_[k] : -mark_[k];
           open.push_back(other);
         }
@@ -195,23 +196,20 @@ class Sheets {
   }
 
  private:
-  [[nodiscard]] Side side(std::size_t k, std::size_t i) const {
+  [[nodiscard]] TriangleSide side(std::size_t k, std::size_t i) const {
     const auto& corners = ball_.triangles[k].corners;
-    return sideOf(corners[i], corners[(i + 1) % 3]);
+    return sideBetween(corners[i], corners[(i + 1) % 3]);
   }
-  /// Whether side i runs from the lower number to the higher one.
-  [[nodiscard]] bool runs(std::size_t k, std::size_t i) const {
+  /// Whether a triangle runs along its side from the lower number to the higher one.
+  [[nodiscard]] bool runsUp(std::size_t k, const TriangleSide& wanted) const {
     const auto& corners = ball_.triangles[k].corners;
-    return corners[i] < corners[(i + 1) % 3];
-  }
-  [[nodiscard]] bool runs(std::size_t k, std::size_t /*of the neighbour*/, const Side& wanted) const {
     for (std::size_t i = 0; i < 3; ++i)
-      if (side(k, i) == wanted) return runs(k, i);
+      if (side(k, i) == wanted) return corners[i] < corners[(i + 1) % 3];
     return true;
   }
 
   const Ball& ball_;
-  std::map<Side, std::vector<std::size_t>> bySide_;
+  std::map<TriangleSide, std::vector<std::size_t>> bySide_;
   std::vector<int> mark_;  ///< number of the sheet, negative where the triangle is turned; 0: none
 };
 

@@ -18,7 +18,7 @@ constexpr std::size_t trianglesOfABlock = 32;  // where there is no grid
 constexpr double anglesOfSheets = 0.6;         // radians; the chord is what counts
 constexpr double samePlace = 1e-9;             // of the size
 
-double angleBetween(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double turnBetween(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// The cone about the mean of directions; those of length zero, as at poles, have none.
 DirectionCone coneOf(const std::vector<Vec3>& sides) {
@@ -28,7 +28,7 @@ DirectionCone coneOf(const std::vector<Vec3>& sides) {
   if (!(sum.norm() > 0)) return {Vec3::Zero(), std::numbers::pi};
   DirectionCone cone{sum.normalized(), 0};
   for (const Vec3& side : sides)
-    if (side.squaredNorm() > 0) cone.halfAngle = std::max(cone.halfAngle, angleBetween(cone.axis, side));
+    if (side.squaredNorm() > 0) cone.halfAngle = std::max(cone.halfAngle, turnBetween(cone.axis, side));
   return cone;
 }
 
@@ -38,12 +38,12 @@ void setSize(SheetMesh& mesh) {
   mesh.size = box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-bool isCollapsed(const SheetTriangle& t) {
+bool isWithoutArea(const SheetTriangle& t) {
   return t.corners[0] == t.corners[1] || t.corners[1] == t.corners[2] || t.corners[2] == t.corners[0];
 }
 
 /// Box and mean normal of a block whose triangles stand in the mesh.
-void measure(const SheetMesh& mesh, SheetBlock& block) {
+void setBoxAndNormal(const SheetMesh& mesh, SheetBlock& block) {
   for (std::uint32_t k = block.first; k < block.first + block.count; ++k) {
     const auto t = mesh.at(mesh.triangles[k]);
     for (const Vec3& p : t) block.box.extend(p);
@@ -78,7 +78,7 @@ class GridBlocks {
     for (SheetTriangle& t : mesh_.triangles)
       for (int& corner : t.corners) corner = static_cast<int>(joints.find(static_cast<std::size_t>(corner)));
     dropCollapsed();
-    for (SheetBlock& block : mesh_.blocks) measure(mesh_, block);
+    for (SheetBlock& block : mesh_.blocks) setBoxAndNormal(mesh_, block);
     return std::move(mesh_);
   }
 
@@ -160,7 +160,7 @@ class GridBlocks {
     for (SheetBlock& block : mesh_.blocks) {
       const auto from = static_cast<std::uint32_t>(kept.size());
       for (std::uint32_t k = block.first; k < block.first + block.count; ++k)
-        if (!isCollapsed(mesh_.triangles[k])) kept.push_back(mesh_.triangles[k]);
+        if (!isWithoutArea(mesh_.triangles[k])) kept.push_back(mesh_.triangles[k]);
       block.first = from;
       block.count = static_cast<std::uint32_t>(kept.size()) - from;
     }
@@ -189,21 +189,21 @@ void blocksOfLeaves(SheetMesh& mesh, const Progress& progress) {
     SheetBlock block;
     block.first = node.first;
     block.count = node.count;
-    measure(mesh, block);
+    setBoxAndNormal(mesh, block);
     mesh.blocks.push_back(block);
   }
 }
 
 }  // namespace
 
-DirectionCone joined(const DirectionCone& a, const DirectionCone& b) {
+DirectionCone joinedCone(const DirectionCone& a, const DirectionCone& b) {
   const Vec3 sum = a.axis + b.axis;
   if (!(sum.norm() > 1e-9)) return {Vec3::Zero(), std::numbers::pi};
   const Vec3 axis = sum.normalized();
-  return {axis, std::max(angleBetween(axis, a.axis) + a.halfAngle, angleBetween(axis, b.axis) + b.halfAngle)};
+  return {axis, std::max(turnBetween(axis, a.axis) + a.halfAngle, turnBetween(axis, b.axis) + b.halfAngle)};
 }
 
-double sizeOf(const Surface& surface, const Progress& progress) {
+double sampledSize(const Surface& surface, const Progress& progress) {
   const auto along = [](int degree, const std::vector<double>& knots) {
     const std::vector<double> breaks = domainBreaks(degree, knots);
     return samples(degree, knots, breaks, std::vector<int>(breaks.size() - 1, 4), 1, Kinks::Once);
@@ -237,7 +237,7 @@ SheetMesh sheetMesh(const TopoDS_Shape& shape, double chord, const Progress& pro
       t.at[i] = origins.parameters[point];
     }
   }
-  std::erase_if(mesh.triangles, isCollapsed);
+  std::erase_if(mesh.triangles, isWithoutArea);
   blocksOfLeaves(mesh, progress);
   return mesh;
 }

@@ -26,7 +26,7 @@ struct DirectionCone {
 };
 
 /// The smallest cone about the bisector of the axes that holds both.
-DirectionCone joined(const DirectionCone&, const DirectionCone&);
+DirectionCone joinedCone(const DirectionCone&, const DirectionCone&);
 
 /// Neighbouring triangles, which are searched together.
 struct SheetBlock {
@@ -52,7 +52,7 @@ struct SheetMesh {
 };
 
 /// The diagonal of the box around points of a surface.
-double sizeOf(const Surface&, const Progress& = Progress::none());
+double sampledSize(const Surface&, const Progress& = Progress::none());
 
 /// A grid of the whole surface within `chord`, in blocks of 8 x 8 cells. @throws as tessellate.
 SheetMesh sheetMesh(const Surface&, double chord, const Progress& = Progress::none());

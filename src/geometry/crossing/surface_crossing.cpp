@@ -11,7 +11,7 @@
 namespace blossom {
 
 CrossingResult findCrossing(const Surface& surface, const CrossingOptions& o, const Progress& progress) {
-  const double size = sizeOf(surface, progress);
+  const double size = sampledSize(surface, progress);
   const SheetMesh mesh = sheetMesh(surface, chordFor(o) * size, progress);
   return searchCrossing(mesh, SmoothSheets(surface), meetingTriangles(mesh, pairsKept, progress), o, progress);
 }

@@ -33,8 +33,8 @@ bool isOnOneSide(const Heights& h, double slack) {
 
 /// Where a segment whose ends have these heights over the plane of a triangle meets it (Ericson, Real-Time Collision
 /// Detection, section 5.3); borders count.
-std::optional<Vec3> hit(const Vec3& p, double heightP, const Vec3& q, double heightQ, const Triangle3& t,
-                        const Vec3& normal) {
+std::optional<Vec3> whereHit(const Vec3& p, double heightP, const Vec3& q, double heightQ, const Triangle3& t,
+                             const Vec3& normal) {
   if (heightP * heightQ > 0 || heightP == heightQ) return {};
   constexpr double border = -1e-9;  // of the triangle's area
   const Vec3 x = p + heightP / (heightP - heightQ) * (q - p);
@@ -46,13 +46,13 @@ std::optional<Vec3> hit(const Vec3& p, double heightP, const Vec3& q, double hei
   return x;
 }
 
-struct Shared {
+struct CommonCorners {
   int count = 0;
   std::size_t inFirst = 0, inSecond = 0;
 };
 
-Shared sharedCorners(const SheetTriangle& a, const SheetTriangle& b) {
-  Shared shared;
+CommonCorners commonCorners(const SheetTriangle& a, const SheetTriangle& b) {
+  CommonCorners shared;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       if (a.corners[i] == b.corners[j]) ++shared.count, shared.inFirst = i, shared.inSecond = j;
@@ -100,8 +100,8 @@ class PairSearch {
     for (const std::size_t u : {ui, uj})
       for (const std::size_t v : {vi, vj}) {
         const SheetBlock& block = mesh_.blocks[u * countV + v];
-        alongU = joined(alongU, block.alongU);
-        alongV = joined(alongV, block.alongV);
+        alongU = joinedCone(alongU, block.alongU);
+        alongV = joinedCone(alongV, block.alongV);
       }
     constexpr double margin = 0.02;  // radians, for what the smooth surface does between the corners
     if (alongU.axis.isZero() || alongV.axis.isZero()) return false;
@@ -142,7 +142,7 @@ class PairSearch {
 
   void test(std::uint32_t k, std::uint32_t l) {
     const SheetTriangle &first = mesh_.triangles[k], &second = mesh_.triangles[l];
-    const Shared shared = sharedCorners(first, second);
+    const CommonCorners shared = commonCorners(first, second);
     if (shared.count > 1) return;
     const Triangle3 a = mesh_.at(first), b = mesh_.at(second);
     const Vec3 normalA = (a[1] - a[0]).cross(a[2] - a[0]).normalized(),
@@ -159,9 +159,9 @@ class PairSearch {
     for (std::size_t side = 0; side < 3; ++side) {
       const std::size_t from = (side + 1) % 3, to = (side + 2) % 3;  // across from corner `side`
       if (shared.count == 0 || side == shared.inFirst)
-        if (const auto place = hit(a[from], ofA[from], a[to], ofA[to], b, normalB)) return add({k, l, *place, height});
+        if (const auto place = whereHit(a[from], ofA[from], a[to], ofA[to], b, normalB)) return add({k, l, *place, height});
       if (shared.count == 0 || side == shared.inSecond)
-        if (const auto place = hit(b[from], ofB[from], b[to], ofB[to], a, normalA)) return add({k, l, *place, height});
+        if (const auto place = whereHit(b[from], ofB[from], b[to], ofB[to], a, normalA)) return add({k, l, *place, height});
     }
   }
 

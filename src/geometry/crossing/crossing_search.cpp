@@ -10,10 +10,10 @@ namespace blossom {
 namespace {
 
 constexpr std::size_t highestTried = 200, othersTried = 200;  ///< pairs on which Newton's method begins
-constexpr int placesExamined = 30, placesAfterTheFirst = 5;
+constexpr int placesExamined = 20, placesAfterTheFirst = 2;
 constexpr double leastSine = 2e-3;  ///< of the angle between sheets that cross
-constexpr int radii = 10;
-constexpr double firstRadius = 0.25, shareOfDepth = 0.3;  ///< of the depth that is looked for
+constexpr int radii = 9;
+constexpr double firstRadius = 0.25, shareOfDepth = 0.3, offOfDepth = 0.05;  ///< of the depth that is looked for
 
 /// The greatest heights, and some evenly chosen among the rest: artefacts of a thin wall may be many.
 std::vector<TrianglePair> pairsChosen(const std::vector<TrianglePair>& pairs) {
@@ -54,7 +54,7 @@ class Examiner {
       if (left == 0) break;
       progress_.check();
       const auto meeting = meetingOf(pair);
-      if (!meeting || meeting->sine < leastSine || wasExamined(meeting->point)) continue;
+      if (!meeting || meeting->sine < leastSine || wasExamined(meeting->point, result.deepest ? 10 : firstRadius)) continue;
       ++result.meetings;
       examined_.push_back(meeting->point);
       --left;
@@ -76,9 +76,10 @@ class Examiner {
                 mesh_.size);
   }
 
-  [[nodiscard]] bool wasExamined(const Vec3& point) const {
+  /// @param near as a multiple of the depth
+  [[nodiscard]] bool wasExamined(const Vec3& point, double near) const {
     return std::any_of(examined_.begin(), examined_.end(),
-                       [&](const Vec3& other) { return (other - point).norm() < firstRadius * depth_; });
+                       [&](const Vec3& other) { return (other - point).norm() < near * depth_; });
   }
 
   /// In balls that grow as long as there are two sheets in them; 0 when the sheets do not pass through each other.
@@ -86,7 +87,7 @@ class Examiner {
     double depth = 0, radius = firstRadius * depth_;
     int worse = 0;
     for (int k = 0; k < radii && worse < 2; ++k, radius *= 2) {
-      const Passage passage = passageAt(mesh_, sheets_, meeting, radius, progress_);
+      const Passage passage = passageAt(mesh_, sheets_, meeting, radius, offOfDepth * depth_, progress_);
       if (!passage.apart) break;
       if (passage.depth >= std::min(0.25 * radius, shareOfDepth * depth_) && passage.depth > depth)
         depth = passage.depth, worse = 0;

@@ -8,8 +8,8 @@ namespace blossom {
 /// Pairs of triangles that are kept for examination.
 inline constexpr std::size_t pairsKept = 4000;
 
-/// Share of the size within which triangles follow the surface.
-inline double chordFor(const CrossingOptions& o) { return o.depth / 10; }
+/// Share of the size within which triangles follow the surface: two sheets are off by less than the depth together.
+inline double chordFor(const CrossingOptions& o) { return 0.4 * o.depth; }
 
 /// Examines pairs of triangles until one is a crossing, and a few more for the deepest.
 CrossingResult searchCrossing(const SheetMesh&, const SmoothSheets&, const MeetingTriangles&, const CrossingOptions&,

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <span>
+#include <unordered_map>
 #include <utility>
 
+#include "geometry/crossing/divided_triangles.h"
 #include "geometry/mesh/triangle_distance.h"
+#include "geometry/numeric/box_tree.h"
 
 namespace blossom {
 namespace {
@@ -29,18 +32,19 @@ class Ball {
     }
   }
 
-  /// Halves every side that is longer than `longest`, as often as it takes.
-  void divide(double longest, const Progress& progress) {
+  /// Halves the sides that are longer than `longest` or farther than `off` from the smooth face, as often as it takes.
+  void divide(double longest, double off, const Progress& progress) {
     constexpr int rounds = 14;
     constexpr std::size_t many = 20000;
+    const auto tooLong = [&](const Vec3& p, const Vec3& q, const Vec3& middle) {
+      const Vec3 along = q - p;
+      return along.squaredNorm() > longest * longest ||
+             along.cross(middle - p).squaredNorm() > off * off * along.squaredNorm();
+    };
     for (int round = 0; round < rounds && triangles.size() < many; ++round) {
       progress.check();
-      std::vector<SheetTriangle> next;
-      bool divided = false;
-      for (const SheetTriangle& t : triangles)
-        if (reaches(at(t))) divided |= divideInto(next, t, longest);
-      triangles = std::move(next);
-      if (!divided) return;
+      std::erase_if(triangles, [&](const SheetTriangle& t) { return !reaches(at(t)); });
+      if (!divideOnce(points, triangles, sheets_, tooLong)) return;
     }
   }
 
@@ -66,66 +70,10 @@ class Ball {
     triangles.push_back(t);
   }
 
-  /// The middle of a side, one point for both its triangles.
-  int middleOf(const SheetTriangle& t, std::size_t a, std::size_t b) {
-    const auto [found, isNew] =
-        middles_.try_emplace(sideBetween(t.corners[a], t.corners[b]), static_cast<int>(points.size()));
-    if (isNew) {
-      const Vec3& p = points[static_cast<std::size_t>(t.corners[a])];
-      const Vec3& q = points[static_cast<std::size_t>(t.corners[b])];
-      const Vec3 smooth = sheets_.frame(t.face, (t.at[a] + t.at[b]) / 2).point;
-      // Beside a pole the mean of the parameters may be far away.
-      const bool sane = (smooth - (p + q) / 2).norm() < (p - q).norm();
-      points.push_back(sane ? smooth : Vec3((p + q) / 2));
-    }
-    return found->second;
-  }
-
-  bool divideInto(std::vector<SheetTriangle>& next, const SheetTriangle& t, double longest) {
-    std::array<int, 3> middle{-1, -1, -1};  // of the side from corner k to the next
-    std::array<Vec2, 3> middleAt;
-    int count = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t l = (k + 1) % 3;
-      const Vec3& p = points[static_cast<std::size_t>(t.corners[k])];
-      const Vec3& q = points[static_cast<std::size_t>(t.corners[l])];
-      if ((p - q).squaredNorm() <= longest * longest) continue;
-      middle[k] = middleOf(t, k, l);
-      middleAt[k] = (t.at[k] + t.at[l]) / 2;
-      ++count;
-    }
-    if (count == 0) {
-      next.push_back(t);
-      return false;
-    }
-    // Round the triangle, corners and middles; a fan of it, in which the middles of two sides come first.
-    std::vector<std::pair<int, Vec2>> round;
-    for (std::size_t k = 0; k < 3; ++k) {
-      round.emplace_back(t.corners[k], t.at[k]);
-      if (middle[k] >= 0) round.emplace_back(middle[k], middleAt[k]);
-    }
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-      const auto &x = round[a % round.size()], &y = round[b % round.size()], &z = round[c % round.size()];
-      next.push_back({{x.first, y.first, z.first}, {x.second, y.second, z.second}, t.face});
-    };
-    const auto isMiddle = [&](std::size_t k) {
-      return std::find(middle.begin(), middle.end(), round[k % round.size()].first) != middle.end();
-    };
-    if (count == 3) {
-      add(5, 0, 1), add(1, 2, 3), add(3, 4, 5), add(1, 3, 5);
-      return true;
-    }
-    std::size_t from = 0;
-    while (!isMiddle(from) || (count == 2 && !isMiddle(from + 2))) ++from;
-    for (std::size_t k = 1; k + 1 < round.size(); ++k) add(from, from + k, from + k + 1);
-    return true;
-  }
-
   const SmoothSheets& sheets_;
   Vec3 middle_;
   double radius_;
-  std::map<int, int> numbers_;
-  std::map<TriangleSide, int> middles_;
+  std::unordered_map<int, int> numbers_;
 };
 
 /// What hangs together over sides, all of its triangles turned one way round.
@@ -133,13 +81,23 @@ struct LocalSheet {
   std::vector<Triangle3> triangles;
   std::vector<std::array<bool, 3>> rim;  ///< whether the side from corner k to the next is of one triangle alone
   std::vector<Vec3> points;              ///< corners within the ball
+  BoxTree<3> tree;                       ///< of the triangles
+
+  void finish() {
+    std::vector<Box3> boxes;
+    boxes.reserve(triangles.size());
+    for (const Triangle3& t : triangles) boxes.push_back(boxOf(t));
+    tree = BoxTree<3>(boxes);
+  }
 };
 
 class Sheets {
  public:
   explicit Sheets(const Ball& ball) : ball_(ball), mark_(ball.triangles.size(), 0) {
+    sides_.reserve(3 * ball.triangles.size());
     for (std::size_t k = 0; k < ball.triangles.size(); ++k)
-      for (std::size_t i = 0; i < 3; ++i) bySide_[side(k, i)].push_back(k);
+      for (std::size_t i = 0; i < 3; ++i) sides_.emplace_back(side(k, i), k);
+    std::sort(sides_.begin(), sides_.end());
   }
 
   /// The triangle of a face nearest to a point, of those equally near the one nearest by its parameters.
@@ -165,7 +123,7 @@ class Sheets {
       const std::size_t k = open.back();
       open.pop_back();
       for (std::size_t i = 0; i < 3; ++i)
-        for (const std::size_t other : bySide_.at(side(k, i))) {
+        for (const auto& [which, other] : over(side(k, i))) {
           if (other == k || mark_[other] != 0) continue;
           const bool sameWay = runsUp(k, side(k, i)) != runsUp(other, side(k, i));
           mark_[other] = sameWay ? mark_[k] : -mark_[k];
@@ -182,7 +140,7 @@ class Sheets {
       if (std::abs(mark_[k]) != number) continue;
       Triangle3 t = ball_.at(ball_.triangles[k]);
       std::array<bool, 3> rim{};
-      for (std::size_t i = 0; i < 3; ++i) rim[i] = bySide_.at(side(k, i)).size() == 1;
+      for (std::size_t i = 0; i < 3; ++i) rim[i] = over(side(k, i)).size() == 1;
       if (mark_[k] < 0) std::swap(t[0], t[1]), std::swap(rim[1], rim[2]);
       result.triangles.push_back(t);
       result.rim.push_back(rim);
@@ -192,6 +150,7 @@ class Sheets {
         taken[c] = true;
       }
     }
+    result.finish();
     return result;
   }
 
@@ -200,6 +159,12 @@ class Sheets {
     const auto& corners = ball_.triangles[k].corners;
     return sideBetween(corners[i], corners[(i + 1) % 3]);
   }
+  [[nodiscard]] std::span<const std::pair<TriangleSide, std::size_t>> over(const TriangleSide& side) const {
+    const auto from = std::lower_bound(sides_.begin(), sides_.end(), std::pair(side, std::size_t{0}));
+    const auto to = std::find_if(from, sides_.end(), [&](const auto& each) { return each.first != side; });
+    return {from, to};
+  }
+
   /// Whether a triangle runs along its side from the lower number to the higher one.
   [[nodiscard]] bool runsUp(std::size_t k, const TriangleSide& wanted) const {
     const auto& corners = ball_.triangles[k].corners;
@@ -209,25 +174,40 @@ class Sheets {
   }
 
   const Ball& ball_;
-  std::map<TriangleSide, std::vector<std::size_t>> bySide_;
+  std::vector<std::pair<TriangleSide, std::size_t>> sides_;  ///< sorted, with the triangles that have them
   std::vector<int> mark_;  ///< number of the sheet, negative where the triangle is turned; 0: none
 };
 
+/// Whether a point of a triangle lies on a side of it that is part of the rim.
+bool isOnRim(const Triangle3& t, const std::array<bool, 3>& rim, const Vec3& foot) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!rim[i]) continue;
+    const Vec3 &a = t[i], along = t[(i + 1) % 3] - a;
+    if (along.cross(foot - a).squaredNorm() <= 1e-18 * along.squaredNorm() * along.squaredNorm()) return true;
+  }
+  return false;
+}
+
 /// The signed distance of a point from a sheet; 0 where the nearest point lies on the rim.
 double distanceFrom(const LocalSheet& sheet, const Vec3& p) {
+  constexpr double same = 1 + 1e-9;
   double least = std::numeric_limits<double>::max();
-  for (const Triangle3& t : sheet.triangles) least = std::min(least, (closestOnTriangle(p, t) - p).squaredNorm());
+  std::vector<std::pair<std::size_t, Vec3>> nearest;
+  const auto visit = [&](std::size_t k) {
+    const Vec3 foot = closestOnTriangle(p, sheet.triangles[k]);
+    const double squared = (foot - p).squaredNorm();
+    if (squared > least * same) return;
+    if (squared * same < least) nearest.clear();
+    least = std::min(least, squared);
+    nearest.emplace_back(k, foot);
+  };
+  sheet.tree.walk([&](const Box3& box) { return squaredDistance(box, p); }, visit,
+                  [&](double squared) { return squared <= least * same; });
   // Of the triangles around the nearest point the one that is seen most from the front tells the side.
   double best = -1, result = 0;
-  for (std::size_t k = 0; k < sheet.triangles.size(); ++k) {
+  for (const auto& [k, foot] : nearest) {
     const Triangle3& t = sheet.triangles[k];
-    const Vec3 foot = closestOnTriangle(p, t);
-    if ((foot - p).squaredNorm() > least * (1 + 1e-9) + 1e-300) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!sheet.rim[k][i]) continue;
-      const Vec3 &a = t[i], along = t[(i + 1) % 3] - a;
-      if (along.cross(foot - a).squaredNorm() <= 1e-18 * along.squaredNorm() * along.squaredNorm()) return 0;
-    }
+    if (isOnRim(t, sheet.rim[k], foot)) return 0;
     const double height = (p - foot).dot((t[1] - t[0]).cross(t[2] - t[0]).normalized());
     if (std::abs(height) > best) best = std::abs(height), result = std::copysign(std::sqrt(least), height);
   }
@@ -236,10 +216,12 @@ double distanceFrom(const LocalSheet& sheet, const Vec3& p) {
 
 /// The lesser of how far points reach on either side of a sheet.
 double reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, const Progress& progress) {
+  constexpr std::size_t enough = 400;
+  const std::size_t stride = points.size() / enough + 1;
   double above = 0, below = 0;
-  for (const Vec3& p : points) {
+  for (std::size_t k = 0; k < points.size(); k += stride) {
     progress.check();
-    const double d = distanceFrom(sheet, p);
+    const double d = distanceFrom(sheet, points[k]);
     above = std::max(above, d);
     below = std::max(below, -d);
   }
@@ -248,10 +230,10 @@ double reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, co
 
 }  // namespace
 
-Passage passageAt(const SheetMesh& mesh, const SmoothSheets& smooth, const SheetMeeting& meeting, double radius,
+Passage passageAt(const SheetMesh& mesh, const SmoothSheets& smooth, const SheetMeeting& meeting, double radius, double off,
                   const Progress& progress) {
   Ball ball(mesh, smooth, meeting.point, radius);
-  ball.divide(radius / 4, progress);
+  ball.divide(radius / 4, off, progress);
   Sheets sheets(ball);
   const double slack = radius / 16;
   const auto first = sheets.triangleAt(meeting.first, meeting.point, slack);

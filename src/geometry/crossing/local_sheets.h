@@ -16,10 +16,11 @@ struct Passage {
 };
 
 /// Judges a meeting in a ball around it. The triangles there are divided on the smooth faces until their sides are a quarter
-/// of the radius; what hangs together over their sides is a sheet. Of the points of one sheet those count whose nearest
-/// point of the other is not on its rim. So what ends at a sheet, lies against it or passes beside it has no depth: a sheet
-/// that has points on both sides of another has passed through it. O(triangles in the ball, squared).
+/// of the radius and within `off` of the face; what hangs together over their sides is a sheet. Of the points of one sheet
+/// those count whose nearest point of the other is not on its rim. So what ends at a sheet, lies against it or passes beside
+/// it has no depth: a sheet that has points on both sides of another has passed through it. O(n log n) in the triangles of
+/// the ball.
 /// @throws Error Cancelled
-Passage passageAt(const SheetMesh&, const SmoothSheets&, const SheetMeeting&, double radius, const Progress&);
+Passage passageAt(const SheetMesh&, const SmoothSheets&, const SheetMeeting&, double radius, double off, const Progress&);
 
 }  // namespace blossom

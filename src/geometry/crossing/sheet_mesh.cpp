@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/crossing/divided_triangles.h"
 #include "geometry/numeric/box_tree.h"
 #include "geometry/numeric/union_find.h"
 #include "geometry/tessellate/brep_mesher.h"
@@ -171,6 +172,18 @@ class GridBlocks {
   SheetMesh mesh_;
 };
 
+/// Halves sides that are farther than the chord from the smooth faces.
+void refine(SheetMesh& mesh, const SmoothSheets& sheets, double chord, const Progress& progress) {
+  constexpr int rounds = 3;
+  const auto isOff = [&](const Vec3& p, const Vec3& q, const Vec3& middle) {
+    return (q - p).cross(middle - p).squaredNorm() > chord * chord * (q - p).squaredNorm();
+  };
+  for (int round = 0; round < rounds; ++round) {
+    progress.check();
+    if (!divideOnce(mesh.points, mesh.triangles, sheets, isOff)) return;
+  }
+}
+
 /// Puts the triangles in the order of a tree of boxes and makes a block of each of its leaves.
 void blocksOfLeaves(SheetMesh& mesh, const Progress& progress) {
   std::vector<Box3> boxes;
@@ -221,9 +234,9 @@ SheetMesh sheetMesh(const Surface& surface, double chord, const Progress& progre
 }
 
 SheetMesh sheetMesh(const TopoDS_Shape& shape, double chord, const Progress& progress) {
+  constexpr double coarser = 2.5;  // OCCT's own mesh: halving its sides is far cheaper than a fine one
   PointOrigins origins;
-  const TessellationOptions options{.chord = chord, .angle = anglesOfSheets};
-  const Tessellation made = meshShape(shape, options, progress, &origins);
+  const Tessellation made = meshShape(shape, {.chord = coarser * chord, .angle = anglesOfSheets}, progress, &origins);
   SheetMesh mesh;
   mesh.points = made.points;
   setSize(mesh);
@@ -238,6 +251,7 @@ SheetMesh sheetMesh(const TopoDS_Shape& shape, double chord, const Progress& pro
     }
   }
   std::erase_if(mesh.triangles, isWithoutArea);
+  refine(mesh, SmoothSheets(shape), chord, progress);
   blocksOfLeaves(mesh, progress);
   return mesh;
 }

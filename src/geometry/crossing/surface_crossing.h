@@ -27,7 +27,7 @@ struct CrossingResult {
   std::size_t triangles = 0, pairs = 0, meetings = 0;  ///< searched, found to meet, and confirmed on the smooth surface
 };
 
-/// Whether a smooth surface crosses itself. Its triangles, within a tenth of the depth, are searched for pairs that meet
+/// Whether a smooth surface crosses itself. Its triangles, within two fifths of the depth, are searched for pairs that meet
 /// (geometry/crossing/triangle_pairs.h); Newton's method on the smooth sheets leaves only pairs that meet on these as well,
 /// at an angle (geometry/crossing/smooth_sheets.h); and around such a place one sheet must have points on both sides of the
 /// other (geometry/crossing/local_sheets.h). So triangles of a thin wall that cross, tangency, seams, poles and parts that

@@ -13,6 +13,7 @@ constexpr std::size_t highestTried = 200, othersTried = 200;  ///< pairs on whic
 constexpr int placesExamined = 20, placesAfterTheFirst = 2;
 constexpr double leastSine = 2e-3;  ///< of the angle between sheets that cross
 constexpr int radii = 9;
+constexpr double deepEnough = 8;  ///< times the depth that is looked for: no wider ball is asked
 constexpr double firstRadius = 0.25, shareOfDepth = 0.3, offOfDepth = 0.05;  ///< of the depth that is looked for
 
 /// The greatest heights, and some evenly chosen among the rest: artefacts of a thin wall may be many.
@@ -86,7 +87,7 @@ class Examiner {
   [[nodiscard]] double depthAt(const SheetMeeting& meeting) const {
     double depth = 0, radius = firstRadius * depth_;
     int worse = 0;
-    for (int k = 0; k < radii && worse < 2; ++k, radius *= 2) {
+    for (int k = 0; k < radii && worse < 2 && depth < deepEnough * depth_; ++k, radius *= 2) {
       const Passage passage = passageAt(mesh_, sheets_, meeting, radius, offOfDepth * depth_, progress_);
       if (!passage.apart) break;
       if (passage.depth >= std::min(0.25 * radius, shareOfDepth * depth_) && passage.depth > depth)

@@ -40,7 +40,7 @@ void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
 }
 
 void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
-  constexpr double small = 1e-3;  // of the largest
+  constexpr double small = 1e-6;  // of the largest
   const SmallestWeight smallest = smallestProductWeight(motion, progress);
   out.stats["min_weight_at"] = listOf(Vec2(smallest.u, smallest.v));
   out.stats["min_weight_place"] = listOf(smallest.place);
@@ -77,7 +77,7 @@ void addDeviation(const Motion& motion, const Surface& surface, std::optional<do
 void addAllButCrossing(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
                        const Progress& progress) {
   addNormal(motion, out, progress);
-  addWeight(motion, out, progress);
+  if (!deviation) addWeight(motion, out, progress);  // a cubic surface has no weights
   addDeviation(motion, surface, deviation, out, progress);
 }
 

@@ -13,7 +13,8 @@ namespace blossom::sweep {
 /// stats `min_normal`, `min_normal_at` (u, v), `min_normal_place` (mm), `min_weight_at`, `min_weight_place`, and of a
 /// crossing `crossing_place`, `crossing_first_at`, `crossing_second_at`; a warning with place, cause and remedy for each of
 /// what is wrong.
-/// @param surface of the result  @param deviation mm, of the surface from the motion, where it is known
+/// @param surface of the result  @param deviation mm, of a cubic surface from the motion, measured when it was made; else it
+/// is measured here, and the surface is the rational one with weights
 /// @throws Error Cancelled
 void addValidity(const Motion&, const Surface& surface, std::optional<double> deviation, Evaluated&, const Progress&);
 

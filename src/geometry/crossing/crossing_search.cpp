@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t highestTried = 200, othersTried = 200;  ///< pairs on which Newton's method begins
 constexpr int placesExamined = 20, placesAfterTheFirst = 2;
-constexpr double leastSine = 2e-3;  ///< of the angle between sheets that cross
-constexpr int radii = 9;
-constexpr double deepEnough = 8;  ///< times the depth that is looked for: no wider ball is asked
+constexpr double leastSine = 2e-3;   ///< of the angle between sheets that cross
+constexpr double shareOfSize = 0.3;  ///< the widest ball
+constexpr double deepEnough = 8;     ///< times the depth that is looked for: no wider ball is asked
 constexpr double firstRadius = 0.25, shareOfDepth = 0.3, offOfDepth = 0.05;  ///< of the depth that is looked for
 
 /// The greatest heights, and some evenly chosen among the rest: artefacts of a thin wall may be many.
@@ -83,14 +83,17 @@ class Examiner {
                        [&](const Vec3& other) { return (other - point).norm() < near * depth_; });
   }
 
-  /// In balls that grow as long as there are two sheets in them; 0 when the sheets do not pass through each other.
+  /// In balls that grow as long as there are two sheets in them; 0 when the sheets do not pass through each other. They
+  /// begin where sheets at that angle could be told apart, and end where sheets that pass through each other would have
+  /// shown it.
   [[nodiscard]] double depthAt(const SheetMeeting& meeting) const {
-    double depth = 0, radius = firstRadius * depth_;
-    int worse = 0;
-    for (int k = 0; k < radii && worse < 2 && depth < deepEnough * depth_; ++k, radius *= 2) {
+    const double needed = shareOfDepth * depth_;
+    const double widest = std::min(shareOfSize * mesh_.size, 8 * depth_ / meeting.sine);
+    double depth = 0, radius = std::max(firstRadius * depth_, needed / (2 * meeting.sine));
+    for (int worse = 0; radius <= widest && worse < 2 && depth < deepEnough * depth_; radius *= 2) {
       const Passage passage = passageAt(mesh_, sheets_, meeting, radius, offOfDepth * depth_, progress_);
       if (!passage.apart) break;
-      if (passage.depth >= std::min(0.25 * radius, shareOfDepth * depth_) && passage.depth > depth)
+      if (passage.depth >= std::min(0.25 * radius, needed) && passage.depth > depth)
         depth = passage.depth, worse = 0;
       else if (depth > 0)
         ++worse;

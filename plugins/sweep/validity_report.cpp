@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/error.h"
 #include "core/place_text.h"
 #include "core/units.h"
 #include "geometry/crossing/surface_crossing.h"
@@ -52,7 +53,15 @@ void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
 }
 
 void addCrossing(const Motion& motion, const Surface& surface, Evaluated& out, const Progress& progress) {
-  const CrossingResult found = findCrossing(surface, {}, progress);
+  CrossingResult found;
+  try {
+    found = findCrossing(surface, {}, progress);
+  } catch (const Error& error) {
+    // A surface that needs too many triangles, say, is not refused for that.
+    if (error.code() == ErrorCode::Cancelled) throw;
+    out.warnings.push_back("Whether the surface crosses itself could not be tested: " + error.message());
+    return;
+  }
   out.figures.push_back({"crosses_itself", found.deepest.has_value()});
   if (!found.deepest) return;
   const SurfaceCrossing& crossing = *found.deepest;

@@ -10,10 +10,11 @@ namespace blossom {
 namespace {
 
 constexpr std::size_t highestTried = 200, othersTried = 200;  ///< pairs on which Newton's method begins
-constexpr int placesExamined = 20, placesAfterTheFirst = 2;
-constexpr double leastSine = 2e-3;   ///< of the angle between sheets that cross
-constexpr double shareOfSize = 0.3;  ///< the widest ball
-constexpr double deepEnough = 8;     ///< times the depth that is looked for: no wider ball is asked
+constexpr int placesExamined = 20, placesAfterTheFirst = 2;   ///< of two sheets
+constexpr std::size_t placesTried = 80;                       ///< those of one sheet included
+constexpr double leastSine = 2e-3;                            ///< of the angle between sheets that cross
+constexpr double shareOfSize = 0.3;                           ///< the widest ball
+constexpr double deepEnough = 8;                              ///< times the depth that is looked for: no wider ball is asked
 constexpr double firstRadius = 0.25, shareOfDepth = 0.3, offOfDepth = 0.05;  ///< of the depth that is looked for
 
 /// The greatest heights, and some evenly chosen among the rest: artefacts of a thin wall may be many.
@@ -52,18 +53,18 @@ class Examiner {
     result.pairs = found.pairs.size();
     int left = placesExamined;
     for (const TrianglePair& pair : pairsChosen(found.pairs)) {
-      if (left == 0) break;
+      if (left == 0 || examined_.size() == placesTried) break;
       progress_.check();
       const auto meeting = meetingOf(pair);
       if (!meeting || meeting->sine < leastSine || wasExamined(meeting->point, result.deepest ? 10 : firstRadius)) continue;
       ++result.meetings;
       examined_.push_back(meeting->point);
-      --left;
-      const double depth = depthAt(*meeting);
-      if (depth <= 0) continue;
+      const std::optional<double> depth = depthAt(*meeting);
+      if (depth) --left;
+      if (depth.value_or(0) <= 0) continue;
       if (!result.deepest) left = std::min(left, placesAfterTheFirst);
-      if (!result.deepest || depth > result.deepest->depth)
-        result.deepest = SurfaceCrossing{meeting->point, meeting->first, meeting->second, depth};
+      if (!result.deepest || *depth > result.deepest->depth)
+        result.deepest = SurfaceCrossing{meeting->point, meeting->first, meeting->second, *depth};
     }
     return result;
   }
@@ -86,19 +87,21 @@ class Examiner {
   /// In balls that grow as long as there are two sheets in them; 0 when the sheets do not pass through each other. They
   /// begin where sheets at that angle could be told apart, and end where sheets that pass through each other would have
   /// shown it.
-  [[nodiscard]] double depthAt(const SheetMeeting& meeting) const {
+  [[nodiscard]] std::optional<double> depthAt(const SheetMeeting& meeting) const {
     const double needed = shareOfDepth * depth_;
     const double widest = std::min(shareOfSize * mesh_.size, 8 * depth_ / meeting.sine);
+    std::optional<double> found;
     double depth = 0, radius = std::max(firstRadius * depth_, needed / (2 * meeting.sine));
     for (int worse = 0; radius <= widest && worse < 2 && depth < deepEnough * depth_; radius *= 2) {
       const Passage passage = passageAt(mesh_, sheets_, meeting, radius, offOfDepth * depth_, progress_);
       if (!passage.apart) break;
+      found = depth;
       if (passage.depth >= std::min(0.25 * radius, needed) && passage.depth > depth)
         depth = passage.depth, worse = 0;
       else if (depth > 0)
         ++worse;
     }
-    return depth;
+    return found ? std::optional(depth) : std::nullopt;
   }
 
   const SheetMesh& mesh_;

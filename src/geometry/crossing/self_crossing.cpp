@@ -16,6 +16,9 @@ namespace {
 /// Pairs around which winding numbers are asked for, evenly chosen.
 constexpr std::size_t pairsTried = 16;
 
+/// Shorter than 1, along no plane that a drawing is likely to have.
+const Vec3 oblique(0.4391, 0.5273, 0.3617);
+
 std::vector<Triangle3> trianglesOf(const SheetMesh& mesh) {
   std::vector<Triangle3> triangles;
   triangles.reserve(mesh.triangles.size());
@@ -41,8 +44,8 @@ class Around {
         progress_.check();
         if (!(way.norm() > 1e-3)) continue;
         const Vec3 beside = pair.place + step * way.normalized();
-        const int winding = field_.at(beside);
-        if (winding != 0 && winding != 1 && distanceTo(beside) > 2 * chord_) return true;
+        if (isWrong(beside - chord_ * oblique) && isWrong(beside + chord_ * oblique) && distanceTo(beside) > 2 * chord_)
+          return true;
       }
     return false;
   }
@@ -55,6 +58,11 @@ class Around {
   }
 
  private:
+  /// Asked for on either side of a place: rays from one of symmetry may run along seams.
+  [[nodiscard]] bool isWrong(const Vec3& p) const {
+    const int winding = field_.at(p);
+    return winding != 0 && winding != 1;
+  }
   [[nodiscard]] Triangle3 at(std::uint32_t triangle) const { return mesh_.at(mesh_.triangles[triangle]); }
   [[nodiscard]] double distanceTo(const Vec3& p) const {
     return tree_.closest(TriangleTree({Triangle3{p, p, p}}), progress_).distance();

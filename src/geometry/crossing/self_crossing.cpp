@@ -16,9 +16,6 @@ namespace {
 /// Pairs around which winding numbers are asked for, evenly chosen.
 constexpr std::size_t pairsTried = 16;
 
-/// Shorter than 1, along no plane that a drawing is likely to have.
-const Vec3 oblique(0.4391, 0.5273, 0.3617);
-
 std::vector<Triangle3> trianglesOf(const SheetMesh& mesh) {
   std::vector<Triangle3> triangles;
   triangles.reserve(mesh.triangles.size());
@@ -38,14 +35,14 @@ class Around {
   /// Around a crossing one of the four wedges between the two sheets is.
   [[nodiscard]] bool isEnclosedWrongly(const TrianglePair& pair) const {
     const Vec3 n = unitNormalOf(at(pair.first)), m = unitNormalOf(at(pair.second));
+    const Vec3 aside = chord_ * Vec3(0.4391, 0.5273, 0.3617);  // along no plane that a drawing is likely to have
     const std::array<Vec3, 6> ways{n + m, -n - m, n - m, m - n, n.cross(m).cross(n), n};
     for (double step = 4 * chord_; step < mesh_.size / 4; step *= 4)
       for (const Vec3& way : ways) {
         progress_.check();
         if (!(way.norm() > 1e-3)) continue;
         const Vec3 beside = pair.place + step * way.normalized();
-        if (isWrong(beside - chord_ * oblique) && isWrong(beside + chord_ * oblique) && distanceTo(beside) > 2 * chord_)
-          return true;
+        if (isWrong(beside - aside) && isWrong(beside + aside) && distanceTo(beside) > 2 * chord_) return true;
       }
     return false;
   }

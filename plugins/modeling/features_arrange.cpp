@@ -6,7 +6,9 @@
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
 #include "kernel/parts/boolean.h"
+#include "kernel/parts/crossing_warning.h"
 #include "kernel/parts/placement.h"
+#include "kernel/parts/shape_parts.h"
 #include "kernel/solid/arrange.h"
 
 namespace blossom::modeling {
@@ -88,6 +90,18 @@ bool joinsSolids(const Value& parameters, const Inputs& inputs) {
   return parameters.value("join", false) && inputs.of(0)[0].kind() == ShapeKind::Brep;
 }
 
+/// Tells of copies that hold the same space and stay separate. Those compared with all others stand at the corners of a row.
+void tellOverlaps(const std::vector<Shape>& copies, const std::vector<std::size_t>& compared, Evaluated& out,
+                  const Progress& progress) {
+  std::vector<TopoDS_Shape> solids;
+  for (const Shape& copy : copies) {
+    const Brep* brep = copy.get<Brep>();
+    if (!brep || subShapesOf(brep->shape(), TopAbs_SOLID).empty()) return;
+    solids.push_back(brep->shape());
+  }
+  warnOfOverlap(solids, compared, out.warnings, progress);
+}
+
 enum class PatternKind { Linear, Circular };
 
 struct PatternParameters {
@@ -140,7 +154,11 @@ Evaluated patternOf(const PatternParameters& p, const Inputs& inputs, const Prog
     progress.check();
     copies.push_back(copies.empty() ? inputs.of(0)[0] : transformed(inputs.of(0)[0], map));
   }
-  return {assembled(copies, p.join && copies.size() > 1, progress), {{"copies", maps.size()}}, {}};
+  const bool join = p.join && copies.size() > 1;
+  Evaluated out{assembled(copies, join, progress), {{"copies", maps.size()}}, {}};
+  if (!join)
+    tellOverlaps(copies, {0, p.kind == PatternKind::Linear ? static_cast<std::size_t>(p.count) - 1 : 0}, out, progress);
+  return out;
 }
 
 FeatureType patternFeature() {
@@ -199,7 +217,9 @@ FeatureType mirrorFeature() {
           .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
             const Shape& shape = inputs.of(0)[0];
             const Shape image = transformed(shape, reflection(p.point, p.normal));
-            return Evaluated{p.keep ? assembled({shape, image}, p.join, progress) : image, Value::object(), {}};
+            Evaluated out{p.keep ? assembled({shape, image}, p.join, progress) : image, Value::object(), {}};
+            if (p.keep && !p.join) tellOverlaps({shape, image}, {0}, out, progress);
+            return out;
           }),
       {.activity = "for the mirror image", .when = joinsSolids});
 }

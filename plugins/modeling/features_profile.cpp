@@ -115,7 +115,8 @@ FeatureType revolveFeature() {
                       .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
                         const TopoDS_Shape profile = profileShape(inputs.of(0)[0], p.face, p.solid);
                         const RevolveOptions options{.point = p.point, .direction = p.axis, .angle = p.angle};
-                        return Evaluated{Brep(revolve(profile, options, progress).shape, "Revolution"), Value::object(), {}};
+                        RevolveResult made = revolve(profile, options, progress);
+                        return Evaluated{Brep(made.shape, "Revolution"), Value::object(), std::move(made.warnings)};
                       }),
                   {.activity = "for the revolution"});
 }
@@ -178,8 +179,8 @@ FeatureType loftFeature() {
           .example("blossom loft base.svg top.svg --spacing 40 -o adapter.step")
           .example("blossom loft a.dxf b.dxf c.dxf --heights 0,15,40 --ruled -o duct.step")
           .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
-            const LoftResult made = loft(sectionsOf(p, inputs.of(0)), {.ruled = p.ruled, .solid = p.solid}, progress);
-            return Evaluated{Brep(made.shape, "Loft"), {{"sections", inputs.of(0).size()}}, {}};
+            LoftResult made = loft(sectionsOf(p, inputs.of(0)), {.ruled = p.ruled, .solid = p.solid}, progress);
+            return Evaluated{Brep(made.shape, "Loft"), {{"sections", inputs.of(0).size()}}, std::move(made.warnings)};
           }),
       {.activity = "for the loft"});
 }

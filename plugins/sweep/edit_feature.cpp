@@ -18,6 +18,8 @@ ParameterSpec fieldOf(const char* name, ParameterSpec spec, const char* help) {
   return spec;
 }
 
+ParameterSpec editLevel() { return count(coarsestLevel, finestLevel); }
+
 ParameterSpec placeRecord() {
   return record({fieldOf("u", number(), "Parameter around the surface."), fieldOf("v", number(), "Parameter along it.")});
 }

@@ -14,6 +14,11 @@ InputSpec motionToEdit();
 ParameterSpec placeRecord();
 std::vector<MotionPlace> placesOf(const std::vector<Value>& records);
 
+/// How wide a part the edit changes, and what a user reads of it.
+ParameterSpec editLevel();
+inline constexpr const char* editLevelHelp =
+    "How wide a part changes: 0 the spans of the motion, above it finer ones, below it coarser ones.";
+
 /// A named field of a record.
 ParameterSpec fieldOf(const char* name, ParameterSpec, const char* help);
 

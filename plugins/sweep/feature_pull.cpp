@@ -11,6 +11,7 @@ struct PullParameters {
   std::vector<Value> pins;
   int fold = 1;
   bool mirror = false;
+  int level = 0;
   Vec3 axis = Vec3::Zero();
 };
 
@@ -25,6 +26,7 @@ Evaluated pullEvaluate(const PullParameters& p, const Inputs& inputs, const Prog
   edit.axis = p.axis;
   edit.pins = placesOf(p.pins);
   edit.symmetry = {p.fold, p.mirror};
+  edit.level = p.level;
   return evaluatedEdit(inputs, edit, progress);
 }
 
@@ -53,10 +55,13 @@ FeatureType pullFeature() {
       .parameter("pins", &P::pins, list(placeRecord()), "Places that stay where they are.")
       .parameter("fold", &P::fold, count(1, 360), "How many times the pull is repeated around the motion.")
       .parameter("mirror", &P::mirror, flag(), "Repeat it mirrored, with u reversed.")
+      .parameter("level", &P::level, editLevel(), editLevelHelp)
       .parameter("axis", &P::axis, vector(), "Axis for a turn to the opposite side; 0,0,0 for none.")
       .example(R"(blossom sweep-pull cylinder.json --pulls '[{"u": 0.125, "v": 0.5, "to": [30, 30, 20]}]' -o pulled.json)")
       .example(
           R"(blossom sweep-pull cylinder.json --pulls '[{"u": 0.125, "v": 0.5, "to": [30, 30, 20]}]' --fold 4 -o blades.json)")
+      .example(
+          R"(blossom sweep-pull cylinder.json --pulls '[{"u": 0.125, "v": 0.5, "to": [14, 14, 20]}]' --level 2 -o spike.json)")
       .evaluate(pullEvaluate);
 }
 

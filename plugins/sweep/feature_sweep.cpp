@@ -1,13 +1,10 @@
-#include <fmt/format.h>
-
-#include "core/units.h"
 #include "feature_types.h"
 #include "isolate/in_worker.h"
 #include "kernel/cubic_approximation.h"
 #include "kernel/edit/apply_edits.h"
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
-#include "kernel/validity.h"
+#include "validity_report.h"
 
 namespace blossom::sweep {
 
@@ -62,13 +59,10 @@ Surface cubicSurface(const Motion& motion, double tolerance, Evaluated& out, con
   return cubic.surface;
 }
 
-void addValidity(const Motion& motion, Evaluated& out, const Progress& progress) {
-  const Validity validity = examine(motion, progress);
-  out.stats["min_normal"] = validity.smallestNormal;
-  if (validity.smallestShare < 1e-6)
-    out.warnings.push_back(
-        fmt::format("The surface has no normal near u = {}, v = {}: it runs into a point or folds over there.",
-                    formatNumber(validity.u), formatNumber(validity.v)));
+/// That of a cubic surface, which has been measured when it was made.
+std::optional<double> measuredDeviation(const Evaluated& out) {
+  const auto found = out.stats.find("deviation");
+  return found == out.stats.end() ? std::nullopt : std::optional(found->get<double>());
 }
 
 Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& progress) {
@@ -82,16 +76,18 @@ Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& 
   const Progress making = progress.part(0.05, p.solid ? 0.5 : 0.8);
   const Surface surface =
       p.mode == Mode::Exact ? exactSurface(motion, out, making) : cubicSurface(motion, p.tolerance, out, making);
-  addValidity(motion, out, progress);
   if (!p.solid) {
+    addValidity(motion, surface, measuredDeviation(out), out, progress.part(0.8, 1));
     out.shape = surface;
     return out;
   }
+  // The solid is refused where it crosses itself, with the place.
   progress.report(0.55, "Closing the solid");
   const SolidResult solid = makeSolid(surface, progress.part(0.55, 0.95));
   out.stats["caps"] = Value::array({capName(solid.start), capName(solid.end)});
   if (solid.start == EndCap::Cone || solid.end == EndCap::Cone)
     out.warnings.push_back("An end of the sweep is not planar; it is closed by straight lines to its centre.");
+  addValidityOfSolid(motion, surface, measuredDeviation(out), out, progress.part(0.95, 1));
   out.shape = Brep(solid.solid);
   return out;
 }

@@ -12,10 +12,11 @@ struct TwistParameters {
   std::vector<Value> pins;
   int fold = 1;
   bool mirror = false;
+  int level = 0;
 };
 
 Evaluated twistEvaluate(const TwistParameters& p, const Inputs& inputs, const Progress& progress) {
-  const MotionTwist edit{placesOf(p.places), p.axis, p.angle, placesOf(p.pins), {p.fold, p.mirror}};
+  const MotionTwist edit{placesOf(p.places), p.axis, p.angle, placesOf(p.pins), {p.fold, p.mirror}, p.level};
   return evaluatedEdit(inputs, edit, progress);
 }
 
@@ -33,6 +34,7 @@ FeatureType twistFeature() {
       .parameter("pins", &P::pins, list(placeRecord()), "Places that stay as they are.")
       .parameter("fold", &P::fold, count(1, 360), "How many times the twist is repeated around the motion.")
       .parameter("mirror", &P::mirror, flag(), "Repeat it mirrored, with u reversed.")
+      .parameter("level", &P::level, editLevel(), editLevelHelp)
       .example(
           R"(blossom sweep-twist cylinder.json --places '[{"u": 0.125, "v": 0.5}]' --axis 1,1,0 --angle 40 -o twisted.json)")
       .evaluate(twistEvaluate);

@@ -32,6 +32,7 @@ MotionEdit toMotionEdit(const Value& v) {
     edit.axis = toVector<Vec3>(v.at("axis"));
     edit.pins = toPlaces(v.at("pins"));
     edit.symmetry = {v.at("fold").get<int>(), v.at("mirror").get<bool>()};
+    edit.level = v.at("level").get<int>();
     return edit;
   };
   if (v.contains("angle")) {
@@ -58,6 +59,7 @@ Value motionEditsValue(const std::vector<MotionEdit>& edits) {
           v["pins"] = placesValue(edit.pins);
           v["fold"] = edit.symmetry.fold;
           v["mirror"] = edit.symmetry.mirror;
+          v["level"] = edit.level;
           return v;
         },
         each));

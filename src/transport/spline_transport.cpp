@@ -18,16 +18,34 @@ Surface toSurface(const Value& v) {
           toVectors<Vec4>(v.at(4))};
 }
 
+namespace {
+
+std::optional<BaseKnots> toBase(const Value& v) {
+  if (v.is_null()) return std::nullopt;
+  const auto knots = [&](const char* factor) { return v.at(factor).get<std::array<std::vector<double>, 2>>(); };
+  return BaseKnots{v.at("trajectory").get<std::vector<double>>(), knots("orientation"), knots("scaling")};
+}
+
+}  // namespace
+
 Value motionValue(const Motion& m) {
-  return {{"trajectory", curveValue(m.trajectory)}, {"orientation", surfaceValue(m.orientation)},
-          {"scaling", surfaceValue(m.scaling)},     {"closed_u", static_cast<int>(m.closedU)},
-          {"point", vectorValue(m.point)},          {"edits", motionEditsValue(m.edits)}};
+  Value value{{"trajectory", curveValue(m.trajectory)},
+              {"orientation", surfaceValue(m.orientation)},
+              {"scaling", surfaceValue(m.scaling)},
+              {"closed_u", static_cast<int>(m.closedU)},
+              {"point", vectorValue(m.point)},
+              {"edits", motionEditsValue(m.edits)},
+              {"base", nullptr}};
+  if (m.base)
+    value["base"] = {{"trajectory", m.base->trajectory}, {"orientation", m.base->orientation}, {"scaling", m.base->scaling}};
+  return value;
 }
 
 Motion toMotion(const Value& v) {
   return {toCurve(v.at("trajectory")),   toSurface(v.at("orientation")),
           toSurface(v.at("scaling")),    static_cast<ClosedU>(v.at("closed_u").get<int>()),
-          toVector<Vec3>(v.at("point")), toMotionEdits(v.at("edits"))};
+          toVector<Vec3>(v.at("point")), toMotionEdits(v.at("edits")),
+          toBase(v.at("base"))};
 }
 
 }  // namespace blossom

@@ -24,11 +24,12 @@ MotionEdit randomEdit(Random& random) {
   for (int i = uniformInt(random, 1, 3); i > 0; --i) at.push_back(place());
   for (int i = uniformInt(random, 0, 2); i > 0; --i) pins.push_back(place());
   const EditSymmetry symmetry{uniformInt(random, 1, 4), uniformInt(random, 0, 1) == 1};
-  if (uniformInt(random, 0, 1)) return MotionTwist{at, vector(), uniform(random, -360, 360), pins, symmetry};
+  const int level = uniformInt(random, coarsestLevel, finestLevel);
+  if (uniformInt(random, 0, 1)) return MotionTwist{at, vector(), uniform(random, -360, 360), pins, symmetry, level};
   MotionPull pull{at, {}, {uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)}};
   for (std::size_t i = 0; i < at.size(); ++i) pull.to.push_back(vector());
   if (uniformInt(random, 0, 1)) pull.axis = vector();
-  pull.pins = pins, pull.symmetry = symmetry;
+  pull.pins = pins, pull.symmetry = symmetry, pull.level = level;
   return pull;
 }
 
@@ -125,6 +126,48 @@ class SweepEditsTest : public QObject {
                   "true or false");
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "pins": [[1]]}])", "edits[0].pins[0]", "[u, v]");
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 1e12]}])", "edits[0].to[2]", "1e9");
+  }
+
+  void levelsSurviveTheirFile() {
+    Motion motion = readEdited(Value::parse(R"([{"at": [0.3, 0.4], "to": [3, 12, 16], "level": 2}])"));
+    QCOMPARE(std::get<MotionPull>(motion.edits.at(0)).level, 2);
+    const Motion applied = withEditsApplied(motion);
+    QVERIFY(applied.base && applied.scaling.countU() > motion.scaling.countU());
+    QVERIFY((evaluate(applied, 0.3, 0.4).point - Vec3(3, 12, 16)).norm() < 1e-11);
+    QVERIFY(written(applied) == applied);
+    const Shape sent = loadShape(saveShape(applied, folder_.path(), "refined"), folder_.path());
+    QVERIFY(*sent.get<Motion>() == applied);
+    // The same by a feature.
+    const Motion plain = readEdited(Value::array());
+    const Value pulls = Value::parse(R"([{"u": 0.3, "v": 0.4, "to": [3, 12, 16]}])");
+    const Evaluated out = evaluated("sweep.pull", {{"pulls", pulls}, {"level", 2}}, plain);
+    QVERIFY(*out.shape.get<Motion>() == applied);
+    VERIFY_ERROR(evaluated("sweep.pull", {{"pulls", pulls}, {"level", 9}}, plain), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(evaluated("sweep.twist", {{"level", -9}}, plain), ErrorCode::InvalidParameter);
+    expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "level": 1.5}])", "edits[0].level", "whole number");
+    expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "level": 9}])", "edits[0].level", "between -8 and 8");
+    expectDamaged(R"([{"at": [0, 0], "twist": {"axis": [0, 0, 1], "angle": 3}, "level": "fine"}])", "edits[0].level",
+                  "whole number");
+  }
+
+  void wrongBaseKnotsAreNamed() {
+    const auto error = [&](const char* base) {
+      Value json = Value::parse(readFile(sample("cylinder.json")));
+      json["base"] = Value::parse(base);
+      const auto path = folder_.path() / "base.json";
+      std::ofstream(path, std::ios::binary) << json.dump();
+      return errorOf([&] { (void)format_.read(path, Value::object(), Progress::none()); });
+    };
+    const auto names = [&](const char* base, const char* place) {
+      const Error found = error(base);
+      QVERIFY2(found.code() == ErrorCode::FormatDamaged && found.message().starts_with(place), found.what());
+    };
+    names(R"({"trajectory": [], "orientation": [[], []]})", "base.scaling is missing");
+    names(R"({"trajectory": [0.123], "orientation": [[], []], "scaling": [[], []]})", "base.trajectory[0] must be one of");
+    names(R"({"trajectory": [], "orientation": [[0.5, 0.5], []], "scaling": [[], []]})", "base.orientation[0][1] must be");
+    names(R"({"trajectory": [], "orientation": [[], []], "scaling": [[], [1]]})", "base.scaling[1][0] must be");
+    names(R"({"trajectory": [], "orientation": [[], []], "scaling": [[]]})", "base.scaling must be two lists");
+    QVERIFY(error(R"({"trajectory": [], "orientation": [[0.5], []], "scaling": [[], []]})").code() == ErrorCode::Internal);
   }
 
   void editsAreAppliedInOrder() {

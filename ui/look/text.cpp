@@ -108,6 +108,10 @@ namespace {
 QString englishLabel(const std::string& name) {
   static const std::map<std::string, QString> labels{{"min_weight", QStringLiteral("Smallest weight")},
                                                      {"deviation", QStringLiteral("Largest deviation")},
+                                                     {"export_deviation", QStringLiteral("Off the motion")},
+                                                     {"crosses_itself", QStringLiteral("Crosses itself")},
+                                                     {"crossing_depth", QStringLiteral("Depth of the crossing")},
+                                                     {"min_normal", QStringLiteral("Smallest |xu × xv|")},
                                                      {"closed_u", QStringLiteral("Closing in u")},
                                                      {"entities", QStringLiteral("In the file")},
                                                      {"caps", QStringLiteral("Ends")},
@@ -141,7 +145,9 @@ Value shownStat(const std::string& name, const Value& value) {
 }
 
 bool worthReading(const std::string& name, const Value& value) {
-  static const std::set<std::string> technical{"min_normal"};
+  static const std::set<std::string> technical{"min_normal_at",     "min_normal_place", "min_weight_at",
+                                               "min_weight_place",  "crossing_place",   "crossing_first_at",
+                                               "crossing_second_at"};
   const bool nothing = (value.is_structured() && value.empty()) || value.is_null() ||
                        (name == "refinements" && value.is_number() && value.get<double>() == 0);
   return !nothing && !technical.contains(name);

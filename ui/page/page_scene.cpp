@@ -133,7 +133,8 @@ PageScene::Props PageScene::overlayOf(const FeatureId& id, const Look& look) con
     if (!shown) return {};
     inputs.push_back(shown->result->evaluated.shape);
   }
-  return (*overlay)({feature, inputs, view->result->evaluated.shape, look});
+  const Evaluated& made = view->result->evaluated;
+  return (*overlay)({feature, inputs, made.shape, look, made.stats});
 }
 
 }  // namespace blossom::ui

@@ -33,6 +33,7 @@ struct OverlayContext {
   const std::vector<Shape>& inputs;  ///< results of the feature's inputs, in order
   const Shape& result;
   const Look& look;
+  const Value& stats;  ///< of the result's computation
 };
 using Overlay = std::function<std::vector<vtkSmartPointer<vtkProp>>(const OverlayContext&)>;
 

@@ -25,8 +25,8 @@
 
 #include "core/error.h"
 #include "core/place_text.h"
+#include "geometry/crossing/self_crossing.h"
 #include "geometry/occt/occt.h"
-#include "geometry/tessellate/self_crossing.h"
 
 namespace blossom::sweep {
 

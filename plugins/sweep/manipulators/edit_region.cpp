@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "geometry/bspline/bspline.h"
+#include "kernel/edit/edit_level.h"
 #include "kernel/edit/motion_symmetry.h"
+#include "kernel/edit/place_row.h"
 #include "kernel/edit/seam_v.h"
 #include "manipulators/place_under_mouse.h"
 
@@ -43,12 +45,6 @@ void addLine(const Motion& motion, MotionPlace from, MotionPlace to, const Vec3&
   addLine(points, towards, side, lines);
 }
 
-/// The knots at which the basis functions begin and end that are not 0 at t.
-std::pair<double, double> reach(int degree, const std::vector<double>& knots, double t) {
-  const std::size_t span = findSpan(degree, knots, t), p = static_cast<std::size_t>(degree);
-  return {knots[span - p], knots[span + p + 1]};
-}
-
 void widen(std::pair<double, double>& range, std::pair<double, double> by) {
   range = {std::min(range.first, by.first), std::max(range.second, by.second)};
 }
@@ -64,23 +60,33 @@ SurfaceLines isoCurvesThrough(const Motion& motion, const MotionPlace& at, const
   return lines;
 }
 
-EditRegion editRegion(const Motion& motion, const MotionPlace& at, PullMode::Way way) {
-  std::pair<double, double> u{at.u, at.u}, v{at.v, at.v};
-  const auto joined = joinedInV(motion);
-  const auto addV = [&](int degree, const std::vector<double>& knots, JoinedEnds JoinedFactors::*ends) {
-    widen(v, reach(degree, joined ? ringKnots(degree, knots, *joined.*ends) : knots, at.v));
+EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMode& mode) {
+  const PullMode::Way way = mode.way();
+  const BaseKnots base = baseKnots(motion);
+  const auto reach = [&](const SplineSpace& now, const std::vector<double>& knots, double t) {
+    return reachAt(levelSpace(withInnerKnots(now, knots), mode.level(), mode.symmetry().fold), t);
   };
-  const auto add = [&](const Surface& factor, JoinedEnds JoinedFactors::*ends) {
-    widen(u, reach(factor.degreeU, factor.knotsU, at.u));
-    addV(factor.degreeV, factor.knotsV, ends);
+  std::pair<double, double> u{at.u, at.u}, v{at.v, at.v};
+  const auto joined = mode.level() == 0 && !motion.base ? joinedInV(motion) : std::nullopt;
+  const auto addV = [&](const SplineSpace& now, const std::vector<double>& knots, JoinedEnds JoinedFactors::*ends) {
+    if (joined)
+      widen(v, reachAt({now.degree, ringKnots(now.degree, now.knots, *joined.*ends)}, at.v));
+    else
+      widen(v, reach(now, knots, at.v));
+  };
+  const auto add = [&](const Surface& factor, double closure, const std::array<std::vector<double>, 2>& knots,
+                       JoinedEnds JoinedFactors::*ends) {
+    widen(u, reach(spaceInU(factor, closure), knots[0], at.u));
+    addV(spaceInV(factor), knots[1], ends);
   };
   if (way == PullMode::Way::Translate) {
     u = motion.domainU();
-    addV(motion.trajectory.degree, motion.trajectory.knots, &JoinedFactors::trajectory);
+    addV(spaceOf(motion.trajectory), base.trajectory, &JoinedFactors::trajectory);
   }
   if (way == PullMode::Way::Combined || way == PullMode::Way::Rotate || way == PullMode::Way::Twist)
-    add(motion.orientation, &JoinedFactors::orientation);
-  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale) add(motion.scaling, &JoinedFactors::scaling);
+    add(motion.orientation, closureOfOrientation(motion), base.orientation, &JoinedFactors::orientation);
+  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale)
+    add(motion.scaling, closureOfScaling(motion), base.scaling, &JoinedFactors::scaling);
   const auto lengthOf = [](std::pair<double, double> range) { return range.second - range.first; };
   const bool along = joined && lengthOf(v) >= lengthOf(motion.domainV());
   if (along) v = motion.domainV();

@@ -16,14 +16,15 @@ struct SurfaceLines {
 /// where the surface counts as facing the viewer
 SurfaceLines isoCurvesThrough(const Motion&, const MotionPlace&, const Vec3& towards, double side);
 
-/// The part of the domain in which basis functions of the poles that an edit at one place changes are not 0. In a motion
-/// that is closed in u, u may lie outside the period, and in one that closes in v, v outside its range.
+/// The part of the domain in which the functions are not 0 by which an edit at one place changes its factors, at the level
+/// of the mode. In a motion that is closed in u, u may lie outside the period, and in one that closes in v, v outside its
+/// range.
 struct EditRegion {
   double firstU = 0, lastU = 0, firstV = 0, lastV = 0;
   bool around = false;  ///< all of u
   bool ring = false;    ///< the motion closes in v, and this is a part of it
 };
-EditRegion editRegion(const Motion&, const MotionPlace&, PullMode::Way);
+EditRegion editRegion(const Motion&, const MotionPlace&, const PullMode&);
 
 /// Its border; the ends of the surface in v are left out where nothing ends there.
 SurfaceLines borderOf(const Motion&, const EditRegion&, const Vec3& towards, double side);

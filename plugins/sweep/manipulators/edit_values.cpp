@@ -26,6 +26,8 @@ EditSymmetry symmetryOf(const Value& parameters) {
   return {parameters.at("fold").get<int>(), parameters.at("mirror").get<bool>()};
 }
 
+int levelOf(const Value& parameters) { return parameters.at("level").get<int>(); }
+
 }  // namespace
 
 MotionPull pullOf(const Value& parameters) {
@@ -37,12 +39,13 @@ MotionPull pullOf(const Value& parameters) {
   edit.axis = vectorOf(parameters.at("axis"));
   edit.pins = placesIn(parameters, "pins");
   edit.symmetry = symmetryOf(parameters);
+  edit.level = levelOf(parameters);
   return edit;
 }
 
 MotionTwist twistOf(const Value& parameters) {
   return {placesIn(parameters, "places"), vectorOf(parameters.at("axis")), parameters.at("angle").get<double>(),
-          placesIn(parameters, "pins"), symmetryOf(parameters)};
+          placesIn(parameters, "pins"),   symmetryOf(parameters),          levelOf(parameters)};
 }
 
 Value parametersOf(const MotionPull& edit) {
@@ -54,7 +57,8 @@ Value parametersOf(const MotionPull& edit) {
                         {"rotate", edit.weights.rotate},
                         {"scale", edit.weights.scale},
                         {"fold", edit.symmetry.fold},
-                        {"mirror", edit.symmetry.mirror}});
+                        {"mirror", edit.symmetry.mirror},
+                        {"level", edit.level}});
 }
 
 Value parametersOf(const MotionTwist& edit) {
@@ -62,7 +66,8 @@ Value parametersOf(const MotionTwist& edit) {
                         {"axis", arrayOf(edit.axis)},
                         {"angle", edit.angle},
                         {"fold", edit.symmetry.fold},
-                        {"mirror", edit.symmetry.mirror}});
+                        {"mirror", edit.symmetry.mirror},
+                        {"level", edit.level}});
 }
 
 Value pinsOf(const MotionEdit& edit) {

@@ -41,9 +41,10 @@ void HeldEdit::show(const PullMode& mode) { live_.show(base(mode), edit(mode)); 
 bool HeldEdit::changesLast(const PullMode& mode) const {
   if (!start_.grip.ofLast || !start_.last || !lastBase_ || !start_.chosen.empty()) return false;
   if (const auto* pull = std::get_if<MotionPull>(&start_.last->edit))
-    return !mode.twists() && pull->weights == mode.weights() && pull->symmetry == mode.symmetry();
+    return !mode.twists() && pull->weights == mode.weights() && pull->symmetry == mode.symmetry() &&
+           pull->level == mode.level();
   const auto& twist = std::get<MotionTwist>(start_.last->edit);
-  return mode.twists() && twist.symmetry == mode.symmetry() &&
+  return mode.twists() && twist.symmetry == mode.symmetry() && twist.level == mode.level() &&
          sameAxis(twist.axis, twistAxis(before(), start_.grip.hit.at, mode.axis()));
 }
 
@@ -70,7 +71,8 @@ MotionPull HeldEdit::pull(const PullMode& mode) const {
   const Vec3 way = goal() - from();
   MotionPull pull{places(), {}, mode.weights()};
   pull.pins = start_.chosen.pinned;
-  pull.symmetry = mode.symmetry();  // a level of the edit, mode.level(), belongs here and to changesLast
+  pull.symmetry = mode.symmetry();
+  pull.level = mode.level();
   if (last) pull = std::get<MotionPull>(start_.last->edit);
   pull.to.clear();
   const std::size_t held = last ? place() : 0;
@@ -84,6 +86,7 @@ MotionPull HeldEdit::pull(const PullMode& mode) const {
 MotionTwist HeldEdit::twist(const PullMode& mode) const {
   MotionTwist twist{places(), twistAxis(before(), start_.grip.hit.at, mode.axis()), 0, start_.chosen.pinned,
                     mode.symmetry()};
+  twist.level = mode.level();
   if (changesLast(mode)) twist = std::get<MotionTwist>(start_.last->edit);
   twist.angle = turned_.value_or(std::clamp(twist.angle + mouseAngle(mode), -fullTurn, fullTurn));
   return twist;

@@ -1,12 +1,19 @@
 #include "manipulators/factors/factors_tool.h"
 #include "manipulators/motion_overlay.h"
 #include "manipulators/surface_pull_tool.h"
+#include "manipulators/validity_marks.h"
 
 BLOSSOM_MANIPULATORS(registry) {
   using namespace blossom;
   using namespace blossom::sweep;
+  const auto overlay = [](const ui::OverlayContext& context) {
+    auto props = motionOverlay(context);
+    const auto marks = validityMarks(context);
+    props.insert(props.end(), marks.begin(), marks.end());
+    return props;
+  };
   for (const char* type : {"sweep.sweep", "sweep.pull", "sweep.twist"}) {
-    registry.addOverlay(type, motionOverlay);
+    registry.addOverlay(type, overlay);
     registry.addHandles(type, [](ui::ToolHost& host, const FeatureId& id) -> std::unique_ptr<ui::Tool> {
       return std::make_unique<SurfacePullTool>(host, id);
     });

@@ -46,7 +46,7 @@ void PullMarks::surfaceLines(const SurfaceLines& all, double width) {
 
 void PullMarks::place(const Motion& motion, const PlaceHit& hit, const PullMode& mode, const Vec3& towards) {
   const double side = hit.normal.dot(towards) >= 0 ? 1 : -1;
-  surfaceLines(borderOf(motion, editRegion(motion, hit.at, mode.way()), towards, side), 1);
+  surfaceLines(borderOf(motion, editRegion(motion, hit.at, mode), towards, side), 1);
   surfaceLines(isoCurvesThrough(motion, hit.at, towards, side), 1.8);
   points({hit.point}, host_.look().control, pointPixels);
 }

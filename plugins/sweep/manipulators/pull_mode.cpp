@@ -1,6 +1,7 @@
 #include "manipulators/pull_mode.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 namespace blossom::sweep {
@@ -17,6 +18,21 @@ std::optional<PullMode::Way> wayOfKey(int key) {
       return PullMode::Way::Scale;
     case Qt::Key_W:
       return PullMode::Way::Twist;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// "=" is the key of "+" on many keyboards.
+std::optional<int> levelOfKey(int key, int level) {
+  switch (key) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return std::min(level + 1, finestLevel);
+    case Qt::Key_Minus:
+      return std::max(level - 1, coarsestLevel);
+    case Qt::Key_0:
+      return 0;
     default:
       return std::nullopt;
   }
@@ -50,8 +66,8 @@ bool PullMode::key(int key) {
     axis_ = axis_ == Axis::Tangent ? Axis::Arm : axis_ == Axis::Arm ? Axis::Across : Axis::Tangent;
   } else if (key == Qt::Key_M) {
     symmetry_.mirror = !symmetry_.mirror;
-  } else if (finestLevel > 0 && (key == Qt::Key_PageUp || key == Qt::Key_PageDown)) {
-    level_ = std::clamp(level_ + (key == Qt::Key_PageUp ? 1 : -1), 0, finestLevel);
+  } else if (const auto level = levelOfKey(key, level_)) {
+    level_ = *level;
   } else {
     return false;
   }
@@ -93,6 +109,17 @@ QString PullMode::symmetryText() const {
   return symmetry_.mirror ? tr("mirrored") : QString();
 }
 
-QString PullMode::levelText() const { return finestLevel > 0 ? tr("level %1").arg(level_) : QString(); }
+QString PullMode::levelText() const {
+  switch (level_) {
+    case 0:
+      return {};
+    case 1:
+      return tr("one level finer");
+    case -1:
+      return tr("one level coarser");
+    default:
+      return (level_ > 0 ? tr("%1 levels finer") : tr("%1 levels coarser")).arg(std::abs(level_));
+  }
+}
 
 }  // namespace blossom::sweep

@@ -18,21 +18,20 @@ class PullMode {
   [[nodiscard]] Way way() const { return way_; }
   [[nodiscard]] const EditSymmetry& symmetry() const { return symmetry_; }
   [[nodiscard]] Axis axis() const { return axis_; }
-  /// How fine the control is that the next edit changes: 0 is that of the motion itself.
+  /// How wide a part the drag changes, as in MotionPull.
   [[nodiscard]] int level() const { return level_; }
-  static constexpr int finestLevel = 0;  ///< motions have no finer levels yet
   [[nodiscard]] bool twists() const { return way_ == Way::Twist; }
   /// The shares of a pull; all 0 for a twist.
   [[nodiscard]] PullWeights weights() const;
 
   /// T, R, S, W: that way alone, or combined again when it was already; A: the next axis of a twist; 1 to 9: copies; M:
-  /// mirror; Page Up, Page Down: finer and coarser control, where there are levels. @returns whether the key is one of these
+  /// mirror; + and -: a finer and a coarser level; 0: the motion's own. @returns whether the key is one of these
   bool key(int key);
 
   [[nodiscard]] QString wayText() const;       ///< "by turning and scaling"
   [[nodiscard]] QString axisText() const;      ///< "the tangent of the trajectory"
   [[nodiscard]] QString symmetryText() const;  ///< "4 copies, mirrored"; empty: none
-  [[nodiscard]] QString levelText() const;     ///< "level 2"; empty: there are none
+  [[nodiscard]] QString levelText() const;     ///< "2 levels finer"; empty: level 0
 
  private:
   Way way_ = Way::Combined;

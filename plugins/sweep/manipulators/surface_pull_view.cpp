@@ -85,7 +85,9 @@ QString SurfacePullTool::hoverHint() const {
           << tr("T, R, S: one way alone") << tr("W: twist") << tr("Enter: type the target");
   const QString symmetry = mode_.symmetryText();
   parts << (chosen_.empty() ? tr("Shift-click: take it along") + QStringLiteral(", ") + tr("P: pin it") : chosenHint());
-  parts << (symmetry.isEmpty() ? tr("2–9, M: copies") : tr("%1 (1: none)").arg(symmetry)) << mode_.levelText();
+  parts << (symmetry.isEmpty() ? tr("2–9, M: copies") : tr("%1 (1: none)").arg(symmetry));
+  const QString level = mode_.levelText();
+  parts << (level.isEmpty() ? tr("+, −: finer, coarser") : tr("%1 (0: as it is)").arg(level));
   return joined(parts);
 }
 

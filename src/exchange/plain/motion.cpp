@@ -104,6 +104,10 @@ Value motionJson(const Motion& motion) {
              {"scaling", surfaceJson(motion.scaling, motion.closedU)},
              {"point", {motion.point.x(), motion.point.y(), motion.point.z()}}};
   if (!motion.edits.empty()) json["edits"] = editsJson(motion.edits);
+  if (motion.base)
+    json["base"] = {{"trajectory", motion.base->trajectory},
+                    {"orientation", motion.base->orientation},
+                    {"scaling", motion.base->scaling}};
   return json;
 }
 

@@ -55,11 +55,12 @@ MotionEdit withCommonKeys(const MotionNode& node, Edit edit) {
   edit.at = readPlaces(node.at("at"));
   if (node.has("pins")) edit.pins = node.at("pins").value.empty() ? edit.pins : readPlaces(node.at("pins"));
   if (node.has("symmetry")) edit.symmetry = readSymmetry(node.at("symmetry"));
+  if (node.has("level")) edit.level = node.at("level").wholeNumberWithin(coarsestLevel, finestLevel);
   return edit;
 }
 
 MotionEdit readPull(const MotionNode& node) {
-  node.requireObject({"at", "to", "weights", "axis", "pins", "symmetry"});
+  node.requireObject({"at", "to", "weights", "axis", "pins", "symmetry", "level"});
   MotionPull pull;
   pull.to = readTargets(node.at("to"));
   if (node.has("weights")) pull.weights = readWeights(node.at("weights"));
@@ -73,7 +74,7 @@ MotionEdit readPull(const MotionNode& node) {
 }
 
 MotionEdit readTwist(const MotionNode& node) {
-  node.requireObject({"at", "twist", "pins", "symmetry"});
+  node.requireObject({"at", "twist", "pins", "symmetry", "level"});
   const MotionNode given = node.at("twist");
   given.requireObject({"axis", "angle"});
   MotionTwist twist;
@@ -133,6 +134,7 @@ Value editsJson(const std::vector<MotionEdit>& edits) {
           if (!edit.pins.empty()) written["pins"] = oneOrManyJson(edit.pins);
           if (!(edit.symmetry == EditSymmetry{}))
             written["symmetry"] = {{"fold", edit.symmetry.fold}, {"mirror", edit.symmetry.mirror}};
+          if (edit.level != 0) written["level"] = edit.level;
           return written;
         },
         each));

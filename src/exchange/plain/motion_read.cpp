@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -151,11 +152,40 @@ void requireDomain(const std::string& path, std::pair<double, double> domain, st
               "All factors of a motion share one domain.");
 }
 
+/// Knots inside the domain, each one of the factor's own.
+std::vector<double> readBaseKnots(const MotionNode& node, const SplineSpace& factor) {
+  if (!node.value.is_array()) node.fail("must be a list of knots");
+  if (node.value.empty()) return {};
+  const std::vector<double> knots = node.knots(), own = innerKnots(factor);
+  auto next = own.begin();
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    next = std::lower_bound(next, own.end(), knots[i]);
+    if (next == own.end() || *next != knots[i])
+      node[i].fail("must be one of the factor's own knots inside its domain, as often as it has it at most");
+    ++next;
+  }
+  return knots;
+}
+
+std::array<std::vector<double>, 2> readBaseKnots(const MotionNode& node, const SplineSpace& u, const SplineSpace& v) {
+  if (!node.value.is_array() || node.value.size() != 2) node.fail("must be two lists of knots [in u, in v]");
+  return {readBaseKnots(node[0], u), readBaseKnots(node[1], v)};
+}
+
+BaseKnots readBase(const MotionNode& node, const Motion& motion) {
+  node.requireObject({"trajectory", "orientation", "scaling"});
+  const auto knots = [&](const char* name, const Surface& factor) {
+    return readBaseKnots(node.at(name), spaceInU(factor, 0), spaceInV(factor));
+  };
+  return {readBaseKnots(node.at("trajectory"), spaceOf(motion.trajectory)), knots("orientation", motion.orientation),
+          knots("scaling", motion.scaling)};
+}
+
 }  // namespace
 
 Motion readMotion(const Value& value, std::vector<std::string>& warnings) {
   const MotionNode root{value, ""};
-  root.requireObject({"trajectory", "orientation", "scaling", "point", "edits"});
+  root.requireObject({"trajectory", "orientation", "scaling", "point", "edits", "base"});
   Motion motion;
   motion.trajectory = readTrajectory(root.at("trajectory"));
   const MotionNode orientation = root.at("orientation"), scaling = root.at("scaling");
@@ -184,6 +214,7 @@ Motion readMotion(const Value& value, std::vector<std::string>& warnings) {
         "orientation.closed_u and the poles there.",
         alignment.row, alignment.column, alignment.flipped > 0 ? "" : "they turn the way that the file's signs say; "));
   if (root.has("edits")) motion.edits = readEdits(root.at("edits"));
+  if (root.has("base")) motion.base = readBase(root.at("base"), motion);
   return motion;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
@@ -12,13 +13,6 @@
 namespace blossom {
 
 namespace {
-
-/// Index in 0..n-1 and the number of periods passed.
-std::pair<std::size_t, long> wrapped(long index, std::size_t n) {
-  const long count = static_cast<long>(n);
-  const long turns = index >= 0 ? index / count : -((-index + count - 1) / count);
-  return {static_cast<std::size_t>(index - turns * count), turns};
-}
 
 [[noreturn]] void fail(const char* factor, const std::string& problem) {
   throw Error(ErrorCode::InvalidInput, fmt::format("The {} of this motion cannot be used: {}", factor, problem));
@@ -60,26 +54,31 @@ void requireClosed(const char* factor, const Surface& surface, double sign) {
         fail(factor, fmt::format("it is to be closed in u, but its last {} rows do not repeat the first ones.", degree));
 }
 
-}  // namespace
-
-std::vector<double> unwrappedKnots(int degree, const std::vector<double>& period) {
-  const std::size_t n = period.size() - 1;
-  const double length = period[n] - period[0];
-  std::vector<double> knots;
-  knots.reserve(period.size() + 2 * static_cast<std::size_t>(degree));
-  for (long i = -degree; i <= static_cast<long>(n) + degree; ++i) {
-    // The given values stay untouched inside the period; only the repetitions are shifted.
-    if (i >= 0 && i <= static_cast<long>(n)) {
-      knots.push_back(period[static_cast<std::size_t>(i)]);
-    } else {
-      const auto [index, turns] = wrapped(i, n);
-      // From the nearer end, so that knots repeated at the seam stay exactly equal to it.
-      knots.push_back(turns < 0 ? period[0] - (period[n] - period[index]) + static_cast<double>(turns + 1) * length
-                                : period[n] + (period[index] - period[0]) + static_cast<double>(turns - 1) * length);
-    }
+/// Base knots are some of the factor's own, as multiple or less, in order.
+void requireBase(const char* factor, const char* direction, const std::vector<double>& base, const SplineSpace& space) {
+  const std::vector<double> own = innerKnots(space);
+  auto next = own.begin();
+  for (const double knot : base) {
+    next = std::lower_bound(next, own.end(), knot);
+    if (next == own.end() || *next != knot)  // what is not a number is none of them, either
+      fail(factor, fmt::format("its base knot {} = {} is none of its own knots inside the domain, or not in order.",
+                               direction, knot));
+    ++next;
   }
-  return knots;
 }
+
+void requireBase(const Motion& motion) {
+  requireBase("trajectory", "v", motion.base->trajectory, spaceOf(motion.trajectory));
+  for (const auto& [name, surface, base] :
+       {std::tuple<const char*, const Surface&, const std::array<std::vector<double>, 2>&>{"orientation", motion.orientation,
+                                                                                           motion.base->orientation},
+        {"scaling", motion.scaling, motion.base->scaling}}) {
+    requireBase(name, "u", base[0], spaceInU(surface, motion.closedU == ClosedU::No ? 0 : 1));
+    requireBase(name, "v", base[1], spaceInV(surface));
+  }
+}
+
+}  // namespace
 
 Surface unwrapped(int degreeU, int degreeV, const std::vector<double>& periodU, std::vector<double> knotsV,
                   std::vector<Vec4> poles, double sign) {
@@ -112,6 +111,7 @@ void validate(const Motion& motion) {
   for (const Vec4& pole : motion.scaling.poles)
     if (pole[3] <= 0) fail("scaling", "every fourth component (sw) must be above 0.");
   if (!motion.point.allFinite()) fail("point", "its coordinates must be finite numbers.");
+  if (motion.base) requireBase(motion);
   if (motion.closedU == ClosedU::No) return;
   requireClosed("orientation", motion.orientation, motion.closedU == ClosedU::AntiPeriodic ? -1.0 : 1.0);
   requireClosed("scaling", motion.scaling, 1.0);

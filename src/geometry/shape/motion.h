@@ -1,18 +1,27 @@
 #pragma once
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/vector.h"
-#include "geometry/bspline/curve.h"
-#include "geometry/bspline/surface.h"
+#include "geometry/bspline/spline_space.h"
 #include "geometry/shape/motion_edit.h"
 
 namespace blossom {
 
 /// Closure of the orientation in u. A full turn maps a quaternion q to -q, hence "anti-periodic".
 enum class ClosedU { No, Periodic, AntiPeriodic };
+
+/// The knots strictly inside the domain between which edits of level 0 reach. A motion that was refined for edits of finer
+/// levels keeps those it had before, so that a level means the same wherever it has been refined.
+struct BaseKnots {
+  std::vector<double> trajectory;
+  std::array<std::vector<double>, 2> orientation, scaling;  ///< in u, in v
+  friend bool operator==(const BaseKnots&, const BaseKnots&) = default;
+};
 
 /// A motion in two parameters, x(u,v) = T(v) R(u,v) S(u,v) p (Yoon & Lee 2009, section 3). All factors have the same domain.
 /// When closed in u, the surfaces store the *unwrapped* poles: the first degreeU rows are repeated at the end (negated in
@@ -26,15 +35,12 @@ struct Motion {
   /// Changes that are not yet in the factors, in order. What sweeps or edits the motion applies them first, so that a motion
   /// that is only read and written keeps them.
   std::vector<MotionEdit> edits = {};
+  std::optional<BaseKnots> base = {};  ///< each a part of the factor's knots; none: these are the base
 
   [[nodiscard]] std::pair<double, double> domainU() const { return orientation.domainU(); }
   [[nodiscard]] std::pair<double, double> domainV() const { return orientation.domainV(); }
   friend bool operator==(const Motion&, const Motion&) = default;
 };
-
-/// Full knot vector of a periodic spline from its knots over one period, u0..un, continued periodically by `degree` knots on
-/// both sides.
-std::vector<double> unwrappedKnots(int degree, const std::vector<double>& period);
 
 /// Unwrapped surface from the n = periodU.size() - 1 rows of a periodic one over the knots u0..un: the first degreeU rows
 /// are repeated at the end, times `sign` for each period passed (-1 for anti-periodic quaternions).
@@ -42,7 +48,8 @@ Surface unwrapped(int degreeU, int degreeV, const std::vector<double>& periodU, 
                   std::vector<Vec4> poles, double sign);
 
 /// @throws Error InvalidInput naming the factor and the mistake: sizes, knots, domains that differ, values that are not
-/// finite, weights that are not positive, a closed factor whose last rows do not repeat its first ones.
+/// finite, weights that are not positive, a closed factor whose last rows do not repeat its first ones, base knots that the
+/// factor does not have.
 void validate(const Motion&);
 
 /// Result of alignQuaternions.

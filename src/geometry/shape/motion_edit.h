@@ -28,6 +28,11 @@ struct EditSymmetry {
   friend bool operator==(const EditSymmetry&, const EditSymmetry&) = default;
 };
 
+/// How wide a part an edit changes: the functions by which it does reach over degree + 1 spans. Level 0: the spans of the
+/// motion's base knots; n: each of them halved n times, where the edit needs it; -n: n times every second knot left out, as
+/// far as there are some.
+inline constexpr int coarsestLevel = -8, finestLevel = 8;
+
 /// Moves points of the swept surface to their targets.
 struct MotionPull {
   std::vector<MotionPlace> at;
@@ -36,6 +41,7 @@ struct MotionPull {
   Vec3 axis = Vec3::Zero();            ///< for a rotation by half a turn, which has none of its own; zero: not given
   std::vector<MotionPlace> pins = {};  ///< places that stay where they are
   EditSymmetry symmetry = {};
+  int level = 0;  ///< coarsestLevel .. finestLevel
   friend bool operator==(const MotionPull&, const MotionPull&) = default;
 };
 
@@ -46,6 +52,7 @@ struct MotionTwist {
   double angle = 0;           ///< degrees, at most one full turn
   std::vector<MotionPlace> pins = {};
   EditSymmetry symmetry = {};
+  int level = 0;  ///< coarsestLevel .. finestLevel
   friend bool operator==(const MotionTwist&, const MotionTwist&) = default;
 };
 

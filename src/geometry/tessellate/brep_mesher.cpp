@@ -27,6 +27,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "geometry/numeric/union_find.h"
 #include "geometry/occt/occt_progress.h"
 #include "geometry/occt/occt_reason.h"
 #include "geometry/occt/occt_vector.h"
@@ -43,7 +44,7 @@ class ShapeMesher {
     TopExp::MapShapes(shape_, TopAbs_FACE, faceMap_);
   }
 
-  Tessellation run() {
+  Tessellation run(PointOrigins* origins) {
     if (faceMap_.Extent() > 0) {
       triangulate();
       placePoints();
@@ -53,10 +54,18 @@ class ShapeMesher {
     addVertices();
     for (TopExp_Explorer vertex(shape_, TopAbs_VERTEX, TopAbs_EDGE); vertex.More(); vertex.Next())
       result_.markers.push_back(toVec(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())).XYZ()));
+    if (origins) *origins = originsOfPoints();
     return std::move(result_);
   }
 
  private:
+  PointOrigins originsOfPoints() {
+    PointOrigins origins{std::move(parameters_), {}};
+    origins.joint.reserve(result_.points.size());
+    for (std::size_t i = 0; i < result_.points.size(); ++i) origins.joint.push_back(static_cast<int>(joints_->find(i)));
+    return origins;
+  }
+
   /// B-spline rectangles become grids; BRepMesh meshes the other faces and uses the edges of the grids.
   void triangulate() {
     grids_ = meshGridFaces(faceMap_, options_, progress_);
@@ -183,6 +192,7 @@ class ShapeMesher {
       if (!mesh.triangulation.IsNull()) total += mesh.triangulation->NbNodes();
     }
     result_.points.resize(static_cast<std::size_t>(total));
+    parameters_.resize(static_cast<std::size_t>(total));
     result_.normals.resize(static_cast<std::size_t>(total));
     if (options_.curvature) result_.curvatures.resize(static_cast<std::size_t>(total));
     parallelFor(faces_.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
@@ -199,6 +209,7 @@ class ShapeMesher {
     for (int i = 1; i <= mesh.triangulation->NbNodes(); ++i) {
       const auto index = static_cast<std::size_t>(mesh.offset + i - 1);
       result_.points[index] = toVec(mesh.triangulation->Node(i).Transformed(place).XYZ());
+      parameters_[index] = {mesh.triangulation->UVNode(i).X(), mesh.triangulation->UVNode(i).Y()};
       result_.normals[index] = mesh.normals ? gridNormal(mesh, static_cast<std::size_t>(i - 1))
                                             : Vec3(side * normalAt(surface, mesh.triangulation->UVNode(i), center));
       if (!options_.curvature) continue;
@@ -265,6 +276,7 @@ class ShapeMesher {
   }
 
   void addEdges() {
+    joints_.emplace(result_.points.size());
     TopTools_IndexedMapOfShape numbers;  // the map with the faces counts in another order where there are free edges
     TopExp::MapShapes(shape_, TopAbs_EDGE, numbers);
     TopTools_IndexedDataMapOfShapeListOfShape edges;
@@ -289,13 +301,20 @@ class ShapeMesher {
   /// Gives an edge's points the same coordinates in all faces, and its ends those of the vertices.
   void alignRows(const TopoDS_Edge& edge, const std::vector<std::vector<std::size_t>>& edgeRows) {
     const auto place = [&](const TopoDS_Vertex& vertex, std::size_t index) {
-      if (!vertex.IsNull()) result_.points[index] = toVec(BRep_Tool::Pnt(vertex).XYZ());
+      if (vertex.IsNull()) return;
+      result_.points[index] = toVec(BRep_Tool::Pnt(vertex).XYZ());
+      const int number = vertexMap_.Add(vertex);
+      if (number > static_cast<int>(atVertex_.size())) atVertex_.push_back(index);
+      joints_->unite(atVertex_[static_cast<std::size_t>(number - 1)], index);
     };
     const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
     for (const auto& row : edgeRows) {
       const auto& first = edgeRows.front();
       if (row.size() == first.size())
-        for (std::size_t k = 0; k < row.size(); ++k) result_.points[row[k]] = result_.points[first[k]];
+        for (std::size_t k = 0; k < row.size(); ++k) {
+          result_.points[row[k]] = result_.points[first[k]];
+          joints_->unite(first[k], row[k]);
+        }
       if (BRep_Tool::Degenerated(edge))
         for (const std::size_t p : row) place(TopExp::FirstVertex(forward), p);
       place(TopExp::FirstVertex(forward), row.front());
@@ -328,14 +347,19 @@ class ShapeMesher {
   TopTools_IndexedMapOfShape faceMap_;
   GridNormalsOf grids_;
   std::vector<FaceMesh> faces_;
+  std::vector<Vec2> parameters_;     ///< of the points
+  std::optional<UnionFind> joints_;  ///< of the points, by edges and vertices
+  TopTools_IndexedMapOfShape vertexMap_;
+  std::vector<std::size_t> atVertex_;  ///< a point at each of its vertices
   Tessellation result_;
 };
 
 }  // namespace
 
-Tessellation meshShape(const TopoDS_Shape& shape, const TessellationOptions& options, const Progress& progress) {
+Tessellation meshShape(const TopoDS_Shape& shape, const TessellationOptions& options, const Progress& progress,
+                       PointOrigins* origins) {
   try {
-    return ShapeMesher(shape, options, progress).run();
+    return ShapeMesher(shape, options, progress).run(origins);
   } catch (const Standard_Failure& failure) {
     throw Error(ErrorCode::Degenerate, std::string("The shape cannot be meshed: ") + reasonOf(failure) + ".",
                 "Check the shape; it may come from a damaged file.");

@@ -12,10 +12,10 @@
 
 #include "core/error.h"
 #include "core/place_text.h"
+#include "geometry/crossing/self_crossing.h"
 #include "geometry/numeric/union_find.h"
 #include "geometry/occt/occt_progress.h"
 #include "geometry/shape/compound.h"
-#include "geometry/tessellate/self_crossing.h"
 #include "kernel/parts/boolean.h"
 #include "kernel/parts/shape_parts.h"
 

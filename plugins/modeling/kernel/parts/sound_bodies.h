@@ -8,7 +8,7 @@
 namespace blossom::modeling {
 
 /// One valid shape of the solids that were swept from a profile: none intersects itself
-/// (geometry/tessellate/self_crossing.h), and overlapping ones are united, so that no space counts twice. Solids that only
+/// (geometry/crossing/self_crossing.h), and overlapping ones are united, so that no space counts twice. Solids that only
 /// touch remain separate. BRepCheck detects neither, because it checks each face alone. Takes a Boolean operation per pair
 /// of solids with overlapping boxes.
 /// @throws Error Degenerate with the place of an intersection and the hint of the complaint, Cancelled.

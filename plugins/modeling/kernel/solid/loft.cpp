@@ -16,6 +16,7 @@
 
 #include "core/error.h"
 #include "core/tolerance.h"
+#include "kernel/parts/crossing_warning.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/profile.h"
@@ -126,9 +127,13 @@ LoftResult loft(const std::vector<TopoDS_Shape>& shapes, const LoftOptions& o, c
     TopoDS_Shape body = through([](const Section& s) { return s.outline; });
     for (std::size_t k = 0; k < sections.front().holes.size(); ++k)
       body = BRepAlgoAPI_Cut(body, through([k](const Section& s) { return s.holes[k]; })).Shape();
-    if (!o.solid) return LoftResult{body};
+    if (!o.solid) {
+      LoftResult sheet{body, {}};
+      warnOfCrossing({body}, complaint.hint, sheet.warnings, progress);
+      return sheet;
+    }
     if (!sections.front().holes.empty()) body = finishedSolid(body, complaint);
-    return LoftResult{soundBodies({body}, complaint, progress)};
+    return LoftResult{soundBodies({body}, complaint, progress), {}};
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <TopoDS_Shape.hxx>
+#include <string>
 #include <vector>
 
 #include "core/progress.h"
@@ -13,6 +14,7 @@ struct LoftOptions {
 
 struct LoftResult {
   TopoDS_Shape shape;
+  std::vector<std::string> warnings;  ///< where a sheet cuts through itself
 };
 
 /// The surface through two or more sections in their order: faces (with holes, if all have equally many), wires, and single

@@ -25,6 +25,7 @@
 #include "core/place_text.h"
 #include "core/units.h"
 #include "geometry/shape/compound.h"
+#include "kernel/parts/crossing_warning.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/placement.h"
@@ -187,9 +188,12 @@ PipeResult pipe(const TopoDS_Shape& profileShape, const TopoDS_Shape& pathShape,
     std::vector<TopoDS_Shape> solids, made;
     for (const TopoDS_Face& face : profile.faces) solids.push_back(piper.along(face, progress));
     if (!solids.empty()) made.push_back(soundBodies(solids, tooTight(), progress));
-    for (const TopoDS_Wire& wire : profile.wires) made.push_back(piper.along(wire, false));
+    std::vector<TopoDS_Shape> sheets;
+    for (const TopoDS_Wire& wire : profile.wires) sheets.push_back(piper.along(wire, false));
+    warnOfCrossing(sheets, tooTight().hint, result.warnings, progress);
+    made.insert(made.end(), sheets.begin(), sheets.end());
     result.shape = compoundOf(made);
-    if (o.place && reach > turns.radius)
+    if (o.place && reach > turns.radius && result.warnings.empty())
       result.warnings.push_back(
           fmt::format("The path bends with a radius of {} mm near {}, less than the outline reaches from it: the pipe may "
                       "cut through itself there.",

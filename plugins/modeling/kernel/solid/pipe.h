@@ -18,7 +18,7 @@ struct PipeOptions {
 struct PipeResult {
   TopoDS_Shape shape;
   bool solid = false;
-  std::vector<std::string> warnings;  ///< where the pipe is wider than the radius of a bend
+  std::vector<std::string> warnings;  ///< where a sheet cuts through itself, or the pipe is wider than the radius of a bend
 };
 
 /// Sweeps an outline along a path without twist (corrected Frenet frame). Faces make solids with their holes, wires make

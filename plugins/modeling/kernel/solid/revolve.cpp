@@ -20,6 +20,7 @@
 #include "core/units.h"
 #include "geometry/measure/closest_points.h"
 #include "geometry/shape/compound.h"
+#include "kernel/parts/crossing_warning.h"
 #include "kernel/parts/finished_solid.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/placement.h"
@@ -91,11 +92,19 @@ RevolveResult revolve(const TopoDS_Shape& shape, const RevolveOptions& o, const 
       solids.push_back(finishedSolid(turned(face), complaint));
     }
     if (!solids.empty()) made.push_back(soundBodies(solids, complaint, progress));
+    std::vector<TopoDS_Shape> sheets;
     for (const TopoDS_Wire& wire : profile.wires) {
       progress.check();
-      made.push_back(finishedSheet(turned(wire), {"The curve cannot be turned about this axis.", "It may cross the axis."}));
+      sheets.push_back(
+          finishedSheet(turned(wire), {"The curve cannot be turned about this axis.", "It may cross the axis."}));
     }
-    return RevolveResult{compoundOf(made), !profile.faces.empty()};
+    RevolveResult result;
+    warnOfCrossing(sheets, "The curve crosses itself or the axis: part it there, or move the axis beside it.",
+                   result.warnings, progress);
+    made.insert(made.end(), sheets.begin(), sheets.end());
+    result.shape = compoundOf(made);
+    result.solid = !profile.faces.empty();
+    return result;
   });
 }
 

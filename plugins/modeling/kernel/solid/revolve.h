@@ -1,5 +1,7 @@
 #pragma once
 #include <TopoDS_Shape.hxx>
+#include <string>
+#include <vector>
 
 #include "core/progress.h"
 #include "core/vector.h"
@@ -15,6 +17,7 @@ struct RevolveOptions {
 struct RevolveResult {
   TopoDS_Shape shape;
   bool solid = false;
+  std::vector<std::string> warnings;  ///< where a sheet cuts through itself
 };
 
 /// Revolves planar faces (to solids) and wires (to sheets) about an axis. The outline may touch the axis but not cross it.

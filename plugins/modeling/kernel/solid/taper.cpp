@@ -22,7 +22,7 @@
 #include "core/error.h"
 #include "core/place_text.h"
 #include "core/units.h"
-#include "geometry/tessellate/self_crossing.h"
+#include "geometry/crossing/self_crossing.h"
 #include "kernel/parts/guarded.h"
 #include "kernel/parts/largest_size.h"
 #include "kernel/parts/placement.h"

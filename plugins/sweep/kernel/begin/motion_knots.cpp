@@ -112,6 +112,25 @@ Surface withClosedKnotsU(const Surface& factor, const Knots& wanted, double sign
                    {poles, poles + static_cast<std::ptrdiff_t>(rows * fine.countV())}, sign);
 }
 
+/// The base with more knots, those at the ends of the domain not among them.
+Knots grown(Knots base, const Knots& wanted, std::pair<double, double> domain) {
+  for (const double knot : wanted)
+    if (knot > domain.first && knot < domain.second) base.push_back(knot);
+  std::sort(base.begin(), base.end());
+  return base;
+}
+
+BaseKnots grown(const Motion& motion, const MotionKnots& wanted) {
+  BaseKnots base = *motion.base;
+  if (wanted.trajectory) base.trajectory = grown(base.trajectory, wanted.v, motion.domainV());
+  const auto grow = [&](std::array<Knots, 2>& factor) {
+    factor = {grown(factor[0], wanted.u, motion.domainU()), grown(factor[1], wanted.v, motion.domainV())};
+  };
+  if (wanted.orientation) grow(base.orientation);
+  if (wanted.scaling) grow(base.scaling);
+  return base;
+}
+
 }  // namespace
 
 Motion withKnots(const Motion& motion, const MotionKnots& wanted) {
@@ -129,6 +148,7 @@ Motion withKnots(const Motion& motion, const MotionKnots& wanted) {
   };
   if (wanted.orientation) refine(result.orientation, motion.closedU == ClosedU::AntiPeriodic ? -1 : 1);
   if (wanted.scaling) refine(result.scaling, 1);
+  if (motion.base) result.base = grown(motion, wanted);
   return result;
 }
 

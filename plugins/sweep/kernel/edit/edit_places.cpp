@@ -34,11 +34,18 @@ MotionPlace placeInside(const Motion& motion, const MotionPlace& place) {
 }  // namespace
 
 EditPlaces::EditPlaces(const Motion& motion, std::span<const MotionPlace> at, std::span<const MotionPlace> pins,
-                       const EditSymmetry& symmetry, const Progress& progress)
+                       const EditSymmetry& symmetry, int level, const Progress& progress)
     : given_(at.begin(), at.end()),
       seams_(seamsInV(motion)),
+      ring_(joinedInV(motion).has_value()),
+      level_{level, symmetry.fold},
+      base_(baseKnots(motion)),
+      own_(level == 0 && !motion.base),
       symmetric_(symmetry.fold != 1 || symmetry.mirror),
       progress_(progress) {
+  if (level < coarsestLevel || level > finestLevel)
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The level of an edit must lie between {} and {}; it is {}.",
+                                                         coarsestLevel, finestLevel, level));
   if (symmetry.fold < 1 || symmetry.fold > largestFold)
     throw Error(ErrorCode::InvalidParameter, fmt::format("The fold of a symmetric edit must lie between 1 and {}; it is {}.",
                                                          largestFold, symmetry.fold));
@@ -83,27 +90,74 @@ PoleChange EditPlaces::changeOf(Row row, const SeamV& seam, const Eigen::MatrixX
   return seam.onAllPoles(change);
 }
 
+std::vector<MotionPlace> EditPlaces::spots() const {
+  std::vector<MotionPlace> all;
+  for (const EditPlace& place : places_) all.push_back(place.at);
+  return all;
+}
+
+void EditPlaces::remember() {
+  if (!result_.motion.base) result_.motion.base = base_;
+}
+
 void EditPlaces::changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted) {
   Curve& trajectory = result_.motion.trajectory;
-  const PoleChange change =
-      changeOf([&](const MotionPlace& at) { return placeRow(trajectory, at.v); }, seams_.trajectory, wantedAt<Vec3>(wanted));
-  result_.movedPoles += applyChange(change, trajectory);
+  const Eigen::MatrixXd all = wantedAt<Vec3>(wanted);
+  if (own_) {
+    const PoleChange change =
+        changeOf([&](const MotionPlace& at) { return placeRow(trajectory, at.v); }, seams_.trajectory, all);
+    result_.movedPoles += applyChange(change, trajectory);
+    return;
+  }
+  requireAwayFromSeam(withInnerKnots(spaceOf(trajectory), base_.trajectory));
+  const LevelCurve level(trajectory, base_.trajectory, level_, spots());
+  const PoleChange change = changeOf([&](const MotionPlace& at) { return level.row(at.v); }, SeamV(), all);
+  if (change.by.isZero(0)) return;
+  const std::size_t before = trajectory.poles.size();
+  result_.movedPoles += level.apply(change, trajectory);
+  if (trajectory.poles.size() != before) remember();
+}
+
+void EditPlaces::changeSurface(Surface& factor, double closure, const SeamV& seam,
+                               const std::array<std::vector<double>, 2>& base, const Eigen::MatrixXd& wanted) {
+  if (own_) {
+    const PoleChange change = changeOf([&](const MotionPlace& at) { return placeRow(factor, at, closure); }, seam, wanted);
+    result_.movedPoles += applyChange(change, factor, closure);
+    return;
+  }
+  requireAwayFromSeam(withInnerKnots(spaceInV(factor), base[1]));
+  const LevelSurface level(factor, closure, base, level_, spots());
+  const PoleChange change = changeOf([&](const MotionPlace& at) { return level.row(at); }, SeamV(), wanted);
+  if (change.by.isZero(0)) return;  // no knots for nothing
+  const std::size_t before = factor.poles.size();
+  result_.movedPoles += level.apply(change, factor);
+  if (factor.poles.size() != before) remember();
+}
+
+/// Functions of a level end at the seam of a ring, which an edit by them would open.
+void EditPlaces::requireAwayFromSeam(const SplineSpace& baseInV) const {
+  if (!ring_) return;
+  const SplineSpace functions = levelSpace(baseInV, level_.level, level_.parts);
+  const auto [first, last] = functions.domain();
+  for (const EditPlace& place : places_) {
+    const Reach reach = reachAt(functions, place.at.v);
+    if (reach.first > first && reach.second < last) continue;
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("At level {} an edit at v = {:.6g} reaches the seam of this ring and would open it there.",
+                            level_.level, place.at.v),
+                "Edit at level 0 before any finer edit, at a finer level, or farther from the seam.");
+  }
 }
 
 void EditPlaces::changeOrientation(const std::function<Vec4(EditPlace&)>& wanted) {
-  Surface& orientation = result_.motion.orientation;
-  const double closure = closureOfOrientation(result_.motion);
-  const PoleChange change = changeOf([&](const MotionPlace& at) { return placeRow(orientation, at, closure); },
-                                     seams_.orientation, wantedAt<Vec4>(wanted));
-  result_.movedPoles += applyChange(change, orientation, closure);
+  const Eigen::MatrixXd all = wantedAt<Vec4>(wanted);
+  changeSurface(result_.motion.orientation, closureOfOrientation(result_.motion), seams_.orientation, base_.orientation,
+                all);
 }
 
 void EditPlaces::changeScaling(const std::function<Vec4(EditPlace&)>& wanted) {
-  Surface& scaling = result_.motion.scaling;
-  const double closure = closureOfScaling(result_.motion);
-  const PoleChange change = changeOf([&](const MotionPlace& at) { return placeRow(scaling, at, closure); }, seams_.scaling,
-                                     wantedAt<Vec4>(wanted));
-  result_.movedPoles += applyChange(change, scaling, closure);
+  const Eigen::MatrixXd all = wantedAt<Vec4>(wanted);
+  changeSurface(result_.motion.scaling, closureOfScaling(result_.motion), seams_.scaling, base_.scaling, all);
 }
 
 EditResult EditPlaces::finished(const std::function<double(const EditPlace&)>& left, double allowed, Unreached otherwise) {

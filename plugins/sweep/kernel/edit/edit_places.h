@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "core/progress.h"
 #include "kernel/edit/edit_result.h"
 #include "kernel/edit/least_change.h"
+#include "kernel/edit/level_surface.h"
 #include "kernel/edit/motion_symmetry.h"
 #include "kernel/edit/seam_v.h"
 
@@ -23,12 +25,16 @@ struct EditPlace {
 /// and twists share. A motion that closes in v stays closed there, as smooth as it was (kernel/edit/seam_v.h).
 class EditPlaces {
  public:
-  /// @throws Error InvalidParameter for no place, a place outside the domain, or a fold outside 1 .. 360; LimitExceeded
-  /// above 400 places, pins and copies; as symmetricPlaces; Degenerate where the orientation vanishes.
+  /// @throws Error InvalidParameter for no place, a place outside the domain, a fold outside 1 .. 360 or a level outside
+  /// coarsestLevel .. finestLevel; LimitExceeded above 400 places, pins and copies; as symmetricPlaces; Degenerate where the
+  /// orientation vanishes.
   EditPlaces(const Motion&, std::span<const MotionPlace> at, std::span<const MotionPlace> pins, const EditSymmetry&,
-             const Progress&);
+             int level, const Progress&);
 
   /// Changes the value of a factor by `wanted(place)` at every place; pins stay. `wanted` sees the motion before the change.
+  /// At a finer level the factor gets the knots for it, and the motion remembers its base knots; at a coarser one, poles
+  /// change as functions with fewer knots do.
+  /// @throws Error LimitExceeded when a factor would get more than a million poles.
   void changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted);
   void changeOrientation(const std::function<Vec4(EditPlace&)>& wanted);
   void changeScaling(const std::function<Vec4(EditPlace&)>& wanted);
@@ -43,6 +49,11 @@ class EditPlaces {
  private:
   template <class Row>
   PoleChange changeOf(Row row, const SeamV&, const Eigen::MatrixXd& wanted);
+  void changeSurface(Surface& factor, double closure, const SeamV&, const std::array<std::vector<double>, 2>& base,
+                     const Eigen::MatrixXd& wanted);
+  void requireAwayFromSeam(const SplineSpace& baseInV) const;
+  void remember();
+  [[nodiscard]] std::vector<MotionPlace> spots() const;
   template <class Vector>
   Eigen::MatrixXd wantedAt(const std::function<Vector(EditPlace&)>& wanted);
 
@@ -50,6 +61,10 @@ class EditPlaces {
   std::vector<EditPlace> places_;
   std::vector<MotionPlace> given_, pins_;
   MotionSeams seams_;
+  bool ring_;  ///< the motion closes in v
+  EditLevel level_;
+  BaseKnots base_;                     ///< of the motion given
+  bool own_;                           ///< functions of the level are those of the factors as they are
   bool symmetric_, together_ = false;  ///< together_: the last change could not give every place what it wanted
   Progress progress_;
 };

@@ -27,11 +27,13 @@ Explanation reasonOf(Unreached why) {
       return {
           "the basis functions around this closed motion cancel each other there, so that no change of its poles "
           "reaches the place",
-          "Give the motion more poles in u, or in v when it closes there."};
+          "Give the motion more poles in u, or in v when it closes there, or edit at another level."};
     case Unreached::TooClose:
-      return {"the places ask for more than the poles they share can do", "Pull fewer places, or places farther apart."};
+      return {"the places ask for more than the poles they share can do",
+              "Pull fewer places, places farther apart, or at a finer level."};
     case Unreached::Pinned:
-      return {"the pins hold poles that would have to move", "Take a pin away, or set it farther from the place."};
+      return {"the pins hold poles that would have to move",
+              "Take a pin away, set it farther from the place, or edit at a finer level."};
     case Unreached::Symmetry:
       return {"the copies of the place ask for more than the poles they share can do",
               "Move the place away from the mirror or from its copies, or choose a target that is its own mirror image; the "

@@ -46,7 +46,7 @@ PullWeights withLastWhole(PullWeights weights) {
 class Pull {
  public:
   Pull(const Motion& motion, const MotionPull& options, const Progress& progress)
-      : edit_(motion, options.at, options.pins, options.symmetry, progress), axis_(options.axis) {
+      : edit_(motion, options.at, options.pins, options.symmetry, options.level, progress), axis_(options.axis) {
     for (const EditPlace& place : edit_.places()) {
       const Vec3 centre = centreAt(place);
       to_.push_back(centre + place.turn * (options.to[place.of] - originOf(motion, options.at[place.of])));

@@ -27,7 +27,7 @@ void checkTwist(const MotionTwist& t) {
 
 EditResult twist(const Motion& motion, const MotionTwist& options, const Progress& progress) {
   checkTwist(options);
-  EditPlaces edit(motion, options.at, options.pins, options.symmetry, progress);
+  EditPlaces edit(motion, options.at, options.pins, options.symmetry, options.level, progress);
   std::vector<Vec4> wanted;
   const auto orientationAt = [&](const EditPlace& place) {
     return evaluate(edit.motion().orientation, place.at.u, place.at.v);

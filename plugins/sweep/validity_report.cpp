@@ -1,0 +1,125 @@
+#include "validity_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/place_text.h"
+#include "core/units.h"
+#include "geometry/crossing/surface_crossing.h"
+#include "kernel/cubic_approximation.h"
+#include "kernel/validity.h"
+
+namespace blossom::sweep {
+
+namespace {
+
+Value listOf(const Vec2& p) { return Value::array({p.x(), p.y()}); }
+Value listOf(const Vec3& p) { return Value::array({p.x(), p.y(), p.z()}); }
+
+std::string parametersText(const Vec2& at) { return fmt::format("u = {:.4g}, v = {:.4g}", at.x(), at.y()); }
+
+/// As many digits as help to find a place.
+Vec3 rounded(const Vec3& p, double size) {
+  const double unit = std::pow(10, std::floor(std::log10(std::max(size, 1e-9))) - 4);
+  return (p / unit).array().round().matrix() * unit + Vec3::Zero();
+}
+
+void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
+  constexpr double vanishing = 1e-6;
+  const Validity validity = examine(motion, progress);
+  out.stats["min_normal"] = validity.smallestNormal;
+  out.stats["min_normal_at"] = listOf(Vec2(validity.u, validity.v));
+  out.stats["min_normal_place"] = listOf(validity.place);
+  if (validity.smallestShare < vanishing)
+    out.warnings.push_back(
+        fmt::format("The surface has no normal near u = {}, v = {}: it runs into a point or folds over there.",
+                    formatNumber(validity.u), formatNumber(validity.v)));
+}
+
+void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
+  constexpr double small = 1e-6;  // of the largest
+  const SmallestWeight smallest = smallestProductWeight(motion, progress);
+  out.stats["min_weight_at"] = listOf(Vec2(smallest.u, smallest.v));
+  out.stats["min_weight_place"] = listOf(smallest.place);
+  if (smallest.weight < small)
+    out.warnings.push_back(fmt::format(
+        "The smallest weight of the surface, {:.3g} of the largest, belongs to {}: neighbouring quaternions differ much in "
+        "length or point away from each other there. Bring them to one length, or insert rows between them.",
+        smallest.weight, parametersText({smallest.u, smallest.v})));
+}
+
+void addCrossing(const Motion& motion, const Surface& surface, Evaluated& out, const Progress& progress) {
+  CrossingResult found;
+  try {
+    found = findCrossing(surface, {}, progress);
+  } catch (const Error& error) {
+    // A surface that needs too many triangles, say, is not refused for that.
+    if (error.code() == ErrorCode::Cancelled) throw;
+    out.warnings.push_back("Whether the surface crosses itself could not be tested: " + error.message());
+    return;
+  }
+  out.figures.push_back({"crosses_itself", found.deepest.has_value()});
+  if (!found.deepest) return;
+  const SurfaceCrossing& crossing = *found.deepest;
+  out.figures.push_back({"crossing_depth", crossing.depth, MeasureUnit::Length});
+  out.stats["crossing_place"] = listOf(crossing.point);
+  out.stats["crossing_first_at"] = listOf(crossing.first.at);
+  out.stats["crossing_second_at"] = listOf(crossing.second.at);
+  const CrossingCause why = causeOfCrossing(motion, crossing.first.at, crossing.second.at);
+  out.warnings.push_back(fmt::format("The surface crosses itself near {}, at {} and {}, by about {:.2g} mm: {} {}",
+                                     placeText(rounded(crossing.point, found.size)), parametersText(crossing.first.at),
+                                     parametersText(crossing.second.at), crossing.depth, why.cause, why.remedy));
+}
+
+void addDeviation(const Motion& motion, const Surface& surface, std::optional<double> known, Evaluated& out,
+                  const Progress& progress) {
+  constexpr int samplesOfASpan = 4;
+  const double off =
+      known ? *known : deviation(motion, surface, samplesOfASpan, std::numeric_limits<double>::infinity(), progress);
+  out.figures.push_back({"export_deviation", off, MeasureUnit::Length});
+}
+
+void addAllButCrossing(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
+                       const Progress& progress) {
+  addNormal(motion, out, progress);
+  if (!deviation) addWeight(motion, out, progress);  // a cubic surface has no weights
+  addDeviation(motion, surface, deviation, out, progress);
+}
+
+}  // namespace
+
+CrossingCause causeOfCrossing(const Motion& motion, const Vec2& first, const Vec2& second) {
+  const auto share = [](double a, double b, std::pair<double, double> domain, bool closed) {
+    const double d = std::abs(a - b) / (domain.second - domain.first);
+    return closed ? std::min(d, 1 - d) : d;
+  };
+  const double alongU = share(first.x(), second.x(), motion.domainU(), motion.closedU != ClosedU::No);
+  const double alongV = share(first.y(), second.y(), motion.domainV(), false);
+  constexpr double same = 0.02;
+  if (alongV < same)
+    return {fmt::format("the section at v = {:.3g} crosses itself.", (first.y() + second.y()) / 2),
+            "Even out its scaling and rotation along u."};
+  if (alongU < same || alongV < 0.3)
+    return {"the motion bends or turns more tightly than its sections are wide.",
+            "Make the sections smaller there, or the bend of the trajectory wider."};
+  return {"two parts of the motion that are far apart along v pass through each other.",
+          "Move the trajectory apart there, or make the sections smaller."};
+}
+
+void addValidity(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
+                 const Progress& progress) {
+  addAllButCrossing(motion, surface, deviation, out, progress);
+  addCrossing(motion, surface, out, progress);
+}
+
+void addValidityOfSolid(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
+                        const Progress& progress) {
+  addAllButCrossing(motion, surface, deviation, out, progress);
+  out.figures.push_back({"crosses_itself", false});
+}
+
+}  // namespace blossom::sweep

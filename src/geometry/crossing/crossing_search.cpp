@@ -1,0 +1,121 @@
+#include "geometry/crossing/crossing_search.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/crossing/local_sheets.h"
+
+namespace blossom {
+namespace {
+
+constexpr std::size_t highestTried = 200, othersTried = 200;  ///< pairs on which Newton's method begins
+constexpr int placesExamined = 20, placesAfterTheFirst = 2;   ///< of two sheets
+constexpr std::size_t placesTried = 80;                       ///< those of one sheet included
+constexpr double leastSine = 2e-3;                            ///< of the angle between sheets that cross
+constexpr double shareOfSize = 0.3;                           ///< the widest ball
+constexpr double deepEnough = 8;                              ///< times the depth that is looked for: no wider ball is asked
+constexpr double firstRadius = 0.25, shareOfDepth = 0.3, offOfDepth = 0.05;  ///< of the depth that is looked for
+
+/// The greatest heights, and some evenly chosen among the rest: artefacts of a thin wall may be many.
+std::vector<TrianglePair> pairsChosen(const std::vector<TrianglePair>& pairs) {
+  const std::size_t front = std::min(pairs.size(), highestTried);
+  std::vector<TrianglePair> result(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(front));
+  const std::size_t stride = std::max<std::size_t>(1, (pairs.size() - front) / othersTried);
+  for (std::size_t k = front; k < pairs.size(); k += stride) result.push_back(pairs[k]);
+  return result;
+}
+
+/// The parameters of a point of a triangle, from its share in every corner.
+Vec2 parametersAt(const SheetTriangle& t, const std::array<Vec3, 3>& at, const Vec3& p) {
+  const Vec3 a = at[1] - at[0], b = at[2] - at[0], x = p - at[0];
+  const double aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), ax = a.dot(x), bx = b.dot(x);
+  const double whole = aa * bb - ab * ab;
+  if (!(whole > 0)) return (t.at[0] + t.at[1] + t.at[2]) / 3;
+  const double s = std::clamp((bb * ax - ab * bx) / whole, 0.0, 1.0);
+  const double r = std::clamp((aa * bx - ab * ax) / whole, 0.0, 1.0 - s);
+  return t.at[0] + s * (t.at[1] - t.at[0]) + r * (t.at[2] - t.at[0]);
+}
+
+double longestSide(const std::array<Vec3, 3>& t) {
+  return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+}
+
+class Examiner {
+ public:
+  Examiner(const SheetMesh& mesh, const SmoothSheets& sheets, const CrossingOptions& o, const Progress& progress)
+      : mesh_(mesh), sheets_(sheets), depth_(o.depth * mesh.size), progress_(progress) {}
+
+  CrossingResult run(const MeetingTriangles& found) {
+    CrossingResult result;
+    result.size = mesh_.size;
+    result.triangles = mesh_.triangles.size();
+    result.pairs = found.pairs.size();
+    int left = placesExamined;
+    for (const TrianglePair& pair : pairsChosen(found.pairs)) {
+      if (left == 0 || examined_.size() == placesTried) break;
+      progress_.check();
+      const auto meeting = meetingOf(pair);
+      if (!meeting || meeting->sine < leastSine || wasExamined(meeting->point, result.deepest ? 10 : firstRadius)) continue;
+      ++result.meetings;
+      examined_.push_back(meeting->point);
+      const std::optional<double> depth = depthAt(*meeting);
+      if (depth) --left;
+      if (depth.value_or(0) <= 0) continue;
+      if (!result.deepest) left = std::min(left, placesAfterTheFirst);
+      if (!result.deepest || *depth > result.deepest->depth)
+        result.deepest = SurfaceCrossing{meeting->point, meeting->first, meeting->second, *depth};
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::optional<SheetMeeting> meetingOf(const TrianglePair& pair) const {
+    const SheetTriangle &a = mesh_.triangles[pair.first], &b = mesh_.triangles[pair.second];
+    const auto atA = mesh_.at(a), atB = mesh_.at(b);
+    const double reach = 2 * (longestSide(atA) + longestSide(atB));
+    return meet(sheets_, {a.face, parametersAt(a, atA, pair.place)}, {b.face, parametersAt(b, atB, pair.place)}, reach,
+                mesh_.size);
+  }
+
+  /// @param near as a multiple of the depth
+  [[nodiscard]] bool wasExamined(const Vec3& point, double near) const {
+    return std::any_of(examined_.begin(), examined_.end(),
+                       [&](const Vec3& other) { return (other - point).norm() < near * depth_; });
+  }
+
+  /// In balls that grow as long as there are two sheets in them; 0 when the sheets do not pass through each other. They
+  /// begin where sheets at that angle could be told apart, and end where sheets that pass through each other would have
+  /// shown it.
+  [[nodiscard]] std::optional<double> depthAt(const SheetMeeting& meeting) const {
+    const double needed = shareOfDepth * depth_;
+    const double widest = std::min(shareOfSize * mesh_.size, 8 * depth_ / meeting.sine);
+    std::optional<double> found;
+    double depth = 0, radius = std::max(firstRadius * depth_, needed / (2 * meeting.sine));
+    for (int worse = 0; radius <= widest && worse < 2 && depth < deepEnough * depth_; radius *= 2) {
+      const Passage passage = passageAt(mesh_, sheets_, meeting, radius, offOfDepth * depth_, progress_);
+      if (!passage.apart) break;
+      found = depth;
+      if (passage.depth >= std::min(0.25 * radius, needed) && passage.depth > depth)
+        depth = passage.depth, worse = 0;
+      else if (depth > 0)
+        ++worse;
+    }
+    return found ? std::optional(depth) : std::nullopt;
+  }
+
+  const SheetMesh& mesh_;
+  const SmoothSheets& sheets_;
+  double depth_;
+  const Progress& progress_;
+  std::vector<Vec3> examined_;
+};
+
+}  // namespace
+
+CrossingResult searchCrossing(const SheetMesh& mesh, const SmoothSheets& sheets, const MeetingTriangles& found,
+                              const CrossingOptions& o, const Progress& progress) {
+  return Examiner(mesh, sheets, o, progress).run(found);
+}
+
+}  // namespace blossom

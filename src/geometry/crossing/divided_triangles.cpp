@@ -1,0 +1,89 @@
+#include "geometry/crossing/divided_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+namespace blossom {
+namespace {
+
+constexpr int whole = -1;  // a side that is not halved
+
+class Divider {
+ public:
+  Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong)
+      : points_(points), sheets_(sheets), tooLong_(tooLong) {}
+
+  bool divide(const SheetTriangle& t, std::vector<SheetTriangle>& made) {
+    const std::array<int, 3> middle{middleOf(t, 0), middleOf(t, 1), middleOf(t, 2)};
+    const auto count = 3 - std::count(middle.begin(), middle.end(), whole);
+    if (count == 0) {
+      made.push_back(t);
+      return false;
+    }
+    // Round the triangle, corners and middles.
+    std::vector<Corner> round;
+    for (std::size_t k = 0; k < 3; ++k) {
+      round.push_back({t.corners[k], t.at[k], false});
+      if (middle[k] != whole) round.push_back({middle[k], (t.at[k] + t.at[(k + 1) % 3]) / 2, true});
+    }
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const Corner &x = round[a % round.size()], &y = round[b % round.size()], &z = round[c % round.size()];
+      made.push_back({{x.point, y.point, z.point}, {x.at, y.at, z.at}, t.face});
+    };
+    if (count == 3) {
+      add(5, 0, 1), add(1, 2, 3), add(3, 4, 5), add(1, 3, 5);
+      return true;
+    }
+    // A fan from a middle, across the corner between two of them.
+    std::size_t from = 0;
+    while (!round[from].isMiddle || (count == 2 && !round[(from + 2) % round.size()].isMiddle)) ++from;
+    for (std::size_t k = 1; k + 1 < round.size(); ++k) add(from, from + k, from + k + 1);
+    return true;
+  }
+
+ private:
+  struct Corner {
+    int point = 0;
+    Vec2 at;
+    bool isMiddle = false;
+  };
+
+  /// The middle of the side from corner k to the next, one point for both its triangles.
+  int middleOf(const SheetTriangle& t, std::size_t k) {
+    const std::size_t l = (k + 1) % 3;
+    const auto low = static_cast<std::uint64_t>(std::min(t.corners[k], t.corners[l])),
+               high = static_cast<std::uint64_t>(std::max(t.corners[k], t.corners[l]));
+    const auto [found, isNew] = middles_.try_emplace(low << 32U | high, whole);
+    if (!isNew) return found->second;
+    const Vec3 p = points_[static_cast<std::size_t>(t.corners[k])], q = points_[static_cast<std::size_t>(t.corners[l])];
+    Vec3 middle = sheets_.frame(t.face, (t.at[k] + t.at[l]) / 2).point;
+    // Beside a pole the mean of the parameters may be far away.
+    if (!((middle - (p + q) / 2).norm() < (p - q).norm() / 2)) middle = (p + q) / 2;
+    if (!tooLong_(p, q, middle)) return whole;
+    points_.push_back(middle);
+    return found->second = static_cast<int>(points_.size()) - 1;
+  }
+
+  std::vector<Vec3>& points_;
+  const SmoothSheets& sheets_;
+  const SideJudge& tooLong_;
+  std::unordered_map<std::uint64_t, int> middles_;
+};
+
+}  // namespace
+
+bool divideOnce(std::vector<Vec3>& points, std::vector<SheetTriangle>& triangles, const SmoothSheets& sheets,
+                const SideJudge& tooLong) {
+  Divider divider(points, sheets, tooLong);
+  std::vector<SheetTriangle> made;
+  made.reserve(2 * triangles.size());
+  bool any = false;
+  for (const SheetTriangle& t : triangles) any |= divider.divide(t, made);
+  triangles = std::move(made);
+  return any;
+}
+
+}  // namespace blossom

@@ -1,0 +1,45 @@
+#pragma once
+#include <BRepAdaptor_Surface.hxx>
+#include <TopoDS_Shape.hxx>
+#include <optional>
+#include <vector>
+
+#include "geometry/bspline/bspline.h"
+#include "geometry/crossing/sheet_mesh.h"
+
+namespace blossom {
+
+/// The smooth faces that a SheetMesh stands for, evaluated by their numbers.
+class SmoothSheets {
+ public:
+  explicit SmoothSheets(const Surface& surface) : surface_(&surface) {}
+  explicit SmoothSheets(const TopoDS_Shape&);
+
+  /// Point and first derivatives, mm and mm per unit of the parameters. The surface goes on beyond the border of a face.
+  [[nodiscard]] SurfaceFrame frame(int face, const Vec2& at) const;
+
+ private:
+  const Surface* surface_ = nullptr;        ///< or the faces
+  std::vector<BRepAdaptor_Surface> faces_;  ///< in the order of TopExp::MapShapes
+};
+
+/// A place on one sheet.
+struct SheetPlace {
+  int face = 0;
+  Vec2 at = Vec2::Zero();  ///< parameters on the face
+};
+
+/// Where two sheets meet.
+struct SheetMeeting {
+  Vec3 point = Vec3::Zero();
+  SheetPlace first, second;
+  double sine = 0;  ///< of the angle between the normals; 0: the sheets are tangent, or one has no normal
+};
+
+/// Newton's method for a common point of two sheets, beginning at a place on either: each step is the shortest, measured in
+/// space, that closes the gap of the tangent planes.
+/// @param reach mm, how far from its start the point may lie  @returns nothing where the sheets do not meet within reach
+std::optional<SheetMeeting> meet(const SmoothSheets&, const SheetPlace& first, const SheetPlace& second, double reach,
+                                 double size);
+
+}  // namespace blossom

@@ -1,0 +1,95 @@
+// The region that is drawn where a pull would change the surface, against what a pull changes; and the keys for its level.
+#include "geometry/bspline/bspline.h"
+#include "support/motions.h"
+#include "support/support.h"
+#include "sweep/kernel/begin/primitive_motions.h"
+#include "sweep/kernel/edit/pull.h"
+#include "sweep/kernel/grid/motion_point.h"
+#include "sweep/manipulators/edit_region.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::sweep;
+
+namespace {
+
+PullMode modeOf(int wayKey, int level, int fold = 1) {
+  PullMode mode;
+  mode.key(wayKey);
+  for (int k = 0; k < level; ++k) mode.key(Qt::Key_Plus);
+  for (int k = 0; k > level; --k) mode.key(Qt::Key_Minus);
+  mode.key(Qt::Key_0 + fold);
+  return mode;
+}
+
+/// @param margin share of its width that is left out on each side, where little changes
+bool isIn(const EditRegion& region, double u, double v, double margin) {
+  const auto within = [&](double t, double first, double last) {
+    return t > first + margin * (last - first) && t < last - margin * (last - first);
+  };
+  bool inU = region.around;
+  for (const double turns : {-1.0, 0.0, 1.0}) inU = inU || within(u + turns, region.firstU, region.lastU);
+  return inU && within(v, region.firstV, region.lastV);
+}
+
+}  // namespace
+
+class SweepRegionTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theRegionIsWhatChanges() {
+    auto random = seededRandom();
+    const Motion given = primitiveMotion({.radius = 10, .rows = 16, .columns = 12}).motion;
+    int inside = 0, outside = 0;
+    for (int k = 0; k < 60; ++k) {
+      Motion motion = given;
+      if (k % 3 == 2) {  // one that was refined before
+        MotionPull fine{{{0.4, 0.6}}, {Vec3(0, 14, 24)}, {0, 0, 1}};
+        fine.level = 2;
+        motion = pull(motion, fine).motion;
+      }
+      const int level = k % 6 - 2;
+      const int way = k % 2 == 0 ? Qt::Key_S : Qt::Key_T;
+      const PullMode mode = modeOf(way, level);
+      QCOMPARE(mode.level(), level);
+      const MotionPlace at{uniform(random, 0, 1), uniform(random, 0, 1)};
+      MotionPull edit{{at}, {evaluate(motion, at.u, at.v).point + Vec3(5, 6, 7)}, mode.weights()};
+      edit.level = mode.level();
+      const Motion after = pull(motion, edit).motion;
+      const EditRegion region = editRegion(motion, at, mode);
+      for (int i = 0; i < 300; ++i) {
+        const double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
+        const double moved = (evaluate(after, u, v).point - evaluate(motion, u, v).point).norm();
+        if (isIn(region, u, v, 0.3)) {
+          ++inside;
+          QVERIFY2(moved > 1e-9, qPrintable(QString("%1 at %2, %3, level %4").arg(moved).arg(u).arg(v).arg(level)));
+        } else if (!isIn(region, u, v, 0)) {
+          ++outside;
+          QVERIFY2(moved < 1e-12, qPrintable(QString("%1 at %2, %3, level %4").arg(moved).arg(u).arg(v).arg(level)));
+        }
+      }
+    }
+    QVERIFY(inside > 500 && outside > 1000);
+  }
+
+  void keysChangeTheLevel() {
+    PullMode mode;
+    QVERIFY(mode.levelText().isEmpty());
+    QVERIFY(mode.key(Qt::Key_Equal));
+    QCOMPARE(mode.level(), 1);
+    QVERIFY(mode.key(Qt::Key_Plus) && !mode.levelText().isEmpty());
+    QCOMPARE(mode.level(), 2);
+    QVERIFY(mode.levelText().contains("2"));
+    for (int k = 0; k < 30; ++k) QVERIFY(mode.key(Qt::Key_Minus));
+    QCOMPARE(mode.level(), coarsestLevel);
+    for (int k = 0; k < 30; ++k) QVERIFY(mode.key(Qt::Key_Plus));
+    QCOMPARE(mode.level(), finestLevel);
+    QVERIFY(mode.key(Qt::Key_0));
+    QCOMPARE(mode.level(), 0);
+    QCOMPARE(mode.symmetry().fold, 1);
+  }
+};
+
+QTEST_GUILESS_MAIN(SweepRegionTest)
+#include "sweep_region_test.moc"

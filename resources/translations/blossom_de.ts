@@ -863,8 +863,20 @@
         <translation>gespiegelt</translation>
     </message>
     <message>
-        <source>level %1</source>
-        <translation>Stufe %1</translation>
+        <source>one level finer</source>
+        <translation>eine Stufe feiner</translation>
+    </message>
+    <message>
+        <source>one level coarser</source>
+        <translation>eine Stufe gröber</translation>
+    </message>
+    <message>
+        <source>%1 levels finer</source>
+        <translation>%1 Stufen feiner</translation>
+    </message>
+    <message>
+        <source>%1 levels coarser</source>
+        <translation>%1 Stufen gröber</translation>
     </message>
 </context>
 <context>
@@ -973,6 +985,14 @@
         <source>chosen: %1, pinned: %2 (Esc: none)</source>
         <translation>gewählt: %1, festgesteckt: %2 (Esc: keine)</translation>
     </message>
+    <message>
+        <source>+, −: finer, coarser</source>
+        <translation>+, −: feiner, gröber</translation>
+    </message>
+    <message>
+        <source>%1 (0: as it is)</source>
+        <translation>%1 (0: unverändert)</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::TurnBall</name>
@@ -983,6 +1003,21 @@
     <message>
         <source>Drag to turn the chosen poles as the view sees them; along the rim, about the line of sight</source>
         <translation>Ziehen dreht die gewählten Pole, wie die Ansicht sie sieht; am Rand entlang um die Blickrichtung</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::ValidityMarks</name>
+    <message>
+        <source>smallest normal</source>
+        <translation>kleinste Normale</translation>
+    </message>
+    <message>
+        <source>smallest weight</source>
+        <translation>kleinstes Gewicht</translation>
+    </message>
+    <message>
+        <source>crosses itself</source>
+        <translation>durchdringt sich</translation>
     </message>
 </context>
 <context>

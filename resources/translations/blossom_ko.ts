@@ -863,8 +863,20 @@
         <translation>대칭</translation>
     </message>
     <message>
-        <source>level %1</source>
-        <translation>단계 %1</translation>
+        <source>one level finer</source>
+        <translation>한 단계 세밀하게</translation>
+    </message>
+    <message>
+        <source>one level coarser</source>
+        <translation>한 단계 성기게</translation>
+    </message>
+    <message>
+        <source>%1 levels finer</source>
+        <translation>%1단계 세밀하게</translation>
+    </message>
+    <message>
+        <source>%1 levels coarser</source>
+        <translation>%1단계 성기게</translation>
     </message>
 </context>
 <context>
@@ -973,6 +985,14 @@
         <source>chosen: %1, pinned: %2 (Esc: none)</source>
         <translation>고름: %1, 고정: %2 (Esc: 없음)</translation>
     </message>
+    <message>
+        <source>+, −: finer, coarser</source>
+        <translation>+, −: 세밀하게, 성기게</translation>
+    </message>
+    <message>
+        <source>%1 (0: as it is)</source>
+        <translation>%1 (0: 그대로)</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::TurnBall</name>
@@ -983,6 +1003,21 @@
     <message>
         <source>Drag to turn the chosen poles as the view sees them; along the rim, about the line of sight</source>
         <translation>끌면 고른 제어점을 보기에 보이는 대로 회전, 가장자리를 따라 끌면 시선 둘레로 회전</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::sweep::ValidityMarks</name>
+    <message>
+        <source>smallest normal</source>
+        <translation>가장 작은 법선</translation>
+    </message>
+    <message>
+        <source>smallest weight</source>
+        <translation>가장 작은 가중치</translation>
+    </message>
+    <message>
+        <source>crosses itself</source>
+        <translation>자기 교차</translation>
     </message>
 </context>
 <context>

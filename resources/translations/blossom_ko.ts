@@ -199,7 +199,7 @@
     </message>
     <message>
         <source>iso curves</source>
-        <translation>등매개변수 곡선</translation>
+        <translation>아이소커브</translation>
     </message>
 </context>
 <context>
@@ -635,7 +635,7 @@
     </message>
     <message>
         <source>Iso-curves</source>
-        <translation>등매개변수 곡선</translation>
+        <translation>아이소커브</translation>
     </message>
     <message>
         <source>Draw the curves of constant u and v at the knots</source>
@@ -4028,7 +4028,7 @@ Drag sideways to change it.</source>
     </message>
     <message>
         <source>&amp;Iso-curves</source>
-        <translation>등매개변수 곡선(&amp;I)</translation>
+        <translation>아이소커브(&amp;I)</translation>
     </message>
     <message>
         <source>Draw curves of constant parameter on the faces.</source>
@@ -4036,7 +4036,7 @@ Drag sideways to change it.</source>
     </message>
     <message>
         <source>isoparametric;parameter lines;surface quality</source>
-        <translation>아이소커브;매개변수 선;곡면 품질</translation>
+        <translation>등매개변수 곡선;매개변수 선;곡면 품질</translation>
     </message>
     <message>
         <source>Surface &amp;quality</source>

@@ -6,7 +6,7 @@ namespace blossom::sweep {
 
 std::array<std::vector<double>, 3> evaluateGrid(const Surface& surface, std::span<const double> us,
                                                 std::span<const double> vs) {
-  const FactorGrid grid(surface, tabulateBasis(surface.degreeU, surface.knotsU, us),
+  const FactorGrid grid(surface, us, tabulateBasis(surface.degreeU, surface.knotsU, us),
                         tabulateBasis(surface.degreeV, surface.knotsV, vs));
   std::array<std::vector<double>, 3> points;
   for (auto& coordinate : points) coordinate.resize(us.size() * vs.size());

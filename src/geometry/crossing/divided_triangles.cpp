@@ -9,7 +9,7 @@
 namespace blossom {
 namespace {
 
-constexpr int whole = -1;  // a side that is not halved
+constexpr int undivided = -1;  // a side that is not halved
 
 class Divider {
  public:
@@ -18,7 +18,7 @@ class Divider {
 
   bool divide(const SheetTriangle& t, std::vector<SheetTriangle>& made) {
     const std::array<int, 3> middle{middleOf(t, 0), middleOf(t, 1), middleOf(t, 2)};
-    const auto count = 3 - std::count(middle.begin(), middle.end(), whole);
+    const auto count = 3 - std::count(middle.begin(), middle.end(), undivided);
     if (count == 0) {
       made.push_back(t);
       return false;
@@ -27,7 +27,7 @@ class Divider {
     std::vector<Corner> round;
     for (std::size_t k = 0; k < 3; ++k) {
       round.push_back({t.corners[k], t.at[k], false});
-      if (middle[k] != whole) round.push_back({middle[k], (t.at[k] + t.at[(k + 1) % 3]) / 2, true});
+      if (middle[k] != undivided) round.push_back({middle[k], (t.at[k] + t.at[(k + 1) % 3]) / 2, true});
     }
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       const Corner &x = round[a % round.size()], &y = round[b % round.size()], &z = round[c % round.size()];
@@ -56,13 +56,13 @@ class Divider {
     const std::size_t l = (k + 1) % 3;
     const auto low = static_cast<std::uint64_t>(std::min(t.corners[k], t.corners[l])),
                high = static_cast<std::uint64_t>(std::max(t.corners[k], t.corners[l]));
-    const auto [found, isNew] = middles_.try_emplace(low << 32U | high, whole);
+    const auto [found, isNew] = middles_.try_emplace(low << 32U | high, undivided);
     if (!isNew) return found->second;
     const Vec3 p = points_[static_cast<std::size_t>(t.corners[k])], q = points_[static_cast<std::size_t>(t.corners[l])];
     Vec3 middle = sheets_.frame(t.face, (t.at[k] + t.at[l]) / 2).point;
     // Beside a pole the mean of the parameters may be far away.
     if (!((middle - (p + q) / 2).norm() < (p - q).norm() / 2)) middle = (p + q) / 2;
-    if (!tooLong_(p, q, middle)) return whole;
+    if (!tooLong_(p, q, middle)) return undivided;
     points_.push_back(middle);
     return found->second = static_cast<int>(points_.size()) - 1;
   }

@@ -4,7 +4,7 @@ namespace blossom::ui {
 
 namespace {
 
-std::optional<Error> errorOf(const Job::Work& work, const Progress& progress) {
+std::optional<Error> errorOfWork(const Job::Work& work, const Progress& progress) {
   try {
     work(progress);
     return std::nullopt;
@@ -29,7 +29,7 @@ void Job::start(const QString& title, Work work, Then then) {
     here_.post([this, fraction, stage] { emit progressed(fraction, QString::fromStdString(stage)); });
   });
   thread_.start([this, progress, work = std::move(work), then = std::move(then)] {
-    here_.post([this, error = errorOf(work, progress), then] { finish(error, then); });
+    here_.post([this, error = errorOfWork(work, progress), then] { finish(error, then); });
   });
 }
 

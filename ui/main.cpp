@@ -65,7 +65,7 @@ struct Flags {
   const QCommandLineOption theme{
       QStringLiteral("theme"), QStringLiteral("dark or light; otherwise as chosen in the window."), QStringLiteral("NAME")};
   const QCommandLineOption display{
-      QStringLiteral("display"),
+      QStringLiteral("display-mode"),  // --display is Qt's, for the X server
       QStringLiteral("How shapes are drawn at first: edges, shaded, wireframe, zebra, gaussian, mean, largest, iso."),
       QStringLiteral("MODE")};
   const QCommandLineOption timings{QStringLiteral("print-timings"),

@@ -32,6 +32,7 @@ void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   constexpr double vanishing = 1e-6;
   const Validity validity = examine(motion, progress);
   out.stats["min_normal"] = validity.smallestNormal;
+  out.stats["min_normal_share"] = validity.smallestShare;
   out.stats["min_normal_at"] = listOf(Vec2(validity.u, validity.v));
   out.stats["min_normal_place"] = listOf(validity.place);
   if (validity.smallestShare < vanishing)
@@ -43,6 +44,7 @@ void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
 void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
   constexpr double small = 1e-6;  // of the largest
   const SmallestWeight smallest = smallestProductWeight(motion, progress);
+  out.stats["min_weight_share"] = smallest.weight;
   out.stats["min_weight_at"] = listOf(Vec2(smallest.u, smallest.v));
   out.stats["min_weight_place"] = listOf(smallest.place);
   if (smallest.weight < small)

@@ -84,7 +84,7 @@ struct PictureOptions {
   bool edges = true;
   double chord = 0;  ///< mm; 0: chosen by the resolution of the picture
   SurfaceDisplay display = SurfaceDisplay::Plain;
-  ZebraLook zebra;
+  ZebraLook zebra = {};
   int isoCurves = 8;  ///< in each direction of a face
 };
 

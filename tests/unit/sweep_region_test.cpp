@@ -73,6 +73,43 @@ class SweepRegionTest : public QObject {
     QVERIFY(inside > 500 && outside > 1000);
   }
 
+  void theRegionPassesOverTheSeamOfARingAtEveryLevel() {
+    auto random = seededRandom();
+    const Motion given =
+        primitiveMotion({.kind = PrimitiveKind::Torus, .radius = 30, .profile = 6, .rows = 8, .columns = 32}).motion;
+    int inside = 0, outside = 0;
+    for (int k = 0; k < 60; ++k) {
+      Motion motion = given;
+      if (k % 3 == 2) {
+        MotionPull fine{{{0.4, 0.99}}, {evaluate(given, 0.4, 0.99).point + Vec3(0, 1, 1)}, {0, 0, 1}};
+        fine.level = 2;
+        motion = pull(motion, fine).motion;
+      }
+      const PullMode mode = modeOf(k % 2 == 0 ? Qt::Key_S : Qt::Key_T, k % 5 - 2);
+      const MotionPlace at{uniform(random, 0, 1), k % 4 < 2 ? uniform(random, 0, 0.04) : uniform(random, 0.96, 1)};
+      MotionPull edit{{at}, {evaluate(motion, at.u, at.v).point + Vec3(1, 2, 1)}, mode.weights()};
+      edit.level = mode.level();
+      const Motion after = pull(motion, edit).motion;
+      const EditRegion region = editRegion(motion, at, mode);
+      QVERIFY(region.ring && (region.firstV < 0 || region.lastV > 1) && region.lastV - region.firstV < 1);
+      const auto isInRing = [&](double u, double v, double margin) {
+        return isIn(region, u, v, margin) || isIn(region, u, v - 1, margin) || isIn(region, u, v + 1, margin);
+      };
+      for (int i = 0; i < 300; ++i) {
+        const double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
+        const double moved = (evaluate(after, u, v).point - evaluate(motion, u, v).point).norm();
+        if (isInRing(u, v, 0.3)) {
+          ++inside;
+          QVERIFY2(moved > 1e-9, qPrintable(QString("%1 at %2, %3, level %4").arg(moved).arg(u).arg(v).arg(k % 5 - 2)));
+        } else if (!isInRing(u, v, 0)) {
+          ++outside;
+          QVERIFY2(moved < 1e-12, qPrintable(QString("%1 at %2, %3, level %4").arg(moved).arg(u).arg(v).arg(k % 5 - 2)));
+        }
+      }
+    }
+    QVERIFY(inside > 300 && outside > 1000);
+  }
+
   void keysChangeTheLevel() {
     PullMode mode;
     QVERIFY(mode.levelText().isEmpty());

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "geometry/bspline/bspline.h"
+#include "support/motion_rings.h"
 #include "support/motion_sizes.h"
 #include "support/motions.h"
 #include "support/support.h"
@@ -23,103 +24,9 @@ using namespace blossom::sweep;
 
 namespace {
 
-PrimitiveOptions ringOptions(Random& random) {
-  PrimitiveOptions o;
-  o.kind = PrimitiveKind::Torus;
-  o.radius = uniform(random, 20, 40);
-  o.profile = uniform(random, 3, 10);
-  o.rows = static_cast<std::size_t>(uniformInt(random, 1, 4)) * 4;
-  o.columns = static_cast<std::size_t>(uniformInt(random, 2, 8)) * 2;
-  return o;
-}
-
-/// A period of knots from 0 to 1 that begins with a knot of the given multiplicity.
-std::vector<double> periodWithSeam(Random& random, int degree, int multiplicity) {
-  std::vector<double> period(static_cast<std::size_t>(multiplicity), 0.0);
-  double at = 0;
-  for (int spans = uniformInt(random, 1, 6); spans > 1; --spans) {
-    at += uniform(random, 0.5, 1.5);
-    period.insert(period.end(), static_cast<std::size_t>(uniformInt(random, 1, degree)), at);
-  }
-  for (double& knot : period) knot /= at + 1;
-  period.push_back(1);
-  return period;
-}
-
-/// Row r of one period more is `ratio` times row r.
-Curve ringCurve(int degree, const std::vector<double>& period, const std::vector<Vec4>& rows, double ratio) {
-  Curve curve{degree, unwrappedKnots(degree, period), {}};
-  double factor = 1;
-  for (std::size_t i = 0; i < rows.size() + static_cast<std::size_t>(degree); ++i) {
-    if (i > 0 && i % rows.size() == 0) factor *= ratio;
-    curve.poles.emplace_back(factor * rows[i % rows.size()]);
-  }
-  return curve;
-}
-
-struct Ring {
-  int degree = 3;
-  std::vector<double> period;
-  std::vector<Vec4> rows;
-  double ratio = 1;
-  [[nodiscard]] Curve clampedCurve() const { return clamped(ringCurve(degree, period, rows, ratio)); }
-};
-
-Ring randomRing(Random& random, int continuity, int degree, double ratio) {
-  Ring ring{degree, periodWithSeam(random, degree, degree - continuity), {}, ratio};
-  while (ring.rows.size() + 1 < ring.period.size()) ring.rows.push_back(randomPole(random, 10));
-  return ring;
-}
-
-/// The largest differences of the factors' derivatives at the two ends, over what they are made of: poles divided by the
-/// length of the spans there.
-double openness(const Motion& motion) {
-  const auto joined = joinedInV(motion);
-  if (!joined) return INFINITY;
-  double worst = 0;
-  const auto compare = [&](const Curve& line, const JoinedEnds& ends) {
-    const auto [first, last] = line.domain();
-    const std::vector<Vec4> start = derivatives(line, first, ends.continuity),
-                            end = derivatives(line, last, ends.continuity);
-    const std::size_t p = static_cast<std::size_t>(line.degree), n = line.poles.size();
-    const double span = std::min(line.knots[p + 1] - line.knots[p], line.knots[n] - line.knots[n - 1]);
-    double unit = magnitude(line.poles);
-    for (std::size_t k = 0; k < start.size(); ++k) {
-      worst = std::max(worst, (end[k] - ends.ratio * start[k]).norm() / unit);
-      unit *= static_cast<double>(p - k) / span;
-    }
-  };
-  compare(motion.trajectory, joined->trajectory);
-  const auto [first, last] = motion.domainU();
-  for (int i = 0; i <= 7; ++i) {
-    const double u = first + (last - first) * i / 7;
-    compare(isoU(motion.orientation, u), joined->orientation);
-    compare(isoU(motion.scaling, u), joined->scaling);
-  }
-  return worst;
-}
-
-enum class Way { Translate, Rotate, Scale, Together, Twist };
-constexpr Way allWays[] = {Way::Translate, Way::Rotate, Way::Scale, Way::Together, Way::Twist};
-
-/// Moves, turns or scales at (u, v), by what looks the same after the rotation of the ring by `turn`.
-EditResult edit(const Motion& motion, const MotionPlace& at, Way way, const Eigen::Matrix3d& turn, int fold = 1) {
-  const Vec3 centre = blossom::point(motion.trajectory, at.v), arm = evaluate(motion, at.u, at.v).point - centre;
-  const Eigen::AngleAxisd little(0.4, turn * Vec3(1, 2, 3).normalized());
-  const EditSymmetry symmetry{fold, false};
-  switch (way) {
-    case Way::Translate:
-      return pull(motion, {{at}, {centre + arm + turn * Vec3(3, -2, 4)}, {1, 0, 0}, Vec3::Zero(), {}, symmetry});
-    case Way::Rotate:
-      return pull(motion, {{at}, {centre + little * arm}, {0, 1, 0}, Vec3::Zero(), {}, symmetry});
-    case Way::Scale:
-      return pull(motion, {{at}, {centre + 1.6 * arm}, {0, 0, 1}, Vec3::Zero(), {}, symmetry});
-    case Way::Together:
-      return pull(motion, {{at}, {centre + 1.4 * (little * arm)}, {0, 1, 1}, Vec3::Zero(), {}, symmetry});
-    case Way::Twist:
-      return twist(motion, {{at}, little.axis(), 25, {}, symmetry});
-  }
-  return {};
+/// By what looks the same after the rotation of the ring by `turn`.
+EditResult edit(const Motion& motion, const MotionPlace& at, EditWay way, const Eigen::Matrix3d& turn, int fold = 1) {
+  return editRing(motion, {at, way, fold, 0, turn});
 }
 
 /// Point and derivatives in v of the exact surface, up to the second.
@@ -154,18 +61,12 @@ class SweepSeamTest : public QObject {
   }
 
   void tubesAlongClosedCurvesAreClosed() {
-    // An oval: a circle drawn out in x and bent upwards.
-    Curve path{3, unwrappedKnots(3, evenBreaks(12)), {}};
-    for (int i = 0; i < 15; ++i) {
-      const double angle = 2 * std::numbers::pi * i / 12;
-      path.poles.emplace_back(60 * std::cos(angle), 40 * std::sin(angle), 8 * std::cos(2 * angle), 1);
-    }
-    const Motion tube = motionFromCurve(clamped(path), {.radius = 4}).motion;
+    const Motion tube = motionFromCurve(closedOval(), {.radius = 4}).motion;
     const auto joined = joinedInV(tube);
     QVERIFY(joined);
     QCOMPARE(joined->trajectory.continuity, 2);
     QVERIFY(joined->orientation.continuity >= 1);
-    const EditResult pulled = edit(tube, {0.3, 0}, Way::Together, Eigen::Matrix3d::Identity());
+    const EditResult pulled = edit(tube, {0.3, 0}, EditWay::Together, Eigen::Matrix3d::Identity());
     QVERIFY(pulled.obstacles.empty());
     QVERIFY(openness(pulled.motion) < 1e-13);
   }
@@ -178,22 +79,12 @@ class SweepSeamTest : public QObject {
       const int degree = uniformInt(random, 1, 6), continuity = uniformInt(random, 0, degree - 1);
       const bool rational = k % 2 == 0;
       const double ratio = std::array{1.0, -1.0, 1.5}[static_cast<std::size_t>(rational ? 2 * (k % 4 / 2) : k % 3)];
-      Ring ring = randomRing(random, continuity, degree, ratio);
+      RingLine ring = randomRing(random, continuity, degree, ratio);
       const Curve curve = ring.clampedCurve();
       const std::size_t columns = curve.poles.size(), free = columns - 1 - static_cast<std::size_t>(continuity);
       QCOMPARE(free, ring.rows.size());
       const JoinedEnds ends{ratio, continuity};
-      const SeamV seam = rational ? SeamV(curve, ends)
-                                  : SeamV(Surface{1,
-                                                  degree,
-                                                  {0, 0, 1, 1},
-                                                  curve.knots,
-                                                  [&] {
-                                                    std::vector<Vec4> both = curve.poles;
-                                                    both.insert(both.end(), curve.poles.begin(), curve.poles.end());
-                                                    return both;
-                                                  }()},
-                                          ends);
+      const SeamV seam = rational ? SeamV(curve, ends) : SeamV(spaceOf(curve), ends);
       // Free pole f is row f + degree - 1 of the periodic spline, which stands for row f + degree - 1 - free times ratio.
       const std::size_t f = static_cast<std::size_t>(uniformInt(random, 0, static_cast<int>(free) - 1));
       const Vec3 by(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
@@ -225,12 +116,12 @@ class SweepSeamTest : public QObject {
       const double v =
           std::array{0.0, 1.0, uniform(random, 0, 0.2), uniform(random, 0.8, 1)}[static_cast<std::size_t>(k % 4)];
       const MotionPlace at{uniform(random, 0, 1), v};
-      for (const Way way : allWays)
+      for (const EditWay way : allEditWays)
         for (const int fold : {1, 4}) {
-          if (way == Way::Translate && fold > 1) continue;
+          if (way == EditWay::Translate && fold > 1) continue;
           const EditResult result = edit(ring, at, way, Eigen::Matrix3d::Identity(), fold);
           QVERIFY(result.obstacles.empty());
-          missed = std::max(missed, result.remainder / (way == Way::Twist ? 180 : 60));
+          missed = std::max(missed, result.remainder / (way == EditWay::Twist ? 180 : 60));
           QVERIFY(repeatsItsRows(result.motion));
           worst = std::max(worst, openness(result.motion));
           for (int i = 0; i < 20; ++i) {
@@ -248,7 +139,7 @@ class SweepSeamTest : public QObject {
   void theSurfaceIsAsSmoothAcrossTheSeamAsElsewhere() {
     auto random = seededRandom();
     const Motion ring = primitiveMotion({.kind = PrimitiveKind::Torus, .radius = 30, .profile = 8}).motion;
-    for (const Way way : allWays) {
+    for (const EditWay way : allEditWays) {
       const Surface surface = productSurface(edit(ring, {0.2, 1}, way, Eigen::Matrix3d::Identity()).motion).surface;
       const auto [first, last] = surface.domainV();
       for (int i = 0; i < 20; ++i) {
@@ -268,7 +159,7 @@ class SweepSeamTest : public QObject {
     for (int k = 0; k < 20; ++k) {
       const Motion ring = primitiveMotion(ringOptions(random)).motion;
       const double u = uniform(random, 0, 1), v = uniform(random, 0, 0.1);
-      for (const Way way : allWays) {
+      for (const EditWay way : allEditWays) {
         const Motion here = edit(ring, {u, v}, way, Eigen::Matrix3d::Identity()).motion,
                      there = edit(ring, {u, v + 0.5}, way, half).motion;
         for (int i = 0; i < 40; ++i) {
@@ -288,7 +179,7 @@ class SweepSeamTest : public QObject {
     Motion open = ring;
     open.scaling.pole(5, 0)[0] += 1e-3;
     QVERIFY(!joinedInV(open));
-    for (const Way way : allWays) {
+    for (const EditWay way : allEditWays) {
       const Motion a = edit(ring, {0.6, 0.5}, way, Eigen::Matrix3d::Identity()).motion,
                    b = edit(open, {0.6, 0.5}, way, Eigen::Matrix3d::Identity()).motion;
       QVERIFY(sameBits(a.trajectory.poles, b.trajectory.poles));
@@ -304,7 +195,7 @@ class SweepSeamTest : public QObject {
     const auto joined = joinedInV(fine);
     QVERIFY(joined);
     for (const JoinedEnds& ends : {joined->trajectory, joined->orientation, joined->scaling}) QCOMPARE(ends.continuity, 2);
-    for (const Way way : allWays) {
+    for (const EditWay way : allEditWays) {
       const EditResult result = edit(fine, {0.4, 1}, way, Eigen::Matrix3d::Identity());
       QVERIFY(result.obstacles.empty());
       QVERIFY((evaluate(result.motion, 0.4, 0).point - evaluate(result.motion, 0.4, 1).point).norm() < 1e-12);
@@ -344,7 +235,7 @@ class SweepSeamTest : public QObject {
     const std::size_t rows = ring.scaling.countU() - 3;
     std::vector<Vec4> poles(rows * 4, Vec4(6, 0, 0, 1));
     ring.scaling = unwrapped(3, 3, evenBreaks(rows), {0, 0, 0, 0, 1, 1, 1, 1}, std::move(poles), 1);
-    const EditResult result = edit(ring, {0.3, 0.7}, Way::Scale, Eigen::Matrix3d::Identity());
+    const EditResult result = edit(ring, {0.3, 0.7}, EditWay::Scale, Eigen::Matrix3d::Identity());
     QVERIFY(result.obstacles.empty());
     for (int i = 0; i <= 10; ++i) {
       const Vec3 arm = evaluate(result.motion, 0.3, i / 10.0).point - blossom::point(ring.trajectory, i / 10.0);

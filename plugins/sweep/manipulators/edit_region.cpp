@@ -67,12 +67,9 @@ EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMod
     return reachAt(levelSpace(withInnerKnots(now, knots), mode.level(), mode.symmetry().fold), t);
   };
   std::pair<double, double> u{at.u, at.u}, v{at.v, at.v};
-  const auto joined = mode.level() == 0 && !motion.base ? joinedInV(motion) : std::nullopt;
+  const auto joined = joinedInV(motion);
   const auto addV = [&](const SplineSpace& now, const std::vector<double>& knots, JoinedEnds JoinedFactors::*ends) {
-    if (joined)
-      widen(v, reachAt({now.degree, ringKnots(now.degree, now.knots, *joined.*ends)}, at.v));
-    else
-      widen(v, reach(now, knots, at.v));
+    widen(v, reach(joined ? ringSpace(now, *joined.*ends) : now, knots, at.v));
   };
   const auto add = [&](const Surface& factor, double closure, const std::array<std::vector<double>, 2>& knots,
                        JoinedEnds JoinedFactors::*ends) {

@@ -1,5 +1,6 @@
 // How a space of splines lies in a finer one.
 #include <algorithm>
+#include <map>
 
 #include "core/error.h"
 #include "geometry/bspline/bspline_rows.h"
@@ -100,7 +101,7 @@ SpaceMap closedMap(const SplineSpace& coarse, const SplineSpace& fine) {
       const long row = start + p + static_cast<long>(rows.first[i] + k);  // of the unwrapped poles
       const long turns = row >= 0 ? row / m : -((-row + m - 1) / m);
       const double weight = rows.weights[i * rows.width + k];
-      sums[static_cast<std::size_t>(row - turns * m)] += coarse.closure < 0 && turns % 2 != 0 ? -weight : weight;
+      sums[static_cast<std::size_t>(row - turns * m)] += afterPeriods(coarse.closure, turns) * weight;
     }
     for (std::size_t j = 0; j < sums.size(); ++j) {
       if (sums[j] == 0) continue;
@@ -126,6 +127,22 @@ SpaceMap embedding(const SplineSpace& coarse, const SplineSpace& fine) {
   requireNested(coarse, fine);
   if (fine.closure != 0) return closedMap(coarse, fine);
   return openMap(rowsBetween(fine.degree, coarse.knots, fine.knots), coarse.size());
+}
+
+SpaceMap composed(const SpaceMap& first, const SpaceMap& second) {
+  SpaceMap map{first.columns};
+  for (std::size_t i = 0; i < second.rows(); ++i, closeRow(map)) {
+    std::map<std::size_t, double> row;
+    for (std::size_t e = second.begin[i]; e < second.begin[i + 1]; ++e)
+      for (std::size_t f = first.begin[second.coarse[e]]; f < first.begin[second.coarse[e] + 1]; ++f)
+        row[first.coarse[f]] += second.weight[e] * first.weight[f];
+    for (const auto& [column, weight] : row) {
+      if (weight == 0) continue;
+      map.coarse.push_back(column);
+      map.weight.push_back(weight);
+    }
+  }
+  return map;
 }
 
 std::vector<Vec4> mapped(const SpaceMap& map, const std::vector<Vec4>& coefficients) {

@@ -113,6 +113,13 @@ SplineSpace coarsened(const SplineSpace& space, int times, std::size_t parts) {
   return result;
 }
 
+double afterPeriods(double closure, long turns) {
+  double factor = 1;
+  for (; turns > 0; --turns) factor *= closure;
+  for (; turns < 0; ++turns) factor /= closure;
+  return factor;
+}
+
 std::vector<FunctionValue> functionsAt(const SplineSpace& space, double t) {
   const auto width = static_cast<std::size_t>(space.degree) + 1;
   const std::size_t span = findSpan(space.degree, space.knots, t), count = space.size();
@@ -121,7 +128,7 @@ std::vector<FunctionValue> functionsAt(const SplineSpace& space, double t) {
   std::vector<FunctionValue> result;
   for (std::size_t k = 0; k < width; ++k) {
     const auto [function, turns] = indexInPeriod(static_cast<long>(span + 1 - width + k), count);
-    const double value = space.closure < 0 && turns % 2 != 0 ? -values[k] : values[k];
+    const double value = turns == 0 ? values[k] : afterPeriods(space.closure, turns) * values[k];
     const auto at = std::lower_bound(result.begin(), result.end(), function,
                                      [](const FunctionValue& each, std::size_t wanted) { return each.function < wanted; });
     if (at != result.end() && at->function == function)

@@ -15,7 +15,7 @@ namespace blossom {
 struct SplineSpace {
   int degree = 1;
   std::vector<double> knots;  ///< full vector; of a closed space unwrapped, as in `unwrappedKnots`
-  double closure = 0;         ///< 0: open; 1: values come back after one period; -1: with the other sign
+  double closure = 0;         ///< 0: open; otherwise values after one period are so many times those before it, as 1, -1
 
   /// Basis functions; of a closed space those of one period, each with all its copies.
   [[nodiscard]] std::size_t size() const {
@@ -51,6 +51,9 @@ SplineSpace halved(const SplineSpace&, int times);
 /// @param parts 1 where it does not divide the spans
 SplineSpace coarsened(const SplineSpace&, int times, std::size_t parts = 1);
 
+/// What values of a closed space are multiplied by after some periods; before it, when there are fewer than 0.
+double afterPeriods(double closure, long turns);
+
 /// The functions that are not 0 at t, by increasing index, and their values there. Of a closed space with few functions the
 /// copies of one add up, and may cancel each other. @param t inside the domain  O(degree^2).
 struct FunctionValue {
@@ -73,6 +76,9 @@ struct SpaceMap {
 /// function whose knots are those of a coarse one has that coefficient, bit for bit. O(functions degree^2).
 /// @throws Error InvalidInput when the fine space does not hold the coarse one.
 SpaceMap embedding(const SplineSpace& coarse, const SplineSpace& fine);
+
+/// One map after the other, the columns of the second being the rows of the first. O(entries).
+SpaceMap composed(const SpaceMap& first, const SpaceMap& second);
 
 /// Coefficients of a curve, and of a tensor product (u-major), in the finer spaces.
 std::vector<Vec4> mapped(const SpaceMap&, const std::vector<Vec4>& coefficients);

@@ -37,7 +37,6 @@ EditPlaces::EditPlaces(const Motion& motion, std::span<const MotionPlace> at, st
                        const EditSymmetry& symmetry, int level, const Progress& progress)
     : given_(at.begin(), at.end()),
       seams_(seamsInV(motion)),
-      ring_(joinedInV(motion).has_value()),
       level_{level, symmetry.fold},
       base_(baseKnots(motion)),
       own_(level == 0 && !motion.base),
@@ -109,8 +108,7 @@ void EditPlaces::changeTrajectory(const std::function<Vec3(EditPlace&)>& wanted)
     result_.movedPoles += applyChange(change, trajectory);
     return;
   }
-  requireAwayFromSeam(withInnerKnots(spaceOf(trajectory), base_.trajectory));
-  const LevelCurve level(trajectory, base_.trajectory, level_, spots());
+  const LevelCurve level(trajectory, base_.trajectory, level_, spots(), seams_.trajectory.ends());
   const PoleChange change = changeOf([&](const MotionPlace& at) { return level.row(at.v); }, SeamV(), all);
   if (change.by.isZero(0)) return;
   const std::size_t before = trajectory.poles.size();
@@ -125,28 +123,12 @@ void EditPlaces::changeSurface(Surface& factor, double closure, const SeamV& sea
     result_.movedPoles += applyChange(change, factor, closure);
     return;
   }
-  requireAwayFromSeam(withInnerKnots(spaceInV(factor), base[1]));
-  const LevelSurface level(factor, closure, base, level_, spots());
+  const LevelSurface level(factor, closure, base, level_, spots(), seam.ends());
   const PoleChange change = changeOf([&](const MotionPlace& at) { return level.row(at); }, SeamV(), wanted);
   if (change.by.isZero(0)) return;  // no knots for nothing
   const std::size_t before = factor.poles.size();
   result_.movedPoles += level.apply(change, factor);
   if (factor.poles.size() != before) remember();
-}
-
-/// Functions of a level end at the seam of a ring, which an edit by them would open.
-void EditPlaces::requireAwayFromSeam(const SplineSpace& baseInV) const {
-  if (!ring_) return;
-  const SplineSpace functions = levelSpace(baseInV, level_.level, level_.parts);
-  const auto [first, last] = functions.domain();
-  for (const EditPlace& place : places_) {
-    const Reach reach = reachAt(functions, place.at.v);
-    if (reach.first > first && reach.second < last) continue;
-    throw Error(ErrorCode::InvalidParameter,
-                fmt::format("At level {} an edit at v = {:.6g} reaches the seam of this ring and would open it there.",
-                            level_.level, place.at.v),
-                "Edit at level 0 before any finer edit, at a finer level, or farther from the seam.");
-  }
 }
 
 void EditPlaces::changeOrientation(const std::function<Vec4(EditPlace&)>& wanted) {

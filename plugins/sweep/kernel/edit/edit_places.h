@@ -51,7 +51,6 @@ class EditPlaces {
   PoleChange changeOf(Row row, const SeamV&, const Eigen::MatrixXd& wanted);
   void changeSurface(Surface& factor, double closure, const SeamV&, const std::array<std::vector<double>, 2>& base,
                      const Eigen::MatrixXd& wanted);
-  void requireAwayFromSeam(const SplineSpace& baseInV) const;
   void remember();
   [[nodiscard]] std::vector<MotionPlace> spots() const;
   template <class Vector>
@@ -61,7 +60,6 @@ class EditPlaces {
   std::vector<EditPlace> places_;
   std::vector<MotionPlace> given_, pins_;
   MotionSeams seams_;
-  bool ring_;  ///< the motion closes in v
   EditLevel level_;
   BaseKnots base_;                     ///< of the motion given
   bool own_;                           ///< functions of the level are those of the factors as they are

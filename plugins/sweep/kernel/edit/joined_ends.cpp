@@ -109,8 +109,8 @@ std::optional<JoinedFactors> joinedInV(const Motion& motion) {
 MotionSeams seamsInV(const Motion& motion) {
   const auto joined = joinedInV(motion);
   if (!joined) return {};
-  return {SeamV(motion.trajectory, joined->trajectory), SeamV(motion.orientation, joined->orientation),
-          SeamV(motion.scaling, joined->scaling)};
+  return {SeamV(motion.trajectory, joined->trajectory), SeamV(spaceInV(motion.orientation), joined->orientation),
+          SeamV(spaceInV(motion.scaling), joined->scaling)};
 }
 
 }  // namespace blossom::sweep

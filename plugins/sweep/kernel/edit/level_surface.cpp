@@ -66,33 +66,42 @@ HierarchicalSurface changeOver(const SplineSpace& baseU, const SplineSpace& base
   return change;
 }
 
-/// The copies of the functions in u cancel each other.
-bool cancelledAt(const SplineSpace& space, double u) {
+/// The copies of the functions cancel each other.
+bool cancelledAt(const SplineSpace& space, double t) {
   if (space.closure == 0) return false;
   double alone = 0, summed = 0;
-  const BasisTable basis = tabulateBasis(space.degree, space.knots, {&u, 1});
+  const BasisTable basis = tabulateBasis(space.degree, space.knots, {&t, 1});
   for (const double value : basis.value) alone += value * value;
-  for (const FunctionValue& each : functionsAt(space, u)) summed += each.value * each.value;
+  for (const FunctionValue& each : functionsAt(space, t)) summed += each.value * each.value;
   return summed < smallestPart * smallestPart * alone;
+}
+
+/// The space in which a factor lies along v.
+SplineSpace spaceAlong(const SplineSpace& clamped, const std::optional<JoinedEnds>& ring) {
+  return ring ? ringSpace(clamped, *ring) : clamped;
 }
 
 }  // namespace
 
 LevelSurface::LevelSurface(const Surface& factor, double closure, const std::array<std::vector<double>, 2>& base,
-                           const EditLevel& level, std::span<const MotionPlace> places)
+                           const EditLevel& level, std::span<const MotionPlace> places,
+                           const std::optional<JoinedEnds>& ring)
     : closure_(closure), nowU_(spaceInU(factor, closure)), nowV_(spaceInV(factor)) {
-  const SplineSpace baseU = withInnerKnots(nowU_, base[0]), baseV = withInnerKnots(nowV_, base[1]);
+  const SplineSpace baseU = withInnerKnots(nowU_, base[0]), baseV = withInnerKnots(spaceAlong(nowV_, ring), base[1]);
   const LevelLine u = levelLine(baseU, level, parametersOf<&MotionPlace::u>(places)),
                   v = levelLine(baseV, level, parametersOf<&MotionPlace::v>(places));
   refinedU_ = unionOf(nowU_, u.space), refinedV_ = unionOf(nowV_, v.space);
   requirePossible(refinedU_, refinedV_);
   change_ = changeOver(baseU, baseV, level, u, v);
+  const SplineSpace all = spaceAlong(refinedV_, ring);
+  toRefinedV_ = embedding(change_.spaceV(change_.levels() - 1), all);
+  if (ring) toRefinedV_ = composed(toRefinedV_, SeamV(refinedV_, *ring).fromFunctions(all));
 }
 
 PlaceRow LevelSurface::row(const MotionPlace& at) const {
   const std::size_t level = change_.levels() - 1;
   PlaceRow row;
-  row.cancelled = cancelledAt(change_.spaceU(level), at.u);
+  row.cancelled = cancelledAt(change_.spaceU(level), at.u) || cancelledAt(change_.spaceV(level), at.v);
   if (row.cancelled) return row;
   for (const HierarchicalSurface::ActiveValue& each : change_.activeAt(at.u, at.v)) {
     if (each.level != level) continue;
@@ -106,8 +115,8 @@ std::size_t LevelSurface::apply(const PoleChange& wanted, Surface& factor) const
   HierarchicalSurface change = change_;
   for (std::size_t k = 0; k < wanted.pole.size(); ++k)
     change.setCoefficient(change.levels() - 1, wanted.pole[k], wanted.by.row(static_cast<Eigen::Index>(k)).transpose());
-  const std::vector<Vec4> by = mapped(embedding(change.spaceU(change.levels() - 1), refinedU_),
-                                      embedding(change.spaceV(change.levels() - 1), refinedV_), change.finest());
+  const std::vector<Vec4> by =
+      mapped(embedding(change.spaceU(change.levels() - 1), refinedU_), toRefinedV_, change.finest());
   const std::size_t columns = refinedV_.size(), free = refinedU_.size();
   if (!(refinedU_ == nowU_ && refinedV_ == nowV_)) {
     factor.poles.resize(nowU_.size() * nowV_.size());  // without the rows that repeat others
@@ -128,16 +137,20 @@ std::size_t LevelSurface::apply(const PoleChange& wanted, Surface& factor) const
 }
 
 LevelCurve::LevelCurve(const Curve& trajectory, const std::vector<double>& base, const EditLevel& level,
-                       std::span<const MotionPlace> places)
+                       std::span<const MotionPlace> places, const std::optional<JoinedEnds>& ring)
     : refined_(trajectory) {
   const SplineSpace now = spaceOf(trajectory);
-  const LevelLine line = levelLine(withInnerKnots(now, base), level, parametersOf<&MotionPlace::v>(places));
+  SplineSpace along = spaceAlong(now, ring);
+  if (ring) along.closure = 1;
+  const LevelLine line = levelLine(withInnerKnots(along, base), level, parametersOf<&MotionPlace::v>(places));
   const SplineSpace refined = unionOf(now, line.space);
   if (!(refined == now)) {
     refined_.poles = mapped(embedding(now, refined), trajectory.poles);
     refined_.knots = refined.knots;
   }
-  toRefined_ = embedding(line.space, refined);
+  const SplineSpace all = withInnerKnots(along, innerKnots(refined));
+  toRefined_ = embedding(line.space, all);
+  if (ring) toRefined_ = composed(toRefined_, SeamV(refined_, *ring).fromFunctions(all));
   const std::size_t order = static_cast<std::size_t>(now.degree) + 1;
   for (std::size_t i = 0; i < line.space.size(); ++i) {
     const Reach support{line.space.knots[i], line.space.knots[i + order]};

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "kernel/edit/edit_level.h"
 #include "kernel/edit/least_change.h"
 #include "kernel/edit/place_row.h"
+#include "kernel/edit/seam_v.h"
 
 namespace blossom::sweep {
 
@@ -20,12 +22,13 @@ struct EditLevel {
 /// the base knots, 0 but for the active functions of the level around the places (finer levels), or a spline with fewer
 /// knots (coarser ones). Its coefficients are chosen like poles (kernel/edit/least_change.h); then it is added to the
 /// factor, which first gets the knots that it needs and does not have. Both steps are knot insertions, so that the sum is
-/// exact.
+/// exact. In a ring, functions along v are those of the periodic spline that the factor is (ringSpace), which pass over the
+/// seam, and so the sum is as smooth there as the factor was.
 class LevelSurface {
  public:
-  /// @param base its base knots in u and v  @param places of the edit, with copies
+  /// @param base its base knots in u and v  @param places of the edit, with copies  @param ring how the ends in v are joined
   LevelSurface(const Surface& factor, double closure, const std::array<std::vector<double>, 2>& base, const EditLevel&,
-               std::span<const MotionPlace> places);
+               std::span<const MotionPlace> places, const std::optional<JoinedEnds>& ring = {});
 
   /// Shares of the functions that may change; their indices are those of PoleChange.
   [[nodiscard]] PlaceRow row(const MotionPlace&) const;
@@ -37,6 +40,7 @@ class LevelSurface {
   double closure_;
   HierarchicalSurface change_;
   SplineSpace nowU_, nowV_, refinedU_, refinedV_;
+  SpaceMap toRefinedV_;  ///< from the finest functions of the change
 };
 
 /// The same for the Euclidean poles of a trajectory, whose weights follow from the knots inserted: a function of the level
@@ -44,8 +48,8 @@ class LevelSurface {
 /// together move the curve as a whole.
 class LevelCurve {
  public:
-  LevelCurve(const Curve& trajectory, const std::vector<double>& base, const EditLevel&,
-             std::span<const MotionPlace> places);
+  LevelCurve(const Curve& trajectory, const std::vector<double>& base, const EditLevel&, std::span<const MotionPlace> places,
+             const std::optional<JoinedEnds>& ring = {});
 
   [[nodiscard]] PlaceRow row(double v) const;
   std::size_t apply(const PoleChange&, Curve& trajectory) const;

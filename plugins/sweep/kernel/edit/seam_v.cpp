@@ -40,7 +40,7 @@ class Ring {
         poles_(clamped.size() - static_cast<std::size_t>(degree) - 1),
         free_(poles_ - 1 - kept_),
         clamped_(clamped),
-        knots_(ringKnots(degree, clamped, ends)) {}
+        knots_(ringSpace({degree, clamped}, ends).knots) {}
 
   [[nodiscard]] std::size_t countFree() const { return free_; }
   [[nodiscard]] std::size_t countPoles() const { return poles_; }
@@ -98,10 +98,11 @@ std::vector<double> weightsOfFree(const Curve& trajectory, const Ring& ring) {
 
 }  // namespace
 
-std::vector<double> ringKnots(int degree, const std::vector<double>& clamped, const JoinedEnds& ends) {
-  std::vector<double> period(static_cast<std::size_t>(degree - ends.continuity), clamped.front());
-  period.insert(period.end(), clamped.begin() + degree + 1, clamped.end() - degree);
-  return unwrappedKnots(degree, period);
+SplineSpace ringSpace(const SplineSpace& clamped, const JoinedEnds& ends) {
+  const int p = clamped.degree;
+  std::vector<double> period(static_cast<std::size_t>(p - ends.continuity), clamped.knots.front());
+  period.insert(period.end(), clamped.knots.begin() + p + 1, clamped.knots.end() - p);
+  return {p, unwrappedKnots(p, period), ends.ratio};
 }
 
 void SeamV::assign(std::vector<std::vector<Share>> freeOfPole) {
@@ -111,7 +112,7 @@ void SeamV::assign(std::vector<std::vector<Share>> freeOfPole) {
     for (const Share& each : freeOfPole_[pole]) polesOfFree_[each.pole].push_back({pole, each.share});
 }
 
-SeamV::SeamV(const Curve& trajectory, const JoinedEnds& ends) {
+SeamV::SeamV(const Curve& trajectory, const JoinedEnds& ends) : ends_(ends) {
   const Ring ring(trajectory.degree, trajectory.knots, ends);
   const std::vector<double> weights = weightsOfFree(trajectory, ring);
   std::vector<std::vector<Share>> all(ring.countPoles());
@@ -122,8 +123,8 @@ SeamV::SeamV(const Curve& trajectory, const JoinedEnds& ends) {
   assign(std::move(all));
 }
 
-SeamV::SeamV(const Surface& factor, const JoinedEnds& ends) {
-  const Ring ring(factor.degreeV, factor.knotsV, ends);
+SeamV::SeamV(const SplineSpace& clamped, const JoinedEnds& ends) : ends_(ends) {
+  const Ring ring(clamped.degree, clamped.knots, ends);
   std::vector<std::vector<Share>> all(ring.countPoles());
   for (std::size_t pole = 0; pole + 1 < all.size(); ++pole)
     for (const auto& [free, share] : ring.sharesOf(pole, ends.ratio)) all[pole].push_back({free, share});
@@ -171,6 +172,21 @@ PoleChange SeamV::onAllPoles(const PoleChange& change) const {
     result.pole.push_back(pole);
   }
   return result;
+}
+
+SpaceMap SeamV::fromFunctions(const SplineSpace& ring) const {
+  const std::size_t count = ring.size();
+  SpaceMap map{count};
+  for (const std::vector<Share>& shares : freeOfPole_) {
+    for (const Share& each : shares) {
+      // Row degree - 1 is the first free pole.
+      const std::size_t row = each.pole + static_cast<std::size_t>(ring.degree) - 1;
+      map.coarse.push_back(row % count);
+      map.weight.push_back(afterPeriods(ring.closure, static_cast<long>(row / count)) * each.share);
+    }
+    map.begin.push_back(map.weight.size());
+  }
+  return map;
 }
 
 }  // namespace blossom::sweep

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/bspline/spline_space.h"
 #include "geometry/shape/motion.h"
 #include "kernel/edit/least_change.h"
 #include "kernel/edit/place_row.h"
@@ -25,8 +26,8 @@ struct JoinedFactors {
 std::optional<JoinedFactors> joinedInV(const Motion&);
 
 /// With continuity k, a factor of degree p whose ends are joined is a periodic spline with a knot of multiplicity p - k at
-/// the seam. These are the knots of that spline in v, continued by p knots on both sides.
-std::vector<double> ringKnots(int degree, const std::vector<double>& clamped, const JoinedEnds&);
+/// the seam. This is the space in v of that spline; its closure is the ratio.
+SplineSpace ringSpace(const SplineSpace& clamped, const JoinedEnds&);
 
 /// Keeps the ends in v of one factor together while its poles change. Only the poles of the periodic spline that it is are
 /// free, so that a change is the same wherever around the ring it is made. Free poles away from the seam are
@@ -39,12 +40,19 @@ class SeamV {
   /// Of a factor that is open in v: every pole is free.
   SeamV() = default;
   SeamV(const Curve& trajectory, const JoinedEnds&);
-  SeamV(const Surface&, const JoinedEnds&);
+  /// @param clamped space in v of an orientation or a scaling
+  SeamV(const SplineSpace& clamped, const JoinedEnds&);
+
+  /// None: open.
+  [[nodiscard]] const std::optional<JoinedEnds>& ends() const { return ends_; }
 
   /// What each free pole contributes, from what each pole does. Free poles are numbered as poles are, row by row.
   [[nodiscard]] PlaceRow onFreePoles(const PlaceRow&) const;
   /// The change of all poles by that of the free ones.
   [[nodiscard]] PoleChange onAllPoles(const PoleChange&) const;
+  /// The poles along v from the coefficients of the functions of the ring. @pre not open  @param ring ringSpace of the
+  /// factor; of a trajectory, whose Euclidean poles come back whatever the ratio of the rational ones is, with closure 1
+  [[nodiscard]] SpaceMap fromFunctions(const SplineSpace& ring) const;
 
  private:
   struct Share {
@@ -53,6 +61,7 @@ class SeamV {
   };
   void assign(std::vector<std::vector<Share>> freeOfPole);
 
+  std::optional<JoinedEnds> ends_;
   std::vector<std::vector<Share>> freeOfPole_, polesOfFree_;  ///< empty: open
 };
 

@@ -30,12 +30,28 @@ MotionMeshOptions meshOptionsOf(const GrowthParameters& p) { return {static_cast
 
 std::size_t countOf(const GrowthParameters& p) { return static_cast<std::size_t>(std::max(p.frames, 1)); }
 
-/// All frames are held in memory.
-void requireRoom(const Motion& motion, const GrowthParameters& p) {
-  constexpr std::size_t mostCells = std::size_t{1} << 24;
-  if (p.as != GrowAs::Mesh || cellsOfMesh(motion, meshOptionsOf(p)) <= mostCells / countOf(p)) return;
-  throw Error(ErrorCode::LimitExceeded, "The meshes of all frames together would have more than 33 million triangles.",
-              "Ask for fewer frames or cells.");
+/// Cells of a mesh, or poles of a surface.
+std::size_t sizeOf(const Motion& motion, const GrowthParameters& p) {
+  if (p.as == GrowAs::Mesh) return cellsOfMesh(motion, meshOptionsOf(p));
+  const PatchGrid grid = productGrid(motion);
+  const auto poles = [](const ProductKnots& along) {
+    return along.knots.size() - static_cast<std::size_t>(along.degree) - 1;
+  };
+  return poles(grid.u()) * poles(grid.v());
+}
+
+/// All frames are held in memory. Edits of finer levels give a motion more spans on its way, so every frame counts by
+/// itself.
+void requireRoom(const std::vector<GrowthStep>& steps, const GrowthParameters& p) {
+  constexpr std::size_t mostCells = std::size_t{1} << 24, mostPoles = std::size_t{1} << 25;
+  std::size_t most = 0;
+  for (const GrowthStep& step : steps) most = std::max(most, std::max(sizeOf(step.from, p), sizeOf(step.to, p)));
+  const bool mesh = p.as == GrowAs::Mesh;
+  if (most <= (mesh ? mostCells : mostPoles) / countOf(p)) return;
+  throw Error(ErrorCode::LimitExceeded,
+              mesh ? "The meshes of all frames together would have more than 33 million triangles."
+                   : "The surfaces of all frames together would have more than 33 million poles.",
+              mesh ? "Ask for fewer frames or cells." : "Ask for fewer frames, or for meshes.");
 }
 
 Shape shapeOf(const Motion& motion, const GrowthParameters& p, const Progress& progress) {
@@ -91,7 +107,7 @@ Evaluated evaluateGrowth(const GrowthParameters& p, const Inputs& inputs, const 
     following.push_back(inputs.get<Motion>(1, k));
   }
   const std::vector<GrowthStep> steps = growthSteps(inputs.get<Motion>(), following, progress.part(0, 0.1));
-  requireRoom(steps.front().from, p);
+  requireRoom(steps, p);
   std::vector<Shape> frames = framesOf(steps, p, progress.part(0.1, 1));
   Evaluated out;
   out.stats["steps"] = steps.size();

@@ -4,9 +4,11 @@
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "sweep/kernel/begin/turning_spline.h"
 #include "sweep/kernel/grid/motion_grid.h"
 #include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/product_surface.h"
+#include "sweep/kernel/validity.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -154,6 +156,18 @@ class SweepProductTest : public QObject {
     } catch (const Error& error) {
       QVERIFY2(error.message().find("u = 0.25") != std::string::npos, error.what());
     }
+  }
+
+  /// A motion file may hold more spans than the product of its factors has room for.
+  void whatWouldFillTheMemoryIsRefused() {
+    const std::vector<double> knots = sweep::clampedKnots(3, sweep::evenBreaks(400));
+    const std::size_t poles = (knots.size() - 4) * (knots.size() - 4);
+    const Surface plain{3, 3, knots, knots, std::vector<Vec4>(poles, Vec4(1, 0, 0, 0))};
+    Motion motion{sweep::straightLine(8, {0, 0, 0}, {0, 0, 40}), plain, plain, ClosedU::No, Vec3(5, 0, 0)};
+    for (Vec4& pole : motion.scaling.poles) pole = Vec4(1, 1, 1, 1);
+    validate(motion);
+    VERIFY_ERROR(sweep::productSurface(motion), ErrorCode::LimitExceeded);
+    VERIFY_ERROR(sweep::smallestProductWeight(motion), ErrorCode::LimitExceeded);
   }
 
   void cancelStopsTheWork() {

@@ -131,6 +131,23 @@ class SweepGrowthTest : public QObject {
     }
   }
 
+  /// What an edit of a fine level adds to a motion is counted before the frames are made, not only what it begins with.
+  void framesThatWouldFillTheMemoryAreRefused() {
+    Motion motion = readMotionOf("cylinder.json");
+    MotionPull fine{{}, {}, {0, 1, 1}};
+    for (int k = 0; k < 20; ++k) {
+      fine.at.push_back({k / 20.0 + 0.01, 0.05 + 0.045 * k});
+      fine.to.push_back(pointAt(motion, fine.at.back()) + Vec3(0.1, 0.2, 0));
+    }
+    fine.level = 5;
+    motion.edits = {fine};
+    const Motion before = afterEachEdit(motion).front(), after = withEditsApplied(motion);
+    QVERIFY(1000 * cellsOfMesh(before, {6}) < std::size_t(1) << 24);
+    QVERIFY(1000 * cellsOfMesh(after, {6}) > std::size_t(1) << 30);
+    for (const char* as : {"mesh", "surface"})
+      QCOMPARE(errorOf([&] { grownFeature({{"frames", 1000}, {"as", as}}, {motion}); }).code(), ErrorCode::LimitExceeded);
+  }
+
   void framesFallOnTheEndsOfSteps() {
     for (std::size_t steps = 1; steps < 10; ++steps) {
       for (std::size_t frames = 2; frames < 40; ++frames) {

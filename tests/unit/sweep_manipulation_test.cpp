@@ -5,6 +5,7 @@
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/edit/direct_manipulation.h"
 #include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/validity.h"
@@ -72,6 +73,44 @@ class SweepManipulationTest : public QObject {
     const Validity collapsed = examine(motion);
     QVERIFY(collapsed.smallestShare < 1e-12);
     COMPARE_NEAR(collapsed.v, 1, 0);
+  }
+
+  /// A double cone, whose radius goes from 10 to -10 (1 - c) / c: its tip is at v = c, wherever samples are.
+  void validityFindsTipsBetweenSamples() {
+    const Motion cylinder =
+        *motionFormat().read(sample("cylinder.json"), Value::object(), Progress::none()).shape.get<Motion>();
+    auto random = seededRandom();
+    for (int k = 0; k < 40; ++k) {
+      const double tip = uniform(random, 0.05, 0.95);
+      Motion motion = cylinder;
+      Surface& scaling = motion.scaling;
+      for (std::size_t i = 0; i < scaling.countU(); ++i)
+        for (std::size_t j = 0; j < scaling.countV(); ++j) {
+          double greville = 0;
+          for (int d = 1; d <= scaling.degreeV; ++d) greville += scaling.knotsV[j + static_cast<std::size_t>(d)];
+          scaling.pole(i, j).head<3>() *= 1 - greville / scaling.degreeV / tip;
+        }
+      const Validity found = examine(motion);
+      QVERIFY2(found.smallestShare < 1e-6, qPrintable(QString::number(found.smallestShare)));
+      COMPARE_NEAR(found.v, tip, 1e-6);
+    }
+  }
+
+  /// A torus whose section reaches beyond its axis runs through two points of the axis; one that does not has a least normal
+  /// on the inside, (R - r) / (R + r) of the largest on the outside.
+  void validityKnowsASpindleFromATorus() {
+    auto random = seededRandom();
+    for (int k = 0; k < 40; ++k) {
+      const double profile = uniform(random, 0.2, 3);
+      if (std::abs(profile - 1) < 1e-3) continue;
+      Motion motion = primitiveMotion({.kind = PrimitiveKind::Torus, .radius = 1, .profile = 0.5}).motion;
+      motion.point *= profile / 0.5;
+      const double share = examine(motion).smallestShare;
+      if (profile > 1)
+        QVERIFY2(share < 1e-6, qPrintable(QString::number(profile)));
+      else
+        QVERIFY2(share > 0.5 * (1 - profile) / (1 + profile), qPrintable(QString::number(profile)));
+    }
   }
 };
 

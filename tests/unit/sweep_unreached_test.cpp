@@ -72,6 +72,24 @@ class SweepUnreachedTest : public QObject {
     QVERIFY(pullMiddle({0, 0, 20}, {0, 1, 1}).obstacles.empty());
   }
 
+  /// Wherever a shape lies and however small it is, a place that stays behind by a 2000th of its radius has not arrived.
+  void smallPullsFarFromTheOriginAreNotTakenForDone() {
+    for (const double far : {0.0, 1e3, 1e6})
+      for (const double size : {10.0, 1e-2}) {
+        Motion motion = readMotionOf("cylinder.json");
+        motion.point *= size / 10;
+        for (Vec4& pole : motion.trajectory.poles) pole.head<3>() = size / 10 * pole.head<3>() + pole[3] * Vec3(far, far, 0);
+        const Vec3 x = evaluate(motion, 0, 0.5).point;
+        const EditResult turned = pull(motion, {{middle}, {x + Vec3(size / 2000, 0, 0)}, {0, 1, 0}});
+        QVERIFY(says(turned, Unreached::Radius));
+        COMPARE_NEAR(turned.remainder, size / 2000, 1e-15 * far + 1e-12 * size);
+        const EditResult scaled = pull(motion, {{middle}, {x + Vec3(0, size / 2000, 0)}, {0, 0, 1}});
+        QVERIFY(says(scaled, Unreached::FrameAxis));
+        // What can be reached still arrives.
+        QVERIFY(pull(motion, {{middle}, {x + Vec3(size / 3, -size / 2, size / 2000)}, {0.3, 1, 1}}).obstacles.empty());
+      }
+  }
+
   void theOppositeSideNeedsAnAxis() {
     const EditResult result = pullMiddle({-10, 0, 20}, {0, 1, 0});
     QVERIFY(says(result, Unreached::Opposite));

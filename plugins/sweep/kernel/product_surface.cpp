@@ -17,6 +17,19 @@ namespace blossom::sweep {
 namespace {
 
 constexpr int highestDegree = 25;  // of B-splines in OCCT, STEP and IGES readers
+/// Of all patches together; 2.5 GB while they are multiplied. 256 x 256 spans of cubic factors have half as many.
+constexpr std::size_t mostCoefficients = std::size_t{1} << 24;
+
+PatchGrid withinMemory(PatchGrid grid) {
+  const std::size_t ofPatch = static_cast<std::size_t>(grid.u().degree + 1) * static_cast<std::size_t>(grid.v().degree + 1);
+  if (grid.patches() <= mostCoefficients / ofPatch) return grid;
+  throw Error(
+      ErrorCode::LimitExceeded,
+      fmt::format("The exact surface of this motion would have {} x {} patches of degrees {} and {}; at most {} patches "
+                  "of these degrees can be made.",
+                  grid.spansU(), grid.spansV(), grid.u().degree, grid.v().degree, mostCoefficients / ofPatch),
+      "Take the cubic mode, or edit the motion at coarser levels or fewer places.");
+}
 
 void requireDegree(const char* direction, const ProductKnots& product, const char* sum) {
   if (product.degree > highestDegree)
@@ -99,9 +112,9 @@ bool refineWhereNegative(const Surface& surface, Motion& motion) {
 PatchGrid productGrid(const Motion& motion) {
   const Surface &r = motion.orientation, &s = motion.scaling;
   const Curve& t = motion.trajectory;
-  return {
-      productKnots(std::vector<ProductFactor>{{r.degreeU, 2, r.knotsU}, {s.degreeU, 1, s.knotsU}}),
-      productKnots(std::vector<ProductFactor>{{t.degree, 1, t.knots}, {r.degreeV, 2, r.knotsV}, {s.degreeV, 1, s.knotsV}})};
+  return withinMemory({productKnots(std::vector<ProductFactor>{{r.degreeU, 2, r.knotsU}, {s.degreeU, 1, s.knotsU}}),
+                       productKnots(std::vector<ProductFactor>{
+                           {t.degree, 1, t.knots}, {r.degreeV, 2, r.knotsV}, {s.degreeV, 1, s.knotsV}})});
 }
 
 ProductResult productSurface(const Motion& motion, const ProductOptions& options, const Progress& progress) {

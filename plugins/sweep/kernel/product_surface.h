@@ -16,7 +16,8 @@ struct ProductResult {
   int refinements = 0;        ///< number of knot insertions
 };
 
-/// Degrees and knots of the product, and the patches between them. @throws as productKnots.
+/// Degrees and knots of the product, and the patches between them. @throws as productKnots; LimitExceeded above 2^24
+/// coefficients of all patches together, before any memory is taken.
 PatchGrid productGrid(const Motion&);
 
 /// The swept surface as one rational B-spline surface with the parameters of the motion, x(u,v) = M(u,v) p exactly (Yoon &
@@ -24,7 +25,8 @@ PatchGrid productGrid(const Motion&);
 /// (tx, ty, tz) d sw, W = tw d sw. Degrees 2 ru + su and tv + 2 rv + sv: 9 and 12 for cubics. A closed motion results in a
 /// surface over one period with equal first and last rows of poles. Weights that are not positive are made positive by knot
 /// insertion (the coefficients converge to W > 0).
-/// @throws Error Degenerate where the quaternions vanish or weights stay negative; LimitExceeded above degree 25; Cancelled.
+/// @throws Error Degenerate where the quaternions vanish or weights stay negative; LimitExceeded above degree 25 and where
+/// knot insertion makes too many patches; as productGrid; Cancelled.
 ProductResult productSurface(const Motion&, const ProductOptions& = {}, const Progress& = Progress::none());
 
 }  // namespace blossom::sweep

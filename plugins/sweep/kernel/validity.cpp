@@ -2,8 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "kernel/grid/motion_grid.h"
@@ -30,6 +34,92 @@ Surface denominator(const Motion& motion, const Progress& progress) {
   return assemble({weight, weight, weight, weight}, grid);
 }
 
+/// Lengths of x_u cross x_v on a grid of parameters.
+class NormalSamples {
+ public:
+  struct Place {
+    std::size_t k, l;
+  };
+
+  NormalSamples(const Motion& motion, std::vector<double> us, std::vector<double> vs, const Progress& progress)
+      : us_(std::move(us)), vs_(std::move(vs)) {
+    evaluateGrid(motion, us_, vs_, grid_, GridDerivatives::Yes, progress);
+    length_.reserve(us_.size() * vs_.size());
+    for (std::size_t k = 0; k < us_.size(); ++k)
+      for (std::size_t l = 0; l < vs_.size(); ++l) length_.push_back(grid_.duAt(k, l).cross(grid_.dvAt(k, l)).norm());
+  }
+
+  [[nodiscard]] double at(const Place& p) const { return length_[p.k * vs_.size() + p.l]; }
+  [[nodiscard]] double largest() const { return *std::max_element(length_.begin(), length_.end()); }
+
+  [[nodiscard]] Place leastPlace() const {
+    const auto least = static_cast<std::size_t>(std::min_element(length_.begin(), length_.end()) - length_.begin());
+    return {least / vs_.size(), least % vs_.size()};
+  }
+  [[nodiscard]] Validity least() const {
+    const Place p = leastPlace();
+    return {at(p), 0, us_[p.k], vs_[p.l], grid_.pointAt(p.k, p.l)};
+  }
+
+  /// Parameters one step before and after a sample, those at the ends of the domain left where they are.
+  [[nodiscard]] std::array<std::pair<double, double>, 2> around(const Place& p) const {
+    const auto step = [](const std::vector<double>& all, std::size_t i) {
+      return std::pair(all[i == 0 ? 0 : i - 1], all[std::min(i + 1, all.size() - 1)]);
+    };
+    return {step(us_, p.k), step(vs_, p.l)};
+  }
+
+  /// Samples that are not larger than their neighbours, the least ones first. Those of a surface whose normal hardly changes
+  /// are none: nothing smaller is to be expected there.
+  [[nodiscard]] std::vector<Place> lows() const {
+    constexpr std::size_t most = 32;
+    constexpr double promising = 0.5;  // of the largest
+    const double below = promising * largest();
+    std::vector<Place> found;
+    for (std::size_t k = 0; k < us_.size(); ++k)
+      for (std::size_t l = 0; l < vs_.size(); ++l)
+        if (at({k, l}) > 0 && at({k, l}) < below && isLow(k, l)) found.push_back({k, l});
+    std::stable_sort(found.begin(), found.end(), [&](const Place& a, const Place& b) { return at(a) < at(b); });
+    if (found.size() > most) found.resize(most);
+    return found;
+  }
+
+ private:
+  /// Of neighbours that are equal up to rounding the first one alone: a fold along a line is one place.
+  [[nodiscard]] bool isLow(std::size_t k, std::size_t l) const {
+    constexpr double rounding = 1e-9;
+    const double own = at({k, l});
+    for (std::size_t i = k == 0 ? 0 : k - 1; i <= std::min(k + 1, us_.size() - 1); ++i)
+      for (std::size_t j = l == 0 ? 0 : l - 1; j <= std::min(l + 1, vs_.size() - 1); ++j) {
+        const bool before = std::pair(i, j) < std::pair(k, l);
+        if (std::pair(i, j) != std::pair(k, l) && at({i, j}) < own * (before ? 1 + rounding : 1 - rounding)) return false;
+      }
+    return true;
+  }
+
+  std::vector<double> us_, vs_;
+  MotionGrid grid_;
+  std::vector<double> length_;
+};
+
+/// The least normal near a sample: finer samples in smaller and smaller windows about the least one.
+Validity leastAround(const Motion& motion, const NormalSamples& samples, const NormalSamples::Place& low,
+                     const Progress& progress) {
+  constexpr std::size_t places = 9;
+  constexpr int rounds = 24;
+  constexpr double vanished = 1e-9, level = 1.05;  // share of the largest; the largest of a window where nothing vanishes
+  auto window = samples.around(low);
+  Validity result;
+  result.smallestNormal = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds && result.smallestNormal > vanished * samples.largest(); ++round) {
+    const NormalSamples finer(motion, evenParameters(window[0], places), evenParameters(window[1], places), progress);
+    if (const Validity least = finer.least(); least.smallestNormal < result.smallestNormal) result = least;
+    if (finer.largest() < level * result.smallestNormal) break;
+    window = finer.around(finer.leastPlace());
+  }
+  return result;
+}
+
 /// Mean of the knots inside the support of a pole.
 double greville(int degree, const std::vector<double>& knots, std::size_t pole) {
   const auto from = knots.begin() + static_cast<std::ptrdiff_t>(pole) + 1;
@@ -39,21 +129,17 @@ double greville(int degree, const std::vector<double>& knots, std::size_t pole) 
 }  // namespace
 
 Validity examine(const Motion& motion, const Progress& progress) {
-  const std::vector<double> us =
-      spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, placesInSpan);
-  const std::vector<double> vs = spanParameters(
-      motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots}, placesInSpan);
-  MotionGrid grid;
-  evaluateGrid(motion, us, vs, grid, GridDerivatives::Yes, progress);
-  Validity result;
-  double largest = 0;
-  for (std::size_t k = 0; k < us.size(); ++k)
-    for (std::size_t l = 0; l < vs.size(); ++l) {
-      const double length = grid.duAt(k, l).cross(grid.dvAt(k, l)).norm();
-      largest = std::max(largest, length);
-      if ((k == 0 && l == 0) || length < result.smallestNormal)
-        result.smallestNormal = length, result.u = us[k], result.v = vs[l], result.place = grid.pointAt(k, l);
-    }
+  const NormalSamples samples(
+      motion, spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, placesInSpan),
+      spanParameters(motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots},
+                     placesInSpan),
+      progress);
+  Validity result = samples.least();
+  for (const NormalSamples::Place& low : samples.lows()) {
+    const Validity finer = leastAround(motion, samples, low, progress);
+    if (finer.smallestNormal < result.smallestNormal) result = finer;
+  }
+  const double largest = samples.largest();
   result.smallestShare = largest > 0 ? result.smallestNormal / largest : 0;
   return result;
 }

@@ -16,7 +16,10 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr double arrived = 1e-9;
+/// A place has arrived when no more than these shares are left: of the distances that turn and scale, and of the
+/// coordinates, which have no finer steps. Far from the origin the second alone would let a small pull fall short unnoticed
+/// if it were as large as the first.
+constexpr double arrived = 1e-9, arrivedOfPlace = 1e-13;
 /// A component of p below this share of the others is none.
 constexpr double noComponent = 1e-9;
 
@@ -47,10 +50,13 @@ class Pull {
  public:
   Pull(const Motion& motion, const MotionPull& options, const Progress& progress)
       : edit_(motion, options.at, options.pins, options.symmetry, options.level, progress), axis_(options.axis) {
+    for (const Vec4& pole : motion.trajectory.poles) size_ = std::max(size_, pole.head<3>().norm() / pole[3]);
     for (const EditPlace& place : edit_.places()) {
       const Vec3 centre = centreAt(place);
       to_.push_back(centre + place.turn * (options.to[place.of] - originOf(motion, options.at[place.of])));
-      size_ = std::max({size_, centre.norm(), to_.back().norm(), pointAt(place).norm()});
+      const Vec3 x = pointAt(place);
+      size_ = std::max({size_, centre.norm(), to_.back().norm(), x.norm()});
+      reach_ = std::max({reach_, (to_.back() - centre).norm(), (x - centre).norm()});
     }
   }
 
@@ -83,7 +89,7 @@ class Pull {
       for (Eigen::Index k = 0; k < 3; ++k) {
         if (std::abs(motion.point[k]) > noComponent * motion.point.cwiseAbs().maxCoeff())
           change[k] = s[3] * y[k] / motion.point[k] - s[k];
-        else if (std::abs(y[k]) > arrived * size_)
+        else if (std::abs(y[k]) > allowed())
           addOnce(place, Unreached::FrameAxis);
       }
       return change;
@@ -91,11 +97,13 @@ class Pull {
   }
 
   EditResult finished(bool byRotation) {
-    return edit_.finished([&](const EditPlace& place) { return (toOf(place) - pointAt(place)).norm(); }, arrived * size_,
+    return edit_.finished([&](const EditPlace& place) { return (toOf(place) - pointAt(place)).norm(); }, allowed(),
                           byRotation ? Unreached::Radius : Unreached::TooClose);
   }
 
  private:
+  /// What may be left, mm.
+  [[nodiscard]] double allowed() const { return std::max(arrived * reach_, arrivedOfPlace * size_); }
   static void addOnce(EditPlace& place, Unreached why) {
     if (place.obstacles.empty() || place.obstacles.back() != why) place.obstacles.push_back(why);
   }
@@ -114,8 +122,8 @@ class Pull {
 
   EditPlaces edit_;
   Vec3 axis_;
-  std::vector<Vec3> to_;  ///< target of each place and copy
-  double size_ = 0;
+  std::vector<Vec3> to_;         ///< target of each place and copy
+  double size_ = 0, reach_ = 0;  ///< largest coordinates, and distances from the trajectory, before or after
 };
 
 }  // namespace

@@ -20,8 +20,9 @@ namespace blossom::sweep {
 /// (kernel/edit/motion_symmetry.h): a trajectory, which all copies share, takes the mean of what they want. A motion that
 /// closes in v stays closed there, as smooth as it is (kernel/edit/seam_v.h).
 ///
-/// A place has arrived when it is left by at most 1e-9 of the sizes involved, which allows for rounding where basis
-/// functions nearly cancel each other; most arrive within 1e-15 of them. Edits that the motion keeps (Motion::edits) are
+/// A place has arrived when it is left by at most 1e-9 of the distances from the trajectory, of places and targets, which
+/// allows for rounding where basis functions nearly cancel each other, or by 1e-13 of their coordinates, which allows for
+/// rounding far from the origin; most arrive within 1e-15 of these. Edits that the motion keeps (Motion::edits) are
 /// neither applied nor lost. O(degree^2) for one place, else that of leastChange. @throws Error InvalidParameter for sizes
 /// that do not match, shares outside 0 .. 1 or all 0, values that are not finite, places outside; InvalidInput when the
 /// motion has not the symmetry; LimitExceeded; Degenerate; Cancelled.

@@ -66,6 +66,7 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString typingHint() const;
   [[nodiscard]] QString heldHint() const;
   [[nodiscard]] QString hoverHint() const;
+  [[nodiscard]] QString keysHint(bool single, bool ownLevel) const;
   [[nodiscard]] QString chosenHint() const;
   [[nodiscard]] QString leftText() const;
   void markPlace(PullMarks&) const;

@@ -32,6 +32,7 @@ void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   constexpr double vanishing = 1e-6;
   const Validity validity = examine(motion, progress);
   out.stats["min_normal"] = validity.smallestNormal;
+  out.stats["min_normal_share"] = validity.smallestShare;
   out.stats["min_normal_at"] = listOf(Vec2(validity.u, validity.v));
   out.stats["min_normal_place"] = listOf(validity.place);
   if (validity.smallestShare < vanishing)

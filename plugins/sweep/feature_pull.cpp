@@ -43,6 +43,7 @@ FeatureType pullFeature() {
   return feature<P>("sweep.pull", "Pull",
                     "A motion whose swept surface is pulled to targets, by moving, turning and scaling.")
       .command("sweep-pull")
+      .icon("pull")
       .produces({ShapeKind::Motion})
       .input(motionToEdit())
       .parameter("pulls", &P::pulls, pullList(), "Places on the surface and their targets.")

@@ -26,6 +26,7 @@ FeatureType twistFeature() {
   using P = TwistParameters;
   return feature<P>("sweep.twist", "Twist", "A motion whose frame is turned about an axis at some places.")
       .command("sweep-twist")
+      .icon("twist")
       .produces({ShapeKind::Motion})
       .input(motionToEdit())
       .parameter("places", &P::places, list(placeRecord()), "Places on the surface at which the frame turns.")

@@ -44,7 +44,6 @@ void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
 void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
   constexpr double small = 1e-6;  // of the largest
   const SmallestWeight smallest = smallestProductWeight(motion, progress);
-  out.stats["min_weight_share"] = smallest.weight;
   out.stats["min_weight_at"] = listOf(Vec2(smallest.u, smallest.v));
   out.stats["min_weight_place"] = listOf(smallest.place);
   if (smallest.weight < small)

@@ -358,7 +358,7 @@ std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayOfSelected() {
   const std::vector<FeatureId> selected = tree_->selected();
   if (selected.size() != 1) return {};
   try {
-    return scene_.overlayOf(selected.front(), look_);
+    return scene_.overlayOf(selected.front(), look_, pixelRatio());
   } catch (const std::exception& problem) {
     errors_->showError(tr("The handles of %1 cannot be shown.").arg(qt(document().at(selected.front()).name)),
                        qt(problem.what()));

@@ -121,7 +121,7 @@ PageScene::Props PageScene::skins(const Look& look, double pixelRatio) const {
   return all;
 }
 
-PageScene::Props PageScene::overlayOf(const FeatureId& id, const Look& look) const {
+PageScene::Props PageScene::overlayOf(const FeatureId& id, const Look& look, double pixelRatio) const {
   const auto view = session_.view(id);
   if (!session_.document().contains(id) || !view || view->result->error) return {};
   const Feature& feature = session_.document().at(id);
@@ -134,7 +134,7 @@ PageScene::Props PageScene::overlayOf(const FeatureId& id, const Look& look) con
     inputs.push_back(shown->result->evaluated.shape);
   }
   const Evaluated& made = view->result->evaluated;
-  return (*overlay)({feature, inputs, made.shape, look, made.stats});
+  return (*overlay)({feature, inputs, made.shape, look, made.stats, pixelRatio});
 }
 
 }  // namespace blossom::ui

@@ -45,7 +45,7 @@ class PageScene {
   /// The other frames of sequences, faintly, when the timeline asks for them.
   [[nodiscard]] Props skins(const Look&, double pixelRatio) const;
   /// What the plugin draws over a feature with a result. @throws whatever the plugin throws.
-  [[nodiscard]] Props overlayOf(const FeatureId&, const Look&) const;
+  [[nodiscard]] Props overlayOf(const FeatureId&, const Look&, double pixelRatio) const;
 
  private:
   struct Parts;

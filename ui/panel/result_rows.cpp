@@ -17,6 +17,7 @@ namespace {
 
 constexpr int betweenColumns = 8, beforeUnit = 7, betweenRows = 5;
 constexpr int narrowestText = 60;  // words wrap below that no more
+constexpr int narrowestNames = 96;
 constexpr int wrapped = Qt::AlignRight | Qt::AlignTop | Qt::TextWordWrap;
 
 }  // namespace
@@ -55,12 +56,17 @@ void ResultRows::measureColumns() {
   }
 }
 
-int ResultRows::valueLeft() const { return names_ + betweenColumns; }
+int ResultRows::valueWidth() const { return std::max(narrowestText, numbers_ + beforeUnit + units_); }
+
+// Numbers have to be read in full. One long name must not make the panel wider than what is seen of it.
+int ResultRows::valueLeft(int width) const {
+  return std::clamp(width - betweenColumns - valueWidth(), std::min(names_, narrowestNames), names_) + betweenColumns;
+}
 
 int ResultRows::heightOf(const ResultRow& row, int width) const {
   const QFontMetrics metrics(font());
   if (row.text.isEmpty()) return metrics.height();
-  const QRect room(0, 0, std::max(narrowestText, width - valueLeft()), QWIDGETSIZE_MAX);
+  const QRect room(0, 0, std::max(narrowestText, width - valueLeft(width)), QWIDGETSIZE_MAX);
   return std::max(metrics.height(), metrics.boundingRect(room, wrapped, row.text).height());
 }
 
@@ -71,16 +77,24 @@ int ResultRows::heightForWidth(int width) const {
 }
 
 QSize ResultRows::minimumSizeHint() const {
-  const int width = valueLeft() + std::max(narrowestText, numbers_ + beforeUnit + units_);
+  const int width = std::min(names_, narrowestNames) + betweenColumns + valueWidth();
   return {width, heightForWidth(std::max(width, this->width()))};
 }
 
-QSize ResultRows::sizeHint() const { return minimumSizeHint(); }
+QSize ResultRows::sizeHint() const {
+  const int width = names_ + betweenColumns + valueWidth();
+  return {width, heightForWidth(std::max(width, this->width()))};
+}
 
 QRect ResultRows::valueRect(std::size_t row) const {
   int top = 0;
   for (std::size_t i = 0; i < row; ++i) top += heightOf(rows_[i], width()) + betweenRows;
-  return {valueLeft(), top, width() - valueLeft(), heightOf(rows_[row], width())};
+  const int left = valueLeft(width());
+  return {left, top, width() - left, heightOf(rows_[row], width())};
+}
+
+QString ResultRows::shownName(std::size_t row) const {
+  return QFontMetrics(font()).elidedText(rows_[row].name, Qt::ElideRight, valueLeft(width()) - betweenColumns + 1);
 }
 
 void ResultRows::paintEvent(QPaintEvent*) {
@@ -91,7 +105,7 @@ void ResultRows::paintEvent(QPaintEvent*) {
     const ResultRow& row = rows_[i];
     const QRect value = valueRect(i);
     painter.setPen(quiet);
-    painter.drawText(QRect(0, value.top(), names_ + 1, value.height()), Qt::AlignLeft | Qt::AlignTop, row.name);
+    painter.drawText(QRect(0, value.top(), names_ + 1, value.height()), Qt::AlignLeft | Qt::AlignTop, shownName(i));
     const QRect unit = value.adjusted(value.width() - units_, 0, 1, 0);
     painter.drawText(unit, Qt::AlignLeft | Qt::AlignTop, row.unit);
     painter.setPen(hovered_ == i ? active : ordinary);
@@ -124,8 +138,18 @@ bool ResultRows::event(QEvent* event) {
   if (const auto row = rowAt(help->pos()))
     QToolTip::showText(help->globalPos(), tr("Click to copy"), this, valueRect(*row));
   else
-    QToolTip::hideText();
+    QToolTip::showText(help->globalPos(), fullNameAt(help->pos()), this);  // nothing: hidden
   return true;
+}
+
+/// Of a name that is cut short; else empty.
+QString ResultRows::fullNameAt(QPoint at) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const QRect value = valueRect(i);
+    if (at.y() >= value.top() && at.y() <= value.bottom() && at.x() < value.left())
+      return shownName(i) == rows_[i].name ? QString() : rows_[i].name;
+  }
+  return {};
 }
 
 void ResultRows::mouseMoveEvent(QMouseEvent* event) { hover(rowAt(event->pos())); }

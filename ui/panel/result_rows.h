@@ -47,7 +47,10 @@ class ResultRows final : public QWidget {
  private:
   void measureColumns();
   [[nodiscard]] int heightOf(const ResultRow&, int width) const;
-  [[nodiscard]] int valueLeft() const;
+  [[nodiscard]] int valueWidth() const;
+  [[nodiscard]] int valueLeft(int width) const;
+  [[nodiscard]] QString shownName(std::size_t row) const;
+  [[nodiscard]] QString fullNameAt(QPoint) const;
   [[nodiscard]] std::optional<std::size_t> rowAt(QPoint) const;
   void hover(std::optional<std::size_t>);
   void copy(const QString& text, const QString& told);

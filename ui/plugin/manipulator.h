@@ -33,7 +33,8 @@ struct OverlayContext {
   const std::vector<Shape>& inputs;  ///< results of the feature's inputs, in order
   const Shape& result;
   const Look& look;
-  const Value& stats;  ///< of the result's computation
+  const Value& stats;     ///< of the result's computation
+  double pixelRatio = 1;  ///< device pixels per pixel
 };
 using Overlay = std::function<std::vector<vtkSmartPointer<vtkProp>>(const OverlayContext&)>;
 

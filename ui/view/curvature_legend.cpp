@@ -13,7 +13,8 @@ namespace {
 
 constexpr double scaleLeft = 4, scaleTop = 40, scaleWidth = 16, scaleHeight = 160;
 
-QString curvatureText(double value) { return QString::number(value, 'g', 3); }
+/// With a minus sign of the width of digits, as in the panel.
+QString curvatureText(double value) { return QString::number(value, 'g', 3).replace(u'-', QChar(0x2212)); }
 
 }  // namespace
 

@@ -143,6 +143,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   void markTool();
   void bringToolUpToDate();
   bool offerKey(const QKeyEvent&);
+  void takeKeys();
   void hoverAt(QPointF at, Qt::KeyboardModifiers);
   void setHovered(const Pick&);
   void startDrag(QPointF at, Qt::MouseButtons, Qt::KeyboardModifiers);

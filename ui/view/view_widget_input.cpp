@@ -1,8 +1,14 @@
 // What mouse and keys do in the view: the tool is asked first, then the camera moves, or something is found and selected.
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QPlainTextEdit>
+#include <QTextEdit>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +23,13 @@
 namespace blossom::ui {
 
 namespace {
+
+/// What is typed there is not to go astray because the mouse moves.
+bool takesTyping(const QWidget* widget) {
+  return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+         qobject_cast<const QComboBox*>(widget) || qobject_cast<const QTextEdit*>(widget) ||
+         qobject_cast<const QPlainTextEdit*>(widget);
+}
 
 bool isPartMode(PickMode mode) { return mode != PickMode::Feature && mode != PickMode::None; }
 
@@ -236,6 +249,7 @@ void ViewWidget::hoverAt(QPointF at, Qt::KeyboardModifiers modifiers) {
     const ToolEvent event = toolEvent(at, Qt::NoButton, modifiers);
     const bool taken = tool_->move(event);
     if (asked == tool_ && tool_ && (taken || !handles_)) {
+      if (taken && handles_) takeKeys();
       setHovered(taken && handles_ ? Pick() : event.pick);
       emit hint(tool_->hint());
       return;
@@ -243,6 +257,11 @@ void ViewWidget::hoverAt(QPointF at, Qt::KeyboardModifiers modifiers) {
   }
   emit hint(restingHint());
   setHovered(pickAt(at, pickMode_));
+}
+
+// The hint offers keys for the handle under the mouse: they must not go to the tree in which its feature was selected.
+void ViewWidget::takeKeys() {
+  if (!hasFocus() && isActiveWindow() && !takesTyping(QApplication::focusWidget())) setFocus(Qt::MouseFocusReason);
 }
 
 void ViewWidget::setHovered(const Pick& pick) {

@@ -96,10 +96,18 @@ void MainWindow::buildViewMenu() {
   const std::pair<const char*, QString> sides[] = {{"front", tr("Front")},  {"back", tr("Back")}, {"left", tr("Left")},
                                                    {"right", tr("Right")},  {"top", tr("Top")},   {"bottom", tr("Bottom")},
                                                    {"iso", tr("Isometric")}};
+  // A menu of their own: with them the menu of the view would not fit on a small screen.
+  QMenu* const from = menu->addMenu(icon(QStringLiteral("view-iso")), tr("Loo&k from"));
   int key = 1;
   for (const auto& [side, title] : sides) {
     const QString name = QLatin1String(side);
-    add(menu, {"view." + name, group, {}, title, tr("Look from: %1.").arg(title), {QKeySequence(QString::number(key++))}},
+    add(from,
+        {"view." + name,
+         group,
+         "view-" + name,
+         title,
+         tr("Look from: %1.").arg(title),
+         {QKeySequence(QString::number(key++))}},
         [this, name] { view().lookFrom(name); });
   }
   menu->addSeparator();

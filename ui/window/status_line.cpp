@@ -1,6 +1,7 @@
 #include "ui/window/status_line.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -50,9 +51,10 @@ StatusLine::StatusLine(QWidget* parent)
   row->addWidget(bar_);
   row->addWidget(cancel_);  // last, so that no text that grows moves it from under the mouse
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  hint_->installEventFilter(this);
   announcing_.setSingleShot(true);
   announcing_.setInterval(6000);
-  connect(&announcing_, &QTimer::timeout, this, [this] { hint_->setText(idle_); });
+  connect(&announcing_, &QTimer::timeout, this, [this] { say(idle_); });
   // What is done at once needs no bar that flickers.
   patience_.setSingleShot(true);
   patience_.setInterval(150);
@@ -63,7 +65,7 @@ StatusLine::StatusLine(QWidget* parent)
 
 void StatusLine::setHint(const QString& text) {
   idle_ = text.isEmpty() ? standing_ : text;
-  if (!announcing_.isActive()) hint_->setText(idle_);
+  if (!announcing_.isActive()) say(idle_);
 }
 
 void StatusLine::setStandingHint(const QString& text) {
@@ -71,7 +73,24 @@ void StatusLine::setStandingHint(const QString& text) {
   standing_ = text;
 }
 
-QString StatusLine::hint() const { return hint_->text(); }
+QString StatusLine::hint() const { return said_; }
+
+void StatusLine::say(const QString& text) {
+  said_ = text;
+  fitHint();
+}
+
+// What there is no room for is told by dots, and by the tool tip, rather than cut in the midst of a letter.
+void StatusLine::fitHint() {
+  const QString shown = hint_->fontMetrics().elidedText(said_, Qt::ElideRight, hint_->width());
+  hint_->setToolTip(shown == said_ ? QString() : said_);
+  if (shown != hint_->text()) hint_->setText(shown);
+}
+
+bool StatusLine::eventFilter(QObject* object, QEvent* event) {
+  if (object == hint_ && event->type() == QEvent::Resize) fitHint();
+  return QFrame::eventFilter(object, event);
+}
 
 void StatusLine::setJobs(int running) {
   jobs_ = running;
@@ -91,7 +110,7 @@ void StatusLine::showPickMode(const QAction& chosen) {
 void StatusLine::setWhereabouts(const QString& text) { whereabouts_->setText(text); }
 
 void StatusLine::announce(const QString& text) {
-  hint_->setText(text);
+  say(text);
   announcing_.start();
 }
 

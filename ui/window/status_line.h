@@ -36,8 +36,13 @@ class StatusLine : public QFrame {
   void cancelled();
   void jobsWanted();  ///< the words about the work under way were clicked
 
+ protected:
+  bool eventFilter(QObject*, QEvent*) override;
+
  private:
   void refresh();
+  void say(const QString&);
+  void fitHint();
   struct Work {
     QString what;
     double fraction = 0;
@@ -49,6 +54,7 @@ class StatusLine : public QFrame {
   QToolButton* workText_;
   QProgressBar* bar_;
   QToolButton* cancel_;
+  QString said_;  ///< in full; shown as far as there is room
   QString idle_, standing_;
   int jobs_ = 0;
   QTimer announcing_, patience_;

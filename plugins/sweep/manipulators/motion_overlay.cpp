@@ -99,7 +99,8 @@ std::vector<vtkSmartPointer<vtkProp>> motionOverlay(const ui::OverlayContext& co
     spokes.connect({spokes.add(origin), spokes.add(origin + turned(r, s.head<3>().cwiseProduct(motion->point) / s[3]))});
   }
   const Color& color = context.look.control;
-  return {trajectory.actor(color, 2.5, 1), axes.actor(color, 1.5, 1), spokes.actor(color, 1, 0.4)};
+  const double ratio = context.pixelRatio;
+  return {trajectory.actor(color, 2.5 * ratio, 1), axes.actor(color, 1.5 * ratio, 1), spokes.actor(color, ratio, 0.4)};
 }
 
 }  // namespace blossom::sweep

@@ -13,10 +13,19 @@ bool SurfacePullTool::key(const QKeyEvent& event) {
   if (HandleTool::key(event)) return true;
   const bool plain = held() ? !event.modifiers().testFlag(Qt::ControlModifier)
                             : !(event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier));
-  if (!surface_ || !plain) return false;
+  if (!plain) return false;
+  if (!surface_) return keyWhilePreparing(event.key());
   const bool ready = hovered() || held();
   if (!chooseKey(event.key()) && !(ready && mode_.key(event.key()))) return false;
   if (!entry_) follow();
+  emit changed();
+  return true;
+}
+
+/// After an edit the surface takes a moment to be ready for the next one. Who goes on meanwhile does not mean the keys of
+/// the view.
+bool SurfacePullTool::keyWhilePreparing(int key) {
+  if (!overSurface_ || wanted_.empty() || !mode_.key(key)) return false;
   emit changed();
   return true;
 }

@@ -86,6 +86,7 @@ void SurfacePullTool::look(const ui::ToolEvent& event) {
   // With Ctrl or Alt the mouse is for the view, so that the surface and its parts can still be selected and turned.
   if (!surface_ || event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) return;
   under_ = gripUnder(host(), *surface_, chosen_, last_, event);
+  overSurface_ = under_.has_value();
 }
 
 std::optional<std::size_t> SurfacePullTool::handleUnder(const ui::ToolEvent&) const {

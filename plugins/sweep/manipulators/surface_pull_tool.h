@@ -56,6 +56,7 @@ class SurfacePullTool : public ui::HandleTool {
 
   // Keys.
   bool chooseKey(int key);
+  bool keyWhilePreparing(int key);
   bool typingKey(const QKeyEvent&);
   void startTyping();
   void followTyped();
@@ -66,6 +67,7 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString typingHint() const;
   [[nodiscard]] QString heldHint() const;
   [[nodiscard]] QString hoverHint() const;
+  [[nodiscard]] QString keysHint(bool single, bool ownLevel) const;
   [[nodiscard]] QString chosenHint() const;
   [[nodiscard]] QString leftText() const;
   void markPlace(PullMarks&) const;
@@ -78,6 +80,7 @@ class SurfacePullTool : public ui::HandleTool {
   std::shared_ptr<const LiveSurface> surface_;
   ChosenPlaces chosen_;
   std::optional<PullGrip> under_;   ///< what is under the mouse
+  bool overSurface_ = false;        ///< the mouse was, when it was last looked for
   Vec3 towards_ = Vec3::UnitY();    ///< line of sight
   std::unique_ptr<HeldEdit> edit_;  ///< that is being made
   std::optional<GoalEntry> entry_;  ///< its goal is being typed

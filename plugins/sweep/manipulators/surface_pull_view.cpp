@@ -75,19 +75,30 @@ QString SurfacePullTool::hoverHint() const {
   if (const QString problem = copiesProblem(surface_->motion(), under_->hit.at, mode_.symmetry(), copies);
       !problem.isEmpty())
     return joined({problem, tr("1: no copies")});
+  // What is in force comes before the keys that change it: a narrow window has no room for all.
   QStringList parts;
   if (mode_.twists())
-    parts << tr("Drag to twist the surface here about %1").arg(mode_.axisText()) << tr("A: another axis") << tr("W: pull")
-          << tr("Enter: type the angle");
+    parts << tr("Drag to twist the surface here about %1").arg(mode_.axisText());
   else
     parts << (under_->ofLast ? tr("Drag to pull this point further, %1").arg(mode_.wayText())
-                             : tr("Drag to pull this point %1").arg(mode_.wayText()))
-          << tr("T, R, S: one way alone") << tr("W: twist") << tr("Enter: type the target");
-  const QString symmetry = mode_.symmetryText();
-  parts << (chosen_.empty() ? tr("Shift-click: take it along") + QStringLiteral(", ") + tr("P: pin it") : chosenHint());
-  parts << (symmetry.isEmpty() ? tr("2–9, M: copies") : tr("%1 (1: none)").arg(symmetry));
-  const QString level = mode_.levelText();
-  parts << (level.isEmpty() ? tr("+, −: finer, coarser") : tr("%1 (0: as it is)").arg(level));
+                             : tr("Drag to pull this point %1").arg(mode_.wayText()));
+  const QString symmetry = mode_.symmetryText(), level = mode_.levelText();
+  if (!symmetry.isEmpty()) parts << tr("%1 (1: none)").arg(symmetry);
+  if (!level.isEmpty()) parts << tr("%1 (0: as it is)").arg(level);
+  parts << chosenHint() << keysHint(symmetry.isEmpty(), level.isEmpty());
+  return joined(parts);
+}
+
+QString SurfacePullTool::keysHint(bool single, bool ownLevel) const {
+  QStringList parts;
+  if (mode_.twists())
+    parts << tr("A: another axis") << tr("W: pull");
+  else
+    parts << tr("T, R, S: one way alone") << tr("W: twist");
+  if (single) parts << tr("2–9, M: copies");
+  if (ownLevel) parts << tr("+, −: finer, coarser");
+  parts << (mode_.twists() ? tr("Enter: type the angle") : tr("Enter: type the target"));
+  if (chosen_.empty()) parts << tr("Shift-click: take it along") + QStringLiteral(", ") + tr("P: pin it");
   return joined(parts);
 }
 

@@ -17,12 +17,12 @@ class ValidityMarks {
 
   std::vector<vtkSmartPointer<vtkProp>> props() && {
     constexpr double small = 7, large = 11;
-    constexpr double nearlyFolded = 0.01,
-                     nearlyWithoutWeight = 1e-3;  // of a sound surface the marks would only be in the way
-    if (shareOf("min_normal_share") < nearlyFolded)
+    // Every surface has a smallest normal and weight somewhere. Where they are harmless, marks would only be in the way of
+    // who pulls there.
+    constexpr double worryingShare = 1e-3, worryingWeight = 0.02;
+    if (below("min_normal_share", worryingShare))
       mark("min_normal_place", context_.look.control, small, tr("smallest normal"));
-    if (shareOf("min_weight_share") < nearlyWithoutWeight)
-      mark("min_weight_place", context_.look.control, small, tr("smallest weight"));
+    if (below("min_weight", worryingWeight)) mark("min_weight_place", context_.look.control, small, tr("smallest weight"));
     mark("crossing_place", context_.look.fault, large, tr("crosses itself"));
     return std::move(props_);
   }
@@ -34,16 +34,16 @@ class ValidityMarks {
     return Vec3(found->at(0).get<double>(), found->at(1).get<double>(), found->at(2).get<double>());
   }
 
-  [[nodiscard]] double shareOf(const char* name) const {
+  [[nodiscard]] bool below(const char* name, double limit) const {
     const auto found = context_.stats.find(name);
-    return found != context_.stats.end() && found->is_number() ? found->get<double>() : 1;
+    return found != context_.stats.end() && found->is_number() && found->get<double>() < limit;
   }
 
   void mark(const char* name, const Color& color, double size, const QString& text) {
     const auto place = placeOf(name);
     if (!place) return;
-    props_.push_back(ui::pointsProp({*place}, color, size));
-    props_.push_back(ui::labelProp(text, *place, ui::labelLook(context_.look, color, 1)));
+    props_.push_back(ui::pointsProp({*place}, color, size * context_.pixelRatio));
+    props_.push_back(ui::labelProp(text, *place, ui::labelLook(context_.look, color, context_.pixelRatio)));
   }
 
   const ui::OverlayContext& context_;

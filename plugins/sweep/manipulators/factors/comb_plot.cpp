@@ -1,5 +1,6 @@
 #include "manipulators/factors/comb_plot.h"
 
+#include <QFontMetrics>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,7 @@ void CombPlot::setCurves(const QString& what, std::vector<CombCurve> curves, dou
   curves_ = std::move(curves);
   mark_ = mark;
   setAccessibleName(what);
+  setToolTip(what);
   fitScale();
   update();
 }
@@ -46,7 +48,10 @@ void CombPlot::fitScale() {
   // What is constant lies in the middle, whatever its rounding.
   const double size = std::max(std::abs(low_), std::abs(high_));
   constexpr double hardly = 1e-9;
-  if (high_ - low_ <= hardly * size || size == 0) low_ -= 0.5 + 0.5 * size, high_ += 0.5 + 0.5 * size;
+  const bool constant = high_ - low_ <= hardly * size || size == 0;
+  range_ = constant ? ui::readable((low_ + high_) / 2, 3)
+                    : QStringLiteral("%1 … %2").arg(ui::readable(low_, 3), ui::readable(high_, 3));
+  if (constant) low_ -= 0.5 + 0.5 * size, high_ += 0.5 + 0.5 * size;
   if (tallest_ <= hardly * size) tallest_ = 0;
 }
 
@@ -88,15 +93,21 @@ void CombPlot::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   painter.setPen(colors.color("muted"));
   const QRectF text = QRectF(rect()).adjusted(8, 3, -8, -3);
-  painter.drawText(text, Qt::AlignTop | Qt::AlignLeft, what_);
+  painter.drawText(text, Qt::AlignTop | Qt::AlignLeft, shownTitle(painter.fontMetrics(), static_cast<int>(text.width())));
   if (curves_.empty()) return;
   painter.setPen(QPen(colors.color("made"), 1, Qt::DotLine));
   const double x = pixelsOf({mark_, 0}).x();
   painter.drawLine(QPointF(x, titleHeight), QPointF(x, height() - 3));
   for (const CombCurve& curve : curves_) paintCurve(painter, curve);
   painter.setPen(colors.color("faint"));
-  painter.drawText(text, Qt::AlignTop | Qt::AlignRight,
-                   QStringLiteral("%1 … %2").arg(ui::readable(low_, 3), ui::readable(high_, 3)));
+  painter.drawText(text, Qt::AlignTop | Qt::AlignRight, range_);
+}
+
+/// What it is, and at which parameter, stand at its ends.
+QString CombPlot::shownTitle(const QFontMetrics& metrics, int width) const {
+  constexpr int between = 10;
+  const int room = curves_.empty() ? width : width - metrics.horizontalAdvance(range_) - between;
+  return metrics.elidedText(what_, Qt::ElideMiddle, room);
 }
 
 }  // namespace blossom::sweep

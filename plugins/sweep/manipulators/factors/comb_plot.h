@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <vector>
 
+class QFontMetrics;
 class QPainter;
 
 namespace blossom::sweep {
@@ -32,8 +33,9 @@ class CombPlot final : public QWidget {
   void fitScale();
   [[nodiscard]] QPointF pixelsOf(const QPointF&) const;
   void paintCurve(QPainter&, const CombCurve&) const;
+  [[nodiscard]] QString shownTitle(const QFontMetrics&, int width) const;
 
-  QString what_;
+  QString what_, range_;
   std::vector<CombCurve> curves_;
   double mark_ = 0;
   double left_ = 0, right_ = 1, low_ = 0, high_ = 1;

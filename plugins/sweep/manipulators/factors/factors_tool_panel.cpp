@@ -40,8 +40,9 @@ QString common(const ParameterSpec& spec, const std::vector<double>& values, con
   constexpr double alike = 1e-12;
   for (const double value : values)
     if (std::abs(value - values.front()) > alike * (1 + std::abs(value))) return {};
-  // Shown to nine digits: rounding is of no use to a reader.
-  const double shown = QString::number(values.front(), 'g', 9).toDouble();
+  // As many digits as the field has room for; what is not typed anew keeps all it has.
+  constexpr int digits = 6;
+  const double shown = QString::number(values.front(), 'g', digits).toDouble();
   return ui::qt(formatText(spec, Value(shown), unit));
 }
 
@@ -67,11 +68,24 @@ std::vector<double> signDirections(const Motion& motion, const FactorLayout& lay
   return directions;
 }
 
-/// Teeth down to zero.
-CombCurve barCurve(const std::vector<double>& at, const std::vector<Vec3>& vectors, double unit, const char* color) {
-  CombCurve curve{ui::theme().color(color), {}, {}};
-  for (std::size_t k = 0; k < at.size(); ++k) curve.points.emplace_back(at[k], unit * vectors[k].norm());
+/// Teeth down to zero. @param nothing  lengths below that come from rounding
+CombCurve barCurve(const std::vector<double>& at, const std::vector<Vec3>& vectors, double nothing, double unit) {
+  CombCurve curve{ui::theme().color("control"), {}, {}};
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double length = vectors[k].norm();
+    curve.points.emplace_back(at[k], length < nothing ? 0 : unit * length);
+  }
   return curve;
+}
+
+/// A curvature that nobody could tell from straightness over the length of the trajectory, 1/mm.
+double hardlyBent(const Motion& motion, const FactorLayout& layout) {
+  constexpr double hardly = 1e-9;
+  double size = 0;
+  const Vec3 first = poleValue(motion, Factor::Trajectory, {0, 0}).vector;
+  for (std::size_t j = 0; j < layout.columns(); ++j)
+    size = std::max(size, (poleValue(motion, Factor::Trajectory, {0, j}).vector - first).norm());
+  return size > 0 ? hardly / size : 0;
 }
 
 std::vector<CombCurve> scalingCurves(const ScalingComb& comb) {
@@ -188,11 +202,13 @@ void FactorsTool::fillPlot() {
       alongU ? tr("along u at v = %1").arg(ui::readable(v, 3)) : tr("along v at u = %1").arg(ui::readable(u, 3));
   if (factor_ == Factor::Trajectory) {
     const TrajectoryComb comb = trajectoryComb(motion(), plotSamples);
-    panel_->plot().setCurves(tr("Curvature along v, 1/mm"), {barCurve(comb.at, comb.curvature, 1, "control")}, mark);
+    panel_->plot().setCurves(tr("Curvature along v, 1/mm"),
+                             {barCurve(comb.at, comb.curvature, hardlyBent(motion(), layout), 1)}, mark);
   } else if (factor_ == Factor::Orientation) {
     const OrientationComb comb = orientationComb(motion(), along, across, plotSamples);
+    constexpr double hardlyTurning = 1e-9;
     panel_->plot().setCurves(tr("Angular velocity, ° per range, %1").arg(line),
-                             {barCurve(comb.at, comb.velocity, toDegrees(1), "control")}, mark);
+                             {barCurve(comb.at, comb.velocity, hardlyTurning, toDegrees(1))}, mark);
   } else {
     panel_->plot().setCurves(tr("Factors with curvature, %1").arg(line),
                              scalingCurves(scalingComb(motion(), along, across, plotSamples)), mark);

@@ -4,8 +4,6 @@
 #include <QStandardPaths>
 #include <csignal>
 #include <cstdio>
-#include <string>
-#include <vector>
 
 #include "app/app.h"
 #include "core/error.h"
@@ -99,18 +97,6 @@ bool answeredWithoutWindow(int argc, char** argv) {
   setUp(parser, Flags());
   parser.process(arguments);
   return true;
-}
-
-/// On X11, Qt takes "--display NAME" for itself: the server to open windows on. In one word it is left to us. Servers have a
-/// colon in their names.
-std::vector<std::string> argumentsForQt(int argc, char** argv) {
-  std::vector<std::string> words(argv, argv + argc);
-  for (std::size_t i = 1; i + 1 < words.size(); ++i)
-    if (words[i] == "--display" && words[i + 1].find(':') == std::string::npos) {
-      words[i] += '=' + words[i + 1];
-      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    }
-  return words;
 }
 
 bool displayMissing() {
@@ -220,12 +206,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is an error of writing, told as one
   removeAbandonedFolders();
   prepareApplication();
-  std::vector<std::string> words = argumentsForQt(argc, argv);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  int count = static_cast<int>(arguments.size());
-  arguments.push_back(nullptr);
-  GuardedApplication application(count, arguments.data());
+  GuardedApplication application(argc, argv);
   setUpApplication();
   try {
     return run(application);

@@ -150,7 +150,10 @@ void ViewWidget::setSection(const std::optional<CutPlane>& section) {
 std::vector<Vec3> ViewWidget::everything() {
   bringUpToDate();
   bringToolUpToDate();
-  return stage_.points();
+  std::vector<Vec3> points = stage_.points();
+  const std::vector<Vec3> reach = source_.reach ? source_.reach() : std::vector<Vec3>();
+  points.insert(points.end(), reach.begin(), reach.end());
+  return points;
 }
 
 Bounds ViewWidget::extent() {

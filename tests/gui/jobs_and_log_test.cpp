@@ -1,5 +1,6 @@
 #include <QAbstractItemModel>
 #include <QDockWidget>
+#include <QLabel>
 #include <QScrollBar>
 #include <QToolButton>
 #include <QTreeView>
@@ -27,6 +28,7 @@ class JobsAndLogTest : public TreeFixture {
   void theLogTellsWhatHappened();
   void theLogFollowsTheNewest();
   void theCrossStaysInPlace();
+  void aLongHintEndsInDots();
   void everythingIsComputedAnew();
 };
 
@@ -147,6 +149,26 @@ void JobsAndLogTest::theCrossStaysInPlace() {
   line.setWork(QStringLiteral("a"), QStringLiteral("A feature with a long name: Joining faces"), 0.99);
   QCoreApplication::processEvents();
   QCOMPARE(cross->geometry(), before);
+}
+
+void JobsAndLogTest::aLongHintEndsInDots() {
+  StatusLine line;
+  line.resize(400, 24);
+  line.show();
+  const QString wanted = QStringLiteral("Drag to pull this point · ").repeated(20);
+  line.setHint(wanted);
+  QCOMPARE(line.hint(), wanted);
+  const auto shown = [&] {
+    for (const QLabel* label : line.findChildren<QLabel*>())
+      if (label->text().startsWith(QStringLiteral("Drag"))) return label;
+    return static_cast<const QLabel*>(nullptr);
+  };
+  QTRY_VERIFY(shown() && shown()->text().endsWith(QChar(0x2026)));
+  QVERIFY(shown()->fontMetrics().horizontalAdvance(shown()->text()) <= shown()->width());
+  QCOMPARE(shown()->toolTip(), wanted);
+  line.setHint(QStringLiteral("Drag"));
+  QCOMPARE(shown()->text(), QStringLiteral("Drag"));
+  QVERIFY(shown()->toolTip().isEmpty());
 }
 
 void JobsAndLogTest::everythingIsComputedAnew() {

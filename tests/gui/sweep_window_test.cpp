@@ -28,6 +28,7 @@ class SweepWindowTest : public SweepFixture {
   void thereAndBackChangesNothing();
   void escapeTakesBack();
   void fourCopiesMakeFourEqualBumps();
+  void keysAreForThePlaceUnderTheMouse();
   void whatCannotBeReachedIsSaidAndNotKept();
   void aClickIsForTheView();
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
@@ -205,6 +206,19 @@ void SweepWindowTest::escapeTakesBack() {
   waitUntilComputed();
   QVERIFY(std::ranges::equal(document().features(), before.features()));
   QVERIFY(surfaceOf(sweep_) == swept);
+}
+
+/// Whatever was clicked before, such as the row of the sweep in the tree.
+void SweepWindowTest::keysAreForThePlaceUnderTheMouse() {
+  openSample("cylinder.json");
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  window_->tree().setFocus();
+  QVERIFY(!window_->view().hasFocus());
+  hover(onTheSide());
+  QTRY_VERIFY(window_->view().hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_4);
+  QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
 }
 
 void SweepWindowTest::fourCopiesMakeFourEqualBumps() {

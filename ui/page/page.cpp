@@ -54,7 +54,7 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
       faults_(new FaultBar(session_)),
       timeline_(new TimelineBar(playback_)),
       tools_(std::make_unique<PageTools>(*this, manipulators_, *view_)) {
-  view_->setSource({[this] { return shownItems(); }, [this] { return overlayNow(); }});
+  view_->setSource({[this] { return shownItems(); }, [this] { return overlayNow(); }, [this] { return scene_.reach(); }});
   buildWidgets();
   connectSession();
   connectNotes();

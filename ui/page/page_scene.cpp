@@ -1,5 +1,6 @@
 #include "ui/page/page_scene.h"
 
+#include <vtkPolyData.h>
 #include <vtkProp.h>
 
 #include <algorithm>
@@ -9,6 +10,19 @@
 #include "scene/onion_skin.h"
 
 namespace blossom::ui {
+
+namespace {
+
+void addCornersOf(const SceneData& scene, std::vector<Vec3>& corners) {
+  for (vtkPolyData* data : {scene.faces.Get(), scene.edges.Get(), scene.points.Get()}) {
+    if (!data || data->GetNumberOfPoints() == 0) continue;
+    const double* b = data->GetBounds();
+    for (int corner = 0; corner < 8; ++corner)
+      corners.emplace_back(b[corner & 1], b[2 + ((corner >> 1) & 1)], b[4 + ((corner >> 2) & 1)]);
+  }
+}
+
+}  // namespace
 
 std::shared_ptr<const FeatureView> PageScene::shownView(const Feature& feature) const {
   if (choice_ && choice_->parts && choice_->features.contains(feature.id)) return session_.view(feature.id);
@@ -109,6 +123,17 @@ std::size_t PageScene::frames() const {
   std::size_t count = 0;
   for (const auto& view : sequences()) count = std::max(count, view->frames->size());
   return count;
+}
+
+std::vector<Vec3> PageScene::reach() const {
+  constexpr std::size_t most = 48;  // of long sequences some, and the last
+  std::vector<Vec3> corners;
+  for (const auto& view : sequences()) {
+    const std::vector<SceneData>& all = *view->frames;
+    for (std::size_t k = 0; k < std::min(most, all.size()); ++k)
+      addCornersOf(all[(all.size() - 1) * k / std::max<std::size_t>(1, std::min(most, all.size()) - 1)], corners);
+  }
+  return corners;
 }
 
 PageScene::Props PageScene::skins(const Look& look, double pixelRatio) const {

@@ -42,6 +42,8 @@ class PageScene {
   [[nodiscard]] std::vector<ViewItem> items(const std::vector<FeatureId>& selected) const;
   /// Of the longest sequence that is shown; 0: there is none.
   [[nodiscard]] std::size_t frames() const;
+  /// Corners of the boxes around frames of the sequences that are shown, so that they stay in sight when they are played.
+  [[nodiscard]] std::vector<Vec3> reach() const;
   /// The other frames of sequences, faintly, when the timeline asks for them.
   [[nodiscard]] Props skins(const Look&, double pixelRatio) const;
   /// What the plugin draws over a feature with a result. @throws whatever the plugin throws.

@@ -6,8 +6,8 @@
 
 namespace blossom::ui {
 
-/// The scale of the colours over the view, at its lower left: which curvature, the values at its ends, and the one under the
-/// mouse. Lets the mouse through.
+/// The scale of the colours over the view, at its lower right: which curvature, the values at its ends, and the one under
+/// the mouse. Lets the mouse through.
 class CurvatureLegend : public QWidget {
   Q_OBJECT
  public:

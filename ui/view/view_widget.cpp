@@ -66,7 +66,8 @@ void ViewWidget::resizeEvent(QResizeEvent* event) {
 
 void ViewWidget::placeCube() {
   cube_->move(width() - cube_->width() - 14, 12);
-  legend_->move(14, height() - legend_->height() - 14);
+  // At the left it would lie beneath the cards of tools.
+  legend_->move(width() - legend_->width(), height() - legend_->height() - 14);
 }
 
 void ViewWidget::followCurvature() { legend_->showScale(surfaceDisplay(displayMode()), stage_.items().curvatureRange()); }
@@ -150,7 +151,10 @@ void ViewWidget::setSection(const std::optional<CutPlane>& section) {
 std::vector<Vec3> ViewWidget::everything() {
   bringUpToDate();
   bringToolUpToDate();
-  return stage_.points();
+  std::vector<Vec3> points = stage_.points();
+  const std::vector<Vec3> reach = source_.reach ? source_.reach() : std::vector<Vec3>();
+  points.insert(points.end(), reach.begin(), reach.end());
+  return points;
 }
 
 Bounds ViewWidget::extent() {

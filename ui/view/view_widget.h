@@ -33,6 +33,8 @@ class ViewWidget : public QWidget, private PictureSubject {
   struct Source {
     std::function<std::vector<ViewItem>()> items;
     std::function<std::vector<vtkSmartPointer<vtkProp>>()> overlay;
+    /// Points that what moves by itself comes to, which the view has to have room for; none: nothing moves.
+    std::function<std::vector<Vec3>()> reach = {};
   };
   void setSource(Source source) { source_ = std::move(source); }
   void markItems();    ///< they are out of date

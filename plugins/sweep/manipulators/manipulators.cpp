@@ -22,6 +22,7 @@ BLOSSOM_MANIPULATORS(registry) {
     return std::make_unique<FactorsTool>(host, id);
   };
   registry.addOverlay("sweep.factors", motionOverlay);
+  for (const char* begin : {"sweep.primitive", "sweep.frame", "sweep.refine"}) registry.addOverlay(begin, sweptOverlay);
   registry.addHandles("sweep.factors", editFactors);
   registry.addTool({"sweep.factors", "Factors", "Edits the poles of trajectory, orientation and scaling of a motion.",
                     "factors", "sweep.factors", editFactors});

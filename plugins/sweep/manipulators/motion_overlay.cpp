@@ -103,4 +103,27 @@ std::vector<vtkSmartPointer<vtkProp>> motionOverlay(const ui::OverlayContext& co
   return {trajectory.actor(color, 2.5 * ratio, 1), axes.actor(color, 1.5 * ratio, 1), spokes.actor(color, ratio, 0.4)};
 }
 
+std::vector<vtkSmartPointer<vtkProp>> sweptOverlay(const ui::OverlayContext& context) {
+  auto props = motionOverlay(context);
+  const std::optional<Motion> motion = shownMotion(context);
+  if (!motion) return props;
+  Polylines swept;
+  try {
+    swept = knotCurves(*motion);
+  } catch (const Error&) {
+    return props;  // its sweep tells what is wrong with it
+  }
+  Lines curves;
+  for (const std::vector<Vec3>& curve : swept) {
+    vtkIdType previous = -1;
+    for (const Vec3& p : curve) {
+      const vtkIdType here = curves.add(p);
+      if (previous >= 0) curves.connect({previous, here});
+      previous = here;
+    }
+  }
+  props.push_back(curves.actor(context.look.control, context.pixelRatio, 0.5));
+  return props;
+}
+
 }  // namespace blossom::sweep

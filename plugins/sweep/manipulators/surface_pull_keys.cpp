@@ -15,7 +15,7 @@ bool SurfacePullTool::key(const QKeyEvent& event) {
                             : !(event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier));
   if (!plain) return false;
   if (!surface_) return keyWhilePreparing(event.key());
-  const bool ready = hovered() || held();
+  const bool ready = hovered() || held() || overSurface_;  // the mouse need not have moved since the last edit
   if (!chooseKey(event.key()) && !(ready && mode_.key(event.key()))) return false;
   if (!entry_) follow();
   emit changed();

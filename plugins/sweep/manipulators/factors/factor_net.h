@@ -66,6 +66,7 @@ class FactorNet final : public QWidget {
   void hoverAt(const QPointF&);
   void paintSupports(QPainter&) const;
   void paintKnots(QPainter&) const;
+  [[nodiscard]] double dotScale() const;
   void paintPoles(QPainter&) const;
   void paintCandidate(QPainter&) const;
 

@@ -1,6 +1,7 @@
 // What the net of a factor looks like.
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 #include "core/angle.h"
@@ -86,8 +87,19 @@ void FactorNet::paintKnots(QPainter& painter) const {
   painter.drawText(QRectF(2, all.top() - 2, labelSize, labelSize), Qt::AlignCenter, QStringLiteral("v ↑"));
 }
 
+/// Dots of a dense net are smaller, or they would run into each other.
+double FactorNet::dotScale() const {
+  constexpr double share = 0.7, smallest = 0.45;
+  const auto spacing = [](double length, std::size_t count) {
+    return length / static_cast<double>(std::max<std::size_t>(2, count) - 1);
+  };
+  const double room = std::min(spacing(area().width(), layout_.rows()), spacing(area().height(), layout_.columns()));
+  return std::clamp(share * room / (2 * (smallestDot + growth)), smallest, 1.0);
+}
+
 void FactorNet::paintPoles(QPainter& painter) const {
   const ui::Theme& colors = ui::theme();
+  const double scale = dotScale();
   const auto valueOf = [&](const std::vector<double>& all, std::size_t i, std::size_t j, double otherwise) {
     const std::size_t k = i * layout_.columns() + j;
     return k < all.size() ? all[k] : otherwise;
@@ -97,12 +109,12 @@ void FactorNet::paintPoles(QPainter& painter) const {
       const FactorPole pole{i, j};
       const bool chosen = chosen_.contains(pole);
       const QPointF at = pixelsOf(layout_.us[i], layout_.vs[j]);
-      const double radius = smallestDot + growth * valueOf(sizes_, i, j, 0.4);
+      const double radius = scale * (smallestDot + growth * valueOf(sizes_, i, j, 0.4));
       const QColor color = colors.color(chosen ? "made" : "control");
       if (!directions_.empty()) {
         const double angle = toRadians(valueOf(directions_, i, j, 0));
         painter.setPen(QPen(color, 1.5));
-        painter.drawLine(at, at + needle * QPointF(std::sin(angle), -std::cos(angle)));
+        painter.drawLine(at, at + scale * needle * QPointF(std::sin(angle), -std::cos(angle)));
       }
       if (under_ == pole) {
         painter.setPen(Qt::NoPen);

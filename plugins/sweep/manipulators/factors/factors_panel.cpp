@@ -18,7 +18,7 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr int panelWidth = 324;
+constexpr int panelWidth = 344;  // the row of buttons at the foot has room in every language
 
 QToolButton* checkButton(const QString& text, const QString& help) {
   auto* made = new QToolButton;

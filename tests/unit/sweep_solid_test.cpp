@@ -9,6 +9,7 @@
 #include "geometry/measure/measure.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/cubic_approximation.h"
 #include "sweep/kernel/grid/motion_grid.h"
 #include "sweep/kernel/product_surface.h"
@@ -93,6 +94,20 @@ void verifySolid(const SolidResult& result) {
 class SweepSolidTest : public QObject {
   Q_OBJECT
  private slots:
+  /// A small body far from the origin ends as it does beside it: in points, planes or itself.
+  void whereABodyLiesDoesNotChangeItsEnds() {
+    for (const PrimitiveKind kind : {PrimitiveKind::Sphere, PrimitiveKind::Cylinder, PrimitiveKind::Torus}) {
+      const Motion plain = primitiveMotion({.kind = kind, .radius = 0.01, .profile = 0.004, .height = 0.02}).motion;
+      const SolidResult here = makeSolid(productSurface(plain).surface);
+      for (const double far : {1e5, 1e6}) {
+        Motion moved = plain;
+        for (Vec4& pole : moved.trajectory.poles) pole.head<3>() += pole[3] * Vec3(far, far / 3, -far);
+        const SolidResult there = makeSolid(productSurface(moved).surface);
+        QVERIFY(there.start == here.start && there.end == here.end);
+      }
+    }
+  }
+
   void cylinderHasItsVolume() {
     const Motion motion = readSample("cylinder.json");
     const double wanted = pi * 100 * 40;

@@ -18,8 +18,8 @@ struct CubicResult {
 };
 
 /// A bicubic B-spline approximation of the swept surface, for receivers that cannot read rational surfaces of high degree.
-/// It interpolates the motion at its breaks and is C2 wherever the motion is; the spans of the motion are halved until the
-/// measured deviation is at most the tolerance.
+/// It interpolates the motion at its breaks and is C2 wherever the motion is, but C1 at the seam of a closed motion that is
+/// not C2 all around; the spans of the motion are halved until the measured deviation is at most the tolerance.
 /// @throws Error LimitExceeded with the deviation reached; Degenerate; Cancelled. O(samples), about 20 ns each.
 CubicResult approximateCubic(const Motion&, const CubicOptions& = {}, const Progress& = Progress::none());
 

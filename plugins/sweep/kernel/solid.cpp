@@ -32,7 +32,8 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr double same = 1e-9;  // of the size
+constexpr double same = 1e-9;            // of the size
+constexpr double sameFarAway = 1.5e-14;  // of the coordinates, which have no finer steps after the product is formed
 
 Vec3 euclidean(const Vec4& pole) { return pole.head<3>() / pole[3]; }
 
@@ -42,14 +43,20 @@ double sizeOf(const Surface& surface) {
   return (high - low).norm();
 }
 
+/// How far apart points may lie that are the same one.
+double nearOf(const Surface& surface, double size) {
+  double farthest = 0;
+  for (const Vec4& pole : surface.poles) farthest = std::max(farthest, euclidean(pole).norm());
+  return std::max(same * size, sameFarAway * farthest);
+}
+
 /// Copies line `from` of poles to line `to` when they represent the same curve: the same points, weights in a fixed ratio.
 /// @param step,lines stride inside a line and between positions, as indices into the pole array
-bool mergeLines(Surface& surface, std::size_t from, std::size_t to, std::size_t step, std::size_t count, double size) {
+bool mergeLines(Surface& surface, std::size_t from, std::size_t to, std::size_t step, std::size_t count, double near) {
   const double ratio = surface.poles[to][3] / surface.poles[from][3];
   for (std::size_t i = 0; i < count; ++i) {
     const Vec4 &a = surface.poles[from + i * step], &b = surface.poles[to + i * step];
-    if ((euclidean(a) - euclidean(b)).norm() > same * size || std::abs(b[3] - ratio * a[3]) > same * std::abs(b[3]))
-      return false;
+    if ((euclidean(a) - euclidean(b)).norm() > near || std::abs(b[3] - ratio * a[3]) > same * std::abs(b[3])) return false;
   }
   // Quaternions of another length at one end leave their weights in a ratio: the curve is the same, and keeps its ratio.
   const double kept = std::abs(ratio - 1) > same ? ratio : 1.0;
@@ -111,14 +118,14 @@ struct Cap {
   TopoDS_Face face;
 };
 
-Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double size) {
+Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double near) {
   const std::vector<Vec4> poles = endPoles(surface, atEnd);
   const Vec3 origin = centre(poles);
-  const bool point = std::all_of(poles.begin(), poles.end(),
-                                 [&](const Vec4& pole) { return (euclidean(pole) - origin).norm() <= same * size; });
+  const bool point =
+      std::all_of(poles.begin(), poles.end(), [&](const Vec4& pole) { return (euclidean(pole) - origin).norm() <= near; });
   if (point) return {EndCap::Point, {}};
   const auto [first, last] = surface.domainV();
-  if (const auto normal = planeNormal(poles, origin, std::max(same * size, 1e-9))) {
+  if (const auto normal = planeNormal(poles, origin, std::max(near, 1e-9))) {
     const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(endEdge(side, atEnd ? last : first)).Wire();
     BRepBuilderAPI_MakeFace maker(gp_Pln(toPoint(origin), gp_Dir(normal->x(), normal->y(), normal->z())), wire,
                                   Standard_True);
@@ -159,16 +166,16 @@ double rounded(double x, double size) {
 }
 
 SolidResult build(Surface surface, const Progress& progress) {
-  const double size = sizeOf(surface);
+  const double size = sizeOf(surface), near = nearOf(surface, size);
   const std::size_t nu = surface.countU(), nv = surface.countV();
-  if (!mergeLines(surface, 0, (nu - 1) * nv, 1, nv, size))
+  if (!mergeLines(surface, 0, (nu - 1) * nv, 1, nv, near))
     throw Error(ErrorCode::InvalidInput, "This motion is not closed in u, so the surface encloses no body.",
                 "Leave out --solid, or close the orientation with \"closed_u\".");
-  const bool ring = mergeLines(surface, 0, nv - 1, nv, nu, size);
+  const bool ring = mergeLines(surface, 0, nv - 1, nv, nu, near);
   SolidResult result;
   std::vector<TopoDS_Face> faces{toFace(surface)};
   if (!ring) {
-    const Cap start = makeCap(surface, faces[0], false, size), end = makeCap(surface, faces[0], true, size);
+    const Cap start = makeCap(surface, faces[0], false, near), end = makeCap(surface, faces[0], true, near);
     result.start = start.kind, result.end = end.kind;
     for (const Cap& cap : {start, end})
       if (!cap.face.IsNull()) faces.push_back(cap.face);

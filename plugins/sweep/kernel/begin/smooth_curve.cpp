@@ -129,10 +129,12 @@ int SmoothCurve::frameMultiplicity(std::size_t k) const {
 }
 
 double SmoothCurve::length(double from, double to) const {
+  // Far from the origin, derivatives of points have no more digits: closer, the halving would not end.
+  const double allowed = 1e-13 * size_ + 1e-15 * at(from).point.norm();
   double sum = 0;
   for (std::size_t k = pieceOf(from); k < pieces_.size() && breaks_[k] < to; ++k)
     sum += integrate([&](double t) { return at(t, k).first.norm(); }, std::max(from, breaks_[k]),
-                     std::min(to, breaks_[k + 1]), 1e-13 * size_);
+                     std::min(to, breaks_[k + 1]), allowed);
   return sum;
 }
 

@@ -803,10 +803,6 @@
         <translation>Käfig</translation>
     </message>
     <message>
-        <source>caps</source>
-        <translation>Deckel</translation>
-    </message>
-    <message>
         <source>catmull-clark</source>
         <translation>Catmull-Clark</translation>
     </message>
@@ -913,10 +909,6 @@
     <message>
         <source>convex</source>
         <translation>konvex</translation>
-    </message>
-    <message>
-        <source>copies</source>
-        <translation>Kopien</translation>
     </message>
     <message>
         <source>Copies of a shape in rows or round an axis.</source>

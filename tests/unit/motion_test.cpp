@@ -85,6 +85,30 @@ class MotionTest : public QObject {
     }
   }
 
+  void whatCannotBeReadAgainIsNotWritten() {
+    const Motion good = *format_.read(sample("cylinder.json"), Value::object(), Progress::none()).shape.get<Motion>();
+    const auto refused = [&](const Motion& motion, const char* place) {
+      const auto path = folder_.path() / "refused.json";
+      try {
+        format_.write(motion, path, Value::object(), Progress::none());
+        QFAIL("It was written.");
+      } catch (const Error& error) {
+        QCOMPARE(error.code(), ErrorCode::OutputNotSupported);
+        QVERIFY2(error.message().starts_with(place), error.message().c_str());
+      }
+      QVERIFY(!std::filesystem::exists(path));
+    };
+    Motion far = good;
+    far.trajectory.poles[1].x() = 1e12;
+    refused(far, "trajectory.poles[1][0] would be 1e+12;");
+    Motion heavy = good;
+    heavy.trajectory.poles[2] *= 1e200;
+    refused(heavy, "trajectory.weights[2] would be 1e+200;");
+    Motion wide = good;
+    wide.scaling.pole(5, 3).y() = -2e9;
+    refused(wide, "scaling.poles[5][3][1] would be -2000000000;");
+  }
+
   void periodAndUnwrappedKnotsAreTheSameMotion() {
     Value json = Value::parse(readFile(sample("cylinder.json")));
     const Motion period = motionOf(json);

@@ -175,6 +175,30 @@ class SweepSolidTest : public QObject {
     QCOMPARE(result.end, EndCap::Cone);
   }
 
+  /// Radius 10 cos(theta): the circle through the origin, run through twice. OCCT never ends on a cap with such an outline.
+  void sectionsThatCoverThemselvesAreRefusedWithTheirPlace() {
+    const auto refusedWith = [](int waves) {
+      Motion motion = tube({10, 10, 10, 10}, 0);
+      const std::size_t columns = motion.scaling.countV();
+      for (std::size_t k = 0; k < motion.scaling.poles.size(); ++k) {
+        const double at = pi * waves * (static_cast<double>(k / columns) - 1) / 4;
+        motion.scaling.poles[k].head<3>() *= std::cos(at);
+      }
+      try {
+        makeSolid(productSurface(motion).surface);
+      } catch (const Error& error) {
+        return std::pair(error.code(), error.message());
+      }
+      return std::pair(ErrorCode::Cancelled, std::string("It is no solid, but was not refused."));
+    };
+    for (const int waves : {1, 2}) {  // a circle twice, and a rose of four leaves
+      const auto [code, message] = refusedWith(waves);
+      QVERIFY2(code == ErrorCode::Degenerate, message.c_str());
+      QVERIFY2(message.find("crosses itself near (") != std::string::npos, message.c_str());
+      QVERIFY2(message.find("at the start, v = 0") != std::string::npos, message.c_str());
+    }
+  }
+
   void openSurfaceIsNoBody() {
     VERIFY_ERROR(makeSolid(productSurface(readSample("helicoid.json")).surface), ErrorCode::InvalidInput);
   }

@@ -27,6 +27,7 @@
 #include "core/place_text.h"
 #include "geometry/crossing/self_crossing.h"
 #include "geometry/occt/occt.h"
+#include "kernel/end_outline.h"
 
 namespace blossom::sweep {
 
@@ -100,7 +101,8 @@ TopoDS_Edge endEdge(const TopoDS_Face& side, double v) {
     const gp_Pnt2d a = curve->Value(first), b = curve->Value(last);
     if (std::abs(a.Y() - v) < 1e-9 && std::abs(b.Y() - v) < 1e-9) return edge;
   }
-  throw Error(ErrorCode::Degenerate, "An end of the sweep has no boundary to close.");
+  throw Error(ErrorCode::Degenerate, "An end of the sweep has no boundary to close.",
+              "Sections below 1e-7 mm are points to a solid: make the motion larger, or leave out --solid.");
 }
 
 /// Straight lines from the end curve to its centre, over the same knots and weights: the boundary is shared homogeneously.
@@ -118,7 +120,22 @@ struct Cap {
   TopoDS_Face face;
 };
 
-Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double near) {
+/// As many digits as help to find a place.
+double rounded(double x, double size) {
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 3);
+  return std::round(x / unit) * unit + 0.0;
+}
+
+/// @param why follows the place: "."
+Error crossingAt(const Vec3& at, double size, const std::string& why, const char* remedy) {
+  const Vec3 place(rounded(at.x(), size), rounded(at.y(), size), rounded(at.z(), size));
+  return Error(ErrorCode::Degenerate, fmt::format("The swept solid crosses itself near {}{}", placeText(place), why),
+               remedy);
+}
+
+/// @param near points of the ends closer to each other than this are one  @param size of the surface
+Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double near, double size,
+            const Progress& progress) {
   const std::vector<Vec4> poles = endPoles(surface, atEnd);
   const Vec3 origin = centre(poles);
   const bool point =
@@ -126,10 +143,19 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
   if (point) return {EndCap::Point, {}};
   const auto [first, last] = surface.domainV();
   if (const auto normal = planeNormal(poles, origin, std::max(near, 1e-9))) {
+    // OCCT neither refuses such an outline nor ends when it is to triangulate one that is run through twice.
+    if (const auto crossing = outlineCrossing(surface, atEnd, *normal, progress))
+      throw crossingAt(
+          *crossing, size,
+          fmt::format(": its section at the {}, v = {:.4g}, does.", atEnd ? "end" : "start", atEnd ? last : first),
+          "Even out the scaling and rotation along u there, or leave out --solid: the surface alone may cross "
+          "itself.");
     const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(endEdge(side, atEnd ? last : first)).Wire();
     BRepBuilderAPI_MakeFace maker(gp_Pln(toPoint(origin), gp_Dir(normal->x(), normal->y(), normal->z())), wire,
                                   Standard_True);
-    if (!maker.IsDone()) throw Error(ErrorCode::Degenerate, "An end of the sweep could not be closed by a plane.");
+    if (!maker.IsDone())
+      throw Error(ErrorCode::Degenerate, "An end of the sweep could not be closed by a plane.",
+                  "Look at the surface without --solid: its end may cross itself.");
     return {EndCap::Planar, maker.Face()};
   }
   return {EndCap::Cone, toFace(cone(surface, poles, origin))};
@@ -153,16 +179,12 @@ TopoDS_Shell sew(const std::vector<TopoDS_Face>& faces, double size) {
 
 TopoDS_Solid outwardSolid(const TopoDS_Shell& shell) {
   BRepBuilderAPI_MakeSolid maker(shell);
-  if (!maker.IsDone()) throw Error(ErrorCode::Degenerate, "The faces of the sweep do not enclose a body.");
+  if (!maker.IsDone())
+    throw Error(ErrorCode::Degenerate, "The faces of the sweep do not enclose a body.",
+                "Look at the surface without --solid: it may cross itself or fold over at an end.");
   TopoDS_Solid solid = maker.Solid();
   BRepLib::OrientClosedSolid(solid);
   return solid;
-}
-
-/// As many digits as help to find a place.
-double rounded(double x, double size) {
-  const double unit = std::pow(10, std::floor(std::log10(size)) - 3);
-  return std::round(x / unit) * unit + 0.0;
 }
 
 SolidResult build(Surface surface, const Progress& progress) {
@@ -175,7 +197,8 @@ SolidResult build(Surface surface, const Progress& progress) {
   SolidResult result;
   std::vector<TopoDS_Face> faces{toFace(surface)};
   if (!ring) {
-    const Cap start = makeCap(surface, faces[0], false, near), end = makeCap(surface, faces[0], true, near);
+    const Cap start = makeCap(surface, faces[0], false, near, size, progress),
+              end = makeCap(surface, faces[0], true, near, size, progress);
     result.start = start.kind, result.end = end.kind;
     for (const Cap& cap : {start, end})
       if (!cap.face.IsNull()) faces.push_back(cap.face);
@@ -191,12 +214,10 @@ SolidResult build(Surface surface, const Progress& progress) {
     throw Error(ErrorCode::Degenerate, "The swept surface and its caps do not make a valid solid.",
                 "Look at the surface without --solid: it may cross itself or fold over at an end.");
   if (const auto place = selfCrossing(result.solid, progress))
-    throw Error(
-        ErrorCode::Degenerate,
-        fmt::format("The swept solid crosses itself near {}.",
-                    placeText({rounded(place->x(), size), rounded(place->y(), size), rounded(place->z(), size)})),
-        "Make the sections smaller where the motion bends or turns, or leave out --solid: the surface alone may cross "
-        "itself.");
+    throw crossingAt(
+        *place, size, ".",
+        "Make the sections smaller where the motion bends or turns, or leave out --solid: the surface alone may "
+        "cross itself.");
   return result;
 }
 

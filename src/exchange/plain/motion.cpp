@@ -10,6 +10,7 @@
 #include "core/file.h"
 #include "exchange/format/format.h"
 #include "exchange/plain/motion_edits.h"
+#include "exchange/plain/motion_node.h"
 #include "exchange/plain/motion_read.h"
 #include "geometry/shape/motion.h"
 #include "parameter/wording.h"
@@ -111,6 +112,28 @@ Value motionJson(const Motion& motion) {
   return json;
 }
 
+/// What no motion file may hold is not written, for nobody could read it again. @param path to the value: "scaling.poles[2]"
+void requireReadable(const Value& value, const std::string& path) {
+  const bool ofRows =
+      value.is_array() && value.front().is_array() && !value.front().empty() && value.front().front().is_array();
+  const std::size_t entries = value.size() * (ofRows ? value.front().size() : 1);
+  if (entries > motionFileEntries)
+    throw Error(ErrorCode::OutputNotSupported,
+                fmt::format("{} would hold {} entries; a motion file may have {}.", path, entries, motionFileEntries),
+                "Give the motion fewer rows or columns.");
+  for (const auto& [key, part] : value.items()) {
+    const auto pathOfPart = [&, &name = key] {
+      return value.is_array() ? fmt::format("{}[{}]", path, name) : path.empty() ? name : path + "." + name;
+    };
+    if (part.is_structured() && !part.empty()) requireReadable(part, pathOfPart());
+    if (part.is_number() && !(std::abs(part.get<double>()) <= motionFileNumber))
+      throw Error(ErrorCode::OutputNotSupported,
+                  fmt::format("{} would be {}; numbers of a motion file lie between -1e9 and 1e9.", pathOfPart(),
+                              part.get<double>()),
+                  "Make the motion smaller, choose nearer targets, or weights nearer to 1.");
+  }
+}
+
 /// Numbers side by side, everything else on lines of its own: a file that a person can read and compare.
 void print(std::ostream& out, const Value& value, int indent) {
   const std::string margin(static_cast<std::size_t>(indent) + 2, ' ');
@@ -134,8 +157,11 @@ void write(const Shape& shape, const std::filesystem::path& path, const Value&, 
   if (!motion) throw Error(ErrorCode::OutputNotSupported, "Only a motion can be written as a motion file.");
   validate(*motion);
   progress.check();
+  const Value json = motionJson(*motion);
+  requireReadable(json, "");
+  progress.check();
   std::ofstream out(path, std::ios::binary);
-  print(out, motionJson(*motion), 0);
+  print(out, json, 0);
   out << '\n';
   out.flush();
   if (!out) throw Error(ErrorCode::FileUnwritable, fmt::format("\"{}\" could not be written.", path.string()));

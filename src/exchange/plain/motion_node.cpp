@@ -9,8 +9,6 @@ namespace blossom {
 namespace {
 
 constexpr int largestDegree = 25;
-/// 1,000 km: products of such numbers keep a meaning, and no measure of them drowns in rounding noise.
-constexpr double largestNumber = 1e9;
 
 }  // namespace
 
@@ -46,7 +44,7 @@ std::size_t MotionNode::arraySize(const char* what) const {
 double MotionNode::number() const {
   if (!value.is_number()) fail("must be a number");
   const double number = value.get<double>();
-  if (!(std::abs(number) <= largestNumber)) fail(fmt::format("must lie between -1e9 and 1e9; it is {}", number));
+  if (!(std::abs(number) <= motionFileNumber)) fail(fmt::format("must lie between -1e9 and 1e9; it is {}", number));
   return number;
 }
 

@@ -13,6 +13,10 @@ namespace blossom {
 /// Entries that a list of a motion file may hold.
 inline constexpr std::size_t motionFileEntries = 1'000'000;
 
+/// Largest size of a number in a motion file: 1,000 km. Products of such numbers keep a meaning, and no measure of them
+/// drowns in rounding noise.
+inline constexpr double motionFileNumber = 1e9;
+
 /// A value of a motion file and the way to it, which every message names: "orientation.poles[3][2]".
 /// Every member that reads a value throws Error FormatDamaged where it is of another form.
 struct MotionNode {

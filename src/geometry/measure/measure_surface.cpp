@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/parallel.h"
@@ -27,6 +28,16 @@ std::vector<Rectangle> spans(const Surface& surface) {
   return result;
 }
 
+/// What rounding alone makes of an area: where a surface collapses to a curve, |x_u| is a true length and x_v the noise of
+/// coordinates. Below it quartering would chase noise down to its last level in every span.
+double noiseOfArea(const Surface& surface) {
+  Eigen::AlignedBox3d box;
+  for (const Vec4& pole : surface.poles) box.extend(Vec3(pole.head<3>() / pole[3]));
+  const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  constexpr double share = 4 * std::numeric_limits<double>::epsilon();
+  return share * (surface.degreeU + surface.degreeV) * largest * box.diagonal().norm();
+}
+
 }  // namespace
 
 double surfaceArea(const Surface& surface, const Progress& progress) {
@@ -44,7 +55,7 @@ double surfaceArea(const Surface& surface, const Progress& progress) {
     return std::accumulate(areas.begin(), areas.end(), 0.0);
   };
   const double estimate = everySpan(progress, [&](const Rectangle& span) { return gaussSum(element, span, 4)(0); });
-  const TwoIntegrals absolute(1e-11 * estimate, 1);
+  const TwoIntegrals absolute(1e-11 * estimate + noiseOfArea(surface), 1);
   return everySpan(progress, [&](const Rectangle& span) { return integrate(element, span, absolute)(0); });
 }
 

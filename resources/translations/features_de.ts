@@ -803,6 +803,10 @@
         <translation>Käfig</translation>
     </message>
     <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
         <source>catmull-clark</source>
         <translation>Catmull-Clark</translation>
     </message>

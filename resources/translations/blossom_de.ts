@@ -2581,6 +2581,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Isometrisch</translation>
     </message>
     <message>
+        <source>Loo&amp;k from</source>
+        <translation>Blick &amp;von</translation>
+    </message>
+    <message>
         <source>Look from: %1.</source>
         <translation>Blick von: %1.</translation>
     </message>

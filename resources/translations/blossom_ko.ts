@@ -2581,6 +2581,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <translation>등각</translation>
     </message>
     <message>
+        <source>Loo&amp;k from</source>
+        <translation>보는 방향(&amp;K)</translation>
+    </message>
+    <message>
         <source>Look from: %1.</source>
         <translation>보는 방향: %1.</translation>
     </message>

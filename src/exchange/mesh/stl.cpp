@@ -229,7 +229,8 @@ std::string textStl(const Tessellation& t, const Progress& progress) {
 void writeStl(const Shape& shape, const std::filesystem::path& path, const Value& options, const Progress& progress) {
   const Tessellation triangles = tessellate(shape, tessellationOptions(options), progress.part(0, 0.5));
   if (triangles.triangles.empty())
-    throw Error(ErrorCode::OutputNotSupported, "The shape has no faces, so there is nothing to write as STL.");
+    throw Error(ErrorCode::OutputNotSupported, "The shape has no faces, so there is nothing to write as STL.",
+                "It may be a curve, or a surface that has collapsed to a curve or a point.");
   const Progress writing = progress.part(0.5, 1);
   writeBytes(path, options.value("ascii", false) ? textStl(triangles, writing) : binaryStl(triangles, writing));
 }

@@ -21,7 +21,8 @@ void requireInsertable(const Knots& wanted, int degree, const Knots& own, std::p
     if (!(knot >= domain.first && knot <= domain.second))
       throw Error(ErrorCode::InvalidParameter,
                   fmt::format("The knot {} = {} lies outside the motion, which runs from {} to {}.", direction, knot,
-                              domain.first, domain.second));
+                              domain.first, domain.second),
+                  "Give a knot inside the motion.");
     const auto there = std::count(own.begin(), own.end(), knot), more = std::count(wanted.begin(), wanted.end(), knot);
     if (there + more > degree)
       throw Error(ErrorCode::InvalidParameter,

@@ -45,12 +45,16 @@ void requireOptions(const PrimitiveOptions& o) {
   requireSize(o.topRadius, "top radius", true);
   const bool around = o.kind != PrimitiveKind::Helicoid && o.kind != PrimitiveKind::Plane && o.kind != PrimitiveKind::Sheet;
   if (o.rows < (around ? 4 : 1) || o.columns < 1 || o.rows > mostSpans || o.columns > mostSpans)
-    throw Error(ErrorCode::InvalidParameter, fmt::format("A motion of this kind has {} to {} rows and 1 to {} columns.",
-                                                         around ? 4 : 1, mostSpans, mostSpans));
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("A motion of this kind cannot have {} rows and {} columns.", o.rows, o.columns),
+                fmt::format("Give {} to {} rows and 1 to {} columns.", around ? 4 : 1, mostSpans, mostSpans));
   if (!(o.angle > 0 && o.angle < 360))
-    throw Error(ErrorCode::InvalidParameter, "The angle must lie above 0 and below 360 degrees.");
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("The angle must lie above 0 and below 360 degrees; it is {}.", o.angle),
+                "A whole ring is the torus.");
   if (!(std::abs(o.turns) > 0 && std::abs(o.turns) <= mostTurns))
-    throw Error(ErrorCode::InvalidParameter, fmt::format("The turns must lie above 0 and at most at {}.", mostTurns));
+    throw Error(ErrorCode::InvalidParameter, fmt::format("A helicoid cannot make {} turns.", o.turns),
+                fmt::format("Give a number from -{0} to {0} that is not 0; below 0 it turns clockwise.", mostTurns));
 }
 
 /// Quaternions in u, unwrapped as far as they are to be: around a full turn the rows of one period.

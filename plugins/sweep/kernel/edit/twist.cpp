@@ -17,7 +17,7 @@ constexpr double turnedFully = 1e-9 * radian;
 
 void checkTwist(const MotionTwist& t) {
   if (!t.axis.allFinite() || !(t.axis.norm() > 0))
-    throw Error(ErrorCode::InvalidParameter, "An axis to twist about needs a length.");
+    throw Error(ErrorCode::InvalidParameter, "An axis to twist about needs a length.", "Give a direction, such as 0,0,1.");
   if (!(std::abs(t.angle) <= 360))
     throw Error(ErrorCode::InvalidParameter, "A twist turns by 360 degrees at most, for more is no other orientation.",
                 "Give an angle between -360 and 360 degrees.");

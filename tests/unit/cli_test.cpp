@@ -176,7 +176,7 @@ void CliTest::infoTellsWarningsOfFeatures() {
   QCOMPARE(warnings.size(), std::size_t(1));
   const auto warning = warnings.at(0).get<std::string>();
   QVERIFY2(warning.find("1 text") != std::string::npos, warning.c_str());
-  QCOMPARE(table.err, "blossom: warning: drawing: " + warning + "\n");
+  QCOMPARE(table.err, "blossom: warning: Import: " + warning + "\n");
 }
 
 void CliTest::convertWritesSeveralFilesAtOnce() {

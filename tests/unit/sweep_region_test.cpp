@@ -41,7 +41,7 @@ class SweepRegionTest : public QObject {
   void theRegionIsWhatChanges() {
     auto random = seededRandom();
     const Motion given = primitiveMotion({.radius = 10, .rows = 16, .columns = 12}).motion;
-    int inside = 0, outside = 0;
+    int inside = 0, outside = 0, over = 0;
     for (int k = 0; k < 60; ++k) {
       Motion motion = given;
       if (k % 3 == 2) {  // one that was refined before
@@ -91,7 +91,8 @@ class SweepRegionTest : public QObject {
       edit.level = mode.level();
       const Motion after = pull(motion, edit).motion;
       const EditRegion region = editRegion(motion, at, mode);
-      QVERIFY(region.ring && (region.firstV < 0 || region.lastV > 1) && region.lastV - region.firstV < 1);
+      QVERIFY(region.ring && region.lastV - region.firstV < 1);
+      if (region.firstV < 0 || region.lastV > 1) ++over;  // fine functions near the seam may end before it
       const auto isInRing = [&](double u, double v, double margin) {
         return isIn(region, u, v, margin) || isIn(region, u, v - 1, margin) || isIn(region, u, v + 1, margin);
       };
@@ -107,7 +108,7 @@ class SweepRegionTest : public QObject {
         }
       }
     }
-    QVERIFY(inside > 300 && outside > 1000);
+    QVERIFY(inside > 300 && outside > 1000 && over > 30);
   }
 
   void keysChangeTheLevel() {

@@ -25,7 +25,7 @@ PatchGrid withinMemory(PatchGrid grid) {
   if (grid.patches() <= mostCoefficients / ofPatch) return grid;
   throw Error(
       ErrorCode::LimitExceeded,
-      fmt::format("The exact surface of this motion would have {} x {} patches of degrees {} and {}; at most {} patches "
+      fmt::format("The rational surface of this motion would have {} x {} patches of degrees {} and {}; at most {} patches "
                   "of these degrees can be made.",
                   grid.spansU(), grid.spansV(), grid.u().degree, grid.v().degree, mostCoefficients / ofPatch),
       "Take the cubic mode, or edit the motion at coarser levels or fewer places.");

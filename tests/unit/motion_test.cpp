@@ -100,7 +100,7 @@ class MotionTest : public QObject {
     };
     Motion far = good;
     far.trajectory.poles[1].x() = 1e12;
-    refused(far, "trajectory.poles[1][0] would be 1e+12;");
+    refused(far, "trajectory.poles[1][0] would be 1000000000000;");
     Motion heavy = good;
     heavy.trajectory.poles[2] *= 1e200;
     refused(heavy, "trajectory.weights[2] would be 1e+200;");

@@ -175,7 +175,7 @@ class PocketCliTest : public QObject {
     write("turned.nc", (begin + "G68 X0 Y0 R10\nG1 Z-2 F100\nX60\nM2\n").c_str());
     const Answer turned = blossom(QStringList{"simulate", "turned.nc"} + onPlate);
     QCOMPARE(turned.code, 1);
-    QVERIFY2(turned.hint().find("line 6 holds scaling or rotation (G68)") != std::string::npos, turned.hint().c_str());
+    QVERIFY2(turned.message().find("Line 6: scaling or rotation (G68)") != std::string::npos, turned.message().c_str());
   }
 
   /// Without the depth nothing can be too deep: it comes from the program's head, or is asked for.

@@ -166,6 +166,7 @@ void PanelFormTest::figuresFromBeforeAreGrey() {
       for (int x = 0; x < image.width(); ++x) value = std::max(value, qGray(image.pixel(x, y)));
     return value;
   };
+  QTRY_VERIFY(brightest() > 0);  // laid out
   const int fresh = brightest();
   QVERIFY(!rows->outdated() && !saysSo());
   gate_.close();

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int latelyWorth = 3;          // per place in the list of what was used
 constexpr int wholeNameWorth = 1000;    // above whatever was used lately
+constexpr int wholePageWorth = 300;     // a page of the manual, below the command that it is about
 constexpr int wholeKeywordWorth = 500;  // below whole names, above letters scattered in other names
 constexpr int keywordPenalty = 15;
 constexpr int helpMatchPenalty = 40;  // what only the help line says comes last
@@ -56,7 +57,8 @@ std::optional<PaletteModel::Row> PaletteModel::rowByText(std::size_t place, cons
   const int lately = liking(place);
   if (const auto match = paletteMatch(pattern, entry.text)) {
     const bool isTheName = entry.text.compare(pattern.trimmed(), Qt::CaseInsensitive) == 0;
-    return Row{place, match->score + lately + (isTheName ? wholeNameWorth : 10), match->letters, {}};
+    const int named = entry.id.startsWith(QLatin1String("manual:")) ? wholePageWorth : wholeNameWorth;
+    return Row{place, match->score + lately + (isTheName ? named : 10), match->letters, {}};
   }
   const QString full = entry.group + u' ' + entry.text;
   if (const auto match = paletteMatch(pattern, full)) {

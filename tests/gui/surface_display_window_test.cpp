@@ -36,7 +36,7 @@ class SurfaceDisplayWindowTest : public WindowFixture {
       QCOMPARE(legend().isVisible(), curvature);
     }
     run("view.shaded-edges");
-    QVERIFY(canvas() == plain);
+    QTRY_VERIFY(canvas() == plain);
     QVERIFY(!window_->session().modified());  // it is no edit
   }
 

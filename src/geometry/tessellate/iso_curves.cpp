@@ -55,6 +55,7 @@ std::vector<IsoCurve> isoCurvesOfPatch(const Surface& surface, const IsoCurveOpt
 
 std::vector<double> isoParameters(double from, double to, int count, bool closed) {
   std::vector<double> parameters;
+  parameters.reserve(static_cast<std::size_t>(std::max(count, 0)));
   for (int k = 0; k < count; ++k)
     parameters.push_back(from + (to - from) * (closed ? (k + 0.5) / count : (k + 1.0) / (count + 1)));
   return parameters;

@@ -41,7 +41,7 @@ class SweepRegionTest : public QObject {
   void theRegionIsWhatChanges() {
     auto random = seededRandom();
     const Motion given = primitiveMotion({.radius = 10, .rows = 16, .columns = 12}).motion;
-    int inside = 0, outside = 0, over = 0;
+    int inside = 0, outside = 0;
     for (int k = 0; k < 60; ++k) {
       Motion motion = given;
       if (k % 3 == 2) {  // one that was refined before
@@ -77,7 +77,7 @@ class SweepRegionTest : public QObject {
     auto random = seededRandom();
     const Motion given =
         primitiveMotion({.kind = PrimitiveKind::Torus, .radius = 30, .profile = 6, .rows = 8, .columns = 32}).motion;
-    int inside = 0, outside = 0;
+    int inside = 0, outside = 0, over = 0;
     for (int k = 0; k < 60; ++k) {
       Motion motion = given;
       if (k % 3 == 2) {

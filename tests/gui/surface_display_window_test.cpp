@@ -9,6 +9,18 @@
 using namespace blossom;
 using namespace blossom::ui;
 
+namespace {
+
+/// Pixels of two pictures of one size that are not the same.
+int differing(const QImage& a, const QImage& b) {
+  int count = a.size() == b.size() ? 0 : a.width() * a.height();
+  for (int y = 0; count < a.width() * a.height() && y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
 /// Stripes, curvatures and iso-curves as a user turns them on, for a swept propeller and for what comes after it.
 class SurfaceDisplayWindowTest : public WindowFixture {
   Q_OBJECT
@@ -36,7 +48,8 @@ class SurfaceDisplayWindowTest : public WindowFixture {
       QCOMPARE(legend().isVisible(), curvature);
     }
     run("view.shaded-edges");
-    QTRY_VERIFY(canvas() == plain);
+    // The triangles come to the card in another order: where an edge and a face lie at one depth, a few pixels may change.
+    QTRY_VERIFY(differing(canvas(), plain) < 30);
     QVERIFY(!window_->session().modified());  // it is no edit
   }
 

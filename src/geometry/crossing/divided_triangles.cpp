@@ -59,7 +59,10 @@ class Divider {
     const auto [found, isNew] = middles_.try_emplace(low << 32U | high, undivided);
     if (!isNew) return found->second;
     const Vec3 p = points_[static_cast<std::size_t>(t.corners[k])], q = points_[static_cast<std::size_t>(t.corners[l])];
-    Vec3 middle = sheets_.frame(t.face, (t.at[k] + t.at[l]) / 2).point;
+    // Corners on a border may lie off this face: their middle belongs to the neighbouring face, and only its parameters lie
+    // on this one. So the face tells how far a middle is from its chord, not where it is: a flat face stays flat.
+    const auto onFace = [&](const Vec2& at) { return sheets_.frame(t.face, at).point; };
+    Vec3 middle = (p + q) / 2 + onFace((t.at[k] + t.at[l]) / 2) - (onFace(t.at[k]) + onFace(t.at[l])) / 2;
     // Beside a pole the mean of the parameters may be far away.
     if (!((middle - (p + q) / 2).norm() < (p - q).norm() / 2)) middle = (p + q) / 2;
     if (!tooLong_(p, q, middle)) return undivided;

@@ -25,6 +25,9 @@ std::vector<Triangle3> trianglesOf(const SheetMesh& mesh) {
 
 Vec3 unitNormalOf(const Triangle3& t) { return (t[1] - t[0]).cross(t[2] - t[0]).normalized(); }
 
+/// Whether no solid has that winding number: it is enclosed twice or inside out.
+bool isWrong(int winding) { return winding != 0 && winding != 1; }
+
 /// The space around triangles that meet.
 class Around {
  public:
@@ -42,24 +45,22 @@ class Around {
         progress_.check();
         if (!(way.norm() > 1e-3)) continue;
         const Vec3 beside = pair.place + step * way.normalized();
-        if (isWrong(beside - aside) && isWrong(beside + aside) && distanceTo(beside) > 2 * chord_) return true;
+        if (isWrongAt(beside - aside) && isWrongAt(beside + aside) && distanceTo(beside) > 2 * chord_) return true;
       }
     return false;
   }
 
-  /// Whether triangles that lie on one another have space on either side, so that the wall between them has no thickness.
+  /// Whether triangles that lie on one another have space on either side, so that the wall between them has no thickness, or
+  /// enclose something wrongly. A solid on one side only is what every face has: there the triangles alone are folded.
   [[nodiscard]] bool isWallWithoutThickness(const TrianglePair& pair) const {
     const Vec3 aside = 1e-7 * mesh_.size * unitNormalOf(at(pair.first));
     const int before = field_.at(pair.place + aside), behind = field_.at(pair.place - aside);
-    return before != 1 || behind != 1;
+    return isWrong(before) || isWrong(behind) || (before == 0 && behind == 0);
   }
 
  private:
   /// Asked for on either side of a place: rays from one of symmetry may run along seams.
-  [[nodiscard]] bool isWrong(const Vec3& p) const {
-    const int winding = field_.at(p);
-    return winding != 0 && winding != 1;
-  }
+  [[nodiscard]] bool isWrongAt(const Vec3& p) const { return isWrong(field_.at(p)); }
   [[nodiscard]] Triangle3 at(std::uint32_t triangle) const { return mesh_.at(mesh_.triangles[triangle]); }
   [[nodiscard]] double distanceTo(const Vec3& p) const {
     return tree_.closest(TriangleTree({Triangle3{p, p, p}}), progress_).distance();

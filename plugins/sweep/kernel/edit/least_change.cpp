@@ -81,7 +81,8 @@ MatrixXd shortest(const MatrixXd& columns, const MatrixXd& wanted, double smalle
   const Eigen::HouseholderQR<MatrixXd> qr(columns);
   const Index count = std::min(columns.rows(), columns.cols());
   const MatrixXd right = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
-  const Eigen::BDCSVD<MatrixXd> svd(right.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  // BDCSVD, faster beyond a hundred places, takes half a minute to compile.
+  const Eigen::JacobiSVD<MatrixXd> svd(right.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd& values = svd.singularValues();
   MatrixXd along = svd.matrixU().transpose() * wanted;
   for (Index k = 0; k < count; ++k) {

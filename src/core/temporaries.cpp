@@ -86,7 +86,7 @@ fs::path makeTemporaryFolder() {
   const fs::path parent = parentFolder();
   constexpr int maximumAttempts = 3;
   for (int attempt = 1;; ++attempt) {
-    std::string pattern = (parent / (std::string(folderPrefix) + "XXXXXX")).string();
+    std::string pattern = (parent / fmt::format("{}XXXXXX", folderPrefix)).string();
     if (!::mkdtemp(pattern.data())) noFolder(parent, std::strerror(errno));
     const int fd = lockedFolder(pattern);
     // Some file systems have no locks; other processes cannot lock the folder there either, so it is not removed.

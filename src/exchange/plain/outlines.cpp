@@ -17,7 +17,7 @@
 namespace blossom {
 namespace {
 
-[[noreturn]] void damaged(std::size_t line, const std::string& what) {
+[[noreturn]] void refuse(std::size_t line, const std::string& what) {
   throw Error(ErrorCode::FormatDamaged, fmt::format("Line {}: {}.", line, what),
               "The file is a count followed by segments x1 y1 x2 y2, or captioned polygons x,y, x,y, ..");
 }
@@ -54,14 +54,14 @@ Imported readSegments(const std::vector<double>& numbers) {
            place + 1 + 4 * static_cast<std::size_t>(numbers[place]) == numbers.size();
   };
   if (!usesUp(0)) {
-    if (numbers.empty() || !isCount(numbers[0], numbers.size(), 2)) damaged(1, "the first number is not a count");
+    if (numbers.empty() || !isCount(numbers[0], numbers.size(), 2)) refuse(1, "the first number is not a count");
     points = static_cast<std::size_t>(numbers[0]);
     at = 1 + 2 * points;
-    if (!usesUp(at)) damaged(1, "the counts do not fit the numbers that follow");
+    if (!usesUp(at)) refuse(1, "the counts do not fit the numbers that follow");
   }
   Curves drawing;
   for (std::size_t k = at + 1; k + 4 <= numbers.size(); k += 4) drawing.paths.push_back(segmentPath(&numbers[k]));
-  if (drawing.paths.empty()) damaged(1, "the file holds no segment");
+  if (drawing.paths.empty()) refuse(1, "the file holds no segment");
   Imported imported;
   if (points > 0) {
     imported.skipped["point"] = points;
@@ -103,11 +103,11 @@ Imported readCases(const std::string& text, const Progress& progress) {
       continue;
     }
     const bool open = part == "SUBJECTS_OPEN";
-    if (part != "SUBJECTS" && part != "CLIPS" && !open) damaged(lines.number(), "numbers outside of SUBJECTS and CLIPS");
-    if (numbers->size() % 2 != 0 || numbers->size() < 4) damaged(lines.number(), "a polygon is not made of pairs x,y");
+    if (part != "SUBJECTS" && part != "CLIPS" && !open) refuse(lines.number(), "numbers outside of SUBJECTS and CLIPS");
+    if (numbers->size() % 2 != 0 || numbers->size() < 4) refuse(lines.number(), "a polygon is not made of pairs x,y");
     drawing.paths.push_back(polygonOf(*numbers, !open, fmt::format("{} {}", caption, part)));
   }
-  if (drawing.paths.empty()) damaged(lines.number(), "the file holds no polygon");
+  if (drawing.paths.empty()) refuse(lines.number(), "the file holds no polygon");
   imported.entities["case"] = cases;
   imported.entities["polygon"] = drawing.paths.size();
   imported.shape = Shape(std::move(drawing));
@@ -117,7 +117,7 @@ Imported readCases(const std::string& text, const Progress& progress) {
 Imported readOutlines(const std::filesystem::path& path, const Value&, const Progress& progress) {
   const std::string text = readFile(path);
   if (const auto numbers = numbersOf(text)) return readSegments(*numbers);
-  if (text.find("CAPTION:") == std::string::npos) damaged(1, "neither numbers nor captioned polygons");
+  if (text.find("CAPTION:") == std::string::npos) refuse(1, "neither numbers nor captioned polygons");
   return readCases(text, progress);
 }
 

@@ -24,8 +24,9 @@ bool readsWires(const Value&, const Inputs& inputs) {
 BLOSSOM_PLUGIN(registry) {
   using namespace blossom;
   using namespace blossom::sweep;
-  // Edits of a motion stay in this process: they are called for every movement of the mouse.
-  registry.addAll(sweepFeature(), pullFeature(), twistFeature(), factorsFeature());
+  registry.add(primitiveFeature());
   registry.add(inWorker(frameFeature(), {.activity = "for the sweep along the curve", .when = readsWires}));
-  registry.addAll(primitiveFeature(), refineFeature(), growthFeature());
+  registry.add(sweepFeature());
+  // Edits of a motion stay in this process: they are called for every movement of the mouse.
+  registry.addAll(pullFeature(), twistFeature(), factorsFeature(), refineFeature(), growthFeature());
 }

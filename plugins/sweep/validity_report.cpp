@@ -71,9 +71,9 @@ void addCrossing(const Motion& motion, const Surface& surface, Evaluated& out, c
   out.stats["crossing_first_at"] = listOf(crossing.first.at);
   out.stats["crossing_second_at"] = listOf(crossing.second.at);
   const CrossingCause why = causeOfCrossing(motion, crossing.first.at, crossing.second.at);
-  out.warnings.push_back(fmt::format("The surface crosses itself near {}, at {} and {}, by about {:.2g} mm: {} {}",
+  out.warnings.push_back(fmt::format("The surface crosses itself near {}, at {} and {}, by at least {} mm: {} {}",
                                      placeText(rounded(crossing.point, found.size)), parametersText(crossing.first.at),
-                                     parametersText(crossing.second.at), crossing.depth, why.cause, why.remedy));
+                                     parametersText(crossing.second.at), leastText(crossing.depth), why.cause, why.remedy));
 }
 
 void addDeviation(const Motion& motion, const Surface& surface, std::optional<double> known, Evaluated& out,

@@ -3,12 +3,21 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace blossom {
 
 std::string placeText(const Vec3& p) {
   const auto clean = [](double v) { return std::abs(v) < 1e-9 ? 0.0 : v; };
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", clean(p.x()), clean(p.y()), clean(p.z()));
+}
+
+std::string leastText(double value) {
+  constexpr const char* twoDigits = "{:.2g}";
+  const std::string nearest = fmt::format(twoDigits, value);
+  if (!std::isfinite(value) || std::strtod(nearest.c_str(), nullptr) <= value) return nearest;
+  const double halfADigit = std::pow(10, std::floor(std::log10(value)) - 1) / 2;
+  return fmt::format(twoDigits, value - halfADigit);
 }
 
 }  // namespace blossom

@@ -9,4 +9,7 @@ namespace blossom {
 /// printed as 0.
 std::string placeText(const Vec3&);
 
+/// A number for "at least ..", with two digits: never more than the value, which is above 0.
+std::string leastText(double);
+
 }  // namespace blossom

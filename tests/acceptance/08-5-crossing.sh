@@ -29,6 +29,7 @@ answer=$("$bin/blossom" sweep "$out/through.json" -o "$out/through.step" --json 
 equal "a coil through itself: in the result" "$(json crosses_itself <<<"$answer")" true
 at_least "  its depth" "$(json crossing_depth <<<"$answer")" 0.02 mm
 equal "  the warning: place, cause, remedy" "$(grep -oE 'crosses itself near \(' <<<"$answer" | head -1), $(grep -oE 'the section at v = 0.5 crosses itself|Even out its scaling' <<<"$answer" | sort -u | wc -l)" "crosses itself near (, 2"
+at_most "  no more than its depth: the depth in the warning" "$(grep -oE 'by at least [-+0-9.e]+ mm' <<<"$answer" | head -1 | awk '{ print $4 }')" "$(json crossing_depth <<<"$answer")" mm
 at_most "  export deviation" "$(json export_deviation <<<"$answer")" 1e-10 mm
 answer=$("$bin/blossom" sweep "$out/beside.json" -o "$out/beside.step" --json 2>>"$out/crossing.log")
 equal "a coil beside itself: in the result" "$(json crosses_itself <<<"$answer")" false

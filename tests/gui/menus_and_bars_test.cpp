@@ -17,6 +17,7 @@ class MenusAndBarsTest : public TreeFixture {
   void cleanup() { closeTestWindow(); }
 
   void menusTickWhatIsOn();
+  void motionsAreBegunBeforeTheyAreSwept();
   void theToolBarFitsAnyWidth();
   void aNarrowToolBarHidesNoGroup();
   void theSignsOfCrowdedBarsAreSeen();
@@ -65,6 +66,21 @@ void MenusAndBarsTest::menusTickWhatIsOn() {
   QVERIFY(!action("view.measure")->isChecked());
   window_->page().playback().setOnionSkin(true);
   QVERIFY(action("timeline.onion-skin")->isChecked());
+}
+
+/// A motion is begun, then swept, then pulled; its poles and its growth come last.
+void MenusAndBarsTest::motionsAreBegunBeforeTheyAreSwept() {
+  const auto action = [&](const char* id) { return window_->commands().action(QLatin1String(id)); };
+  QList<QAction*> entries;
+  for (QAction* each : window_->menuBar()->actions())
+    if (each->menu() && each->menu()->actions().contains(action("feature.sweep.sweep"))) entries = each->menu()->actions();
+  qsizetype before = -1;
+  for (const char* id : {"feature.sweep.primitive", "feature.sweep.frame", "feature.sweep.sweep", "feature.sweep.pull",
+                         "feature.sweep.twist", "feature.sweep.factors", "feature.sweep.refine", "feature.sweep.growth"}) {
+    const qsizetype place = entries.indexOf(action(id));
+    QVERIFY2(place > before, id);
+    before = place;
+  }
 }
 
 // Buttons lie beside each other within the bar; what has no button is in the menu of its group.

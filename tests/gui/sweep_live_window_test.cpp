@@ -25,6 +25,7 @@ class SweepLiveWindowTest : public SweepFixture {
   void theSurfaceLooksAsAtRest_data();
   void theSurfaceLooksAsAtRest();
   void whatWasLetGoStaysUntilItIsComputed();
+  void thePlaceIsShownWhereTheMouseLetGo();
   void framesAreMeasured();
 
  private:
@@ -139,6 +140,15 @@ void SweepLiveWindowTest::whatWasLetGoStaysUntilItIsComputed() {
   window_->session().undo();
   QVERIFY(!standIn());
   waitUntilComputed();
+}
+
+/// Without another movement: what was pulled can be pulled on.
+void SweepLiveWindowTest::thePlaceIsShownWhereTheMouseLetGo() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  drag(from, from + QPoint(30, -10));
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  QTRY_VERIFY2_WITH_TIMEOUT(hint().startsWith(QStringLiteral("Drag to pull this point further")), qPrintable(hint()), 60000);
 }
 
 /// What is told is measured here and judged by tests/acceptance: frames on the screen while the mouse moves, and how long

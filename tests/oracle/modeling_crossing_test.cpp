@@ -40,7 +40,8 @@ Told toldBy(const Make& make) {
   try {
     const auto made = make();
     for (const std::string& warning : made.warnings)
-      if (warning.find("cuts through itself near (") != std::string::npos) return {true, warning};
+      if (warning.find("cuts through itself near (") != std::string::npos)
+        return {warning.find(", by at least ") != std::string::npos, warning};
     return {};
   } catch (const Error& error) {
     return {error.code() == ErrorCode::Degenerate, error.message()};

@@ -280,6 +280,20 @@ class ProductTest : public QObject {
     }
   }
 
+  void everyStepEndsWhenAsked() {
+    const Factors f{randomSurface(random_, 2, 2, {.spans = 5}, {.spans = 5}, 1),
+                    randomSurface(random_, 1, 1, {.spans = 5}, {.spans = 5}, 1), randomCurve(random_, 2, {.spans = 5}, 2)};
+    const CancelToken token;
+    token.cancel();
+    const Progress cancelled(token);
+    const PatchGrid grid({f.r.degreeU, f.r.knotsU}, {f.r.degreeV, f.r.knotsV});
+    const auto r = patchPolynomials(f.r, grid);
+    VERIFY_ERROR(patchPolynomials(f.r, grid, cancelled), ErrorCode::Cancelled);
+    VERIFY_ERROR(patchPolynomialsInV(f.t, gridOf(f), cancelled), ErrorCode::Cancelled);
+    VERIFY_ERROR(product(r[0], r[1], 1, cancelled), ErrorCode::Cancelled);
+    VERIFY_ERROR(assemble(r, grid, cancelled), ErrorCode::Cancelled);
+  }
+
   void mistakesAreRejected() {
     const Curve a{1, {0, 0, 1, 1}, {{0, 0, 0, 1}, {1, 0, 0, 1}}}, b{1, {0, 0, 2, 2}, a.poles};
     VERIFY_ERROR(product(a, b), ErrorCode::InvalidInput);

@@ -1,9 +1,12 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
+#include <vector>
 
 #include "geometry/bspline/bspline.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/begin/turning_spline.h"
 #include "sweep/kernel/grid/motion_grid.h"
 #include "sweep/kernel/grid/motion_point.h"
@@ -176,6 +179,24 @@ class SweepProductTest : public QObject {
     CancelToken token;
     token.cancel();
     VERIFY_ERROR(sweep::productSurface(motion, {}, Progress(token)), ErrorCode::Cancelled);
+    VERIFY_ERROR(sweep::smallestProductWeight(motion, Progress(token)), ErrorCode::Cancelled);
+  }
+
+  /// Of a plain motion with many poles: it tells how far it is, and ends wherever it is asked to.
+  void longProductsTellHowFarTheyAre() {
+    const Motion motion = sweep::primitiveMotion({.rows = 64, .columns = 64}).motion;
+    std::vector<double> told;
+    sweep::productSurface(motion, {}, Progress({}, [&](double done, const std::string&) { told.push_back(done); }));
+    QVERIFY(told.size() >= 5 && std::is_sorted(told.begin(), told.end()));
+    for (std::size_t k = 0; k + 1 < told.size(); ++k) {
+      const CancelToken token;
+      std::size_t reports = 0;
+      const Progress asked(token, [&](double, const std::string&) {
+        if (reports++ == k) token.cancel();
+      });
+      VERIFY_ERROR(sweep::productSurface(motion, {}, asked), ErrorCode::Cancelled);
+      QCOMPARE(reports, k + 1);
+    }
   }
 };
 

@@ -1,13 +1,16 @@
 #include <atomic>
+#include <cmath>
 #include <fstream>
 #include <mutex>
 #include <numeric>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <thread>
 
 #include "core/file.h"
 #include "core/parallel.h"
+#include "core/place_text.h"
 #include "core/progress.h"
 #include "core/units.h"
 #include "support/support.h"
@@ -67,6 +70,18 @@ class CoreTest : public QObject {
       if (std::abs(value) < 1e300) QVERIFY(parseNumber(formatNumber(value)) == value);
     }
     QCOMPARE(formatNumber(0.1), std::string("0.1"));
+  }
+  /// "at least 0.1 mm" of 0.0998 mm would not be true.
+  void boundsAreNeverPrintedTooLarge() {
+    for (const auto& [value, wanted] : std::vector<std::pair<double, const char*>>{
+             {0.0998, "0.099"}, {0.104, "0.1"}, {0.106, "0.1"}, {0.1, "0.1"}, {2.5, "2.5"}, {9.96, "9.9"}, {123, "1.2e+02"}})
+      QCOMPARE(leastText(value), std::string(wanted));
+    auto random = seededRandom();
+    std::uniform_real_distribution<double> exponent(-12, 6);
+    for (int i = 0; i < 20000; ++i) {
+      const double value = std::pow(10, exponent(random)), printed = std::strtod(leastText(value).c_str(), nullptr);
+      QVERIFY2(printed <= value && printed >= 0.9 * value, qPrintable(QString::number(value, 'g', 17)));
+    }
   }
   void errorNamesRoundTrip() {
     std::set<std::string_view> names;

@@ -16,7 +16,8 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr int highestDegree = 25;  // of B-splines in OCCT, STEP and IGES readers
+constexpr const char* sweeping = "Sweeping";  // the stage, as users read it
+constexpr int highestDegree = 25;             // of B-splines in OCCT, STEP and IGES readers
 /// Of all patches together; 2.5 GB while they are multiplied. 256 x 256 spans of cubic factors have half as many.
 constexpr std::size_t mostCoefficients = std::size_t{1} << 24;
 
@@ -39,33 +40,42 @@ void requireDegree(const char* direction, const ProductKnots& product, const cha
                 "Lower the degrees of the motion's factors, or take the cubic mode.");
 }
 
-Surface multiply(const Motion& motion) {
+/// Fractions reported are those of the time that cubic factors take.
+Surface multiply(const Motion& motion, const Progress& progress) {
   const PatchGrid grid = productGrid(motion);
-  const auto [w, x, y, z] = patchPolynomials(motion.orientation, grid);
-  const auto [sx, sy, sz, sw] = patchPolynomials(motion.scaling, grid);
-  const auto t = patchPolynomialsInV(motion.trajectory, grid);
-  const auto ww = product(w, w), xx = product(x, x), yy = product(y, y), zz = product(z, z);
+  const auto [w, x, y, z] = patchPolynomials(motion.orientation, grid, progress);
+  const auto [sx, sy, sz, sw] = patchPolynomials(motion.scaling, grid, progress);
+  const auto t = patchPolynomialsInV(motion.trajectory, grid, progress);
+  progress.report(0.1, sweeping);
+  const auto multiplied = [&](const PatchPolynomial& a, const PatchPolynomial& b, double factor = 1) {
+    return product(a, b, factor, progress);
+  };
+  const auto ww = multiplied(w, w), xx = multiplied(x, x), yy = multiplied(y, y), zz = multiplied(z, z);
   const auto sum = [](PatchPolynomial a, const PatchPolynomial& b, double kb, const PatchPolynomial& c, double kc,
                       const PatchPolynomial& d, double kd) { return std::move(a.add(b, kb).add(c, kc).add(d, kd)); };
-  const auto twice = [](const PatchPolynomial& a, const PatchPolynomial& b, double sign, const PatchPolynomial& c,
-                        const PatchPolynomial& d) {
-    PatchPolynomial result = product(a, b, 2);
-    return std::move(result.addProduct(c, d, 2 * sign));
+  const auto twice = [&](const PatchPolynomial& a, const PatchPolynomial& b, double sign, const PatchPolynomial& c,
+                         const PatchPolynomial& d) {
+    PatchPolynomial result = multiplied(a, b, 2);
+    return std::move(result.addProduct(c, d, 2 * sign, progress));
   };
   const PatchPolynomial rows[3][3] = {{sum(ww, xx, 1, yy, -1, zz, -1), twice(x, y, -1, w, z), twice(x, z, 1, w, y)},
                                       {twice(x, y, 1, w, z), sum(ww, xx, -1, yy, 1, zz, -1), twice(y, z, -1, w, x)},
                                       {twice(x, z, -1, w, y), twice(y, z, 1, w, x), sum(ww, xx, -1, yy, -1, zz, 1)}};
-  const PatchPolynomial dsw = product(sum(ww, xx, 1, yy, 1, zz, 1), sw);
+  const PatchPolynomial dsw = multiplied(sum(ww, xx, 1, yy, 1, zz, 1), sw);
+  progress.report(0.35, sweeping);
   const PatchPolynomial* const scales[3] = {&sx, &sy, &sz};
   const auto coordinate = [&](std::size_t k) {
     // Components of p that are zero contribute nothing.
     PatchPolynomial turned(dsw.patches(), dsw.degreeU(), dsw.degreeV());
     for (std::size_t c = 0; c < 3; ++c)
-      if (const double p = motion.point[static_cast<Eigen::Index>(c)]; p != 0) turned.addProduct(rows[k][c], *scales[c], p);
-    PatchPolynomial result = product(t[3], turned);
-    return std::move(result.addProduct(t[k], dsw));
+      if (const double p = motion.point[static_cast<Eigen::Index>(c)]; p != 0)
+        turned.addProduct(rows[k][c], *scales[c], p, progress);
+    PatchPolynomial result = multiplied(t[3], turned);
+    result.addProduct(t[k], dsw, 1, progress);
+    progress.report(0.45 + 0.1 * static_cast<double>(k), sweeping);
+    return result;
   };
-  return assemble({coordinate(0), coordinate(1), coordinate(2), product(t[3], dsw)}, grid);
+  return assemble({coordinate(0), coordinate(1), coordinate(2), multiplied(t[3], dsw)}, grid, progress);
 }
 
 /// A power of two is exact: no pole changes its place.
@@ -125,8 +135,11 @@ ProductResult productSurface(const Motion& motion, const ProductOptions& options
   ProductResult result;
   Motion refined = motion;
   while (true) {
-    progress.check();
-    result.surface = multiply(refined);
+    // Most often the first round is the last.
+    const double left = std::pow(0.2, result.refinements);
+    const Progress round = progress.part(1 - left, 1 - 0.2 * left);
+    result.surface = multiply(refined, round);
+    round.report(1, sweeping);
     scaleWeights(result.surface);
     if (motion.closedU != ClosedU::No) closeSeam(result.surface);
     if (!refineWhereNegative(result.surface, refined)) break;

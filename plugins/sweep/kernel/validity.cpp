@@ -24,14 +24,12 @@ constexpr std::size_t placesInSpan = 8;
 /// Coefficients of W = tw |r|^2 sw as the first component of a surface.
 Surface denominator(const Motion& motion, const Progress& progress) {
   const PatchGrid grid = productGrid(motion);
-  const auto r = patchPolynomials(motion.orientation, grid);
-  PatchPolynomial square = product(r[0], r[0]);
-  for (std::size_t c = 1; c < 4; ++c) square.addProduct(r[c], r[c]);
-  progress.check();
-  const PatchPolynomial weight =
-      product(patchPolynomialsInV(motion.trajectory, grid)[3], product(square, patchPolynomials(motion.scaling, grid)[3]));
-  progress.check();
-  return assemble({weight, weight, weight, weight}, grid);
+  const auto r = patchPolynomials(motion.orientation, grid, progress);
+  PatchPolynomial square = product(r[0], r[0], 1, progress);
+  for (std::size_t c = 1; c < 4; ++c) square.addProduct(r[c], r[c], 1, progress);
+  const PatchPolynomial scaled = product(square, patchPolynomials(motion.scaling, grid, progress)[3], 1, progress),
+                        weight = product(patchPolynomialsInV(motion.trajectory, grid, progress)[3], scaled, 1, progress);
+  return assemble({weight, weight, weight, weight}, grid, progress);
 }
 
 /// Lengths of x_u cross x_v on a grid of parameters.

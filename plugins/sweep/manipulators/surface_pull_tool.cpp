@@ -45,6 +45,7 @@ void SurfacePullTool::show(std::shared_ptr<const LiveSurface> surface) {
   chosen_ = {};
   stopTyping();
   forgetHovered();
+  if (surface_) lookAgain();
   emit changed();
 }
 
@@ -70,6 +71,7 @@ bool SurfacePullTool::move(const ui::ToolEvent& event) {
 
 /// A click is for the view, which selects what is there; with Shift it takes the place along.
 bool SurfacePullTool::release(const ui::ToolEvent& event) {
+  mouse_ = event;
   const bool dragged = dragged_, typing = entry_.has_value();
   const bool chooses = held() && !dragged && !typing && event.modifiers.testFlag(Qt::ShiftModifier);
   if (!HandleTool::release(event)) return false;
@@ -80,7 +82,22 @@ bool SurfacePullTool::release(const ui::ToolEvent& event) {
   return dragged || typing || chooses;
 }
 
+/// Where the mouse was let go, as a rule: it need not move for the place under it to be shown. In a view that was turned or
+/// zoomed since, the ray of that event is no longer under the mouse.
+void SurfacePullTool::lookAgain() {
+  if (!mouse_ || held()) return;
+  const ui::ToolEvent event = *mouse_;
+  look(event);
+  if (!under_) return;
+  const auto seen = host().onScreen(event.ray.origin + under_->hit.distance * event.ray.direction);
+  if (seen && (*seen - event.at).manhattanLength() < 1)
+    HandleTool::move(event);
+  else
+    under_.reset();
+}
+
 void SurfacePullTool::look(const ui::ToolEvent& event) {
+  mouse_ = event;
   towards_ = event.ray.direction;
   under_.reset();
   // With Ctrl or Alt the mouse is for the view, so that the surface and its parts can still be selected and turned.

@@ -50,6 +50,7 @@ class SurfacePullTool : public ui::HandleTool {
   void putBack() override;
 
   void look(const ui::ToolEvent&);
+  void lookAgain();
   void hold(const DragTarget&, double pixel);
   void follow();
   void commitEdit(const std::optional<TypedGoal>&);
@@ -86,6 +87,7 @@ class SurfacePullTool : public ui::HandleTool {
   std::optional<GoalEntry> entry_;  ///< its goal is being typed
   QString refusal_;                 ///< why it cannot be what is typed
   std::optional<LingeringPicture> lingering_;
+  std::optional<ui::ToolEvent> mouse_;  ///< what it did last
   QPointF pressedAt_;
   bool dragged_ = false;
 

@@ -7,21 +7,34 @@
 
 namespace blossom::detail {
 
-void applyRows(const PoleRows& rows, const double* in, std::size_t stride, double* out) {
+namespace {
+
+void applyRow(const PoleRows& rows, std::size_t i, const double* in, std::size_t stride, double* out) {
+  const double* const weights = &rows.weights[i * rows.width];
+  const double* const items = in + rows.first[i] * stride;
+  if (stride == 4) {  // one pole an item
+    Vec4 sum = Vec4::Zero();
+    for (std::size_t k = 0; k < rows.width; ++k) sum += weights[k] * Eigen::Map<const Vec4>(items + k * 4);
+    Eigen::Map<Vec4>(out + i * 4) = sum;
+    return;
+  }
   const auto length = static_cast<Eigen::Index>(stride);
+  Eigen::Map<Eigen::VectorXd> sum(out + i * stride, length);
+  sum.setZero();
+  for (std::size_t k = 0; k < rows.width; ++k)
+    if (weights[k] != 0) sum += weights[k] * Eigen::Map<const Eigen::VectorXd>(items + k * stride, length);
+}
+
+}  // namespace
+
+void applyRows(const PoleRows& rows, const double* in, std::size_t stride, double* out) {
+  for (std::size_t i = 0; i < rows.size(); ++i) applyRow(rows, i, in, stride, out);
+}
+
+void applyRows(const PoleRows& rows, const double* in, std::size_t stride, double* out, const Progress& progress) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double* const weights = &rows.weights[i * rows.width];
-    const double* const items = in + rows.first[i] * stride;
-    if (stride == 4) {  // one pole an item
-      Vec4 sum = Vec4::Zero();
-      for (std::size_t k = 0; k < rows.width; ++k) sum += weights[k] * Eigen::Map<const Vec4>(items + k * 4);
-      Eigen::Map<Vec4>(out + i * 4) = sum;
-      continue;
-    }
-    Eigen::Map<Eigen::VectorXd> sum(out + i * stride, length);
-    sum.setZero();
-    for (std::size_t k = 0; k < rows.width; ++k)
-      if (weights[k] != 0) sum += weights[k] * Eigen::Map<const Eigen::VectorXd>(items + k * stride, length);
+    progress.check();
+    applyRow(rows, i, in, stride, out);
   }
 }
 

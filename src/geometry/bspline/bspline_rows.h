@@ -3,6 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "core/progress.h"
+
 /// Banded matrices that map poles to new poles; used inside src/geometry only.
 namespace blossom::detail {
 
@@ -18,6 +20,8 @@ struct PoleRows {
 
 /// Applies the matrix to items of `stride` consecutive doubles; `out` has rows.size() * stride values.
 void applyRows(const PoleRows& rows, const double* in, std::size_t stride, double* out);
+/// The same where a row is long work: polls before each. @throws Error Cancelled.
+void applyRows(const PoleRows& rows, const double* in, std::size_t stride, double* out, const Progress&);
 
 /// Knot insertion from the knot vector `from` to `to`, which contains every knot of `from` inside its own range with at
 /// least the same multiplicity. Oslo algorithm: all weights >= 0, sum 1. O(n p^2).

@@ -53,15 +53,18 @@ PatchPolynomial::PatchPolynomial(std::size_t patches, int degreeU, int degreeV)
       degreeV_(degreeV),
       coefficients_((patches + kLanes - 1) / kLanes * kLanes * blockSize()) {}
 
-PatchPolynomial& PatchPolynomial::addProduct(const PatchPolynomial& a, const PatchPolynomial& b, double factor) {
+PatchPolynomial& PatchPolynomial::addProduct(const PatchPolynomial& a, const PatchPolynomial& b, double factor,
+                                             const Progress& progress) {
   require(a.patches_ == patches_ && b.patches_ == patches_ && a.degreeU_ + b.degreeU_ == degreeU_ &&
               a.degreeV_ + b.degreeV_ == degreeV_,
           "A product of patch polynomials was added to one of other size.");
   const std::size_t blocks = (patches_ + kLanes - 1) / kLanes;
-  for (std::size_t block = 0; block < blocks; ++block)
+  for (std::size_t block = 0; block < blocks; ++block) {
+    progress.check();
     convolve(&a.coefficients_[block * a.blockSize() * kLanes], order(a.degreeU_), order(a.degreeV_),
              &b.coefficients_[block * b.blockSize() * kLanes], order(b.degreeU_), order(b.degreeV_), factor,
              &coefficients_[block * blockSize() * kLanes]);
+  }
   return *this;
 }
 
@@ -72,9 +75,9 @@ PatchPolynomial& PatchPolynomial::add(const PatchPolynomial& a, double factor) {
   return *this;
 }
 
-PatchPolynomial product(const PatchPolynomial& a, const PatchPolynomial& b, double factor) {
+PatchPolynomial product(const PatchPolynomial& a, const PatchPolynomial& b, double factor, const Progress& progress) {
   PatchPolynomial result(a.patches(), a.degreeU() + b.degreeU(), a.degreeV() + b.degreeV());
-  result.addProduct(a, b, factor);
+  result.addProduct(a, b, factor, progress);
   return result;
 }
 
@@ -97,15 +100,16 @@ std::array<PatchPolynomial, 4> zeroComponents(const PatchGrid& grid, int degreeU
 
 }  // namespace
 
-std::array<PatchPolynomial, 4> patchPolynomials(const Surface& surface, const PatchGrid& grid) {
+std::array<PatchPolynomial, 4> patchPolynomials(const Surface& surface, const PatchGrid& grid, const Progress& progress) {
   const detail::PoleRows rowsU = scaledBezierRows(surface.degreeU, surface.knotsU, grid.breaksU());
   const detail::PoleRows rowsV = scaledBezierRows(surface.degreeV, surface.knotsV, grid.breaksV());
   const std::size_t orderU = order(surface.degreeU), orderV = order(surface.degreeV), nv = surface.countV();
   std::vector<Vec4> half(rowsU.size() * nv), row(rowsV.size());
-  detail::applyRows(rowsU, surface.poles.front().data(), nv * 4, half.front().data());
+  detail::applyRows(rowsU, surface.poles.front().data(), nv * 4, half.front().data(), progress);
 
   auto result = zeroComponents(grid, surface.degreeU, surface.degreeV);
   for (std::size_t i = 0; i < rowsU.size(); ++i) {
+    progress.check();
     detail::applyRows(rowsV, half[i * nv].data(), 4, row.front().data());
     for (std::size_t j = 0; j < row.size(); ++j)
       for (std::size_t c = 0; c < 4; ++c)
@@ -114,21 +118,23 @@ std::array<PatchPolynomial, 4> patchPolynomials(const Surface& surface, const Pa
   return result;
 }
 
-std::array<PatchPolynomial, 4> patchPolynomialsInV(const Curve& curve, const PatchGrid& grid) {
+std::array<PatchPolynomial, 4> patchPolynomialsInV(const Curve& curve, const PatchGrid& grid, const Progress& progress) {
   const detail::PoleRows rows = scaledBezierRows(curve.degree, curve.knots, grid.breaksV());
   const std::size_t orderV = order(curve.degree);
   std::vector<Vec4> row(rows.size());
   detail::applyRows(rows, curve.poles.front().data(), 4, row.front().data());
 
   auto result = zeroComponents(grid, 0, curve.degree);
-  for (std::size_t a = 0; a < grid.spansU(); ++a)
+  for (std::size_t a = 0; a < grid.spansU(); ++a) {
+    progress.check();
     for (std::size_t j = 0; j < row.size(); ++j)
       for (std::size_t c = 0; c < 4; ++c)
         result[c].at(a * grid.spansV() + j / orderV, 0, j % orderV) = row[j][static_cast<Eigen::Index>(c)];
+  }
   return result;
 }
 
-Surface assemble(const std::array<PatchPolynomial, 4>& components, const PatchGrid& grid) {
+Surface assemble(const std::array<PatchPolynomial, 4>& components, const PatchGrid& grid, const Progress& progress) {
   const int degreeU = grid.u().degree, degreeV = grid.v().degree;
   for (const PatchPolynomial& component : components)
     require(component.patches() == grid.patches() && component.degreeU() == degreeU && component.degreeV() == degreeV,
@@ -139,16 +145,20 @@ Surface assemble(const std::array<PatchPolynomial, 4>& components, const PatchGr
   const detail::PoleRows rowsV = detail::blossomRows(degreeV, grid.breaksV(), grid.v().knots, true);
 
   std::vector<Vec4> pieces(nu * nv), half(rowsU.size() * nv);
-  for (std::size_t i = 0; i < nu; ++i)
+  for (std::size_t i = 0; i < nu; ++i) {
+    progress.check();
     for (std::size_t j = 0; j < nv; ++j) {
       const std::size_t patch = i / orderU * grid.spansV() + j / orderV;
       for (std::size_t c = 0; c < 4; ++c)
         pieces[i * nv + j][static_cast<Eigen::Index>(c)] = components[c].at(patch, i % orderU, j % orderV);
     }
-  detail::applyRows(rowsU, pieces.front().data(), nv * 4, half.front().data());
+  }
+  detail::applyRows(rowsU, pieces.front().data(), nv * 4, half.front().data(), progress);
   Surface result{degreeU, degreeV, grid.u().knots, grid.v().knots, std::vector<Vec4>(rowsU.size() * rowsV.size())};
-  for (std::size_t i = 0; i < rowsU.size(); ++i)
+  for (std::size_t i = 0; i < rowsU.size(); ++i) {
+    progress.check();
     detail::applyRows(rowsV, half[i * nv].data(), 4, result.poles[i * rowsV.size()].data());
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/progress.h"
 #include "geometry/bspline/product.h"
 
 /// Algebra of scalar functions that are polynomials on every patch of a grid: the fast way to sums of products of many
@@ -15,7 +16,8 @@
 ///     const Surface surface = assemble({x, y, z, w}, grid);
 ///
 /// Coefficients are scaled Bernstein coefficients c_ij * binomial(p, i) * binomial(q, j), for which a product is a plain
-/// convolution (Farouki & Rajan, "Algorithms for polynomials in Bernstein form", 1988).
+/// convolution (Farouki & Rajan, "Algorithms for polynomials in Bernstein form", 1988). Loops over patches poll Progress:
+/// all with one as a parameter throw Error Cancelled.
 namespace blossom {
 
 /// The patches between the distinct knots of a product.
@@ -55,7 +57,8 @@ class PatchPolynomial {
   }
 
   /// Adds factor * a * b. The degrees of a and b must add up to the degrees of this function.
-  PatchPolynomial& addProduct(const PatchPolynomial& a, const PatchPolynomial& b, double factor = 1);
+  PatchPolynomial& addProduct(const PatchPolynomial& a, const PatchPolynomial& b, double factor = 1,
+                              const Progress& = Progress::none());
   /// Adds factor * a; a has the degrees of this function.
   PatchPolynomial& add(const PatchPolynomial& a, double factor = 1);
 
@@ -72,15 +75,16 @@ class PatchPolynomial {
   std::vector<double> coefficients_;  ///< [block of kLanes patches][i][j][lane]
 };
 
-PatchPolynomial product(const PatchPolynomial& a, const PatchPolynomial& b, double factor = 1);
+PatchPolynomial product(const PatchPolynomial& a, const PatchPolynomial& b, double factor = 1,
+                        const Progress& = Progress::none());
 
 /// The four components of a surface on the grid. Its knots must be among the breaks of the grid.
-std::array<PatchPolynomial, 4> patchPolynomials(const Surface&, const PatchGrid&);
+std::array<PatchPolynomial, 4> patchPolynomials(const Surface&, const PatchGrid&, const Progress& = Progress::none());
 /// The four components of a curve in v, constant (degree 0) in u.
-std::array<PatchPolynomial, 4> patchPolynomialsInV(const Curve&, const PatchGrid&);
+std::array<PatchPolynomial, 4> patchPolynomialsInV(const Curve&, const PatchGrid&, const Progress& = Progress::none());
 
 /// The surface with these homogeneous components, over the product knots of the grid.
 /// @throws Error Internal when the degrees differ from those of the grid's product knots.
-Surface assemble(const std::array<PatchPolynomial, 4>& components, const PatchGrid&);
+Surface assemble(const std::array<PatchPolynomial, 4>& components, const PatchGrid&, const Progress& = Progress::none());
 
 }  // namespace blossom

@@ -36,8 +36,8 @@ void warnOfCrossing(const std::vector<TopoDS_Shape>& sheets, const std::string& 
   if (subShapesOf(all, TopAbs_FACE).empty()) return;
   const auto crossing = testedOrTold([&] { return findCrossing(all, {}, progress).deepest; }, warnings);
   if (!crossing) return;
-  warnings.push_back(fmt::format("The surface cuts through itself near {}, by about {:.2g} mm. {}",
-                                 placeText(crossing->point), crossing->depth, why));
+  warnings.push_back(fmt::format("The surface cuts through itself near {}, by at least {} mm. {}",
+                                 placeText(crossing->point), leastText(crossing->depth), why));
 }
 
 void warnOfOverlap(const std::vector<TopoDS_Shape>& solids, const std::vector<std::size_t>& compared,

@@ -118,7 +118,8 @@ class Tool : public QObject {
   [[nodiscard]] virtual std::optional<Vec3> drawsIn() const { return std::nullopt; }
   /// The objects that `ToolEvent::pick` finds and that are highlighted under the mouse.
   [[nodiscard]] virtual PickMode picks() const { return PickMode::Any; }
-  /// Objects drawn over the scene, never picked. Called before the next frame after `changed`, however often it came.
+  /// Objects drawn over the scene, never picked. Called before the next frame after `changed`, however often it came. To be
+  /// made anew each time: the view keeps them and may change what they hold.
   [[nodiscard]] virtual std::vector<vtkSmartPointer<vtkProp>> props() const { return {}; }
   /// A shape that stands in for features; empty: they are shown themselves. Called like `props`.
   [[nodiscard]] virtual std::optional<StandIn> standIn() const { return std::nullopt; }

@@ -20,7 +20,7 @@ constexpr double fluentMs = 20;                  // a frame with them that takes
 constexpr double stutterMs = 30;                 // a frame that takes longer does not look like movement
 constexpr double easyMs = 7;                     // a coarse frame that takes no longer need not be coarse
 constexpr double quickMs = 12;                   // a frame that takes no longer may be begun between two changes
-constexpr int restMs = 140;                      // after the last change
+constexpr int restMs = 40;                       // after the last change
 constexpr int shortRestMs = 10;                  // where frames are quick
 constexpr std::chrono::microseconds soon(1500);  // worth waiting for: fast graphics need no second look
 
@@ -40,6 +40,8 @@ LivePicture::LivePicture(QWidget& widget, PictureSubject& subject)
 LivePicture::~LivePicture() { painter_->remove(&subject_.renderer()); }
 
 QString LivePicture::problem() const { return painter_->problem(); }
+
+bool LivePicture::detailed() const { return !outdated_ && !subject_.stale() && smoothing_.taken() > 0; }
 
 bool LivePicture::sharp() const { return !frame_ && !subject_.stale() && smooth(); }
 

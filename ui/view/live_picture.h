@@ -55,7 +55,9 @@ class LivePicture : public QObject {
   /// What is shown, drawn before when it is out of date.
   const QImage& upToDate();
 
-  /// All edges are smoothed, and nothing is out of date.
+  /// Every pixel is drawn, not every second one, and nothing is out of date.
+  [[nodiscard]] bool detailed() const;
+  /// All edges are smoothed, too.
   [[nodiscard]] bool sharp() const;
   [[nodiscard]] double scale() const { return scale_; }  ///< device pixels per pixel
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }

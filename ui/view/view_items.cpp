@@ -49,6 +49,15 @@ bool isFilled(const SceneData& scene, Presence presence) {
 
 void setColor(vtkActor& actor, const Color& color) { actor.GetProperty()->SetColor(color.red, color.green, color.blue); }
 
+/// Lines alone fade into the background: a single translucent thing costs every frame two passes over the whole picture.
+void fadeByColor(vtkActor& actor, const Look& look) {
+  vtkProperty& property = *actor.GetProperty();
+  const double* c = property.GetColor();
+  const Color background = mixed(look.backgroundTop, look.backgroundBottom, 0.5);
+  setColor(actor, mixed(background, {c[0], c[1], c[2]}, property.GetOpacity()));
+  property.SetOpacity(1);
+}
+
 bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
 
 /// The faces of a study are those of the scene, and know their curvatures.
@@ -366,6 +375,7 @@ void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
     layer(*actor, shown);
     if (part == ActorRole::Faces) paintFaces(*actor, shown, hovered);
     if (part == ActorRole::Edges) paintEdges(*actor, shown, hovered);
+    if (part == ActorRole::Edges && !shown.scene.faces) fadeByColor(*actor, look_);
     if (part == ActorRole::IsoCurves) paintIsoCurves(*actor, shown);
     if (part == ActorRole::Points) actor->GetProperty()->SetPointSize(static_cast<float>(look_.pointSize));
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ui/view/camera_control.h"
+#include "ui/view/kept_props.h"
 
 namespace blossom::ui {
 
@@ -38,11 +39,9 @@ ItemsChange ViewStage::setItems(const std::vector<ViewItem>& items) {
   return change;
 }
 
-void ViewStage::replace(Props& before, Props now) {
-  for (const auto& prop : before) renderer_->RemoveViewProp(prop);
-  before = std::move(now);
-  for (const auto& prop : before) renderer_->AddViewProp(prop);
-}
+void ViewStage::setOverlay(Props props) { replaceProps(*renderer_, overlay_, std::move(props)); }
+
+void ViewStage::setToolProps(Props props) { replaceProps(*renderer_, toolProps_, std::move(props)); }
 
 void ViewStage::setStandIn(const std::optional<StandIn>& standIn) {
   if (items_.setStandIn(standIn)) keepGridLast();

@@ -30,9 +30,9 @@ class ViewStage {
   [[nodiscard]] ViewItems& items() { return items_; }
   [[nodiscard]] const ViewItems& items() const { return items_; }
   ItemsChange setItems(const std::vector<ViewItem>&);
-  void setOverlay(Props props) { replace(overlay_, std::move(props)); }
+  void setOverlay(Props);
   [[nodiscard]] bool hasOverlay() const { return !overlay_.empty(); }
-  void setToolProps(Props props) { replace(toolProps_, std::move(props)); }
+  void setToolProps(Props);
   void setStandIn(const std::optional<StandIn>&);
 
   void setLook(const Look&);
@@ -61,7 +61,6 @@ class ViewStage {
   void prepare(const CameraControl&, QSize view, QPointF offset, QSize picture);
 
  private:
-  void replace(Props& before, Props now);
   void applyLook();
   bool showMarks();
   void keepGridLast();

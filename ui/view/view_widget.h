@@ -84,7 +84,9 @@ class ViewWidget : public QWidget, private PictureSubject {
   [[nodiscard]] double gridSpacing() const { return stage_.gridSpacing(); }  ///< mm
   [[nodiscard]] double lastFrameMs() const { return picture_->lastFrameMs(); }
   [[nodiscard]] int framesDrawn() const { return picture_->framesDrawn(); }
-  /// All edges are smoothed; at first, and while the camera moves, that is left out where it would stutter.
+  /// Every pixel is drawn, not every second one as while something moves slowly, and nothing is out of date.
+  [[nodiscard]] bool detailed() const { return picture_->detailed(); }
+  /// All edges are smoothed, too; at first, and while the camera moves, that is left out where it would stutter.
   [[nodiscard]] bool sharp() const { return picture_->sharp(); }
 
   /// Why nothing can be drawn; empty when all is well.

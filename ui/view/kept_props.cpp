@@ -1,0 +1,77 @@
+#include "ui/view/kept_props.h"
+
+#include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+
+namespace blossom::ui {
+
+namespace {
+
+using Props = std::vector<vtkSmartPointer<vtkProp>>;
+
+vtkPolyData* dataOf(vtkProp& prop) {
+  const auto actor = vtkActor::SafeDownCast(&prop);
+  const auto mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return mapper ? mapper->GetInput() : nullptr;
+}
+
+/// Lines, points and faces are drawn by shaders of their own.
+bool areOfOneSort(vtkPolyData& a, vtkPolyData& b) {
+  const auto bothHave = [&](vtkIdType inA, vtkIdType inB) { return (inA > 0) == (inB > 0); };
+  return bothHave(a.GetNumberOfVerts(), b.GetNumberOfVerts()) && bothHave(a.GetNumberOfLines(), b.GetNumberOfLines()) &&
+         bothHave(a.GetNumberOfPolys(), b.GetNumberOfPolys());
+}
+
+/// Flat things on the screen are drawn after everything, in an order of their own.
+bool isFlat(vtkProp& prop) { return vtkActor2D::SafeDownCast(&prop) != nullptr; }
+
+bool areAlike(vtkProp& a, vtkProp& b) {
+  if (isFlat(a) || isFlat(b)) return isFlat(a) && isFlat(b);
+  vtkPolyData *dataA = dataOf(a), *dataB = dataOf(b);
+  if (!dataA || !dataB || !areOfOneSort(*dataA, *dataB)) return false;
+  vtkProperty &lookA = *vtkActor::SafeDownCast(&a)->GetProperty(), &lookB = *vtkActor::SafeDownCast(&b)->GetProperty();
+  return lookA.GetRenderPointsAsSpheres() == lookB.GetRenderPointsAsSpheres() &&
+         lookA.GetLighting() == lookB.GetLighting() && (lookA.GetOpacity() == 1) == (lookB.GetOpacity() == 1);
+}
+
+/// Only what differs is set: any change of a look makes VTK look at the shader again.
+void takeOver(vtkProp& kept, vtkProp& now) {
+  dataOf(kept)->ShallowCopy(dataOf(now));
+  vtkProperty &look = *vtkActor::SafeDownCast(&kept)->GetProperty(), &wanted = *vtkActor::SafeDownCast(&now)->GetProperty();
+  look.SetColor(wanted.GetColor());
+  look.SetOpacity(wanted.GetOpacity());
+  look.SetLineWidth(wanted.GetLineWidth());
+  look.SetPointSize(wanted.GetPointSize());
+}
+
+}  // namespace
+
+void replaceProps(vtkRenderer& renderer, Props& shown, Props now) {
+  // In order: what is drawn first is seen where lines lie in one place.
+  const bool alike = std::equal(shown.begin(), shown.end(), now.begin(), now.end(),
+                                [](const auto& a, const auto& b) { return areAlike(*a, *b); });
+  if (!alike) {
+    for (const auto& prop : shown) renderer.RemoveViewProp(prop);
+    shown = std::move(now);
+    for (const auto& prop : shown) renderer.AddViewProp(prop);
+    return;
+  }
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    if (!isFlat(*shown[k])) {
+      takeOver(*shown[k], *now[k]);
+      continue;
+    }
+    renderer.RemoveViewProp(shown[k]);
+    shown[k] = now[k];
+    renderer.AddViewProp(shown[k]);
+  }
+}
+
+}  // namespace blossom::ui

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace blossom {
@@ -9,6 +10,12 @@ namespace blossom {
 std::string placeText(const Vec3& p) {
   const auto clean = [](double v) { return std::abs(v) < 1e-9 ? 0.0 : v; };
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", clean(p.x()), clean(p.y()), clean(p.z()));
+}
+
+std::string placeText(const Vec3& p, double size, int digits) {
+  constexpr double smallest = 1e-9;
+  const double unit = std::pow(10, std::floor(std::log10(std::max(size, smallest))) - (digits - 1));
+  return placeText((p / unit).array().round().matrix() * unit);
 }
 
 }  // namespace blossom

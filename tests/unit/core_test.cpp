@@ -8,6 +8,7 @@
 
 #include "core/file.h"
 #include "core/parallel.h"
+#include "core/place_text.h"
 #include "core/progress.h"
 #include "core/units.h"
 #include "support/support.h"
@@ -67,6 +68,14 @@ class CoreTest : public QObject {
       if (std::abs(value) < 1e300) QVERIFY(parseNumber(formatNumber(value)) == value);
     }
     QCOMPARE(formatNumber(0.1), std::string("0.1"));
+  }
+  void placesHaveTheDigitsThatHelp() {
+    const Vec3 place(123.4567, -0.04, 1e-12);
+    QCOMPARE(placeText(place), std::string("(123.457, -0.04, 0)"));
+    QCOMPARE(placeText(place, 250, 4), std::string("(123.5, 0, 0)"));
+    QCOMPARE(placeText(place, 250, 5), std::string("(123.46, -0.04, 0)"));
+    QCOMPARE(placeText(place, 99, 4), std::string("(123.46, -0.04, 0)"));
+    QCOMPARE(placeText(place, 0, 4), placeText(place));  // of no size: all digits
   }
   void errorNamesRoundTrip() {
     std::set<std::string_view> names;

@@ -25,7 +25,7 @@ bool SurfacePullTool::key(const QKeyEvent& event) {
 /// After an edit the surface takes a moment to be ready for the next one. Who goes on meanwhile does not mean the keys of
 /// the view.
 bool SurfacePullTool::keyWhilePreparing(int key) {
-  if (!overSurface_ || wanted_.empty() || !mode_.key(key)) return false;
+  if (!overSurface_ || loader_.wanted().empty() || !mode_.key(key)) return false;
   emit changed();
   return true;
 }

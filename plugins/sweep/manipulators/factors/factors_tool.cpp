@@ -37,10 +37,7 @@ FactorsTool::FactorsTool(ui::ToolHost& toolHost, const FeatureId& feature)
   load();
 }
 
-FactorsTool::~FactorsTool() {
-  loading_.cancel();
-  delete panel_;
-}
+FactorsTool::~FactorsTool() { delete panel_; }
 
 void FactorsTool::load() {
   if (lingering_ && lingering_->over(host())) lingering_.reset();
@@ -48,22 +45,8 @@ void FactorsTool::load() {
   placement_ = factorPlacement(host(), feature());
   const Shape given = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
   // While the next one is computed, the one before stays in sight.
-  if (given.empty() || given.get<Motion>() == wanted_.get<Motion>()) return tellEditable();
-  wanted_ = given;
+  if (!given.empty()) loader_.load(given);
   tellEditable();
-  loading_.cancel();
-  loading_ = {};
-  thread_.start([this, given, token = loading_] {
-    std::shared_ptr<const LiveSurface> made;
-    try {
-      made = liveSurface(given, Progress(token));
-    } catch (const std::exception&) {
-      return;  // the features made from the motion tell what is wrong with it
-    }
-    here_.post([this, token, made = std::move(made)] {
-      if (!token.cancelled()) show(made);
-    });
-  });
 }
 
 void FactorsTool::show(std::shared_ptr<const LiveSurface> surface) {
@@ -85,7 +68,7 @@ void FactorsTool::tellEditable() {
 
 bool FactorsTool::editable() const {
   return surface_ && placement_ && host().document().contains(placement_->source) &&
-         surface_->shape.get<Motion>() == wanted_.get<Motion>();
+         surface_->shape.get<Motion>() == loader_.wanted().get<Motion>();
 }
 
 std::vector<Vec3> FactorsTool::poles() const {

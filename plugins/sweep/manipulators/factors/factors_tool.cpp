@@ -10,6 +10,7 @@
 #include "kernel/begin/motion_knots.h"
 #include "manipulators/factors/factor_amounts.h"
 #include "manipulators/factors/factors_panel.h"
+#include "ui/look/text.h"
 
 namespace blossom::sweep {
 
@@ -23,10 +24,6 @@ double distanceTo(const QPointF& p, const QPointF& a, const QPointF& b) {
   const double share = square > 0 ? std::clamp(QPointF::dotProduct(from, along) / square, 0.0, 1.0) : 0;
   const QPointF off = from - share * along;
   return std::hypot(off.x(), off.y());
-}
-
-QString messageOf(const Error& error) {
-  return QString::fromStdString(error.hint().empty() ? error.message() : error.message() + " " + error.hint());
 }
 
 }  // namespace
@@ -210,7 +207,7 @@ void FactorsTool::enter(const FactorChanges& changes, const QString& what, int f
     if (withChangedFactors(surface_->motion(), changes).changedPoles == 0) return;
     commit(withFactorChanges(host(), *placement_, changes), what);
   } catch (const Error& error) {
-    if (panel_) panel_->refuse(field, messageOf(error));
+    if (panel_) panel_->refuse(field, ui::saidInFull(error));
     fillPanel();
   }
 }
@@ -223,7 +220,7 @@ void FactorsTool::insertKnot(bool alongU, double knot) {
     static_cast<void>(withKnots(surface_->motion(), knots));  // says what would be wrong
     commit(withFactorKnot(host(), *placement_, factor_, alongU, knot), tr("Insert a knot"));
   } catch (const Error& error) {
-    if (panel_) panel_->refuse(-1, messageOf(error));
+    if (panel_) panel_->refuse(-1, ui::saidInFull(error));
   }
 }
 

@@ -56,19 +56,11 @@ void SurfacePullTool::startTyping() {
 }
 
 bool SurfacePullTool::typingKey(const QKeyEvent& event) {
-  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
-  switch (event.key()) {
-    case Qt::Key_Escape:
-      stopTyping();
-      break;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      takeTyped();
-      break;
-    default:
-      if (!entry_->key(event)) return false;
-      followTyped();
-  }
+  const ui::TypedKey key = entry_->key(event);
+  if (key == ui::TypedKey::Other) return false;
+  if (key == ui::TypedKey::Leave) stopTyping();
+  if (key == ui::TypedKey::Take) takeTyped();
+  if (key == ui::TypedKey::Text) followTyped();
   emit changed();
   return true;
 }

@@ -15,8 +15,8 @@ function(blossom_plugin id)
   endif()
   add_library(blossom_${id} MODULE ${feature_sources})
   blossom_compile_by_folder(blossom_${id})
-  target_precompile_headers(blossom_${id} REUSE_FROM blossom_headers)
-  # Declarations and calls of the kernel, which take twice as long to compile with more optimisation.
+  # Declarations and calls of the kernel, which take twice as long to compile with more optimisation. The shared headers are
+  # compiled with more, too, and GCC 14 does not let them be used with less.
   target_compile_options(blossom_${id} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(blossom_${id} PRIVATE blossom_${id}_kernel Blossom::feature fmt::fmt Blossom::flags)
   set(modules blossom_${id})

@@ -22,12 +22,6 @@ Value listOf(const Vec3& p) { return Value::array({p.x(), p.y(), p.z()}); }
 
 std::string parametersText(const Vec2& at) { return fmt::format("u = {:.4g}, v = {:.4g}", at.x(), at.y()); }
 
-/// As many digits as help to find a place.
-Vec3 rounded(const Vec3& p, double size) {
-  const double unit = std::pow(10, std::floor(std::log10(std::max(size, 1e-9))) - 4);
-  return (p / unit).array().round().matrix() * unit + Vec3::Zero();
-}
-
 void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   constexpr double vanishing = 1e-6;
   const Validity validity = examine(motion, progress);
@@ -72,7 +66,7 @@ void addCrossing(const Motion& motion, const Surface& surface, Evaluated& out, c
   out.stats["crossing_second_at"] = listOf(crossing.second.at);
   const CrossingCause why = causeOfCrossing(motion, crossing.first.at, crossing.second.at);
   out.warnings.push_back(fmt::format("The surface crosses itself near {}, at {} and {}, by at least {} mm: {} {}",
-                                     placeText(rounded(crossing.point, found.size)), parametersText(crossing.first.at),
+                                     placeText(crossing.point, found.size, 5), parametersText(crossing.first.at),
                                      parametersText(crossing.second.at), leastText(crossing.depth), why.cause, why.remedy));
 }
 

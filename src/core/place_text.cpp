@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -18,6 +19,12 @@ std::string leastText(double value) {
   if (!std::isfinite(value) || std::strtod(nearest.c_str(), nullptr) <= value) return nearest;
   const double halfADigit = std::pow(10, std::floor(std::log10(value)) - 1) / 2;
   return fmt::format(twoDigits, value - halfADigit);
+}
+
+std::string placeText(const Vec3& p, double size, int digits) {
+  constexpr double smallest = 1e-9;
+  const double unit = std::pow(10, std::floor(std::log10(std::max(size, smallest))) - (digits - 1));
+  return placeText((p / unit).array().round().matrix() * unit);
 }
 
 }  // namespace blossom

@@ -9,6 +9,10 @@ namespace blossom {
 /// printed as 0.
 std::string placeText(const Vec3&);
 
+/// The same with no more digits than help to find the place in a thing of this size: rounded to the power of ten in which
+/// the size, in mm, has its last one of `digits`.
+std::string placeText(const Vec3&, double size, int digits);
+
 /// A number for "at least ..", with two digits: never more than the value, which is above 0.
 std::string leastText(double);
 

@@ -11,10 +11,7 @@ class DocumentClipboardTest : public TreeFixture {
   Q_OBJECT
  private slots:
   void initTestCase() { setUpOnce(); }
-  void init() {
-    openTestWindow();
-    showChain();
-  }
+  void init() { openChain(); }
   void cleanup() { closeTestWindow(); }
 
   void duplicatedWithTheSameInputs();

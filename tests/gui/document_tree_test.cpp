@@ -18,10 +18,7 @@ class DocumentTreeTest : public TreeFixture {
   Q_OBJECT
  private slots:
   void initTestCase() { setUpOnce(); }
-  void init() {
-    openTestWindow();
-    showChain();
-  }
+  void init() { openChain(); }
   void cleanup() { closeTestWindow(); }
 
   void renamedInPlace();

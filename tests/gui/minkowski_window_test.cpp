@@ -1,7 +1,5 @@
 #include <QDir>
-#include <QDragEnterEvent>
 #include <QFile>
-#include <QMimeData>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
@@ -59,7 +57,6 @@ class MinkowskiWindowTest : public WindowFixture {
  private:
   [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   void write(const char* name, const char* text) const;
-  void drop(const QStringList& files);
   void morphBoth();
   void takePictures(const std::string& name, int frame);
   void drag(const Vec3& from, const Vec3& to);
@@ -78,23 +75,11 @@ void MinkowskiWindowTest::write(const char* name, const char* text) const {
   file.write(text);
 }
 
-void MinkowskiWindowTest::drop(const QStringList& files) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const QString& file : files) urls << QUrl::fromLocalFile(file);
-  data.setUrls(urls);
-  QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &enter);
-  QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &event);
-  QVERIFY(event.isAccepted());
-}
-
 /// From the two files to the sequence, alone in the view from above.
 void MinkowskiWindowTest::morphBoth() {
   write("frame.svg", frameDrawing);
   write("slab.dxf", slabDrawing);
-  drop({path("frame.svg"), path("slab.dxf")});
+  QVERIFY(drop({path("frame.svg"), path("slab.dxf")}));
   QTRY_COMPARE(window_->page().document().features().size(), std::size_t{2});
   waitUntilComputed();
   const FeatureId frame = window_->page().document().features().front()->id;
@@ -244,7 +229,7 @@ void MinkowskiWindowTest::anOpenOutlineIsRefusedAndTheDocumentLivesOn() {
   write("open.svg",
         "<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='20mm' viewBox='0 0 20 20'>"
         "<path fill='none' stroke='black' d='M0 0H20V20'/></svg>");
-  drop({path("open.svg")});
+  QVERIFY(drop({path("open.svg")}));
   QTRY_COMPARE(window_->page().document().features().size(), std::size_t{4});
   waitUntilComputed();
   window_->tree().selectThese({window_->page().document().features().front()->id, last()});

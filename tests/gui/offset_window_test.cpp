@@ -1,7 +1,5 @@
 #include <QDir>
-#include <QDragEnterEvent>
 #include <QFile>
-#include <QMimeData>
 #include <QToolButton>
 #include <algorithm>
 #include <array>
@@ -47,7 +45,6 @@ class OffsetWindowTest : public WindowFixture {
 
  private:
   [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  void drop(const QString& file);
   void importDrawing();
   void takePictures();
   FeatureId part_;
@@ -58,22 +55,12 @@ void OffsetWindowTest::init() {
   run("file.new");
 }
 
-void OffsetWindowTest::drop(const QString& file) {
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(file)});
-  QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &enter);
-  QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &event);
-  QVERIFY(event.isAccepted());
-}
-
 void OffsetWindowTest::importDrawing() {
   QFile file(path("outline.svg"));
   QVERIFY(file.open(QIODevice::WriteOnly));
   file.write(drawing);
   file.close();
-  drop(path("outline.svg"));
+  QVERIFY(drop({path("outline.svg")}));
   QTRY_COMPARE(window_->page().document().features().size(), std::size_t{1});
   waitUntilComputed();
   part_ = last();

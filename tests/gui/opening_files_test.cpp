@@ -1,5 +1,3 @@
-#include <QDragEnterEvent>
-#include <QMimeData>
 #include <QSignalSpy>
 
 #include "documents_fixture.h"
@@ -70,16 +68,8 @@ void OpeningFilesTest::droppedGeometryJoinsTheDocument() {
     QVERIFY(out.open(QIODevice::WriteOnly));
     out.write("<svg xmlns='http://www.w3.org/2000/svg'><rect width='40' height='20'/></svg>");
   }
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(drawings[0]), QUrl::fromLocalFile(drawings[1]),
-                QUrl::fromLocalFile(folder_.filePath(QStringLiteral("absent.svg"))),
-                QUrl::fromLocalFile(saved(QStringLiteral("other.blossom")))});
-  QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &event);
-  QVERIFY(event.isAccepted());
+  QVERIFY(drop(
+      {drawings[0], drawings[1], folder_.filePath(QStringLiteral("absent.svg")), saved(QStringLiteral("other.blossom"))}));
   QTRY_COMPARE(window_->page(0).document().features().size(), std::size_t(3));
   QCOMPARE(window_->pageCount(), std::size_t(2));
   QTRY_VERIFY(window_->page(0).errors().message().size() > 0);

@@ -1,7 +1,5 @@
 #include <QDir>
-#include <QDragEnterEvent>
 #include <QFile>
-#include <QMimeData>
 
 #include "exchange/format/format.h"
 #include "geometry/planar/planar.h"
@@ -38,7 +36,6 @@ class PocketWindowTest : public WindowFixture {
 
  private:
   [[nodiscard]] QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  void drop(const QString& file);
   void pocketTheDrawing();
   void takePictures(const std::string& name);
   [[nodiscard]] Toolpath toolpath(const FeatureId& id) const {
@@ -46,17 +43,6 @@ class PocketWindowTest : public WindowFixture {
   }
   FeatureId drawing_, pocket_;
 };
-
-void PocketWindowTest::drop(const QString& file) {
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(file)});
-  QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &enter);
-  QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &event);
-  QVERIFY(event.isAccepted());
-  waitUntilComputed();
-}
 
 void PocketWindowTest::init() {
   openWindow();
@@ -67,7 +53,8 @@ void PocketWindowTest::init() {
 /// From the file to the toolpath.
 void PocketWindowTest::pocketTheDrawing() {
   writeShape(*window_->session().app().formats, drawing(), path("cover.dxf").toStdString());
-  drop(path("cover.dxf"));
+  QVERIFY(drop({path("cover.dxf")}));
+  waitUntilComputed();
   QTRY_COMPARE(window_->page().document().features().size(), std::size_t{1});
   waitUntilComputed();
   drawing_ = last();
@@ -130,7 +117,8 @@ void PocketWindowTest::aWrongOptionKeepsTheExportOpen() {
 void PocketWindowTest::theSavedProgramIsSimulated() {
   window_->tree().select(pocket_);
   exportAs("gcode", path("again.ngc"));
-  drop(path("again.ngc"));
+  QVERIFY(drop({path("again.ngc")}));
+  waitUntilComputed();
   QTRY_COMPARE(window_->page().document().features().size(), std::size_t{3});
   waitUntilComputed();
   const FeatureId program = last();

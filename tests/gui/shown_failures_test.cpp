@@ -26,10 +26,7 @@ class ShownFailuresTest : public TreeFixture {
   Q_OBJECT
  private slots:
   void initTestCase() { setUpOnce(); }
-  void init() {
-    openTestWindow();
-    showChain();
-  }
+  void init() { openChain(); }
   void cleanup() { closeTestWindow(); }
 
   void failuresSayWhyAndWhatToDo();

@@ -1,23 +1,20 @@
-#include <QDir>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
 #include "support/sweep_formulas.h"
-#include "ui/plugin/tool.h"
+#include "sweep_fixture.h"
 #include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
-#include "window_fixture.h"
 
 using namespace blossom;
 using namespace blossom::test;
 using namespace blossom::ui;
 
 /// The factors of a motion are edited pole by pole through the real window: handles in space, the net on its card, numbers.
-class SweepFactorsWindowTest : public WindowFixture {
+class SweepFactorsWindowTest : public SweepFixture {
   Q_OBJECT
  private slots:
   void initTestCase() { setUpOnce(); }
@@ -37,13 +34,11 @@ class SweepFactorsWindowTest : public WindowFixture {
   void theEditorIsSeen();
 
  private:
-  void openSample(const char* name);
+  void openWithTool(const char* name);
   void startTool();
   void choose(const char* factor);
   /// Waits until the motion shown is the newest one.
   void waitUntilEditable();
-  void send(QWidget*, QEvent::Type, const QPointF& at, Qt::KeyboardModifiers = {});
-  void hover(const QPoint& at, const QString& hint);
   void dragView(const QPoint& from, const QPoint& to);
   void dragIn(QWidget*, const QPointF& from, const QPointF& by, bool letGo = true);
   void clickIn(QWidget*, const QPointF& at, Qt::KeyboardModifiers = {});
@@ -55,28 +50,11 @@ class SweepFactorsWindowTest : public WindowFixture {
     return window_->view().findChild<T*>(QLatin1String(name));
   }
   [[nodiscard]] QWidget* net() const { return part<QWidget>("factorNet"); }
-  [[nodiscard]] QString hint() const { return window_->page().tool() ? window_->page().tool()->hint() : QString(); }
-  [[nodiscard]] const Document& document() const { return window_->page().document(); }
-  [[nodiscard]] std::vector<FeatureId> all(const char* type) const;
-  [[nodiscard]] const Feature& only(const char* type) const { return document().at(all(type).front()); }
-  [[nodiscard]] const Motion& motionOf(const FeatureId& id) const {
-    return *window_->session().view(id)->result->evaluated.shape.get<Motion>();
-  }
   [[nodiscard]] const Motion& now() const { return motionOf(document().at(sweep_).inputs.front()); }
-  static Vec3 vectorOf(const Value& p) { return {p[0].get<double>(), p[1].get<double>(), p[2].get<double>()}; }
-  void keepPictures(const char* name);
-
-  FeatureId source_, sweep_;
-  bool held_ = false;
 };
 
-void SweepFactorsWindowTest::openSample(const char* name) {
-  openAndWait(QString::fromStdString(sample(name).string()));
-  sweep_ = sweep();
-  source_ = document().at(sweep_).inputs.front();
-  window_->view().lookFrom(QStringLiteral("iso"), false);
-  window_->view().fit(false);
-  window_->tree().select(sweep_);
+void SweepFactorsWindowTest::openWithTool(const char* name) {
+  openSample(name);
   startTool();
 }
 
@@ -98,49 +76,22 @@ void SweepFactorsWindowTest::choose(const char* factor) {
   QFAIL(factor);
 }
 
-std::vector<FeatureId> SweepFactorsWindowTest::all(const char* type) const {
-  std::vector<FeatureId> found;
-  for (const auto& feature : document().features())
-    if (feature->type == type) found.push_back(feature->id);
-  return found;
-}
-
-/// Straight to the widget: moves by way of the display arrive in their own time.
-void SweepFactorsWindowTest::send(QWidget* to, QEvent::Type type, const QPointF& at, Qt::KeyboardModifiers modifiers) {
-  const bool moves = type == QEvent::MouseMove;
-  held_ = type == QEvent::MouseButtonPress || (held_ && moves);
-  QMouseEvent event(type, at, to->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
-                    held_ ? Qt::LeftButton : Qt::NoButton, modifiers);
-  QApplication::sendEvent(to, &event);
-}
-
-void SweepFactorsWindowTest::hover(const QPoint& at, const QString& wanted) {
-  const auto over = [&] {
-    send(&window_->view(), QEvent::MouseMove, at);
-    return hint().startsWith(wanted);
-  };
-  QTRY_VERIFY2_WITH_TIMEOUT(over(), qPrintable("the pole cannot be taken hold of: " + hint()), 60000);
-}
-
 void SweepFactorsWindowTest::dragView(const QPoint& from, const QPoint& to) {
-  QWidget* const view = &window_->view();
-  send(view, QEvent::MouseButtonPress, from);
-  for (int k = 1; k <= 6; ++k) send(view, QEvent::MouseMove, from + (to - from) * k / 6);
-  send(view, QEvent::MouseButtonRelease, to);
+  drag(from, to);
   waitUntilEditable();
 }
 
 void SweepFactorsWindowTest::dragIn(QWidget* widget, const QPointF& from, const QPointF& by, bool letGo) {
-  send(widget, QEvent::MouseButtonPress, from);
-  for (int k = 1; k <= 6; ++k) send(widget, QEvent::MouseMove, from + by * k / 6);
-  send(widget, QEvent::MouseMove, from + by);
-  if (letGo) send(widget, QEvent::MouseButtonRelease, from + by);
+  mouseIn(widget, QEvent::MouseButtonPress, from);
+  for (int k = 1; k <= 6; ++k) mouseIn(widget, QEvent::MouseMove, from + by * k / 6);
+  mouseIn(widget, QEvent::MouseMove, from + by);
+  if (letGo) mouseIn(widget, QEvent::MouseButtonRelease, from + by);
   waitUntilComputed();
 }
 
 void SweepFactorsWindowTest::clickIn(QWidget* widget, const QPointF& at, Qt::KeyboardModifiers modifiers) {
-  send(widget, QEvent::MouseButtonPress, at, modifiers);
-  send(widget, QEvent::MouseButtonRelease, at, modifiers);
+  mouseIn(widget, QEvent::MouseButtonPress, at, modifiers);
+  mouseIn(widget, QEvent::MouseButtonRelease, at, modifiers);
   waitUntilComputed();
 }
 
@@ -167,7 +118,7 @@ QPointF SweepFactorsWindowTest::knotAt(bool alongU, double knot) const {
 }
 
 void SweepFactorsWindowTest::aPoleOfTheTrajectoryGoesWithTheMouse() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   choose("Trajectory");
   const Motion before = now();
   const auto swept = window_->session().view(sweep_)->result->evaluated.shape;
@@ -203,7 +154,7 @@ void SweepFactorsWindowTest::aPoleOfTheTrajectoryGoesWithTheMouse() {
 }
 
 void SweepFactorsWindowTest::anAxisKeepsThePoleOnALine() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   choose("Trajectory");
   const Motion before = now();
   const Vec4& h = before.trajectory.poles[1];
@@ -227,7 +178,7 @@ void SweepFactorsWindowTest::anAxisKeepsThePoleOnALine() {
 }
 
 void SweepFactorsWindowTest::aPoleOfTheScalingIsDraggedInTheNet() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   const Motion before = now();
   constexpr int row = 3, column = 2;
   dragIn(net(), poleAt(row, column), {4, -70});
@@ -256,7 +207,7 @@ void SweepFactorsWindowTest::aPoleOfTheScalingIsDraggedInTheNet() {
 }
 
 void SweepFactorsWindowTest::severalPolesAndOneAxis() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   const Motion before = now();
   clickIn(net(), poleAt(1, 1));
   clickIn(net(), poleAt(5, 2), Qt::ControlModifier);
@@ -274,13 +225,13 @@ void SweepFactorsWindowTest::severalPolesAndOneAxis() {
 }
 
 void SweepFactorsWindowTest::escapeTakesADragBack() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   const Document before = document();
   const auto same = [&] { return std::ranges::equal(document().features(), before.features()); };
   dragIn(net(), poleAt(2, 2), {0, -40}, false);
   QVERIFY2(hint().startsWith(QStringLiteral("Let go to scale by")), qPrintable(hint()));
   QTest::keyClick(net(), Qt::Key_Escape);
-  send(net(), QEvent::MouseButtonRelease, poleAt(2, 2) + QPointF(0, -40));
+  mouseIn(net(), QEvent::MouseButtonRelease, poleAt(2, 2) + QPointF(0, -40));
   waitUntilComputed();
   QVERIFY(same());
   QVERIFY(net());  // the tool goes on
@@ -289,17 +240,17 @@ void SweepFactorsWindowTest::escapeTakesADragBack() {
   const Vec4& h = now().trajectory.poles[2];
   const QPoint from = screenOf(Vec3(h.head<3>() / h[3]));
   hover(from, QStringLiteral("Drag to move the pole"));
-  send(&window_->view(), QEvent::MouseButtonPress, from);
-  send(&window_->view(), QEvent::MouseMove, from + QPoint(60, 5));
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, from + QPoint(60, 5));
   QVERIFY2(hint().startsWith(QStringLiteral("Let go to move")), qPrintable(hint()));
   QTest::keyClick(&window_->view(), Qt::Key_Escape);
-  send(&window_->view(), QEvent::MouseButtonRelease, from + QPoint(60, 5));
+  mouse(QEvent::MouseButtonRelease, from + QPoint(60, 5));
   waitUntilComputed();
   QVERIFY(same());
 }
 
 void SweepFactorsWindowTest::orientationTurnsByNumbersAndByTheBall() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   choose("Orientation");
   const Motion before = now();
   clickIn(net(), poleAt(2, 1));
@@ -330,7 +281,7 @@ void SweepFactorsWindowTest::orientationTurnsByNumbersAndByTheBall() {
 }
 
 void SweepFactorsWindowTest::weightsAreTyped() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   choose("Trajectory");
   const Motion before = now();
   clickIn(net(), poleAt(0, 1));
@@ -350,7 +301,7 @@ void SweepFactorsWindowTest::weightsAreTyped() {
 }
 
 void SweepFactorsWindowTest::aClickInTheMarginInsertsAKnot() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   const Motion before = now();
   clickIn(net(), knotAt(true, 0.3));
   const Value parameters = only("sweep.refine").parameters;
@@ -368,7 +319,7 @@ void SweepFactorsWindowTest::aClickInTheMarginInsertsAKnot() {
 }
 
 void SweepFactorsWindowTest::theFactorsOpenTheirEditor() {
-  openSample("cylinder.json");
+  openWithTool("cylinder.json");
   dragIn(net(), poleAt(3, 2), {0, -70});
   waitUntilEditable();
   const FeatureId factors = only("sweep.factors").id;
@@ -391,23 +342,9 @@ void SweepFactorsWindowTest::whatIsNoMotionIsRefused() {
   QVERIFY(!net());
 }
 
-/// Kept where BLOSSOM_PICTURES says, to be looked at.
-void SweepFactorsWindowTest::keepPictures(const char* name) {
-  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
-  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
-    ThemeManager::instance().apply(choice);
-    QVERIFY(!canvas().isNull());
-    const QPixmap picture = window_->grab();
-    QVERIFY(!picture.isNull());
-    const QString theme = choice == ThemeChoice::Light ? QStringLiteral("light") : QStringLiteral("dark");
-    if (!folder.isEmpty())
-      QVERIFY(picture.save(QDir(folder).filePath(QStringLiteral("%1-%2.png").arg(QLatin1String(name), theme))));
-  }
-}
-
 void SweepFactorsWindowTest::theEditorIsSeen() {
   window_->resize(1280, 720);
-  openSample("twisted-tube.json");
+  openWithTool("twisted-tube.json");
   const Look look = Look::dark();
   clickIn(net(), poleAt(2, 2));
   keepPictures("factors-scaling");
@@ -417,7 +354,7 @@ void SweepFactorsWindowTest::theEditorIsSeen() {
   keepPictures("factors-scaling-drag");
   QVERIFY(colored(canvas(), qtColor(look.made)) > 3e-4);
   QTest::keyClick(net(), Qt::Key_Escape);
-  send(net(), QEvent::MouseButtonRelease, poleAt(2, 2));
+  mouseIn(net(), QEvent::MouseButtonRelease, poleAt(2, 2));
   choose("Orientation");
   clickIn(net(), poleAt(1, 2));
   choose("Along u");

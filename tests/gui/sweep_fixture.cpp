@@ -20,13 +20,12 @@ void SweepFixture::openSample(const char* name) {
   window_->view().setFocus();
 }
 
-void SweepFixture::mouse(QEvent::Type type, const QPoint& at, Qt::KeyboardModifiers modifiers) {
+void SweepFixture::mouseIn(QWidget* to, QEvent::Type type, const QPointF& at, Qt::KeyboardModifiers modifiers) {
   const bool moves = type == QEvent::MouseMove;
   held_ = type == QEvent::MouseButtonPress || (held_ && moves);
-  ViewWidget& view = window_->view();
-  QMouseEvent event(type, at, view.mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
+  QMouseEvent event(type, at, to->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
                     held_ ? Qt::LeftButton : Qt::NoButton, modifiers);
-  QApplication::sendEvent(&view, &event);
+  QApplication::sendEvent(to, &event);
 }
 
 void SweepFixture::hover(const QPoint& at) {
@@ -35,6 +34,14 @@ void SweepFixture::hover(const QPoint& at) {
     return !hint().isEmpty() && !hint().startsWith(QStringLiteral("Drag a place"));
   };
   QTRY_VERIFY2_WITH_TIMEOUT(over(), qPrintable("the surface cannot be taken hold of: " + hint()), 60000);
+}
+
+void SweepFixture::hover(const QPoint& at, const QString& wanted) {
+  const auto over = [&] {
+    mouse(QEvent::MouseMove, at);
+    return hint().startsWith(wanted);
+  };
+  QTRY_VERIFY2_WITH_TIMEOUT(over(), qPrintable("what is there cannot be taken hold of: " + hint()), 60000);
 }
 
 void SweepFixture::drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers) {
@@ -51,6 +58,15 @@ QPoint SweepFixture::onTheSide() const {
   return screenOf(Vec3(10 * std::cos(azimuth), 10 * std::sin(azimuth), 21));
 }
 
+QPoint SweepFixture::onABlade() {
+  window_->view().lookFrom(QStringLiteral("top"), false);
+  window_->view().fit(false);
+  Vec3 tip = Vec3::Zero();
+  for (const Vec4& pole : surfaceOf(sweep_).poles)
+    if (const Vec3 p = pole.head<3>() / pole[3]; p.head<2>().norm() > tip.head<2>().norm()) tip = p;
+  return screenOf(Vec3(tip.x() / 2, tip.y() / 2, tip.z()));
+}
+
 std::vector<FeatureId> SweepFixture::all(const char* type) const {
   std::vector<FeatureId> found;
   for (const auto& feature : document().features())
@@ -58,11 +74,11 @@ std::vector<FeatureId> SweepFixture::all(const char* type) const {
   return found;
 }
 
-void SweepFixture::keepPictures(const char* name, const QPoint& at) {
+void SweepFixture::keepPictures(const char* name, std::optional<QPoint> at) {
   const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
   for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
     ThemeManager::instance().apply(choice);
-    mouse(QEvent::MouseMove, at);
+    if (at) mouse(QEvent::MouseMove, *at);
     QVERIFY(!canvas().isNull());
     const QPixmap picture = window_->grab();
     QVERIFY(!picture.isNull());

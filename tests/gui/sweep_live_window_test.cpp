@@ -114,12 +114,7 @@ void SweepLiveWindowTest::theSurfaceLooksAsAtRest() {
 
 void SweepLiveWindowTest::whatWasLetGoStaysUntilItIsComputed() {
   openSample("propeller.json");
-  window_->view().lookFrom(QStringLiteral("top"), false);
-  window_->view().fit(false);
-  Vec3 tip = Vec3::Zero();
-  for (const Vec4& pole : surfaceOf(sweep_).poles)
-    if (const Vec3 p = pole.head<3>() / pole[3]; p.head<2>().norm() > tip.head<2>().norm()) tip = p;
-  const QPoint from = screenOf(Vec3(tip.x() / 2, tip.y() / 2, tip.z()));
+  const QPoint from = onABlade();
   hover(from);
   mouse(QEvent::MouseButtonPress, from);
   mouse(QEvent::MouseMove, from + QPoint(20, 20));

@@ -310,12 +310,7 @@ void SweepWindowTest::anOpenSurfaceIsPulledAtAnEditThatIsSelected() {
 /// Prints what a user feels; what is checked is that the surface follows the mouse.
 void SweepWindowTest::aLargeMotionIsDraggedLive() {
   openSample("propeller.json");
-  window_->view().lookFrom(QStringLiteral("top"), false);
-  window_->view().fit(false);
-  Vec3 tip = Vec3::Zero();
-  for (const Vec4& pole : surfaceOf(sweep_).poles)
-    if (const Vec3 p = pole.head<3>() / pole[3]; p.head<2>().norm() > tip.head<2>().norm()) tip = p;
-  const QPoint from = screenOf(Vec3(tip.x() / 2, tip.y() / 2, tip.z()));  // on a blade
+  const QPoint from = onABlade();
   StallWatch watch;
   hover(from);
   qInfo("figure pull_hover_stall_ms %.1f", watch.overall().wall);

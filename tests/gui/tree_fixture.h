@@ -48,6 +48,11 @@ class TreeFixture : public WindowFixture {
     waitUntilComputed();
   }
 
+  void openChain() {
+    openTestWindow();
+    showChain();
+  }
+
   void waitUntilComputed() { QTRY_VERIFY_WITH_TIMEOUT(!window_->session().evaluating(), 60000); }
 
   [[nodiscard]] const Document& document() const { return window_->session().document(); }

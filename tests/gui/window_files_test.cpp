@@ -1,5 +1,3 @@
-#include <QDragEnterEvent>
-#include <QMimeData>
 #include <QPushButton>
 
 #include "document/storage.h"
@@ -146,18 +144,6 @@ void WindowFilesTest::unsavedChangesAreAskedFor() {
 }
 
 void WindowFilesTest::droppedFilesAreOpenedOrAdded() {
-  const auto drop = [&](const QStringList& files) {
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& file : files) urls << QUrl::fromLocalFile(file);
-    data.setUrls(urls);
-    QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(window_.get(), &enter);
-    if (!enter.isAccepted()) return false;
-    QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(window_.get(), &event);
-    return event.isAccepted();
-  };
   QVERIFY(!drop({}));
   QVERIFY(drop({propeller()}));
   QTRY_VERIFY_WITH_TIMEOUT(!sweep().empty() && !window_->session().evaluating(), 60000);

@@ -1,6 +1,8 @@
 #include "window_fixture.h"
 
 #include <QAbstractButton>
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <limits>
 
 namespace blossom::ui {
@@ -112,6 +114,19 @@ void WindowFixture::answer(QMessageBox::StandardButton button, bool& asked) {
     asked = question != nullptr;
     if (question) question->button(button)->click();
   });
+}
+
+bool WindowFixture::drop(const QStringList& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& file : files) urls << QUrl::fromLocalFile(file);
+  data.setUrls(urls);
+  QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(window_.get(), &enter);
+  if (!enter.isAccepted()) return false;
+  QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QApplication::sendEvent(window_.get(), &event);
+  return event.isAccepted();
 }
 
 void WindowFixture::exportAs(const char* format, const QString& file, const Value& options) {

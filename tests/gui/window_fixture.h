@@ -69,6 +69,9 @@ class WindowFixture : public QObject {
   void moveTo(const Vec3& p) { test::moveMouse(&window_->view(), screenOf(p)); }
   void clickAt(const Vec3& p, Qt::KeyboardModifiers modifiers = {});
 
+  /// Files dragged onto the window from another program. @returns whether it takes them.
+  bool drop(const QStringList& files);
+
   /// Answers the next question by the button given; `asked` tells that there was one.
   void answer(QMessageBox::StandardButton button, bool& asked);
 

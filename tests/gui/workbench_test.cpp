@@ -1,5 +1,3 @@
-#include <QDragEnterEvent>
-#include <QMimeData>
 #include <atomic>
 
 #include "document/storage.h"
@@ -26,20 +24,9 @@ class WorkbenchTest : public WindowFixture {
   void theStateOfTheViewBelongsToTheTab();
 
  private:
-  bool drop(const QString& file);
   [[nodiscard]] Vec3 centreOfTop(const FeatureId&) const;
   StallWatch stalls_;
 };
-
-bool WorkbenchTest::drop(const QString& file) {
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(file)});
-  QDragEnterEvent enter(QPoint(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &enter);
-  QDropEvent event(QPointF(500, 400), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(window_.get(), &event);
-  return enter.isAccepted() && event.isAccepted();
-}
 
 Vec3 WorkbenchTest::centreOfTop(const FeatureId& id) const {
   const Bounds box = bounds(window_->session().view(id)->result->evaluated.shape);
@@ -47,7 +34,7 @@ Vec3 WorkbenchTest::centreOfTop(const FeatureId& id) const {
 }
 
 void WorkbenchTest::aSittingFromDropToSave() {
-  QVERIFY(drop(propeller()));
+  QVERIFY(drop({propeller()}));
   QTRY_VERIFY_WITH_TIMEOUT(!sweep().empty() && !window_->session().evaluating(), 60000);
   const FeatureId surface = sweep();
   window_->tree().select(surface);

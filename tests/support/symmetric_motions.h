@@ -1,8 +1,8 @@
 #pragma once
 #include <Eigen/Geometry>
 
-#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
+#include "support/motion_samples.h"
 #include "support/motion_sizes.h"
 #include "support/motions.h"
 #include "support/support.h"
@@ -10,10 +10,6 @@
 
 /// How far the copies of a motion's parts are from copies; for tests of the plugin sweep.
 namespace blossom::test {
-
-inline Motion readMotionOf(const char* name) {
-  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
-}
 
 inline Vec3 anyVector(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};

@@ -83,6 +83,14 @@ class CoreTest : public QObject {
       QVERIFY2(printed <= value && printed >= 0.9 * value, qPrintable(QString::number(value, 'g', 17)));
     }
   }
+  void placesHaveTheDigitsThatHelp() {
+    const Vec3 place(123.4567, -0.04, 1e-12);
+    QCOMPARE(placeText(place), std::string("(123.457, -0.04, 0)"));
+    QCOMPARE(placeText(place, 250, 4), std::string("(123.5, 0, 0)"));
+    QCOMPARE(placeText(place, 250, 5), std::string("(123.46, -0.04, 0)"));
+    QCOMPARE(placeText(place, 99, 4), std::string("(123.46, -0.04, 0)"));
+    QCOMPARE(placeText(place, 0, 4), placeText(place));  // of no size: all digits
+  }
   void errorNamesRoundTrip() {
     std::set<std::string_view> names;
     for (int code = 0; code <= static_cast<int>(ErrorCode::Internal); ++code) {

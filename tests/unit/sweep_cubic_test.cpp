@@ -1,5 +1,5 @@
-#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
+#include "support/motion_samples.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"
@@ -11,10 +11,6 @@ using namespace blossom::test;
 using namespace blossom::sweep;
 
 namespace {
-
-Motion readSample(const char* name) {
-  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
-}
 
 Curve toCurve(const CubicBreaks& breaks, const Rows& poles) {
   Curve curve{3, breaks.knots(), {}};
@@ -81,7 +77,7 @@ class SweepCubicTest : public QObject {
   void keepsItsTolerance() {
     QFETCH(QString, name);
     QFETCH(double, tolerance);
-    const Motion motion = readSample(qPrintable(name));
+    const Motion motion = readMotionOf(qPrintable(name));
     const CubicResult cubic = approximateCubic(motion, {.tolerance = tolerance});
     validate(cubic.surface);
     QVERIFY(cubic.deviation <= tolerance);
@@ -97,14 +93,14 @@ class SweepCubicTest : public QObject {
 
   void halvingTheSpansGainsAFactorSixteen() {
     // Fourth order: the error of C2 cubic interpolation.
-    const Motion motion = readSample("torus.json");
+    const Motion motion = readMotionOf("torus.json");
     const double coarse = approximateCubic(motion, {.tolerance = 1e-2}).deviation,
                  fine = approximateCubic(motion, {.tolerance = coarse * 0.9}).deviation;
     QVERIFY2(coarse / fine > 12 && coarse / fine < 20, qPrintable(QString::number(coarse / fine)));
   }
 
   void closedMotionsCloseExactly() {
-    const CubicResult cubic = approximateCubic(readSample("propeller.json"), {.tolerance = 1e-2});
+    const CubicResult cubic = approximateCubic(readMotionOf("propeller.json"), {.tolerance = 1e-2});
     const Surface& s = cubic.surface;
     for (std::size_t j = 0; j < s.countV(); ++j) QVERIFY(s.pole(0, j) == s.pole(s.countU() - 1, j));
     for (std::size_t i = 4; i + 4 < s.knotsU.size(); ++i) QVERIFY(s.knotsU[i] < s.knotsU[i + 1]);
@@ -125,11 +121,11 @@ class SweepCubicTest : public QObject {
   }
 
   void impossibleToleranceIsRefused() {
-    VERIFY_ERROR(approximateCubic(readSample("propeller.json"), {.tolerance = 1e-9, .maximumSpans = 200}),
+    VERIFY_ERROR(approximateCubic(readMotionOf("propeller.json"), {.tolerance = 1e-9, .maximumSpans = 200}),
                  ErrorCode::LimitExceeded);
     CancelToken token;
     token.cancel();
-    VERIFY_ERROR(approximateCubic(readSample("propeller.json"), {}, Progress(token)), ErrorCode::Cancelled);
+    VERIFY_ERROR(approximateCubic(readMotionOf("propeller.json"), {}, Progress(token)), ErrorCode::Cancelled);
   }
 };
 

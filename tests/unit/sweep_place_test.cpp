@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "exchange/formats.h"
+#include "support/motion_samples.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/grid/motion_grid.h"
@@ -17,10 +17,6 @@ using namespace blossom::sweep;
 namespace {
 
 constexpr std::size_t cells = 300;
-
-Motion sampleMotion(const char* name) {
-  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
-}
 
 LiveGrid gridOf(const Motion& motion, std::size_t count) {
   return {motion, evenParameters(motion.domainU(), count), evenParameters(motion.domainV(), count)};
@@ -105,7 +101,7 @@ class SweepPlaceTest : public QObject {
   void samplesAgreeWithADenseSearch() {
     auto random = seededRandom();
     for (const char* name : {"cylinder.json", "torus.json", "helicoid.json", "twisted-tube.json", "propeller.json"}) {
-      const Compared compared = compare(sampleMotion(name), random, 24);
+      const Compared compared = compare(readMotionOf(name), random, 24);
       QVERIFY2(compared.rays >= 6, name);
       QVERIFY2(compared.off == 0, name);
     }
@@ -126,7 +122,7 @@ class SweepPlaceTest : public QObject {
 
   /// The parameters themselves, on a cylinder of radius 10 about z where they are known by the angle.
   void aPlaceAcrossTheSeamIsFound() {
-    const Motion motion = sampleMotion("cylinder.json");
+    const Motion motion = readMotionOf("cylinder.json");
     const LiveGrid grid = gridOf(motion, 128);
     const PlaceFinder finder(grid);
     for (int k = 0; k <= 40; ++k) {
@@ -143,7 +139,7 @@ class SweepPlaceTest : public QObject {
   }
 
   void aRayPastTheSurfaceFindsNothing() {
-    const Motion motion = sampleMotion("cylinder.json");
+    const Motion motion = readMotionOf("cylinder.json");
     const LiveGrid grid = gridOf(motion, 64);
     const PlaceFinder finder(grid);
     QVERIFY(!finder.find({Vec3(50, 0, 60), Vec3(-1, 0, 0)}));

@@ -5,13 +5,13 @@
 
 #include <Eigen/Geometry>
 
-#include "exchange/formats.h"
 #include "geometry/measure/measure.h"
+#include "support/motion_integrals.h"
+#include "support/motion_samples.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/cubic_approximation.h"
-#include "sweep/kernel/grid/motion_grid.h"
 #include "sweep/kernel/product_surface.h"
 #include "sweep/kernel/solid.h"
 
@@ -21,35 +21,6 @@ using namespace blossom::sweep;
 using std::numbers::pi;
 
 namespace {
-
-Motion readSample(const char* name) {
-  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
-}
-
-/// Integral over the surface of f(point, x_u cross x_v) by Gauss's rule with five nodes in every span.
-template <class F>
-double integrate(const Motion& motion, int parts, F f) {
-  constexpr double node[5] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
-  constexpr double weight[5] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
-                                0.2369268850561891};
-  const auto nodes = [&](std::pair<double, double> domain) {
-    std::vector<double> result;
-    const double h = (domain.second - domain.first) / parts;
-    for (int i = 0; i < parts; ++i)
-      for (const double x : node) result.push_back(domain.first + h * (i + (1 + x) / 2));
-    return result;
-  };
-  const auto us = nodes(motion.domainU()), vs = nodes(motion.domainV());
-  MotionGrid grid;
-  evaluateGrid(motion, us, vs, grid, GridDerivatives::Yes);
-  double sum = 0;
-  for (std::size_t k = 0; k < us.size(); ++k)
-    for (std::size_t l = 0; l < vs.size(); ++l)
-      sum += weight[k % 5] * weight[l % 5] * f(grid.pointAt(k, l), Vec3(grid.duAt(k, l).cross(grid.dvAt(k, l))));
-  const auto [u0, u1] = motion.domainU();
-  const auto [v0, v1] = motion.domainV();
-  return sum * (u1 - u0) * (v1 - v0) / (4.0 * parts * parts);
-}
 
 /// A tube that closes in u: circles whose radius is the spline `radii` over v, along z.
 Motion tube(const std::vector<double>& radii, double lean) {
@@ -109,7 +80,7 @@ class SweepSolidTest : public QObject {
   }
 
   void cylinderHasItsVolume() {
-    const Motion motion = readSample("cylinder.json");
+    const Motion motion = readMotionOf("cylinder.json");
     const double wanted = pi * 100 * 40;
     // Divergence theorem with the field (x, y, 0) / 2, to which the planar caps add nothing.
     const double volume =
@@ -123,9 +94,9 @@ class SweepSolidTest : public QObject {
   }
 
   void torusHasItsVolume() {
-    const Motion motion = readSample("torus.json");
+    const Motion motion = readMotionOf("torus.json");
     const double wanted = 2 * pi * pi * 30 * 100;
-    const double volume = integrate(motion, 32, [](const Vec3& p, const Vec3& n) { return p.dot(n) / 3; });
+    const double volume = volumeEnclosed(motion, 32);
     COMPARE_NEAR(std::abs(volume), wanted, 1e-9 * wanted);
     const SolidResult solid = makeSolid(productSurface(motion).surface);
     verifySolid(solid);
@@ -137,7 +108,7 @@ class SweepSolidTest : public QObject {
     // Two turns of pitch 20: sqrt(rho^2 + c^2) integrated over rho from 0 to 25 and the angle, c = 20 / 2 pi.
     const double c = 20 / (2 * pi), r = 25;
     const double wanted = 4 * pi * (r * std::hypot(r, c) + c * c * std::asinh(r / c)) / 2;
-    const double area = integrate(readSample("helicoid.json"), 64, [](const Vec3&, const Vec3& n) { return n.norm(); });
+    const double area = integrate(readMotionOf("helicoid.json"), 64, [](const Vec3&, const Vec3& n) { return n.norm(); });
     COMPARE_NEAR(area, wanted, 1e-8 * wanted);
   }
 
@@ -148,7 +119,7 @@ class SweepSolidTest : public QObject {
   }
   void samplesAreValidSolids() {
     QFETCH(QString, name);
-    const Motion motion = readSample(qPrintable(name));
+    const Motion motion = readMotionOf(qPrintable(name));
     const SolidResult exact = makeSolid(productSurface(motion).surface);
     verifySolid(exact);
     const SolidResult cubic = makeSolid(approximateCubic(motion, {.tolerance = 1e-3}).surface);
@@ -200,7 +171,7 @@ class SweepSolidTest : public QObject {
   }
 
   void openSurfaceIsNoBody() {
-    VERIFY_ERROR(makeSolid(productSurface(readSample("helicoid.json")).surface), ErrorCode::InvalidInput);
+    VERIFY_ERROR(makeSolid(productSurface(readMotionOf("helicoid.json")).surface), ErrorCode::InvalidInput);
   }
 };
 

@@ -7,11 +7,12 @@
 #include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
 #include "geometry/measure/measure.h"
+#include "support/motion_integrals.h"
+#include "support/motion_samples.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"
 #include "sweep/kernel/edit/direct_manipulation.h"
-#include "sweep/kernel/grid/motion_grid.h"
 #include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/product_surface.h"
 #include "sweep/kernel/solid.h"
@@ -70,10 +71,6 @@ Motion plainMotion(int degreeV, const std::vector<std::vector<Vec4>>& quaternion
   return motion;
 }
 
-Motion readMotionSample(const char* name) {
-  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
-}
-
 /// A motion that closes in u with so few rows that its basis functions overlap more often than there are rows.
 Motion fewRows(Random& random, ClosedU closed, std::size_t rows) {
   Motion motion = randomMotion(random, ClosedU::No, true);
@@ -93,30 +90,6 @@ Motion fewRows(Random& random, ClosedU closed, std::size_t rows) {
   motion.scaling = surface(motion.scaling, 1, [&](double) { return randomScale(random); });
   validate(motion);
   return motion;
-}
-
-/// Volume enclosed by a motion that closes both ways, by the divergence theorem: Gauss's rule in equal parts.
-double volumeEnclosed(const Motion& motion, int parts) {
-  constexpr double node[5] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
-  constexpr double weight[5] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
-                                0.2369268850561891};
-  const auto nodes = [&](std::pair<double, double> domain) {
-    std::vector<double> result;
-    const double h = (domain.second - domain.first) / parts;
-    for (int i = 0; i < parts; ++i)
-      for (const double x : node) result.push_back(domain.first + h * (i + (1 + x) / 2));
-    return result;
-  };
-  const auto us = nodes(motion.domainU()), vs = nodes(motion.domainV());
-  MotionGrid grid;
-  evaluateGrid(motion, us, vs, grid, GridDerivatives::Yes);
-  double sum = 0;
-  for (std::size_t k = 0; k < us.size(); ++k)
-    for (std::size_t l = 0; l < vs.size(); ++l)
-      sum += weight[k % 5] * weight[l % 5] * grid.pointAt(k, l).dot(grid.duAt(k, l).cross(grid.dvAt(k, l)));
-  const auto [u0, u1] = motion.domainU();
-  const auto [v0, v1] = motion.domainV();
-  return std::abs(sum) / 3 * (u1 - u0) * (v1 - v0) / (4.0 * parts * parts);
 }
 
 double solidVolume(const SolidResult& result) {
@@ -167,7 +140,7 @@ class SweepSoundTest : public QObject {
   }
 
   void aTubeThatCrossesItselfIsRefusedWithItsPlace() {
-    Motion motion = readMotionSample("twisted-tube.json");
+    Motion motion = readMotionOf("twisted-tube.json");
     (void)makeSolid(productSurface(motion).surface);
     for (Vec4& pole : motion.scaling.poles) pole.head<3>() *= 6;
     Vec3 place = Vec3::Zero();
@@ -314,11 +287,11 @@ class SweepSoundTest : public QObject {
 
   void aRingClosesWhateverTheLengthsOfItsQuaternions() {
     for (const double length : {1.0, 2.0, 0.5, 7.0}) {
-      Motion motion = readMotionSample("torus.json");
+      Motion motion = readMotionOf("torus.json");
       Surface& r = motion.orientation;
       for (std::size_t i = 0; i < r.countU(); ++i) r.pole(i, r.countV() - 1) *= length;
       // The last sections are turned between other neighbours, so that only the plain torus has the volume of one.
-      const double wanted = volumeEnclosed(motion, 128);
+      const double wanted = std::abs(volumeEnclosed(motion, 128));
       if (length == 1) COMPARE_NEAR(wanted, 2 * pi * pi * 30 * 100, 1e-8 * wanted);
       const SolidResult solid = makeSolid(productSurface(motion).surface);
       QCOMPARE(solid.start, EndCap::None);

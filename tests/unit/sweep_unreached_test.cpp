@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
+#include "support/motion_samples.h"
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/edit/pull.h"
@@ -15,10 +15,6 @@ using namespace blossom::test;
 using namespace blossom::sweep;
 
 namespace {
-
-Motion readMotionOf(const char* name) {
-  return *motionFormat().read(sample(name), Value::object(), Progress::none()).shape.get<Motion>();
-}
 
 bool says(const EditResult& result, Unreached why) {
   return std::any_of(result.obstacles.begin(), result.obstacles.end(), [&](const Obstacle& each) {

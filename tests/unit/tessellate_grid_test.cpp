@@ -14,10 +14,10 @@
 #include <TopoDS_Compound.hxx>
 #include <numbers>
 
-#include "exchange/formats.h"
 #include "geometry/mesh/mesh_topology.h"
 #include "geometry/occt/grid_face.h"
 #include "support/exchange.h"
+#include "support/motion_samples.h"
 #include "support/solids.h"
 #include "support/support.h"
 #include "sweep/kernel/cubic_approximation.h"
@@ -31,12 +31,8 @@ namespace {
 
 using std::numbers::pi;
 
-Motion readSample(const std::string& name) {
-  return *motionFormat().read(sample(name + ".json"), Value::object(), Progress::none()).shape.get<Motion>();
-}
-
 TopoDS_Shape exactSolid(const std::string& name) {
-  return sweep::makeSolid(sweep::productSurface(readSample(name)).surface).solid;
+  return sweep::makeSolid(sweep::productSurface(readMotionOf(name + ".json")).surface).solid;
 }
 
 /// A ball as one face with two poles and a seam.
@@ -150,7 +146,7 @@ class TessellateGridTest : public QObject {
     QFETCH(QString, name);
     QFETCH(bool, cubic);
     QFETCH(int, genus);
-    const Motion motion = readSample(name.toStdString());
+    const Motion motion = readMotionOf(name.toStdString() + ".json");
     const Surface surface = cubic ? sweep::approximateCubic(motion).surface : sweep::productSurface(motion).surface;
     const TopoDS_Shape solid = sweep::makeSolid(surface).solid;
     for (const double chord : {0.2, 0.05}) {

@@ -5,7 +5,6 @@
 #include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QKeyEvent>
-#include <QStyle>
 #include <QToolButton>
 
 #include "core/error.h"
@@ -14,6 +13,7 @@
 #include "ui/look/icons.h"
 #include "ui/look/popup_menu.h"
 #include "ui/look/registry_text.h"
+#include "ui/look/restyle.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
 
@@ -29,13 +29,6 @@ QString reason(const ParameterSpec& spec, const Error& error) {
   const QString name = qt(label(spec)) + QStringLiteral(": ");
   if (text.startsWith(name)) text.remove(0, name.size());
   return sentenceCase(text);
-}
-
-void restyle(QWidget* widget, const char* property, bool on) {
-  if (widget->property(property).toBool() == on) return;
-  widget->setProperty(property, on);
-  widget->style()->unpolish(widget);
-  widget->style()->polish(widget);
 }
 
 QLabel* hiddenLine(const char* name) {

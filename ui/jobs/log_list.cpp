@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t maximumEntries = 2000;
 
-QString sentenceOf(const Error& error) {
-  return error.hint().empty() ? qt(error.message()) : qt(error.message()) + u' ' + qt(error.hint());
-}
-
 }  // namespace
 
 void LogList::watch(DocumentPage& page) {
@@ -51,7 +47,7 @@ void LogList::addResults(const DocumentPage& page) {
     QStringList words;
     for (const std::string& warning : view->result->evaluated.warnings) words << qt(warning);
     const bool failed = view->result->error.has_value();
-    if (failed) words = {sentenceOf(*view->result->error)};
+    if (failed) words = {saidInFull(*view->result->error)};
     const QString all = words.join(u' ');
     if (std::exchange(said[feature->id], all) == all || all.isEmpty()) continue;
     add(failed ? Level::Error : Level::Warning, document, QStringLiteral("%1: %2").arg(qt(feature->name), all));

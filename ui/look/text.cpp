@@ -71,6 +71,10 @@ double inShownUnit(double value, MeasureUnit unit) {
   return value / std::pow(lengthUnit().millimetres, power);
 }
 
+QString saidInFull(std::string_view what, std::string_view remedy) {
+  return remedy.empty() ? qt(what) : qt(what) + u' ' + qt(remedy);
+}
+
 QString readable(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? QStringLiteral("not a number") : QStringLiteral("∞");
   if (value == 0) return QStringLiteral("0");

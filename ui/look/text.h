@@ -3,12 +3,17 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.h"
 #include "geometry/measure/measure.h"
 #include "parameter/value.h"
 
 namespace blossom::ui {
 
 inline QString qt(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
+/// What happened, and what to do about it where that is known, in one line.
+QString saidInFull(std::string_view what, std::string_view remedy);
+inline QString saidInFull(const Error& error) { return saidInFull(error.message(), error.hint()); }
 
 /// "1 842.6": at most `digits` significant digits after the integer part has been kept whole, thin spaces between thousands.
 QString readable(double value, int digits = 5);

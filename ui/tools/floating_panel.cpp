@@ -1,6 +1,7 @@
 #include "ui/tools/floating_panel.h"
 
 #include <QEvent>
+#include <QToolButton>
 #include <algorithm>
 
 namespace blossom::ui {
@@ -13,6 +14,15 @@ FloatingPanel::FloatingPanel(QWidget* view, Place place) : QFrame(view), place_(
   setObjectName(QStringLiteral("toolPanel"));
   setCursor(Qt::ArrowCursor);
   if (view) view->installEventFilter(this);
+}
+
+QToolButton* FloatingPanel::textButton(const QString& text, const QString& help) {
+  auto* made = new QToolButton;
+  made->setText(text);
+  made->setToolTip(help);
+  made->setAccessibleName(help);
+  made->setFocusPolicy(Qt::StrongFocus);
+  return made;
 }
 
 void FloatingPanel::settle() {

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "core/units.h"
 #include "ui/controls/groove_slider.h"
 #include "ui/look/icons.h"
+#include "ui/look/restyle.h"
 #include "ui/look/text.h"
 #include "ui/look/units.h"
 
@@ -23,21 +23,6 @@ namespace blossom::ui {
 namespace {
 
 constexpr int sliderSteps = 1000;
-
-QToolButton* textButton(const QString& text, const QString& help) {
-  auto* made = new QToolButton;
-  made->setText(text);
-  made->setToolTip(help);
-  made->setAccessibleName(help);
-  made->setFocusPolicy(Qt::StrongFocus);
-  return made;
-}
-
-void markWrong(QLineEdit* field, bool wrong) {
-  field->setProperty("wrong", wrong);
-  field->style()->unpolish(field);
-  field->style()->polish(field);
-}
 
 }  // namespace
 
@@ -116,11 +101,11 @@ void SectionPanel::type() {
   text.remove(QChar(0x2009)).replace(QChar(0x2212), u'-');
   try {
     const double value = parseLength(text.toStdString(), lengthUnit());
-    markWrong(offset_, false);
+    restyle(offset_, "wrong", false);
     problem_->hide();
     emit offsetChosen(value);
   } catch (const Error& error) {
-    markWrong(offset_, true);
+    restyle(offset_, "wrong", true);
     problem_->setText(qt(error.message()));
     problem_->show();
     offset_->setText(readableLength(shown_));

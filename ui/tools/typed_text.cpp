@@ -10,7 +10,20 @@ void TypedText::open(const QString& present) {
   selected_ = !present.isEmpty();
 }
 
-bool TypedText::key(const QKeyEvent& event) {
+TypedKey TypedText::key(const QKeyEvent& event) {
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return TypedKey::Other;
+  switch (event.key()) {
+    case Qt::Key_Escape:
+      return TypedKey::Leave;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return TypedKey::Take;
+    default:
+      return change(event) ? TypedKey::Text : TypedKey::Other;
+  }
+}
+
+bool TypedText::change(const QKeyEvent& event) {
   switch (event.key()) {
     case Qt::Key_Left:
     case Qt::Key_Right:

@@ -5,13 +5,21 @@ class QKeyEvent;
 
 namespace blossom::ui {
 
+/// What a key is to a text that is typed in the view.
+enum class TypedKey {
+  Other,  ///< not for the text
+  Text,   ///< it has changed the text, or left its selection
+  Take,   ///< the text is ready: Enter
+  Leave,  ///< everything is to stay as it is: Esc
+};
+
 /// What is typed in the view: it begins with the present text, selected, so that the first key takes its place; an arrow
 /// key, Home or End keeps it to be added to.
 class TypedText {
  public:
   void open(const QString& present);
-  /// Of a printable character, Backspace and the keys that leave the selection. @returns whether it was one of these.
-  bool key(const QKeyEvent&);
+  /// Takes printable characters, Backspace and the keys that leave the selection, none of them with Ctrl, Alt or Meta.
+  TypedKey key(const QKeyEvent&);
 
   [[nodiscard]] const QString& text() const { return text_; }
   [[nodiscard]] bool selected() const { return selected_; }
@@ -19,6 +27,8 @@ class TypedText {
   [[nodiscard]] bool unchanged() const { return text_.trimmed().isEmpty() || text_ == present_; }
 
  private:
+  bool change(const QKeyEvent&);
+
   QString present_, text_;
   bool selected_ = false;
 };

@@ -2,7 +2,6 @@
 
 #include <vtkProp.h>
 
-#include <QKeyEvent>
 #include <utility>
 
 #include "manipulators/tool_paint.h"
@@ -72,11 +71,7 @@ bool DragTool::move(const ui::ToolEvent& event) {
   return taken || (pointed_ && event.button == Qt::NoButton);
 }
 
-bool DragTool::key(const QKeyEvent& event) {
-  if (!typing_) return HandleTool::key(event);
-  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
-  return typingKey(event);
-}
+bool DragTool::key(const QKeyEvent& event) { return typing_ ? typingKey(event) : HandleTool::key(event); }
 
 bool DragTool::take(std::size_t handle, const ui::ToolEvent& /*event*/) {
   load();

@@ -1,5 +1,4 @@
 // The sizes beside the shape of a DragTool, and their being typed.
-#include <QKeyEvent>
 #include <QSizeF>
 #include <cmath>
 
@@ -91,18 +90,11 @@ void DragTool::stopTyping() {
 }
 
 bool DragTool::typingKey(const QKeyEvent& event) {
+  const ui::TypedKey key = entry_.key(event);
+  if (key == ui::TypedKey::Other) return false;
   refusal_.clear();
-  switch (event.key()) {
-    case Qt::Key_Escape:
-      stopTyping();
-      break;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      takeTyped();
-      break;
-    default:
-      if (!entry_.key(event)) return false;
-  }
+  if (key == ui::TypedKey::Leave) stopTyping();
+  if (key == ui::TypedKey::Take) takeTyped();
   emit changed();
   return true;
 }

@@ -120,16 +120,9 @@ struct Cap {
   TopoDS_Face face;
 };
 
-/// As many digits as help to find a place.
-double rounded(double x, double size) {
-  const double unit = std::pow(10, std::floor(std::log10(size)) - 3);
-  return std::round(x / unit) * unit + 0.0;
-}
-
 /// @param why follows the place: "."
 Error crossingAt(const Vec3& at, double size, const std::string& why, const char* remedy) {
-  const Vec3 place(rounded(at.x(), size), rounded(at.y(), size), rounded(at.z(), size));
-  return Error(ErrorCode::Degenerate, fmt::format("The swept solid crosses itself near {}{}", placeText(place), why),
+  return Error(ErrorCode::Degenerate, fmt::format("The swept solid crosses itself near {}{}", placeText(at, size, 4), why),
                remedy);
 }
 

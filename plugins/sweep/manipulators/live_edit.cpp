@@ -4,14 +4,11 @@
 
 #include "core/error.h"
 #include "kernel/edit/apply_edits.h"
+#include "ui/look/text.h"
 
 namespace blossom::sweep {
 
 namespace {
-
-QString sentences(const std::string& what, const std::string& remedy) {
-  return QString::fromStdString(remedy.empty() ? what : what + " " + remedy);
-}
 
 /// What least squares leave of it is as little as can be.
 bool isShared(const Obstacle& obstacle) { return obstacle.why == Unreached::TooClose || obstacle.why == Unreached::Pinned; }
@@ -31,14 +28,14 @@ void LiveEdit::show(const Motion& base, const MotionEdit& edit) {
     judge(result);
   } catch (const Error& error) {
     mesh_.update(grid_.grid(), grid_.update(before_->motion()));
-    reason_ = sentences(error.message(), error.hint());
+    reason_ = ui::saidInFull(error);
   }
 }
 
 void LiveEdit::judge(const EditResult& result) {
   if (result.obstacles.empty()) return;
   const Explanation reason = explain(result.obstacles.front());
-  reason_ = sentences(reason.what, reason.remedy);
+  reason_ = ui::saidInFull(reason.what, reason.remedy);
   nearest_ = std::all_of(result.obstacles.begin(), result.obstacles.end(), isShared);
   remainder_ = result.remainder;
 }

@@ -25,7 +25,7 @@ bool SurfacePullTool::key(const QKeyEvent& event) {
 /// After an edit the surface takes a moment to be ready for the next one. Who goes on meanwhile does not mean the keys of
 /// the view.
 bool SurfacePullTool::keyWhilePreparing(int key) {
-  if (!overSurface_ || wanted_.empty() || !mode_.key(key)) return false;
+  if (!overSurface_ || loader_.wanted().empty() || !mode_.key(key)) return false;
   emit changed();
   return true;
 }
@@ -56,19 +56,11 @@ void SurfacePullTool::startTyping() {
 }
 
 bool SurfacePullTool::typingKey(const QKeyEvent& event) {
-  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
-  switch (event.key()) {
-    case Qt::Key_Escape:
-      stopTyping();
-      break;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      takeTyped();
-      break;
-    default:
-      if (!entry_->key(event)) return false;
-      followTyped();
-  }
+  const ui::TypedKey key = entry_->key(event);
+  if (key == ui::TypedKey::Other) return false;
+  if (key == ui::TypedKey::Leave) stopTyping();
+  if (key == ui::TypedKey::Take) takeTyped();
+  if (key == ui::TypedKey::Text) followTyped();
   emit changed();
   return true;
 }

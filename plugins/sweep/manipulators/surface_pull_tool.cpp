@@ -13,30 +13,12 @@ SurfacePullTool::SurfacePullTool(ui::ToolHost& toolHost, FeatureId feature) : Ha
   load();
 }
 
-SurfacePullTool::~SurfacePullTool() { loading_.cancel(); }
-
 void SurfacePullTool::load() {
   if (lingering_ && lingering_->over(host())) lingering_.reset();
   placement_ = editPlacement(host(), feature());
   last_ = placement_ ? lastEdit(host(), *placement_) : std::nullopt;
   const Shape motion = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
-  if (motion.get<Motion>() == wanted_.get<Motion>()) return;
-  wanted_ = motion;
-  loading_.cancel();
-  loading_ = {};
-  show(nullptr);
-  if (motion.empty()) return;
-  thread_.start([this, motion, token = loading_] {
-    std::shared_ptr<const LiveSurface> made;
-    try {
-      made = liveSurface(motion, Progress(token));
-    } catch (const std::exception&) {
-      return;  // the features made from the motion tell what is wrong with it
-    }
-    here_.post([this, token, made = std::move(made)] {
-      if (!token.cancelled()) show(made);
-    });
-  });
+  if (loader_.load(motion)) show(nullptr);
 }
 
 void SurfacePullTool::show(std::shared_ptr<const LiveSurface> surface) {

@@ -7,9 +7,8 @@
 #include "manipulators/lingering_picture.h"
 #include "manipulators/pull_grip.h"
 #include "manipulators/pull_mode.h"
+#include "manipulators/surface_loader.h"
 #include "manipulators/typed_goal.h"
-#include "ui/thread/background.h"
-#include "ui/thread/mailbox.h"
 #include "ui/tools/handle_tool.h"
 
 namespace blossom::sweep {
@@ -24,7 +23,6 @@ class SurfacePullTool : public ui::HandleTool {
   Q_OBJECT
  public:
   SurfacePullTool(ui::ToolHost&, FeatureId);
-  ~SurfacePullTool() override;
 
   [[nodiscard]] QString hint() const override;
   bool press(const ui::ToolEvent&) override;
@@ -77,7 +75,6 @@ class SurfacePullTool : public ui::HandleTool {
   PullMode mode_;
   std::optional<EditPlacement> placement_;
   std::optional<LastEdit> last_;
-  Shape wanted_;  ///< the motion whose surface is shown, or being prepared
   std::shared_ptr<const LiveSurface> surface_;
   ChosenPlaces chosen_;
   std::optional<PullGrip> under_;   ///< what is under the mouse
@@ -91,9 +88,7 @@ class SurfacePullTool : public ui::HandleTool {
   QPointF pressedAt_;
   bool dragged_ = false;
 
-  CancelToken loading_;  ///< cancels work in the background that is no longer needed
-  ui::Mailbox here_;
-  ui::Background thread_;  // ends first
+  SurfaceLoader loader_{[this](std::shared_ptr<const LiveSurface> surface) { show(std::move(surface)); }};
 };
 
 }  // namespace blossom::sweep

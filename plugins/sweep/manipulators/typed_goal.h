@@ -16,7 +16,7 @@ class GoalEntry {
   static GoalEntry ofPoint(const ui::ToolHost&, const Vec3& present);
   static GoalEntry ofAngle(double presentDegrees);
 
-  bool key(const QKeyEvent& event) { return text_.key(event); }
+  ui::TypedKey key(const QKeyEvent& event) { return text_.key(event); }
 
   struct Goal {
     Vec3 point = Vec3::Zero();

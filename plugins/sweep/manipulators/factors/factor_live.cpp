@@ -1,6 +1,7 @@
 #include "manipulators/factors/factor_live.h"
 
 #include "core/error.h"
+#include "ui/look/text.h"
 
 namespace blossom::sweep {
 
@@ -14,7 +15,7 @@ void FactorLive::show(const FactorChanges& changes) {
     mesh_.update(grid_.grid(), grid_.update(withChangedFactors(before_->motion(), changes).motion));
   } catch (const Error& error) {
     mesh_.update(grid_.grid(), grid_.update(before_->motion()));
-    reason_ = QString::fromStdString(error.hint().empty() ? error.message() : error.message() + " " + error.hint());
+    reason_ = ui::saidInFull(error);
   }
 }
 

@@ -6,35 +6,19 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "manipulators/factors/comb_plot.h"
 #include "manipulators/factors/turn_ball.h"
 #include "ui/controls/number_line.h"
+#include "ui/look/restyle.h"
 
 namespace blossom::sweep {
 
 namespace {
 
 constexpr int panelWidth = 344;  // the row of buttons at the foot has room in every language
-
-QToolButton* checkButton(const QString& text, const QString& help) {
-  auto* made = new QToolButton;
-  made->setText(text);
-  made->setToolTip(help);
-  made->setAccessibleName(text);
-  made->setCheckable(true);
-  made->setFocusPolicy(Qt::StrongFocus);
-  return made;
-}
-
-void markWrong(QLineEdit* field, bool wrong) {
-  field->setProperty("wrong", wrong);
-  field->style()->unpolish(field);
-  field->style()->polish(field);
-}
 
 }  // namespace
 
@@ -61,6 +45,13 @@ FactorsPanel::FactorsPanel(QWidget* view)
   connect(set_, &QPushButton::clicked, this, [this] { emit turnWanted(true); });
   for (QToolButton* each : {frames_, iso_, combs_}) connect(each, &QToolButton::clicked, this, &FactorsPanel::displayChosen);
   setFactor(factor_);
+}
+
+QToolButton* FactorsPanel::checkButton(const QString& text, const QString& help) {
+  QToolButton* const made = textButton(text, help);
+  made->setAccessibleName(text);
+  made->setCheckable(true);
+  return made;
 }
 
 void FactorsPanel::build() {
@@ -217,14 +208,14 @@ void FactorsPanel::enter(int field) {
 }
 
 void FactorsPanel::refuse(int field, const QString& why) {
-  if (field >= 0) markWrong(fields_[static_cast<std::size_t>(field)], true);
+  if (field >= 0) ui::restyle(fields_[static_cast<std::size_t>(field)], "wrong", true);
   problem_->setText(why);
   problem_->show();
   settle();
 }
 
 void FactorsPanel::forgive() {
-  for (QLineEdit* field : fields_) markWrong(field, false);
+  for (QLineEdit* field : fields_) ui::restyle(field, "wrong", false);
   if (problem_->isHidden()) return;
   problem_->hide();
   settle();

@@ -53,6 +53,7 @@ class FactorsPanel final : public ui::FloatingPanel {
   void displayChosen();            ///< frames, iso-curves, combs, or the direction of combs
 
  private:
+  [[nodiscard]] static QToolButton* checkButton(const QString& text, const QString& help);
   void build();
   [[nodiscard]] QHBoxLayout* factorRow();
   [[nodiscard]] QGridLayout* fieldGrid();

@@ -10,6 +10,7 @@
 #include "kernel/begin/motion_knots.h"
 #include "manipulators/factors/factor_amounts.h"
 #include "manipulators/factors/factors_panel.h"
+#include "ui/look/text.h"
 
 namespace blossom::sweep {
 
@@ -25,10 +26,6 @@ double distanceTo(const QPointF& p, const QPointF& a, const QPointF& b) {
   return std::hypot(off.x(), off.y());
 }
 
-QString messageOf(const Error& error) {
-  return QString::fromStdString(error.hint().empty() ? error.message() : error.message() + " " + error.hint());
-}
-
 }  // namespace
 
 FactorsTool::FactorsTool(ui::ToolHost& toolHost, const FeatureId& feature)
@@ -37,10 +34,7 @@ FactorsTool::FactorsTool(ui::ToolHost& toolHost, const FeatureId& feature)
   load();
 }
 
-FactorsTool::~FactorsTool() {
-  loading_.cancel();
-  delete panel_;
-}
+FactorsTool::~FactorsTool() { delete panel_; }
 
 void FactorsTool::load() {
   if (lingering_ && lingering_->over(host())) lingering_.reset();
@@ -48,22 +42,8 @@ void FactorsTool::load() {
   placement_ = factorPlacement(host(), feature());
   const Shape given = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
   // While the next one is computed, the one before stays in sight.
-  if (given.empty() || given.get<Motion>() == wanted_.get<Motion>()) return tellEditable();
-  wanted_ = given;
+  if (!given.empty()) loader_.load(given);
   tellEditable();
-  loading_.cancel();
-  loading_ = {};
-  thread_.start([this, given, token = loading_] {
-    std::shared_ptr<const LiveSurface> made;
-    try {
-      made = liveSurface(given, Progress(token));
-    } catch (const std::exception&) {
-      return;  // the features made from the motion tell what is wrong with it
-    }
-    here_.post([this, token, made = std::move(made)] {
-      if (!token.cancelled()) show(made);
-    });
-  });
 }
 
 void FactorsTool::show(std::shared_ptr<const LiveSurface> surface) {
@@ -85,7 +65,7 @@ void FactorsTool::tellEditable() {
 
 bool FactorsTool::editable() const {
   return surface_ && placement_ && host().document().contains(placement_->source) &&
-         surface_->shape.get<Motion>() == wanted_.get<Motion>();
+         surface_->shape.get<Motion>() == loader_.wanted().get<Motion>();
 }
 
 std::vector<Vec3> FactorsTool::poles() const {
@@ -227,7 +207,7 @@ void FactorsTool::enter(const FactorChanges& changes, const QString& what, int f
     if (withChangedFactors(surface_->motion(), changes).changedPoles == 0) return;
     commit(withFactorChanges(host(), *placement_, changes), what);
   } catch (const Error& error) {
-    if (panel_) panel_->refuse(field, messageOf(error));
+    if (panel_) panel_->refuse(field, ui::saidInFull(error));
     fillPanel();
   }
 }
@@ -240,7 +220,7 @@ void FactorsTool::insertKnot(bool alongU, double knot) {
     static_cast<void>(withKnots(surface_->motion(), knots));  // says what would be wrong
     commit(withFactorKnot(host(), *placement_, factor_, alongU, knot), tr("Insert a knot"));
   } catch (const Error& error) {
-    if (panel_) panel_->refuse(-1, messageOf(error));
+    if (panel_) panel_->refuse(-1, ui::saidInFull(error));
   }
 }
 

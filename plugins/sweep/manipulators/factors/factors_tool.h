@@ -8,8 +8,7 @@
 #include "manipulators/factors/factor_place.h"
 #include "manipulators/factors/pole_drag.h"
 #include "manipulators/lingering_picture.h"
-#include "ui/thread/background.h"
-#include "ui/thread/mailbox.h"
+#include "manipulators/surface_loader.h"
 #include "ui/tools/handle_tool.h"
 #include "ui/tools/view_props.h"
 
@@ -92,7 +91,6 @@ class FactorsTool final : public ui::HandleTool {
   QPointer<FactorsPanel> panel_;
   QString said_;  ///< by the card, for the status line
   std::optional<EditPlacement> placement_;
-  Shape wanted_;  ///< the motion that is edited, or being prepared
   std::shared_ptr<const LiveSurface> surface_;
   Vec3 towards_ = Vec3(-1, 1, -1).normalized();  ///< line of sight
 
@@ -104,9 +102,7 @@ class FactorsTool final : public ui::HandleTool {
   bool dragged_ = false;
   Props motionProps_;  ///< frames and iso-curves of the motion at rest
 
-  CancelToken loading_;
-  ui::Mailbox here_;
-  ui::Background thread_;  // ends first
+  SurfaceLoader loader_{[this](std::shared_ptr<const LiveSurface> surface) { show(std::move(surface)); }};
 };
 
 }  // namespace blossom::sweep

@@ -27,8 +27,8 @@ class vtkProp;
 
 namespace blossom::ui {
 
-/// Data for the overlay of a selected feature: control polygons, frames, handles on top of its shape. What an overlay returns
-/// is made anew each time: the view keeps it and may change what it holds.
+/// Data for the overlay of a selected feature: control polygons, frames, handles on top of its shape. What an overlay
+/// returns is made anew each time: the view keeps it and may change what it holds.
 struct OverlayContext {
   const Feature& feature;
   const std::vector<Shape>& inputs;  ///< results of the feature's inputs, in order

@@ -129,12 +129,15 @@ class Examiner {
   [[nodiscard]] std::optional<double> depthOfTangent(const SheetMeeting& meeting) const {
     const double needed = neededReach * depth_;
     std::optional<double> found;
-    for (double radius = 2 * depth_; radius <= shareOfSize * mesh_.size; radius *= 2) {
+    double radius = 2 * depth_;
+    for (int worse = 0; radius <= shareOfSize * mesh_.size && worse < 2; radius *= 2) {
       const Passage passage = passageIn(meeting, radius);
       if (!passage.apart) break;
-      const bool through = passage.lesser >= clearOfError * offIn(radius);
-      found = through && passage.greater >= needed ? passage.lesser : 0;
-      if (*found > 0 || passage.greater >= 2 * needed) break;
+      const bool through = passage.lesser >= clearOfError * offIn(radius) && passage.greater >= needed;
+      const double before = found.value_or(0);
+      found = through ? std::max(before, passage.lesser) : before;
+      if (before > 0 && *found <= before) ++worse;
+      if (*found >= deepEnough * depth_ || (*found <= 0 && passage.greater >= 2 * needed)) break;
     }
     return found;
   }

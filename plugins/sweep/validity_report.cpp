@@ -22,17 +22,27 @@ Value listOf(const Vec3& p) { return Value::array({p.x(), p.y(), p.z()}); }
 
 std::string parametersText(const Vec2& at) { return fmt::format("u = {:.4g}, v = {:.4g}", at.x(), at.y()); }
 
-void addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
+/// @returns whether the surface folds over itself
+bool addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   constexpr double vanishing = 1e-6;
   const Validity validity = examine(motion, progress);
   out.stats["min_normal"] = validity.smallestNormal;
   out.stats["min_normal_share"] = validity.smallestShare;
   out.stats["min_normal_at"] = listOf(Vec2(validity.u, validity.v));
   out.stats["min_normal_place"] = listOf(validity.place);
-  if (validity.smallestShare < vanishing)
+  if (validity.fold) {
+    const Fold& fold = *validity.fold;
+    out.warnings.push_back(fmt::format(
+        "The surface folds over itself near {}, at {}: x_u x x_v reverses there, so that parts of the surface run back over "
+        "others or turn inside out. Whether it crosses itself is not tested for sheets that lie on each other. Turn or pull "
+        "it less there, or over a wider part, at a coarser level.",
+        placeText(fold.place, fold.place.norm(), 5), parametersText({fold.u, fold.v})));
+  } else if (validity.smallestShare < vanishing) {
     out.warnings.push_back(
         fmt::format("The surface has no normal near u = {}, v = {}: it runs into a point or folds over there.",
                     formatNumber(validity.u), formatNumber(validity.v)));
+  }
+  return validity.fold.has_value();
 }
 
 void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
@@ -47,7 +57,7 @@ void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
         smallest.weight, parametersText({smallest.u, smallest.v})));
 }
 
-void addCrossing(const Motion& motion, const Surface& surface, Evaluated& out, const Progress& progress) {
+void addCrossing(const Motion& motion, const Surface& surface, bool folds, Evaluated& out, const Progress& progress) {
   CrossingResult found;
   try {
     found = findCrossing(surface, {}, progress);
@@ -57,7 +67,8 @@ void addCrossing(const Motion& motion, const Surface& surface, Evaluated& out, c
     out.warnings.push_back("Whether the surface crosses itself could not be tested: " + error.message());
     return;
   }
-  out.figures.push_back({"crosses_itself", found.deepest.has_value()});
+  // Sheets of a fold may lie on each other, which is no crossing, and not sound either.
+  if (found.deepest || !folds) out.figures.push_back({"crosses_itself", found.deepest.has_value()});
   if (!found.deepest) return;
   const SurfaceCrossing& crossing = *found.deepest;
   out.figures.push_back({"crossing_depth", crossing.depth, MeasureUnit::Length});
@@ -78,11 +89,13 @@ void addDeviation(const Motion& motion, const Surface& surface, std::optional<do
   out.figures.push_back({"export_deviation", off, MeasureUnit::Length});
 }
 
-void addAllButCrossing(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
+/// @returns whether the surface folds over itself
+bool addAllButCrossing(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
                        const Progress& progress) {
-  addNormal(motion, out, progress);
+  const bool folds = addNormal(motion, out, progress);
   if (!deviation) addWeight(motion, out, progress);  // a cubic surface has no weights
   addDeviation(motion, surface, deviation, out, progress);
+  return folds;
 }
 
 }  // namespace
@@ -107,14 +120,13 @@ CrossingCause causeOfCrossing(const Motion& motion, const Vec2& first, const Vec
 
 void addValidity(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
                  const Progress& progress) {
-  addAllButCrossing(motion, surface, deviation, out, progress);
-  addCrossing(motion, surface, out, progress);
+  const bool folds = addAllButCrossing(motion, surface, deviation, out, progress);
+  addCrossing(motion, surface, folds, out, progress);
 }
 
 void addValidityOfSolid(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
                         const Progress& progress) {
-  addAllButCrossing(motion, surface, deviation, out, progress);
-  out.figures.push_back({"crosses_itself", false});
+  if (!addAllButCrossing(motion, surface, deviation, out, progress)) out.figures.push_back({"crosses_itself", false});
 }
 
 }  // namespace blossom::sweep

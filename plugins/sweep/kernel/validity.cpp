@@ -50,13 +50,30 @@ class NormalSamples {
   [[nodiscard]] double at(const Place& p) const { return length_[p.k * vs_.size() + p.l]; }
   [[nodiscard]] double largest() const { return *std::max_element(length_.begin(), length_.end()); }
 
+  [[nodiscard]] Vec3 normal(const Place& p) const { return grid_.duAt(p.k, p.l).cross(grid_.dvAt(p.k, p.l)); }
+  [[nodiscard]] Vec2 parameters(const Place& p) const { return {us_[p.k], vs_[p.l]}; }
+
+  /// Neighbours whose normals point away from each other, the first ones.
+  [[nodiscard]] std::vector<std::pair<Place, Place>> turns() const {
+    constexpr std::size_t most = 64;
+    constexpr double away = -0.5;  // cosine
+    std::vector<std::pair<Place, Place>> found;
+    for (std::size_t k = 0; k < us_.size(); ++k)
+      for (std::size_t l = 0; l < vs_.size(); ++l)
+        for (const Place& next : {Place{k + 1, l}, Place{k, l + 1}}) {
+          if (next.k == us_.size() || next.l == vs_.size() || found.size() == most) continue;
+          if (normal({k, l}).dot(normal(next)) < away * at({k, l}) * at(next)) found.push_back({{k, l}, next});
+        }
+    return found;
+  }
+
   [[nodiscard]] Place leastPlace() const {
     const auto least = static_cast<std::size_t>(std::min_element(length_.begin(), length_.end()) - length_.begin());
     return {least / vs_.size(), least % vs_.size()};
   }
   [[nodiscard]] Validity least() const {
     const Place p = leastPlace();
-    return {at(p), 0, us_[p.k], vs_[p.l], grid_.pointAt(p.k, p.l)};
+    return {at(p), 0, us_[p.k], vs_[p.l], grid_.pointAt(p.k, p.l), {}};
   }
 
   /// Parameters one step before and after a sample, those at the ends of the domain left where they are.
@@ -118,6 +135,35 @@ Validity leastAround(const Motion& motion, const NormalSamples& samples, const N
   return result;
 }
 
+/// Whether the normal reverses between two places: on the way it vanishes, or jumps to the opposite. At a sharp edge it
+/// turns, or jumps by less.
+std::optional<Fold> foldBetween(const Motion& motion, Vec2 from, Vec2 to) {
+  constexpr int halvings = 24;
+  constexpr double vanishing = 1e-3, reversed = -0.9, opposite = -1 + 5e-7;  // of the length before; cosines
+  const auto normalAt = [&](const Vec2& at) -> Vec3 {
+    const MotionPoint p = evaluate(motion, at.x(), at.y());
+    return p.du.cross(p.dv);
+  };
+  Vec3 a = normalAt(from), b = normalAt(to);
+  const double before = std::min(a.norm(), b.norm());
+  bool vanishes = false;
+  for (int k = 0; k < halvings && !vanishes; ++k) {
+    const Vec2 middle = (from + to) / 2;
+    const Vec3 m = normalAt(middle);
+    vanishes = !(m.norm() > 1e-9 * before);
+    if (vanishes) continue;
+    if (m.dot(a) < 0)
+      b = m, to = middle;
+    else
+      a = m, from = middle;
+  }
+  vanishes = vanishes || std::max(a.norm(), b.norm()) < vanishing * before;
+  const double cosine = a.dot(b) / (a.norm() * b.norm());
+  if (!(cosine < (vanishes ? reversed : opposite))) return {};
+  const Vec2 at = (from + to) / 2;
+  return Fold{at.x(), at.y(), evaluate(motion, at.x(), at.y()).point};
+}
+
 /// Mean of the knots inside the support of a pole.
 double greville(int degree, const std::vector<double>& knots, std::size_t pole) {
   const auto from = knots.begin() + static_cast<std::ptrdiff_t>(pole) + 1;
@@ -139,6 +185,10 @@ Validity examine(const Motion& motion, const Progress& progress) {
   }
   const double largest = samples.largest();
   result.smallestShare = largest > 0 ? result.smallestNormal / largest : 0;
+  for (const auto& [from, to] : samples.turns()) {
+    progress.check();
+    if ((result.fold = foldBetween(motion, samples.parameters(from), samples.parameters(to)))) break;
+  }
   return result;
 }
 

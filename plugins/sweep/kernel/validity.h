@@ -1,8 +1,16 @@
 #pragma once
+#include <optional>
+
 #include "core/progress.h"
 #include "geometry/shape/motion.h"
 
 namespace blossom::sweep {
+
+/// Where x_u cross x_v reverses: the surface runs back over itself, or through a point to its other side.
+struct Fold {
+  double u = 0, v = 0;
+  Vec3 place{0, 0, 0};  ///< mm
+};
 
 /// Distance of a swept surface from degeneracy.
 struct Validity {
@@ -10,6 +18,7 @@ struct Validity {
   double smallestShare = 0;   ///< that divided by the largest of the samples; 0: the surface folds or collapses
   double u = 0, v = 0;        ///< parameters of the minimum
   Vec3 place{0, 0, 0};        ///< where it is in space, mm
+  std::optional<Fold> fold;   ///< between neighbouring samples; none at an edge, however sharp
 };
 
 /// Samples 8 x 8 points of every span of the motion, and its ends. Around samples smaller than their neighbours, the least

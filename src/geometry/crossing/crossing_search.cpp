@@ -12,10 +12,16 @@ namespace {
 constexpr std::size_t highestTried = 200, othersTried = 200;  ///< pairs on which Newton's method begins
 constexpr int placesExamined = 20, placesAfterTheFirst = 2;   ///< of two sheets
 constexpr std::size_t placesTried = 80;                       ///< those of one sheet included
-constexpr double leastSine = 2e-3;                            ///< of the angle between sheets that cross
-constexpr double shareOfSize = 0.3;                           ///< the widest ball
-constexpr double deepEnough = 8;                              ///< times the depth that is looked for: no wider ball is asked
-constexpr double firstRadius = 0.25, shareOfDepth = 0.3, offOfDepth = 0.05;  ///< of the depth that is looked for
+constexpr double leastSine = 2e-3;  ///< of the angle between sheets: below, they are tangent as far as one can tell
+constexpr int tangentExamined = 3, tangentTried = 40;  ///< places of two sheets, and those of one sheet included
+constexpr double tangentApart = 100;                   ///< times the depth: nearer places of tangency are one
+constexpr double shareOfSize = 0.3;                    ///< the widest ball
+constexpr double deepEnough = 8;                       ///< times the depth that is looked for: no wider ball is asked
+constexpr double firstRadius = 0.25;                   ///< of the depth that is looked for
+constexpr double neededReach = 0.3;                    ///< the same: of the sheet that passes through, on one side
+constexpr double offOfRadius = 0.01;                   ///< how far triangles of a ball may be off the smooth face
+constexpr double leastOff = 0.01, greatestOff = 0.05;  ///< but of the depth
+constexpr double clearOfError = 4;  ///< times that: a reach that the error of both sheets, 4/3 of it each, does not explain
 
 /// The greatest heights, and some evenly chosen among the rest: artefacts of a thin wall may be many.
 std::vector<TrianglePair> pairsChosen(const std::vector<TrianglePair>& pairs) {
@@ -51,16 +57,20 @@ class Examiner {
     result.size = mesh_.size;
     result.triangles = mesh_.triangles.size();
     result.pairs = found.pairs.size();
-    int left = placesExamined;
+    int left = placesExamined, tangentLeft = tangentExamined, tangentTries = tangentTried;
     for (const TrianglePair& pair : pairsChosen(found.pairs)) {
       if (left == 0 || examined_.size() == placesTried) break;
       progress_.check();
       const auto meeting = meetingOf(pair);
-      if (!meeting || meeting->sine < leastSine || wasExamined(meeting->point, result.deepest ? 10 : firstRadius)) continue;
-      ++result.meetings;
-      examined_.push_back(meeting->point);
-      const std::optional<double> depth = depthAt(*meeting);
-      if (depth) --left;
+      if (!meeting) continue;
+      const bool tangent = meeting->sine < leastSine;
+      if (tangent && (tangentLeft == 0 || tangentTries == 0 || isNear(tangent_, meeting->point, tangentApart))) continue;
+      if (isNear(examined_, meeting->point, result.deepest ? 10 : firstRadius)) continue;
+      if (!tangent) ++result.meetings, examined_.push_back(meeting->point);
+      const std::optional<double> depth = tangent ? depthOfTangent(*meeting) : depthAt(*meeting);
+      if (tangent) --tangentTries;
+      if (tangent && depth) --tangentLeft, ++result.meetings, tangent_.push_back(meeting->point);
+      if (!tangent && depth) --left;
       if (depth.value_or(0) <= 0) continue;
       if (!result.deepest) left = std::min(left, placesAfterTheFirst);
       if (!result.deepest || *depth > result.deepest->depth)
@@ -79,36 +89,64 @@ class Examiner {
   }
 
   /// @param near as a multiple of the depth
-  [[nodiscard]] bool wasExamined(const Vec3& point, double near) const {
-    return std::any_of(examined_.begin(), examined_.end(),
+  [[nodiscard]] bool isNear(const std::vector<Vec3>& places, const Vec3& point, double near) const {
+    return std::any_of(places.begin(), places.end(),
                        [&](const Vec3& other) { return (other - point).norm() < near * depth_; });
+  }
+
+  [[nodiscard]] double offIn(double radius) const {
+    return std::clamp(offOfRadius * radius, leastOff * depth_, greatestOff * depth_);
+  }
+  [[nodiscard]] Passage passageIn(const SheetMeeting& meeting, double radius) const {
+    return passageAt(mesh_, sheets_, meeting, radius, offIn(radius), progress_);
   }
 
   /// In balls that grow as long as there are two sheets in them; 0 when the sheets do not pass through each other. They
   /// begin where sheets at that angle could be told apart, and end where sheets that pass through each other would have
-  /// shown it.
+  /// shown it. On one side a slit may be all that a sheet reaches into, so there it is enough that the reach is no error;
+  /// on the other it must be as deep as is looked for, be it in a wider ball, whose error is greater.
   [[nodiscard]] std::optional<double> depthAt(const SheetMeeting& meeting) const {
-    const double needed = shareOfDepth * depth_;
+    const double needed = neededReach * depth_;
     const double widest = std::min(shareOfSize * mesh_.size, 8 * depth_ / meeting.sine);
     std::optional<double> found;
-    double depth = 0, radius = std::max(firstRadius * depth_, needed / (2 * meeting.sine));
-    for (int worse = 0; radius <= widest && worse < 2 && depth < deepEnough * depth_; radius *= 2) {
-      const Passage passage = passageAt(mesh_, sheets_, meeting, radius, offOfDepth * depth_, progress_);
+    double depth = 0, greater = 0;
+    double radius = std::max(firstRadius * depth_, 1.5 * clearOfError * leastOff * depth_ / meeting.sine);
+    for (int worse = 0; radius <= widest && worse < 2 && !(greater >= needed && depth >= deepEnough * depth_); radius *= 2) {
+      const Passage passage = passageIn(meeting, radius);
       if (!passage.apart) break;
-      found = depth;
-      if (passage.depth >= std::min(0.25 * radius, needed) && passage.depth > depth)
-        depth = passage.depth, worse = 0;
-      else if (depth > 0)
+      greater = std::max({greater, passage.greater, passage.lesser >= 0.25 * radius ? needed : 0});
+      if (passage.lesser >= clearOfError * offIn(radius) && passage.lesser > depth)
+        depth = passage.lesser, worse = 0;
+      else if (depth > 0 && greater >= needed)
         ++worse;
+      found = greater >= needed ? depth : 0;
     }
-    return found ? std::optional(depth) : std::nullopt;
+    return found;
+  }
+
+  /// The same where the sheets are tangent, so that small balls tell nothing: they touch when the first ball in which they
+  /// part has one of them on one side only. Wider ones may hold parts of it that come round the border of the other.
+  [[nodiscard]] std::optional<double> depthOfTangent(const SheetMeeting& meeting) const {
+    const double needed = neededReach * depth_;
+    std::optional<double> found;
+    double radius = 2 * depth_;
+    for (int worse = 0; radius <= shareOfSize * mesh_.size && worse < 2; radius *= 2) {
+      const Passage passage = passageIn(meeting, radius);
+      if (!passage.apart) break;
+      const bool through = passage.lesser >= clearOfError * offIn(radius) && passage.greater >= needed;
+      const double before = found.value_or(0);
+      found = through ? std::max(before, passage.lesser) : before;
+      if (before > 0 && *found <= before) ++worse;
+      if (*found >= deepEnough * depth_ || (*found <= 0 && passage.greater >= 2 * needed)) break;
+    }
+    return found;
   }
 
   const SheetMesh& mesh_;
   const SmoothSheets& sheets_;
   double depth_;
   const Progress& progress_;
-  std::vector<Vec3> examined_;
+  std::vector<Vec3> examined_, tangent_;
 };
 
 }  // namespace

@@ -214,8 +214,8 @@ double distanceFrom(const LocalSheet& sheet, const Vec3& p) {
   return result;
 }
 
-/// The lesser of how far points reach on either side of a sheet.
-double reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, const Progress& progress) {
+/// How far points reach on either side of a sheet.
+Passage reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, const Progress& progress) {
   constexpr std::size_t enough = 400;
   const std::size_t stride = points.size() / enough + 1;
   double above = 0, below = 0;
@@ -225,7 +225,7 @@ double reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, co
     above = std::max(above, d);
     below = std::max(below, -d);
   }
-  return std::min(above, below);
+  return {true, std::min(above, below), std::max(above, below)};
 }
 
 }  // namespace
@@ -240,7 +240,8 @@ Passage passageAt(const SheetMesh& mesh, const SmoothSheets& smooth, const Sheet
   const auto second = sheets.triangleAt(meeting.second, meeting.point, slack);
   if (!first || !second || !sheets.flood(*first, 1) || !sheets.flood(*second, 2)) return {};
   const LocalSheet a = sheets.sheet(1, meeting.point, radius), b = sheets.sheet(2, meeting.point, radius);
-  return {true, std::max(reachThrough(a.points, b, progress), reachThrough(b.points, a, progress))};
+  const Passage ofA = reachThrough(a.points, b, progress), ofB = reachThrough(b.points, a, progress);
+  return ofA.lesser < ofB.lesser ? ofB : ofA;
 }
 
 }  // namespace blossom

@@ -14,7 +14,7 @@ namespace blossom {
 namespace {
 
 /// Pairs around which winding numbers are asked for, evenly chosen.
-constexpr std::size_t pairsTried = 16;
+constexpr std::size_t pairsTried = 48;
 
 std::vector<Triangle3> trianglesOf(const SheetMesh& mesh) {
   std::vector<Triangle3> triangles;
@@ -40,7 +40,7 @@ class Around {
     const Vec3 n = unitNormalOf(at(pair.first)), m = unitNormalOf(at(pair.second));
     const Vec3 aside = chord_ * Vec3(0.4391, 0.5273, 0.3617);  // along no plane that a drawing is likely to have
     const std::array<Vec3, 6> ways{n + m, -n - m, n - m, m - n, n.cross(m).cross(n), n};
-    for (double step = 4 * chord_; step < mesh_.size / 4; step *= 4)
+    for (double step = 4 * chord_; step < mesh_.size / 4; step *= 2)
       for (const Vec3& way : ways) {
         progress_.check();
         if (!(way.norm() > 1e-3)) continue;

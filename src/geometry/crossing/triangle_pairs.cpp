@@ -59,6 +59,12 @@ CommonCorners commonCorners(const SheetTriangle& a, const SheetTriangle& b) {
   return shared;
 }
 
+double roundOf(const std::vector<Vec3>& polygon) {
+  double sum = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) sum += (polygon[(k + 1) % polygon.size()] - polygon[k]).norm();
+  return sum;
+}
+
 class PairSearch {
  public:
   PairSearch(const SheetMesh& mesh, std::size_t most, const Progress& progress)
@@ -79,7 +85,7 @@ class PairSearch {
       return true;
     });
     keepGreatest(most_);
-    return {std::move(found_), std::move(lying_)};
+    return {std::move(found_), std::move(lying_), std::move(alike_)};
   }
 
  private:
@@ -165,15 +171,20 @@ class PairSearch {
     }
   }
 
-  /// Triangles of one plane that look away from each other's space and cover the same places.
+  /// Triangles of one plane that cover the same places.
   void addLying(std::uint32_t k, std::uint32_t l, const Triangle3& a, const Triangle3& b, double cosine) {
-    constexpr double opposite = -1 + 1e-9, visible = 1e-8;
-    if (cosine > opposite || lying_.size() >= lyingKept) return;
+    constexpr double parallel = 1 - 1e-9, visible = 1e-8, wide = 1e-4;
+    const bool opposite = cosine < 0;
+    std::vector<TrianglePair>& found = opposite ? lying_ : alike_;
+    if (!(std::abs(cosine) >= parallel) || found.size() >= lyingKept) return;
     const std::vector<Vec3> common = commonPolygon(a, b);
-    if (!(areaOf(common) > visible * mesh_.size * mesh_.size)) return;
+    const double area = areaOf(common);
+    if (!(area > visible * mesh_.size * mesh_.size)) return;
+    // What parts that are not quite flush have in common is a strip.
+    if (!opposite && !(area > wide * mesh_.size * roundOf(common))) return;
     Vec3 middle = Vec3::Zero();
     for (const Vec3& p : common) middle += p / static_cast<double>(common.size());
-    lying_.push_back({k, l, middle, 0});
+    found.push_back({k, l, middle, 0});
   }
 
   void add(const TrianglePair& pair) {
@@ -194,7 +205,7 @@ class PairSearch {
   double slack_;
   const Progress& progress_;
   std::vector<Box3> boxes_;
-  std::vector<TrianglePair> found_, lying_;
+  std::vector<TrianglePair> found_, lying_, alike_;
 };
 
 }  // namespace

@@ -19,6 +19,8 @@ struct MeetingTriangles {
   std::vector<TrianglePair> pairs;  ///< the greatest heights first
   /// Pairs of one plane that look opposite ways and cover the same places, of which there may be many: the first ones.
   std::vector<TrianglePair> lying;
+  /// The same of pairs that look the same way, where what they cover in common is wider than about 1/5000 of the size.
+  std::vector<TrianglePair> alike;
 };
 
 /// Pairs of triangles that meet, in doubles. Blocks that cannot meet are left out by their boxes, by a plane between them

@@ -1,0 +1,100 @@
+/// Where a swept surface runs back over itself.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "exchange/formats.h"
+#include "support/motions.h"
+#include "support/support.h"
+#include "sweep/kernel/grid/motion_point.h"
+#include "sweep/kernel/validity.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::sweep;
+
+namespace {
+
+/// A part of a cylinder about z: the quaternions of a spline in u stand at these angles, in degrees.
+Motion aroundAxis(int degree, const std::vector<double>& degrees, double radius) {
+  Motion motion;
+  motion.point = Vec3(radius, 0, 0);
+  motion.trajectory = {1, {0, 0, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0, 0, 20, 1)}};
+  motion.scaling = {1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Vec4>(4, Vec4::Ones())};
+  std::vector<double> knots(static_cast<std::size_t>(degree), 0.0);
+  const int spans = static_cast<int>(degrees.size()) - degree;
+  for (int k = 0; k <= spans; ++k) knots.push_back(static_cast<double>(k) / spans);
+  knots.insert(knots.end(), static_cast<std::size_t>(degree), 1.0);
+  motion.orientation = {degree, 1, knots, {0, 0, 1, 1}, {}};
+  for (const double angle : degrees) {
+    const double half = angle * std::numbers::pi / 360;
+    motion.orientation.poles.insert(motion.orientation.poles.end(), 2, Vec4(std::cos(half), 0, 0, std::sin(half)));
+  }
+  return motion;
+}
+
+double normalAt(const Motion& motion, double u, double v) {
+  const MotionPoint p = evaluate(motion, u, v);
+  return p.du.cross(p.dv).norm();
+}
+
+}  // namespace
+
+class SweepFoldTest : public QObject {
+  Q_OBJECT
+
+  std::mt19937_64 random_;
+
+  double drawn(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+
+ private slots:
+  void initTestCase() { random_ = seededRandom(); }
+
+  void aSideThatTurnsBackFolds() {
+    for (int round = 0; round < 20; ++round) {
+      const double back = drawn(5, 40), radius = drawn(5, 20);
+      for (const int degree : {1, 2, 3}) {
+        const Motion motion =
+            aroundAxis(degree, {0, 40, 80, 120, 120 - back, 80 - back, 120 - back, 160 - back, 200}, radius);
+        const auto fold = examine(motion).fold;
+        QVERIFY2(fold, qPrintable(QStringLiteral("degree %1, back by %2").arg(degree).arg(back)));
+        COMPARE_NEAR(std::hypot(fold->place.x(), fold->place.y()), radius, 1e-9 * radius);
+        QVERIFY((evaluate(motion, fold->u, fold->v).point - fold->place).norm() < 1e-9 * radius);
+        if (degree > 1) QVERIFY(normalAt(motion, fold->u, fold->v) < 1e-4 * normalAt(motion, 0, 0.5));
+      }
+    }
+  }
+
+  void aSideThatGoesOnDoesNot() {
+    for (int round = 0; round < 20; ++round) {
+      std::vector<double> degrees{0};
+      for (int k = 0; k < 9; ++k) degrees.push_back(degrees.back() + drawn(1, 70));
+      for (const int degree : {1, 2, 3}) QVERIFY(!examine(aroundAxis(degree, degrees, drawn(5, 20))).fold);
+    }
+  }
+
+  /// Two parts of a thin blade meet in an edge of a few degrees: no fold.
+  void aSharpEdgeIsNoFold() {
+    for (const double degrees : {1.0, 5.0, 20.0}) {
+      const double thin = std::tan(degrees * std::numbers::pi / 360);
+      Motion motion;
+      motion.point = Vec3(1, 1, 1);
+      motion.trajectory = {1, {0, 0, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0, 0, 20, 1)}};
+      motion.orientation = {1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Vec4>(4, Vec4(1, 0, 0, 0))};
+      motion.scaling = {1, 1, {0, 0, 0.5, 1, 1}, {0, 0, 1, 1}, {}};
+      for (const Vec3& p : {Vec3(10, -10 * thin, 0), Vec3(0, 0, 0), Vec3(10, 10 * thin, 0)})
+        motion.scaling.poles.insert(motion.scaling.poles.end(), 2, Vec4(p.x(), p.y(), p.z(), 1));
+      QVERIFY(!examine(motion).fold);
+    }
+  }
+
+  void samplesDoNotFold() {
+    for (const char* name : {"cylinder.json", "helicoid.json", "horn.json", "propeller.json"}) {
+      const auto motion = motionFormat().read(sample(name), Value::object(), Progress::none()).shape;
+      QVERIFY2(!examine(*motion.get<Motion>()).fold, name);
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(SweepFoldTest)
+#include "sweep_fold_test.moc"

@@ -4,6 +4,7 @@
 #include "exchange/formats.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "transport/spline_transport.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -17,6 +18,17 @@ Value small() {
     "orientation": {"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "poles": [[[1,0,0,0],[1,0,0,0]],[[1,0,0,1],[1,0,0,1]]]},
     "scaling": {"degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "poles": [[[1,1,1,1],[1,1,1,1]],[[1,1,1,1],[1,1,1,1]]]},
     "point": [1, 0, 0]})");
+}
+
+/// Other signs for about a third of the orientation's poles, rows that repeat others with them.
+void turnSomeAround(Random& random, Motion& motion) {
+  Surface& r = motion.orientation;
+  const std::size_t free = r.countU() - (motion.closedU == ClosedU::No ? 0 : static_cast<std::size_t>(r.degreeU));
+  for (std::size_t i = 0; i < free; ++i)
+    for (std::size_t j = 0; j < r.countV(); ++j) {
+      if (uniformInt(random, 0, 2) != 0) continue;
+      for (std::size_t k = i; k < r.countU(); k += free) r.pole(k, j) = -r.pole(k, j);
+    }
 }
 
 }  // namespace
@@ -75,14 +87,33 @@ class MotionTest : public QObject {
     auto random = seededRandom();
     for (int k = 0; k < 60; ++k) {
       Motion motion = randomMotion(random, static_cast<ClosedU>(k % 3));
-      alignQuaternions(motion);
+      // Signs that an alignment would not leave as they are.
+      if (k % 2 == 0) turnSomeAround(random, motion);
       // Homogeneous poles come from weight times point; let them be such products.
       for (Vec4& pole : motion.trajectory.poles) pole.head<3>() = Vec3(pole.head<3>() / pole[3]) * pole[3];
       const auto path = folder_.path() / "again.json";
       format_.write(motion, path, Value::object(), Progress::none());
-      const Motion again = *format_.read(path, Value::object(), Progress::none()).shape.get<Motion>();
-      QVERIFY(again == motion);
+      const Imported imported = format_.read(path, Value::object(), Progress::none());
+      QVERIFY(*imported.shape.get<Motion>() == motion);
+      QVERIFY(imported.warnings.empty());
+      QVERIFY(toMotion(Value::from_cbor(Value::to_cbor(motionValue(motion)))) == motion);
     }
+  }
+
+  /// A pole that points away from its neighbours, as a twist of one place by more than half a turn leaves.
+  void signsThatAFileKeepsAreNotAligned() {
+    Value json = Value::parse(readFile(sample("cylinder.json")));
+    for (auto& component : json["orientation"]["poles"][2][3]) component = -component.get<double>();
+    const Imported guessed = read(json);
+    QCOMPARE(guessed.warnings.size(), std::size_t(1));
+    json["orientation"]["signs"] = "kept";
+    const Imported kept = read(json);
+    QVERIFY(kept.warnings.empty());
+    const Surface &guess = guessed.shape.get<Motion>()->orientation, &found = kept.shape.get<Motion>()->orientation;
+    QVERIFY(found.pole(2, 3) == -guess.pole(2, 3));
+    QVERIFY(found.pole(2, 2) == guess.pole(2, 2));
+    json["orientation"]["signs"] = "lost";
+    expectError(json, "orientation.signs", "kept");
   }
 
   void whatCannotBeReadAgainIsNotWritten() {

@@ -2,6 +2,7 @@
 #include "support/motion_samples.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/cubic_approximation.h"
 #include "sweep/kernel/cubic_spline.h"
 #include "sweep/kernel/grid/motion_point.h"
@@ -23,6 +24,49 @@ Curve toCurve(const CubicBreaks& breaks, const Rows& poles) {
 class SweepCubicTest : public QObject {
   Q_OBJECT
  private slots:
+  /// Knots that agree but for their last digits are the same: no more spans than where they agree in all of them.
+  void knotsOfFactorsThatNearlyAgreeAreOne() {
+    for (const double share : {0.0, 1e-14, 1e-12, 1e-10, 1e-8, -1e-8, 1e-7, 1e-6, 1e-5, 1e-3}) {
+      Motion motion = primitiveMotion({.radius = 10, .height = 40}).motion;
+      Surface& s = motion.scaling;
+      const std::size_t free = s.countU() - static_cast<std::size_t>(s.degreeU);
+      for (std::size_t i = 0; i < s.countU(); ++i)
+        for (std::size_t j = 0; j < s.countV(); ++j)
+          s.pole(i, j).head<3>() *= 1 + 0.1 * std::sin(static_cast<double>(i % free + 2 * j));
+      std::vector<double> period(s.knotsU.begin() + s.degreeU, s.knotsU.end() - s.degreeU);
+      for (std::size_t i = 1; i + 1 < period.size(); ++i) period[i] += share;
+      s.knotsU = unwrappedKnots(s.degreeU, period);
+      for (double& knot : s.knotsV)
+        if (knot > 0 && knot < 1) knot += share;
+      validate(motion);
+      const CubicResult result = approximateCubic(motion, {.tolerance = 0.01});
+      // 12 x 8 spans where knots agree, halved twice at most.
+      if (std::abs(share) <= 1e-8) QVERIFY2(result.spansU <= 48 && result.spansV <= 32, qPrintable(QString::number(share)));
+      double worst = 0;
+      for (int i = 0; i <= 150; ++i)
+        for (int j = 0; j <= 110; ++j)
+          worst = std::max(
+              worst, (point(result.surface, i / 150.0, j / 110.0) - evaluate(motion, i / 150.0, j / 110.0).point).norm());
+      QVERIFY2(worst <= 0.01, qPrintable(QString("%1: %2").arg(share).arg(worst)));
+    }
+  }
+
+  /// Two kinks right beside each other are both kept, each with slopes of its own.
+  void kinksThatNearlyMeetStay() {
+    Motion motion = primitiveMotion({.radius = 10, .height = 40}).motion;
+    motion.trajectory = {1, {0, 0, 0.5, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(3, 0, 20, 1), Vec4(0, 0, 40, 1)}};
+    motion.scaling.degreeV = 1;
+    motion.scaling.knotsV = {0, 0, 0.5 + 1e-9, 1, 1};
+    std::vector<Vec4> poles;
+    for (std::size_t i = 0; i < motion.scaling.countU(); ++i)
+      for (const double scale : {1.0, 2.0, 1.0}) poles.emplace_back(scale, scale, scale, 1);
+    motion.scaling.poles = poles;
+    validate(motion);
+    const CubicResult result = approximateCubic(motion, {.tolerance = 0.001});
+    for (const double v : {0.0, 0.2, 0.49, 0.5, 0.51, 0.8, 1.0})
+      QVERIFY((point(result.surface, 0.3, v) - evaluate(motion, 0.3, v).point).norm() <= 0.001);
+  }
+
   void cubicPolynomialsAreReproduced() {
     auto random = seededRandom();
     for (int k = 0; k < 50; ++k) {

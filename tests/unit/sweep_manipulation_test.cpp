@@ -7,8 +7,10 @@
 #include "support/support.h"
 #include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/edit/direct_manipulation.h"
+#include "sweep/kernel/edit/twist.h"
 #include "sweep/kernel/grid/motion_point.h"
 #include "sweep/kernel/validity.h"
+#include "sweep/kernel/vanishing.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -48,6 +50,37 @@ class SweepManipulationTest : public QObject {
       // The quaternion keeps its length: no drift over many twists.
       COMPARE_NEAR(evaluate(motion.orientation, u, v).norm(), length, 1e-13 * length);
     }
+  }
+
+  /// Frames about one axis turn through zero quaternions where a place turns nearly once around, and its surroundings do
+  /// not.
+  void aTwistThatLetsTheOrientationVanishIsRefused() {
+    const Motion motion =
+        *motionFormat().read(sample("cylinder.json"), Value::object(), Progress::none()).shape.get<Motion>();
+    const auto twisted = [](const Motion& given, double angle, int level) {
+      return twist(given, {{{0.3, 0.5}}, Vec3::UnitZ(), angle, {}, {}, level}).motion;
+    };
+    for (const double angle : {330.0, 350.0, -350.0, 360.0}) {
+      try {
+        (void)twisted(motion, angle, 0);
+        QFAIL("twisted");
+      } catch (const Error& error) {
+        QCOMPARE(error.code(), ErrorCode::Degenerate);
+        QVERIFY2(error.message().find("near u = 0.") != std::string::npos, error.what());
+        QVERIFY2(error.hint().find("coarser level") != std::string::npos, error.hint().c_str());
+      }
+      // What the hint says: two halves there are the same twist, on two levels they are another.
+      VERIFY_ERROR(twisted(twisted(motion, angle / 2, 0), angle / 2, 0), ErrorCode::Degenerate);
+      const Motion both = twisted(twisted(motion, angle / 2, -1), angle / 2, 1);
+      QVERIFY(!vanishingPlace(both.orientation));
+      const Vec3 arm = evaluate(motion, 0.3, 0.5).point - point(motion.trajectory, 0.5),
+                 wanted = Eigen::AngleAxisd(angle * std::numbers::pi / 180, Vec3::UnitZ()) * arm;
+      QVERIFY((evaluate(both, 0.3, 0.5).point - point(both.trajectory, 0.5) - wanted).norm() < 1e-11 * arm.norm());
+    }
+    // One that vanished already, where the twist does not reach, may be twisted: it may be about to be mended.
+    Motion vanishing = motion;
+    for (std::size_t i = 0; i < motion.orientation.countU(); ++i) vanishing.orientation.pole(i, 0).setZero();
+    (void)twisted(vanishing, 30, 0);
   }
 
   void aDragIsLocal() {

@@ -1,9 +1,11 @@
 #include <Eigen/Geometry>
+#include <limits>
 #include <numbers>
 
 #include "geometry/bspline/bspline.h"
 #include "support/support.h"
 #include "support/symmetric_motions.h"
+#include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/edit/pull.h"
 #include "sweep/kernel/edit/twist.h"
 #include "sweep/kernel/quaternion.h"
@@ -91,6 +93,74 @@ class SweepSymmetryTest : public QObject {
     QVERIFY(arrived > 200);
     QVERIFY2(worst <= 1e-12, qPrintable(QString::number(worst)));
     QVERIFY2(off <= 1e-12, qPrintable(QString::number(off)));
+  }
+
+  /// A single pull refines one side of the motion; above its reach the sections are what they were.
+  void aFineEditElsewhereLeavesTheSymmetry() {
+    auto random = seededRandom();
+    const Motion plain = primitiveMotion({.radius = 10, .height = 40}).motion;
+    MotionPull single{{{0.1, 0.15}}, {{10, 8, 6}}};
+    single.level = 2;
+    const Motion fine = pull(plain, single).motion;
+    QVERIFY(fine.orientation.countU() != plain.orientation.countU());
+    double worst = 0, off = 0;
+    for (const EditSymmetry& symmetry : {EditSymmetry{4, false}, {3, false}, {1, true}, {4, true}})
+      for (const int level : {-1, 0, 1, 2}) {
+        const MotionPlace at{uniform(random, 0.03, 0.1), uniform(random, 0.7, 0.9)};
+        MotionPull edit{{at}, {evaluate(plain, at.u, at.v).point + anyVector(random, 4)}, {0.4, 1, 1}};
+        edit.symmetry = symmetry, edit.level = level;
+        const MotionTwist turn{{at}, anyVector(random, 1), uniform(random, -60, 60), {}, symmetry, level};
+        const auto edited = [&](const Motion& motion) { return twist(pull(motion, edit).motion, turn).motion; };
+        const Motion after = edited(fine), expected = edited(plain);
+        for (int i = 0; i < 200; ++i) {
+          // The edit adds the same to all factors, fine or not, and so is as symmetric as it would be without the single
+          // one.
+          const double u = randomIn(random, plain.domainU()), v = randomIn(random, plain.domainV());
+          const auto change = [&](Surface Motion::*factor) {
+            return Vec4(evaluate(after.*factor, u, v) - evaluate(fine.*factor, u, v) -
+                        (evaluate(expected.*factor, u, v) - evaluate(plain.*factor, u, v)));
+          };
+          worst = std::max({worst, change(&Motion::orientation).norm(), change(&Motion::scaling).norm() / 10});
+          // Beyond the reach of the single edit they are the same surface.
+          const double above = uniform(random, 0.6, 1);
+          off = std::max(off, (evaluate(after, u, above).point - evaluate(expected, u, above).point).norm());
+        }
+      }
+    QVERIFY2(worst < 1e-11, qPrintable(QString::number(worst)));
+    QVERIFY2(off < 1e-10, qPrintable(QString::number(off)));
+    // Where the single edit reaches, nothing is fourfold.
+    MotionPull there{{{0.1, 0.15}}, {{20, 10, 6}}};
+    there.symmetry.fold = 4;
+    try {
+      (void)pull(fine, there);
+      QFAIL("pulled");
+    } catch (const Error& error) {
+      QVERIFY2(error.message().find("not 4-fold") != std::string::npos, error.what());
+    }
+  }
+
+  /// Domains whose coordinates are much larger than they are long: rounding of the parameters is no other knot.
+  void domainsFarFromZeroAreFolded() {
+    for (const auto& [first, length] : {std::pair{1000.0, 1e-3}, {-1e6, 1.0}, {1e5, 1e-3}, {1e6, 1e6}}) {
+      Motion motion = primitiveMotion({.radius = 10, .height = 40}).motion;
+      for (std::vector<double>* knots : {&motion.orientation.knotsU, &motion.scaling.knotsU})
+        for (double& knot : *knots) knot = first + length * knot;
+      for (Surface* factor : {&motion.orientation, &motion.scaling}) {
+        const std::vector<double> period(factor->knotsU.begin() + factor->degreeU, factor->knotsU.end() - factor->degreeU);
+        factor->knotsU = unwrappedKnots(factor->degreeU, period);
+      }
+      for (const EditSymmetry& symmetry : {EditSymmetry{4, false}, {1, true}}) {
+        MotionPull edit{{{first + 0.1 * length, 0.5}}, {{12, 9, 20}}, {0, 1, 1}};
+        edit.symmetry = symmetry;
+        const EditResult result = pull(motion, edit);
+        const double step = 10 * std::numeric_limits<double>::epsilon() * std::abs(first) / length;
+        for (int k = 0; k < symmetry.fold; ++k) {
+          const Vec3 wanted = Eigen::AngleAxisd(k * pi / 2, Vec3::UnitZ()) * edit.to[0];
+          const Vec3 found = evaluate(result.motion, first + (0.1 + 0.25 * k) * length, 0.5).point;
+          QVERIFY2((found - wanted).norm() < 1e-11 + 200 * step, qPrintable(QString::number((found - wanted).norm())));
+        }
+      }
+    }
   }
 
   void onePullMakesFourBlades() {

@@ -19,6 +19,28 @@ namespace blossom::sweep {
 
 namespace {
 
+/// Share of the mean span below which two breaks are knots that are meant to be the same, in factors whose numbers differ in
+/// their last digits. Between two such breaks a C2 spline is hardly determined; without one of them it is as near, up to
+/// their distance.
+constexpr double sameBreak = 1e-6;
+
+/// Without breaks right beside another, ends aside. Breaks at which less than the third derivative jumps all stay: they part
+/// what is interpolated, and each has slopes of its own.
+CubicBreaks apart(const CubicBreaks& breaks) {
+  const double least = sameBreak * (breaks.at.back() - breaks.at.front()) / static_cast<double>(breaks.at.size() - 1);
+  const std::size_t last = breaks.at.size() - 1;
+  CubicBreaks result;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const auto fixed = [&](std::size_t k) { return k == 0 || k == last || breaks.multiplicity[k] > 1; };
+    const bool closeBefore = i > 0 && breaks.at[i] - result.at.back() < least,
+               closeAfter = i < last && breaks.at[i + 1] - breaks.at[i] < least && fixed(i + 1);
+    if (!fixed(i) && (closeBefore || closeAfter)) continue;
+    result.at.push_back(breaks.at[i]);
+    result.multiplicity.push_back(breaks.multiplicity[i]);
+  }
+  return result;
+}
+
 /// Distinct knots of all factors in one direction, with the multiplicity that a cubic needs for the same smoothness.
 CubicBreaks motionBreaks(std::span<const ProductFactor> factors, bool closed) {
   const ProductKnots product = productKnots(factors);
@@ -31,6 +53,7 @@ CubicBreaks motionBreaks(std::span<const ProductFactor> factors, bool closed) {
     breaks.multiplicity.push_back(std::clamp(3 - smoothness, 1, 3));
     i = next;
   }
+  breaks = apart(breaks);
   breaks.multiplicity.front() = breaks.multiplicity.back() = 1;
   breaks.periodic =
       closed && std::all_of(breaks.multiplicity.begin(), breaks.multiplicity.end(), [](int m) { return m == 1; });

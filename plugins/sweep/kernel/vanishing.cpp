@@ -83,22 +83,16 @@ class Search {
         progress_(progress) {}
 
   /// Proves distances of half of what is refused: between the two, patches need not shrink without end.
-  void settle(const Patch& patch) const {
+  [[nodiscard]] std::optional<MotionPlace> settle(const Patch& patch) const {
     progress_.check();
-    if (hullKeepsAway(patch.poles, minimum_ / 2)) return;
+    if (hullKeepsAway(patch.poles, minimum_ / 2)) return std::nullopt;
     const double alongU = extent(patch, true), alongV = extent(patch, false);
     const Vec4& corner = patch.poles.front();
-    if (corner.norm() < minimum_ || std::max(alongU, alongV) < minimum_ / 1000)
-      throw Error(
-          ErrorCode::Degenerate,
-          fmt::format(
-              "The orientation of this motion vanishes near u = {:.4g}, v = {:.4g}: a zero quaternion is no rotation.",
-              patch.u0, patch.v0),
-          "Move the orientation poles around that place so that neighbours turn by less than half a turn.");
+    if (corner.norm() < minimum_ || std::max(alongU, alongV) < minimum_ / 1000) return MotionPlace{patch.u0, patch.v0};
     // Across a line of near misses one direction alone needs smaller patches.
     const auto [low, high] = split(patch, alongU >= alongV);
-    settle(low);
-    settle(high);
+    if (const auto found = settle(low)) return found;
+    return settle(high);
   }
 
  private:
@@ -138,23 +132,35 @@ class Search {
 
 }  // namespace
 
-void requireNonVanishing(const Surface& orientation, const Progress& progress) {
+std::optional<MotionPlace> vanishingPlace(const Surface& orientation, const Progress& progress) {
   const BezierSurface bezier = toBezier(orientation);
   double scale = 0;
   for (const Vec4& pole : bezier.poles) scale = std::max(scale, pole.norm());
-  if (scale == 0)
-    throw Error(ErrorCode::Degenerate, "All orientation poles of this motion are zero: there is no rotation.",
-                "Give unit quaternions.");
+  if (scale == 0) return MotionPlace{bezier.breaksU.front(), bezier.breaksV.front()};
   const Search search(bezier.degreeU, bezier.degreeV, scale, progress);
   const std::size_t size = static_cast<std::size_t>(bezier.degreeU + 1) * static_cast<std::size_t>(bezier.degreeV + 1);
   for (std::size_t a = 0, at = 0; a + 1 < bezier.breaksU.size(); ++a)
     for (std::size_t b = 0; b + 1 < bezier.breaksV.size(); ++b, at += size)
-      search.settle({bezier.breaksU[a],
-                     bezier.breaksU[a + 1],
-                     bezier.breaksV[b],
-                     bezier.breaksV[b + 1],
-                     {bezier.poles.begin() + static_cast<std::ptrdiff_t>(at),
-                      bezier.poles.begin() + static_cast<std::ptrdiff_t>(at + size)}});
+      if (const auto found = search.settle({bezier.breaksU[a],
+                                            bezier.breaksU[a + 1],
+                                            bezier.breaksV[b],
+                                            bezier.breaksV[b + 1],
+                                            {bezier.poles.begin() + static_cast<std::ptrdiff_t>(at),
+                                             bezier.poles.begin() + static_cast<std::ptrdiff_t>(at + size)}}))
+        return found;
+  return std::nullopt;
+}
+
+void requireNonVanishing(const Surface& orientation, const Progress& progress) {
+  if (std::all_of(orientation.poles.begin(), orientation.poles.end(), [](const Vec4& pole) { return pole.isZero(0); }))
+    throw Error(ErrorCode::Degenerate, "All orientation poles of this motion are zero: there is no rotation.",
+                "Give unit quaternions.");
+  if (const auto place = vanishingPlace(orientation, progress))
+    throw Error(
+        ErrorCode::Degenerate,
+        fmt::format("The orientation of this motion vanishes near u = {:.4g}, v = {:.4g}: a zero quaternion is no rotation.",
+                    place->u, place->v),
+        "Move the orientation poles around that place so that neighbours turn by less than half a turn.");
 }
 
 }  // namespace blossom::sweep

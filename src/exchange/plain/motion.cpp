@@ -94,6 +94,7 @@ Value motionJson(const Motion& motion) {
     weights.push_back(pole[3]);
   }
   Value orientation = surfaceJson(motion.orientation, motion.closedU);
+  orientation[motionFileSigns] = motionFileSignsKept;
   if (motion.closedU != ClosedU::No)
     orientation["closed_u"] = motion.closedU == ClosedU::Periodic ? "periodic" : "anti-periodic";
   Value json{{"trajectory",

@@ -143,6 +143,29 @@ ClosedU readClosedU(const MotionNode& node) {
   closed.fail("must be \"anti-periodic\" (one full turn), \"periodic\" or false");
 }
 
+/// The file vouches for the signs of its quaternions.
+bool readSignsKept(const MotionNode& node) {
+  if (!node.has(motionFileSigns)) return false;
+  const MotionNode signs = node.at(motionFileSigns);
+  if (signs.value != motionFileSignsKept)
+    signs.fail(fmt::format("must be \"{}\" or left out: then they are aligned where they look lost", motionFileSignsKept));
+  return true;
+}
+
+void align(Motion& motion, std::vector<std::string>& warnings) {
+  const QuaternionAlignment alignment = alignQuaternions(motion);
+  if (alignment.flipped > 0)
+    warnings.push_back(
+        fmt::format("The signs of {} orientation poles were aligned with their neighbours: every pole is the same rotation, "
+                    "and from one to the next the motion turns the shorter way.",
+                    alignment.flipped));
+  if (alignment.opposed > 0)
+    warnings.push_back(fmt::format(
+        "Neighbouring orientation poles turn by more than half a turn near orientation.poles[{}][{}]; {}check "
+        "orientation.closed_u and the poles there.",
+        alignment.row, alignment.column, alignment.flipped > 0 ? "" : "they turn the way that the file's signs say; "));
+}
+
 void requireDomain(const std::string& path, std::pair<double, double> domain, std::pair<double, double> wanted,
                    const char* direction) {
   if (domain == wanted) return;
@@ -189,7 +212,7 @@ Motion readMotion(const Value& value, std::vector<std::string>& warnings) {
   Motion motion;
   motion.trajectory = readTrajectory(root.at("trajectory"));
   const MotionNode orientation = root.at("orientation"), scaling = root.at("scaling");
-  orientation.requireObject({"degree", "knots", "poles", "closed_u"});
+  orientation.requireObject({"degree", "knots", "poles", "closed_u", motionFileSigns});
   scaling.requireObject({"degree", "knots", "poles", "closed_u"});
   motion.closedU = readClosedU(orientation);
   if (readClosedU(scaling) != ClosedU::No && motion.closedU == ClosedU::No)
@@ -202,17 +225,7 @@ Motion readMotion(const Value& value, std::vector<std::string>& warnings) {
   requireDomain("scaling", motion.scaling.domainU(), motion.domainU(), "u");
   requireDomain("scaling", motion.scaling.domainV(), motion.domainV(), "v");
   motion.point = root.at("point").numbers<3>("a point [x, y, z]");
-  const QuaternionAlignment alignment = alignQuaternions(motion);
-  if (alignment.flipped > 0)
-    warnings.push_back(
-        fmt::format("The signs of {} orientation poles were aligned with their neighbours: every pole is the same rotation, "
-                    "and from one to the next the motion turns the shorter way.",
-                    alignment.flipped));
-  if (alignment.opposed > 0)
-    warnings.push_back(fmt::format(
-        "Neighbouring orientation poles turn by more than half a turn near orientation.poles[{}][{}]; {}check "
-        "orientation.closed_u and the poles there.",
-        alignment.row, alignment.column, alignment.flipped > 0 ? "" : "they turn the way that the file's signs say; "));
+  if (!readSignsKept(orientation)) align(motion, warnings);
   if (root.has("edits")) motion.edits = readEdits(root.at("edits"));
   if (root.has("base")) motion.base = readBase(root.at("base"), motion);
   return motion;

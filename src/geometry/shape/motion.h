@@ -61,7 +61,9 @@ struct QuaternionAlignment {
 
 /// Chooses the signs of the orientation's poles so that neighbours point the same way, in u and v and across the seam of a
 /// closed motion, because q and -q are the same rotation but a spline between them passes near zero. Leaves all signs
-/// unchanged when no choice is better. O(poles).
+/// unchanged when no choice is better. A guess, for quaternions whose signs carry no meaning: of a motion that was edited,
+/// it can make another one, as a twist of one place beyond half a turn leaves neighbours that point away from each other.
+/// O(poles).
 QuaternionAlignment alignQuaternions(Motion&);
 
 }  // namespace blossom

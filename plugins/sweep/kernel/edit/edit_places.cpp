@@ -71,7 +71,15 @@ EditPlaces::EditPlaces(const Motion& motion, std::span<const MotionPlace> at, st
 template <class Vector>
 Eigen::MatrixXd EditPlaces::wantedAt(const std::function<Vector(EditPlace&)>& wanted) {
   Eigen::MatrixXd all(static_cast<Eigen::Index>(places_.size()), Vector::RowsAtCompileTime);
-  for (std::size_t k = 0; k < places_.size(); ++k) all.row(static_cast<Eigen::Index>(k)) = wanted(places_[k]).transpose();
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const Vector value = wanted(places_[k]);
+    if (!std::isfinite(value.squaredNorm()))
+      throw Error(
+          ErrorCode::Degenerate,
+          fmt::format("At u = {}, v = {}, what this edit asks for is beyond all numbers.", places_[k].at.u, places_[k].at.v),
+          "Choose a nearer target.");
+    all.row(static_cast<Eigen::Index>(k)) = value.transpose();
+  }
   return all;
 }
 

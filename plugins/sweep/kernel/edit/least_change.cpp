@@ -4,6 +4,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "core/error.h"
+
 namespace blossom::sweep {
 
 namespace {
@@ -75,9 +77,33 @@ void removeSpan(MatrixXd& columns, const MatrixXd& span) {
   for (int pass = 0; pass < 2; ++pass) columns -= span * (span.transpose() * columns);
 }
 
+/// Places of which no two have the same row, and how many there were of each.
+struct Merged {
+  std::vector<PlaceRow> rows;
+  Eigen::VectorXd count;
+  MatrixXd wanted;  ///< the mean
+};
+
+Merged merged(std::span<const PlaceRow> moved, const MatrixXd& wanted) {
+  Merged result{{}, Eigen::VectorXd::Zero(wanted.rows()), MatrixXd::Zero(wanted.rows(), wanted.cols())};
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const auto same = std::find_if(result.rows.begin(), result.rows.end(), [&](const PlaceRow& row) {
+      return row.pole == moved[k].pole && row.share == moved[k].share;
+    });
+    const Index at = same - result.rows.begin();
+    if (same == result.rows.end()) result.rows.push_back(moved[k]);
+    result.count[at] += 1;
+    result.wanted.row(at) += wanted.row(static_cast<Index>(k));
+  }
+  const auto rows = static_cast<Index>(result.rows.size());
+  result.count.conservativeResize(rows);
+  result.wanted = (result.wanted.topRows(rows).array().colwise() / result.count.array()).matrix().eval();
+  return result;
+}
+
 /// The shortest x that meets columns^T x = wanted in the least-squares sense. Directions of which `wanted` asks nothing but
-/// rounding are left out where they would enlarge it: copies of an edit stay copies.
-MatrixXd shortest(const MatrixXd& columns, const MatrixXd& wanted, double smallest) {
+/// rounding, as a share of `asked`, are left out where they would enlarge it: copies of an edit stay copies.
+MatrixXd shortest(const MatrixXd& columns, const MatrixXd& wanted, double smallest, double asked) {
   const Eigen::HouseholderQR<MatrixXd> qr(columns);
   const Index count = std::min(columns.rows(), columns.cols());
   const MatrixXd right = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
@@ -86,7 +112,7 @@ MatrixXd shortest(const MatrixXd& columns, const MatrixXd& wanted, double smalle
   const Eigen::VectorXd& values = svd.singularValues();
   MatrixXd along = svd.matrixU().transpose() * wanted;
   for (Index k = 0; k < count; ++k) {
-    const bool unasked = values[k] < enlarging * values[0] && along.row(k).norm() <= onlyRounding * wanted.norm();
+    const bool unasked = values[k] < enlarging * values[0] && along.row(k).norm() <= onlyRounding * asked;
     if (values[k] > smallest && !unasked)
       along.row(k) /= values[k];
     else
@@ -101,6 +127,22 @@ PoleChange leastChangeOf(const PlaceRow& row, const MatrixXd& wanted) {
   return {row.pole, shares / shares.squaredNorm() * wanted.row(0), 0};
 }
 
+PoleChange solved(const Involved& all, const Merged& places, double asked, const Progress& progress) {
+  if (places.rows.size() == 1 && all.pins.empty()) return leastChangeOf(places.rows.front(), places.wanted);
+  MatrixXd free = columnsOf(places.rows, all.pole);
+  const double largest = free.colwise().norm().maxCoeff();
+  MatrixXd span(free.rows(), 0);
+  if (!all.pins.empty()) {
+    span = spanOf(columnsOf(all.pins, all.pole));
+    removeSpan(free, span);
+  }
+  progress.check();
+  const Eigen::VectorXd weight = places.count.cwiseSqrt();
+  MatrixXd by = shortest(free * weight.asDiagonal(), weight.asDiagonal() * places.wanted, dependent * largest, asked);
+  removeSpan(by, span);
+  return {all.pole, std::move(by), 0};
+}
+
 }  // namespace
 
 PoleChange leastChange(std::span<const PlaceRow> moved, const MatrixXd& wanted, std::span<const PlaceRow> pins,
@@ -108,20 +150,14 @@ PoleChange leastChange(std::span<const PlaceRow> moved, const MatrixXd& wanted, 
   if (wanted.isZero(0)) return {{}, MatrixXd(0, wanted.cols()), 0};
   const Involved all = involved(moved, pins);
   if (all.pole.empty()) return {{}, MatrixXd(0, wanted.cols()), wanted.rowwise().norm().maxCoeff()};
-  if (moved.size() == 1 && all.pins.empty()) return leastChangeOf(moved.front(), wanted);
-  const MatrixXd places = columnsOf(moved, all.pole);
-  const double largest = places.colwise().norm().maxCoeff();
   progress.check();
-  MatrixXd span(places.rows(), 0), free = places;
-  if (!all.pins.empty()) {
-    span = spanOf(columnsOf(all.pins, all.pole));
-    removeSpan(free, span);
-  }
-  progress.check();
-  MatrixXd by = shortest(free, wanted, dependent * largest);
-  removeSpan(by, span);
-  const double residual = (places.transpose() * by - wanted).rowwise().norm().maxCoeff();
-  return {all.pole, std::move(by), residual};
+  PoleChange change = solved(all, merged(moved, wanted), wanted.norm(), progress);
+  if (!change.by.allFinite())
+    throw Error(ErrorCode::Degenerate, "The change of the poles that this edit needs is beyond all numbers.",
+                "Choose nearer targets, or places that are farther apart.");
+  if (moved.size() > 1 || !all.pins.empty())
+    change.residual = (columnsOf(moved, all.pole).transpose() * change.by - wanted).rowwise().norm().maxCoeff();
+  return change;
 }
 
 std::size_t applyChange(const PoleChange& change, Curve& trajectory) {

@@ -22,10 +22,13 @@ struct PoleChange {
 /// One place: dC = N / sum(N^2) * wanted (Piegl & Tiller, The NURBS Book, section 11.2). Several: with the rows A of the
 /// places and P of the pins, the minimum-norm solution of min |A dC - wanted| over all dC with P dC = 0: A is projected on
 /// the null space of P, then solved by its singular values. Pins therefore hold even where the places contradict them or
-/// each other; those are met by least squares then, and `residual` says by how much they miss. Poles that share no place,
+/// each other; those are met by least squares then, and `residual` says by how much they miss. Places with the same row,
+/// such as copies around a motion on its trajectory, count as one place with their mean and their weight: the solution is
+/// the same, and the singular values of rounding that their difference would have do not arise. Poles that share no place,
 /// directly or over pins, with a moved one do not change. Singular values below a millionth of the largest row count as 0.
 /// @param wanted a row for each moved place
-/// O(n m^2) for m places and pins and the n poles they touch. @throws Error Cancelled.
+/// O(n m^2) for m places and pins and the n poles they touch. @throws Error Cancelled; Degenerate when the change would not
+/// be finite, as for values wanted whose squares are beyond all numbers.
 PoleChange leastChange(std::span<const PlaceRow> moved, const Eigen::MatrixXd& wanted, std::span<const PlaceRow> pins,
                        const Progress& = Progress::none());
 

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "core/error.h"
+#include "kernel/edit/edit_level.h"
 #include "kernel/edit/place_row.h"
-#include "kernel/edit/section_rows.h"
+#include "kernel/edit/section_values.h"
 #include "kernel/quaternion.h"
 
 namespace blossom::sweep {
@@ -18,8 +20,8 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// How far rows may be from copies of each other, as a share of their length: what decimals of a file leave open.
-constexpr double sameRow = 1e-9;
+/// How far values may be from copies of each other, as a share of their length: what decimals of a file leave open.
+constexpr double sameValue = 1e-9;
 
 [[noreturn]] void refuse(const std::string& message, const char* hint) {
   throw Error(ErrorCode::InvalidInput, message, hint);
@@ -38,34 +40,49 @@ Vec4 unit(const Vec4& sum, double v) {
   return sum / length;
 }
 
-void requireParts(const char* factor, const Surface& surface, int fold) {
-  if (rowsPerPart(surface, fold) > 0) return;
-  const std::size_t rows = surface.countU() - static_cast<std::size_t>(surface.degreeU);
-  refuse(
-      rows % static_cast<std::size_t>(fold) != 0
-          ? fmt::format("The {} of this motion has {} rows around, which cannot be parted in {} alike.", factor, rows, fold)
-          : fmt::format("The knots in u of the {} do not come back after one {}th of the period.", factor, fold),
-      "Ask for a fold that divides the rows, or give the motion evenly spaced rows whose number the fold divides.");
+/// The functions that level 0 changes: knots that edits of finer levels added do not count.
+SplineSpace baseSpaceU(const Surface& factor, double closure, const std::array<std::vector<double>, 2>& base) {
+  return withInnerKnots(spaceInU(factor, closure), base[0]);
 }
 
-/// g of the header, from the rows of the section.
+void requireParts(const char* factor, const SplineSpace& space, int fold) {
+  if (knotsRepeat(space, fold)) return;
+  refuse(
+      space.size() % static_cast<std::size_t>(fold) != 0
+          ? fmt::format("The {} of this motion has {} rows around, which cannot be parted in {} alike.", factor,
+                        space.size(), fold)
+          : fmt::format("The knots in u of the {} do not come back after one {}th of the period.", factor, fold),
+      "Ask for a fold that divides the rows, or give the motion evenly spaced rows whose number the fold divides. Rows that "
+      "edits of finer levels add do not matter; those inserted by hand do.");
+}
+
+/// How far values may be from copies of each other, as a share of their length: sameValue, and what the rounding of
+/// the parameters makes of them where these are much larger than the domain.
+double allowedOff(const Surface& factor) {
+  const auto [first, last] = factor.domainU();
+  return sameValue + 100 * (sameKnot({first, last}) / (last - first) - 1e-12);
+}
+
+/// g of the header, from values of the section.
 Vec4 stepOf(const Motion& motion, double v, int fold) {
-  const std::vector<Vec4> rows = sectionRows(motion.orientation, v);
-  const std::size_t free = rows.size() - static_cast<std::size_t>(motion.orientation.degreeU),
-                    part = free / static_cast<std::size_t>(fold);
-  const auto shifted = [&](std::size_t i) -> Vec4 {
-    return i + part < free ? rows[i + part] : Vec4(closureOfOrientation(motion) * rows[i + part - free]);
-  };
+  const Surface& r = motion.orientation;
+  const auto [first, last] = r.domainU();
+  std::vector<double> at = placesToCompare(r, fold);
+  const std::vector<Vec4> values = sectionValues(r, v, at, closureOfOrientation(motion));
+  for (double& u : at) u += (last - first) / fold;
+  const std::vector<Vec4> next = sectionValues(r, v, at, closureOfOrientation(motion));
   Vec4 sum = Vec4::Zero();
-  for (std::size_t i = 0; i < free; ++i) sum += times(shifted(i), conjugate(rows[i]));
+  for (std::size_t i = 0; i < values.size(); ++i) sum += times(next[i], conjugate(values[i]));
   Vec4 step = unit(sum, v);
   double off = 0;
-  for (std::size_t i = 0; i < free; ++i) off += (shifted(i) - times(step, rows[i])).squaredNorm();
-  if (off > sameRow * sameRow * squareSum(rows))
+  for (std::size_t i = 0; i < values.size(); ++i) off += (next[i] - times(step, values[i])).squaredNorm();
+  if (off > allowedOff(r) * allowedOff(r) * squareSum(values))
     refuse(fmt::format("This motion is not {}-fold at v = {}: its frames are not the same turn apart after each {}th of the "
                        "period.",
                        fold, v, fold),
-           "Begin with a motion that has this symmetry there, and edit it with the same fold.");
+           "Begin with a motion that has this symmetry there, and edit it with the same fold; a single edit that reaches "
+           "this v "
+           "takes the symmetry away.");
   return step;
 }
 
@@ -75,8 +92,9 @@ std::vector<Matrix3d> foldTurns(const Motion& motion, double v, int fold) {
   if (motion.closedU == ClosedU::No)
     refuse("Only a motion that is closed in u can be edited at several places around it.",
            "Close it with \"closed_u\", or leave the fold at 1.");
-  requireParts("orientation", motion.orientation, fold);
-  requireParts("scaling", motion.scaling, fold);
+  const BaseKnots base = baseKnots(motion);
+  requireParts("orientation", baseSpaceU(motion.orientation, closureOfOrientation(motion), base.orientation), fold);
+  requireParts("scaling", baseSpaceU(motion.scaling, closureOfScaling(motion), base.scaling), fold);
   const Vec4 step = stepOf(motion, v, fold);
   const double length = step.tail<3>().norm();
   const long parts = std::lround(std::atan2(length, step[0]) * fold / std::numbers::pi);
@@ -94,44 +112,58 @@ std::vector<Matrix3d> foldTurns(const Motion& motion, double v, int fold) {
   return turns;
 }
 
-/// Rows of the scaling read backwards stand for reflected vectors, reflected along one axis of the frame.
-bool scalingIsMirrored(const Motion& motion, const std::vector<Vec4>& rows, Eigen::Index axis) {
-  const double allowed = sameRow * std::sqrt(squareSum(rows));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vec4& other = rows[rows.size() - 1 - i];
+/// A section, and the same read backwards.
+struct BothWays {
+  std::vector<Vec4> value, back;
+  double allowed;  ///< see allowedOff
+};
+
+BothWays bothWays(const Surface& factor, double v, double closure) {
+  const auto [first, last] = factor.domainU();
+  std::vector<double> at = placesToCompareMirrored(factor);
+  BothWays result{sectionValues(factor, v, at, closure), {}, allowedOff(factor)};
+  for (double& u : at) u = first + last - u;
+  result.back = sectionValues(factor, v, at, closure);
+  return result;
+}
+
+/// The scaling read backwards stands for reflected vectors, reflected along one axis of the frame.
+bool scalingIsMirrored(const Motion& motion, const BothWays& s, Eigen::Index axis) {
+  const double allowed = s.allowed * std::sqrt(squareSum(s.value));
+  for (std::size_t i = 0; i < s.value.size(); ++i)
     for (Eigen::Index k = 0; k < 4; ++k) {
       if (k < 3 && motion.point[k] == 0) continue;
-      if (std::abs(other[k] - (k == axis ? -1 : 1) * rows[i][k]) > allowed) return false;
+      if (std::abs(s.back[i][k] - (k == axis ? -1 : 1) * s.value[i][k]) > allowed) return false;
     }
-  }
   return true;
 }
 
 /// n of the header for an axis e of the frame, when there is one.
-std::optional<Vec3> mirrorNormal(const std::vector<Vec4>& rows, Eigen::Index axis, double v) {
+std::optional<Vec3> mirrorNormal(const BothWays& r, Eigen::Index axis, double v) {
   Vec4 e = Vec4::Zero();
   e[axis + 1] = 1;
   Vec4 sum = Vec4::Zero();
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    sum += times(times(rows[rows.size() - 1 - i], conjugate(e)), conjugate(rows[i]));
-  const double all = squareSum(rows);
-  if (!(sum.norm() > sameRow * all)) return std::nullopt;
+  for (std::size_t i = 0; i < r.value.size(); ++i) sum += times(times(r.back[i], conjugate(e)), conjugate(r.value[i]));
+  const double all = squareSum(r.value);
+  if (!(sum.norm() > r.allowed * all)) return std::nullopt;
   const Vec4 normal = unit(sum, v);
   double off = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    off += (rows[rows.size() - 1 - i] - times(times(normal, rows[i]), e)).squaredNorm();
-  if (off > sameRow * sameRow * all || std::abs(normal[0]) > sameRow) return std::nullopt;
+  for (std::size_t i = 0; i < r.value.size(); ++i) off += (r.back[i] - times(times(normal, r.value[i]), e)).squaredNorm();
+  if (off > r.allowed * r.allowed * all || std::abs(normal[0]) > r.allowed) return std::nullopt;
   return normal.tail<3>().normalized();
 }
 
 Matrix3d reflection(const Motion& motion, double v) {
-  if (!knotsAreMirrored(motion.orientation) || !knotsAreMirrored(motion.scaling))
+  const double closureR = closureOfOrientation(motion), closureS = closureOfScaling(motion);
+  const BaseKnots base = baseKnots(motion);
+  if (!knotsAreMirrored(baseSpaceU(motion.orientation, closureR, base.orientation)) ||
+      !knotsAreMirrored(baseSpaceU(motion.scaling, closureS, base.scaling)))
     refuse("The knots in u of this motion are not the same read backwards, so that nothing can be mirrored.",
            "Give the motion evenly spaced rows, or leave out the mirror.");
-  const std::vector<Vec4> rows = sectionRows(motion.orientation, v), scales = sectionRows(motion.scaling, v);
+  const BothWays r = bothWays(motion.orientation, v, closureR), s = bothWays(motion.scaling, v, closureS);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    if (!scalingIsMirrored(motion, scales, axis)) continue;
-    if (const auto normal = mirrorNormal(rows, axis, v)) return Matrix3d::Identity() - 2 * *normal * normal->transpose();
+    if (!scalingIsMirrored(motion, s, axis)) continue;
+    if (const auto normal = mirrorNormal(r, axis, v)) return Matrix3d::Identity() - 2 * *normal * normal->transpose();
   }
   refuse(
       fmt::format("This motion is not its own mirror image at v = {}: read backwards in u, its frames or scalings are not "

@@ -13,15 +13,17 @@ namespace blossom::sweep {
 /// for which r(u + period / n, v0) = g r(u, v0) at every u. It acts from the left, in space, about an axis through t(v0), so
 /// that x(u + period / n, v0) - t = G (x(u, v0) - t) wherever the scaling repeats; for a motion that turns its frame once,
 /// G is the n-th part of a full turn. (Acting from the right would turn every copy about the same axis in space.) g is the
-/// mean of r_{i+m} conj(r_i) over the rows of the section v0, m = rows / n, its angle made the nearest for which g^n = +-1.
-/// On poles, this is a shift by m rows and a multiplication by g, both of which keep lengths: the shortest change that meets
-/// copied goals is itself a copy, and a symmetric motion stays symmetric up to rounding.
+/// mean of r(u + period / n, v0) conj(r(u, v0)) over the section v0, its angle made the nearest for which g^n = +-1. On the
+/// poles of the functions that an edit changes, this is a shift by rows / n and a multiplication by g, both of which keep
+/// lengths: the shortest change that meets copied goals is itself a copy, and a symmetric motion stays symmetric up to
+/// rounding. For that the base knots must repeat; knots that single edits of finer levels added are not among them, and the
+/// section is compared as the curve that it is, not row by row.
 ///
 /// **Mirror** adds for each place the one with u reversed over the domain, u0 + u1 - u, which for a closed motion is the
 /// reflection over its seam. Its isometry is the reflection F = I - 2 n n^T in the plane through t(v0) for which
 /// r(u0 + u1 - u, v0) = n r(u, v0) e, with e the x, y or z axis of the frame and n a unit vector, as quaternions: the mirror
 /// image of a frame is a frame once that axis is reversed, which changes nothing where p has no such component, and
-/// otherwise needs scalings that change sign. The rows of the scaling must be mirror images as well.
+/// otherwise needs scalings that change sign. The scaling must be its mirror image as well.
 ///
 /// Both together give the 2 n isometries of a dihedral group.
 struct SymmetricPlace {
@@ -29,8 +31,8 @@ struct SymmetricPlace {
   Eigen::Matrix3d turn;  ///< what becomes of vectors from t(v); a rotation or a reflection
 };
 
-/// The place itself, first, and its copies. O(n rows). @throws Error InvalidInput with the reason when the rows of the
-/// motion do not allow the symmetry; Degenerate when the quaternions of the section vanish.
+/// The place itself, first, and its copies. O(n rows). @throws Error InvalidInput with the reason when the base knots or the
+/// section do not allow the symmetry; Degenerate when the quaternions of the section vanish.
 std::vector<SymmetricPlace> symmetricPlaces(const Motion&, const MotionPlace&, const EditSymmetry&);
 
 /// u inside the period of a motion that is closed in u; of another, u itself.

@@ -12,8 +12,10 @@ namespace blossom::sweep {
 /// carried along (kernel/edit/motion_symmetry.h), mirrored ones the other way round. `remainders` are degrees.
 ///
 /// A full turn takes r to -r, which is the same rotation: the nearer an angle is to it, the nearer to zero the quaternions
-/// around come, and sweeping a motion whose orientation vanishes is refused.
-/// Complexity and errors as of `pull`; InvalidParameter also for an axis of length 0 and an angle beyond one full turn.
+/// around come. Two twists at the same places and level are one by both angles, as the change of the poles depends on r
+/// before and after alone; half of the angle at a coarser level and half at a finer one turn from pole to pole by less.
+/// Complexity and errors as of `pull`; InvalidParameter also for an axis of length 0 and an angle beyond one full turn;
+/// Degenerate, with the place, when the orientation would vanish somewhere where it did not.
 EditResult twist(const Motion&, const MotionTwist&, const Progress& = Progress::none());
 
 }  // namespace blossom::sweep

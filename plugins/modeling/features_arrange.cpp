@@ -145,7 +145,8 @@ std::vector<InputImage> copiesOf(const PatternParameters& p, const Inputs&) {
 }
 
 Evaluated patternOf(const PatternParameters& p, const Inputs& inputs, const Progress& progress) {
-  if (static_cast<long>(p.count) * p.secondCount > 10000)
+  const bool linear = p.kind == PatternKind::Linear;
+  if (static_cast<long>(p.count) * (linear ? p.secondCount : 1) > 10000)
     throw Error(ErrorCode::LimitExceeded, "A pattern has at most 10000 copies.", "Use smaller counts.");
   const auto maps = mapsOf(p);
   std::vector<Shape> copies;
@@ -156,8 +157,7 @@ Evaluated patternOf(const PatternParameters& p, const Inputs& inputs, const Prog
   }
   const bool join = p.join && copies.size() > 1;
   Evaluated out{assembled(copies, join, progress), {{"copies", maps.size()}}, {}};
-  if (!join)
-    tellOverlaps(copies, {0, p.kind == PatternKind::Linear ? static_cast<std::size_t>(p.count) - 1 : 0}, out, progress);
+  if (!join) tellOverlaps(copies, {0, linear ? static_cast<std::size_t>(p.count) - 1 : 0}, out, progress);
   return out;
 }
 
@@ -170,12 +170,15 @@ FeatureType patternFeature() {
           .input(anyInput("a shape to repeat"))
           .parameter("kind", &P::kind, choice({"linear", "circular"}), "Whether the copies stand in rows or round an axis.")
           .parameter("count", &P::count, count(1, 1000), "Number of copies in a row, including the original.")
-          .parameter("step", &P::step, displacement(), "Distance from one copy to the next in a row.")
-          .parameter("second-count", &P::secondCount, count(1, 1000), "Number of rows.")
-          .parameter("second-step", &P::secondStep, displacement(), "Distance from one row to the next.")
-          .parameter("axis", &P::axis, vector(), "Direction of the axis of a circular pattern.")
-          .parameter("centre", &P::centre, point(), "A point that this axis passes through.")
-          .parameter("angle", &P::angle, turn(), "The angle that the copies divide.")
+          .parameter("step", &P::step, onlyFor(displacement(), "kind", {"linear"}),
+                     "Distance from one copy to the next in a row.")
+          .parameter("second-count", &P::secondCount, onlyFor(count(1, 1000), "kind", {"linear"}), "Number of rows.")
+          .parameter("second-step", &P::secondStep, onlyFor(displacement(), "kind", {"linear"}),
+                     "Distance from one row to the next.")
+          .parameter("axis", &P::axis, onlyFor(vector(), "kind", {"circular"}),
+                     "Direction of the axis of a circular pattern.")
+          .parameter("centre", &P::centre, onlyFor(point(), "kind", {"circular"}), "A point that this axis passes through.")
+          .parameter("angle", &P::angle, onlyFor(turn(), "kind", {"circular"}), "The angle that the copies divide.")
           .parameter("join", &P::join, flag(), "Unite the copies to one body; off: an assembly of copies.")
           .example("blossom pattern hole.step --count 4 --step 25,0,0 --second-count 2 --second-step 0,40,0 -o holes.step")
           .example("blossom pattern tooth.step --kind circular --count 12 --join -o gear.step")

@@ -61,7 +61,7 @@ FeatureType morphFeature(Way way) {
       .parameter("frames", &P::frames, count(0, 1000), "Number of solids of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("control", &P::control, choice({"linear", "ease", "ease-in", "ease-out", "curve"}),
                  "Growth of the share of the second solid with t.")
-      .parameter("curve", &P::curve, unitCurve(),
+      .parameter("curve", &P::curve, onlyFor(unitCurve(), "control", {"curve"}),
                  "The share of the second solid at times t, when control is curve; linear between them.")
       .parameter("deviation", &P::deviation, positiveLength(), deviationHelp)
       .example("blossom solid-morph cube.off star.off --t 0.3 -o between.stl")

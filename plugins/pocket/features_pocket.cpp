@@ -247,7 +247,7 @@ FeatureType pocketFeature() {
       .parameter("direction", &P::direction, choice({"climb", "conventional"}),
                  "The side of the tool with the material: climb cuts from thick to thin chips.")
       .parameter("entry", &P::entry, choice({"ramp", "helix", "plunge"}), "How the tool gets down into the material.")
-      .parameter("ramp-angle", &P::rampAngle, rampAngle(), "Angle of ramp and helix.")
+      .parameter("ramp-angle", &P::rampAngle, onlyFor(rampAngle(), "entry", {"ramp", "helix"}), "Angle of ramp and helix.")
       .parameter("finish", &P::finish, lengthFromZero(),
                  "Stock that the passes leave on the walls for a last pass at full depth; 0: no such pass.")
       .parameter("leave-wall", &P::leaveWall, lengthFromZero(), "Stock to leave on the walls.")

@@ -143,8 +143,8 @@ FeatureType deformFeature() {
       .parameter("samples", &P::samples, count(2, 20000), "Number of points along drawn targets.")
       .parameter("pulls", &P::pulls, pullList(), "Single points of the limit shape and their targets.")
       .parameter("as", &P::as, asChoice(), kAsHelp)
-      .parameter("levels", &P::levels, count(0, 10), "Refinements of a limit mesh or polygon.")
-      .parameter("tolerance", &P::tolerance, positiveLength(),
+      .parameter("levels", &P::levels, onlyFor(count(0, 10), "as", {"limit"}), "Refinements of a limit mesh or polygon.")
+      .parameter("tolerance", &P::tolerance, onlyFor(positiveLength(), "as", {"faces"}),
                  "Distance of B-spline faces from the limit surface near extraordinary points; elsewhere they are exact.")
       .byOutput(asByOutput())
       .example("blossom deform cage.obj target.xyz -o pulled.obj --json")

@@ -46,9 +46,10 @@ FeatureType subdivideFeature() {
               .use = InputUse::Control,
               .asks = "a cage to smooth"})
       .parameter("scheme", &P::scheme, schemeChoice(), kSchemeHelp)
-      .parameter("levels", &P::levels, count(0, 10), "Number of refinements; each multiplies the faces by four.")
+      .parameter("levels", &P::levels, onlyFor(count(0, 10), "as", {"cage", "limit"}),
+                 "Number of refinements; each multiplies the faces by four.")
       .parameter("as", &P::as, asChoice(), kAsHelp)
-      .parameter("tolerance", &P::tolerance, positiveLength(),
+      .parameter("tolerance", &P::tolerance, onlyFor(positiveLength(), "as", {"faces"}),
                  "Distance of B-spline faces from the limit surface near extraordinary points; elsewhere they are exact.")
       .byOutput(asByOutput())
       .example("blossom subdivide cage.obj --levels 3 -o smooth.obj")

@@ -160,7 +160,7 @@ FeatureType growthFeature() {
                      "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
           .parameter("as", &P::as, choice({"mesh", "surface", "solid"}),
                      "What is made: triangles with their corners on the surface, the exact surface, or the solid in it.")
-          .parameter("cells", &P::cells, count(1, 64),
+          .parameter("cells", &P::cells, onlyFor(count(1, 64), "as", {"mesh"}),
                      "Of a mesh: cells in each direction of every span of the control net.")
           .example("blossom sweep-growth edited.json --frames 25 -o frame.stl")
           .example("blossom sweep-growth hub.json blades.json propeller.json --frames 21 -o frame.step")

@@ -35,7 +35,7 @@ Evaluated evaluatePrimitive(const PrimitiveParameters& p, const Inputs&, const P
                                           .width = p.width,
                                           .height = p.height,
                                           .angle = p.angle,
-                                          .turns = p.turns,
+                                          .turns = p.kind == PrimitiveKind::Helicoid ? p.turns : PrimitiveOptions().turns,
                                           .rows = static_cast<std::size_t>(p.rows),
                                           .columns = static_cast<std::size_t>(p.columns)});
   Evaluated out;
@@ -83,13 +83,20 @@ FeatureType primitiveFeature() {
       .produces({ShapeKind::Motion})
       .parameter("kind", &P::kind, choice({"cylinder", "cone", "sphere", "torus", "tube", "helicoid", "plane", "sheet"}),
                  "The shape: a tube is a bent one, a sheet an arched one.")
-      .parameter("radius", &P::radius, positiveLength(), "Radius; of a torus or a tube, that of the ring or the bend.")
-      .parameter("profile", &P::profile, positiveLength(), "Radius of the section of a torus or a tube.")
-      .parameter("top-radius", &P::topRadius, lengthFromZero(), "Radius of a cone at its top; 0 makes a point.")
-      .parameter("width", &P::width, positiveLength(), "Length of a plane along x.")
-      .parameter("height", &P::height, positiveLength(), "Length along the axis; of a plane, along y.")
-      .parameter("angle", &P::angle, partOfATurn(), "How far a tube bends or a sheet arches.")
-      .parameter("turns", &P::turns, number(-100, 100), "Turns of a helicoid; below 0: clockwise.")
+      .parameter("radius", &P::radius,
+                 onlyFor(positiveLength(), "kind", {"cylinder", "cone", "sphere", "torus", "tube", "helicoid", "sheet"}),
+                 "Radius; of a torus or a tube, that of the ring or the bend.")
+      .parameter("profile", &P::profile, onlyFor(positiveLength(), "kind", {"torus", "tube"}),
+                 "Radius of the section of a torus or a tube.")
+      .parameter("top-radius", &P::topRadius, onlyFor(lengthFromZero(), "kind", {"cone"}),
+                 "Radius of a cone at its top; 0 makes a point.")
+      .parameter("width", &P::width, onlyFor(positiveLength(), "kind", {"plane"}), "Length of a plane along x.")
+      .parameter("height", &P::height, onlyFor(positiveLength(), "kind", {"cylinder", "cone", "helicoid", "plane", "sheet"}),
+                 "Length along the axis; of a plane, along y.")
+      .parameter("angle", &P::angle, onlyFor(partOfATurn(), "kind", {"tube", "sheet"}),
+                 "How far a tube bends or a sheet arches.")
+      .parameter("turns", &P::turns, onlyFor(number(-100, 100), "kind", {"helicoid"}),
+                 "Turns of a helicoid; below 0: clockwise.")
       .parameter("rows", &P::rows, count(1, 256),
                  "Spans of the control net in u; at least 4 around. More of them let pulls be narrower.")
       .parameter("columns", &P::columns, count(1, 256), "Spans of the control net in v.")

@@ -110,7 +110,7 @@ FeatureType sweepFeature() {
           .parameter("solid", &P::solid, flag(), "Close the ends of a motion that closes in u and make a solid.")
           .parameter("mode", &P::mode, choice({"exact", "cubic"}),
                      "The exact rational surface, or a bicubic one within the tolerance.")
-          .parameter("tolerance", &P::tolerance, positiveLength(),
+          .parameter("tolerance", &P::tolerance, onlyFor(positiveLength(), "mode", {"cubic"}),
                      "Largest deviation of the cubic surface, measured at equal parameters.")
           .example("blossom sweep propeller.json --solid -o propeller.step")
           .example("blossom sweep propeller.json --mode cubic --tolerance 0.01 -o propeller.iges")

@@ -19,6 +19,8 @@ Value specJson(const ParameterSpec& spec) {
   if (spec.minimum) json[spec.aboveMinimum ? "above" : "least"] = *spec.minimum;
   if (spec.maximum) json["greatest"] = *spec.maximum;
   if (!spec.noneMeans.empty()) json["none_means"] = spec.noneMeans;
+  if (!spec.condition.choice.empty())
+    json["only_for"] = {{"parameter", spec.condition.choice}, {"values", spec.condition.values}};
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (!spec.fileTypes.empty()) json["file_types"] = spec.fileTypes;
   for (const ParameterSpec& field : spec.fields) json["fields"].push_back(specJson(field));

@@ -7,6 +7,9 @@ namespace {
 
 std::string helpText(const ParameterSpec& spec) {
   std::string text = spec.help;
+  const bool wordsElsewhere = spec.kind == ParameterKind::Flag || spec.kind == ParameterKind::Choice;
+  if (const std::string condition = describeCondition(spec); wordsElsewhere && !condition.empty())
+    text += " (" + condition + ')';
   if (spec.kind == ParameterKind::Flag) return spec.fallback == Value(true) ? text + " [on]" : text;
   if (spec.kind == ParameterKind::Choice && !spec.fallback.is_null())  // the words stand in front of it
     return fmt::format("{} (default {})", text, formatText(spec, spec.fallback));

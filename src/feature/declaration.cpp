@@ -27,6 +27,7 @@ void settle(const std::string& owner, ParameterSpec& spec, bool element = false)
   if (spec.kind == ParameterKind::Record && spec.fields.empty()) broken(what, "declares no fields");
   std::set<std::string> names;
   for (auto& field : spec.fields) {
+    if (!field.condition.choice.empty()) broken(what, "holds a field with a condition; only whole parameters can have one");
     settle(owner, field, spec.kind == ParameterKind::List);
     if (!names.insert(field.name).second) broken(what, fmt::format("declares the field \"{}\" twice", field.name));
   }
@@ -35,6 +36,25 @@ void settle(const std::string& owner, ParameterSpec& spec, bool element = false)
     spec.fallback = checked(spec, spec.fallback);
   } catch (const Error& e) {
     broken(what, "has a default that it does not allow itself: " + e.message());
+  }
+}
+
+/// What a parameter applies for is read off a choice that always counts itself: there is one step to follow, and no circle.
+void checkConditions(const std::string& owner, const std::vector<ParameterSpec>& specs) {
+  for (const ParameterSpec& spec : specs) {
+    const ParameterCondition& condition = spec.condition;
+    if (condition.choice.empty() && condition.values.empty()) continue;
+    const std::string what = fmt::format("The parameter \"{}\" of {}", spec.name, owner);
+    const auto on =
+        std::find_if(specs.begin(), specs.end(), [&](const auto& each) { return each.name == condition.choice; });
+    if (on == specs.end() || on->kind != ParameterKind::Choice)
+      broken(what, fmt::format("applies only for \"{}\", which is no choice there", condition.choice));
+    if (!on->condition.choice.empty())
+      broken(what, fmt::format("applies only for \"{}\", which does not always apply itself", condition.choice));
+    if (condition.values.empty()) broken(what, fmt::format("names no value of \"{}\" that it applies for", on->name));
+    for (const std::string& value : condition.values)
+      if (std::find(on->choices.begin(), on->choices.end(), value) == on->choices.end())
+        broken(what, fmt::format("applies only for \"{}\", which \"{}\" does not offer", value, on->name));
   }
 }
 
@@ -104,6 +124,7 @@ void check(FeatureType& type) {
       broken(fmt::format("The parameter \"{}\" of {}", spec.name, type.id), "has a name that every command needs itself");
     if (!names.insert(spec.name).second) broken(what, fmt::format("declares the parameter \"{}\" twice", spec.name));
   }
+  checkConditions(type.id, type.parameters);
   checkInputByFlags(what, type, names);
   checkOpening(what, type);
   checkPlaying(what, type);
@@ -126,6 +147,9 @@ void check(Format& format) {
     std::set<std::string> names;
     for (ParameterSpec& spec : *options) {
       settle("the format " + format.id, spec);
+      if (!spec.condition.choice.empty())  // the import has it as a field of a record
+        broken(what,
+               fmt::format("has a condition on the option \"{}\"; only parameters of features can have one", spec.name));
       if (!names.insert(spec.name).second) broken(what, fmt::format("declares the option \"{}\" twice", spec.name));
     }
   }

@@ -88,7 +88,27 @@ std::string describe(const ParameterSpec& spec, const LengthUnit& unit) {
   std::string text = describeKind(spec, unit);
   if (const std::string range = describeRange(spec, unit); !range.empty()) text += ", " + range;
   if (!spec.noneMeans.empty()) text += "; none: " + spec.noneMeans;
+  if (const std::string condition = describeCondition(spec); !condition.empty()) text += "; " + condition;
   return text;
+}
+
+std::string describeCondition(const ParameterSpec& spec) {
+  if (spec.condition.choice.empty()) return {};
+  std::string choice = spec.condition.choice;
+  std::replace(choice.begin(), choice.end(), '-', ' ');
+  return fmt::format("only if {} is {}", choice, enumerated(spec.condition.values, "or"));
+}
+
+bool applies(const ParameterSpec& spec, const std::vector<ParameterSpec>& specs, const Value& given) {
+  const auto choice = std::find_if(specs.begin(), specs.end(),
+                                   [&](const ParameterSpec& each) { return each.name == spec.condition.choice; });
+  if (spec.condition.choice.empty() || choice == specs.end()) return true;
+  const auto has = [](const std::vector<std::string>& names, const Value& value) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return value == Value(name); });
+  };
+  const auto found = given.find(choice->name);
+  const bool known = found != given.end() && has(choice->choices, *found);
+  return has(spec.condition.values, known ? *found : choice->fallback);
 }
 
 ParameterSpec flag() { return ofKind(ParameterKind::Flag); }
@@ -178,6 +198,11 @@ ParameterSpec optional(ParameterSpec spec) {
 
 ParameterSpec whenNone(ParameterSpec spec, std::string means) {
   spec.noneMeans = std::move(means);
+  return spec;
+}
+
+ParameterSpec onlyFor(ParameterSpec spec, std::string choice, std::vector<std::string> values) {
+  spec.condition = {std::move(choice), std::move(values)};
   return spec;
 }
 

@@ -31,6 +31,13 @@ enum class ParameterKind {
 
 std::string_view parameterKindName(ParameterKind) noexcept;
 
+/// The values of a choice beside which a parameter means something; with the others its value is accepted and not used.
+struct ParameterCondition {
+  std::string choice;  ///< name of a parameter of the same feature type that always applies; empty: no condition
+  std::vector<std::string> values;
+  friend bool operator==(const ParameterCondition&, const ParameterCondition&) = default;
+};
+
 /// One parameter, declared once: flag, form field, document key and manual row are all derived from it.
 struct ParameterSpec {
   std::string name;  ///< "area-preserving": flag and key; with spaces, the label
@@ -45,12 +52,19 @@ struct ParameterSpec {
   std::string fileTypes;              ///< of a File: extensions, "json step"
   bool mayBeAbsent = false;           ///< with a null fallback: the value may be left out
   std::string noneMeans;              ///< meaning of an empty list or an absent value: "all sharp edges"
+  ParameterCondition condition;       ///< set by onlyFor; not for fields of records and elements of lists
 };
 
 /// The name as users read it: "area preserving".
 std::string label(const ParameterSpec&);
-/// Accepted values, for help and manual: "length in mm, above 0 mm".
+/// Accepted values, for help and manual: "length in mm, above 0 mm"; of a parameter with a condition that follows: "..; only
+/// if kind is torus or tube".
 std::string describe(const ParameterSpec&, const LengthUnit& = {});
+/// "only if kind is torus or tube"; empty when the parameter always applies.
+std::string describeCondition(const ParameterSpec&);
+/// Whether a parameter means anything beside the values `given` of the others; what is absent, or no value that the choice
+/// has, counts as its default. `specs` are the parameters of the feature type.
+bool applies(const ParameterSpec&, const std::vector<ParameterSpec>& specs, const Value& given);
 /// Returns the canonical form of a value after checking kind, range and choices; integers become numbers, texts with units
 /// are parsed, of a number written with names (parameter/written.h) its value is taken.
 /// @throws Error InvalidParameter such as "t must lie between 0 and 1; it is 1.4."
@@ -97,5 +111,8 @@ ParameterSpec record(std::vector<ParameterSpec> fields);
 ParameterSpec optional(ParameterSpec);  ///< may be left out although there is no default (a file, a sub-shape)
 /// Sets the meaning of an empty list or an absent value: whenNone(list(subShape("edge")), "all sharp edges").
 ParameterSpec whenNone(ParameterSpec, std::string means);
+/// Says beside which values of a choice the parameter means something: onlyFor(number(), "kind", {"helicoid"}). Forms hide
+/// it beside the others; values are accepted as before.
+ParameterSpec onlyFor(ParameterSpec, std::string choice, std::vector<std::string> values);
 
 }  // namespace blossom

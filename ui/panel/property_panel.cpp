@@ -38,8 +38,11 @@ QLabel* title(const QString& text, QWidget* parent) {
   return label;
 }
 
-/// An import shows the options of the format that its file has, and not those of the others.
-bool saysAnything(const ParameterSpec& spec, const Feature& feature, const FormatRegistry& formats) {
+/// What is of no use beside the values of other fields says nothing. An import shows the options of the format that its file
+/// has, and not those of the others.
+bool saysAnything(const ParameterSpec& spec, const FeatureType& type, const Feature& feature,
+                  const FormatRegistry& formats) {
+  if (!applies(spec, type.parameters, feature.parameters)) return false;
   if (feature.type != "exchange.import") return true;
   const auto file = feature.parameters.find("file");
   const bool named = file != feature.parameters.end() && file->is_object();
@@ -263,12 +266,22 @@ void PropertyPanel::refreshFields() {
   refreshContext();
   for (InputEditor* input : inputs_) input->refresh();
   for (ParameterField* field : fields_) {
-    field->setVisible(saysAnything(field->spec(), feature, *session_.app().formats));
-    if (field == previewed_ || refreshTime(*field)) continue;  // what is dragged is ahead of the document
-    const auto given = feature.parameters.find(field->spec().name);
-    const bool absent = given == feature.parameters.end() || given->is_null();
-    refreshField(*field, absent ? field->spec().fallback : *given);
+    if (field != previewed_ && !refreshTime(*field)) {  // what is dragged is ahead of the document
+      const auto given = feature.parameters.find(field->spec().name);
+      const bool absent = given == feature.parameters.end() || given->is_null();
+      refreshField(*field, absent ? field->spec().fallback : *given);
+    }
+    showOrHide(*field);
   }
+}
+
+// A row that says nothing stays while something is typed in it, which would be lost or entered unasked, and while something
+// is wrong with it, which could not be mended otherwise.
+void PropertyPanel::showOrHide(ParameterField& field) {
+  const bool says = saysAnything(field.spec(), *type_, session_.document().at(shown_), *session_.app().formats);
+  const bool shown = says || field.editing() || !field.problem().isEmpty();
+  if (!shown && picking_.isFor(&field)) endPick();
+  field.setVisible(shown);
 }
 
 // A document may hold what a field cannot show, from another version or another hand: the feature's own error stands there
@@ -364,16 +377,23 @@ void PropertyPanel::showNotice(const std::vector<std::string>& warnings) {
 
 // An error that names a parameter is shown where that parameter is.
 void PropertyPanel::showFault() {
-  if (faulty_ && faulty_->problem() == fault_) faulty_->setFault({});
-  faulty_ = nullptr;
+  ParameterField* const before = std::exchange(faulty_, nullptr);
+  if (before && before->problem() == fault_) before->setFault({});
   const auto view = session_.view(shown_);
-  if (!view || !view->result->error || view->result->error->code() != ErrorCode::InvalidParameter) return;
-  const QString message = qt(view->result->error->message());
+  if (view && view->result->error && view->result->error->code() == ErrorCode::InvalidParameter) {
+    const QString message = qt(view->result->error->message());
+    faulty_ = faultyField(message);
+    fault_ = sentenceCase(message);
+  }
+  if (faulty_) faulty_->setFault(fault_);
+  if (before) showOrHide(*before);
+  if (faulty_ && faulty_ != before) showOrHide(*faulty_);
+}
+
+/// The one that the message names, unless it tells already what is wrong.
+ParameterField* PropertyPanel::faultyField(const QString& message) const {
   ParameterField* const named = fieldOfError(fields_, message);
-  if (!named || !named->problem().isEmpty()) return;
-  faulty_ = named;
-  fault_ = sentenceCase(message);
-  faulty_->setFault(fault_);
+  return named && named->problem().isEmpty() ? named : nullptr;
 }
 
 }  // namespace blossom::ui

@@ -72,9 +72,11 @@ class PropertyPanel : public QScrollArea {
   void mark(MarkedParts);
   void refreshFields();
   void refreshField(ParameterField&, const Value& given);
+  void showOrHide(ParameterField&);
   void refreshResult();
   void followViews(const std::set<FeatureId>&);
   void showFault();
+  [[nodiscard]] ParameterField* faultyField(const QString& message) const;
   void showNotice(const std::vector<std::string>& warnings);
   void preview(ParameterField*, const Value&);
   void sendPreview();

@@ -71,6 +71,8 @@ class PartOverlapTest : public QObject {
     }
     const double radius = between(random_, 5, 20);
     const TopoDS_Shape holed = BRepAlgoAPI_Cut(block({-30, -30, 0}, {60, 60, 10}), cylinder(radius, 0, 10)).Shape();
+    QVERIFY(!overlapOf(holed, cylinder(radius, 0, 10)));
+    QVERIFY(!overlapOf(holed, cylinder(radius, 3, 20)));
     QVERIFY(!overlapOf(holed, cylinder(radius - 0.05, -5, 20)));
     QVERIFY(overlapOf(holed, cylinder(radius + 0.05, 3, 20)));
     // Rods side by side, and a rod on a plate.

@@ -1,5 +1,6 @@
 #include "geometry/crossing/divided_triangles.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -15,6 +16,11 @@ class Divider {
  public:
   Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong)
       : points_(points), sheets_(sheets), tooLong_(tooLong) {}
+
+  /// The middles of a triangle's sides, to be asked for all triangles before any is divided.
+  void look(const SheetTriangle& t) {
+    for (std::size_t k = 0; k < 3; ++k) look(t, k);
+  }
 
   bool divide(const SheetTriangle& t, std::vector<SheetTriangle>& made) {
     const std::array<int, 3> middle{middleOf(t, 0), middleOf(t, 1), middleOf(t, 2)};
@@ -51,29 +57,70 @@ class Divider {
     bool isMiddle = false;
   };
 
-  /// The middle of the side from corner k to the next, one point for both its triangles.
-  int middleOf(const SheetTriangle& t, std::size_t k) {
+  /// A side that is halved, or not yet known to be.
+  struct Side {
+    int face = 0;
+    Vec2 at;     ///< parameters of the middle on the face
+    Vec3 bulge;  ///< from the middle of the chord to the face
+    bool isKnown = false;
+    int middle = undivided;
+  };
+
+  static std::uint64_t keyOf(const SheetTriangle& t, std::size_t k) {
     const std::size_t l = (k + 1) % 3;
     const auto low = static_cast<std::uint64_t>(std::min(t.corners[k], t.corners[l])),
                high = static_cast<std::uint64_t>(std::max(t.corners[k], t.corners[l]));
-    const auto [found, isNew] = middles_.try_emplace(low << 32U | high, undivided);
-    if (!isNew) return found->second;
-    const Vec3 p = points_[static_cast<std::size_t>(t.corners[k])], q = points_[static_cast<std::size_t>(t.corners[l])];
+    return low << 32U | high;
+  }
+
+  void look(const SheetTriangle& t, std::size_t k) {
+    const std::size_t l = (k + 1) % 3;
+    const auto [found, isNew] = sides_.try_emplace(keyOf(t, k));
+    Side& side = found->second;
+    if (!isNew && side.face == t.face) return;
+    const Vec2 at = (t.at[k] + t.at[l]) / 2;
     // Corners on a border may lie off this face: their middle belongs to the neighbouring face, and only its parameters lie
     // on this one. So the face tells how far a middle is from its chord, not where it is: a flat face stays flat.
-    const auto onFace = [&](const Vec2& at) { return sheets_.frame(t.face, at).point; };
-    Vec3 middle = (p + q) / 2 + onFace((t.at[k] + t.at[l]) / 2) - (onFace(t.at[k]) + onFace(t.at[l])) / 2;
+    const auto onFace = [&](const Vec2& parameters) { return sheets_.frame(t.face, parameters).point; };
+    const Vec3 bulge = onFace(at) - (onFace(t.at[k]) + onFace(t.at[l])) / 2;
+    side = isNew ? Side{t.face, at, bulge, false, undivided}
+                 : Side{t.face, at, bulgeOfBoth(side, {t.face, at, bulge, false, undivided}), false, undivided};
+  }
+
+  [[nodiscard]] Vec3 normalAt(const Side& side) const {
+    const SurfaceFrame frame = sheets_.frame(side.face, side.at);
+    return frame.du.cross(frame.dv).normalized();
+  }
+
+  /// Along an edge between two faces the middle lies on both: a flat end knows nothing of the round wall.
+  [[nodiscard]] Vec3 bulgeOfBoth(const Side& a, const Side& b) const {
+    constexpr double smooth = 0.1;  // sine of the angle between the faces
+    const Vec3 n = normalAt(a), m = normalAt(b);
+    const double cosine = n.dot(m), square = 1 - cosine * cosine;
+    if (!(square > smooth * smooth)) return a.bulge.norm() < b.bulge.norm() ? b.bulge : a.bulge;
+    const double x = n.dot(a.bulge), y = m.dot(b.bulge);
+    return (x - cosine * y) / square * n + (y - cosine * x) / square * m;
+  }
+
+  /// The middle of the side from corner k to the next, one point for all its triangles.
+  int middleOf(const SheetTriangle& t, std::size_t k) {
+    Side& side = sides_.at(keyOf(t, k));
+    if (side.isKnown) return side.middle;
+    side.isKnown = true;
+    const Vec3 p = points_[static_cast<std::size_t>(t.corners[k])],
+               q = points_[static_cast<std::size_t>(t.corners[(k + 1) % 3])];
+    Vec3 middle = (p + q) / 2 + side.bulge;
     // Beside a pole the mean of the parameters may be far away.
     if (!((middle - (p + q) / 2).norm() < (p - q).norm() / 2)) middle = (p + q) / 2;
     if (!tooLong_(p, q, middle)) return undivided;
     points_.push_back(middle);
-    return found->second = static_cast<int>(points_.size()) - 1;
+    return side.middle = static_cast<int>(points_.size()) - 1;
   }
 
   std::vector<Vec3>& points_;
   const SmoothSheets& sheets_;
   const SideJudge& tooLong_;
-  std::unordered_map<std::uint64_t, int> middles_;
+  std::unordered_map<std::uint64_t, Side> sides_;
 };
 
 }  // namespace
@@ -84,6 +131,7 @@ bool divideOnce(std::vector<Vec3>& points, std::vector<SheetTriangle>& triangles
   std::vector<SheetTriangle> made;
   made.reserve(2 * triangles.size());
   bool any = false;
+  for (const SheetTriangle& t : triangles) divider.look(t);
   for (const SheetTriangle& t : triangles) any |= divider.divide(t, made);
   triangles = std::move(made);
   return any;

@@ -18,7 +18,7 @@ struct CrossingOptions {
 struct SurfaceCrossing {
   Vec3 point = Vec3::Zero();  ///< mm, on both sheets
   SheetPlace first, second;   ///< face and parameters on either sheet; the face is 0 for a single surface
-  double depth = 0;           ///< mm, how far one sheet reaches on either side of the other, at least
+  double depth = 0;           ///< mm, how far one sheet reaches on either side of the other, at least: the lesser side
 };
 
 struct CrossingResult {
@@ -28,11 +28,14 @@ struct CrossingResult {
 };
 
 /// Whether a smooth surface crosses itself. Its triangles, within two fifths of the depth, are searched for pairs that meet
-/// (geometry/crossing/triangle_pairs.h); Newton's method on the smooth sheets leaves only pairs that meet on these as well,
-/// at an angle (geometry/crossing/smooth_sheets.h); and around such a place one sheet must have points on both sides of the
-/// other (geometry/crossing/local_sheets.h). So triangles of a thin wall that cross, tangency, seams, poles and parts that
-/// only touch do not count. Where all sheets of a place meet in a point and hang together around it, as at the tips of a
-/// spindle torus, the surface is no crossing here: it has no normal there. Also open surfaces; O(n log n) in the triangles.
+/// (geometry/crossing/triangle_pairs.h); Newton's method on the smooth sheets leaves only pairs that meet on these as well
+/// (geometry/crossing/smooth_sheets.h); and around such a place one sheet must have points on both sides of the other
+/// (geometry/crossing/local_sheets.h): on one side as deep as is looked for, on the other, where there may be only a slit,
+/// at least a share of 0.04 of that. So triangles of a thin wall that cross, sheets that touch, seams and poles do not
+/// count. Where sheets are tangent, three places far from one another are examined, and the first ball around each in which
+/// the sheets part must show both sides. Where all sheets of a place meet in a point and hang together around it, as at the
+/// tips of a spindle torus, the surface is no crossing here: it has no normal there. Also open surfaces; O(n log n) in the
+/// triangles.
 /// @throws as tessellate
 CrossingResult findCrossing(const Surface&, const CrossingOptions& = {}, const Progress& = Progress::none());
 

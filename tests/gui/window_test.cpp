@@ -6,6 +6,7 @@
 #include <vtkActor.h>
 #include <vtkProp.h>
 
+#include "document/storage.h"
 #include "ui/controls/ratio_slider.h"
 #include "ui/fields/parameter_field.h"
 #include "ui/look/text.h"
@@ -220,6 +221,7 @@ void WindowTest::aWrongValueKeepsTheOldOneAndSaysWhy() {
   COMPARE_NEAR(tolerance->value().get<double>(), 6.35, 1e-12);
   QCOMPARE(line->text(), QStringLiteral("1/4 in"));  // what was typed stays
   QVERIFY(toJson(window_->session().document()) != document);
+  waitUntilComputed();
 }
 
 void WindowTest::namesAndVisibilityAreEdits() {

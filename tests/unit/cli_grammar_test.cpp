@@ -313,7 +313,7 @@ void CliGrammarTest::featureDescriptionsCarryAllOfTheDeclaration() {
 }
 
 void CliGrammarTest::conditionsAreToldAndRefuseNothing() {
-  for (const QStringList& words : {QStringList{"echo", "--help"}, {"help", "echo"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"echo", "--help"}, {"help", "echo"}}) {
     const QString help = QString::fromStdString(run(words).out).simplified();
     for (const char* part : {"A length. (length in mm, above 0 mm; only if mode is cubic; default 0.01 mm)",
                              "A flag that is on. (only if mode is cubic) [on]"})

@@ -98,6 +98,20 @@ FeatureType cube() {
   return type;
 }
 
+/// Some of its fields are for some of its kinds.
+FeatureType kinds() {
+  FeatureType type = titled("test.kinds", "kinds", "Kinds", "One of several shapes.");
+  type.parameters = {declared("kind", choice({"ball", "ring", "spring"}), "ball"),
+                     declared("profile", onlyFor(positiveLength(), "kind", {"ring", "spring"}), 2.0),
+                     declared("turns", onlyFor(number(-10, 10), "kind", {"spring"}), 3.0),
+                     declared("radius", positiveLength(), 10.0)};
+  type.evaluate = [](const Value& values, const Inputs&, const Progress&) {
+    if (values.at("turns") == Value(0.0)) throw Error(ErrorCode::InvalidParameter, "turns must not be 0.", "Give more.");
+    return triangle();
+  };
+  return type;
+}
+
 }  // namespace
 
 void PanelFixture::setUpOnce() {
@@ -109,7 +123,7 @@ void PanelFixture::setUpOnce() {
 
 void PanelFixture::openPanel() {
   auto registry = std::make_shared<Registry>();
-  registry->addAll(everything(), source(), outline(), follower(), cube());
+  registry->addAll(everything(), source(), outline(), follower(), cube(), kinds());
   App app;
   app.registry = registry;
   app.formats = std::make_shared<FormatRegistry>();

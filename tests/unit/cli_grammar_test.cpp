@@ -44,10 +44,10 @@ FeatureType echoFeature(const std::string& id, const std::string& command, std::
       .example("blossom echo tetrahedron:2 --solid")
       .input({"shape", "Any shape.", {}, minimum, most})
       .parameter("solid", &P::solid, flag(), "A flag.")
-      .parameter("edges", &P::edges, flag(), "A flag that is on.")
+      .parameter("edges", &P::edges, onlyFor(flag(), "mode", {"cubic"}), "A flag that is on.")
       .parameter("turns", &P::turns, count(1, 9), "A count.")
       .parameter("t", &P::t, ratio(), "A ratio.")
-      .parameter("tolerance", &P::tolerance, positiveLength(), "A length.")
+      .parameter("tolerance", &P::tolerance, onlyFor(positiveLength(), "mode", {"cubic"}), "A length.")
       .parameter("angle", &P::angle, angle(), "An angle.")
       .parameter("mode", &P::mode, choice({"exact", "cubic"}), "A choice.")
       .parameter("text", &P::text, text(), "A text.")
@@ -145,6 +145,7 @@ class CliGrammarTest : public QObject {
   void progressIsOnlyShownWhereItIsWanted();
   void theTableAlignsAtTheDecimalPoint();
   void featureDescriptionsCarryAllOfTheDeclaration();
+  void conditionsAreToldAndRefuseNothing();
   void everyCommandHasHelpWithAnExample();
 };
 
@@ -306,9 +307,31 @@ void CliGrammarTest::featureDescriptionsCarryAllOfTheDeclaration() {
   const std::string text = run({"features", "echo"}).out;
   for (const char* word : {"--tolerance", "A length.", "exact", "blossom echo"})
     QVERIFY2(text.find(word) != std::string::npos, word);
-  const std::string help = run({"echo", "--help"}).out;
+  const QString help = QString::fromStdString(run({"echo", "--help"}).out).simplified();  // lines may be broken anywhere
   for (const char* word : {"--tolerance", "A length.", "exact|cubic", "blossom echo", "--[no-]edges", "default 0.01 mm"})
-    QVERIFY2(help.find(word) != std::string::npos, help.c_str());
+    QVERIFY2(help.contains(QLatin1String(word)), qPrintable(help));
+}
+
+void CliGrammarTest::conditionsAreToldAndRefuseNothing() {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"echo", "--help"}, {"help", "echo"}}) {
+    const QString help = QString::fromStdString(run(words).out).simplified();
+    for (const char* part : {"A length. (length in mm, above 0 mm; only if mode is cubic; default 0.01 mm)",
+                             "A flag that is on. (only if mode is cubic) [on]"})
+      QVERIFY2(help.contains(QLatin1String(part)), qPrintable(help));
+    QCOMPARE(help.count(QLatin1String("only if")), 2);
+  }
+  const std::string page = run({"features", "echo", "--markdown"}).out;
+  QVERIFY2(page.find("length in mm, above 0 mm; only if mode is cubic") != std::string::npos, page.c_str());
+  const Json parameters = run({"features", "echo", "--json"}).json().at("parameters");
+  for (const Json& each : parameters) {
+    const std::string name = each.at("name").get<std::string>();
+    QCOMPARE(each.contains("only_for"), name == "edges" || name == "tolerance");
+    if (each.contains("only_for")) QVERIFY(each.at("only_for") == (Json{{"parameter", "mode"}, {"values", {"cubic"}}}));
+  }
+  const Ran made = run({"echo", "tetrahedron:2", "--mode", "exact", "--tolerance", "3", "--no-edges", "--json"});
+  QCOMPARE(made.code, 0);
+  QCOMPARE(made.json().at("stats").at("tolerance").get<double>(), 3.0);
+  QCOMPARE(made.json().at("stats").at("edges").get<bool>(), false);
 }
 
 void CliGrammarTest::everyCommandHasHelpWithAnExample() {

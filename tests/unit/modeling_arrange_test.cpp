@@ -141,6 +141,18 @@ class ModelingArrangeTest : public QObject {
     COMPARE_NEAR(bounds(part.shape).low.x(), -1, 1e-9);
   }
 
+  void fieldsOfTheOtherKindDoNotCount() {
+    const Region hole{{circle({10, 0}, 1)}};
+    Value ring{{"kind", "circular"}, {"count", 12}}, row{{"count", 4}};
+    const Bounds round = bounds(made("pattern", ring, {hole}).shape), straight = bounds(made("pattern", row, {hole}).shape);
+    ring.update({{"step", {3, 4, 5}}, {"second-count", 1000}, {"second-step", {1, 1, 1}}});
+    row.update({{"axis", {0, 0, 0}}, {"centre", {9, 9, 9}}, {"angle", 1}});  // no direction: a circular one is refused
+    const Evaluated around = made("pattern", ring, {hole}), along = made("pattern", row, {hole});
+    QCOMPARE(around.stats["copies"], Value(12));
+    QVERIFY(bounds(around.shape).low == round.low && bounds(around.shape).high == round.high);
+    QVERIFY(bounds(along.shape).low == straight.low && bounds(along.shape).high == straight.high);
+  }
+
   void copiesThatOverlapAreJoined() {
     const Shape bar = made("box", {{"width", 10}, {"depth", 2}, {"height", 2}}).shape;
     const Evaluated joined = made("pattern", {{"count", 3}, {"step", {8, 0, 0}}, {"join", true}}, {bar});

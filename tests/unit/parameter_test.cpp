@@ -290,6 +290,36 @@ class ParameterTest : public QObject {
     QCOMPARE(label(named("area-preserving", flag())), std::string("area preserving"));
   }
 
+  void conditions() {
+    const ParameterSpec always = named("size", positiveLength()),
+                        some = named("turns", onlyFor(positiveLength(), "kind-of-it", {"ring", "tube"}));
+    QCOMPARE(describeCondition(always), std::string());
+    QCOMPARE(describeCondition(some), std::string("only if kind of it is ring or tube"));
+    QCOMPARE(describe(some), std::string("length in mm, above 0 mm; only if kind of it is ring or tube"));
+    ParameterSpec kind = named("kind-of-it", choice({"ball", "ring", "tube"}));
+    kind.fallback = "ball";
+    std::vector<ParameterSpec> specs{kind, always, some};
+    for (const char* value : {"ball", "ring", "tube"}) {
+      const Value given{{"kind-of-it", value}, {"size", 3.0}};
+      QVERIFY(applies(kind, specs, given) && applies(always, specs, given));
+      QCOMPARE(applies(some, specs, given), value != std::string("ball"));
+    }
+    // What is absent or no value of the choice counts as the default.
+    for (const char* fallback : {"ball", "tube"}) {
+      specs[0].fallback = fallback;
+      const bool wanted = fallback != std::string("ball");
+      for (const Value& given : {Value::object(), Value(), Value{{"kind-of-it", nullptr}}, Value{{"kind-of-it", 3}},
+                                 Value{{"kind-of-it", "cube"}}})
+        QVERIFY2(applies(some, specs, given) == wanted, given.dump().c_str());
+    }
+    // A value is accepted and completed as without a condition, also where it does not apply.
+    const Value all = completed(specs, {{"kind-of-it", "ball"}, {"size", 1}, {"turns", "2 cm"}});
+    QCOMPARE(all, (Value{{"kind-of-it", "ball"}, {"size", 1.0}, {"turns", 20.0}}));
+    QVERIFY(messageOf([&] {
+              (void)completed(specs, {{"kind-of-it", "ball"}, {"size", 1}, {"turns", -1}});
+            }).starts_with("turns must be above 0 mm"));
+  }
+
   void nearestNames() {
     const std::vector<std::string> known{"sweep", "morph", "minkowski-sum", "area-preserving", "t"};
     QCOMPARE(nearestName("swepe", known), std::string("sweep"));

@@ -18,7 +18,7 @@ FeatureType declared() {
       .produces({ShapeKind::Brep, ShapeKind::Mesh})
       .input({"base", "What it sits on.", {ShapeKind::Brep, ShapeKind::Mesh}})
       .input({"others", "Cut off.", {}, 0, anyNumber})
-      .parameter("width", &P::width, positiveLength(), "How wide.")
+      .parameter("width", &P::width, onlyFor(positiveLength(), "how", {"flat"}), "How wide.")
       .parameter("closed", &P::closed, flag(), "Whether it is shut.")
       .parameter("how", &P::how, choice({"round|square", "flat"}), "In which way.")
       .example("blossom fitting base.step -o out.step")
@@ -47,9 +47,10 @@ class ReferencePageTest : public QObject {
 
 void ReferencePageTest::everythingDeclaredIsThere() {
   const QString page = QString::fromStdString(referencePage(declared()));
-  for (const char* part : {"# Fitting", "`fitting`", "`example.pipe_fitting`", "base", "others", "0 or more", "any shape",
-                           "`width`", "above 0", "`10 mm`", "How wide.", "`closed`", "off", "Gives solid or faces or mesh.",
-                           "blossom fitting base [others others..] -o FILE", "blossom fitting base.step -o out.step"})
+  for (const char* part :
+       {"# Fitting", "`fitting`", "`example.pipe_fitting`", "base", "others", "0 or more", "any shape", "`width`",
+        "above 0 mm; only if how is flat", "`10 mm`", "How wide.", "`closed`", "off", "Gives solid or faces or mesh.",
+        "blossom fitting base [others others..] -o FILE", "blossom fitting base.step -o out.step"})
     QVERIFY2(page.contains(QLatin1String(part)), part);
 }
 

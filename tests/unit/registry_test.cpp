@@ -133,6 +133,20 @@ class RegistryTest : public QObject {
     refused([](FeatureType& t) { t.parameters[0].name = "json"; });
     refused([](FeatureType& t) { t.parameters[0].name = "no-copies"; });
     refused([](FeatureType& t) { t.parameters[2].choices.clear(); });
+    const auto conditional = [&](std::size_t parameter, const std::string& choice, const std::vector<std::string>& values) {
+      refused([&](FeatureType& t) { t.parameters[parameter] = onlyFor(t.parameters[parameter], choice, values); });
+    };
+    conditional(0, "nothing", {"cubic"});
+    conditional(0, "copies", {"3"});  // no choice
+    conditional(0, "mode", {"cubic", "square"});
+    conditional(0, "mode", {});
+    conditional(0, "", {"cubic"});
+    conditional(2, "mode", {"cubic"});  // of itself
+    refused([](FeatureType& t) {
+      t.parameters[0] = onlyFor(t.parameters[0], "other", {"a"});
+      t.parameters.push_back(onlyFor(withName(choice({"a", "b"}), "other", "a"), "mode", {"cubic"}));
+    });
+    refused([](FeatureType& t) { t.parameters[5].fields[0] = onlyFor(t.parameters[5].fields[0], "mode", {"cubic"}); });
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
     refused([](FeatureType& t) { t.inputByFlags.asks = "title"; });
     refused([](FeatureType& t) {
@@ -149,6 +163,26 @@ class RegistryTest : public QObject {
       t.inputs.push_back({"shape", "", {}});
     });
     QCOMPARE(registry.types().size(), std::size_t{1});
+  }
+
+  void parametersMayApplyForSomeValuesOfAChoice() {
+    Registry registry;
+    FeatureType type = thing();
+    for (const std::size_t parameter : {0, 1, 3, 4, 5})
+      type.parameters[parameter] = onlyFor(type.parameters[parameter], "mode", {"exact"});
+    registry.add(type);
+    const auto& specs = registry.at("test.thing")->parameters;
+    for (const ParameterSpec& spec : specs) {
+      QCOMPARE(applies(spec, specs, {{"mode", "cubic"}}), spec.name == "mode");
+      QVERIFY(applies(spec, specs, {{"mode", "exact"}}));
+    }
+    // The evaluation gets what is given all the same.
+    const Value all = completed(specs, {{"mode", "cubic"}, {"copies", 7}});
+    QCOMPARE(registry.at("thing")->evaluate(all, Inputs(), Progress::none()).stats["copies"], Value(7));
+    type = thing("test.named");
+    type.parameters[0] = onlyFor(type.parameters[0], "mode", {"square"});
+    QCOMPARE(messageOf([&] { registry.add(type); }),
+             std::string("The parameter \"t\" of test.named applies only for \"square\", which \"mode\" does not offer."));
   }
 
   void regionsMayComeAsCurvesOrFlatFaces() {

@@ -4,7 +4,9 @@
 
 #include "app/app.h"
 #include "feature/feature_type.h"
+#include "geometry/shape/motion.h"
 #include "support/command_line.h"
+#include "support/modeling.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -25,6 +27,32 @@ class SweepBeginTest : public QObject {
     QCOMPARE(solid.code, 0);
     const double wanted = std::numbers::pi * 400 * 40;
     COMPARE_NEAR(blossom({"sweep", "hub.json", "--solid", "-o", "hub.step"}).result("volume"), wanted, 1e-6 * wanted);
+  }
+
+  // The panel hides what does not apply: it must not count, whatever it is set to.
+  void sizesOfOtherKindsDoNotCount() {
+    const auto type = theApp().registry->at("sweep-motion");
+    std::size_t hidden = 0;
+    for (const std::string& kind : type->parameters.front().choices) {
+      const Value given{{"kind", kind}};
+      const Shape plain = made("sweep-motion", given).shape;
+      for (const ParameterSpec& spec : type->parameters) {
+        const bool counts = applies(spec, type->parameters, given);
+        if (spec.condition.choice.empty()) continue;
+        const double allowed = spec.name == "profile" ? 3.5 : 21.5, extreme = spec.name == "turns" ? 0 : 359;
+        for (const double other : {allowed, counts ? allowed : extreme}) {
+          Value changed = given;
+          changed[spec.name] = other;
+          const Shape shape = made("sweep-motion", changed).shape;
+          QVERIFY2((*shape.get<Motion>() == *plain.get<Motion>()) != counts, (kind + ' ' + spec.name).c_str());
+        }
+        hidden += counts ? 0 : 1;
+      }
+    }
+    QCOMPARE(hidden, std::size_t{37});
+    const QString help = QString::fromStdString(plainAnswer({"help", "sweep-motion"})).simplified();
+    QVERIFY2(help.contains(QLatin1String("only if kind is torus or tube; default 6 mm")), qPrintable(help));
+    QVERIFY2(help.contains(QLatin1String("only if kind is helicoid; default 2")), qPrintable(help));
   }
 
   void curvesOfAnyFileCarryTubes() {
@@ -68,6 +96,12 @@ class SweepBeginTest : public QObject {
   }
 
  private:
+  static std::string plainAnswer(const QStringList& arguments) {
+    QProcess process;
+    process.start(blossomProgram(), arguments);
+    if (!process.waitForFinished(-1)) return {};
+    return process.readAllStandardOutput().toStdString();
+  }
   Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }
   QTemporaryDir folder_;
 };

@@ -28,6 +28,7 @@ void addNet(const Motion& motion, Value& stats) {
 
 Evaluated evaluatePrimitive(const PrimitiveParameters& p, const Inputs&, const Progress& progress) {
   progress.check();
+  // No turns are allowed by the field and refused by the kernel, for any kind: those of others than a helicoid do not count.
   PrimitiveResult made = primitiveMotion({.kind = p.kind,
                                           .radius = p.radius,
                                           .profile = p.profile,

@@ -1,8 +1,12 @@
 /// Triangles for the search of crossings: they must not overlap one another where the faces do not.
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <GProp_GProps.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <algorithm>
@@ -42,6 +46,37 @@ class SheetMeshTest : public QObject {
 
  private slots:
   void initTestCase() { random_ = seededRandom(); }
+
+  /// A corner of an outline on the axis makes a pole, where the parameter around it means nothing.
+  void trianglesAroundPolesDoNotFold() {
+    double worst = -1;  // what folds covers more than the surface
+    for (int round = 0; round < 60; ++round) {
+      BRepBuilderAPI_MakePolygon outline;
+      outline.Add(gp_Pnt(0, 0, between(random_, -8, -1)));
+      outline.Add(gp_Pnt(between(random_, 2, 12), 0, between(random_, -1, 1)));
+      if (round % 2 == 0) outline.Add(gp_Pnt(between(random_, 1, 9), 0, between(random_, 2, 5)));
+      outline.Add(gp_Pnt(0, 0, between(random_, 6, 12)));
+      outline.Close();
+      const double turn = round % 3 == 0 ? 2 * std::numbers::pi : between(random_, 0.5, 5.5);
+      const TopoDS_Shape turned =
+          BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp::OZ(), turn).Shape();
+      const double size = bounds(Shape(Brep(turned))).diagonal();
+      GProp_GProps properties;
+      BRepGProp::SurfaceProperties(turned, properties);
+      for (const double share : {4e-4, 1.5e-3}) {
+        const SheetMesh mesh = sheetMesh(turned, share * size);
+        double all = 0;
+        for (const SheetTriangle& triangle : mesh.triangles) {
+          const auto t = mesh.at(triangle);
+          all += (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+        }
+        worst = std::max(worst, all / properties.Mass() - 1);
+      }
+      QVERIFY(!selfCrossing(turned, Progress::none()));
+    }
+    std::printf("figure triangles_beyond_the_area %.3g\n", worst);
+    QVERIFY2(worst < 1e-4, qPrintable(QString::number(worst)));
+  }
 
   void trianglesOfFlatEndsDoNotOverlap() {
     for (int round = 0; round < 40; ++round) {

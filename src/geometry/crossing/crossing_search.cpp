@@ -62,7 +62,7 @@ class Examiner {
       if (left == 0 || examined_.size() == placesTried) break;
       progress_.check();
       const auto meeting = meetingOf(pair);
-      if (!meeting) continue;
+      if (!meeting || isOnePlace(*meeting)) continue;
       const bool tangent = meeting->sine < leastSine;
       if (tangent && (tangentLeft == 0 || tangentTries == 0 || isNear(tangent_, meeting->point, tangentApart))) continue;
       if (isNear(examined_, meeting->point, result.deepest ? 10 : firstRadius)) continue;
@@ -86,6 +86,15 @@ class Examiner {
     const double reach = 2 * (longestSide(atA) + longestSide(atB));
     return meet(sheets_, {a.face, parametersAt(a, atA, pair.place)}, {b.face, parametersAt(b, atB, pair.place)}, reach,
                 mesh_.size);
+  }
+
+  /// Of one face, too: neighbours whose triangles touch because a corner of one lies on a side of the other.
+  [[nodiscard]] bool isOnePlace(const SheetMeeting& meeting) const {
+    constexpr double same = 1e-6;  // of the size
+    if (meeting.first.face != meeting.second.face) return false;
+    const SurfaceFrame frame = sheets_.frame(meeting.first.face, meeting.first.at);
+    const Vec2 apart = (meeting.second.at - meeting.first.at).cwiseAbs();
+    return apart.x() * frame.du.norm() + apart.y() * frame.dv.norm() <= same * mesh_.size;
   }
 
   /// @param near as a multiple of the depth

@@ -33,7 +33,7 @@ class Divider {
     std::vector<Corner> round;
     for (std::size_t k = 0; k < 3; ++k) {
       round.push_back({t.corners[k], t.at[k], false});
-      if (middle[k] != undivided) round.push_back({middle[k], (t.at[k] + t.at[(k + 1) % 3]) / 2, true});
+      if (middle[k] != undivided) round.push_back({middle[k], endsOf(t, k).middle(), true});
     }
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       const Corner &x = round[a % round.size()], &y = round[b % round.size()], &z = round[c % round.size()];
@@ -66,6 +66,27 @@ class Divider {
     int middle = undivided;
   };
 
+  /// The parameters of both ends of a side.
+  struct Ends {
+    Vec2 from, to;
+    [[nodiscard]] Vec2 middle() const { return (from + to) / 2; }
+  };
+
+  /// At a pole, where a row of the face is one point, the parameter along that row means nothing: the one of the other end
+  /// counts, so that the middle does not turn aside and fold its triangles.
+  [[nodiscard]] Ends endsOf(const SheetTriangle& t, std::size_t k) const {
+    constexpr double still = 1e-6;  // of the speed at the other end
+    Ends ends{t.at[k], t.at[(k + 1) % 3]};
+    const SurfaceFrame a = sheets_.frame(t.face, ends.from), b = sheets_.frame(t.face, ends.to);
+    const auto carryOver = [&](double fromSpeed, double toSpeed, Eigen::Index which) {
+      if (fromSpeed <= still * toSpeed) ends.from[which] = ends.to[which];
+      if (toSpeed <= still * fromSpeed) ends.to[which] = ends.from[which];
+    };
+    carryOver(a.du.norm(), b.du.norm(), 0);
+    carryOver(a.dv.norm(), b.dv.norm(), 1);
+    return ends;
+  }
+
   static std::uint64_t keyOf(const SheetTriangle& t, std::size_t k) {
     const std::size_t l = (k + 1) % 3;
     const auto low = static_cast<std::uint64_t>(std::min(t.corners[k], t.corners[l])),
@@ -74,15 +95,15 @@ class Divider {
   }
 
   void look(const SheetTriangle& t, std::size_t k) {
-    const std::size_t l = (k + 1) % 3;
     const auto [found, isNew] = sides_.try_emplace(keyOf(t, k));
     Side& side = found->second;
     if (!isNew && side.face == t.face) return;
-    const Vec2 at = (t.at[k] + t.at[l]) / 2;
+    const Ends ends = endsOf(t, k);
+    const Vec2 at = ends.middle();
     // Corners on a border may lie off this face: their middle belongs to the neighbouring face, and only its parameters lie
     // on this one. So the face tells how far a middle is from its chord, not where it is: a flat face stays flat.
     const auto onFace = [&](const Vec2& parameters) { return sheets_.frame(t.face, parameters).point; };
-    const Vec3 bulge = onFace(at) - (onFace(t.at[k]) + onFace(t.at[l])) / 2;
+    const Vec3 bulge = onFace(at) - (onFace(ends.from) + onFace(ends.to)) / 2;
     side = isNew ? Side{t.face, at, bulge, false, undivided}
                  : Side{t.face, at, bulgeOfBoth(side, {t.face, at, bulge, false, undivided}), false, undivided};
   }
@@ -110,7 +131,7 @@ class Divider {
     const Vec3 p = points_[static_cast<std::size_t>(t.corners[k])],
                q = points_[static_cast<std::size_t>(t.corners[(k + 1) % 3])];
     Vec3 middle = (p + q) / 2 + side.bulge;
-    // Beside a pole the mean of the parameters may be far away.
+    // Where the parameters say little, as beside a pole, the chord is safer.
     if (!((middle - (p + q) / 2).norm() < (p - q).norm() / 2)) middle = (p + q) / 2;
     if (!tooLong_(p, q, middle)) return undivided;
     points_.push_back(middle);

@@ -15,7 +15,7 @@ std::string placeText(const Vec3& p) {
 
 std::string leastText(double value) {
   constexpr const char* twoDigits = "{:.2g}";
-  const std::string nearest = fmt::format(twoDigits, value);
+  std::string nearest = fmt::format(twoDigits, value);
   if (!std::isfinite(value) || std::strtod(nearest.c_str(), nullptr) <= value) return nearest;
   const double halfADigit = std::pow(10, std::floor(std::log10(value)) - 1) / 2;
   return fmt::format(twoDigits, value - halfADigit);

@@ -36,7 +36,7 @@ bool addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
         "The surface folds over itself near {}, at {}: x_u x x_v reverses there, so that parts of the surface run back over "
         "others or turn inside out. Whether it crosses itself is not tested for sheets that lie on each other. Turn or pull "
         "it less there, or over a wider part, at a coarser level.",
-        placeText(fold.place, fold.place.norm(), 5), parametersText({fold.u, fold.v})));
+        placeText(fold.place), parametersText({fold.u, fold.v})));
   } else if (validity.smallestShare < vanishing) {
     out.warnings.push_back(
         fmt::format("The surface has no normal near u = {}, v = {}: it runs into a point or folds over there.",

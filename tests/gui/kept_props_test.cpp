@@ -84,6 +84,16 @@ void KeptPropsTest::whatIsOfAnotherSortIsReplacedInItsOrder() {
   show(see);
   show(solid);  // drawn in another pass, and lit
   QCOMPARE(inOrder(*renderer_), solid);
+
+  // Two overlays may draw the same at different depths.
+  const Props before{linesProp({{{0, 0, 0}, {1, 0, 0}}}, red, 1)}, among{linesProp({{{0, 0, 0}, {1, 0, 0}}}, red, 1)},
+      blended{linesProp({{{0, 0, 0}, {1, 0, 0}}}, red, 1)};
+  actorOf(among[0]).GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, 0);
+  actorOf(blended[0]).ForceOpaqueOn();
+  for (const Props& each : {before, among, before, blended}) {
+    show(each);
+    QCOMPARE(inOrder(*renderer_), each);
+  }
   show({});
   QVERIFY(inOrder(*renderer_).empty());
   QVERIFY(shown_.empty());

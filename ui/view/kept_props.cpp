@@ -9,6 +9,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <array>
 
 namespace blossom::ui {
 
@@ -29,6 +30,14 @@ bool areOfOneSort(vtkPolyData& a, vtkPolyData& b) {
          bothHave(a.GetNumberOfPolys(), b.GetNumberOfPolys());
 }
 
+/// By how much lines and points are drawn before what lies where they lie.
+std::array<double, 3> depthOf(vtkMapper& mapper) {
+  std::array<double, 3> depth{};
+  mapper.GetRelativeCoincidentTopologyLineOffsetParameters(depth[0], depth[1]);
+  mapper.GetRelativeCoincidentTopologyPointOffsetParameter(depth[2]);
+  return depth;
+}
+
 /// Flat things on the screen are drawn after everything, in an order of their own.
 bool isFlat(vtkProp& prop) { return vtkActor2D::SafeDownCast(&prop) != nullptr; }
 
@@ -36,7 +45,10 @@ bool areAlike(vtkProp& a, vtkProp& b) {
   if (isFlat(a) || isFlat(b)) return isFlat(a) && isFlat(b);
   vtkPolyData *dataA = dataOf(a), *dataB = dataOf(b);
   if (!dataA || !dataB || !areOfOneSort(*dataA, *dataB)) return false;
-  vtkProperty &lookA = *vtkActor::SafeDownCast(&a)->GetProperty(), &lookB = *vtkActor::SafeDownCast(&b)->GetProperty();
+  vtkActor &actorA = *vtkActor::SafeDownCast(&a), &actorB = *vtkActor::SafeDownCast(&b);
+  vtkProperty &lookA = *actorA.GetProperty(), &lookB = *actorB.GetProperty();
+  if (depthOf(*actorA.GetMapper()) != depthOf(*actorB.GetMapper())) return false;
+  if (actorA.GetForceOpaque() != actorB.GetForceOpaque()) return false;
   return lookA.GetRenderPointsAsSpheres() == lookB.GetRenderPointsAsSpheres() &&
          lookA.GetLighting() == lookB.GetLighting() && (lookA.GetOpacity() == 1) == (lookB.GetOpacity() == 1);
 }

@@ -81,8 +81,7 @@ Vec4 stepOf(const Motion& motion, double v, int fold) {
                        "period.",
                        fold, v, fold),
            "Begin with a motion that has this symmetry there, and edit it with the same fold; a single edit that reaches "
-           "this v "
-           "takes the symmetry away.");
+           "this v takes the symmetry away.");
   return step;
 }
 

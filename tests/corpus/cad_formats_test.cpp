@@ -317,5 +317,5 @@ class CadFormatsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(CadFormatsTest)
+BLOSSOM_TEST(CadFormatsTest)
 #include "cad_formats_test.moc"

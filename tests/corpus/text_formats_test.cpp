@@ -167,5 +167,5 @@ class TextFormatsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TextFormatsTest)
+BLOSSOM_TEST(TextFormatsTest)
 #include "text_formats_test.moc"

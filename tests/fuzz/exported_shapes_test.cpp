@@ -237,5 +237,5 @@ class ExportedShapesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ExportedShapesTest)
+BLOSSOM_TEST(ExportedShapesTest)
 #include "exported_shapes_test.moc"

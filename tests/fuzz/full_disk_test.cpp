@@ -121,5 +121,5 @@ class FullDiskTest : public QObject {
   static constexpr std::size_t limit = 64;
 };
 
-QTEST_GUILESS_MAIN(FullDiskTest)
+BLOSSOM_TEST(FullDiskTest)
 #include "full_disk_test.moc"

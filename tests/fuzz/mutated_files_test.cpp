@@ -15,6 +15,7 @@
 #include "geometry/occt/occt.h"
 #include "geometry/shape/brep.h"
 #include "support/exchange.h"
+#include "support/solids.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -34,14 +35,6 @@ void onAlarm(int) {
   (void)!write(2, currentFile.c_str(), currentFile.size());
   (void)!write(2, "\n", 1);
   _exit(3);
-}
-
-Mesh cube() {
-  Mesh mesh;
-  for (int i = 0; i < 8; ++i) mesh.points.emplace_back(i & 1, i >> 1 & 1, i >> 2);
-  for (const auto& f : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
-    mesh.addFace(f);
-  return mesh;
 }
 
 /// Coordinates are numbers and indices stay inside.
@@ -150,10 +143,11 @@ class MutatedFilesTest : public QObject {
       writeShape(formats(), shape, path, options);
       addSeed(path);
     };
-    addWritten(cube(), "stl");
-    addWritten(cube(), "ply");
-    addWritten(cube(), "3mf");
-    const Brep solid(toShape(cube()), "cube");
+    const Mesh cube = boxMesh({0, 0, 0}, {1, 1, 1});
+    addWritten(cube, "stl");
+    addWritten(cube, "ply");
+    addWritten(cube, "3mf");
+    const Brep solid(toShape(cube), "cube");
     for (const char* extension : {"step", "iges", "brep"}) addWritten(solid, extension);
     // STEP files come under two names.
     for (const auto& [other, id] : {std::pair{"stp", "step"}, {"igs", "iges"}, {"cptw", "cpt"}}) {
@@ -210,5 +204,5 @@ class MutatedFilesTest : public QObject {
   std::map<std::string, std::vector<std::string>> seeds_;
 };
 
-QTEST_GUILESS_MAIN(MutatedFilesTest)
+BLOSSOM_TEST(MutatedFilesTest)
 #include "mutated_files_test.moc"

@@ -172,5 +172,5 @@ class ReproducibleFilesTest : public QObject {
   int compared_ = 0, types_ = 0;
 };
 
-QTEST_GUILESS_MAIN(ReproducibleFilesTest)
+BLOSSOM_TEST(ReproducibleFilesTest)
 #include "reproducible_files_test.moc"

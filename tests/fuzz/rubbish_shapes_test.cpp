@@ -273,5 +273,5 @@ class RubbishShapesTest : public QObject {
   int refused_ = 0, taken_ = 0;
 };
 
-QTEST_GUILESS_MAIN(RubbishShapesTest)
+BLOSSOM_TEST(RubbishShapesTest)
 #include "rubbish_shapes_test.moc"

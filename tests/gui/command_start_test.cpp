@@ -171,5 +171,5 @@ void CommandStartTest::whereNothingFitsItIsSaid() {
            QStringLiteral("There is nothing here yet for Fillet: it takes a solid to round."));
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(CommandStartTest)
+BLOSSOM_WINDOW_TEST(CommandStartTest)
 #include "command_start_test.moc"

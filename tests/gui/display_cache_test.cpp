@@ -101,5 +101,5 @@ void DisplayCacheTest::aToleranceIsKept() {
   QVERIFY(usual->scene.faces == cache.view(ball, 0, Progress::none())->scene.faces);
 }
 
-QTEST_GUILESS_MAIN(DisplayCacheTest)
+BLOSSOM_TEST(DisplayCacheTest)
 #include "display_cache_test.moc"

@@ -67,5 +67,5 @@ void DocumentClipboardTest::pastedFromText() {
   VERIFY_ERROR(fromMimeData(&damaged), ErrorCode::FormatDamaged);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(DocumentClipboardTest)
+BLOSSOM_WINDOW_TEST(DocumentClipboardTest)
 #include "document_clipboard_test.moc"

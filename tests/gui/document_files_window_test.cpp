@@ -180,5 +180,5 @@ void DocumentFilesWindowTest::anImportShowsTheOptionsOfItsFormat() {
   COMPARE_NEAR(measureOf(last(), "area"), 90 * std::sqrt(125.0), 1e-6);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(DocumentFilesWindowTest)
+BLOSSOM_WINDOW_TEST(DocumentFilesWindowTest)
 #include "document_files_window_test.moc"

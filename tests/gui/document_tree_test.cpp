@@ -268,5 +268,5 @@ void DocumentTreeTest::commandsSayWhyTheyCannot() {
   QVERIFY(remove->action->isEnabled() && remove->whyNot.isEmpty());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(DocumentTreeTest)
+BLOSSOM_WINDOW_TEST(DocumentTreeTest)
 #include "document_tree_test.moc"

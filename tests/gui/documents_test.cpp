@@ -217,5 +217,5 @@ void DocumentsTest::whatCannotBeSavedIsSaidWithAWayOut() {
   window_->session().undo();
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(DocumentsTest)
+BLOSSOM_WINDOW_TEST(DocumentsTest)
 #include "documents_test.moc"

@@ -253,5 +253,5 @@ void DrawingViewTest::pickedPositionsSnap() {
   QCOMPARE(now(), ground);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(DrawingViewTest)
+BLOSSOM_WINDOW_TEST(DrawingViewTest)
 #include "drawing_view_test.moc"

@@ -130,5 +130,5 @@ void ExamplePluginWindowTest::itsFormatIsOpenedAndExported() {
   COMPARE_NEAR(measureOf(last(), "length"), perimeter, 0.5);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(ExamplePluginWindowTest)
+BLOSSOM_WINDOW_TEST(ExamplePluginWindowTest)
 #include "example_plugin_window_test.moc"

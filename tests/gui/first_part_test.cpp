@@ -191,5 +191,5 @@ void FirstPartTest::aPlayingMorphInFive() {
   QVERIFY(mouse_->clicks() <= 5);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(FirstPartTest)
+BLOSSOM_WINDOW_TEST(FirstPartTest)
 #include "first_part_test.moc"

@@ -83,5 +83,5 @@ void GermanWindowTest::bothLanguagesFindACommand() {
   }
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(GermanWindowTest)
+BLOSSOM_WINDOW_TEST(GermanWindowTest)
 #include "german_window_test.moc"

@@ -350,5 +350,5 @@ void HelpTest::languagesAreChosenByPreferenceOrSystem() {
   QCOMPARE(languageCode({}, {QStringLiteral("C")}), QString());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(HelpTest)
+BLOSSOM_WINDOW_TEST(HelpTest)
 #include "help_test.moc"

@@ -180,5 +180,5 @@ void JobsAndLogTest::everythingIsComputedAnew() {
   QVERIFY(window_->session().view(id)->result->kernelMs > 0);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(JobsAndLogTest)
+BLOSSOM_WINDOW_TEST(JobsAndLogTest)
 #include "jobs_and_log_test.moc"

@@ -8,6 +8,7 @@
 
 #include <QtTest>
 
+#include "support/test_main.h"
 #include "ui/tools/view_props.h"
 #include "ui/view/kept_props.h"
 
@@ -108,5 +109,5 @@ void KeptPropsTest::labelsAreAlwaysTheNewOnes() {
   QCOMPARE(inOrder(*renderer_), shown_);
 }
 
-QTEST_MAIN(KeptPropsTest)
+BLOSSOM_TEST_RUN(KeptPropsTest, (&blossom::test::runTest<KeptPropsTest, QApplication>))
 #include "kept_props_test.moc"

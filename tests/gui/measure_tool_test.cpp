@@ -11,7 +11,7 @@
 #include "ui/look/theme.h"
 #include "ui/tools/measure_panel.h"
 #include "ui/view/view_widget.h"
-#include "ui/window/application.h"
+#include "widget_test.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -259,10 +259,5 @@ void MeasureToolTest::endingWhileComputingIsSafe() {
   }
 }
 
-int main(int argc, char** argv) {
-  prepareApplication();
-  QApplication application(argc, argv);
-  MeasureToolTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+BLOSSOM_WIDGET_TEST(MeasureToolTest)
 #include "measure_tool_test.moc"

@@ -94,5 +94,5 @@ void MeasureWindowTest::theSectionIsDraggedAndMeasurementsSurviveIt() {
   QVERIFY(!window_->page().toolStarted());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(MeasureWindowTest)
+BLOSSOM_WINDOW_TEST(MeasureWindowTest)
 #include "measure_window_test.moc"

@@ -165,5 +165,5 @@ void MenusAndBarsTest::theWindowClosesAtAnyWidth() {
   }
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(MenusAndBarsTest)
+BLOSSOM_WINDOW_TEST(MenusAndBarsTest)
 #include "menus_and_bars_test.moc"

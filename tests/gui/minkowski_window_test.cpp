@@ -296,5 +296,5 @@ void MinkowskiWindowTest::takePictures(const std::string& name, int frame) {
   QCOMPARE(canvas(), dark);  // handles follow the theme there and back
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(MinkowskiWindowTest)
+BLOSSOM_WINDOW_TEST(MinkowskiWindowTest)
 #include "minkowski_window_test.moc"

@@ -115,5 +115,5 @@ void ModelingWindowTest::aTooLargeFilletKeepsItsPlaceAndSaysWhy() {
   QVERIFY(!window_->session().view(last())->result->error);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(ModelingWindowTest)
+BLOSSOM_WINDOW_TEST(ModelingWindowTest)
 #include "modeling_window_test.moc"

@@ -245,5 +245,5 @@ void MorphologyWindowTest::theWindowOutlivesTheHelper() {
   verifyUsable();
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(MorphologyWindowTest)
+BLOSSOM_WINDOW_TEST(MorphologyWindowTest)
 #include "morphology_window_test.moc"

@@ -149,5 +149,5 @@ void NestedTreeTest::manyResultsOpenAtTheTop() {
   QCOMPARE(tree().indexAt(QPoint(60, 10)).data(DocumentModel::IdRole).toString(), QStringLiteral("ball-0"));
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(NestedTreeTest)
+BLOSSOM_WINDOW_TEST(NestedTreeTest)
 #include "nested_tree_test.moc"

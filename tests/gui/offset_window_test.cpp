@@ -180,5 +180,5 @@ void OffsetWindowTest::aFaceOfASolidIsPicked() {
   COMPARE_NEAR(measureOf(inset, "area"), (size.x() - 2) * (size.y() - 2), 1e-6);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(OffsetWindowTest)
+BLOSSOM_WINDOW_TEST(OffsetWindowTest)
 #include "offset_window_test.moc"

@@ -114,5 +114,5 @@ void OpeningFilesTest::whatCannotBeReadMakesNoFeature() {
   session.undo();
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(OpeningFilesTest)
+BLOSSOM_WINDOW_TEST(OpeningFilesTest)
 #include "opening_files_test.moc"

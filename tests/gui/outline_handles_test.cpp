@@ -1,6 +1,7 @@
 #include <QSignalSpy>
 
 #include "outline_bench.h"
+#include "support/test_main.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -169,5 +170,5 @@ void OutlineHandlesTest::handlesTakeOnlyWhatHappensOnThem() {
   QCOMPARE(bench.steps(), std::size_t{1});
 }
 
-QTEST_MAIN(OutlineHandlesTest)
+BLOSSOM_TEST_RUN(OutlineHandlesTest, (&blossom::test::runTest<OutlineHandlesTest, QApplication>))
 #include "outline_handles_test.moc"

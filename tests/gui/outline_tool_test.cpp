@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "outline_bench.h"
+#include "support/test_main.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -253,5 +254,5 @@ void OutlineToolTest::everyOutlineHasANameOfItsOwn() {
   QCOMPARE(bench.document().features()[1]->name, std::string("Lid"));
 }
 
-QTEST_MAIN(OutlineToolTest)
+BLOSSOM_TEST_RUN(OutlineToolTest, (&blossom::test::runTest<OutlineToolTest, QApplication>))
 #include "outline_tool_test.moc"

@@ -236,5 +236,5 @@ void PaletteTest::itClosesWithoutDoingAnything() {
   QCOMPARE(document().features().size(), features);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(PaletteTest)
+BLOSSOM_WINDOW_TEST(PaletteTest)
 #include "palette_test.moc"

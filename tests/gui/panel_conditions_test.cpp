@@ -134,5 +134,5 @@ void PanelConditionsTest::whatIsWrongIsShown() {
   QCOMPARE(stored().at("turns"), Value(2.0));
 }
 
-BLOSSOM_PANEL_TEST_MAIN(PanelConditionsTest)
+BLOSSOM_WIDGET_TEST(PanelConditionsTest)
 #include "panel_conditions_test.moc"

@@ -200,5 +200,5 @@ void PanelDraggingTest::draggingNeverQueuesUp() {
   QCOMPARE(now("length"), Value(10.0));
 }
 
-BLOSSOM_PANEL_TEST_MAIN(PanelDraggingTest)
+BLOSSOM_WIDGET_TEST(PanelDraggingTest)
 #include "panel_dragging_test.moc"

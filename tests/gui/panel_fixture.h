@@ -21,7 +21,7 @@
 #include "ui/panel/property_panel.h"
 #include "ui/plugin/tool.h"
 #include "ui/session/session.h"
-#include "ui/window/application.h"
+#include "widget_test.h"
 
 namespace blossom::ui {
 
@@ -103,12 +103,3 @@ class PanelFixture : public QObject {
 };
 
 }  // namespace blossom::ui
-
-/// main() of a test program of the panel.
-#define BLOSSOM_PANEL_TEST_MAIN(Class)      \
-  int main(int argc, char** argv) {         \
-    blossom::ui::prepareApplication();      \
-    QApplication application(argc, argv);   \
-    Class test;                             \
-    return QTest::qExec(&test, argc, argv); \
-  }

@@ -255,5 +255,5 @@ void PanelFormTest::valuesGoBackToTheirDefault() {
   QCOMPARE(session_->history().undoText(), text);
 }
 
-BLOSSOM_PANEL_TEST_MAIN(PanelFormTest)
+BLOSSOM_WIDGET_TEST(PanelFormTest)
 #include "panel_form_test.moc"

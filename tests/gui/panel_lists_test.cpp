@@ -128,5 +128,5 @@ void PanelListsTest::longListsAreShownBitByBit() {
   oneStep("lengths", changed, [&] { type(lengths->rows()[before]->findChild<QLineEdit*>(), QStringLiteral("5.5")); });
 }
 
-BLOSSOM_PANEL_TEST_MAIN(PanelListsTest)
+BLOSSOM_WIDGET_TEST(PanelListsTest)
 #include "panel_lists_test.moc"

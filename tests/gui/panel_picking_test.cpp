@@ -254,5 +254,5 @@ void PanelPickingTest::theChipUnderTheMouseIsMarkedInTheView() {
   panel_->disconnect(this);
 }
 
-BLOSSOM_PANEL_TEST_MAIN(PanelPickingTest)
+BLOSSOM_WIDGET_TEST(PanelPickingTest)
 #include "panel_picking_test.moc"

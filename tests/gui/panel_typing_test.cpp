@@ -248,5 +248,5 @@ void PanelTypingTest::filesAreDroppedAndWritten() {
   QVERIFY(now("file").is_null());
 }
 
-BLOSSOM_PANEL_TEST_MAIN(PanelTypingTest)
+BLOSSOM_WIDGET_TEST(PanelTypingTest)
 #include "panel_typing_test.moc"

@@ -307,5 +307,5 @@ void PanelUnitsTest::withMillimetresAllIsAsBefore() {
   QCOMPARE(now("length"), Value(3.0));
 }
 
-BLOSSOM_PANEL_TEST_MAIN(PanelUnitsTest)
+BLOSSOM_WIDGET_TEST(PanelUnitsTest)
 #include "panel_units_test.moc"

@@ -113,5 +113,5 @@ void PickedEdgesWindowTest::aLostEdgeIsPickedAgain() {
   QCOMPARE(window_->view().markedParts().chosen.size(), std::size_t{1});
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(PickedEdgesWindowTest)
+BLOSSOM_WINDOW_TEST(PickedEdgesWindowTest)
 #include "picked_edges_window_test.moc"

@@ -3,6 +3,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "support/test_main.h"
+
 namespace blossom::ui {
 
 class PlaybackTest : public QObject {
@@ -93,5 +95,6 @@ void PlaybackTest::staysWithinTheFrames() {
 
 }  // namespace blossom::ui
 
-QTEST_GUILESS_MAIN(blossom::ui::PlaybackTest)
+using blossom::ui::PlaybackTest;
+BLOSSOM_TEST(PlaybackTest)
 #include "playback_test.moc"

@@ -194,5 +194,5 @@ void PocketWindowTest::takePictures(const std::string& name) {
   }
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(PocketWindowTest)
+BLOSSOM_WINDOW_TEST(PocketWindowTest)
 #include "pocket_window_test.moc"

@@ -122,5 +122,5 @@ void PreferencesWindowTest::theFormShowsItsLengthsInTheUnit() {
   QCOMPARE(line->text(), QStringLiteral("0 mm"));
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(PreferencesWindowTest)
+BLOSSOM_WINDOW_TEST(PreferencesWindowTest)
 #include "preferences_window_test.moc"

@@ -35,5 +35,5 @@ void ReadableTextTest::theStateOfAToolpathIsItsLength() {
   QCOMPARE(stateLine(measure(path)), QStringLiteral("toolpath, 5 mm"));
 }
 
-QTEST_GUILESS_MAIN(ReadableTextTest)
+BLOSSOM_TEST(ReadableTextTest)
 #include "readable_text_test.moc"

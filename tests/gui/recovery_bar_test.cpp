@@ -83,5 +83,5 @@ void RecoveryBarTest::discardedItIsGone() {
   QVERIFY(RecoveryArea(Recovery::standardFolder()).lost().empty());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(RecoveryBarTest)
+BLOSSOM_WINDOW_TEST(RecoveryBarTest)
 #include "recovery_bar_test.moc"

@@ -11,6 +11,7 @@
 #include <map>
 
 #include "document/recovery_area.h"
+#include "support/random.h"
 #include "support/support.h"
 #include "ui/session/recovery.h"
 #include "ui/session/session.h"
@@ -19,9 +20,10 @@ using namespace blossom;
 using namespace blossom::ui;
 namespace fs = std::filesystem;
 
+using test::Random;
+
 namespace {
 
-using Random = std::mt19937_64;
 constexpr std::int64_t maximumLostMs = 1000;
 
 std::int64_t monotonicMs() {
@@ -173,7 +175,7 @@ class RecoveryTest : public QObject {
 std::int64_t RecoveryTest::killAfter(const QStringList& arguments, int milliseconds) {
   QProcess process;
   process.setProcessChannelMode(QProcess::ForwardedChannels);
-  process.start(QCoreApplication::applicationFilePath(), arguments);
+  process.start(QCoreApplication::applicationFilePath(), QStringList{QStringLiteral("recovery_test")} + arguments);
   if (!process.waitForStarted()) return -1;
   process.waitForFinished(milliseconds);
   const std::int64_t killed = monotonicMs();
@@ -272,7 +274,7 @@ void RecoveryTest::withoutSafetyCopiesNothingIsKept() {
   QVERIFY(!Recovery::instance().newJournal({}));
 }
 
-int main(int argc, char** argv) {
+static int runRecoveryTest(int argc, char** argv) {
   QCoreApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("Blossom test"));
   const QStringList arguments = QCoreApplication::arguments();
@@ -287,4 +289,5 @@ int main(int argc, char** argv) {
   RecoveryTest test;
   return QTest::qExec(&test, argc, argv);
 }
+BLOSSOM_TEST_RUN(RecoveryTest, runRecoveryTest)
 #include "recovery_test.moc"

@@ -254,10 +254,9 @@ void RefreshTest::anEditOfManyFeaturesRefreshesOnceAPicture() {
   QCOMPARE(application().count(WindowPart::StartPage), 0);
 }
 
-int main(int argc, char** argv) {
+static int runRefreshTest(int argc, char** argv) {
   blossom::ui::prepareApplication();
-  CountingApplication counting(argc, argv);
-  RefreshTest test;
-  return QTest::qExec(&test, argc, argv);
+  return blossom::test::runTest<RefreshTest, CountingApplication>(argc, argv);
 }
+BLOSSOM_TEST_RUN(RefreshTest, runRefreshTest)
 #include "refresh_test.moc"

@@ -11,7 +11,7 @@
 #include "tool_host.h"
 #include "ui/look/theme.h"
 #include "ui/tools/section_panel.h"
-#include "ui/window/application.h"
+#include "widget_test.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -198,10 +198,5 @@ void SectionToolTest::offShowsAllAgain() {
   QCOMPARE(finished.count(), 1);
 }
 
-int main(int argc, char** argv) {
-  prepareApplication();
-  QApplication application(argc, argv);
-  SectionToolTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+BLOSSOM_WIDGET_TEST(SectionToolTest)
 #include "section_tool_test.moc"

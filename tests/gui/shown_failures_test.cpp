@@ -135,5 +135,5 @@ void ShownFailuresTest::whatIsOutOfDateIsDrawnFaintly() {
   QCOMPARE(canvas(), ready);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(ShownFailuresTest)
+BLOSSOM_WINDOW_TEST(ShownFailuresTest)
 #include "shown_failures_test.moc"

@@ -3,6 +3,7 @@
 #include <array>
 #include <random>
 
+#include "support/test_main.h"
 #include "ui/view/smoothing.h"
 
 using namespace blossom::ui;
@@ -90,5 +91,5 @@ void SmoothingTest::aSmallFrameFillsThePicture() {
   }
 }
 
-QTEST_APPLESS_MAIN(SmoothingTest)
+BLOSSOM_TEST(SmoothingTest)
 #include "smoothing_test.moc"

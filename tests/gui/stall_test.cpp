@@ -127,5 +127,5 @@ void StallTest::jobsLeaveTheWindowAlive() {
   tell("editing");
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(StallTest)
+BLOSSOM_WINDOW_TEST(StallTest)
 #include "stall_test.moc"

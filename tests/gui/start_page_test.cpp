@@ -101,5 +101,5 @@ void StartPageTest::aNewDocumentIsAnEmptyCanvas() {
   QVERIFY(reached >= sampleFiles().size());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(StartPageTest)
+BLOSSOM_WINDOW_TEST(StartPageTest)
 #include "start_page_test.moc"

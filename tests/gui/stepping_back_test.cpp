@@ -110,5 +110,5 @@ void SteppingBackTest::sequencesThatAreUsedUpDoNotPlay() {
   QTRY_VERIFY(!timeline->isVisible());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(SteppingBackTest)
+BLOSSOM_WINDOW_TEST(SteppingBackTest)
 #include "stepping_back_test.moc"

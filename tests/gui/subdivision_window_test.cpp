@@ -531,5 +531,5 @@ void SubdivisionWindowTest::aCageOf5000FacesIsDraggedLive() {
   QVERIFY(differing(meshOf(pulled).points, cage.points) <= static_cast<std::size_t>(measureOf(pulled, "free_points")));
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(SubdivisionWindowTest)
+BLOSSOM_WINDOW_TEST(SubdivisionWindowTest)
 #include "subdivision_window_test.moc"

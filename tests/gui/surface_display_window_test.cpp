@@ -103,5 +103,5 @@ class SurfaceDisplayWindowTest : public WindowFixture {
   [[nodiscard]] CurvatureLegend& legend() { return *window_->view().findChild<CurvatureLegend*>(); }
 };
 
-BLOSSOM_WINDOW_TEST_MAIN(SurfaceDisplayWindowTest)
+BLOSSOM_WINDOW_TEST(SurfaceDisplayWindowTest)
 #include "surface_display_window_test.moc"

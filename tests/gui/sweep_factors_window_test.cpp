@@ -369,5 +369,5 @@ void SweepFactorsWindowTest::theEditorIsSeen() {
   keepPictures("factors-iso-curves");
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(SweepFactorsWindowTest)
+BLOSSOM_WINDOW_TEST(SweepFactorsWindowTest)
 #include "sweep_factors_window_test.moc"

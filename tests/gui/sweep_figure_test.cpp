@@ -308,5 +308,5 @@ void SweepFigureTest::theGrowthIsScrubbed() {
   QVERIFY(*frames.back().get<Mesh>() != *frames[12].get<Mesh>());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(SweepFigureTest)
+BLOSSOM_WINDOW_TEST(SweepFigureTest)
 #include "sweep_figure_test.moc"

@@ -253,5 +253,5 @@ void SweepGoalWindowTest::aMirroredPullIsMirrored() {
   QVERIFY((image - (target - 2 * target.dot(across) * across)).norm() < 1e-10);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(SweepGoalWindowTest)
+BLOSSOM_WINDOW_TEST(SweepGoalWindowTest)
 #include "sweep_goal_window_test.moc"

@@ -207,5 +207,5 @@ void SweepLiveWindowTest::framesAreMeasured() {
   waitUntilComputed();
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(SweepLiveWindowTest)
+BLOSSOM_WINDOW_TEST(SweepLiveWindowTest)
 #include "sweep_live_window_test.moc"

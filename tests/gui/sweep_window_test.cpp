@@ -361,5 +361,5 @@ void SweepWindowTest::theHandlesAreSeen() {
   mouse(QEvent::MouseButtonRelease, to);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(SweepWindowTest)
+BLOSSOM_WINDOW_TEST(SweepWindowTest)
 #include "sweep_window_test.moc"

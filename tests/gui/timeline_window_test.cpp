@@ -206,5 +206,5 @@ void TimelineWindowTest::theTimeOfTheMorphIsThatOfTheFrame() {
   COMPARE_NEAR(shownWidth(), 13, 1e-6);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(TimelineWindowTest)
+BLOSSOM_WINDOW_TEST(TimelineWindowTest)
 #include "timeline_window_test.moc"

@@ -272,5 +272,5 @@ void TypedNumbersTest::theTableIsEditedInItsDialog() {
   QCOMPARE(window_->session().history().undoText(), std::string("Change named numbers"));
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(TypedNumbersTest)
+BLOSSOM_WINDOW_TEST(TypedNumbersTest)
 #include "typed_numbers_test.moc"

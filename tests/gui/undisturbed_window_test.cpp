@@ -128,5 +128,5 @@ void UndisturbedWindowTest::theWindowClosesWhileItComputes() {
   QCOMPARE(held_->cancelled.load(), held_->begun.load());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(UndisturbedWindowTest)
+BLOSSOM_WINDOW_TEST(UndisturbedWindowTest)
 #include "undisturbed_window_test.moc"

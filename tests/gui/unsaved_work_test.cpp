@@ -267,13 +267,5 @@ void UnsavedWorkTest::aMistakeInAHandlerEndsNothing() {
   QVERIFY(!told.front().hint().empty());
 }
 
-int main(int argc, char** argv) {
-  prepareApplication();
-  GuardedApplication application(argc, argv);
-  UnsavedWorkTest test;
-  const StallWatch watch;
-  const int code = QTest::qExec(&test, argc, argv);
-  watch.print();
-  return code;
-}
+BLOSSOM_TEST_RUN(UnsavedWorkTest, (&blossom::test::runWindowTest<UnsavedWorkTest, GuardedApplication>))
 #include "unsaved_work_test.moc"

@@ -12,7 +12,7 @@
 #include "ui/look/theme.h"
 #include "ui/view/curvature_legend.h"
 #include "ui/view/view_widget.h"
-#include "ui/window/application.h"
+#include "widget_test.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -416,11 +416,5 @@ class ViewTest : public QObject {
   std::unique_ptr<ViewWidget> view_;
 };
 
-int main(int argc, char** argv) {
-  prepareApplication();
-  QApplication application(argc, argv);
-  ViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
-
+BLOSSOM_WIDGET_TEST(ViewTest)
 #include "view_test.moc"

@@ -161,5 +161,5 @@ void WindowFilesTest::droppedFilesAreOpenedOrAdded() {
   QCOMPARE(window_->session().document().features().size(), count);
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(WindowFilesTest)
+BLOSSOM_WINDOW_TEST(WindowFilesTest)
 #include "window_files_test.moc"

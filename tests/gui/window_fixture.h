@@ -90,14 +90,20 @@ class WindowFixture : public QObject {
 
 }  // namespace blossom::ui
 
-/// main() of a test program with a window.
-#define BLOSSOM_WINDOW_TEST_MAIN(Class)               \
-  int main(int argc, char** argv) {                   \
-    blossom::ui::prepareApplication();                \
-    QApplication application(argc, argv);             \
-    Class test;                                       \
-    const blossom::ui::StallWatch watch;              \
-    const int code = QTest::qExec(&test, argc, argv); \
-    watch.print();                                    \
-    return code;                                      \
-  }
+namespace blossom::test {
+
+/// Runs a test class of the window, and prints how long its thread stood still.
+template <class Test, class Application = QApplication>
+int runWindowTest(int argc, char** argv) {
+  ui::prepareApplication();
+  Application application(argc, argv);
+  Test test;
+  const ui::StallWatch watch;
+  const int code = QTest::qExec(&test, argc, argv);
+  watch.print();
+  return code;
+}
+
+}  // namespace blossom::test
+
+#define BLOSSOM_WINDOW_TEST(Class) BLOSSOM_TEST_RUN(Class, &blossom::test::runWindowTest<Class>)

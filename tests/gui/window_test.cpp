@@ -309,5 +309,5 @@ void WindowTest::selectedFeaturesAreHiddenByOneEdit() {
   QVERIFY(!window_->isWindowModified());
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(WindowTest)
+BLOSSOM_WINDOW_TEST(WindowTest)
 #include "window_test.moc"

@@ -118,5 +118,5 @@ void WorkbenchTest::theStateOfTheViewBelongsToTheTab() {
   QCOMPARE(window_->pageCount(), std::size_t(2));
 }
 
-BLOSSOM_WINDOW_TEST_MAIN(WorkbenchTest)
+BLOSSOM_WINDOW_TEST(WorkbenchTest)
 #include "workbench_test.moc"

@@ -223,5 +223,5 @@ class BsplineOcctTest : public QObject {
   Random random_;
 };
 
-QTEST_GUILESS_MAIN(BsplineOcctTest)
+BLOSSOM_TEST(BsplineOcctTest)
 #include "bspline_occt_test.moc"

@@ -399,5 +399,5 @@ void MeasureBetweenTest::itCanBeCancelled() {
   QVERIFY(reports >= 2);
 }
 
-QTEST_GUILESS_MAIN(MeasureBetweenTest)
+BLOSSOM_TEST(MeasureBetweenTest)
 #include "measure_between_test.moc"

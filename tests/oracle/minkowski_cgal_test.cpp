@@ -241,5 +241,5 @@ class MinkowskiCgalTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MinkowskiCgalTest)
+BLOSSOM_TEST(MinkowskiCgalTest)
 #include "minkowski_cgal_test.moc"

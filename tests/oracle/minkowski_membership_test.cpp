@@ -180,5 +180,5 @@ class MinkowskiMembershipTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MinkowskiMembershipTest)
+BLOSSOM_TEST(MinkowskiMembershipTest)
 #include "minkowski_membership_test.moc"

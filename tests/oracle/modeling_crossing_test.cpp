@@ -66,29 +66,29 @@ class ModelingCrossingTest : public QObject {
   std::mt19937_64 random_;
 
   /// Uniform in the exponent: as many small as large.
-  double share(double least, double greatest) { return std::exp(between(random_, std::log(least), std::log(greatest))); }
+  double share(double least, double greatest) { return std::exp(uniform(random_, std::log(least), std::log(greatest))); }
   /// `by` for a shape of about a size.
   double drawn(bool crossing, double size) {
     return crossing ? size * share(leastDepth, greatestDepth) : -size * share(leastGap, greatestGap);
   }
 
   Told sweepTold(bool crossing) {
-    const double radius = between(random_, 5, 20), height = between(random_, 10, 40),
+    const double radius = uniform(random_, 5, 20), height = uniform(random_, 10, 40),
                  size = std::hypot(2.2 * radius, height);
     const double first = std::abs(drawn(crossing, size)), last = std::abs(drawn(crossing, size));
-    const int steps = 6 + static_cast<int>(between(random_, 1, 4));
+    const int steps = 6 + static_cast<int>(uniform(random_, 1, 4));
     return toldOfSurface(sweep::productSurface(coil(radius, height, first, crossing ? -last : last, steps)).surface);
   }
 
   Told revolveTold(bool crossing) {
-    const double radius = between(random_, 5, 20), height = between(random_, 4, 15), lean = between(random_, -2, 2);
+    const double radius = uniform(random_, 5, 20), height = uniform(random_, 4, 15), lean = uniform(random_, -2, 2);
     const double by = drawn(crossing, std::hypot(2 * (radius + 1.2 * height), 2 * (radius + 1.2 * height)));
-    const modeling::RevolveOptions options{.direction = {0, 0, 1}, .angle = between(random_, 60, 360)};
+    const modeling::RevolveOptions options{.direction = {0, 0, 1}, .angle = uniform(random_, 60, 360)};
     return toldBy([&] { return modeling::revolve(hookedProfile(radius, height, lean, by), options); });
   }
 
   Told loftTold(bool crossing) {
-    const double low = between(random_, 8, 20), high = low * between(random_, 0.7, 0.95), height = between(random_, 10, 30);
+    const double low = uniform(random_, 8, 20), high = low * uniform(random_, 0.7, 0.95), height = uniform(random_, 10, 30);
     const double by = drawn(crossing, std::hypot(3 * low, height));
     std::vector<TopoDS_Shape> sections;
     for (const TopoDS_Wire& wire : cup(low, high, height, by)) sections.push_back(faceIn(wire));
@@ -96,14 +96,14 @@ class ModelingCrossingTest : public QObject {
   }
 
   Told taperTold(bool crossing) {
-    const double size = between(random_, 20, 60), height = between(random_, 5, 15), degrees = between(random_, 5, 20);
+    const double size = uniform(random_, 20, 60), height = uniform(random_, 5, 15), degrees = uniform(random_, 5, 20);
     const double by = drawn(crossing, 1.8 * size);
     const modeling::ExtrudeOptions options{.height = height, .taper = -degrees};
     return toldBy([&] { return Extruded{modeling::extrude(slotted(size, height, degrees, by), options).shape, {}}; });
   }
 
   Told pipeTold(bool crossing) {
-    const double size = between(random_, 30, 60), radius = size * between(random_, 0.03, 0.06);
+    const double size = uniform(random_, 30, 60), radius = size * uniform(random_, 0.03, 0.06);
     const double by = drawn(crossing, 1.6 * size);
     const TopoDS_Face disc = faceIn(circleWire({0, 0, 0}, radius));
     return toldBy([&] { return modeling::pipe(disc, overpass(size, radius, by), {}); });
@@ -143,7 +143,7 @@ class ModelingCrossingTest : public QObject {
   void placeAndParametersAreThoseOfTheConstruction() {
     double off = 0;
     for (int k = 0; k < 20; ++k) {
-      const double first = between(random_, 0.3, 1), last = between(random_, 0.3, 1), height = 20;
+      const double first = uniform(random_, 0.3, 1), last = uniform(random_, 0.3, 1), height = 20;
       const Surface surface = sweep::productSurface(coil(10, height, first, -last, 8)).surface;
       const auto crossing = findCrossing(surface).deepest;
       QVERIFY(crossing);
@@ -186,5 +186,5 @@ class ModelingCrossingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingCrossingTest)
+BLOSSOM_TEST(ModelingCrossingTest)
 #include "modeling_crossing_test.moc"

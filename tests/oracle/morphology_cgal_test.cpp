@@ -207,5 +207,5 @@ class MorphologyCgalTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MorphologyCgalTest)
+BLOSSOM_TEST(MorphologyCgalTest)
 #include "morphology_cgal_test.moc"

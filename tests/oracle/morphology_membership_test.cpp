@@ -86,5 +86,5 @@ class MorphologyMembershipTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MorphologyMembershipTest)
+BLOSSOM_TEST(MorphologyMembershipTest)
 #include "morphology_membership_test.moc"

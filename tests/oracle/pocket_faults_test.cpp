@@ -28,7 +28,7 @@ GoodProgram byHand(std::mt19937_64& random) {
 }
 
 Region ownPart(std::mt19937_64& random) {
-  const double x = hand::uniform(random, -50, 50), y = hand::uniform(random, -50, 50);
+  const double x = uniform(random, -50, 50), y = uniform(random, -50, 50);
   switch (random() % 4) {
     case 0:
       return {{boxPath(x, y, x + 60, y + 40), circlePath({x + 30, y + 20}, 7, true)}};
@@ -158,5 +158,5 @@ class PocketFaultsTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PocketFaultsTest)
+BLOSSOM_TEST(PocketFaultsTest)
 #include "pocket_faults_test.moc"

@@ -180,5 +180,5 @@ void PocketOffsetFilesTest::cleanupTestCase() {
   for (const auto& [name, value] : figures) qInfo("figure %s %g", name, value);
 }
 
-QTEST_APPLESS_MAIN(PocketOffsetFilesTest)
+BLOSSOM_TEST(PocketOffsetFilesTest)
 #include "pocket_offset_files_test.moc"

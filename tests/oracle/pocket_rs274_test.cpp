@@ -279,5 +279,5 @@ class PocketRs274Test final : public QObject {
   Figures drawings_;
 };
 
-QTEST_GUILESS_MAIN(PocketRs274Test)
+BLOSSOM_TEST(PocketRs274Test)
 #include "pocket_rs274_test.moc"

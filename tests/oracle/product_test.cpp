@@ -308,5 +308,5 @@ class ProductTest : public QObject {
   Random random_;
 };
 
-QTEST_GUILESS_MAIN(ProductTest)
+BLOSSOM_TEST(ProductTest)
 #include "product_test.moc"

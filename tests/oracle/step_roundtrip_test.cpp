@@ -318,5 +318,5 @@ class StepRoundtripTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(StepRoundtripTest)
+BLOSSOM_TEST(StepRoundtripTest)
 #include "step_roundtrip_test.moc"

@@ -176,5 +176,5 @@ class SubdivisionFilesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionFilesTest)
+BLOSSOM_TEST(SubdivisionFilesTest)
 #include "subdivision_files_test.moc"

@@ -166,5 +166,5 @@ class SubdivisionPullTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionPullTest)
+BLOSSOM_TEST(SubdivisionPullTest)
 #include "subdivision_pull_test.moc"

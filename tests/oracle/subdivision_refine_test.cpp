@@ -198,5 +198,5 @@ class SubdivisionRefineTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionRefineTest)
+BLOSSOM_TEST(SubdivisionRefineTest)
 #include "subdivision_refine_test.moc"

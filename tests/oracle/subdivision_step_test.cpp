@@ -147,5 +147,5 @@ class SubdivisionStepTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(SubdivisionStepTest)
+BLOSSOM_TEST(SubdivisionStepTest)
 #include "subdivision_step_test.moc"

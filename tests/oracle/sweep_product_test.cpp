@@ -200,5 +200,5 @@ class SweepProductTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepProductTest)
+BLOSSOM_TEST(SweepProductTest)
 #include "sweep_product_test.moc"

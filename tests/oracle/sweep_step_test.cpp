@@ -119,5 +119,5 @@ class SweepStepTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepStepTest)
+BLOSSOM_TEST(SweepStepTest)
 #include "sweep_step_test.moc"

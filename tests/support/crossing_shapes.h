@@ -12,17 +12,12 @@
 #include <vector>
 
 #include "geometry/shape/motion.h"
+#include "support/random.h"
 
 /// Shapes that cross themselves by a known depth, or come as near to it by a known gap, each built from lines and circles so
 /// that plane geometry tells which. `by` is in mm: above 0 one part reaches so far beyond the other, below 0 that is left
 /// between them.
 namespace blossom::test {
-
-using Draw = std::mt19937_64;
-
-inline double between(Draw& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
 
 inline TopoDS_Wire polyline(const std::vector<Vec3>& corners, bool closed) {
   BRepBuilderAPI_MakePolygon maker;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/planar_parts.h"
+#include "support/random.h"
 
 /// Pocket programs as people and other programs write them: by hand for several controls, in millimetres and inches,
 /// absolute and relative, with centres in every notation.
@@ -71,9 +72,6 @@ class Path {
   std::vector<HandMove> moves_;
 };
 
-inline double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
 inline double rounded(double value, double step) { return std::round(value / step) * step; }
 
 /// A rectangle with round corners at `away` from the walls, once around from the middle of its lower side.

@@ -5,6 +5,8 @@
 /// Morphology of meshes in one word each.
 namespace blossom::test {
 
+constexpr double tiny = 1e-9;  // relative, of volumes
+
 inline morphology::Operand bodyOf(const Mesh& mesh) { return morphology::operandOf(mesh, {.name = "The solid"}); }
 inline Mesh solidSumOf(const Mesh& a, const Mesh& b) { return morphology::solidSum(bodyOf(a), bodyOf(b)).solids.front(); }
 inline Mesh solidDifferenceOf(const Mesh& a, const Mesh& b) {

@@ -6,13 +6,11 @@
 #include <random>
 
 #include "support/picked_parts.h"
+#include "support/random.h"
 
 /// Constructions with a part that is picked in their results, and random edits after which the test knows where it is.
 namespace blossom::test {
 
-using Random = std::mt19937_64;
-
-inline double between(Random& random, double low, double high) { return std::uniform_real_distribution(low, high)(random); }
 inline int oneOf(Random& random, int count) { return std::uniform_int_distribution(0, count - 1)(random); }
 
 /// Corners and the sides from one to the next, each with a name of its own that is known to the test alone. A corner keeps
@@ -108,10 +106,10 @@ class Prism : public Model {
   std::string edit(Random& random) override {
     switch (oneOf(random, 6)) {
       case 0:
-        height_ = between(random, 8, 30);
+        height_ = uniform(random, 8, 30);
         return "height";
       case 1:
-        corners_.move(oneOf(random, corners_.size()), {between(random, -2, 2), between(random, -2, 2)});
+        corners_.move(oneOf(random, corners_.size()), {uniform(random, -2, 2), uniform(random, -2, 2)});
         return "corner moved";
       case 2:
         corners_.insert(oneOf(random, corners_.size()), 0.1);
@@ -121,7 +119,7 @@ class Prism : public Model {
         corners_.erase(oneOf(random, corners_.size()));
         return "corner removed";
       case 4:
-        corners_.moveAll({between(random, -9, 9), between(random, -9, 9)});
+        corners_.moveAll({uniform(random, -9, 9), uniform(random, -9, 9)});
         return "outline moved";
       default:
         corners_.beginAt(oneOf(random, corners_.size()));
@@ -165,19 +163,19 @@ class Drilled final : public Prism {
     switch (oneOf(random, 5)) {
       case 0: {
         Hole& hole = holes_[static_cast<std::size_t>(oneOf(random, static_cast<int>(holes_.size())))];
-        hole.radius = between(random, 1, 2.5);
-        hole.at += Vec2(between(random, -0.5, 0.5), between(random, -0.5, 0.5));
+        hole.radius = uniform(random, 1, 2.5);
+        hole.at += Vec2(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5));
         return "hole changed";
       }
       case 1:
-        holes_.push_back({next_++, {between(random, 38, 50), between(random, 8, 12)}, 1});
+        holes_.push_back({next_++, {uniform(random, 38, 50), uniform(random, 8, 12)}, 1});
         return "hole added";
       case 2:
         if (holes_.size() < 2) return "nothing";
         holes_.erase(holes_.begin() + oneOf(random, static_cast<int>(holes_.size())));
         return "hole removed";
       case 3:
-        height_ = between(random, 8, 30);
+        height_ = uniform(random, 8, 30);
         return "height";
       default:
         corners_.insert(oneOf(random, corners_.size()), 0.05);
@@ -214,10 +212,10 @@ class Turned final : public Model {
     const int k = oneOf(random, corners_.size());
     switch (oneOf(random, 4)) {
       case 0:
-        angle_ = between(random, 40, 320);
+        angle_ = uniform(random, 40, 320);
         return "angle";
       case 1:
-        corners_.move(k, {between(random, -1, 1), between(random, -1, 1)});
+        corners_.move(k, {uniform(random, -1, 1), uniform(random, -1, 1)});
         return "corner moved";
       case 2:
         corners_.insert(k, 0.1);
@@ -254,12 +252,12 @@ class Rounded final : public Prism {
   }
   std::string edit(Random& random) override {
     if (oneOf(random, 3) == 0) {
-      radius_ = between(random, 1, 3);
+      radius_ = uniform(random, 1, 3);
       return "radius";
     }
     const int k = 2 + oneOf(random, corners_.size() - 3);
     if (oneOf(random, 2) == 0) {
-      corners_.move(k, {between(random, -2, 2), between(random, -2, 2)});
+      corners_.move(k, {uniform(random, -2, 2), uniform(random, -2, 2)});
       return "corner moved";
     }
     corners_.insert(k, 0.08);
@@ -295,10 +293,10 @@ class Mirrored final : public Model {
     const int k = 1 + oneOf(random, corners_.size() - 2);
     switch (oneOf(random, 3)) {
       case 0:
-        height_ = between(random, 5, 25);
+        height_ = uniform(random, 5, 25);
         return "height";
       case 1:
-        corners_.move(k, {between(random, -1, 1), between(random, -1, 1)});
+        corners_.move(k, {uniform(random, -1, 1), uniform(random, -1, 1)});
         return "corner moved";
       default:
         if (k + 1 >= corners_.size() - 1) return "nothing";
@@ -338,17 +336,17 @@ class Row final : public Model {
         count_ = 2 + oneOf(random, 6);
         return "count";
       case 1:
-        step_ = oneOf(random, 3) == 0 ? 2 * step_ : between(random, 8, 12);
+        step_ = oneOf(random, 3) == 0 ? 2 * step_ : uniform(random, 8, 12);
         step_ = step_ > 13 ? 10 : step_;
         return "step";
       case 2:
-        radius_ = between(random, 1, 3);
+        radius_ = uniform(random, 1, 3);
         return "radius";
       case 3:
-        width_ = between(random, 110, 150);
+        width_ = uniform(random, 110, 150);
         return "width";
       default:
-        height_ = between(random, 4, 20);
+        height_ = uniform(random, 4, 20);
         return "height";
     }
   }

@@ -3,6 +3,7 @@
 
 #include "feature/feature_type.h"
 #include "geometry/planar/planar.h"
+#include "support/planar_parts.h"
 
 namespace blossom::test {
 
@@ -11,6 +12,17 @@ inline double areaOf(const Region& region) {
   double sum = 0;
   for (const Path& loop : region.loops) sum += signedArea(loop);
   return std::abs(sum);
+}
+
+inline double perimeter(const Region& region) {
+  double sum = 0;
+  for (const Path& loop : region.loops) sum += length(loop);
+  return sum;
+}
+
+/// A wavy outline with a wavy hole and a round one.
+inline Region wave() {
+  return {{wavyPath({0, 0}, 30, 5, 5), wavyPath({-8, 2}, 6, 1.5, 3, true), circlePath({12, -3}, 5, true)}};
 }
 
 /// Of the figures that a feature type tells besides the measures; not a number when it does not.

@@ -10,6 +10,7 @@
 #include "core/vector.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/shape/shape.h"
 #include "geometry/values/box.h"
 
 /// Polyhedra with known measures, and measures computed without any sum.
@@ -191,6 +192,12 @@ inline double volumeWithCuboid(const Mesh& convex, const Vec3& sides) {
     volume += sides[(k + 1) % 3] * sides[(k + 2) % 3] * extent[k];
   }
   return volume;
+}
+
+/// Two rings whose sum takes CGAL, and us, minutes.
+inline std::vector<Shape> minutesOfWork() {
+  std::mt19937_64 random(7);
+  return {spikyRing(random, 6, 1.5, 24), spikyRing(random, 5, 1, 24)};
 }
 
 }  // namespace blossom::test

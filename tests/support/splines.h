@@ -5,16 +5,10 @@
 
 #include "geometry/bspline/curve.h"
 #include "geometry/bspline/surface.h"
+#include "support/random.h"
 
 /// Random B-splines: any degree, knots of any multiplicity, clamped and unclamped.
 namespace blossom::test {
-
-using Random = std::mt19937_64;
-
-inline double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
-inline int uniformInt(Random& random, int from, int to) { return std::uniform_int_distribution<int>(from, to)(random); }
 
 struct KnotChoice {
   int spans = 6;                  ///< at most

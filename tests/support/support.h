@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "support/test_main.h"
 
 /// |actual - expected| <= tolerance, with the three numbers in the message.
 #define COMPARE_NEAR(actual, expected, tolerance)                                                          \

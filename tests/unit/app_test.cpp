@@ -202,5 +202,5 @@ void AppTest::resourcesAreFound() {
   qunsetenv("BLOSSOM_RESOURCES");
 }
 
-QTEST_GUILESS_MAIN(AppTest)
+BLOSSOM_TEST(AppTest)
 #include "app_test.moc"

@@ -112,5 +112,5 @@ class AreaTriangulationTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(AreaTriangulationTest)
+BLOSSOM_TEST(AreaTriangulationTest)
 #include "area_triangulation_test.moc"

@@ -109,5 +109,5 @@ class BoxTreeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(BoxTreeTest)
+BLOSSOM_TEST(BoxTreeTest)
 #include "box_tree_test.moc"

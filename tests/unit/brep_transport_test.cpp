@@ -148,5 +148,5 @@ class BrepTransportTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(BrepTransportTest)
+BLOSSOM_TEST(BrepTransportTest)
 #include "brep_transport_test.moc"

@@ -369,5 +369,5 @@ class BsplineTest : public QObject {
   Random random_;
 };
 
-QTEST_GUILESS_MAIN(BsplineTest)
+BLOSSOM_TEST(BsplineTest)
 #include "bspline_test.moc"

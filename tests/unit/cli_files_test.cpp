@@ -214,5 +214,5 @@ void CliFilesTest::resourcesAreNotWritten() {
   QVERIFY(!fs::exists(place("share/samples/new.stl")));
 }
 
-QTEST_APPLESS_MAIN(CliFilesTest)
+BLOSSOM_TEST(CliFilesTest)
 #include "cli_files_test.moc"

@@ -344,5 +344,5 @@ void CliGrammarTest::everyCommandHasHelpWithAnExample() {
   }
 }
 
-QTEST_GUILESS_MAIN(CliGrammarTest)
+BLOSSOM_TEST(CliGrammarTest)
 #include "cli_grammar_test.moc"

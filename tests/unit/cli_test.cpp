@@ -413,5 +413,5 @@ void CliTest::brokenPluginsAreOneWarning() {
   QCOMPARE(process.readAllStandardError().count('\n'), 1);
 }
 
-QTEST_GUILESS_MAIN(CliTest)
+BLOSSOM_TEST(CliTest)
 #include "cli_test.moc"

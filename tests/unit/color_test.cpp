@@ -38,5 +38,5 @@ class ColorTest : public QObject {
   void channelsOutsideTheRangeAreClamped() { QCOMPARE(toHex({-1, 0.5, 7}), std::string("#0080ff")); }
 };
 
-QTEST_GUILESS_MAIN(ColorTest)
+BLOSSOM_TEST(ColorTest)
 #include "color_test.moc"

@@ -208,5 +208,5 @@ class CoreTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(CoreTest)
+BLOSSOM_TEST(CoreTest)
 #include "core_test.moc"

@@ -93,5 +93,5 @@ class CubicSlopesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(CubicSlopesTest)
+BLOSSOM_TEST(CubicSlopesTest)
 #include "cubic_slopes_test.moc"

@@ -201,5 +201,5 @@ class DocumentEditsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DocumentEditsTest)
+BLOSSOM_TEST(DocumentEditsTest)
 #include "document_edits_test.moc"

@@ -139,5 +139,5 @@ class DocumentTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DocumentTest)
+BLOSSOM_TEST(DocumentTest)
 #include "document_test.moc"

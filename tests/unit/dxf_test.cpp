@@ -11,7 +11,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// "0 LINE 10 1" with a group per two words becomes the lines of a DXF file.
 std::string groups(const std::string& words) {
@@ -302,5 +302,5 @@ class DxfTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DxfTest)
+BLOSSOM_TEST(DxfTest)
 #include "dxf_test.moc"

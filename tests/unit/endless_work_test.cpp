@@ -148,5 +148,5 @@ class EndlessWorkTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(EndlessWorkTest)
+BLOSSOM_TEST(EndlessWorkTest)
 #include "endless_work_test.moc"

@@ -416,5 +416,5 @@ class EvaluatorTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(EvaluatorTest)
+BLOSSOM_TEST(EvaluatorTest)
 #include "evaluator_test.moc"

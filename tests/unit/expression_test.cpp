@@ -283,5 +283,5 @@ class ExpressionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ExpressionTest)
+BLOSSOM_TEST(ExpressionTest)
 #include "expression_test.moc"

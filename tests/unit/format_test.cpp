@@ -162,5 +162,5 @@ class FormatTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FormatTest)
+BLOSSOM_TEST(FormatTest)
 #include "format_test.moc"

@@ -115,5 +115,5 @@ class FramesTest : public QObject {
   FormatRegistry formats_ = standardFormats();
 };
 
-QTEST_APPLESS_MAIN(FramesTest)
+BLOSSOM_TEST(FramesTest)
 #include "frames_test.moc"

@@ -345,5 +345,5 @@ class GcodeProgramTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GcodeProgramTest)
+BLOSSOM_TEST(GcodeProgramTest)
 #include "gcode_program_test.moc"

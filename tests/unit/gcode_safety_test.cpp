@@ -426,5 +426,5 @@ class GcodeSafetyTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GcodeSafetyTest)
+BLOSSOM_TEST(GcodeSafetyTest)
 #include "gcode_safety_test.moc"

@@ -80,5 +80,5 @@ class GcodeTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GcodeTest)
+BLOSSOM_TEST(GcodeTest)
 #include "gcode_test.moc"

@@ -241,5 +241,5 @@ class GeometryMeshCrossingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(GeometryMeshCrossingTest)
+BLOSSOM_TEST(GeometryMeshCrossingTest)
 #include "geometry_mesh_crossing_test.moc"

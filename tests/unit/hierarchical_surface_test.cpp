@@ -369,5 +369,5 @@ class HierarchicalSurfaceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HierarchicalSurfaceTest)
+BLOSSOM_TEST(HierarchicalSurfaceTest)
 #include "hierarchical_surface_test.moc"

@@ -127,5 +127,5 @@ class HistoryTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HistoryTest)
+BLOSSOM_TEST(HistoryTest)
 #include "history_test.moc"

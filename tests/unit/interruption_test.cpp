@@ -207,5 +207,5 @@ class InterruptionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(InterruptionTest)
+BLOSSOM_TEST(InterruptionTest)
 #include "interruption_test.moc"

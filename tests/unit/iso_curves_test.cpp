@@ -153,5 +153,5 @@ class IsoCurvesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(IsoCurvesTest)
+BLOSSOM_TEST(IsoCurvesTest)
 #include "iso_curves_test.moc"

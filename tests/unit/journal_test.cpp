@@ -8,14 +8,15 @@
 #include "document/journal_files.h"
 #include "document/journal_text.h"
 #include "document/recovery_area.h"
+#include "support/random.h"
 #include "support/support.h"
 
 using namespace blossom;
 namespace fs = std::filesystem;
 
-namespace {
+using test::Random;
 
-using Random = std::mt19937_64;
+namespace {
 
 Feature named(const Document& document, Random& random) {
   Feature feature;
@@ -316,5 +317,5 @@ void JournalTest::onlyTheDeadLoseDocuments() {
   QCOMPARE(std::distance(fs::directory_iterator(root), fs::directory_iterator()), std::ptrdiff_t(2));
 }
 
-QTEST_GUILESS_MAIN(JournalTest)
+BLOSSOM_TEST(JournalTest)
 #include "journal_test.moc"

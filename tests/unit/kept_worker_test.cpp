@@ -379,5 +379,5 @@ class KeptWorkerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(KeptWorkerTest)
+BLOSSOM_TEST(KeptWorkerTest)
 #include "kept_worker_test.moc"

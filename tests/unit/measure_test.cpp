@@ -268,5 +268,5 @@ class MeasureTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MeasureTest)
+BLOSSOM_TEST(MeasureTest)
 #include "measure_test.moc"

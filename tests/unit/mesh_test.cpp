@@ -216,5 +216,5 @@ class MeshTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MeshTest)
+BLOSSOM_TEST(MeshTest)
 #include "mesh_test.moc"

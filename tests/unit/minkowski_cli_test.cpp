@@ -181,5 +181,5 @@ class MinkowskiCliTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(MinkowskiCliTest)
+BLOSSOM_TEST(MinkowskiCliTest)
 #include "minkowski_cli_test.moc"

@@ -170,5 +170,5 @@ class MinkowskiLoopsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MinkowskiLoopsTest)
+BLOSSOM_TEST(MinkowskiLoopsTest)
 #include "minkowski_loops_test.moc"

@@ -210,5 +210,5 @@ class MinkowskiMorphTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MinkowskiMorphTest)
+BLOSSOM_TEST(MinkowskiMorphTest)
 #include "minkowski_morph_test.moc"

@@ -488,5 +488,5 @@ class MinkowskiSumTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MinkowskiSumTest)
+BLOSSOM_TEST(MinkowskiSumTest)
 #include "minkowski_sum_test.moc"

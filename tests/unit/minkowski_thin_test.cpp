@@ -65,5 +65,5 @@ class MinkowskiThinTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MinkowskiThinTest)
+BLOSSOM_TEST(MinkowskiThinTest)
 #include "minkowski_thin_test.moc"

@@ -193,5 +193,5 @@ class ModelingArrangeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingArrangeTest)
+BLOSSOM_TEST(ModelingArrangeTest)
 #include "modeling_arrange_test.moc"

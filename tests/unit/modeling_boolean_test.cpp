@@ -138,5 +138,5 @@ class ModelingBooleanTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingBooleanTest)
+BLOSSOM_TEST(ModelingBooleanTest)
 #include "modeling_boolean_test.moc"

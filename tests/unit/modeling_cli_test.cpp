@@ -97,5 +97,5 @@ class ModelingCliTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(ModelingCliTest)
+BLOSSOM_TEST(ModelingCliTest)
 #include "modeling_cli_test.moc"

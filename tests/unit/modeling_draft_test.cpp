@@ -335,7 +335,7 @@ void ModelingDraftTest::randomClicksAndBackspacesEndWhereTheyBegan() {
   }
 }
 
-QTEST_GUILESS_MAIN(ModelingDraftTest)
+BLOSSOM_TEST(ModelingDraftTest)
 #include "modeling_draft_test.moc"
 
 #include <numbers>  // not first: moc stumbles over it

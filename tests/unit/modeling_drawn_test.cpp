@@ -239,7 +239,7 @@ void ModelingDrawnTest::everyPointCanBeMovedAndRemoved() {
   }
 }
 
-QTEST_GUILESS_MAIN(ModelingDrawnTest)
+BLOSSOM_TEST(ModelingDrawnTest)
 #include "modeling_drawn_test.moc"
 
 #include <numbers>  // not first: moc stumbles over it

@@ -229,5 +229,5 @@ class ModelingExtrudeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingExtrudeTest)
+BLOSSOM_TEST(ModelingExtrudeTest)
 #include "modeling_extrude_test.moc"

@@ -158,5 +158,5 @@ class ModelingFilletTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingFilletTest)
+BLOSSOM_TEST(ModelingFilletTest)
 #include "modeling_fillet_test.moc"

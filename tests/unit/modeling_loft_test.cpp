@@ -135,5 +135,5 @@ class ModelingLoftTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingLoftTest)
+BLOSSOM_TEST(ModelingLoftTest)
 #include "modeling_loft_test.moc"

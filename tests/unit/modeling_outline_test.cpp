@@ -201,7 +201,7 @@ void ModelingOutlineTest::wrongLiteralsSayWhatIsWanted() {
     VERIFY_ERROR(app_.registry->literal(text), ErrorCode::InvalidParameter);
 }
 
-QTEST_GUILESS_MAIN(ModelingOutlineTest)
+BLOSSOM_TEST(ModelingOutlineTest)
 #include "modeling_outline_test.moc"
 
 #include <numbers>  // not first: moc stumbles over it

@@ -88,5 +88,5 @@ class ModelingPrimitiveTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingPrimitiveTest)
+BLOSSOM_TEST(ModelingPrimitiveTest)
 #include "modeling_primitive_test.moc"

@@ -167,5 +167,5 @@ void SideWritingTest::pointsPutInLeaveExpressions() {
   }
 }
 
-QTEST_GUILESS_MAIN(SideWritingTest)
+BLOSSOM_TEST(SideWritingTest)
 #include "modeling_side_writing_test.moc"

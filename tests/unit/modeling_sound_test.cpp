@@ -210,5 +210,5 @@ class ModelingSoundTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingSoundTest)
+BLOSSOM_TEST(ModelingSoundTest)
 #include "modeling_sound_test.moc"

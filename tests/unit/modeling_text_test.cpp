@@ -158,5 +158,5 @@ void ModelingTextTest::aMissingStyleNamesThoseThatThereAre() {
   QCOMPARE(sans().style, std::string("Book"));
 }
 
-QTEST_GUILESS_MAIN(ModelingTextTest)
+BLOSSOM_TEST(ModelingTextTest)
 #include "modeling_text_test.moc"

@@ -149,5 +149,5 @@ class ModelingWireTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(ModelingWireTest)
+BLOSSOM_TEST(ModelingWireTest)
 #include "modeling_wire_test.moc"

@@ -113,5 +113,5 @@ class ModelingWorkerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ModelingWorkerTest)
+BLOSSOM_TEST(ModelingWorkerTest)
 #include "modeling_worker_test.moc"

@@ -7,8 +7,6 @@ using namespace blossom::morphology;
 
 namespace {
 
-constexpr double tiny = 1e-9;
-
 /// A frame box with the solid as a void in it, shells as they are.
 Mesh boxAround(const Mesh& solid, double room) {
   const Bounds box = boundsOf(solid);
@@ -137,5 +135,5 @@ class MorphologyDifferenceTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MorphologyDifferenceTest)
+BLOSSOM_TEST(MorphologyDifferenceTest)
 #include "morphology_difference_test.moc"

@@ -14,12 +14,6 @@ namespace {
 /// As on the command line: "ball:2:1".
 Shape literal(const std::string& text) { return theApp().registry->literal(text); }
 
-/// Takes CGAL minutes.
-std::vector<Shape> longWork() {
-  std::mt19937_64 random(7);
-  return {spikyRing(random, 6, 1.5, 24), spikyRing(random, 5, 1, 24)};
-}
-
 }  // namespace
 
 /// The features as the evaluator and the command line call them.
@@ -88,7 +82,7 @@ class MorphologyFeatureTest : public QObject {
   }
 
   void longWorkIsCancelledInTheMiddle() {
-    const std::vector<Shape> inputs = longWork();
+    const std::vector<Shape> inputs = minutesOfWork();
     const CancelToken token;
     QElapsedTimer sinceCancel;
     std::atomic<bool> asked = false;
@@ -152,5 +146,5 @@ class MorphologyFeatureTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(MorphologyFeatureTest)
+BLOSSOM_TEST(MorphologyFeatureTest)
 #include "morphology_feature_test.moc"

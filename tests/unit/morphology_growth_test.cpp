@@ -9,8 +9,6 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr double tiny = 1e-9;
-
 Mesh melt(const Mesh& solid, double radius, int subdivisions = 1) {
   return melted(bodyOf(solid), {.radii = {radius}, .subdivisions = subdivisions}).solids.front();
 }
@@ -170,5 +168,5 @@ class MorphologyGrowthTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MorphologyGrowthTest)
+BLOSSOM_TEST(MorphologyGrowthTest)
 #include "morphology_growth_test.moc"

@@ -9,6 +9,7 @@
 #include "isolate/race.h"
 #include "support/gears.h"
 #include "support/modeling.h"
+#include "support/polyhedra.h"
 #include "worker/worker.h"
 
 using namespace blossom;
@@ -53,12 +54,6 @@ std::vector<pid_t> helpers() {
       found.push_back(std::stoi(name));
   }
   return found;
-}
-
-/// Both ways take minutes over it.
-std::vector<Shape> longWork() {
-  std::mt19937_64 random(7);
-  return {spikyRing(random, 6, 1.5, 24), spikyRing(random, 5, 1, 24)};
 }
 
 }  // namespace
@@ -132,7 +127,7 @@ class MorphologyRaceTest : public QObject {
 
   void noChildIsLeftOver() {
     const CancelToken token;
-    const std::vector<Shape> inputs = longWork();
+    const std::vector<Shape> inputs = minutesOfWork();
     auto work = std::async(std::launch::async, [&] { return made("solid-sum", Value::object(), inputs, Progress(token)); });
     QTRY_VERIFY_WITH_TIMEOUT(helpers().size() == 2, 60000);
     token.cancel();
@@ -147,5 +142,5 @@ class MorphologyRaceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MorphologyRaceTest)
+BLOSSOM_TEST(MorphologyRaceTest)
 #include "morphology_race_test.moc"

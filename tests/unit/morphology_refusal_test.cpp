@@ -153,5 +153,5 @@ class MorphologyRefusalTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MorphologyRefusalTest)
+BLOSSOM_TEST(MorphologyRefusalTest)
 #include "morphology_refusal_test.moc"

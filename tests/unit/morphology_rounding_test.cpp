@@ -110,5 +110,5 @@ class MorphologyRoundingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MorphologyRoundingTest)
+BLOSSOM_TEST(MorphologyRoundingTest)
 #include "morphology_rounding_test.moc"

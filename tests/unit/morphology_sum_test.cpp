@@ -7,8 +7,6 @@ using namespace blossom::morphology;
 
 namespace {
 
-constexpr double tiny = 1e-9;
-
 bool closed(const Mesh& mesh) { return meshTopology(mesh).closed(); }
 
 Mesh unitCube(const Vec3& at = Vec3::Zero()) { return cuboid(at, at + Vec3(1, 1, 1)); }
@@ -202,5 +200,5 @@ class MorphologySumTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MorphologySumTest)
+BLOSSOM_TEST(MorphologySumTest)
 #include "morphology_sum_test.moc"

@@ -171,5 +171,5 @@ class MorphologyTouchingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MorphologyTouchingTest)
+BLOSSOM_TEST(MorphologyTouchingTest)
 #include "morphology_touching_test.moc"

@@ -252,5 +252,5 @@ class MotionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MotionTest)
+BLOSSOM_TEST(MotionTest)
 #include "motion_test.moc"

@@ -201,5 +201,5 @@ void NamedNumbersTest::whatWasNotEditedStaysAsItWasWritten() {
   QCOMPARE(completed(specs, kept), after);
 }
 
-QTEST_GUILESS_MAIN(NamedNumbersTest)
+BLOSSOM_TEST(NamedNumbersTest)
 #include "named_numbers_test.moc"

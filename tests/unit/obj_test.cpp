@@ -97,5 +97,5 @@ class ObjTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ObjTest)
+BLOSSOM_TEST(ObjTest)
 #include "obj_test.moc"

@@ -279,5 +279,5 @@ class OcctConversionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(OcctConversionTest)
+BLOSSOM_TEST(OcctConversionTest)
 #include "occt_conversion_test.moc"

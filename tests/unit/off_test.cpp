@@ -49,5 +49,5 @@ class OffTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(OffTest)
+BLOSSOM_TEST(OffTest)
 #include "off_test.moc"

@@ -174,5 +174,5 @@ void OutlineSidesTest::whatCannotBe() {
   QCOMPARE(straightSides(arc).size(), std::size_t(3));
 }
 
-QTEST_GUILESS_MAIN(OutlineSidesTest)
+BLOSSOM_TEST(OutlineSidesTest)
 #include "outline_sides_test.moc"

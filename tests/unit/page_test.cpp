@@ -14,7 +14,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double mmPerPoint = 25.4 / 72;
 constexpr double tolerance = 1e-3, keptPlaces = 2e-3;  // mm
 
@@ -257,5 +257,5 @@ void PageTest::aSolidIsRefused() {
   }
 }
 
-QTEST_GUILESS_MAIN(PageTest)
+BLOSSOM_TEST(PageTest)
 #include "page_test.moc"

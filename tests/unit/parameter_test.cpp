@@ -342,5 +342,5 @@ class ParameterTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ParameterTest)
+BLOSSOM_TEST(ParameterTest)
 #include "parameter_test.moc"

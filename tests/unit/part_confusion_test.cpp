@@ -294,5 +294,5 @@ void PartConfusionTest::whatWasPickedJustNow() {
   QVERIFY((found.place - Vec3(60, 40, 10)).norm() < 1e-9);
 }
 
-QTEST_GUILESS_MAIN(PartConfusionTest)
+BLOSSOM_TEST(PartConfusionTest)
 #include "part_confusion_test.moc"

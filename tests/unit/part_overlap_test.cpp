@@ -40,7 +40,7 @@ class PartOverlapTest : public QObject {
   void platesInOnePlaneOverlap() {
     for (const double thick : {0.1, 0.5, 2.2, 20.0}) {
       const Vec3 size(1000, 500, thick);
-      const double shift = between(random_, 10, 900), aside = between(random_, -400, 400);
+      const double shift = uniform(random_, 10, 900), aside = uniform(random_, -400, 400);
       verifyWithin(overlapOf(block({0, 0, 0}, size), block({shift, 0, 0}, size)), {shift, 0, 0}, size);
       verifyWithin(overlapOf(block({0, 0, 0}, size), block({shift, aside, 0}, size)), {shift, std::max(aside, 0.0), 0},
                    {1000, 500 + std::min(aside, 0.0), thick});
@@ -50,7 +50,7 @@ class PartOverlapTest : public QObject {
 
   void platesWithinBlocksOverlap() {
     for (const double thick : {0.1, 0.5, 2.2}) {
-      const Vec3 low(between(random_, 10, 40), between(random_, 10, 40), between(random_, 10, 40));
+      const Vec3 low(uniform(random_, 10, 40), uniform(random_, 10, 40), uniform(random_, 10, 40));
       const Vec3 size(900, 400, thick);
       verifyWithin(overlapOf(block({0, 0, 0}, {1000, 500, 100}), block(low, size)), low, low + size);
       verifyWithin(overlapOf(block(low, size), block({0, 0, 0}, {1000, 500, 100})), low, low + size);
@@ -63,13 +63,13 @@ class PartOverlapTest : public QObject {
     for (const double thick : {0.1, 2.2, 20.0}) {
       const Vec3 size(1000, 500, thick);
       QVERIFY(!overlapOf(block({0, 0, 0}, size), block({0, 0, thick}, size)));
-      QVERIFY(!overlapOf(block({0, 0, 0}, size), block({between(random_, 10, 900), 0, thick}, size)));
-      QVERIFY(!overlapOf(block({0, 0, 0}, size), block({1000, between(random_, -100, 100), 0}, size)));
+      QVERIFY(!overlapOf(block({0, 0, 0}, size), block({uniform(random_, 10, 900), 0, thick}, size)));
+      QVERIFY(!overlapOf(block({0, 0, 0}, size), block({1000, uniform(random_, -100, 100), 0}, size)));
       QVERIFY(!overlapOf(block({0, 0, 0}, size), block({0, 500, 0}, size)));
       // Side by side, not quite flush.
       QVERIFY(!overlapOf(block({0, 0, 0}, size), block({1000 - 1e-4, 0, 0}, size)));
     }
-    const double radius = between(random_, 5, 20);
+    const double radius = uniform(random_, 5, 20);
     const TopoDS_Shape holed = BRepAlgoAPI_Cut(block({-30, -30, 0}, {60, 60, 10}), cylinder(radius, 0, 10)).Shape();
     QVERIFY(!overlapOf(holed, cylinder(radius, 0, 10)));
     QVERIFY(!overlapOf(holed, cylinder(radius, 3, 20)));
@@ -82,5 +82,5 @@ class PartOverlapTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PartOverlapTest)
+BLOSSOM_TEST(PartOverlapTest)
 #include "part_overlap_test.moc"

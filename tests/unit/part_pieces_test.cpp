@@ -161,5 +161,5 @@ void PartPiecesTest::thoseThatAreNotLostGetTheirNumbers() {
   QVERIFY(isAt(likenessOf(solid, SubShapeKind::Edge, edges.at(1).at("index").get<int>()).place, stays));
 }
 
-QTEST_GUILESS_MAIN(PartPiecesTest)
+BLOSSOM_TEST(PartPiecesTest)
 #include "part_pieces_test.moc"

@@ -181,5 +181,5 @@ void PartReferenceTest::parametersKeepSignatures() {
   QVERIFY(!checked(edge, other).contains("signature"));
 }
 
-QTEST_GUILESS_MAIN(PartReferenceTest)
+BLOSSOM_TEST(PartReferenceTest)
 #include "part_reference_test.moc"

@@ -15,15 +15,16 @@
 #include "geometry/shape/brep.h"
 #include "geometry/tessellate/tessellate.h"
 #include "scene/picking.h"
+#include "support/random.h"
 #include "support/support.h"
 
 using namespace blossom;
 
+using test::Random;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-using Random = std::mt19937_64;
 
 Vec3 randomIn(Random& random, double reach) {
   std::uniform_real_distribution<double> range(-reach, reach);
@@ -302,5 +303,5 @@ class PickingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PickingTest)
+BLOSSOM_TEST(PickingTest)
 #include "picking_test.moc"

@@ -70,5 +70,5 @@ class PlainNumbersTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PlainNumbersTest)
+BLOSSOM_TEST(PlainNumbersTest)
 #include "plain_numbers_test.moc"

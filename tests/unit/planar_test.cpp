@@ -6,18 +6,19 @@
 
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/outline_crossing.h"
+#include "support/random.h"
 #include "support/support.h"
 
 using namespace blossom;
 using blossom::test::seededRandom;
 
+using test::Random;
+using test::uniform;
+
 namespace {
 
 using std::numbers::pi;
-using Random = std::mt19937_64;
 using Affine = Eigen::Matrix<double, 2, 3>;
-
-double uniform(Random& random, double low, double high) { return std::uniform_real_distribution(low, high)(random); }
 
 Path circle(const Vec2& center, double radius, double sweep = 2 * pi) {
   return {{Arc2{center, radius, 0.3, sweep}}, true, {}, {}};
@@ -371,5 +372,5 @@ class PlanarTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PlanarTest)
+BLOSSOM_TEST(PlanarTest)
 #include "planar_test.moc"

@@ -247,5 +247,5 @@ class PluginTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PluginTest)
+BLOSSOM_TEST(PluginTest)
 #include "plugin_test.moc"

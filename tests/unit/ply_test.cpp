@@ -96,5 +96,5 @@ class PlyTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PlyTest)
+BLOSSOM_TEST(PlyTest)
 #include "ply_test.moc"

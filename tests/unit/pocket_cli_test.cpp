@@ -320,5 +320,5 @@ class PocketCliTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(PocketCliTest)
+BLOSSOM_TEST(PocketCliTest)
 #include "pocket_cli_test.moc"

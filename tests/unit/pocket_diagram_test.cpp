@@ -5,6 +5,7 @@
 #include "geometry/planar/planar.h"
 #include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/planar_parts.h"
+#include "support/pockets.h"
 #include "support/support.h"
 #include "support/true_distance.h"
 
@@ -24,19 +25,11 @@ std::string refusalOf(const Region& region) {
   return {};
 }
 
-#define VERIFY_REFUSED(region, ...)                                                                                       \
+#define VERIFY_SAID(region, ...)                                                                                          \
   do {                                                                                                                    \
     const std::string said_ = refusalOf(region);                                                                          \
     for (const char* part_ : {__VA_ARGS__}) QVERIFY2(said_.find(part_) != std::string::npos, ("said: " + said_).c_str()); \
   } while (false)
-
-Region wave() { return {{wavyPath({0, 0}, 30, 5, 5), wavyPath({-8, 2}, 6, 1.5, 3, true), circlePath({12, -3}, 5, true)}}; }
-
-double perimeter(const Region& region) {
-  double sum = 0;
-  for (const Path& loop : region.loops) sum += length(loop);
-  return sum;
-}
 
 /// Random polygon that is seen whole from its middle.
 Path spikes(std::mt19937_64& random, int corners) {
@@ -77,7 +70,7 @@ class PocketDiagramTest final : public QObject {
   Q_OBJECT
  private slots:
   void nothingIsRefused() {
-    VERIFY_REFUSED(Region{}, "The region is empty", "Give a region");
+    VERIFY_SAID(Region{}, "The region is empty", "Give a region");
     Path speck;
     speck.closed = true;
     speck.segments.emplace_back(Line2{{1, 1}, {1, 1}});
@@ -87,12 +80,12 @@ class PocketDiagramTest final : public QObject {
     Path open = boxPath(0, 0, 10, 5);
     open.segments.pop_back();
     open.closed = false;
-    VERIFY_REFUSED(Region{{open}}, "(0, 0)", "(0, 5)", "Close");
+    VERIFY_SAID(Region{{open}}, "(0, 0)", "(0, 5)", "Close");
   }
   void crossingOutlinesAreRefusedWithThePlace() {
-    VERIFY_REFUSED(Region{{polygonPath({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}}, "(5, 5)", "Redraw");
-    VERIFY_REFUSED((Region{{boxPath(0, 0, 10, 10), circlePath({10, 5}, 2, true)}}), "crosses itself near (10, ", "Redraw");
-    VERIFY_REFUSED((Region{{boxPath(0, 0, 10, 10), boxPath(10, 0, 20, 10)}}), "runs along itself near (10, ");
+    VERIFY_SAID(Region{{polygonPath({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}}, "(5, 5)", "Redraw");
+    VERIFY_SAID((Region{{boxPath(0, 0, 10, 10), circlePath({10, 5}, 2, true)}}), "crosses itself near (10, ", "Redraw");
+    VERIFY_SAID((Region{{boxPath(0, 0, 10, 10), boxPath(10, 0, 20, 10)}}), "runs along itself near (10, ");
   }
   void curvesThatCrossAreRefused() {
     // A figure of eight drawn by one spline.
@@ -106,20 +99,20 @@ class PocketDiagramTest final : public QObject {
     Path path;
     path.closed = true;
     path.segments.emplace_back(eight);
-    VERIFY_REFUSED(Region{{path}}, "crosses itself near (0.391, 0)");  // 8/3 sin^2(22.5 deg)
+    VERIFY_SAID(Region{{path}}, "crosses itself near (0.391, 0)");  // 8/3 sin^2(22.5 deg)
   }
   /// The corners of two squares meet: allowed where they touch, refused where a line goes through.
   void outlinesMayTouchButNotPassThroughAPoint() {
     const Region touching{{boxPath(0, 0, 10, 10), boxPath(10, 10, 20, 20)}};
     QCOMPARE(refusalOf(touching), std::string());
     COMPARE_NEAR(area(ClearanceDiagram(touching).offset(1, Side::Inside)), 128, 1e-9);
-    VERIFY_REFUSED(Region{{polygonPath({{0, 0}, {10, 10}, {20, 20}, {20, 10}, {10, 10}, {0, 20}})}},
-                   "crosses itself near (10, 10)");
+    VERIFY_SAID(Region{{polygonPath({{0, 0}, {10, 10}, {20, 20}, {20, 10}, {10, 10}, {0, 20}})}},
+                "crosses itself near (10, 10)");
   }
   void numbersThatAreNoneAreRefused() {
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
-      VERIFY_REFUSED(Region{{polygonPath({{0, 0}, {10, 0}, {bad, 10}})}}, "Segment 2 of outline 1", "finite");
-      VERIFY_REFUSED(Region{{circlePath({0, 0}, bad)}}, "finite");
+      VERIFY_SAID(Region{{polygonPath({{0, 0}, {10, 0}, {bad, 10}})}}, "Segment 2 of outline 1", "finite");
+      VERIFY_SAID(Region{{circlePath({0, 0}, bad)}}, "finite");
     }
   }
   void endlesslyFineToleranceIsRefused() {
@@ -192,5 +185,5 @@ class PocketDiagramTest final : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PocketDiagramTest)
+BLOSSOM_TEST(PocketDiagramTest)
 #include "pocket_diagram_test.moc"

@@ -6,6 +6,7 @@
 #include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/medial_checks.h"
 #include "support/planar_parts.h"
+#include "support/pockets.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -14,7 +15,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 MedialAxis axisOf(const Region& region, double tolerance = 1e-3) {
   return ClearanceDiagram(region, {tolerance}).medialAxis();
@@ -40,8 +41,6 @@ Region ellipse(double a, double b) {
   path.segments.emplace_back(ellipticArc({0, 0}, {a, 0}, b / a, 0, fullTurn));
   return {{path}};
 }
-
-Region wave() { return {{wavyPath({0, 0}, 30, 5, 5), wavyPath({-8, 2}, 6, 1.5, 3, true), circlePath({12, -3}, 5, true)}}; }
 
 /// Discs around the axis' points cover exactly the part, and every disc touches its boundary twice.
 void verifyAxis(const Region& part, const MedialAxis& axis, double tolerance, std::mt19937_64& random) {
@@ -161,5 +160,5 @@ class PocketMedialTest final : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PocketMedialTest)
+BLOSSOM_TEST(PocketMedialTest)
 #include "pocket_medial_test.moc"

@@ -7,6 +7,7 @@
 #include "pocket/kernel/offset/clearance_diagram.h"
 #include "support/modeling.h"
 #include "support/planar_parts.h"
+#include "support/pockets.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -15,7 +16,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Two chambers of 10 x 10, joined by a slot of 10 x 2.
 Region chambersWithSlot(double shift = 0) {
@@ -54,12 +55,6 @@ Region flower(int petals, double radius, double gap, std::mt19937_64& random) {
     path.segments.emplace_back(Arc2{middle + off, radius * std::sin(half), angle - fullTurn / 4, fullTurn / 2});
   }
   return {{path}};
-}
-
-double areaOf(const Region& region) {
-  double sum = 0;
-  for (const Path& loop : region.loops) sum += signedArea(loop);
-  return sum;
 }
 
 }  // namespace
@@ -239,5 +234,5 @@ class PocketOffsetEdgesTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PocketOffsetEdgesTest)
+BLOSSOM_TEST(PocketOffsetEdgesTest)
 #include "pocket_offset_edges_test.moc"

@@ -132,5 +132,5 @@ class PocketOffsetFeatureTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PocketOffsetFeatureTest)
+BLOSSOM_TEST(PocketOffsetFeatureTest)
 #include "pocket_offset_feature_test.moc"

@@ -5,6 +5,7 @@
 #include "pocket/kernel/offset/clearance_diagram.h"
 #include "pocket/kernel/offset/offset.h"
 #include "support/planar_parts.h"
+#include "support/pockets.h"
 #include "support/support.h"
 #include "support/true_distance.h"
 
@@ -14,14 +15,8 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double tolerance = 1e-3;
-
-double perimeter(const Region& region) {
-  double sum = 0;
-  for (const Path& loop : region.loops) sum += length(loop);
-  return sum;
-}
 
 Region offsetOf(const Region& region, double distance, Side side) { return offset(region, {distance, side}).region; }
 
@@ -313,5 +308,5 @@ class PocketOffsetTest final : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PocketOffsetTest)
+BLOSSOM_TEST(PocketOffsetTest)
 #include "pocket_offset_test.moc"

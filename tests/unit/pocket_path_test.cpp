@@ -13,7 +13,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 PocketOptions tool(double diameter, double depth, double stepover = 0) {
   PocketOptions o;
@@ -456,5 +456,5 @@ class PocketPathTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PocketPathTest)
+BLOSSOM_TEST(PocketPathTest)
 #include "pocket_path_test.moc"

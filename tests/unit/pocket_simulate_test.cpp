@@ -15,7 +15,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Path polygon(const std::vector<Vec2>& corners) {
   Path path;
@@ -437,5 +437,5 @@ class PocketSimulateTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PocketSimulateTest)
+BLOSSOM_TEST(PocketSimulateTest)
 #include "pocket_simulate_test.moc"

@@ -21,7 +21,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 PocketOptions toolOf(double diameter) {
   PocketOptions o;
@@ -168,5 +168,5 @@ class PocketSlotTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PocketSlotTest)
+BLOSSOM_TEST(PocketSlotTest)
 #include "pocket_slot_test.moc"

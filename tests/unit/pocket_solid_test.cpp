@@ -89,7 +89,7 @@ std::string told(const Evaluated& made) {
 
 const Block plate{{0, 0, 0}, {80, 60, 20}};
 const Block boss{{30, 20, 20}, {50, 40, 45}};
-const Value tool = {{"tool-diameter", 6}, {"depth", 5}, {"stepdown", 5}};
+const Value endMill = {{"tool-diameter", 6}, {"depth", 5}, {"stepdown", 5}};
 
 }  // namespace
 
@@ -100,7 +100,7 @@ class PocketSolidTest final : public QObject {
   /// Rapids crossed the boss at 5 mm above the face.
   void theToolCrossesAboveABoss() {
     const Shape solid = with(solidOf(plate), boss);
-    const Evaluated cut = pocketOn(solid, faceWithin(solid, {0, 0, 20}, {80, 60, 20}), tool);
+    const Evaluated cut = pocketOn(solid, faceWithin(solid, {0, 0, 20}, {80, 60, 20}), endMill);
     const Toolpath& path = *cut.shape.get<Toolpath>();
     const Heights heights = heightsOf(path);
     COMPARE_NEAR(heights.lowest, 15, 1e-9);  // the face keeps its height
@@ -113,7 +113,7 @@ class PocketSolidTest final : public QObject {
   void theFloorOfAPocketIsItsFloor() {
     const Shape solid = without(solidOf(plate), {{10, 10, 5}, {70, 50, 20}});
     const int floor = faceWithin(solid, {10, 10, 5}, {70, 50, 5});
-    const Evaluated cut = pocketOn(solid, floor, tool);
+    const Evaluated cut = pocketOn(solid, floor, endMill);
     const Toolpath& path = *cut.shape.get<Toolpath>();
     const Heights heights = heightsOf(path);
     COMPARE_NEAR(heights.lowest, 5, 1e-9);
@@ -123,11 +123,11 @@ class PocketSolidTest final : public QObject {
                               Block{{0, 0, 0}, {80, 10, 20}}, Block{{0, 50, 0}, {80, 60, 20}}})
       QVERIFY(intoBlock(path, wall) <= 0.005 + 1e-6);
     QVERIFY2(told(cut).find("the floor of a pocket 15.000 mm deep") != std::string::npos, told(cut).c_str());
-    Value whole = tool;
+    Value whole = endMill;
     whole["depth"] = 15;
     QCOMPARE(told(pocketOn(solid, floor, whole)), std::string());
     // deeper still, when the face is said to be the top: down from it, above the walls all the same
-    Value deeper = tool;
+    Value deeper = endMill;
     deeper["face-is"] = "top";
     deeper["depth"] = 2;
     const Heights below = heightsOf(*pocketOn(solid, floor, deeper).shape.get<Toolpath>());
@@ -139,7 +139,7 @@ class PocketSolidTest final : public QObject {
   /// A boss beside the pocket: the tool crosses above it, and begins to cut where the pocket opens.
   void aBossBesideThePocketLiftsRapidsAlone() {
     const Shape solid = with(without(solidOf(plate), {{10, 10, 5}, {40, 50, 20}}), {{60, 20, 20}, {70, 40, 45}});
-    const Evaluated cut = pocketOn(solid, faceWithin(solid, {10, 10, 5}, {40, 50, 5}), tool);
+    const Evaluated cut = pocketOn(solid, faceWithin(solid, {10, 10, 5}, {40, 50, 5}), endMill);
     const Toolpath& path = *cut.shape.get<Toolpath>();
     QCOMPARE(path.passes, std::size_t(3));  // 15 mm by 5, not 40
     COMPARE_NEAR(heightsOf(path).lowest, 5, 1e-9);
@@ -152,7 +152,7 @@ class PocketSolidTest final : public QObject {
     const Shape mushroom = with(with(solidOf(plate), {{35, 25, 20}, {45, 35, 40}}), head);
     const Error hit = refusal("pocket",
                               [&] {
-                                Value p = tool;
+                                Value p = endMill;
                                 p["face"] = onFace(faceWithin(mushroom, {0, 0, 20}, {80, 60, 20}));
                                 return p;
                               }(),
@@ -164,14 +164,14 @@ class PocketSolidTest final : public QObject {
     QVERIFY2(x > 22 && x < 58 && y > 12 && y < 48 && z >= 15 && z <= 21 + 1e-9, hit.what());
     QVERIFY(depth > 2.9);
     const Shape bridge = with(without(solidOf(plate), {{10, 10, 5}, {70, 50, 20}}), {{35, 5, 15}, {45, 55, 20}});
-    Value p = tool;
+    Value p = endMill;
     p["face"] = onFace(faceWithin(bridge, {10, 10, 5}, {70, 50, 5}));
     VERIFY_REFUSED(refusal("pocket", p, {bridge}), ErrorCode::InvalidInput, "The tool would hit the solid");
   }
 
   void aFaceThatLooksAside() {
     const Shape solid = with(solidOf({{0, 0, 0}, {80, 20, 60}}), {{30, -25, 20}, {50, 0, 40}});
-    const Evaluated cut = pocketOn(solid, faceWithin(solid, {0, 0, 0}, {80, 0, 60}), tool);
+    const Evaluated cut = pocketOn(solid, faceWithin(solid, {0, 0, 0}, {80, 0, 60}), endMill);
     const Heights heights = heightsOf(*cut.shape.get<Toolpath>());
     COMPARE_NEAR(heights.lowest, -30, 1e-9);  // below the stock's top, which is the boss
     COMPARE_NEAR(heights.lowestAcross, 5, 1e-9);
@@ -179,17 +179,17 @@ class PocketSolidTest final : public QObject {
 
   void throughTheSolidIsTold() {
     const Shape solid = solidOf(plate);
-    Value through = tool;
+    Value through = endMill;
     through["depth"] = 20.5;
     const Evaluated cut = pocketOn(solid, faceWithin(solid, {0, 0, 20}, {80, 60, 20}), through);
     QVERIFY2(told(cut).find("goes through the solid, which is 20.000 mm thick") != std::string::npos, told(cut).c_str());
     COMPARE_NEAR(heightsOf(*cut.shape.get<Toolpath>()).lowest, -0.5, 1e-9);
-    Value floor = tool;
+    Value floor = endMill;
     floor["face-is"] = "floor";
     floor["face"] = onFace(faceWithin(solid, {0, 0, 20}, {80, 60, 20}));
     VERIFY_REFUSED(refusal("pocket", floor, {solid}), ErrorCode::InvalidInput, "nothing of the solid rises above it");
   }
 };
 
-QTEST_GUILESS_MAIN(PocketSolidTest)
+BLOSSOM_TEST(PocketSolidTest)
 #include "pocket_solid_test.moc"

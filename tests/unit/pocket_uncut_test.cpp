@@ -20,7 +20,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Two chambers of 30 x 40, joined by a slot of 40 mm.
 Region chambers(double slot) {
@@ -293,5 +293,5 @@ class PocketUncutTest final : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PocketUncutTest)
+BLOSSOM_TEST(PocketUncutTest)
 #include "pocket_uncut_test.moc"

@@ -74,5 +74,5 @@ void ReferencePageTest::everyFeatureTypeHasAPage() {
   }
 }
 
-QTEST_GUILESS_MAIN(ReferencePageTest)
+BLOSSOM_TEST(ReferencePageTest)
 #include "reference_page_test.moc"

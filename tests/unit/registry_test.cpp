@@ -379,5 +379,5 @@ class RegistryTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RegistryTest)
+BLOSSOM_TEST(RegistryTest)
 #include "registry_test.moc"

@@ -124,5 +124,5 @@ void RegistryTranslationTest::theWindowFindsThem() {
     QCOMPARE(translator.translate("Registry", each.source.toUtf8().constData()), each.translation);
 }
 
-QTEST_GUILESS_MAIN(RegistryTranslationTest)
+BLOSSOM_TEST(RegistryTranslationTest)
 #include "registry_translation_test.moc"

@@ -392,5 +392,5 @@ void ResultStoreTest::evaluationsAreFoundAfterARestart() {
   QCOMPARE(count->load(), 3);
 }
 
-QTEST_GUILESS_MAIN(ResultStoreTest)
+BLOSSOM_TEST(ResultStoreTest)
 #include "result_store_test.moc"

@@ -220,5 +220,5 @@ void SceneTest::pngIsARegisteredFormat() {
   VERIFY_ERROR(writeShape(formats, ball(5), png, Value{{"size", "64 by 48"}}), ErrorCode::InvalidParameter);
 }
 
-QTEST_GUILESS_MAIN(SceneTest)
+BLOSSOM_TEST(SceneTest)
 #include "scene_test.moc"

@@ -151,5 +151,5 @@ class ShapeTransportTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ShapeTransportTest)
+BLOSSOM_TEST(ShapeTransportTest)
 #include "shape_transport_test.moc"

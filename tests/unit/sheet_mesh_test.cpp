@@ -31,11 +31,11 @@ class SheetMeshTest : public QObject {
 
   /// A straight wall of height 10 over a closed wavy curve in the plane z = 0, with two flat ends.
   TopoDS_Shape wavyPrism() {
-    const int corners = 5 + static_cast<int>(between(random_, 0, 8));
+    const int corners = 5 + static_cast<int>(uniform(random_, 0, 8));
     const Handle(TColgp_HArray1OfPnt) places = new TColgp_HArray1OfPnt(1, corners);
     for (int k = 0; k < corners; ++k) {
-      const double angle = 2 * std::numbers::pi * (k + between(random_, -0.2, 0.2)) / corners,
-                   radius = between(random_, 6, 12);
+      const double angle = 2 * std::numbers::pi * (k + uniform(random_, -0.2, 0.2)) / corners,
+                   radius = uniform(random_, 6, 12);
       places->SetValue(k + 1, gp_Pnt(radius * std::cos(angle), radius * std::sin(angle), 0));
     }
     GeomAPI_Interpolate curve(places, Standard_True, 1e-9);
@@ -52,12 +52,12 @@ class SheetMeshTest : public QObject {
     double worst = -1;  // what folds covers more than the surface
     for (int round = 0; round < 60; ++round) {
       BRepBuilderAPI_MakePolygon outline;
-      outline.Add(gp_Pnt(0, 0, between(random_, -8, -1)));
-      outline.Add(gp_Pnt(between(random_, 2, 12), 0, between(random_, -1, 1)));
-      if (round % 2 == 0) outline.Add(gp_Pnt(between(random_, 1, 9), 0, between(random_, 2, 5)));
-      outline.Add(gp_Pnt(0, 0, between(random_, 6, 12)));
+      outline.Add(gp_Pnt(0, 0, uniform(random_, -8, -1)));
+      outline.Add(gp_Pnt(uniform(random_, 2, 12), 0, uniform(random_, -1, 1)));
+      if (round % 2 == 0) outline.Add(gp_Pnt(uniform(random_, 1, 9), 0, uniform(random_, 2, 5)));
+      outline.Add(gp_Pnt(0, 0, uniform(random_, 6, 12)));
       outline.Close();
-      const double turn = round % 3 == 0 ? 2 * std::numbers::pi : between(random_, 0.5, 5.5);
+      const double turn = round % 3 == 0 ? 2 * std::numbers::pi : uniform(random_, 0.5, 5.5);
       const TopoDS_Shape turned =
           BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp::OZ(), turn).Shape();
       const double size = bounds(Shape(Brep(turned))).diagonal();
@@ -108,5 +108,5 @@ class SheetMeshTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SheetMeshTest)
+BLOSSOM_TEST(SheetMeshTest)
 #include "sheet_mesh_test.moc"

@@ -152,5 +152,5 @@ class ShownFeaturesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ShownFeaturesTest)
+BLOSSOM_TEST(ShownFeaturesTest)
 #include "shown_features_test.moc"

@@ -146,5 +146,5 @@ class StlTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(StlTest)
+BLOSSOM_TEST(StlTest)
 #include "stl_test.moc"

@@ -314,5 +314,5 @@ class StorageTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(StorageTest)
+BLOSSOM_TEST(StorageTest)
 #include "storage_test.moc"

@@ -185,5 +185,5 @@ class SubdivisionCurveTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionCurveTest)
+BLOSSOM_TEST(SubdivisionCurveTest)
 #include "subdivision_curve_test.moc"

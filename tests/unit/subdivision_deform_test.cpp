@@ -183,5 +183,5 @@ class SubdivisionDeformTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionDeformTest)
+BLOSSOM_TEST(SubdivisionDeformTest)
 #include "subdivision_deform_test.moc"

@@ -197,5 +197,5 @@ class SubdivisionFacesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionFacesTest)
+BLOSSOM_TEST(SubdivisionFacesTest)
 #include "subdivision_faces_test.moc"

@@ -118,5 +118,5 @@ class SubdivisionLiveTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionLiveTest)
+BLOSSOM_TEST(SubdivisionLiveTest)
 #include "subdivision_live_test.moc"

@@ -381,5 +381,5 @@ class SubdivisionSoundTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionSoundTest)
+BLOSSOM_TEST(SubdivisionSoundTest)
 #include "subdivision_sound_test.moc"

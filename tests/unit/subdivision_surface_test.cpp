@@ -188,5 +188,5 @@ class SubdivisionSurfaceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionSurfaceTest)
+BLOSSOM_TEST(SubdivisionSurfaceTest)
 #include "subdivision_surface_test.moc"

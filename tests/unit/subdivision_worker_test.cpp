@@ -116,5 +116,5 @@ class SubdivisionWorkerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SubdivisionWorkerTest)
+BLOSSOM_TEST(SubdivisionWorkerTest)
 #include "subdivision_worker_test.moc"

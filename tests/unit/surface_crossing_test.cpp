@@ -95,7 +95,7 @@ class SurfaceCrossingTest : public QObject {
   /// What lies beyond the layer that is crossed may be a slit that is far thinner than the crossing is deep.
   void bumpThroughALayerBesideASlitIsFound() {
     for (const double poke : {0.1, 0.2, 0.5}) {
-      const double gap = between(random_, 0.005, 0.01);
+      const double gap = uniform(random_, 0.005, 0.01);
       const auto found = findCrossing(woundBand(gap, poke)).deepest;
       QVERIFY2(found, qPrintable(QStringLiteral("slit %1, reaches %2 beyond").arg(gap).arg(poke)));
       // The bump is four steps of poles wide.
@@ -143,5 +143,5 @@ class SurfaceCrossingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SurfaceCrossingTest)
+BLOSSOM_TEST(SurfaceCrossingTest)
 #include "surface_crossing_test.moc"

@@ -245,5 +245,5 @@ class SurfaceCurvatureTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SurfaceCurvatureTest)
+BLOSSOM_TEST(SurfaceCurvatureTest)
 #include "surface_curvature_test.moc"

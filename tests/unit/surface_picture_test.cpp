@@ -289,5 +289,5 @@ class SurfacePictureTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SurfacePictureTest)
+BLOSSOM_TEST(SurfacePictureTest)
 #include "surface_picture_test.moc"

@@ -13,7 +13,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Imported read(const std::string& content, const std::string& attributes = "") {
   return readText("<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" " + attributes +
@@ -334,5 +334,5 @@ class SvgTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SvgTest)
+BLOSSOM_TEST(SvgTest)
 #include "svg_test.moc"

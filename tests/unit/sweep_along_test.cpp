@@ -278,5 +278,5 @@ class SweepAlongTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepAlongTest)
+BLOSSOM_TEST(SweepAlongTest)
 #include "sweep_along_test.moc"

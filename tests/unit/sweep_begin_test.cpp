@@ -106,5 +106,5 @@ class SweepBeginTest : public QObject {
   QTemporaryDir folder_;
 };
 
-QTEST_GUILESS_MAIN(SweepBeginTest)
+BLOSSOM_TEST(SweepBeginTest)
 #include "sweep_begin_test.moc"

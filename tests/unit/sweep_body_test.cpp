@@ -196,5 +196,5 @@ class SweepBodyTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepBodyTest)
+BLOSSOM_TEST(SweepBodyTest)
 #include "sweep_body_test.moc"

@@ -173,5 +173,5 @@ class SweepCubicTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepCubicTest)
+BLOSSOM_TEST(SweepCubicTest)
 #include "sweep_cubic_test.moc"

@@ -221,5 +221,5 @@ class SweepCurvatureTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepCurvatureTest)
+BLOSSOM_TEST(SweepCurvatureTest)
 #include "sweep_curvature_test.moc"

@@ -243,5 +243,5 @@ class SweepEditsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepEditsTest)
+BLOSSOM_TEST(SweepEditsTest)
 #include "sweep_edits_test.moc"

@@ -361,5 +361,5 @@ class SweepFactorsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepFactorsTest)
+BLOSSOM_TEST(SweepFactorsTest)
 #include "sweep_factors_test.moc"

@@ -96,5 +96,5 @@ class SweepFoldTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepFoldTest)
+BLOSSOM_TEST(SweepFoldTest)
 #include "sweep_fold_test.moc"

@@ -238,5 +238,5 @@ class SweepFramesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepFramesTest)
+BLOSSOM_TEST(SweepFramesTest)
 #include "sweep_frames_test.moc"

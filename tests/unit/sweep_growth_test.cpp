@@ -228,5 +228,5 @@ class SweepGrowthTest : public QObject {
   double largest_ = 0;
 };
 
-QTEST_GUILESS_MAIN(SweepGrowthTest)
+BLOSSOM_TEST(SweepGrowthTest)
 #include "sweep_growth_test.moc"

@@ -108,5 +108,5 @@ class SweepKnotsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepKnotsTest)
+BLOSSOM_TEST(SweepKnotsTest)
 #include "sweep_knots_test.moc"

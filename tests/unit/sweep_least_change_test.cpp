@@ -134,5 +134,5 @@ class SweepLeastChangeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepLeastChangeTest)
+BLOSSOM_TEST(SweepLeastChangeTest)
 #include "sweep_least_change_test.moc"

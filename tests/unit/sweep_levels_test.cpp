@@ -399,5 +399,5 @@ class SweepLevelsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepLevelsTest)
+BLOSSOM_TEST(SweepLevelsTest)
 #include "sweep_levels_test.moc"

@@ -254,5 +254,5 @@ class SweepLiveTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepLiveTest)
+BLOSSOM_TEST(SweepLiveTest)
 #include "sweep_live_test.moc"

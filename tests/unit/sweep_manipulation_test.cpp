@@ -147,5 +147,5 @@ class SweepManipulationTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepManipulationTest)
+BLOSSOM_TEST(SweepManipulationTest)
 #include "sweep_manipulation_test.moc"

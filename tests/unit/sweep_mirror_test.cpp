@@ -101,5 +101,5 @@ class SweepMirrorTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepMirrorTest)
+BLOSSOM_TEST(SweepMirrorTest)
 #include "sweep_mirror_test.moc"

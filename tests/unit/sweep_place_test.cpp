@@ -148,5 +148,5 @@ class SweepPlaceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepPlaceTest)
+BLOSSOM_TEST(SweepPlaceTest)
 #include "sweep_place_test.moc"

@@ -175,5 +175,5 @@ class SweepPrimitiveTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepPrimitiveTest)
+BLOSSOM_TEST(SweepPrimitiveTest)
 #include "sweep_primitive_test.moc"

@@ -208,5 +208,5 @@ class SweepPullTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepPullTest)
+BLOSSOM_TEST(SweepPullTest)
 #include "sweep_pull_test.moc"

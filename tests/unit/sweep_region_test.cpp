@@ -129,5 +129,5 @@ class SweepRegionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepRegionTest)
+BLOSSOM_TEST(SweepRegionTest)
 #include "sweep_region_test.moc"

@@ -366,5 +366,5 @@ class SweepRingLevelsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepRingLevelsTest)
+BLOSSOM_TEST(SweepRingLevelsTest)
 #include "sweep_ring_levels_test.moc"

@@ -244,5 +244,5 @@ class SweepSeamTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepSeamTest)
+BLOSSOM_TEST(SweepSeamTest)
 #include "sweep_seam_test.moc"

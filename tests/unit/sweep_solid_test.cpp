@@ -175,5 +175,5 @@ class SweepSolidTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepSolidTest)
+BLOSSOM_TEST(SweepSolidTest)
 #include "sweep_solid_test.moc"

@@ -303,5 +303,5 @@ class SweepSoundTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepSoundTest)
+BLOSSOM_TEST(SweepSoundTest)
 #include "sweep_sound_test.moc"

@@ -219,5 +219,5 @@ class SweepSymmetryTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepSymmetryTest)
+BLOSSOM_TEST(SweepSymmetryTest)
 #include "sweep_symmetry_test.moc"

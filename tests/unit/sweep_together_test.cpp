@@ -5,6 +5,7 @@
 #include "support/motion_sizes.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "support/symmetric_motions.h"
 #include "sweep/kernel/edit/pull.h"
 #include "sweep/kernel/edit/twist.h"
 #include "sweep/kernel/grid/motion_point.h"
@@ -73,10 +74,6 @@ Motion plainMotion(Random& random, int k, bool cubic, int period) {
   Motion motion = randomMotion(random, static_cast<ClosedU>(k % 3), cubic, period);
   for (double& each : motion.point) each += each < 0 ? -0.5 : 0.5;
   return motion;
-}
-
-Vec3 anyVector(Random& random, double size) {
-  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
 }  // namespace
@@ -225,5 +222,5 @@ class SweepTogetherTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepTogetherTest)
+BLOSSOM_TEST(SweepTogetherTest)
 #include "sweep_together_test.moc"

@@ -165,5 +165,5 @@ class SweepUnreachedTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepUnreachedTest)
+BLOSSOM_TEST(SweepUnreachedTest)
 #include "sweep_unreached_test.moc"

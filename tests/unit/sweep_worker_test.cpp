@@ -85,5 +85,5 @@ class SweepWorkerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SweepWorkerTest)
+BLOSSOM_TEST(SweepWorkerTest)
 #include "sweep_worker_test.moc"

@@ -232,5 +232,5 @@ class TessellateGridTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TessellateGridTest)
+BLOSSOM_TEST(TessellateGridTest)
 #include "tessellate_grid_test.moc"

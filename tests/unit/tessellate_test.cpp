@@ -317,5 +317,5 @@ class TessellateTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TessellateTest)
+BLOSSOM_TEST(TessellateTest)
 #include "tessellate_test.moc"

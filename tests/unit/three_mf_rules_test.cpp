@@ -263,5 +263,5 @@ class ThreeMfRulesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ThreeMfRulesTest)
+BLOSSOM_TEST(ThreeMfRulesTest)
 #include "three_mf_rules_test.moc"

@@ -269,5 +269,5 @@ class ThreeMfTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ThreeMfTest)
+BLOSSOM_TEST(ThreeMfTest)
 #include "three_mf_test.moc"

@@ -90,5 +90,5 @@ void TogetherTest::meshesBesideSolidsAreRefused() {
                ErrorCode::InvalidInput);
 }
 
-QTEST_GUILESS_MAIN(TogetherTest)
+BLOSSOM_TEST(TogetherTest)
 #include "together_test.moc"

@@ -82,5 +82,5 @@ void TranslationTest::languagesHaveTheSameMessages() {
   for (std::size_t i = 0; i < german.size(); ++i) QCOMPARE(german[i].source, korean[i].source);
 }
 
-QTEST_GUILESS_MAIN(TranslationTest)
+BLOSSOM_TEST(TranslationTest)
 #include "translation_test.moc"

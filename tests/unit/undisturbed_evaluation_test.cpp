@@ -312,5 +312,5 @@ void UndisturbedEvaluationTest::showingHasItsShareOfTheProgress() {
   QVERIFY(costs.expectedShowing(sequence, false) < 1);
 }
 
-QTEST_GUILESS_MAIN(UndisturbedEvaluationTest)
+BLOSSOM_TEST(UndisturbedEvaluationTest)
 #include "undisturbed_evaluation_test.moc"

@@ -144,5 +144,5 @@ class WorkerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WorkerTest)
+BLOSSOM_TEST(WorkerTest)
 #include "worker_test.moc"

@@ -84,5 +84,5 @@ void WriteAtomicallyTest::leftoversOfTheDeadGo() {
   QVERIFY(fs::exists(other));
 }
 
-QTEST_GUILESS_MAIN(WriteAtomicallyTest)
+BLOSSOM_TEST(WriteAtomicallyTest)
 #include "write_atomically_test.moc"

@@ -34,5 +34,5 @@ class XyzTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(XyzTest)
+BLOSSOM_TEST(XyzTest)
 #include "xyz_test.moc"

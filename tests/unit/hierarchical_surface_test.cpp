@@ -1,8 +1,8 @@
-#include <Eigen/QR>
 #include <array>
 
 #include "geometry/bspline/bspline.h"
 #include "geometry/bspline/hierarchical_surface.h"
+#include "support/dense.h"
 #include "support/motions.h"
 #include "support/splines.h"
 #include "support/support.h"
@@ -70,7 +70,7 @@ MatrixXd twoScale(const SplineSpace& coarse, const SplineSpace& fine) {
         values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = valueOf(space, j, at[i]);
     return values;
   };
-  return collocation(fine).colPivHouseholderQr().solve(collocation(coarse));
+  return shortestSolution(collocation(fine), collocation(coarse));
 }
 
 /// A hierarchy, told twice: to the kernel, and as the definition needs it.

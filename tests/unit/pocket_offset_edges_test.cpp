@@ -34,7 +34,7 @@ Region chambersWithSlot(double shift = 0) {
                         {0, 10}})}};
 }
 
-Region turned(const Region& region, double angle) {
+Region turnedAndMoved(const Region& region, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   Eigen::Matrix<double, 2, 3> by;
   by << c, -s, 3, s, c, -2;
@@ -67,7 +67,7 @@ class PocketOffsetEdgesTest final : public QObject {
   void aDistanceEqualToAFlatClearance() {
     const double cusp = 2 - pi / 2;
     for (const double angle : {0.0, 0.1, 0.7, 1.234, 2.5}) {
-      const Region part = turned(chambersWithSlot(), angle);
+      const Region part = turnedAndMoved(chambersWithSlot(), angle);
       const Region inset = ClearanceDiagram(part).offset(1, Side::Inside);
       QCOMPARE(inset.loops.size(), std::size_t(2));
       COMPARE_NEAR(areaOf(inset), 2 * (64 + cusp), 1e-6);

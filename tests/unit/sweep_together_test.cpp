@@ -2,6 +2,7 @@
 
 #include "exchange/formats.h"
 #include "geometry/bspline/bspline.h"
+#include "support/dense.h"
 #include "support/motion_sizes.h"
 #include "support/motions.h"
 #include "support/support.h"
@@ -48,15 +49,8 @@ MatrixXd polesOf(const Motion& motion, const Surface& surface) {
 /// The shortest solution by singular values, dense: of all changes that leave the pins, those that meet the places best.
 MatrixXd shortestChange(const MatrixXd& places, const MatrixXd& wanted, const MatrixXd& pins) {
   MatrixXd null = MatrixXd::Identity(places.cols(), places.cols());
-  if (pins.rows() > 0) {
-    const Eigen::JacobiSVD<MatrixXd> svd(pins, Eigen::ComputeFullV);
-    Eigen::Index rank = 0;
-    while (rank < svd.singularValues().size() && svd.singularValues()[rank] > 1e-11) ++rank;
-    null = svd.matrixV().rightCols(places.cols() - rank);
-  }
-  Eigen::JacobiSVD<MatrixXd> svd(places * null, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(1e-9);
-  return null * svd.solve(wanted);
+  if (pins.rows() > 0) null = nullSpace(pins, 1e-11);
+  return null * shortestSolution(places * null, wanted, 1e-9);
 }
 
 /// Places at even distances and at random ones between, none too near another.

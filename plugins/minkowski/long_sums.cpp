@@ -7,7 +7,7 @@ namespace blossom::minkowski {
 
 namespace {
 
-constexpr std::size_t workOfHalfASecond = 40'000;
+constexpr std::size_t workOfHalfASecond = 40'000'000;
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 
 namespace blossom::minkowski {
 
-/// Makes a feature type whose sums are limited to `maximumWork` edges and crossings of arrangements.
+/// Makes a feature type whose sums are limited to `maximumWork`, see effort.h.
 using FeatureMaker = std::function<FeatureType(std::size_t maximumWork)>;
 
 /// Computes sums of up to about half a second in this process, so that dragging starts no process; longer ones, whether

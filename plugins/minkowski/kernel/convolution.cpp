@@ -1,8 +1,6 @@
 #include "kernel/convolution.h"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 #include <tuple>
 
 #include "core/error.h"
@@ -74,7 +72,7 @@ class EdgePile {
     edges_.push_back(edge);
     if (edges_.size() < full_) return;
     joinEqual(edges_);
-    effort_.foresee(static_cast<double>(edges_.size()));
+    effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
     if (edges_.size() > maximumEdges)
       throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than three million edges.",
                   "Raise the tolerance, so that curves get fewer corners.");
@@ -82,7 +80,7 @@ class EdgePile {
   }
   std::vector<CountedEdge> joined() && {
     joinEqual(edges_);
-    effort_.foresee(static_cast<double>(edges_.size()));
+    effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
     return std::move(edges_);
   }
 
@@ -107,7 +105,7 @@ void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>&
   for (const Corner& corner : corners) {
     progress.check();
     const auto pair = [&](auto first, auto last) {
-      for (; first != last; ++first) out.add({first->from + corner.at, first->to + corner.at, corner.sign});
+      for (; first != last; ++first) out.add({first->from + corner.at, first->to + corner.at, corner.sign, corner.sign > 0});
     };
     const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
     if (before(corner.first, corner.last)) {
@@ -167,22 +165,6 @@ void pairUp(const PartSides& a, const PartSides& b, EdgePile& edges, const Progr
     if (hasRoom(hole, b.outer)) pairUp(hole, b.outer, edges, progress);
 }
 
-/// The line that an edge lies on: its direction without common factors, and how far off the origin it passes.
-struct LineOfEdge {
-  GridPoint along;
-  Wide offset = 0;
-  std::size_t edge = 0;
-};
-
-LineOfEdge lineOf(const CountedEdge& edge, std::size_t number) {
-  const GridPoint by = edge.to - edge.from;
-  const std::int64_t factor = std::gcd(by.x, by.y);
-  const GridPoint along{by.x / factor, by.y / factor};
-  return {along, cross(along, edge.from), number};
-}
-
-bool sameLine(const LineOfEdge& a, const LineOfEdge& b) { return a.along == b.along && a.offset == b.offset; }
-
 }  // namespace
 
 void joinEqual(std::vector<CountedEdge>& edges) {
@@ -196,41 +178,13 @@ void joinEqual(std::vector<CountedEdge>& edges) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < edges.size();) {
     CountedEdge sum = edges[i];
-    for (++i; i < edges.size() && edges[i].from == sum.from && edges[i].to == sum.to; ++i) sum.count += edges[i].count;
+    for (++i; i < edges.size() && edges[i].from == sum.from && edges[i].to == sum.to; ++i) {
+      sum.count += edges[i].count;
+      sum.mayBound |= edges[i].mayBound;
+    }
     if (sum.count != 0) edges[kept++] = sum;
   }
   edges.resize(kept);
-}
-
-void joinOverlapping(std::vector<CountedEdge>& edges) {
-  std::vector<LineOfEdge> lines;
-  lines.reserve(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) lines.push_back(lineOf(edges[i], i));
-  std::sort(lines.begin(), lines.end(), [&](const LineOfEdge& a, const LineOfEdge& b) {
-    return std::tie(a.along, a.offset, edges[a.edge].from) < std::tie(b.along, b.offset, edges[b.edge].from);
-  });
-  std::vector<CountedEdge> apart;
-  apart.reserve(edges.size());
-  for (std::size_t i = 0; i < lines.size();) {
-    // All that hang together on one line.
-    const std::size_t first = i;
-    GridPoint reached = edges[lines[first].edge].to;
-    for (++i; i < lines.size() && sameLine(lines[first], lines[i]) && edges[lines[i].edge].from < reached; ++i)
-      reached = std::max(reached, edges[lines[i].edge].to);
-    if (i == first + 1) {
-      apart.push_back(edges[lines[first].edge]);
-      continue;
-    }
-    std::map<GridPoint, int> changes;
-    for (std::size_t k = first; k < i; ++k) {
-      changes[edges[lines[k].edge].from] += edges[lines[k].edge].count;
-      changes[edges[lines[k].edge].to] -= edges[lines[k].edge].count;
-    }
-    int count = 0;
-    for (auto from = changes.begin(), to = std::next(from); to != changes.end(); from = to++)
-      if (count += from->second; count != 0) apart.push_back({from->first, to->first, count});
-  }
-  edges = std::move(apart);
 }
 
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,

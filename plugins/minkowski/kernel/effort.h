@@ -12,10 +12,11 @@ struct TooMuchWork : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "These sums take more work than was allowed."; }
 };
 
-/// Limit on the work of sums, counted in edges and crossings of their arrangements and thus the same on every machine.
+/// Limit on the work of sums, counted in pairs of edges that are compared and thus the same on every machine.
 class Effort {
  public:
   static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  static constexpr double pairsOfEdge = 16;  ///< an edge takes as long as comparing so many pairs
   explicit Effort(std::size_t maximum = unlimited) : left_(maximum) {}
 
   [[nodiscard]] bool isLimited() const { return left_ != unlimited; }

@@ -299,7 +299,8 @@ Polygons flattened(const Region& region, const FlatteningOptions& options, const
   const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
   refuseCrossings(all, name, progress);  // before nesting, which needs loops that do not cross
   const Nesting nesting(all, progress);
-  if (!nesting.clear() && options.effort) options.effort->spend(2 * cornerCount(all));
+  if (!nesting.clear() && options.effort)
+    options.effort->spend(static_cast<std::size_t>(2 * Effort::pairsOfEdge) * cornerCount(all));
   refuseOverlaps(nesting, confusion, name, progress);
   refuseTwice(all, name);
   refuseEmptyLoops(all, confusion, name);

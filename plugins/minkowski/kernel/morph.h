@@ -17,7 +17,7 @@ struct MorphOptions {
   bool degreeElevate = false;         ///< elevate the degree by one; the morph does not change when all shapes are convex
   bool areaPreserving = false;        ///< scale about the centre, so that the areas of the control shapes are blended
   std::optional<double> tolerance{};  ///< mm, between curves and their polygons; empty: see FlatteningOptions
-  std::size_t maximumWork = Effort::unlimited;  ///< edges and crossings of arrangements
+  std::size_t maximumWork = Effort::unlimited;  ///< see effort.h
 };
 
 struct MorphResult {

@@ -1,7 +1,6 @@
 #include "kernel/polygon_sum.h"
 
 #include <algorithm>
-#include <random>
 
 #include "kernel/convolution.h"
 #include "kernel/grid.h"
@@ -68,30 +67,9 @@ Operands snappedTogether(const Polygons& a, const Polygons& b) {
   return {snapped(a, gridA), snapped(b, gridB), {gridA.origin + gridB.origin, gridA.unit}};
 }
 
-/// About how often edges cross, from pairs taken evenly among all.
-double expectedCrossings(const std::vector<CountedEdge>& edges, const Progress& progress) {
-  constexpr std::size_t samples = 20'000;
-  if (edges.size() < 2) return 0;
-  std::minstd_rand random(1);  // the same pairs for the same edges
-  std::uniform_int_distribution<std::size_t> any(0, edges.size() - 1);
-  std::size_t crossing = 0;
-  for (std::size_t k = 0; k < samples; ++k) {
-    progress.check();
-    const CountedEdge &e = edges[any(random)], &f = edges[any(random)];
-    const GridPoint along = e.to - e.from, across = f.to - f.from;
-    const auto apart = [](const Wide& s, const Wide& t) { return (s < 0) != (t < 0); };
-    if (apart(cross(along, f.from - e.from), cross(along, f.to - e.from)) &&
-        apart(cross(across, e.from - f.from), cross(across, e.to - f.from)))
-      ++crossing;
-  }
-  const auto count = static_cast<double>(edges.size());
-  return static_cast<double>(crossing) / samples * count * (count - 1) / 2;
-}
-
 Polygons facesOfSum(const Operands& operands, Inside rule, const Progress& progress, Effort& effort) {
   const std::vector<CountedEdge> edges =
       convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort);
-  if (effort.isLimited()) effort.foresee(static_cast<double>(edges.size()) + expectedCrossings(edges, progress));
   return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.grid);
 }
 

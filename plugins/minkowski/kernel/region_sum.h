@@ -13,7 +13,7 @@ namespace blossom::minkowski {
 struct RegionSumOptions {
   /// mm, between the exact result and its polygons, divided among the shapes; empty: see FlatteningOptions
   std::optional<double> tolerance{};
-  std::size_t maximumWork = Effort::unlimited;  ///< edges and crossings of arrangements
+  std::size_t maximumWork = Effort::unlimited;  ///< see effort.h
 };
 
 struct RegionSumResult {

@@ -11,13 +11,12 @@ namespace blossom::minkowski {
 /// Winding numbers that count as inside. Hollow: 0 and below, where enclosed by edges.
 enum class Inside { Positive, NonZero, Hollow };
 
-/// The set of points whose winding number with respect to closed cycles of edges is inside, in grid coordinates. Crossings
-/// are exact (CGAL's arrangement of segments) and rounded to doubles only at the end; holes are assigned to their parts
-/// before that. Outer loops counter-clockwise, holes clockwise; where a boundary touches itself in a point it is split
-/// there. O((n + k) log n) for k crossings.
-/// @pre the edges are the sum of closed cycles, each from the lower to the higher point.
-/// @throws Error LimitExceeded above twenty million meetings of neighbouring edges; Cancelled; TooMuchWork; Internal when
-/// the edges are no cycles.
+/// The set of points whose winding number with respect to closed cycles of edges is inside, in grid coordinates. What is
+/// inside is decided by integers alone; crossings are rounded to doubles only at the end. Outer loops counter-clockwise,
+/// holes clockwise; where a boundary touches itself in a point it is split there. The grid of winding_cells.h leaves out
+/// what is far from the boundary; elsewhere every edge that may bound is compared with those near it, on all cores.
+/// @pre the edges are the sum of closed cycles, as joinEqual returns them.
+/// @throws Error Cancelled; TooMuchWork; Internal when the edges are no cycles.
 Polygons windingFaces(std::span<const CountedEdge>, const Progress&, Inside, Effort&);
 Polygons windingFaces(std::span<const CountedEdge>, const Progress& = Progress::none(), Inside = Inside::Positive);
 

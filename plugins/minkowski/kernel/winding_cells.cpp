@@ -1,0 +1,154 @@
+#include "kernel/winding_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/wide_products.h"
+
+namespace blossom::minkowski {
+namespace {
+
+constexpr double edgesPerCell = 1;
+constexpr std::size_t fewEdges = 64;  // below, one cell is quickest
+constexpr int longestSide = 4096;
+
+struct Bounds {
+  GridPoint low, high;
+};
+
+Bounds boundsOf(std::span<const CountedEdge> edges) {
+  Bounds box{edges.front().from, edges.front().from};
+  for (const CountedEdge& e : edges) {
+    box.low = {std::min(box.low.x, e.from.x), std::min({box.low.y, e.from.y, e.to.y})};
+    box.high = {std::max(box.high.x, e.to.x), std::max({box.high.y, e.from.y, e.to.y})};
+  }
+  return box;
+}
+
+/// Of a point with doubled coordinates: positive to the left of the edge.
+Wide sideOf(const CountedEdge& edge, std::int64_t twiceX, std::int64_t twiceY) {
+  return cross(edge.to - edge.from, GridPoint{twiceX - 2 * edge.from.x, twiceY - 2 * edge.from.y});
+}
+
+}  // namespace
+
+WindingCells::WindingCells(std::span<const CountedEdge> edges, WindingRule rule, const Progress& progress) {
+  layOut(edges);
+  windCorners(edges, progress);
+  listEdges(edges, rule, progress);
+}
+
+void WindingCells::layOut(std::span<const CountedEdge> edges) {
+  const Bounds box = boundsOf(edges);
+  twiceX0_ = 2 * box.low.x - 1;
+  twiceY0_ = 2 * box.low.y - 1;
+  const std::int64_t width = box.high.x - box.low.x + 1, height = box.high.y - box.low.y + 1;
+  const auto cellsFor = [&](std::int64_t size) {
+    return static_cast<double>((width + size - 1) / size) * static_cast<double>((height + size - 1) / size);
+  };
+  constexpr std::int64_t smallest = 16;  // several times the unit by which lists reach beyond a cell
+  size_ = std::max(width, height);
+  const double wanted = edges.size() <= fewEdges ? 1 : static_cast<double>(edges.size()) / edgesPerCell;
+  double length = 0;
+  for (const CountedEdge& edge : edges)
+    length += static_cast<double>(edge.to.x - edge.from.x) + std::abs(static_cast<double>(edge.to.y - edge.from.y));
+  constexpr double listed = 4e7;  // entries of all lists: some hundred megabytes
+  while (size_ > smallest && length / static_cast<double>(size_ / 2) <= listed && cellsFor(size_ / 2) <= wanted &&
+         std::max(width, height) / (size_ / 2) < longestSide)
+    size_ /= 2;
+  columns_ = static_cast<int>((width + size_ - 1) / size_);
+  rows_ = static_cast<int>((height + size_ - 1) / size_);
+}
+
+WindingCells::Cell WindingCells::cellOf(const GridPoint& p) const {
+  return {static_cast<int>((2 * p.x - twiceX0_) / (2 * size_)), static_cast<int>((2 * p.y - twiceY0_) / (2 * size_))};
+}
+
+double WindingCells::pairs() const {
+  double pairs = 0;
+  for (std::size_t i = 0; i + 1 < firsts_.size(); ++i) {
+    const auto edges = static_cast<double>(firsts_[i + 1] - firsts_[i]);
+    pairs += edges * edges;
+  }
+  return pairs;
+}
+
+int WindingCells::rowAt(const CountedEdge& edge, int border) const {
+  const GridPoint by = edge.to - edge.from;
+  const std::int64_t x = borderX(border);
+  const double run = static_cast<double>(x - 2 * edge.from.x) / (2 * static_cast<double>(by.x));
+  const double y = static_cast<double>(edge.from.y) - 0.5 * static_cast<double>(twiceY0_) + run * static_cast<double>(by.y);
+  const auto size = static_cast<double>(size_);
+  const double row = y / size;
+  const double nearest = std::round(row);
+  if (std::abs(row - nearest) * size > 1) return static_cast<int>(std::floor(row));
+  const int above = static_cast<int>(nearest);
+  return sideOf(edge, x, borderY(above)) <= 0 ? above : above - 1;  // the corner lies on the edge or below it
+}
+
+void WindingCells::windCorners(std::span<const CountedEdge> edges, const Progress& progress) {
+  corners_.assign(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), 0);
+  for (const CountedEdge& edge : edges) {
+    progress.check();
+    const int first = cellOf(edge.from).column, last = cellOf(edge.to).column;
+    for (int border = first + 1; border <= last; ++border)
+      corners_[cornerIndex(border, rowAt(edge, border) + 1)] += edge.count;
+  }
+  for (int column = 0; column <= columns_; ++column)
+    for (int row = 1; row <= rows_; ++row) corners_[cornerIndex(column, row)] += corners_[cornerIndex(column, row - 1)];
+}
+
+/// All cells within a unit of the edge, and perhaps some more.
+template <class Visit>
+void WindingCells::forEachCellNear(const CountedEdge& edge, Visit visit) const {
+  const GridPoint by = edge.to - edge.from;
+  const auto size = static_cast<double>(size_);
+  const double x0 = 0.5 * static_cast<double>(twiceX0_), y0 = 0.5 * static_cast<double>(twiceY0_);
+  const double ax = static_cast<double>(edge.from.x) - x0, ay = static_cast<double>(edge.from.y) - y0;
+  const double bx = ax + static_cast<double>(by.x), high = ay + static_cast<double>(by.y);
+  constexpr double reach = 1.5;  // a unit, and the rounding of what is computed here
+  const auto inRange = [](double cell, int count) { return std::clamp(static_cast<int>(std::floor(cell)), 0, count - 1); };
+  const int first = inRange((ax - reach) / size, columns_), last = inRange((bx + reach) / size, columns_);
+  const double slope = by.x == 0 ? 0 : static_cast<double>(by.y) / static_cast<double>(by.x);
+  for (int column = first; column <= last; ++column) {
+    double from = ay, to = high;
+    if (first != last && by.x != 0) {
+      const double left = std::max(ax, column * size - reach), right = std::min(bx, (column + 1) * size + reach);
+      if (left > ax) from = ay + (left - ax) * slope;
+      if (right < bx) to = ay + (right - ax) * slope;
+    }
+    const int low = inRange((std::min(from, to) - reach) / size, rows_),
+              top = inRange((std::max(from, to) + reach) / size, rows_);
+    for (int row = low; row <= top; ++row) visit(Cell{column, row});
+  }
+}
+
+void WindingCells::listEdges(std::span<const CountedEdge> edges, WindingRule rule, const Progress& progress) {
+  const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  std::vector<int> changes(cells, 0);
+  firsts_.assign(cells + 1, 0);
+  for (const CountedEdge& edge : edges) {
+    progress.check();
+    forEachCellNear(edge, [&](const Cell& cell) {
+      changes[index(cell)] += std::abs(edge.count);
+      ++firsts_[index(cell) + 1];
+    });
+  }
+  for (int column = 0; column < columns_; ++column)
+    for (int row = 0; row < rows_; ++row) {
+      const Cell cell{column, row};
+      const int winding = windingBelow(column, row), change = changes[index(cell)];
+      const bool in = winding - change > rule.high || winding + change < rule.low;
+      const bool out = winding - change >= rule.low && winding + change <= rule.high;
+      if (in || out) firsts_[index(cell) + 1] = 0;
+    }
+  for (std::size_t i = 0; i < cells; ++i) firsts_[i + 1] += firsts_[i];
+  lists_.resize(firsts_.back());
+  std::vector<std::uint32_t> next(firsts_.begin(), firsts_.end() - 1);
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    forEachCellNear(edges[k], [&](const Cell& cell) {
+      if (!certified(cell)) lists_[next[index(cell)]++] = static_cast<std::uint32_t>(k);
+    });
+}
+
+}  // namespace blossom::minkowski

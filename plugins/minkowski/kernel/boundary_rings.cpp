@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t none = ~std::size_t(0);
 
-[[noreturn]] void notClosed() {
+[[noreturn]] void brokenRing() {
   throw Error(ErrorCode::Internal, "The boundary of a sum does not close.", "Please report this with the shapes.");
 }
 
@@ -75,7 +75,7 @@ class Joiner {
   /// Clockwise from the way back, around the inside: the first piece that leaves.
   [[nodiscard]] std::size_t following(std::size_t piece) const {
     std::size_t best = firstOut_[to_[piece]];
-    if (best == none) notClosed();
+    if (best == none) brokenRing();
     if (nextOut_[best] == none) return best;
     const GridPoint ahead = directionOf(piece), back{-ahead.x, -ahead.y};
     for (std::size_t other = nextOut_[best]; other != none; other = nextOut_[other]) {
@@ -99,7 +99,7 @@ class Joiner {
         place[from_[piece]] = open.size();
         open.push_back(piece);
       }
-      if (to_[open.back()] != from_[open.front()]) notClosed();
+      if (to_[open.back()] != from_[open.front()]) brokenRing();
       cutBack(open, place, from_[open.front()]);
     }
   }
@@ -107,7 +107,7 @@ class Joiner {
   /// What was walked since a corner is a ring.
   void cutBack(std::vector<std::size_t>& open, std::vector<std::size_t>& place, std::size_t corner) {
     const std::size_t since = place[corner];
-    if (to_[open.back()] != corner) notClosed();
+    if (to_[open.back()] != corner) brokenRing();
     RingOfPieces ring;
     ring.pieces.assign(open.begin() + static_cast<std::ptrdiff_t>(since), open.end());
     for (const std::size_t piece : ring.pieces) place[from_[piece]] = none;

@@ -1,5 +1,4 @@
 #include <ctime>
-#include <map>
 
 #include "minkowski/kernel/flattening.h"
 #include "minkowski/kernel/polygon_sum.h"
@@ -151,40 +150,6 @@ class MinkowskiSumTest : public QObject {
         VERIFY_ERROR(differenceOf(cellRegion(a), cellRegion(b)), ErrorCode::Degenerate);
       else
         COMPARE_NEAR(area(differenceOf(cellRegion(a), cellRegion(b))), static_cast<double>(difference.size()), 1e-8);
-    }
-  }
-
-  /// Edges of one line, cut at each other's ends: the same count over every stretch, and none over another.
-  void edgesThatLieOverOneAnotherAreJoined() {
-    std::mt19937_64 random = seededRandom();
-    std::uniform_int_distribution<int> place(0, 12), line(0, 3), count(-2, 2);
-    const GridPoint ways[] = {{1, 0}, {0, 1}, {2, 3}, {3, -1}};
-    for (int round = 0; round < 200; ++round) {
-      std::vector<CountedEdge> edges;
-      std::map<std::pair<int, int>, int> wanted;  // line and place: how often the unit stretch there counts
-      for (int k = 0; k < 20; ++k) {
-        const int way = line(random), from = place(random), to = place(random), times = count(random);
-        if (from == to) continue;
-        const auto at = [&](int step) { return GridPoint{100 * way + step * ways[way].x, step * ways[way].y}; };
-        edges.push_back({at(from), at(to), times});
-        for (int step = std::min(from, to); step < std::max(from, to); ++step)
-          wanted[{way, step}] += from < to ? times : -times;
-      }
-      joinEqual(edges);
-      joinOverlapping(edges);
-      std::map<std::pair<int, int>, int> made;
-      for (const CountedEdge& edge : edges) {
-        QVERIFY(edge.from < edge.to && edge.count != 0);
-        const auto way = static_cast<int>((edge.from.x + 50) / 100);
-        const auto stepOf = [&](const GridPoint& p) {
-          return static_cast<int>(ways[way].x != 0 ? (p.x - 100 * way) / ways[way].x : p.y / ways[way].y);
-        };
-        const int from = stepOf(edge.from), to = stepOf(edge.to);
-        QVERIFY(from < to);
-        for (int step = from; step < to; ++step) QVERIFY(made.emplace(std::pair{way, step}, edge.count).second);
-      }
-      std::erase_if(wanted, [](const auto& each) { return each.second == 0; });
-      QVERIFY(made == wanted);
     }
   }
 

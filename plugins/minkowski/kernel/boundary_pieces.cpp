@@ -22,7 +22,6 @@ struct Meeting {
   int covering = 0;  ///< by how much the edges that lie on this one change
   int before = 0;    ///< by how much edges on this one change that are reported instead of it
   std::uint32_t edge = 0;
-  bool parallel = false;
   std::optional<GridPoint> end;  ///< the other edge ends here
 };
 
@@ -194,6 +193,7 @@ class EdgeWalker {
   struct Cover {
     Fraction from, to;
     int count = 0, hides = 0;
+    std::uint32_t edge = 0;
   };
 
   void gather(double first, double last) {
@@ -241,7 +241,7 @@ class EdgeWalker {
       return flat ? fraction(p.x - edge_.from.x, by_.x) : fraction(p.y - edge_.from.y, by_.y);
     };
     const int hides = k < number_ && d.mayBound ? 1 : 0;
-    covers_.push_back({share(d.from), share(d.to), d.count, hides});
+    covers_.push_back({share(d.from), share(d.to), d.count, hides, k});
     const auto add = [&](const GridPoint& p, int sign) {
       if (p <= edge_.from || p >= edge_.to) return;
       Meeting m;
@@ -250,7 +250,6 @@ class EdgeWalker {
       m.covering = sign * d.count;
       m.before = sign * hides;
       m.edge = k;
-      m.parallel = true;
       m.end = p;
       meetings_.push_back(m);
     };
@@ -266,23 +265,24 @@ class EdgeWalker {
     return {{p.x, p.y, false}, Vec2(static_cast<double>(p.x), static_cast<double>(p.y))};
   }
 
-  /// Of all that meet the edge in one point: named by an end there, else by the first two edges that are not parallel.
-  [[nodiscard]] Corner cornerOf(std::size_t first, std::size_t last) const {
-    std::uint32_t least = number_;
+  /// Of all that pass one point of the edge: named by an end there, else by the first two edges that are not parallel.
+  [[nodiscard]] Corner cornerOf(std::size_t first, std::size_t last) {
+    through_.assign(1, number_);
     for (std::size_t i = first; i < last; ++i) {
       if (meetings_[i].end) return cornerAt(*meetings_[i].end);
-      least = std::min(least, meetings_[i].edge);
+      through_.push_back(meetings_[i].edge);
     }
-    const auto crosses = [&](std::uint32_t k) {
-      return cross(edges_[least].to - edges_[least].from, edges_[k].to - edges_[k].from) != 0;
-    };
-    std::uint32_t second = crosses(number_) ? number_ : ~std::uint32_t(0);
-    for (std::size_t i = first; i < last; ++i)
-      if (crosses(meetings_[i].edge)) second = std::min(second, meetings_[i].edge);
-    const double t = meetings_[first].t;
+    const Fraction& t = meetings_[first].exact;
+    for (const Cover& cover : covers_)
+      if (compare(cover.from, t) < 0 && compare(t, cover.to) < 0) through_.push_back(cover.edge);
+    const std::uint32_t least = *std::min_element(through_.begin(), through_.end());
+    const GridPoint along = edges_[least].to - edges_[least].from;
+    std::uint32_t second = ~std::uint32_t(0);
+    for (const std::uint32_t k : through_)
+      if (cross(along, edges_[k].to - edges_[k].from) != 0) second = std::min(second, k);
     const Vec2 from(static_cast<double>(edge_.from.x), static_cast<double>(edge_.from.y)),
         by(static_cast<double>(by_.x), static_cast<double>(by_.y));
-    return {{least, second, true}, from + t * by};
+    return {{least, second, true}, from + meetings_[first].t * by};
   }
 
   /// 1: the inside is to the left only; -1: to the right only; 0: no boundary, or another edge that lies here tells it.
@@ -311,7 +311,8 @@ class EdgeWalker {
       } while (next < meetings_.size() && meetings_[next].t - meetings_[first].t < 1e-13 &&
                compare(meetings_[next].exact, meetings_[first].exact) == 0);
       const int changed = statusOf(left, covering, hidden);
-      if (changed == status) continue;
+      // Also where the boundary runs straight on: others may turn there, and are joined around that corner in order.
+      if (changed == 0 && status == 0) continue;
       close(cornerOf(first, next));
       status = changed;
     }
@@ -330,6 +331,7 @@ class EdgeWalker {
   std::vector<Cell> run_;
   std::vector<Meeting> meetings_;
   std::vector<Cover> covers_;
+  std::vector<std::uint32_t> through_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace blossom::minkowski {
 
-/// A point where a boundary turns: an end of edges, or a crossing, named by two of its edges. Equal names, equal points.
+/// A point where a boundary may turn: an end of edges, or a crossing, named by two of its edges. Equal names, equal points.
 struct CornerName {
   std::int64_t first = 0, second = 0;
   bool crossing = false;

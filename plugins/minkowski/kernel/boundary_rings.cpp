@@ -148,7 +148,8 @@ class Joiner {
       if (rings_[i].area > 0) continue;
       std::size_t around = below_[i];
       // What is just below a hole is inside: it belongs to the ring there, or to what that one is a hole of.
-      while (around != none && rings_[around].area < 0) around = below_[around];
+      for (std::size_t steps = 0; around != none && rings_[around].area < 0; around = below_[around])
+        if (++steps > rings_.size()) brokenRing();
       if (around != none) result[partOf[around]].holes.push_back(loopOf(rings_[i]));
     }
     return result;
@@ -160,6 +161,26 @@ class Joiner {
     const GridPoint along = edge.to - edge.from;
     return fraction(2 * Wide(edge.from.y - origin.y) * along.x + Wide(along.y) * (twiceX - 2 * edge.from.x),
                     2 * Wide(along.x));
+  }
+
+  /// A piece of the ring and twice a half-integer within it, as near to the ring's lowest corner as there is one: what is
+  /// below that corner begins lower, so that going down from ring to ring comes to an end. Nothing for a ring so narrow.
+  [[nodiscard]] std::optional<std::pair<std::size_t, std::int64_t>> lineThrough(const RingOfPieces& ring) const {
+    const std::size_t n = ring.pieces.size();
+    std::size_t lowest = 0;
+    const auto y = [&](std::size_t k) { return pieces_[ring.pieces[k]].fromAt.y(); };
+    for (std::size_t k = 1; k < n; ++k)
+      if (y(k) < y(lowest)) lowest = k;
+    for (std::size_t step = 0; step < n; ++step)
+      for (const std::size_t k : {(lowest + step) % n, (lowest + 2 * n - 1 - step) % n}) {
+        const BoundaryPiece& piece = pieces_[ring.pieces[k]];
+        const bool ahead = k == (lowest + step) % n;
+        const double near = ahead ? piece.fromAt.x() : piece.toAt.x(), far = ahead ? piece.toAt.x() : piece.fromAt.x();
+        if (std::abs(far - near) < 2) continue;
+        const auto unit = static_cast<std::int64_t>(std::floor(far > near ? near + 0.25 : near - 1.25));
+        return std::pair{ring.pieces[k], 2 * unit + 1};
+      }
+    return std::nullopt;
   }
 
   /// For every hole the ring of the piece that is next below it, on a vertical line through the hole.
@@ -188,17 +209,12 @@ class Joiner {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       if (rings_[r].area > 0) continue;
       progress_.check();
-      // The lowest piece of the ring on a line through its widest one.
-      std::size_t widest = rings_[r].pieces.front();
-      const auto width = [&](std::size_t piece) { return std::abs(pieces_[piece].toAt.x() - pieces_[piece].fromAt.x()); };
-      for (const std::size_t piece : rings_[r].pieces)
-        if (width(piece) > width(widest)) widest = piece;
-      if (width(widest) < 2) continue;
-      const auto twice =
-          static_cast<std::int64_t>(std::floor((pieces_[widest].fromAt.x() + pieces_[widest].toAt.x()) / 2)) * 2 + 1;
+      const std::optional<std::pair<std::size_t, std::int64_t>> line = lineThrough(rings_[r]);
+      if (!line) continue;
+      const auto [piece, twice] = *line;
       const double x = static_cast<double>(twice) / 2;
-      const GridPoint origin = edges_[pieces_[widest].edge].from;
-      Fraction lowest = heightAt(widest, twice, origin);
+      const GridPoint origin = edges_[pieces_[piece].edge].from;
+      Fraction lowest = heightAt(piece, twice, origin);
       std::optional<Fraction> highest;
       const auto& candidates = inSlab[slabOf(x)];
       const auto passes = [&](const Entry& entry) { return entry.low < x && x < entry.high; };

@@ -79,7 +79,7 @@ class MinkowskiCliTest : public QObject {
   /// Where no helper process can start, short sums go on and long ones say so; with one they give what the kernel gives.
   void longSumsRunInTheWorkerAndShortOnesHere() {
     const QStringList small{"minkowski-sum", "star:5:20:8", "star:6:20:8"},
-        large{"minkowski-sum", "star:20:50:20", "star:21:40:10"};
+        large{"minkowski-sum", "star:300:50:10", "star:301:40:8"};
     const QByteArray worker = qgetenv("BLOSSOM_WORKER");
     qputenv("BLOSSOM_WORKER", "/nonexistent");
     const Answer here = blossom(small), none = blossom(large);

@@ -113,12 +113,12 @@ class ShapeTransportTest : public QObject {
 
   /// A morph too long for this process: its ends are the shapes drawn.
   void evaluationsInAChildKeepLayersAndColours() {
-    const Evaluated morph = made("morph", {{"frames", 3}}, {layeredStar(20, 50, 20, "A"), layeredStar(21, 40, 10, "B")});
+    const Evaluated morph = made("morph", {{"frames", 3}}, {layeredStar(300, 50, 10, "A"), layeredStar(301, 40, 8, "B")});
     QVERIFY(morph.stats.contains("worker_ms"));
     const auto* sequence = morph.shape.get<Sequence>();
     QVERIFY(sequence && sequence->frames.size() == 3);
-    QVERIFY(*sequence->frames.front().get<Region>() == layeredStar(20, 50, 20, "A"));
-    QVERIFY(*sequence->frames.back().get<Region>() == layeredStar(21, 40, 10, "B"));
+    QVERIFY(*sequence->frames.front().get<Region>() == layeredStar(300, 50, 10, "A"));
+    QVERIFY(*sequence->frames.back().get<Region>() == layeredStar(301, 40, 8, "B"));
   }
 
   /// What OCCT makes has no name: that of the first solid it was made of.

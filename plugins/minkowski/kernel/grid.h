@@ -9,7 +9,7 @@ namespace blossom::minkowski {
 /// A point of an integer grid, |x| and |y| <= 2^47, so that sums of points are exact and turns fit 128 bits.
 struct GridPoint {
   std::int64_t x = 0, y = 0;
-  friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
+  friend auto operator<=>(const GridPoint&, const GridPoint&) = default;  // NOLINT(modernize-use-nullptr)
   friend GridPoint operator+(const GridPoint& a, const GridPoint& b) { return {a.x + b.x, a.y + b.y}; }
   friend GridPoint operator-(const GridPoint& a, const GridPoint& b) { return {a.x - b.x, a.y - b.y}; }
 };

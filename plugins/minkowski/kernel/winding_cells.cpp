@@ -43,8 +43,9 @@ void WindingCells::layOut(std::span<const CountedEdge> edges) {
   twiceX0_ = 2 * box.low.x - 1;
   twiceY0_ = 2 * box.low.y - 1;
   const std::int64_t width = box.high.x - box.low.x + 1, height = box.high.y - box.low.y + 1;
+  const auto count = [](std::int64_t side, std::int64_t size) { return (side + size - 1) / size; };
   const auto cellsFor = [&](std::int64_t size) {
-    return static_cast<double>((width + size - 1) / size) * static_cast<double>((height + size - 1) / size);
+    return static_cast<double>(count(width, size)) * static_cast<double>(count(height, size));
   };
   constexpr std::int64_t smallest = 16;  // several times the unit by which lists reach beyond a cell
   size_ = std::max(width, height);
@@ -53,11 +54,11 @@ void WindingCells::layOut(std::span<const CountedEdge> edges) {
   for (const CountedEdge& edge : edges)
     length += static_cast<double>(edge.to.x - edge.from.x) + std::abs(static_cast<double>(edge.to.y - edge.from.y));
   constexpr double listed = 4e7;  // entries of all lists: some hundred megabytes
-  while (size_ > smallest && length / static_cast<double>(size_ / 2) <= listed && cellsFor(size_ / 2) <= wanted &&
+  while (size_ > smallest && 2 * length <= listed * static_cast<double>(size_) && cellsFor(size_ / 2) <= wanted &&
          std::max(width, height) / (size_ / 2) < longestSide)
     size_ /= 2;
-  columns_ = static_cast<int>((width + size_ - 1) / size_);
-  rows_ = static_cast<int>((height + size_ - 1) / size_);
+  columns_ = static_cast<int>(count(width, size_));
+  rows_ = static_cast<int>(count(height, size_));
 }
 
 WindingCells::Cell WindingCells::cellOf(const GridPoint& p) const {

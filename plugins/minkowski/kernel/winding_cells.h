@@ -29,8 +29,8 @@ class WindingCells {
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
   /// Twice the coordinate of a border, an odd number.
-  [[nodiscard]] std::int64_t borderX(int column) const { return twiceX0_ + column * 2 * size_; }
-  [[nodiscard]] std::int64_t borderY(int row) const { return twiceY0_ + row * 2 * size_; }
+  [[nodiscard]] std::int64_t borderX(int column) const { return twiceX0_ + 2 * size_ * column; }
+  [[nodiscard]] std::int64_t borderY(int row) const { return twiceY0_ + 2 * size_ * row; }
   [[nodiscard]] Cell cellOf(const GridPoint&) const;
 
   /// Winding number just below the corner of the borders `column` and `row`.

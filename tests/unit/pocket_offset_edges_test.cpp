@@ -206,7 +206,7 @@ class PocketOffsetEdgesTest final : public QObject {
       for (const Vec2& q : outline) nearest = std::min(nearest, (p - q).norm());
       // samples lie on the curve: no nearer than it
       QVERIFY(!proof.isClear(p, nearest + 1e-9));
-      QVERIFY(proof.isClear(p, nearest - 0.02));
+      if (nearest > 0.02) QVERIFY(proof.isClear(p, nearest - 0.02));  // else there is no such disc
     }
     const Evaluated axis = made("medial-axis", {}, {part});
     QCOMPARE(figure(axis.shape, "uncertified"), 0.0);

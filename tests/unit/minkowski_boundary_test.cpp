@@ -166,6 +166,26 @@ class MinkowskiBoundaryTest : public QObject {
     }
   }
 
+  /// Two hooks that hold each other: each has a piece of the other next below it somewhere.
+  void interlockedHolesBelongToThePartAroundThem() {
+    const GridLoop square{{-1000, -1000}, {3000, -1000}, {3000, 3000}, {-1000, 3000}},
+        hook{{0, 0}, {0, 1000}, {1400, 1000}, {1400, 400}, {1200, 400}, {1200, 800}, {200, 800}, {200, 0}};
+    std::vector<CountedEdge> edges;
+    const auto add = [&](const GridLoop& loop) {
+      for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
+    };
+    add(square);
+    add(hook);  // clockwise
+    GridLoop other;
+    for (const GridPoint& p : hook) other.push_back({2000 - p.x, 1150 - p.y});
+    add(other);
+    joinEqual(edges);
+    const Polygons faces = windingFaces(edges);
+    QCOMPARE(faces.size(), std::size_t{1});
+    QCOMPARE(faces.front().holes.size(), std::size_t{2});
+    QCOMPARE(minkowski::area(faces), 16e6 - 2 * 520e3);
+  }
+
   void oneThreadGivesTheSame() {
     Random random = seededRandom();
     const std::vector<CountedEdge> edges = randomWalks(random, 10, 80, 1000, 1 << 16);

@@ -127,14 +127,10 @@ class EdgeWalker {
     return anchor.vertical || by_.y < 0 ? winding + covering : winding;
   }
 
-  static int sideOf(const CountedEdge& edge, std::int64_t twiceX, std::int64_t twiceY) {
-    return signOf(cross(edge.to - edge.from, GridPoint{twiceX - 2 * edge.from.x, twiceY - 2 * edge.from.y}));
-  }
-
   /// Whether an edge that crosses the level of the corner does so beyond x, just below that level.
   static bool beyond(const CountedEdge& d, std::int64_t twiceX, std::int64_t twiceY) {
     const bool up = d.to.y > d.from.y;
-    const int side = sideOf(d, twiceX, twiceY);
+    const int side = sideOf(d.from, d.to, twiceX, twiceY);
     if (side == 0) return !up;
     return (side > 0) == up;  // the point is to the left of an edge that goes up
   }
@@ -146,8 +142,8 @@ class EdgeWalker {
     int winding = 0;
     if (value != x0 && (2 * d.from.y < y0) != (2 * d.to.y < y0) && beyond(d, x0, y0) && !beyond(d, value, y0))
       winding += along.y > 0 ? -d.count : d.count;
-    if (2 * d.from.x < value && 2 * d.to.x > value && sideOf(d, value, y0) <= 0) {
-      int order = compare(heightAt(d, value), heightAt(edge_, value));
+    if (2 * d.from.x < value && 2 * d.to.x > value && sideOf(d.from, d.to, value, y0) <= 0) {
+      int order = compare(heightOf(d, value), heightOf(edge_, value));
       if (order == 0) order = signOf(cross(by_, along));
       if (order < 0) winding += d.count;
     }
@@ -160,15 +156,15 @@ class EdgeWalker {
     const GridPoint along = d.to - d.from;
     const bool up = by_.y > 0;
     int winding = 0;
-    if (2 * d.from.x < x0 && 2 * d.to.x > x0 && sideOf(d, x0, y0) <= 0) {
-      const int side = sideOf(d, x0, value);  // of the end of the way; d runs to the right
+    if (2 * d.from.x < x0 && 2 * d.to.x > x0 && sideOf(d.from, d.to, x0, y0) <= 0) {
+      const int side = sideOf(d.from, d.to, x0, value);  // of the end of the way; d runs to the right
       if (side > 0 || (side == 0 && up)) winding += d.count;
     }
     if ((2 * d.from.y < value) != (2 * d.to.y < value)) {
-      const int corner = sideOf(d, x0, value);
+      const int corner = sideOf(d.from, d.to, x0, value);
       const bool right = corner == 0 ? up == (along.y > 0) : (corner > 0) == (along.y > 0);
       if (right) {
-        int order = compare(reachAt(d, value), reachAt(edge_, value));
+        int order = compare(reachOf(d, value), reachOf(edge_, value));
         if (order == 0) order = signOf(cross(along, by_)) * (along.y > 0 ? 1 : -1);
         // cross / (dy cy) has the sign of the difference of dx/dy, and one turns with the way of the edge
         if (order < 0) winding += along.y > 0 ? -d.count : d.count;
@@ -178,16 +174,13 @@ class EdgeWalker {
   }
 
   /// y where an edge that is not vertical has this x, from the start of the walked edge on.
-  [[nodiscard]] Fraction heightAt(const CountedEdge& d, std::int64_t twiceX) const {
-    const GridPoint along = d.to - d.from;
-    return fraction(2 * Wide(d.from.y - edge_.from.y) * along.x + Wide(along.y) * (twiceX - 2 * d.from.x),
-                    2 * Wide(along.x));
+  [[nodiscard]] Fraction heightOf(const CountedEdge& d, std::int64_t twiceX) const {
+    return heightAt(d.from, d.to, twiceX, edge_.from.y);
   }
   /// x where an edge that is not level has this y, from the start of the walked edge on.
-  [[nodiscard]] Fraction reachAt(const CountedEdge& d, std::int64_t twiceY) const {
-    const GridPoint along = d.to - d.from;
-    return fraction(2 * Wide(d.from.x - edge_.from.x) * along.y + Wide(along.x) * (twiceY - 2 * d.from.y),
-                    2 * Wide(along.y));
+  [[nodiscard]] Fraction reachOf(const CountedEdge& d, std::int64_t twiceY) const {
+    const auto turned = [](const GridPoint& p) { return GridPoint{p.y, p.x}; };
+    return heightAt(turned(d.from), turned(d.to), twiceY, edge_.from.x);
   }
 
   struct Cover {

@@ -155,12 +155,10 @@ class Joiner {
     return result;
   }
 
-  /// y of a piece at a half-integer.
-  [[nodiscard]] Fraction heightAt(std::size_t piece, std::int64_t twiceX, const GridPoint& origin) const {
+  /// y of a piece at a half-integer, from `base` on.
+  [[nodiscard]] Fraction heightOf(std::size_t piece, std::int64_t twiceX, std::int64_t base) const {
     const CountedEdge& edge = edges_[pieces_[piece].edge];
-    const GridPoint along = edge.to - edge.from;
-    return fraction(2 * Wide(edge.from.y - origin.y) * along.x + Wide(along.y) * (twiceX - 2 * edge.from.x),
-                    2 * Wide(along.x));
+    return heightAt(edge.from, edge.to, twiceX, base);
   }
 
   /// A piece of the ring and twice a half-integer within it, as near to the ring's lowest corner as there is one: what is
@@ -213,19 +211,19 @@ class Joiner {
       if (!line) continue;
       const auto [piece, twice] = *line;
       const double x = static_cast<double>(twice) / 2;
-      const GridPoint origin = edges_[pieces_[piece].edge].from;
-      Fraction lowest = heightAt(piece, twice, origin);
+      const std::int64_t base = edges_[pieces_[piece].edge].from.y;
+      Fraction lowest = heightOf(piece, twice, base);
       std::optional<Fraction> highest;
       const auto& candidates = inSlab[slabOf(x)];
       const auto passes = [&](const Entry& entry) { return entry.low < x && x < entry.high; };
       for (const std::size_t e : candidates)
         if (entries[e].ring == r && passes(entries[e])) {
-          const Fraction y = heightAt(entries[e].piece, twice, origin);
+          const Fraction y = heightOf(entries[e].piece, twice, base);
           if (compare(y, lowest) < 0) lowest = y;
         }
       for (const std::size_t e : candidates) {
         if (entries[e].ring == r || !passes(entries[e])) continue;
-        const Fraction y = heightAt(entries[e].piece, twice, origin);
+        const Fraction y = heightOf(entries[e].piece, twice, base);
         if (compare(y, lowest) > 0 || (highest && compare(y, *highest) <= 0)) continue;
         highest = y;
         below_[r] = entries[e].ring;

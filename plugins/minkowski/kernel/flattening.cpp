@@ -209,9 +209,7 @@ void refuseStrayHole(const Nesting& nesting, const std::vector<Loop>& loops, con
 
 void refuseEmptyLoops(const std::vector<Loop>& loops, double confusion, const std::string& name) {
   for (const Loop& loop : loops) {
-    double perimeter = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) perimeter += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-    if (std::abs(signedArea(loop)) <= perimeter * confusion)
+    if (std::abs(signedArea(loop)) <= perimeter(loop) * confusion)
       refuse(ErrorCode::InvalidInput, name, fmt::format("has a loop at {} that encloses nothing.", at(loop.front())),
              "Remove it, or lower the tolerance if it is small.");
   }

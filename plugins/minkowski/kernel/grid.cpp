@@ -92,9 +92,7 @@ Loop withoutCrumbs(const Loop& loop, double crumb) {
   dropAtSeam(kept, crumb);
   Loop corners;
   for (const KeptCorner& corner : kept) corners.push_back(corner.at);
-  double perimeter = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) perimeter += (corners[(i + 1) % corners.size()] - corners[i]).norm();
-  if (corners.size() < 3 || std::abs(signedArea(corners)) <= crumb * perimeter) return {};
+  if (corners.size() < 3 || std::abs(signedArea(corners)) <= crumb * perimeter(corners)) return {};
   return corners;
 }
 

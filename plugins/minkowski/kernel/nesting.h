@@ -14,7 +14,7 @@ namespace blossom::minkowski {
 std::vector<std::optional<std::size_t>> loopsAround(const std::vector<GridLoop>&, const Progress& = Progress::none());
 
 /// The set of positive winding numbers of loops (counter-clockwise around areas, clockwise around holes). Disjoint loops are
-/// only sorted by containment; loops that touch or overlap are evaluated by their exact arrangement.
+/// only sorted by containment; loops that touch or overlap are evaluated by their winding numbers.
 class Nesting {
  public:
   explicit Nesting(std::vector<Loop>, const Progress& = Progress::none());

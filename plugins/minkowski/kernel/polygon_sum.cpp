@@ -105,7 +105,7 @@ Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress) {
 Polygons difference(const Polygons& a, const Polygons& b, const Progress& progress, Effort& effort) {
   progress.check();
   if (a.empty()) return {};
-  // What the sum leaves out is read off its arrangement, where loops that touch lie in one another as they do.
+  // What the sum leaves out is read off its winding numbers, where loops that touch lie in one another as they do.
   Polygons room = facesOfSum(snappedTogether(complement(a, b, progress), scaled(b, -1)), Inside::Hollow, progress, effort);
   for (auto& [outer, holes] : room)
     std::rotate(outer.begin(), std::min_element(outer.begin(), outer.end(), fartherLeft), outer.end());

@@ -24,6 +24,12 @@ double signedArea(const Loop& loop) {
   return twice / 2;
 }
 
+double perimeter(const Loop& loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) sum += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+  return sum;
+}
+
 double area(const Polygons& polygons) {
   double sum = 0;
   for (const Polygon& polygon : polygons) {

@@ -21,6 +21,7 @@ using Polygons = std::vector<Polygon>;
 
 /// Area to the left of a loop, negative when clockwise.
 double signedArea(const Loop&);
+double perimeter(const Loop&);
 double area(const Polygons&);
 /// Number of edges of all loops.
 std::size_t edgeCount(const Polygons&);

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "geometry/numeric/box_tree.h"
+#include "kernel/wide_products.h"
 #include "kernel/winding_faces.h"
 
 namespace blossom::minkowski {
@@ -28,11 +29,9 @@ double distance(const GridPoint& p, const GridPoint& a, const GridPoint& b) {
   return asVec(t == 0 ? p - a : p - b).norm();
 }
 
-int sign(const Wide& w) { return w > 0 ? 1 : w < 0 ? -1 : 0; }
-
 bool crossing(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
-  return sign(cross(b - a, c - a)) * sign(cross(b - a, d - a)) < 0 &&
-         sign(cross(d - c, a - c)) * sign(cross(d - c, b - c)) < 0;
+  return signOf(cross(b - a, c - a)) * signOf(cross(b - a, d - a)) < 0 &&
+         signOf(cross(d - c, a - c)) * signOf(cross(d - c, b - c)) < 0;
 }
 
 GridPoint crossingPoint(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {

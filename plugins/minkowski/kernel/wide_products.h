@@ -15,4 +15,15 @@ struct Fraction {
 inline Fraction fraction(Wide over, Wide under) { return under < 0 ? Fraction{-over, -under} : Fraction{over, under}; }
 inline int compare(const Fraction& a, const Fraction& b) { return compareProducts(a.over, b.under, b.over, a.under); }
 
+/// Of a point with doubled coordinates beside the line from a to b: 1 to the left, -1 to the right.
+inline int sideOf(const GridPoint& a, const GridPoint& b, std::int64_t twiceX, std::int64_t twiceY) {
+  return signOf(cross(b - a, GridPoint{twiceX - 2 * a.x, twiceY - 2 * a.y}));
+}
+
+/// y - base of the line from a to b, which is not vertical, at twiceX / 2.
+inline Fraction heightAt(const GridPoint& a, const GridPoint& b, std::int64_t twiceX, std::int64_t base) {
+  const GridPoint along = b - a;
+  return fraction(2 * Wide(a.y - base) * along.x + Wide(along.y) * (twiceX - 2 * a.x), 2 * Wide(along.x));
+}
+
 }  // namespace blossom::minkowski

@@ -25,11 +25,6 @@ Bounds boundsOf(std::span<const CountedEdge> edges) {
   return box;
 }
 
-/// Of a point with doubled coordinates: positive to the left of the edge.
-Wide sideOf(const CountedEdge& edge, std::int64_t twiceX, std::int64_t twiceY) {
-  return cross(edge.to - edge.from, GridPoint{twiceX - 2 * edge.from.x, twiceY - 2 * edge.from.y});
-}
-
 }  // namespace
 
 WindingCells::WindingCells(std::span<const CountedEdge> edges, WindingRule rule, const Progress& progress) {
@@ -84,7 +79,7 @@ int WindingCells::rowAt(const CountedEdge& edge, int border) const {
   const double nearest = std::round(row);
   if (std::abs(row - nearest) * size > 1) return static_cast<int>(std::floor(row));
   const int above = static_cast<int>(nearest);
-  return sideOf(edge, x, borderY(above)) <= 0 ? above : above - 1;  // the corner lies on the edge or below it
+  return sideOf(edge.from, edge.to, x, borderY(above)) <= 0 ? above : above - 1;  // the corner lies on the edge or below it
 }
 
 void WindingCells::windCorners(std::span<const CountedEdge> edges, const Progress& progress) {

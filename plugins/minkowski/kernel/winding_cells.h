@@ -21,13 +21,10 @@ class WindingCells {
  public:
   struct Cell {
     int column, row;
-    friend bool operator==(const Cell&, const Cell&) = default;
   };
 
   WindingCells(std::span<const CountedEdge>, WindingRule, const Progress&);
 
-  [[nodiscard]] int columns() const { return columns_; }
-  [[nodiscard]] int rows() const { return rows_; }
   /// Twice the coordinate of a border, an odd number.
   [[nodiscard]] std::int64_t borderX(int column) const { return twiceX0_ + 2 * size_ * column; }
   [[nodiscard]] std::int64_t borderY(int row) const { return twiceY0_ + 2 * size_ * row; }

@@ -30,13 +30,6 @@ Polygons facesBy(WindingRule rule, std::span<const CountedEdge> edges, const Pro
   return joinedPieces(boundaryPieces(edges, cells, rule, progress), edges, progress);
 }
 
-/// Twice the area over the perimeter.
-double widthOf(const Loop& loop) {
-  double perimeter = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) perimeter += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-  return 2 * std::abs(signedArea(loop)) / perimeter;
-}
-
 }  // namespace
 
 Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progress, Inside inside, Effort& effort) {
@@ -51,7 +44,7 @@ Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progre
 std::optional<Vec2> misplacedFace(std::span<const CountedEdge> edges, double width, const Progress& progress) {
   Effort unlimited;
   for (const Polygon& face : facesBy({0, 1}, edges, progress, unlimited))
-    if (widthOf(face.outer) > width) return face.outer.front();
+    if (2 * signedArea(face.outer) > width * perimeter(face.outer)) return face.outer.front();
   return std::nullopt;
 }
 

@@ -27,7 +27,7 @@ function(blossom_plugin id)
     blossom_compile_by_folder(blossom_${id}_manipulators)
     target_precompile_headers(blossom_${id}_manipulators REUSE_FROM blossom_window_headers)
     target_link_libraries(blossom_${id}_manipulators PRIVATE blossom_${id}_kernel Blossom::ui Blossom::flags)
-    set_target_properties(blossom_${id}_manipulators PROPERTIES AUTOMOC ON)  # tools have signals
+    blossom_automoc(blossom_${id}_manipulators)  # tools have signals
     list(APPEND modules blossom_${id}_manipulators)
   endif()
 

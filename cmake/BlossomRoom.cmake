@@ -51,6 +51,16 @@ function(blossom_compile_by_folder target)
   endforeach()
 endfunction()
 
+# blossom_automoc(TARGET): calls moc for each header that asks for it.
+if(BLOSSOM_BUILD_UI)
+  get_target_property(BLOSSOM_MOC Qt6::moc LOCATION)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/quick-moc.in ${CMAKE_BINARY_DIR}/cmake/quick-moc @ONLY FILE_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+endif()
+function(blossom_automoc target)
+  set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/cmake/quick-moc)
+endfunction()
+
 # blossom_room(NAME PUBLIC libs.. PRIVATE libs..)
 # A room is a shared library made of every .cpp in its folder and the folders in it; headers are included as "NAME/header.h" or
 # "NAME/folder/header.h".

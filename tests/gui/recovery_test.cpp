@@ -33,7 +33,7 @@ std::int64_t monotonicMs() {
 
 std::string identity(const Document& document) { return contentHash(toJson(document)); }
 
-Document part(const std::string& name) {
+Document partNamed(const std::string& name) {
   Feature feature;
   feature.id = "a";
   feature.type = "test.part";
@@ -255,7 +255,7 @@ void RecoveryTest::savedAndClosedNothingIsOffered() {
   Recovery::instance().start(place.recovery);
   {
     Session session(loadApp({}));
-    session.commit(part("A"), QStringLiteral("Add A"));
+    session.commit(partNamed("A"), QStringLiteral("Add A"));
     bool saved = false;
     session.save(place.file, [&] { saved = true; });
     QTRY_VERIFY(saved);
@@ -269,7 +269,7 @@ void RecoveryTest::savedAndClosedNothingIsOffered() {
 
 void RecoveryTest::withoutSafetyCopiesNothingIsKept() {
   Session session(loadApp({}));
-  session.commit(part("A"), QStringLiteral("Add A"));
+  session.commit(partNamed("A"), QStringLiteral("Add A"));
   QVERIFY(session.modified());
   QVERIFY(!Recovery::instance().newJournal({}));
 }

@@ -27,7 +27,7 @@ ToolEvent towards(const Vec3& point, const Vec3& direction, QPointF at = {}) {
   event.millimetresPerPixel = 0.1;
   return event;
 }
-bool press(Tool& tool, int key) { return tool.key(QKeyEvent(QEvent::KeyPress, key, Qt::NoModifier)); }
+bool pressKey(Tool& tool, int key) { return tool.key(QKeyEvent(QEvent::KeyPress, key, Qt::NoModifier)); }
 const Vec3 slanted(0.6, 1, -0.5);
 
 }  // namespace
@@ -75,7 +75,7 @@ void SectionToolTest::startsThroughTheMiddleAndStays() {
 
 void SectionToolTest::theHandleFollowsTheMouse() {
   SectionTool tool(*host_, nullptr);
-  press(tool, Qt::Key_X);
+  pressKey(tool, Qt::Key_X);
   COMPARE_NEAR(tool.plane().offset(), 5, 0);
   const Vec3 centre(5, 10, 15);
   QVERIFY(!tool.press(towards(centre + Vec3(0, 0, 9), slanted)));  // beside it: left to the camera
@@ -97,7 +97,7 @@ void SectionToolTest::theHandleFollowsTheMouse() {
 
 void SectionToolTest::theFrameIsAHandleToo() {
   SectionTool tool(*host_, nullptr);
-  press(tool, Qt::Key_Z);
+  pressKey(tool, Qt::Key_Z);
   const double margin = 0.06 * Vec3(10, 20, 30).norm();
   const Vec3 onFrame(10 + margin, 14, 15);
   QVERIFY(tool.press(towards(onFrame, slanted)));
@@ -107,7 +107,7 @@ void SectionToolTest::theFrameIsAHandleToo() {
 
 void SectionToolTest::endOnUpIsForward() {
   SectionTool tool(*host_, nullptr);
-  press(tool, Qt::Key_Z);
+  pressKey(tool, Qt::Key_Z);
   const Vec3 down = -Vec3::UnitZ();
   QVERIFY(tool.press(towards({5, 10, 15}, down, {0, 100})));
   tool.move(towards({5, 10, 15}, down, {0, 80}));
@@ -116,7 +116,7 @@ void SectionToolTest::endOnUpIsForward() {
 
 void SectionToolTest::stepsOfTheGrid() {
   SectionTool tool(*host_, nullptr);
-  press(tool, Qt::Key_Z);
+  pressKey(tool, Qt::Key_Z);
   QVERIFY(tool.press(towards({5, 10, 15}, slanted)));
   ToolEvent event = towards({5, 10, 21}, slanted);
   event.modifiers = Qt::ControlModifier;
@@ -126,15 +126,15 @@ void SectionToolTest::stepsOfTheGrid() {
 
 void SectionToolTest::keysChooseDirectionsAndSides() {
   SectionTool tool(*host_, nullptr);
-  QVERIFY(press(tool, Qt::Key_Z));
+  QVERIFY(pressKey(tool, Qt::Key_Z));
   COMPARE_NEAR(host_->section()->offset, -15, 0);
-  QVERIFY(press(tool, Qt::Key_F));
+  QVERIFY(pressKey(tool, Qt::Key_F));
   COMPARE_NEAR(host_->section()->offset, 15, 0);
   COMPARE_NEAR(host_->section()->normal.z(), 1, 0);
-  QVERIFY(press(tool, Qt::Key_Up));
+  QVERIFY(pressKey(tool, Qt::Key_Up));
   COMPARE_NEAR(host_->section()->offset, 15.3, 1e-12);
-  QVERIFY(!press(tool, Qt::Key_Escape));
-  QVERIFY(!press(tool, Qt::Key_Q));
+  QVERIFY(!pressKey(tool, Qt::Key_Escape));
+  QVERIFY(!pressKey(tool, Qt::Key_Q));
   // The model grows: the offset stays.
   host_->put("box", box(10, 20, 60));
   tool.documentChanged();
@@ -144,10 +144,10 @@ void SectionToolTest::keysChooseDirectionsAndSides() {
 void SectionToolTest::aFaceGivesTheDirection() {
   SectionTool tool(*host_, nullptr);
   QVERIFY(tool.picks() == PickMode::None);
-  press(tool, Qt::Key_P);
+  pressKey(tool, Qt::Key_P);
   QVERIFY(tool.picks() == PickMode::Face);
-  QVERIFY(press(tool, Qt::Key_Escape));
-  press(tool, Qt::Key_P);
+  QVERIFY(pressKey(tool, Qt::Key_Escape));
+  pressKey(tool, Qt::Key_P);
   ToolEvent event = towards({10, 3, 4}, slanted);
   event.pick.feature = "box";
   event.pick.part = {SubShapeKind::Face, 1, {10, 3, 4}, Vec3(3, 0, 4) / 5, 0};
@@ -193,7 +193,7 @@ void SectionToolTest::thePanelSetsItAll() {
 void SectionToolTest::offShowsAllAgain() {
   SectionTool tool(*host_, nullptr);
   const QSignalSpy finished(&tool, &Tool::finished);
-  QVERIFY(press(tool, Qt::Key_Delete));
+  QVERIFY(pressKey(tool, Qt::Key_Delete));
   QVERIFY(!host_->section());
   QCOMPARE(finished.count(), 1);
 }

@@ -9,7 +9,7 @@ using namespace blossom::ui;
 namespace {
 
 /// Mean difference of the pixels, 0 to 255.
-double contrast(const QImage& a, const QImage& b) {
+double pictureContrast(const QImage& a, const QImage& b) {
   double sum = 0;
   for (int y = 0; y < a.height(); ++y)
     for (int x = 0; x < a.width(); ++x) {
@@ -106,7 +106,7 @@ void ShownFailuresTest::whatIsOutOfDateIsDrawnFaintly() {
   hidden.visible = false;
   session.commit(document().with(hidden), QStringLiteral("Hide"));
   waitUntilComputed();
-  const double whole = contrast(ready, canvas());
+  const double whole = pictureContrast(ready, canvas());
   const QImage empty = canvas();
   QVERIFY(whole > 1);
   undo();
@@ -120,13 +120,14 @@ void ShownFailuresTest::whatIsOutOfDateIsDrawnFaintly() {
   QTRY_VERIFY(session.outdated("w"));
   QVERIFY(!session.outdated("a"));
   // Drawn with 3/10, it differs from the ground by less than 51/100 even where two of its sides lie on each other.
-  QVERIFY2(contrast(canvas(), empty) < 0.6 * whole, qPrintable(QString::number(contrast(canvas(), empty) / whole)));
-  QVERIFY(contrast(canvas(), empty) > 0.1 * whole);
+  QVERIFY2(pictureContrast(canvas(), empty) < 0.6 * whole,
+           qPrintable(QString::number(pictureContrast(canvas(), empty) / whole)));
+  QVERIFY(pictureContrast(canvas(), empty) > 0.1 * whole);
   session.cancelEvaluation();
   window_->errors().hide();  // the view has the size of before
   QVERIFY(session.outdated("w"));
   QTRY_COMPARE(canvas().size(), empty.size());
-  QVERIFY(contrast(canvas(), empty) < 0.6 * whole);
+  QVERIFY(pictureContrast(canvas(), empty) < 0.6 * whole);
   letGo_ = true;
   session.compute();
   QVERIFY(session.outdated("w"));  // it was waited for before

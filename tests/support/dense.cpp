@@ -1,5 +1,6 @@
 #include "support/dense.h"
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 namespace blossom::test {
@@ -18,5 +19,7 @@ MatrixXd nullSpace(const MatrixXd& a, double zero) {
   while (rank < svd.singularValues().size() && svd.singularValues()[rank] > zero) ++rank;
   return svd.matrixV().rightCols(a.cols() - rank);
 }
+
+MatrixXd orthogonalFactor(const MatrixXd& a) { return a.householderQr().householderQ(); }
 
 }  // namespace blossom::test

@@ -11,4 +11,7 @@ Eigen::MatrixXd shortestSolution(const Eigen::MatrixXd& a, const Eigen::MatrixXd
 /// An orthonormal basis, in columns, of what `a` maps to 0: singular values up to `zero` count as 0.
 Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& a, double zero);
 
+/// The orthogonal factor of a = q r.
+Eigen::MatrixXd orthogonalFactor(const Eigen::MatrixXd& a);
+
 }  // namespace blossom::test

@@ -12,16 +12,16 @@ inline QString translationFile(const QString& name) {
   return QString::fromStdString((sourceFolder() / "resources/translations").string()) + u'/' + name + QStringLiteral(".ts");
 }
 
-struct Message {
+struct TranslatedMessage {
   QString context, source, translation;
   bool finished = true;
 };
 
-inline std::vector<Message> messagesOf(const QString& file) {
+inline std::vector<TranslatedMessage> messagesOf(const QString& file) {
   QFile input(file);
   if (!input.open(QIODevice::ReadOnly)) return {};
   QXmlStreamReader xml(&input);
-  std::vector<Message> messages;
+  std::vector<TranslatedMessage> messages;
   QString context;
   while (!xml.atEnd()) {
     if (xml.readNext() != QXmlStreamReader::StartElement) continue;

@@ -17,13 +17,13 @@ using namespace blossom;
 
 namespace {
 
-double volume(const TopoDS_Shape& shape) {
+double volumeOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);
   return properties.Mass();
 }
 
-Brep thereAndBack(const Brep& brep) {
+Brep sentAndReturned(const Brep& brep) {
   const TemporaryFolder folder;
   const Value value = Value::parse(saveBrep(brep, folder.path(), "a").dump());
   return loadBrep(value, folder.path());
@@ -68,7 +68,7 @@ class BrepTransportTest : public QObject {
 
  private slots:
   void structureNamesAndColoursSurvive() {
-    const Brep brep = thereAndBack(assembly());
+    const Brep brep = sentAndReturned(assembly());
     QCOMPARE(brep.roots().size(), std::size_t{1});
     const BrepPart& top = *brep.roots()[0].part;
     QCOMPARE(top.children.size(), std::size_t{2});
@@ -84,7 +84,7 @@ class BrepTransportTest : public QObject {
 
   void colouredSubShapesAreFacesOfTheirPart() {
     const Brep before = assembly();
-    const Brep after = thereAndBack(before);
+    const Brep after = sentAndReturned(before);
     const BrepPart& box = *after.roots()[0].part->children[0].part->children[0].part;
     const BrepPart& original = *before.roots()[0].part->children[0].part->children[0].part;
     QCOMPARE(box.subShapeColors.size(), std::size_t{1});
@@ -102,12 +102,12 @@ class BrepTransportTest : public QObject {
 
   void placesAndVolumesSurvive() {
     const Brep before = assembly();
-    const Brep after = thereAndBack(before);
+    const Brep after = sentAndReturned(before);
     QVERIFY(after.roots()[0].location.Form() == gp_Identity);
     const gp_Trsf turn = after.roots()[0].part->children[1].location;
     for (int row = 1; row <= 3; ++row)
       for (int column = 1; column <= 4; ++column) COMPARE_NEAR(turn.Value(row, column), turned().Value(row, column), 1e-15);
-    COMPARE_NEAR(volume(after.shape()), 2 * 6 + 4 * M_PI * 8 / 3, 1e-9);
+    COMPARE_NEAR(volumeOf(after.shape()), 2 * 6 + 4 * M_PI * 8 / 3, 1e-9);
   }
 
   void mirroredAndScaledPlacesSurvive() {
@@ -118,7 +118,7 @@ class BrepTransportTest : public QObject {
     for (const gp_Trsf& location : {mirror, scale}) {
       auto box = std::make_shared<BrepPart>();
       box->shape = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
-      const Brep after = thereAndBack(Brep({{"", {}, location, box}}));
+      const Brep after = sentAndReturned(Brep({{"", {}, location, box}}));
       for (int row = 1; row <= 3; ++row)
         for (int column = 1; column <= 4; ++column)
           COMPARE_NEAR(after.roots()[0].location.Value(row, column), location.Value(row, column), 1e-15);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kDigits = 1e-13;  ///< relative to the poles
 
 /// The unit circle as four rational quadratic arcs.
-Curve circle() {
+Curve unitCircle() {
   const double h = std::numbers::sqrt2 / 2;
   return {2,
           {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4},
@@ -31,8 +31,8 @@ Curve circle() {
 }
 
 /// The unit sphere: the right half of that circle turned about z.
-Surface sphere() {
-  const Curve around = circle();
+Surface unitSphere() {
+  const Curve around = unitCircle();
   const double h = std::numbers::sqrt2 / 2;
   const std::vector<Vec3> half = {{0, -1, 1}, {h, -h, h}, {1, 0, 1}, {h, h, h}, {0, 1, 1}};  // radius, height, weight
   Surface surface{2, 2, around.knots, {0, 0, 0, 1, 1, 2, 2, 2}, {}};
@@ -137,7 +137,7 @@ class BsplineTest : public QObject {
   }
 
   void circleHasRadiusOne() {
-    const Curve c = circle(), raised = elevateDegree(c, 3);
+    const Curve c = unitCircle(), raised = elevateDegree(c, 3);
     for (int i = 0; i <= 1000; ++i) {
       const double t = 4.0 * i / 1000;
       COMPARE_NEAR(point(c, t).norm(), 1, 1e-15);
@@ -146,7 +146,7 @@ class BsplineTest : public QObject {
   }
 
   void sphereFramesAreTangent() {
-    const Surface ball = sphere();
+    const Surface ball = unitSphere();
     validate(ball);
     for (int i = 0; i < 1000; ++i) {
       const SurfaceFrame f = frame(ball, uniform(random_, 0, 4), uniform(random_, 0, 2));
@@ -309,7 +309,7 @@ class BsplineTest : public QObject {
     Surface s = randomSurface(random_, 2, 2);
     s.poles[s.poles.size() / 2].w() = -3;
     QCOMPARE(smallestWeight(s), -3.0);
-    QCOMPARE(smallestWeight(circle()), std::numbers::sqrt2 / 2);
+    QCOMPARE(smallestWeight(unitCircle()), std::numbers::sqrt2 / 2);
   }
 
   void vanishingWeightsHaveNoPoint() {
@@ -348,19 +348,19 @@ class BsplineTest : public QObject {
   }
 
   void otherMistakesAreRejected() {
-    Curve curve = circle();
+    Curve curve = unitCircle();
     curve.poles[3].y() = std::numeric_limits<double>::quiet_NaN();
     VERIFY_ERROR(validate(curve), ErrorCode::InvalidInput);
     VERIFY_ERROR(validate(Curve{61, std::vector<double>(124), std::vector<Vec4>(62)}), ErrorCode::LimitExceeded);
-    const auto insert = [](std::vector<double> knots) { return insertKnots(circle(), knots); };
+    const auto insert = [](std::vector<double> knots) { return insertKnots(unitCircle(), knots); };
     VERIFY_ERROR(insert({0.5, 0.25}), ErrorCode::InvalidInput);
     VERIFY_ERROR(insert({-0.5}), ErrorCode::InvalidInput);
     VERIFY_ERROR(insert({4.5}), ErrorCode::InvalidInput);
     VERIFY_ERROR(insert({1, 1}), ErrorCode::InvalidInput);
     VERIFY_ERROR(insert({std::numeric_limits<double>::quiet_NaN()}), ErrorCode::InvalidInput);
-    VERIFY_ERROR(elevateDegree(circle(), -1), ErrorCode::InvalidInput);
-    VERIFY_ERROR(elevateDegree(circle(), 100), ErrorCode::LimitExceeded);
-    const BezierCurve pieces = toBezier(circle());
+    VERIFY_ERROR(elevateDegree(unitCircle(), -1), ErrorCode::InvalidInput);
+    VERIFY_ERROR(elevateDegree(unitCircle(), 100), ErrorCode::LimitExceeded);
+    const BezierCurve pieces = toBezier(unitCircle());
     VERIFY_ERROR(fromBezier(pieces, std::vector<double>{0, 0, 0, 0.5, 4, 4, 4}), ErrorCode::InvalidInput);
     VERIFY_ERROR(fromBezier(pieces, std::vector<double>{0, 4}), ErrorCode::InvalidInput);
   }

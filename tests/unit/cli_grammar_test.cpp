@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-enum class Mode { Exact, Cubic };
+enum class CommandMode { Exact, Cubic };
 
 /// One parameter of every kind that a user types; the feature hands back what it got.
 struct EchoParameters {
@@ -24,13 +24,13 @@ struct EchoParameters {
   double t = 0.5;
   double tolerance = 0.01;
   double angle = 0;
-  Mode mode = Mode::Exact;
+  CommandMode mode = CommandMode::Exact;
   std::string text = "none";
   Vec3 axis{0, 0, 1};
   std::vector<double> levels{1, 2};
 };
 
-Mesh tetrahedron(double size) {
+Mesh tetrahedronOf(double size) {
   Mesh mesh;
   mesh.points = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
   for (const std::array<int, 3> face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) mesh.addFace(face);
@@ -63,7 +63,7 @@ FeatureType echoFeature(const std::string& id, const std::string& command, std::
                  {"t", p.t},
                  {"tolerance", p.tolerance},
                  {"angle", p.angle},
-                 {"mode", p.mode == Mode::Cubic ? "cubic" : "exact"},
+                 {"mode", p.mode == CommandMode::Cubic ? "cubic" : "exact"},
                  {"text", p.text},
                  {"axis", {p.axis.x(), p.axis.y(), p.axis.z()}},
                  {"levels", p.levels},
@@ -84,7 +84,7 @@ Format sizeFormat() {
   format.extensions = {"size"};
   format.readOptions = format.writeOptions = {unit};
   format.read = [](const auto& file, const Value& options, const Progress&) -> Imported {
-    return {tetrahedron(std::stod(readFile(file)) * options.at("unit").get<double>()), {}, {}, {}};
+    return {tetrahedronOf(std::stod(readFile(file)) * options.at("unit").get<double>()), {}, {}, {}};
   };
   format.write = [](const Shape& shape, const auto& file, const Value& options, const Progress&) {
     writeAtomically(file, std::to_string(shape.get<Mesh>()->points[1].x() / options.at("unit").get<double>()));
@@ -102,21 +102,21 @@ App testApp() {
   registry->add(echoFeature("test.echo", "echo", 1, anyNumber));
   registry->add(echoFeature("test.info", "info", 1, 1));  // a name that is taken by a command
   registry->add(LiteralForm{"tetrahedron", "tetrahedron:SIZE", "A tetrahedron.",
-                            [](std::string_view given) { return Shape(tetrahedron(std::stod(std::string(given)))); }});
+                            [](std::string_view given) { return Shape(tetrahedronOf(std::stod(std::string(given)))); }});
   App app;
   app.formats = std::move(formats);
   app.registry = std::move(registry);
   return app;
 }
 
-struct Ran {
+struct CommandEnd {
   int code = 0;
   std::string out, err;
   [[nodiscard]] Json json() const { return Json::parse(out); }
   [[nodiscard]] Json stats() const { return json().at("stats"); }
 };
 
-Ran run(std::vector<std::string> words, bool interactive = false, const CancelToken& cancel = {}) {
+CommandEnd run(std::vector<std::string> words, bool interactive = false, const CancelToken& cancel = {}) {
   static const App app = testApp();
   words.insert(words.begin(), "blossom");
   std::vector<const char*> argv;
@@ -150,11 +150,11 @@ class CliGrammarTest : public QObject {
 };
 
 void CliGrammarTest::everyKindOfParameterIsAFlag() {
-  const Ran ran = run({"echo",     "tetrahedron:1", "--solid",     "--turns",  "3",
-                       "--t",      "3/4",           "--tolerance", "1/2 in",   "--angle",
-                       "-30",      "--mode=cubic",  "--text",      "",         "--axis",
-                       "-1,0,2.5", "--levels",      "1,2,3",       "--levels", "4",
-                       "--json"});
+  const CommandEnd ran = run({"echo",     "tetrahedron:1", "--solid",     "--turns",  "3",
+                              "--t",      "3/4",           "--tolerance", "1/2 in",   "--angle",
+                              "-30",      "--mode=cubic",  "--text",      "",         "--axis",
+                              "-1,0,2.5", "--levels",      "1,2,3",       "--levels", "4",
+                              "--json"});
   QVERIFY2(ran.code == 0, (ran.out + ran.err).c_str());
   const Json stats = ran.stats();
   QCOMPARE(stats.at("solid").get<bool>(), true);
@@ -208,14 +208,14 @@ void CliGrammarTest::valuesAreCheckedBeforeTheWork() {
   QFETCH(QStringList, flags);
   std::vector<std::string> words{"echo", "tetrahedron:1", "--json"};
   for (const QString& flag : flags) words.push_back(flag.toStdString());
-  const Ran ran = run(words);
+  const CommandEnd ran = run(words);
   QCOMPARE(ran.code, 2);
   const std::string message = ran.json().at("error").at("message").get<std::string>();
   QVERIFY2(message.find(flags[0].section('=', 0, 0).mid(2).toStdString()) != std::string::npos, message.c_str());
 }
 
 void CliGrammarTest::namesThatAreTakenHaveAWayRound() {
-  const Ran byId = run({"test.info", "tetrahedron:1", "--json"});
+  const CommandEnd byId = run({"test.info", "tetrahedron:1", "--json"});
   QCOMPARE(byId.json().at("feature").get<std::string>(), std::string("test.info"));
   QVERIFY(!run({"info", "tetrahedron:1", "--json"}).json().contains("feature"));
 }
@@ -233,16 +233,16 @@ void CliGrammarTest::literalsAreInputs() {
   COMPARE_NEAR(result.at("volume").get<double>(), 4.5, 1e-12);
   COMPARE_NEAR(run({"literal", "--text", "tetrahedron:3", "--json"}).json().at("result").at("volume").get<double>(), 4.5,
                1e-12);
-  const Ran unknown = run({"echo", "tetrahedrn:3", "--json"});
+  const CommandEnd unknown = run({"echo", "tetrahedrn:3", "--json"});
   QCOMPARE(unknown.code, 1);
   QVERIFY(unknown.json().at("error").at("hint").get<std::string>().find("tetrahedron:SIZE") != std::string::npos);
 }
 
 void CliGrammarTest::aFailingFeatureSaysWhy() {
-  const Ran json = run({"echo", "tetrahedron:1", "--text", "fail", "--json"});
+  const CommandEnd json = run({"echo", "tetrahedron:1", "--text", "fail", "--json"});
   QCOMPARE(json.code, 1);
   QCOMPARE(json.json().at("error").at("code").get<std::string>(), std::string("Degenerate"));
-  const Ran plain = run({"echo", "tetrahedron:1", "--text", "fail"});
+  const CommandEnd plain = run({"echo", "tetrahedron:1", "--text", "fail"});
   QCOMPARE(plain.out, std::string());
   QCOMPARE(plain.err, std::string("blossom: It collapses.\n  Take another text.\n"));
 }
@@ -252,27 +252,27 @@ void CliGrammarTest::anOptionOfReaderAndWriterIsOneFlag() {
   const std::string in = (folder.path() / "in.size").string(), out = (folder.path() / "out.size").string(),
                     mesh = (folder.path() / "out.off").string();
   writeAtomically(in, "3");
-  const auto volume = [](const Ran& ran) { return ran.json().at("result").at("volume").get<double>(); };
+  const auto volume = [](const CommandEnd& ran) { return ran.json().at("result").at("volume").get<double>(); };
   for (const std::vector<std::string>& words : {std::vector<std::string>{"import", in, "-o", out}, {"convert", in, out}}) {
     std::vector<std::string> all = words;
     all.insert(all.end(), {"--size.unit", "2", "--json"});
-    const Ran ran = run(all);
+    const CommandEnd ran = run(all);
     QVERIFY2(ran.code == 0, (ran.out + ran.err).c_str());
     COMPARE_NEAR(volume(ran), 36, 1e-9);  // 6^3 / 6
     COMPARE_NEAR(std::stod(readFile(out)), 3, 1e-9);
     std::filesystem::remove(out);
   }
-  const Ran read = run({"import", in, "--size.unit", "2", "-o", mesh, "--json"});  // by the reader alone
+  const CommandEnd read = run({"import", in, "--size.unit", "2", "-o", mesh, "--json"});  // by the reader alone
   QVERIFY2(read.code == 0, (read.out + read.err).c_str());
   COMPARE_NEAR(volume(read), 36, 1e-9);
-  const Ran unused = run({"echo", in, "--size.unit", "2", "-o", mesh, "--json"});
+  const CommandEnd unused = run({"echo", in, "--size.unit", "2", "-o", mesh, "--json"});
   QCOMPARE(unused.code, 2);
 }
 
 void CliGrammarTest::cancelIsAFailure() {
   const CancelToken cancel;
   cancel.cancel();
-  const Ran ran = run({"echo", "tetrahedron:1", "--json"}, false, cancel);
+  const CommandEnd ran = run({"echo", "tetrahedron:1", "--json"}, false, cancel);
   QCOMPARE(ran.code, 1);
   QCOMPARE(ran.json().at("error").at("code").get<std::string>(), std::string("Cancelled"));
 }
@@ -328,7 +328,7 @@ void CliGrammarTest::conditionsAreToldAndRefuseNothing() {
     QCOMPARE(each.contains("only_for"), name == "edges" || name == "tolerance");
     if (each.contains("only_for")) QVERIFY(each.at("only_for") == (Json{{"parameter", "mode"}, {"values", {"cubic"}}}));
   }
-  const Ran made = run({"echo", "tetrahedron:2", "--mode", "exact", "--tolerance", "3", "--no-edges", "--json"});
+  const CommandEnd made = run({"echo", "tetrahedron:2", "--mode", "exact", "--tolerance", "3", "--no-edges", "--json"});
   QCOMPARE(made.code, 0);
   QCOMPARE(made.json().at("stats").at("tolerance").get<double>(), 3.0);
   QCOMPARE(made.json().at("stats").at("edges").get<bool>(), false);
@@ -337,7 +337,7 @@ void CliGrammarTest::conditionsAreToldAndRefuseNothing() {
 void CliGrammarTest::everyCommandHasHelpWithAnExample() {
   for (const char* command :
        {"convert", "info", "run", "features", "formats", "plugins", "completion", "help", "import", "echo"}) {
-    const Ran help = run({command, "--help"});
+    const CommandEnd help = run({command, "--help"});
     QCOMPARE(help.code, 0);
     QVERIFY2(help.out.find("Example") != std::string::npos, command);
     QCOMPARE(run({"help", command}).code, 0);

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-struct Ran {
+struct ProcessEnd {
   int code = -1;
   std::string out, err;
   /// Exactly one JSON object and nothing else on standard output.
@@ -22,7 +22,7 @@ struct Ran {
 };
 
 /// The real binary, in a folder of its own, with no display.
-Ran blossomIn(const QString& folder, const QStringList& arguments, const QByteArray& input = {}) {
+ProcessEnd blossomIn(const QString& folder, const QStringList& arguments, const QByteArray& input = {}) {
   QProcess process;
   auto environment = QProcessEnvironment::systemEnvironment();
   environment.remove("DISPLAY");
@@ -69,7 +69,7 @@ class CliTest : public QObject {
   void brokenPluginsAreOneWarning();
 
  private:
-  Ran blossom(const QStringList& arguments) { return blossomIn(folder_->path(), arguments); }
+  ProcessEnd blossom(const QStringList& arguments) { return blossomIn(folder_->path(), arguments); }
   [[nodiscard]] std::filesystem::path file(const char* name) const {
     return std::filesystem::path(folder_->path().toStdString()) / name;
   }
@@ -86,7 +86,7 @@ void CliTest::init() {
 }
 
 void CliTest::versionAndHelpEndWithZero() {
-  const Ran version = blossom({"--version"});
+  const ProcessEnd version = blossom({"--version"});
   QCOMPARE(version.code, 0);
   QVERIFY(version.out.starts_with("blossom "));
   for (const QStringList& words : {QStringList{"--help"},
@@ -95,7 +95,7 @@ void CliTest::versionAndHelpEndWithZero() {
                                    {"convert", "--help"},
                                    {"import", "-h"},
                                    {"exchange.import", "--help"}}) {
-    const Ran help = blossom(words);
+    const ProcessEnd help = blossom(words);
     QVERIFY2(help.code == 0, qPrintable(words.join(' ')));
     QVERIFY2(help.out.find("Usage") != std::string::npos, qPrintable(words.join(' ')));
     QCOMPARE(help.err, std::string());
@@ -129,7 +129,7 @@ void CliTest::wrongUseEndsWithTwoAndNamesTheNearestWord_data() {
 void CliTest::wrongUseEndsWithTwoAndNamesTheNearestWord() {
   QFETCH(QStringList, words);
   QFETCH(QString, mentions);
-  const Ran plain = blossom(words);
+  const ProcessEnd plain = blossom(words);
   QCOMPARE(plain.code, 2);
   QCOMPARE(plain.out, std::string());
   QVERIFY2(plain.err.starts_with("blossom: "), plain.err.c_str());
@@ -138,14 +138,14 @@ void CliTest::wrongUseEndsWithTwoAndNamesTheNearestWord() {
 }
 
 void CliTest::wrongUseIsAnErrorObjectToo() {
-  const Ran json = blossom({"convert", "cube.off", "c.stl", "--chord", "-1", "--json"});
+  const ProcessEnd json = blossom({"convert", "cube.off", "c.stl", "--chord", "-1", "--json"});
   QCOMPARE(json.code, 2);
   QCOMPARE(json.json().at("error").at("code").get<std::string>(), std::string("InvalidParameter"));
   QCOMPARE(blossom({"infoo", "--json"}).json().at("error").at("hint").get<std::string>(), std::string("Did you mean info?"));
 }
 
 void CliTest::infoMeasuresACube() {
-  const Ran ran = blossom({"info", "cube.off", "--json"});
+  const ProcessEnd ran = blossom({"info", "cube.off", "--json"});
   QCOMPARE(ran.code, 0);
   const Json info = ran.json();
   QCOMPARE(info.at("result").at("kind").get<std::string>(), std::string("mesh"));
@@ -154,14 +154,14 @@ void CliTest::infoMeasuresACube() {
   QCOMPARE(info.at("result").at("faces").get<int>(), 6);
   QVERIFY(info.at("stats").contains("entities"));
   QVERIFY(info.at("stats").at("total_ms").get<double>() > 0);
-  const Ran table = blossom({"info", "cube.off"});
+  const ProcessEnd table = blossom({"info", "cube.off"});
   QCOMPARE(table.code, 0);
   QVERIFY2(table.out.find("mm³") != std::string::npos, table.out.c_str());
 }
 
 void CliTest::infoOfManyFilesIsStillOneObject() {
   blossom::writeAtomically(file("other.off"), cubeOff);
-  const Ran ran = blossom({"info", "cube.off", "other.off", "--json"});
+  const ProcessEnd ran = blossom({"info", "cube.off", "other.off", "--json"});
   QCOMPARE(ran.code, 0);
   QCOMPARE(ran.json().at("files").size(), std::size_t{2});
 }
@@ -170,7 +170,7 @@ void CliTest::infoTellsWarningsOfFeatures() {
   blossom::writeAtomically(file("drawing.svg"),
                            "<svg xmlns='http://www.w3.org/2000/svg'><rect width='4' height='2'/><text>note</text></svg>");
   QCOMPARE(blossom({"import", "drawing.svg", "-o", "model.blossom"}).code, 0);
-  const Ran object = blossom({"info", "model.blossom", "--json"}), table = blossom({"info", "model.blossom"});
+  const ProcessEnd object = blossom({"info", "model.blossom", "--json"}), table = blossom({"info", "model.blossom"});
   QCOMPARE(object.code, 0);
   const Json warnings = object.json().at("features").at(0).at("warnings");
   QCOMPARE(warnings.size(), std::size_t(1));
@@ -180,7 +180,7 @@ void CliTest::infoTellsWarningsOfFeatures() {
 }
 
 void CliTest::convertWritesSeveralFilesAtOnce() {
-  const Ran ran =
+  const ProcessEnd ran =
       blossom({"convert", "cube.off", "cube.obj", "cube.stl,cube.ply", "-o", "a,b.off", "--stl.ascii", "--json"});
   QVERIFY2(ran.code == 0, (ran.out + ran.err).c_str());
   QCOMPARE(ran.json().at("outputs").get<std::vector<std::string>>(),
@@ -232,13 +232,13 @@ void CliTest::failuresEndWithOneAndAnErrorObject() {
   blossom::writeAtomically(file("damaged.off"), "OFF\n8 6 0\n0 0");
   blossom::writeAtomically(file("damaged.blossom"), "PK rubbish");
   const QStringList before = files();
-  const Ran json = blossom(words + QStringList{"--json"});
+  const ProcessEnd json = blossom(words + QStringList{"--json"});
   QVERIFY2(json.code == 1, (json.out + json.err).c_str());
   const Json error = json.json().at("error");
   QCOMPARE(error.at("code").get<std::string>(), code.toStdString());
   QVERIFY(!error.at("message").get<std::string>().empty());
   QVERIFY(error.contains("hint"));
-  const Ran plain = blossom(words);
+  const ProcessEnd plain = blossom(words);
   QCOMPARE(plain.code, 1);
   QCOMPARE(plain.out, std::string());
   QVERIFY2(plain.err.find(error.at("message").get<std::string>()) != std::string::npos, plain.err.c_str());
@@ -265,7 +265,7 @@ void CliTest::nothingIsWrittenAfterAFailure() {
 void CliTest::anOutputNeverReplacesTheInput() {
   QVERIFY(QFile::link("cube.off", folder_->path() + "/link.off"));
   for (const char* name : {"cube.off", "./cube.off", "link.off"}) {
-    const Ran ran = blossom({"convert", "cube.off", name});
+    const ProcessEnd ran = blossom({"convert", "cube.off", name});
     QCOMPARE(ran.code, 2);
     QVERIFY2(ran.err.find("replace the input") != std::string::npos, ran.err.c_str());
   }
@@ -289,7 +289,7 @@ void CliTest::namesThatAreNotUtf8() {
 }
 
 void CliTest::documentsAreInputsAndOutputs() {
-  const Ran made = blossom({"import", "cube.off", "-o", "model.blossom", "--json"});
+  const ProcessEnd made = blossom({"import", "cube.off", "-o", "model.blossom", "--json"});
   QVERIFY2(made.code == 0, (made.out + made.err).c_str());
   QVERIFY(QFile::remove(folder_->path() + "/cube.off"));  // the document holds its own copy
   const Json info = blossom({"info", "model.blossom", "--json"}).json();
@@ -297,11 +297,11 @@ void CliTest::documentsAreInputsAndOutputs() {
   COMPARE_NEAR(info.at("result").at("volume").get<double>(), 8, 1e-12);
   const std::string id = info.at("features").at(0).at("id").get<std::string>();
   for (const std::string& input : {std::string("model.blossom"), "model.blossom#" + id}) {
-    const Ran converted = blossom({"convert", QString::fromStdString(input), "copy.obj", "--json"});
+    const ProcessEnd converted = blossom({"convert", QString::fromStdString(input), "copy.obj", "--json"});
     QVERIFY2(converted.code == 0, (converted.out + converted.err).c_str());
     COMPARE_NEAR(converted.json().at("result").at("volume").get<double>(), 8, 1e-12);
   }
-  const Ran missing = blossom({"info", "model.blossom#none", "--json"});
+  const ProcessEnd missing = blossom({"info", "model.blossom#none", "--json"});
   QCOMPARE(missing.code, 1);
   QCOMPARE(missing.json().at("error").at("code").get<std::string>(), std::string("NotFound"));
 }
@@ -316,12 +316,12 @@ void CliTest::salvageOpensWhatIsReadableOfADamagedDocument() {
                                           {"convert", "cut.blossom", "b.obj"},
                                           {"render", "cut.blossom", "-o", "c.png"}};
   for (const QStringList& words : commands) {
-    const Ran refused = blossom(words + QStringList{"--json"});
+    const ProcessEnd refused = blossom(words + QStringList{"--json"});
     QCOMPARE(refused.code, 1);
     const Json error = refused.json().at("error");
     QCOMPARE(error.at("code").get<std::string>(), std::string("FormatDamaged"));
     QVERIFY2(error.at("hint").get<std::string>().find("--salvage") != std::string::npos, refused.out.c_str());
-    const Ran opened = blossom(words + QStringList{"--salvage", "--json"});
+    const ProcessEnd opened = blossom(words + QStringList{"--salvage", "--json"});
     QVERIFY2(opened.code == 0, (opened.out + opened.err).c_str());
     QVERIFY2(!opened.json().at("warnings").empty(), opened.out.c_str());
   }
@@ -343,18 +343,18 @@ void CliTest::runSetsParametersAndExports() {
        ++at)
     larger[at] = '4';
   blossom::writeAtomically(file("larger.off"), larger);
-  const Ran ran = blossom({"run", "model.blossom", "--set", id + ".file=larger.off", "--export", id + "=larger.obj",
-                           "--export", "larger.blossom", "--json"});
+  const ProcessEnd ran = blossom({"run", "model.blossom", "--set", id + ".file=larger.off", "--export", id + "=larger.obj",
+                                  "--export", "larger.blossom", "--json"});
   QVERIFY2(ran.code == 0, (ran.out + ran.err).c_str());
   COMPARE_NEAR(ran.json().at("features").at(0).at("result").at("volume").get<double>(), 64, 1e-9);
   COMPARE_NEAR(blossom({"info", "larger.obj", "--json"}).json().at("result").at("volume").get<double>(), 64, 1e-9);
-  const Ran byType = blossom({"run", "model.blossom", "--set", "import.file=larger.off", "--json"});
+  const ProcessEnd byType = blossom({"run", "model.blossom", "--set", "import.file=larger.off", "--json"});
   QVERIFY2(byType.code == 0, (byType.out + byType.err).c_str());
   COMPARE_NEAR(byType.json().at("features").at(0).at("result").at("volume").get<double>(), 64, 1e-9);
   QVERIFY(QFile::remove(folder_->path() + "/larger.off"));
   COMPARE_NEAR(blossom({"info", "larger.blossom", "--json"}).json().at("result").at("volume").get<double>(), 64, 1e-9);
   for (const QString& wrong : {id + ".fiel=a.off", QString("other.file=a.off"), QString("file"), QString("=")}) {
-    const Ran refused = blossom({"run", "model.blossom", "--set", wrong});
+    const ProcessEnd refused = blossom({"run", "model.blossom", "--set", wrong});
     QVERIFY2(refused.code == 2, qPrintable(wrong));
   }
 }
@@ -363,7 +363,7 @@ void CliTest::runReportsEveryFeatureAlsoWhenOneFails() {
   QCOMPARE(blossom({"import", "--file", "cube.off", "-o", "model.blossom"}).code, 0);
   const Json info = blossom({"info", "model.blossom", "--json"}).json();
   const QString id = QString::fromStdString(info.at("features").at(0).at("id").get<std::string>());
-  const Ran ran = blossom({"run", "model.blossom", "--set", id + ".file=none.off", "--export", "a.obj", "--json"});
+  const ProcessEnd ran = blossom({"run", "model.blossom", "--set", id + ".file=none.off", "--export", "a.obj", "--json"});
   QCOMPARE(ran.code, 1);
   QCOMPARE(ran.json().at("features").at(0).at("state").get<std::string>(), std::string("failed"));
   QCOMPARE(ran.json().at("error").at("code").get<std::string>(), std::string("FileNotFound"));
@@ -379,12 +379,12 @@ void CliTest::aFullDeviceIsAFailure() {
 
 void CliTest::completionScriptsAreGoodShell() {
   for (const char* shell : {"bash", "zsh", "fish"}) {
-    const Ran ran = blossom({"completion", shell});
+    const ProcessEnd ran = blossom({"completion", shell});
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.find("convert") != std::string::npos);
     QVERIFY(ran.out.find("import") != std::string::npos);
   }
-  const Ran bash = blossom({"completion", "bash"});
+  const ProcessEnd bash = blossom({"completion", "bash"});
   blossom::writeAtomically(file("completion.bash"), bash.out);
   QProcess shell;
   shell.start("bash",

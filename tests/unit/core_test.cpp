@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<fs::path> filesIn(const fs::path& folder) {
+std::vector<fs::path> filesBelow(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path().filename());
   return files;
@@ -172,7 +172,7 @@ class CoreTest : public QObject {
     writeAtomically(file, "first");
     writeAtomically(file, std::string("second\0half", 11));
     QCOMPARE(readFile(file), std::string("second\0half", 11));
-    QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
+    QCOMPARE(filesBelow(folder.path()).size(), std::size_t{1});
   }
   void failedWritingKeepsTheOldFile() {
     const TemporaryFolder folder;
@@ -187,7 +187,7 @@ class CoreTest : public QObject {
     };
     VERIFY_ERROR(fail(), ErrorCode::Degenerate);
     QCOMPARE(readFile(file), std::string("precious"));
-    QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
+    QCOMPARE(filesBelow(folder.path()).size(), std::size_t{1});
   }
   void impossiblePlacesAreNamed() {
     const TemporaryFolder folder;

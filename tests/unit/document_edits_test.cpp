@@ -5,13 +5,12 @@
 #include "core/file.h"
 #include "document/file_access.h"
 #include "feature/registry.h"
+#include "support/documents.h"
 #include "support/support.h"
 
 using namespace blossom;
 
 namespace {
-
-using Ids = std::vector<FeatureId>;
 
 Feature made(const FeatureId& id, Ids inputs = {}) {
   Feature feature;
@@ -24,12 +23,6 @@ Feature made(const FeatureId& id, Ids inputs = {}) {
 /// a and b, c of both, d alone, e of c.
 Document sample() {
   return Document().with(made("a")).with(made("b")).with(made("c", {"a", "b"})).with(made("d")).with(made("e", {"c"}));
-}
-
-Ids order(const Document& document) {
-  Ids ids;
-  for (const auto& feature : document.features()) ids.push_back(feature->id);
-  return ids;
 }
 
 Ids visible(const Document& document) {

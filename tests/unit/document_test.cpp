@@ -2,24 +2,20 @@
 
 #include <algorithm>
 
+#include "support/documents.h"
 #include "support/support.h"
 
 using namespace blossom;
+using namespace blossom::test;
 
 namespace {
 
-Feature made(const FeatureId& id, std::vector<FeatureId> inputs = {}) {
+Feature thing(const FeatureId& id, std::vector<FeatureId> inputs = {}) {
   Feature feature;
   feature.id = id;
   feature.type = "test.thing";
   feature.inputs = std::move(inputs);
   return feature;
-}
-
-std::vector<FeatureId> order(const Document& document) {
-  std::vector<FeatureId> ids;
-  for (const auto& feature : document.features()) ids.push_back(feature->id);
-  return ids;
 }
 
 /// Every input stands before its user, and every id once: what each document promises.
@@ -34,8 +30,6 @@ bool sound(const Document& document) {
   return true;
 }
 
-using Ids = std::vector<FeatureId>;
-
 }  // namespace
 
 class DocumentTest : public QObject {
@@ -43,7 +37,7 @@ class DocumentTest : public QObject {
 
  private slots:
   void anEditSharesWhatItDoesNotChange() {
-    const Document first = Document().with(made("a")).with(made("b", {"a"}));
+    const Document first = Document().with(thing("a")).with(thing("b", {"a"}));
     Feature changed = first.at("b");
     changed.name = "B";
     const Document second = first.with(changed);
@@ -53,23 +47,23 @@ class DocumentTest : public QObject {
   }
 
   void missingInputsAndCyclesAreRefused() {
-    const Document document = Document().with(made("a")).with(made("b", {"a"})).with(made("c", {"b"}));
-    VERIFY_ERROR(document.with(made("d", {"x"})), ErrorCode::NotFound);
-    VERIFY_ERROR(document.with(made("a", {"c"})), ErrorCode::CycleFound);
-    VERIFY_ERROR(document.with(made("a", {"a"})), ErrorCode::CycleFound);
-    VERIFY_ERROR(document.with(made("")), ErrorCode::InvalidInput);
+    const Document document = Document().with(thing("a")).with(thing("b", {"a"})).with(thing("c", {"b"}));
+    VERIFY_ERROR(document.with(thing("d", {"x"})), ErrorCode::NotFound);
+    VERIFY_ERROR(document.with(thing("a", {"c"})), ErrorCode::CycleFound);
+    VERIFY_ERROR(document.with(thing("a", {"a"})), ErrorCode::CycleFound);
+    VERIFY_ERROR(document.with(thing("")), ErrorCode::InvalidInput);
     VERIFY_ERROR(document.at("aa"), ErrorCode::NotFound);
-    VERIFY_ERROR(Document::of({made("a"), made("a")}), ErrorCode::InvalidInput);
+    VERIFY_ERROR(Document::of({thing("a"), thing("a")}), ErrorCode::InvalidInput);
   }
 
   void aLaterInputMovesForward() {
-    const Document document = Document().with(made("a")).with(made("b")).with(made("c", {"b"})).with(made("a", {"c"}));
+    const Document document = Document().with(thing("a")).with(thing("b")).with(thing("c", {"b"})).with(thing("a", {"c"}));
     QVERIFY(sound(document));
     QCOMPARE(order(document), (Ids{"b", "c", "a"}));
   }
 
   void usedFeaturesStay() {
-    const Document document = Document().with(made("a")).with(made("b", {"a"}));
+    const Document document = Document().with(thing("a")).with(thing("b", {"a"}));
     try {
       (void)document.without("a");
       QFAIL("removed");
@@ -82,7 +76,7 @@ class DocumentTest : public QObject {
   }
 
   void movingKeepsInputsBeforeUsers() {
-    const Document document = Document().with(made("a")).with(made("b")).with(made("c", {"a"}));
+    const Document document = Document().with(thing("a")).with(thing("b")).with(thing("c", {"a"}));
     QCOMPARE(order(document.moved("b", 0)), (Ids{"b", "a", "c"}));
     QCOMPARE(order(document.moved("b", 2)), (Ids{"a", "c", "b"}));
     VERIFY_ERROR(document.moved("a", 2), ErrorCode::InvalidInput);
@@ -92,14 +86,15 @@ class DocumentTest : public QObject {
   }
 
   void freshIdsAreFree() {
-    const Document document = Document().with(made("sweep-1")).with(made("sweep-3"));
+    const Document document = Document().with(thing("sweep-1")).with(thing("sweep-3"));
     QCOMPARE(document.freshId("sweep"), FeatureId("sweep-2"));
     QCOMPARE(document.freshId("morph"), FeatureId("morph-1"));
   }
 
   void aLongChainInReverseOrderIsSorted() {
     std::vector<Feature> features;
-    for (int i = 200000; i > 0; --i) features.push_back(made(std::to_string(i), i > 1 ? Ids{std::to_string(i - 1)} : Ids{}));
+    for (int i = 200000; i > 0; --i)
+      features.push_back(thing(std::to_string(i), i > 1 ? Ids{std::to_string(i - 1)} : Ids{}));
     const Document document = Document::of(std::move(features));
     QCOMPARE(document.features().front()->id, FeatureId("1"));
     QCOMPARE(document.features().back()->id, FeatureId("200000"));
@@ -117,10 +112,10 @@ class DocumentTest : public QObject {
       try {
         switch (below(4)) {
           case 0:
-            document = document.with(made(document.freshId("f"), ids.empty() ? Ids{} : Ids{any(), any()}));
+            document = document.with(thing(document.freshId("f"), ids.empty() ? Ids{} : Ids{any(), any()}));
             break;
           case 1:
-            document = document.with(made(any(), {any()}));
+            document = document.with(thing(any(), {any()}));
             break;
           case 2:
             document = document.moved(any(), below(ids.size() + 1));

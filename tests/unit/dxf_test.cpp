@@ -5,6 +5,7 @@
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/planar.h"
 #include "support/exchange.h"
+#include "support/planar_points.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -23,7 +24,7 @@ std::string drawing(const std::string& entities, const std::string& blocks = "",
   return groups("0 SECTION 2 HEADER" + header + " 0 ENDSEC") + groups("0 SECTION 2 BLOCKS" + blocks + " 0 ENDSEC") +
          groups("0 SECTION 2 ENTITIES" + entities + " 0 ENDSEC 0 EOF");
 }
-std::string block(const std::string& name, const std::string& entities, const std::string& base = "10 0 20 0") {
+std::string blockEntity(const std::string& name, const std::string& entities, const std::string& base = "10 0 20 0") {
   return " 0 BLOCK 2 " + name + " " + base + entities + " 0 ENDBLK";
 }
 
@@ -33,12 +34,6 @@ Path onlyPath(const std::string& text) {
   if (curves.paths.size() != 1) qFatal("%zu paths", curves.paths.size());
   return curves.paths.front();
 }
-void compareNear(const Vec2& actual, const Vec2& expected, double tolerance = 1e-12) {
-  QVERIFY2(
-      (actual - expected).norm() <= tolerance,
-      qPrintable(QString("(%1, %2) is not (%3, %4)").arg(actual.x()).arg(actual.y()).arg(expected.x()).arg(expected.y())));
-}
-Vec2 at(const Spline2& s, double t) { return point(toCurve(s), t).head<2>(); }
 
 }  // namespace
 
@@ -70,8 +65,8 @@ class DxfTest : public QObject {
     for (int i = 0; i < 200; ++i) {
       const double x = anywhere(random), y = anywhere(random), bulge = anywhere(random);
       const Path arc = onlyPath(drawing(fmt::format(" 0 LWPOLYLINE 90 2 70 0 10 0 20 0 42 {} 10 {} 20 {}", bulge, x, y)));
-      compareNear(startPoint(arc.segments[0]), {0, 0}, 1e-11 * (1 + std::abs(bulge)));
-      compareNear(endPoint(arc.segments[0]), {x, y}, 1e-11 * (1 + std::abs(bulge)));
+      comparePoints(startPoint(arc.segments[0]), {0, 0}, 1e-11 * (1 + std::abs(bulge)));
+      comparePoints(endPoint(arc.segments[0]), {x, y}, 1e-11 * (1 + std::abs(bulge)));
       // The bulge is the height of the arc over half of its chord, to the right of the chord when positive.
       const Arc2& a = std::get<Arc2>(arc.segments[0]);
       const Vec2 top = a.center + a.radius * Vec2(std::cos(a.start + a.sweep / 2), std::sin(a.start + a.sweep / 2));
@@ -85,17 +80,17 @@ class DxfTest : public QObject {
     COMPARE_NEAR(signedArea(whole), pi * 5 * 2.5, 1e-9);
     QVERIFY(whole.closed);
     const Path quarter = onlyPath(drawing(" 0 ELLIPSE 10 0 20 0 11 2 21 0 40 0.5 41 0 42 1.5707963267948966"));
-    compareNear(startPoint(quarter.segments[0]), {2, 0});
-    compareNear(endPoint(quarter.segments[0]), {0, 1});
+    comparePoints(startPoint(quarter.segments[0]), {2, 0});
+    comparePoints(endPoint(quarter.segments[0]), {0, 1});
     const Path mirrored =
         onlyPath(drawing(" 0 ELLIPSE 210 0 220 0 230 -1 10 0 20 0 11 2 21 0 40 0.5 41 0 42 1.5707963267948966"));
-    compareNear(endPoint(mirrored.segments[0]), {0, -1});
+    comparePoints(endPoint(mirrored.segments[0]), {0, -1});
   }
 
   void extrusionMirrors() {
     const Path arc = onlyPath(drawing(" 0 ARC 210 0 220 0 230 -1 10 5 20 0 40 1 50 0 51 90"));
-    compareNear(startPoint(arc.segments[0]), {-6, 0});
-    compareNear(endPoint(arc.segments[0]), {-5, 1});
+    comparePoints(startPoint(arc.segments[0]), {-6, 0});
+    comparePoints(endPoint(arc.segments[0]), {-5, 1});
   }
 
   void rationalSplinesKeepTheirWeights() {
@@ -104,7 +99,7 @@ class DxfTest : public QObject {
         onlyPath(drawing(" 0 SPLINE 70 12 71 2 72 6 73 3 40 0 40 0 40 0 40 1 40 1 40 1 41 1 41 0.7071067811865476 41 1 10 1 "
                          "20 0 30 0 10 1 20 1 30 0 10 0 20 1 30 0"));
     const Spline2& spline = std::get<Spline2>(path.segments[0]);
-    for (int i = 0; i <= 10; ++i) COMPARE_NEAR(at(spline, i / 10.0).norm(), 1, 1e-14);
+    for (int i = 0; i <= 10; ++i) COMPARE_NEAR(pointOf(spline, i / 10.0).norm(), 1, 1e-14);
   }
 
   void fitPointsAreInterpolated() {
@@ -112,13 +107,13 @@ class DxfTest : public QObject {
     QCOMPARE(imported.warnings.size(), std::size_t(1));
     const Spline2& spline = std::get<Spline2>(imported.shape.get<Curves>()->paths[0].segments[0]);
     QCOMPARE(spline.knots.size(), spline.poles.size() + 4);
-    compareNear(at(spline, spline.knots[4]), {1, 2});
-    compareNear(at(spline, spline.knots[7]), {3, 2});
+    comparePoints(pointOf(spline, spline.knots[4]), {1, 2});
+    comparePoints(pointOf(spline, spline.knots[7]), {3, 2});
     for (const std::size_t knot : {4u, 7u}) {  // smooth to the second derivative
       const double h = 1e-4, t = spline.knots[knot];
-      const Vec2 before = at(spline, t) - 2 * at(spline, t - h) + at(spline, t - 2 * h),
-                 after = at(spline, t + 2 * h) - 2 * at(spline, t + h) + at(spline, t);
-      compareNear(before / (h * h), after / (h * h), 1e-2);
+      const Vec2 before = pointOf(spline, t) - 2 * pointOf(spline, t - h) + pointOf(spline, t - 2 * h),
+                 after = pointOf(spline, t + 2 * h) - 2 * pointOf(spline, t + h) + pointOf(spline, t);
+      comparePoints(before / (h * h), after / (h * h), 1e-2);
     }
   }
 
@@ -134,20 +129,21 @@ class DxfTest : public QObject {
   }
 
   void blocksAreScaledRotatedAndRepeated() {
-    const std::string unit = block("B", " 0 LINE 10 1 20 0 11 2 21 0", "10 1 20 0");
+    const std::string unit = blockEntity("B", " 0 LINE 10 1 20 0 11 2 21 0", "10 1 20 0");
     const Curves grid = curvesOf(drawing(" 0 INSERT 2 b 10 10 20 20 41 2 42 3 50 90 70 3 71 2 44 5 45 7", unit));
     QCOMPARE(grid.paths.size(), std::size_t(6));
     // Spacing turns with the insert but is not scaled.
-    compareNear(startPoint(grid.paths[0].segments[0]), {10, 20});
-    compareNear(endPoint(grid.paths[0].segments[0]), {10, 22});
-    compareNear(startPoint(grid.paths[1].segments[0]), {10, 25});
-    compareNear(startPoint(grid.paths[3].segments[0]), {3, 20});
-    const Curves mirrored = curvesOf(drawing(" 0 INSERT 2 A 41 -1", block("A", " 0 INSERT 2 B 10 1") + unit));
-    compareNear(endPoint(mirrored.paths[0].segments[0]), {-2, 0});
+    comparePoints(startPoint(grid.paths[0].segments[0]), {10, 20});
+    comparePoints(endPoint(grid.paths[0].segments[0]), {10, 22});
+    comparePoints(startPoint(grid.paths[1].segments[0]), {10, 25});
+    comparePoints(startPoint(grid.paths[3].segments[0]), {3, 20});
+    const Curves mirrored = curvesOf(drawing(" 0 INSERT 2 A 41 -1", blockEntity("A", " 0 INSERT 2 B 10 1") + unit));
+    comparePoints(endPoint(mirrored.paths[0].segments[0]), {-2, 0});
   }
 
   void blocksTakeLayerAndColourFromTheirInsert() {
-    const std::string content = block("B", " 0 LINE 8 0 62 0 10 0 20 0 11 1 21 0 0 LINE 8 own 62 3 10 0 20 0 11 1 21 0");
+    const std::string content =
+        blockEntity("B", " 0 LINE 8 0 62 0 10 0 20 0 11 1 21 0 0 LINE 8 own 62 3 10 0 20 0 11 1 21 0");
     const Curves curves = curvesOf(drawing(" 0 INSERT 2 B 8 outer 62 5", content));
     QCOMPARE(curves.paths[0].layer, std::string("outer"));
     QCOMPARE(curves.paths[0].color, std::optional(Color{0, 0, 1}));
@@ -156,9 +152,9 @@ class DxfTest : public QObject {
   }
 
   void lengthsBecomeMillimetres() {
-    compareNear(endPoint(onlyPath(drawing(" 0 LINE 10 0 20 0 11 1 21 2", "", " 9 $INSUNITS 70 1")).segments[0]),
-                {25.4, 50.8});
-    compareNear(endPoint(onlyPath(drawing(" 0 LINE 10 0 20 0 11 1 21 2", "", " 9 $INSUNITS 70 0")).segments[0]), {1, 2});
+    comparePoints(endPoint(onlyPath(drawing(" 0 LINE 10 0 20 0 11 1 21 2", "", " 9 $INSUNITS 70 1")).segments[0]),
+                  {25.4, 50.8});
+    comparePoints(endPoint(onlyPath(drawing(" 0 LINE 10 0 20 0 11 1 21 2", "", " 9 $INSUNITS 70 0")).segments[0]), {1, 2});
     COMPARE_NEAR(signedArea(onlyPath(drawing(" 0 CIRCLE 10 0 20 0 40 1", "", " 9 $INSUNITS 70 6"))), pi * 1e6, 1e-3);
   }
 
@@ -203,7 +199,7 @@ class DxfTest : public QObject {
     row("insert without block", drawing(" 0 INSERT 10 0 20 0"));
     row("block in a block", drawing("", " 0 BLOCK 2 A 0 BLOCK 2 B 0 ENDBLK 0 ENDBLK"));
     row("block without end", drawing("", " 0 BLOCK 2 A 0 LINE 10 0"));
-    row("block in itself", drawing(" 0 INSERT 2 A", block("A", " 0 INSERT 2 B") + block("B", " 0 INSERT 2 A")));
+    row("block in itself", drawing(" 0 INSERT 2 A", blockEntity("A", " 0 INSERT 2 B") + blockEntity("B", " 0 INSERT 2 A")));
     row("binary", "AutoCAD Binary DXF\r\n\x1a");
   }
   void refusesDamage() {
@@ -221,11 +217,12 @@ class DxfTest : public QObject {
   }
 
   void arraysOfArraysEnd() {
-    std::string blocks = block("B0", " 0 LINE 10 0 20 0 11 1 21 0");
+    std::string blocks = blockEntity("B0", " 0 LINE 10 0 20 0 11 1 21 0");
     for (int i = 1; i < 12; ++i)
-      blocks += block(fmt::format("B{}", i), fmt::format(" 0 INSERT 2 B{} 70 100 71 100 44 1 45 1", i - 1));
+      blocks += blockEntity(fmt::format("B{}", i), fmt::format(" 0 INSERT 2 B{} 70 100 71 100 44 1 45 1", i - 1));
     VERIFY_ERROR(readText(drawing(" 0 INSERT 2 B11", blocks), "dxf"), ErrorCode::LimitExceeded);
-    VERIFY_ERROR(readText(drawing(" 0 INSERT 2 E 70 30000 71 30000", block("E", "")), "dxf"), ErrorCode::LimitExceeded);
+    VERIFY_ERROR(readText(drawing(" 0 INSERT 2 E 70 30000 71 30000", blockEntity("E", "")), "dxf"),
+                 ErrorCode::LimitExceeded);
   }
 
   void longLinesDoNotHang() {
@@ -284,8 +281,8 @@ class DxfTest : public QObject {
   static void compareSegments(const Segment& actual, const Segment& expected) {
     QCOMPARE(actual.index(), expected.index());
     if (const Line2* line = std::get_if<Line2>(&expected)) {
-      compareNear(std::get<Line2>(actual).from, line->from);
-      compareNear(std::get<Line2>(actual).to, line->to);
+      comparePoints(std::get<Line2>(actual).from, line->from);
+      comparePoints(std::get<Line2>(actual).to, line->to);
     } else if (const Spline2* spline = std::get_if<Spline2>(&expected)) {
       const Spline2& other = std::get<Spline2>(actual);
       QCOMPARE(other.knots, spline->knots);
@@ -293,10 +290,10 @@ class DxfTest : public QObject {
         COMPARE_NEAR((other.poles[i] - spline->poles[i]).norm(), 0, 1e-12 * (1 + spline->poles[i].norm()));
     } else {
       const Arc2 &a = std::get<Arc2>(actual), &e = std::get<Arc2>(expected);
-      compareNear(a.center, e.center);
+      comparePoints(a.center, e.center);
       COMPARE_NEAR(a.radius, e.radius, 1e-12);
-      compareNear(startPoint(actual), startPoint(expected));
-      compareNear(endPoint(actual), endPoint(expected));
+      comparePoints(startPoint(actual), startPoint(expected));
+      comparePoints(endPoint(actual), endPoint(expected));
       COMPARE_NEAR(a.sweep, e.sweep, 1e-12);
     }
   }

@@ -14,9 +14,9 @@ using namespace blossom::test;
 
 namespace {
 
-using Polygon = std::vector<Vec3>;
+using Polygon3 = std::vector<Vec3>;
 
-double shoelace(const Polygon& polygon) {
+double shoelace(const Polygon3& polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
@@ -25,7 +25,7 @@ double shoelace(const Polygon& polygon) {
   return sum / 2;
 }
 
-double sumOfAreas(const Polygon& polygon, const std::vector<std::array<int, 3>>& triangles) {
+double sumOfAreas(const Polygon3& polygon, const std::vector<std::array<int, 3>>& triangles) {
   double sum = 0;
   for (const auto& [a, b, c] : triangles) {
     const auto at = [&](int i) { return polygon[static_cast<std::size_t>(i)]; };
@@ -34,8 +34,8 @@ double sumOfAreas(const Polygon& polygon, const std::vector<std::array<int, 3>>&
   return sum;
 }
 
-Polygon star(int corners) {
-  Polygon polygon;
+Polygon3 star(int corners) {
+  Polygon3 polygon;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * i / corners, reach = i % 2 ? 60 : 100;
     polygon.emplace_back(reach * std::cos(angle), reach * std::sin(angle), 0);
@@ -44,16 +44,16 @@ Polygon star(int corners) {
 }
 
 /// Long teeth on a thin back.
-Polygon comb(int teeth) {
-  Polygon polygon{{0, -1, 0}, {2.0 * teeth, -1, 0}};
+Polygon3 comb(int teeth) {
+  Polygon3 polygon{{0, -1, 0}, {2.0 * teeth, -1, 0}};
   for (int i = 2 * teeth; i > 0; --i) polygon.emplace_back(i, i % 2 ? 100 : 0, 0);
   polygon.emplace_back(0, 0, 0);
   return polygon;
 }
 
 /// A corridor wound up.
-Polygon spiral(int corners) {
-  Polygon out, in;
+Polygon3 spiral(int corners) {
+  Polygon3 out, in;
   for (int i = 0; i < corners / 2; ++i) {
     const double angle = 0.05 * i, reach = 10 + angle;
     out.emplace_back(reach * std::cos(angle), reach * std::sin(angle), 0);
@@ -63,7 +63,7 @@ Polygon spiral(int corners) {
   return out;
 }
 
-std::string objOf(const Polygon& polygon) {
+std::string objOf(const Polygon3& polygon) {
   std::string text, face = "f";
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     text += fmt::format("v {} {} {}\n", polygon[i].x(), polygon[i].y(), polygon[i].z());
@@ -72,15 +72,15 @@ std::string objOf(const Polygon& polygon) {
   return text + face + "\n";
 }
 
-Polygon crossing(std::size_t corners) {
+Polygon3 crossing(std::size_t corners) {
   auto random = seededRandom();
   std::uniform_real_distribution<double> anywhere(-100, 100);
-  Polygon polygon;
+  Polygon3 polygon;
   for (std::size_t i = 0; i < corners; ++i) polygon.emplace_back(anywhere(random), anywhere(random), 0);
   return polygon;
 }
 
-double areaOf(const Shape& shape) {
+double areaOfShape(const Shape& shape) {
   for (const Measure& each : measure(shape).values)
     if (each.name == "area") return std::get<double>(each.value);
   return std::nan("");
@@ -100,7 +100,7 @@ class EndlessWorkTest : public QObject {
 
  private slots:
   void largePolygonsAreCoveredOnce() {
-    for (const Polygon& polygon : {star(3000), star(200'000), comb(20'000), spiral(4000)}) {
+    for (const Polygon3& polygon : {star(3000), star(200'000), comb(20'000), spiral(4000)}) {
       const auto triangles = triangulate(polygon, Progress::none());
       QCOMPARE(triangles.size(), polygon.size() - 2);
       const double area = std::abs(shoelace(polygon));
@@ -110,16 +110,16 @@ class EndlessWorkTest : public QObject {
 
   /// The quick way and the plain one agree where both are used.
   void largeAndSmallAreAlike() {
-    const Polygon small = star(256), large = star(258);
+    const Polygon3 small = star(256), large = star(258);
     COMPARE_NEAR(sumOfAreas(small, triangulate(small)) - sumOfAreas(large, triangulate(large)),
                  shoelace(small) - shoelace(large), 1e-9);
   }
 
   void aFaceOf60000CrossingCorners() {
-    const Polygon polygon = crossing(60'000);
+    const Polygon3 polygon = crossing(60'000);
     QCOMPARE(triangulate(polygon, Progress::none()).size(), polygon.size() - 2);
     const Imported imported = readText(objOf(polygon), "obj");
-    QVERIFY(areaOf(imported.shape) > 0);
+    QVERIFY(areaOfShape(imported.shape) > 0);
   }
 
   void workEndsWhenAsked() {
@@ -132,7 +132,7 @@ class EndlessWorkTest : public QObject {
   }
 
   void figuresBeyondAllNumbersAreErrors() {
-    COMPARE_NEAR(areaOf(sheetOfSize(1e60)) / 1e120, 1, 1e-12);
+    COMPARE_NEAR(areaOfShape(sheetOfSize(1e60)) / 1e120, 1, 1e-12);
     VERIFY_ERROR(measure(sheetOfSize(1e308)), ErrorCode::LimitExceeded);
     VERIFY_ERROR(
         measure(Region{{Path{

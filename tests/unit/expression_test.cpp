@@ -95,7 +95,7 @@ class Writer {
   std::mt19937_64 random_;
 };
 
-std::string messageOf(std::string_view text, Quantity wanted) {
+std::string messageFor(std::string_view text, Quantity wanted) {
   try {
     evaluateExpression(text, wanted);
   } catch (const Error& error) {
@@ -233,8 +233,8 @@ class ExpressionTest : public QObject {
         {"hypot(1)", "\"hypot(1)\" is not a length: hypot takes 2 values (character 1)."},
         {"", "\"\" is not a length: nothing is written (character 1)."},
         {"in", "\"in\" is not a length: before \"in\" there is no number (character 1)."}};
-    for (const auto& [text, message] : cases) QCOMPARE(messageOf(text, Quantity::Length), std::string(message));
-    QCOMPARE(messageOf("2 mm", Quantity::Number),
+    for (const auto& [text, message] : cases) QCOMPARE(messageFor(text, Quantity::Length), std::string(message));
+    QCOMPARE(messageFor("2 mm", Quantity::Number),
              std::string("\"2 mm\" is not a number: it comes to a length (character 1)."));
   }
 

@@ -3,9 +3,8 @@
 #include <regex>
 #include <sstream>
 
-#include "core/file.h"
-#include "exchange/formats.h"
 #include "geometry/measure/measure.h"
+#include "support/exchange.h"
 #include "support/rs274.h"
 #include "support/support.h"
 
@@ -13,11 +12,6 @@ using namespace blossom;
 using namespace blossom::test;
 
 namespace {
-
-const FormatRegistry& formats() {
-  static const FormatRegistry all = standardFormats();
-  return all;
-}
 
 /// Random lines, arcs and helices, small and large, with every kind of move.
 Toolpath randomPath(std::mt19937_64& random, int count) {
@@ -94,7 +88,7 @@ Toolpath withoutSmallCircles(const Toolpath& path, double radius) {
   return kept;
 }
 
-std::string written(const Toolpath& path, const Value& options) {
+std::string programOf(const Toolpath& path, const Value& options) {
   const TemporaryFolder folder;
   writeShape(formats(), path, folder.path() / "p.ngc", options);
   return readFile(folder.path() / "p.ngc");
@@ -191,7 +185,7 @@ class GcodeProgramTest final : public QObject {
     for (const char* unit : {"mm", "inch"})
       for (int k = 0; k < 20; ++k) {
         const std::string text =
-            written(randomPath(random, 100), {{"post", "grbl"}, {"unit", unit}, {"line-numbers", true}});
+            programOf(randomPath(random, 100), {{"post", "grbl"}, {"unit", unit}, {"line-numbers", true}});
         QVERIFY2(grblComplaint(text).empty(), grblComplaint(text).c_str());
       }
   }
@@ -209,7 +203,7 @@ class GcodeProgramTest final : public QObject {
                    .feed = 500},
                   // an arc of a radius of a kilometre
                   {.kind = MoveKind::Feed, .to = {11, 0, -1}, .turn = 1, .center = {10.5, 1e6}, .feed = 500}};
-    const std::string text = written(path, Value::object());
+    const std::string text = programOf(path, Value::object());
     QCOMPARE(std::count(text.begin(), text.end(), 'I'), 1);
     QVERIFY(text.find("G3 X10 Y0 I-10 J0") != std::string::npos);
     QVERIFY(text.find("X11") != std::string::npos);
@@ -217,15 +211,15 @@ class GcodeProgramTest final : public QObject {
 
   void rubbishIsRefused() {
     Toolpath path;
-    VERIFY_ERROR(written(path, Value::object()), ErrorCode::InvalidInput);
+    VERIFY_ERROR(programOf(path, Value::object()), ErrorCode::InvalidInput);
     path.moves = {{.kind = MoveKind::Feed, .to = {1, 1, 1}, .feed = 0}};
-    VERIFY_ERROR(written(path, Value::object()), ErrorCode::InvalidInput);
+    VERIFY_ERROR(programOf(path, Value::object()), ErrorCode::InvalidInput);
     path.moves = {{.kind = MoveKind::Feed, .to = {1, std::nan(""), 1}, .feed = 100}};
-    VERIFY_ERROR(written(path, Value::object()), ErrorCode::InvalidInput);
+    VERIFY_ERROR(programOf(path, Value::object()), ErrorCode::InvalidInput);
     path.moves = {{.kind = MoveKind::Feed, .to = {1, 1e300, 1}, .feed = 100}};
-    VERIFY_ERROR(written(path, Value::object()), ErrorCode::InvalidInput);
+    VERIFY_ERROR(programOf(path, Value::object()), ErrorCode::InvalidInput);
     path.moves = {{.kind = MoveKind::Feed, .to = {1, 1, 1}, .feed = 100}};
-    VERIFY_ERROR(written(path, {{"post", "abacus"}}), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(programOf(path, {{"post", "abacus"}}), ErrorCode::InvalidParameter);
     CancelToken cancelled;
     cancelled.cancel();
     const TemporaryFolder folder;
@@ -272,7 +266,7 @@ class GcodeProgramTest final : public QObject {
     auto random = seededRandom();
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "p.ngc";
-    const std::string text = written(randomPath(random, 40), Value::object());
+    const std::string text = programOf(randomPath(random, 40), Value::object());
     const std::string letters = "GXYZIJKRFMSTNO0123456789.-+ ()#[];/%\n\t\xff";
     int read = 0, refused = 0;
     for (int k = 0; k < 1500; ++k) {
@@ -300,11 +294,11 @@ class GcodeProgramTest final : public QObject {
   void everyPostEndsWellFormed() {
     auto random = seededRandom();
     const Toolpath path = randomPath(random, 5);
-    const std::string fanuc = written(path, {{"post", "fanuc"}});
+    const std::string fanuc = programOf(path, {{"post", "fanuc"}});
     QVERIFY(fanuc.starts_with("%\nO0001\n") && fanuc.ends_with("M30\n%\n"));
     QVERIFY(!std::regex_search(fanuc, std::regex(R"([XYZIJ]-?\d+(\s|$))")));  // whole numbers carry a point
-    QVERIFY(written(path, {{"post", "grbl"}}).find("M6") == std::string::npos);
-    QVERIFY(written(path, {{"post", "linuxcnc"}}).find("G43 H1") != std::string::npos);
+    QVERIFY(programOf(path, {{"post", "grbl"}}).find("M6") == std::string::npos);
+    QVERIFY(programOf(path, {{"post", "linuxcnc"}}).find("G43 H1") != std::string::npos);
   }
 
   /// Nobody knows where the tool is when a program starts: across at the machine's top, and back up there before the end.
@@ -313,18 +307,18 @@ class GcodeProgramTest final : public QObject {
     Toolpath path = randomPath(random, 5);
     for (const auto& [post, top] :
          {std::pair("linuxcnc", "G53 G0 Z0"), {"mach3", "G53 G0 Z0"}, {"fanuc", "G91 G28 Z0.\nG90"}}) {
-      const std::string text = written(path, {{"post", post}});
+      const std::string text = programOf(path, {{"post", post}});
       const std::size_t up = text.find(top), across = text.find("G0 X"), down = text.find("\nZ5"), back = text.rfind(top);
       QVERIFY2(up < across && across < down && down < back && back < text.find("M5"), text.c_str());
       QVERIFY2(std::regex_search(text, std::regex("S12000 M3\nG4 P2(000)?\n")), text.c_str());
     }
     // GRBL need not know the machine's top: up first.
-    const std::string grbl = written(path, {{"post", "grbl"}});
+    const std::string grbl = programOf(path, {{"post", "grbl"}});
     QVERIFY(grbl.find("M3\nG4 P2\nG0 Z5\nX") != std::string::npos);
     path.moves.push_back({.kind = MoveKind::Plunge, .to = path.moves.back().to - Vec3(0, 0, 9), .feed = 100});
-    QVERIFY(written(path, {{"post", "grbl"}}).find("G0 Z5\nM5\nM2") != std::string::npos);
+    QVERIFY(programOf(path, {{"post", "grbl"}}).find("G0 Z5\nM5\nM2") != std::string::npos);
     path.flood = true;
-    QVERIFY(std::regex_search(written(path, Value::object()), std::regex("G4 P2\nM8\n[^]*\nG53 G0 Z0\nM9\nM5\nM2\n")));
+    QVERIFY(std::regex_search(programOf(path, Value::object()), std::regex("G4 P2\nM8\n[^]*\nG53 G0 Z0\nM9\nM5\nM2\n")));
   }
 
   void fanucHasThreePlacesInMillimetresAndFourInInches() {
@@ -332,7 +326,7 @@ class GcodeProgramTest final : public QObject {
     const Toolpath path = randomPath(random, 200);
     for (const auto& [unit, places] : {std::pair("mm", 3), {"inch", 4}})
       for (const int decimals : {3, 4, 6}) {
-        const std::string text = written(path, {{"post", "fanuc"}, {"unit", unit}, {"decimals", decimals}});
+        const std::string text = programOf(path, {{"post", "fanuc"}, {"unit", unit}, {"decimals", decimals}});
         std::size_t most = 0;
         const std::regex number("[XYZIJ]-?\\d*\\.(\\d*)");
         for (auto it = std::sregex_iterator(text.begin(), text.end(), number); it != std::sregex_iterator(); ++it)

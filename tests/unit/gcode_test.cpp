@@ -10,7 +10,7 @@ using namespace blossom;
 
 namespace {
 
-Imported readText(const std::string& text) {
+Imported readProgram(const std::string& text) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "program.ngc";
   writeAtomically(file, text);
@@ -23,7 +23,7 @@ class GcodeTest final : public QObject {
   Q_OBJECT
  private slots:
   void fullCircleIsOneClosedArc() {
-    const Imported imported = readText("G21 G0 X5 Y0\nG3 X5 Y0 I-5 J0 (a circle)\nG0 X0 Y0\nM2\n");
+    const Imported imported = readProgram("G21 G0 X5 Y0\nG3 X5 Y0 I-5 J0 (a circle)\nG0 X0 Y0\nM2\n");
     const auto& paths = imported.shape.get<Curves>()->paths;
     QCOMPARE(paths.size(), std::size_t(1));
     QVERIFY(paths[0].closed);
@@ -35,7 +35,7 @@ class GcodeTest final : public QObject {
   void radiusFormTakesTheShortArcAndTheLongOne() {
     // a chord of 2 in a circle of radius sqrt(2): a quarter, or the other three
     const auto lengthOf = [](const char* r) {
-      const Imported imported = readText(std::string("G0 X0 Y0\nG2 X2 Y0 R") + r + "\n");
+      const Imported imported = readProgram(std::string("G0 X0 Y0\nG2 X2 Y0 R") + r + "\n");
       return length(imported.shape.get<Curves>()->paths.at(0));
     };
     const double circle = 2 * std::numbers::pi * std::sqrt(2.0);
@@ -44,20 +44,20 @@ class GcodeTest final : public QObject {
   }
 
   void clockwiseArcsSweepNegatively() {
-    const Imported imported = readText("G0 X1 Y0\nG2 X0 Y-1 I-1 J0\n");
+    const Imported imported = readProgram("G0 X1 Y0\nG2 X0 Y-1 I-1 J0\n");
     COMPARE_NEAR(std::get<Arc2>(imported.shape.get<Curves>()->paths.at(0).segments.at(0)).sweep, -std::numbers::pi / 2,
                  1e-12);
   }
 
   void inchesAndIncrementsAreUnderstood() {
-    const Imported imported = readText("G20 G91\nG1 X1\nG1 Y1\nG1 X-1\nG1 Y-1\n");
+    const Imported imported = readProgram("G20 G91\nG1 X1\nG1 Y1\nG1 X-1\nG1 Y-1\n");
     const Path& square = imported.shape.get<Curves>()->paths.at(0);
     QVERIFY(square.closed);
     COMPARE_NEAR(signedArea(square), 25.4 * 25.4, 1e-9);
   }
 
   void nurbsStartsWhereTheToolIs() {
-    const Imported imported = readText("G0 X0 Y1\nG1 Z0 F100\nG5.2 X0 Y1 P1 L3\n X1 Y1 P1\n X1 Y0 P2\nG5.3\n");
+    const Imported imported = readProgram("G0 X0 Y1\nG1 Z0 F100\nG5.2 X0 Y1 P1 L3\n X1 Y1 P1\n X1 Y0 P2\nG5.3\n");
     const auto& spline = std::get<Spline2>(imported.shape.get<Curves>()->paths.at(0).segments.at(0));
     QCOMPARE(spline.degree, 2);
     QCOMPARE(spline.poles.size(), std::size_t(4));
@@ -67,16 +67,16 @@ class GcodeTest final : public QObject {
 
   void rubbishNamesTheLine() {
     try {
-      readText("G0 X0\nG1 Xhello\n");
+      readProgram("G0 X0\nG1 Xhello\n");
       QFAIL("read without complaint");
     } catch (const Error& error) {
       QCOMPARE(error.code(), ErrorCode::FormatDamaged);
       QVERIFY(error.message().find("Line 2") != std::string::npos);
     }
-    VERIFY_ERROR(readText("(nothing here)\n"), ErrorCode::FormatDamaged);
-    VERIFY_ERROR(readText("G1 X1\nG2 X9 Y9 R1\n"), ErrorCode::FormatDamaged);
-    VERIFY_ERROR(readText("X1 Y1\n"), ErrorCode::FormatDamaged);
-    VERIFY_ERROR(readText("G1 X[1+1]\n"), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readProgram("(nothing here)\n"), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readProgram("G1 X1\nG2 X9 Y9 R1\n"), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readProgram("X1 Y1\n"), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readProgram("G1 X[1+1]\n"), ErrorCode::FormatDamaged);
   }
 };
 

@@ -88,7 +88,7 @@ std::optional<Pair> firstByRationals(const Mesh& triangles) {
   return std::nullopt;
 }
 
-double distanceTo(const Mesh& triangles, std::size_t face, const Vec3& p) {
+double distanceToFace(const Mesh& triangles, std::size_t face, const Vec3& p) {
   const auto at = facePoints(triangles, face);
   return (closestOnTriangle(p, {at[0], at[1], at[2]}) - p).norm();
 }
@@ -100,8 +100,8 @@ void compareWithRationals(const Mesh& triangles) {
   if (!found) return;
   QCOMPARE(found->first, expected->first);
   QCOMPARE(found->second, expected->second);
-  QVERIFY(distanceTo(triangles, found->first, found->place) < 1e-9);
-  QVERIFY(distanceTo(triangles, found->second, found->place) < 1e-9);
+  QVERIFY(distanceToFace(triangles, found->first, found->place) < 1e-9);
+  QVERIFY(distanceToFace(triangles, found->second, found->place) < 1e-9);
 }
 
 /// Triangles over few points of a coarse lattice: corners on faces, edges on edges and faces in one plane are common.

@@ -43,7 +43,7 @@ void compareSolid(const TopoDS_Shape& shape, const Expected& expected, double di
   QCOMPARE(measured<bool>(m, "closed"), true);
 }
 
-Path circle(const Vec2& center, double radius, double sweep) { return {{Arc2{center, radius, 0, sweep}}, true, {}, {}}; }
+Path circleArc(const Vec2& center, double radius, double sweep) { return {{Arc2{center, radius, 0, sweep}}, true, {}, {}}; }
 
 }  // namespace
 
@@ -221,7 +221,7 @@ class MeasureTest : public QObject {
   void regionCountsItsParts() {
     const Path plate{
         {Line2{{0, 0}, {10, 0}}, Line2{{10, 0}, {10, 10}}, Line2{{10, 10}, {0, 10}}, Line2{{0, 10}, {0, 0}}}, true, {}, {}};
-    const Measures m = measure(Region{{plate, circle({5, 5}, 2, -2 * pi), circle({20, 0}, 1, 2 * pi)}});
+    const Measures m = measure(Region{{plate, circleArc({5, 5}, 2, -2 * pi), circleArc({20, 0}, 1, 2 * pi)}});
     QCOMPARE(m.kind, std::string("region"));
     COMPARE_NEAR(measured<double>(m, "area"), 100 - 4 * pi + pi, 1e-12);
     COMPARE_NEAR(measured<double>(m, "perimeter"), 40 + 4 * pi + 2 * pi, 1e-12);
@@ -230,7 +230,7 @@ class MeasureTest : public QObject {
       QCOMPARE(measured<std::int64_t>(m, name), value);
   }
   void curvesAddTheirLengths() {
-    const Curves curves{{circle({0, 0}, 1, 2 * pi), {{Line2{{0, 0}, {3, 4}}}, false, {}, {}}}, FillRule::EvenOdd};
+    const Curves curves{{circleArc({0, 0}, 1, 2 * pi), {{Line2{{0, 0}, {3, 4}}}, false, {}, {}}}, FillRule::EvenOdd};
     const Measures m = measure(curves);
     QCOMPARE(m.kind, std::string("curves"));
     QCOMPARE(measured<std::int64_t>(m, "curves"), std::int64_t{2});

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-void append(Mesh& mesh, const Mesh& other) {
+void appendMesh(Mesh& mesh, const Mesh& other) {
   const int offset = static_cast<int>(mesh.points.size());
   mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
   for (std::size_t f = 0; f < other.faceCount(); ++f) {
@@ -87,15 +87,15 @@ class MeshTest : public QObject {
   }
   void componentsAndGenusAddUp() {
     Mesh mesh = torusMesh(5, 1, 12, 8);
-    append(mesh, torusMesh(20, 1, 12, 8));
-    append(mesh, boxMesh({100, 0, 0}, {1, 1, 1}));
+    appendMesh(mesh, torusMesh(20, 1, 12, 8));
+    appendMesh(mesh, boxMesh({100, 0, 0}, {1, 1, 1}));
     const Measures m = measure(mesh);
     QCOMPARE(measured<std::int64_t>(m, "genus"), std::int64_t{2});
     QCOMPARE(measured<std::int64_t>(m, "components"), std::int64_t{3});
   }
   void boxesThatTouchInAnEdgeStayTwo() {
     Mesh mesh = boxMesh({0, 0, 0}, {1, 1, 1});
-    append(mesh, boxMesh({1, 1, 0}, {1, 1, 1}));
+    appendMesh(mesh, boxMesh({1, 1, 0}, {1, 1, 1}));
     const Mesh merged = toMesh(tessellate(mesh));
     QCOMPARE(merged.points.size(), std::size_t{14});
     const Measures m = measure(merged);

@@ -16,7 +16,7 @@ std::size_t holes(const Region& region) {
   return count;
 }
 
-Path square(double x, double y, double side, bool counterClockwise = true) {
+Path squareOutline(double x, double y, double side, bool counterClockwise = true) {
   Path path{{}, true, {}, {}};
   const Vec2 corners[] = {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
   for (int k = 0; k < 4; ++k) path.segments.emplace_back(Line2{corners[k], corners[(k + 1) % 4]});
@@ -102,14 +102,15 @@ void ModelingTextTest::spacingMovesLettersApart() {
 }
 
 void ModelingTextTest::overlappingContoursAreOneArea() {
-  const Region both = nonZeroArea({square(0, 0, 10), square(5, 5, 10)});
+  const Region both = nonZeroArea({squareOutline(0, 0, 10), squareOutline(5, 5, 10)});
   QCOMPARE(both.loops.size(), std::size_t{1});
   COMPARE_NEAR(area(both), 175, 1e-6);
   // A frame with a bar across its hole: the bar fills what it covers of it.
-  const Region barred = nonZeroArea({square(0, 0, 30), square(5, 5, 20, false), square(10, -2, 10), square(40, 0, 5)});
+  const Region barred = nonZeroArea(
+      {squareOutline(0, 0, 30), squareOutline(5, 5, 20, false), squareOutline(10, -2, 10), squareOutline(40, 0, 5)});
   COMPARE_NEAR(area(barred), 900 - 400 + 10 * 2 + 10 * 3 + 25, 1e-6);
   // Contours that keep apart stay as they are.
-  const Region apart = nonZeroArea({square(0, 0, 10), square(2, 2, 3, false)});
+  const Region apart = nonZeroArea({squareOutline(0, 0, 10), squareOutline(2, 2, 3, false)});
   COMPARE_NEAR(area(apart), 91, 1e-12);
 }
 

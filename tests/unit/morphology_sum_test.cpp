@@ -9,7 +9,7 @@ namespace {
 
 bool closed(const Mesh& mesh) { return meshTopology(mesh).closed(); }
 
-Mesh unitCube(const Vec3& at = Vec3::Zero()) { return cuboid(at, at + Vec3(1, 1, 1)); }
+Mesh cubeOfSideOne(const Vec3& at = Vec3::Zero()) { return cuboid(at, at + Vec3(1, 1, 1)); }
 
 /// A solid prism below, a segment or a flat polygon as the element.
 Operand thin(Operand::Form form, std::vector<std::vector<Vec3>> pieces) {
@@ -37,7 +37,7 @@ class MorphologySumTest : public QObject {
 
   // A sum does not hold its operands: the origin lies in neither.
   void cubesFarFromTheOriginMove() {
-    const Mesh sum = solidSumOf(unitCube(), unitCube({5, 5, 5}));
+    const Mesh sum = solidSumOf(cubeOfSideOne(), cubeOfSideOne({5, 5, 5}));
     COMPARE_NEAR(volumeOf(sum), 8, tiny);
     QVERIFY(boundsOf(sum).low.isApprox(Vec3(5, 5, 5)) && boundsOf(sum).high.isApprox(Vec3(7, 7, 7)));
     QCOMPARE(componentsOf(sum), std::size_t{1});
@@ -95,7 +95,7 @@ class MorphologySumTest : public QObject {
 
   void holesShrinkAndFillUp() {
     const Mesh frame = frameBlock(5, 2, 0, 2);
-    const Mesh narrowed = solidSumOf(frame, unitCube());
+    const Mesh narrowed = solidSumOf(frame, cubeOfSideOne());
     COMPARE_NEAR(volumeOf(narrowed), (11 * 11 - 3 * 3) * 3, tiny * 400);
     QCOMPARE(genusOf(narrowed), 1);
     const Mesh filled = solidSumOf(frame, cuboid({0, 0, 0}, {5, 5, 5}));
@@ -107,15 +107,15 @@ class MorphologySumTest : public QObject {
   void voidsShrinkAndFillUp() {
     const Mesh hollow = together(cuboid({0, 0, 0}, {10, 10, 10}), insideOut(cuboid({3, 3, 3}, {7, 7, 7})));
     COMPARE_NEAR(volumeOf(hollow), 1000 - 64, tiny);
-    const Mesh smaller = solidSumOf(hollow, unitCube());
+    const Mesh smaller = solidSumOf(hollow, cubeOfSideOne());
     COMPARE_NEAR(volumeOf(smaller), 11 * 11 * 11 - 3 * 3 * 3, tiny * 1e3);
     QCOMPARE(componentsOf(smaller), std::size_t{2});
     COMPARE_NEAR(volumeOf(solidSumOf(hollow, cuboid({0, 0, 0}, {4, 4, 4}))), 14 * 14 * 14, tiny * 1e3);
   }
 
   void partsStayApartOrUnite() {
-    const Mesh two = together(unitCube(), unitCube({5, 0, 0}));
-    const Mesh apart = solidSumOf(two, unitCube());
+    const Mesh two = together(cubeOfSideOne(), cubeOfSideOne({5, 0, 0}));
+    const Mesh apart = solidSumOf(two, cubeOfSideOne());
     COMPARE_NEAR(volumeOf(apart), 16, tiny);
     QCOMPARE(componentsOf(apart), std::size_t{2});
     const Mesh one = solidSumOf(two, cuboid({0, 0, 0}, {4.5, 1, 1}));
@@ -145,11 +145,11 @@ class MorphologySumTest : public QObject {
 
   void flatElementsAndPoints() {
     const Operand square = thin(Operand::Form::Flat, {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {{0, 0, 0}, {2, 2, 0}, {0, 2, 0}}});
-    COMPARE_NEAR(volumeOf(solidSum(bodyOf(unitCube()), square).solids.front()), 3 * 3 * 1, tiny);
+    COMPARE_NEAR(volumeOf(solidSum(bodyOf(cubeOfSideOne()), square).solids.front()), 3 * 3 * 1, tiny);
     const Operand up = thin(Operand::Form::Lines, {{{0, 0, 0}, {0, 0, 1.5}}});
     COMPARE_NEAR(volumeOf(solidSum(square, up).solids.front()), 2 * 2 * 1.5, tiny);
     const Operand places = thin(Operand::Form::Points, {{{0, 0, 0}}, {{0.5, 0, 0}}, {{9, 0, 0}}});
-    const Mesh copies = solidSum(bodyOf(unitCube()), places).solids.front();
+    const Mesh copies = solidSum(bodyOf(cubeOfSideOne()), places).solids.front();
     COMPARE_NEAR(volumeOf(copies), 2.5, tiny);
     QCOMPARE(componentsOf(copies), std::size_t{2});
     VERIFY_ERROR(solidSum(square, square), ErrorCode::Degenerate);
@@ -187,7 +187,7 @@ class MorphologySumTest : public QObject {
 
   // Walls through every reflex edge cut a solid finer than it needs.
   void partsAreJoinedWhereTheirUnionIsConvex() {
-    const auto partsOf = [](const Mesh& mesh) { return solidSum(bodyOf(mesh), bodyOf(unitCube())).stats.partsA; };
+    const auto partsOf = [](const Mesh& mesh) { return solidSum(bodyOf(mesh), bodyOf(cubeOfSideOne())).stats.partsA; };
     QCOMPARE(partsOf(lBlock()), std::size_t{2});
     QCOMPARE(partsOf(frameBlock(5, 2, 0, 2)), std::size_t{4});
     const std::vector<Vec2> plus{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},

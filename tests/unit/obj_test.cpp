@@ -4,7 +4,7 @@ using namespace blossom;
 using namespace blossom::test;
 
 namespace {
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string squareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 Mesh meshOf(const std::string& text) { return *readText(text, "obj").shape.get<Mesh>(); }
 }  // namespace
 
@@ -15,21 +15,21 @@ class ObjTest : public QObject {
   void readsEveryFormOfAFace() {
     for (const char* face : {"f 1 2 3 4", "f 1/1 2/1 3/1 4/1", "f 1/1/1 2/1/1 3/1/1 4/1/1", "f 1//1 2//1 3//1 4//1",
                              "f -4 -3 -2 -1", "f 1 2 \\\n3 4 # tail", "f +1 2 3 4"}) {
-      const Mesh mesh = meshOf(square + face + "\n");
+      const Mesh mesh = meshOf(squareObj + face + "\n");
       QCOMPARE(mesh.faceVertices, (std::vector<int>{0, 1, 2, 3}));
     }
   }
 
   void negativeIndicesCountFromWhereTheyStand() {
-    const Mesh mesh = meshOf(square + "f -4 -3 -2\nv 5 5 5\nf -1 -2 -3\n");
+    const Mesh mesh = meshOf(squareObj + "f -4 -3 -2\nv 5 5 5\nf -1 -2 -3\n");
     QCOMPARE(mesh.faceVertices, (std::vector<int>{0, 1, 2, 4, 3, 2}));
   }
 
-  void facesMayComeBeforeTheirVertices() { QCOMPARE(meshOf("f 1 2 3\n" + square).faceCount(), std::size_t(1)); }
+  void facesMayComeBeforeTheirVertices() { QCOMPARE(meshOf("f 1 2 3\n" + squareObj).faceCount(), std::size_t(1)); }
 
   void keepsTags() {
-    const Mesh mesh =
-        meshOf(square + "o cage\nf 1 2 3 4\nt crease 2/1/0 1 2 4.7\nt corner 1/1/0 0 1.4\nt interpolateboundary 1/0/0 2\n");
+    const Mesh mesh = meshOf(
+        squareObj + "o cage\nf 1 2 3 4\nt crease 2/1/0 1 2 4.7\nt corner 1/1/0 0 1.4\nt interpolateboundary 1/0/0 2\n");
     QCOMPARE(mesh.creases, (std::vector<Crease>{{1, 2, 4.7}}));
     QCOMPARE(mesh.corners, (std::vector<Corner>{{0, 1.4}}));
     QCOMPARE(mesh.otherTags, (std::vector<std::string>{"t interpolateboundary 1/0/0 2"}));
@@ -37,7 +37,7 @@ class ObjTest : public QObject {
   }
 
   void countsWhatItLeavesOut() {
-    const Imported imported = readText(square + "vt 0 0\nvt 1 1\nvn 0 0 1\nusemtl red\nf 1 2 3 4\nl 1 2\n", "obj");
+    const Imported imported = readText(squareObj + "vt 0 0\nvt 1 1\nvn 0 0 1\nusemtl red\nf 1 2 3 4\nl 1 2\n", "obj");
     QCOMPARE(imported.skipped, (Value{{"l", 1}, {"usemtl", 1}, {"vn", 1}, {"vt", 2}}));
     QCOMPARE(imported.entities, (Value{{"vertex", 4}, {"face", 1}}));
     QCOMPARE(imported.warnings.size(), std::size_t(1));
@@ -45,7 +45,7 @@ class ObjTest : public QObject {
 
   void refusesDamage_data() {
     QTest::addColumn<QString>("text");
-    const QString four = QString::fromStdString(square);
+    const QString four = QString::fromStdString(squareObj);
     QTest::newRow("no face") << four;
     QTest::newRow("index too large") << four + "f 1 2 5\n";
     QTest::newRow("index zero") << four + "f 0 1 2\n";
@@ -68,7 +68,7 @@ class ObjTest : public QObject {
 
   void errorsTellTheLine() {
     try {
-      readText(square + "f 1 2 7\n", "obj");
+      readText(squareObj + "f 1 2 7\n", "obj");
       QFAIL("did not throw");
     } catch (const Error& error) {
       QVERIFY2(error.message().find("Line 5") != std::string::npos, error.what());

@@ -29,7 +29,7 @@ using std::numbers::pi;
 
 Vec3 toVec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
-Path polygon(const std::vector<Vec2>& points) {
+Path closedPolygon(const std::vector<Vec2>& points) {
   Path path;
   path.closed = true;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -38,7 +38,7 @@ Path polygon(const std::vector<Vec2>& points) {
 }
 
 /// Lines, arcs both ways and a spline around, with a round hole; and a disc beside it.
-Region plate() {
+Region plateWithHole() {
   const Path outer{{Line2{{0, 0}, {10, 0}}, Arc2{{10, 3}, 3, -pi / 2, pi}, ellipticArc({5, 6}, {5, 0}, 0.4, 0, pi),
                     Arc2{{0, 3}, 3, pi / 2, -pi}},
                    true,
@@ -157,7 +157,7 @@ class OcctConversionTest : public QObject {
     QCOMPARE(countOf(toFace(half), TopAbs_EDGE), std::size_t{4});
   }
   void regionBecomesExactFaces() {
-    const Region region = plate();
+    const Region region = plateWithHole();
     const TopoDS_Shape faces = toFaces(region);
     QVERIFY(isValid(faces));
     QCOMPARE(countOf(faces, TopAbs_FACE), std::size_t{2});
@@ -170,7 +170,7 @@ class OcctConversionTest : public QObject {
     COMPARE_NEAR(area(region), closedForm, 1e-9);
   }
   void wiresComeBackAsTheyWere() {
-    const Curves given = toCurves(plate());
+    const Curves given = toCurves(plateWithHole());
     const TopoDS_Shape wires = toWires(given);
     QVERIFY(isValid(wires));
     const Curves back = planarCurves(wires);
@@ -202,7 +202,7 @@ class OcctConversionTest : public QObject {
     VERIFY_ERROR(toWires({{speck}, FillRule::EvenOdd}), ErrorCode::Degenerate);
   }
   void gapsAreBridgedByTolerantVertices() {
-    Path loop = polygon({{0, 0}, {1, 0}, {1, 1}});
+    Path loop = closedPolygon({{0, 0}, {1, 0}, {1, 1}});
     std::get<Line2>(loop.segments[1]).from.x() += 5e-5;
     QVERIFY(isValid(toFaces({{loop}})));
   }

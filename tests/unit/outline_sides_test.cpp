@@ -11,7 +11,7 @@ using namespace blossom::modeling;
 
 namespace {
 
-DrawnOutline polygon(const std::vector<Vec2>& corners, bool closed = true, bool returns = false) {
+DrawnOutline drawnPolygon(const std::vector<Vec2>& corners, bool closed = true, bool returns = false) {
   DrawnOutline outline;
   outline.start = corners.front();
   for (std::size_t k = 1; k < corners.size(); ++k) outline.segments.push_back({DrawnKind::Line, corners[k], {}, false});
@@ -56,7 +56,7 @@ void OutlineSidesTest::aRectangleStaysOne() {
     const Vec2 x(std::cos(turn), std::sin(turn)), y(-x.y(), x.x()), at(size(random), size(random));
     std::vector<Vec2> corners{at, at + a * x, at + a * x + b * y, at + b * y};
     if (round % 2 == 1) std::reverse(corners.begin(), corners.end());
-    const DrawnOutline outline = polygon(corners, true, round % 3 == 0);
+    const DrawnOutline outline = drawnPolygon(corners, true, round % 3 == 0);
     QCOMPARE(straightSides(outline).size(), std::size_t(4));
     const int side = round % 4;
     const std::vector<double> before = lengthsOf(outline);
@@ -83,7 +83,7 @@ void OutlineSidesTest::rightAnglesOfAnyOutlineStay() {
       corners.emplace_back(x, y += step(random));
     }
     corners.emplace_back(0, y);
-    const DrawnOutline outline = polygon(corners);
+    const DrawnOutline outline = drawnPolygon(corners);
     const auto side = std::uniform_int_distribution<int>(0, static_cast<int>(corners.size()) - 1)(random);
     const double to = lengthsOf(outline)[static_cast<std::size_t>(side)] + 1.5;
     const auto changed = withSideLength(outline, side, to);
@@ -112,7 +112,7 @@ void OutlineSidesTest::roundedCornersStay() {
 }
 
 void OutlineSidesTest::whereNothingIsParallelOneCornerMoves() {
-  const DrawnOutline triangle = polygon({{0, 0}, {10, 0}, {3, 8}});
+  const DrawnOutline triangle = drawnPolygon({{0, 0}, {10, 0}, {3, 8}});
   const auto changed = withSideLength(triangle, 0, 14);
   QVERIFY(changed.has_value());
   QCOMPARE(changed->segments[0].to, Vec2(14, 0));
@@ -126,7 +126,7 @@ void OutlineSidesTest::whereNothingIsParallelOneCornerMoves() {
 }
 
 void OutlineSidesTest::openOutlinesMoveTheirRest() {
-  const DrawnOutline path = polygon({{0, 0}, {10, 0}, {13, 8}, {20, 9}}, false);
+  const DrawnOutline path = drawnPolygon({{0, 0}, {10, 0}, {13, 8}, {20, 9}}, false);
   QCOMPARE(straightSides(path).size(), std::size_t(3));
   const auto changed = withSideLength(path, 0, 12);
   QVERIFY(changed.has_value());
@@ -138,7 +138,7 @@ void OutlineSidesTest::normalsPointOutward() {
   for (const bool reversed : {false, true}) {
     std::vector<Vec2> corners{{0, 0}, {10, 0}, {10, 5}, {0, 5}};
     if (reversed) std::reverse(corners.begin(), corners.end());
-    for (const StraightSide& side : straightSides(polygon(corners)))
+    for (const StraightSide& side : straightSides(drawnPolygon(corners)))
       QVERIFY(((side.from + side.to) / 2 + side.outward - Vec2(5, 2.5)).norm() >
               ((side.from + side.to) / 2 - Vec2(5, 2.5)).norm());
   }
@@ -149,7 +149,7 @@ void OutlineSidesTest::noDirtOfRounding() {
   const double up = std::numbers::pi / 2;
   const std::vector<Vec2> corners{
       {0, 0}, {60, 0}, Vec2(60, 0) + 40 * Vec2(std::cos(up), std::sin(up)), {60 * std::cos(2 * up) + 60, 40.00000000000001}};
-  const auto changed = withSideLength(polygon(corners), 2, 101);
+  const auto changed = withSideLength(drawnPolygon(corners), 2, 101);
   QVERIFY(changed.has_value());
   QCOMPARE(changed->start.x(), -41.0);
   QCOMPARE(changed->start.y(), 0.0);
@@ -159,12 +159,12 @@ void OutlineSidesTest::noDirtOfRounding() {
     QVERIFY(changed->segments[k].to.y() == wanted[k].y());
   }
   // Decimals stay those that were meant.
-  const auto tenth = withSideLength(polygon({{0, 0}, {0.1, 0}, {0.1, 5}, {0, 5}}), 0, 0.1 + 0.2);
+  const auto tenth = withSideLength(drawnPolygon({{0, 0}, {0.1, 0}, {0.1, 5}, {0, 5}}), 0, 0.1 + 0.2);
   QVERIFY(tenth && tenth->segments[0].to.x() == 0.3);
 }
 
 void OutlineSidesTest::whatCannotBe() {
-  const DrawnOutline outline = polygon({{0, 0}, {10, 0}, {10, 5}, {0, 5}});
+  const DrawnOutline outline = drawnPolygon({{0, 0}, {10, 0}, {10, 5}, {0, 5}});
   QVERIFY(!withSideLength(outline, 4, 3) && !withSideLength(outline, -1, 3));
   QVERIFY(!withSideLength(outline, 0, 0) && !withSideLength(outline, 0, -2));
   QCOMPARE(*withSideLength(outline, 0, 10), outline);

@@ -89,7 +89,7 @@ class Interpreter {
   Vec2 shift_ = Vec2::Zero(), at_ = Vec2::Zero(), start_ = Vec2::Zero();
 };
 
-std::string written(const Shape& shape, const std::string& extension) {
+std::string pageFile(const Shape& shape, const std::string& extension) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / ("page." + extension);
   writeShape(formats(), shape, path, {{"tolerance", tolerance}});
@@ -120,11 +120,11 @@ std::string contentOf(const std::string& file, const std::string& extension) {
 }
 
 std::vector<Painted> paintedOf(const Shape& shape, const std::string& extension) {
-  return Interpreter().run(contentOf(written(shape, extension), extension));
+  return Interpreter().run(contentOf(pageFile(shape, extension), extension));
 }
 
 /// Twice the integral of x dy - y dx over a cubic is exact with three points of Gauss.
-double areaOf(const std::vector<std::array<Vec2, 4>>& loop) {
+double areaOfLoop(const std::vector<std::array<Vec2, 4>>& loop) {
   double twice = 0;
   for (const auto& [a, b, c, d] : loop)
     for (const auto& [t, weight] :
@@ -176,7 +176,7 @@ void PageTest::aRing() {
   QVERIFY(painted[0].filled);
   QCOMPARE(painted[0].loops.size(), std::size_t{2});
   double area = 0;
-  for (const auto& loop : painted[0].loops) area += areaOf(loop);
+  for (const auto& loop : painted[0].loops) area += areaOfLoop(loop);
   const double length = 2 * pi * (20 + 8);
   QVERIFY2(std::abs(std::abs(area) - pi * (400 - 64)) < length * (tolerance + keptPlaces), fmt::format("{}", area).c_str());
   // The middle of the page, a margin of 1 mm beside the ring.
@@ -225,7 +225,7 @@ void PageTest::openLinesAreDrawn() {
 void PageTest::thePageIsAsLargeAsTheDrawing() {
   Curves curves;
   curves.paths = {circlePath(20, true)};
-  std::string file = written(Shape(curves), "pdf");
+  std::string file = pageFile(Shape(curves), "pdf");
   for (const std::string& stream : streamsOf(file)) file += stream;  // Cairo 1.18 writes the page as an object in a stream
   const std::size_t at = file.find("/MediaBox [");
   QVERIFY(at != std::string::npos);
@@ -240,7 +240,7 @@ void PageTest::thePageIsAsLargeAsTheDrawing() {
 void PageTest::theSameDrawingGivesTheSameFile() {
   Curves curves;
   curves.paths = {circlePath(20, true)};
-  QVERIFY(written(Shape(curves), "pdf") == written(Shape(curves), "pdf"));
+  QVERIFY(pageFile(Shape(curves), "pdf") == pageFile(Shape(curves), "pdf"));
 }
 
 void PageTest::aSolidIsRefused() {
@@ -249,7 +249,7 @@ void PageTest::aSolidIsRefused() {
   mesh.addFace(std::array{0, 1, 2});
   for (const char* extension : {"pdf", "ps"}) {
     try {
-      (void)written(Shape(mesh), extension);
+      (void)pageFile(Shape(mesh), extension);
       QFAIL("A mesh was written to a page.");
     } catch (const Error& error) {
       QVERIFY(error.code() == ErrorCode::OutputNotSupported);

@@ -10,9 +10,9 @@ using namespace blossom;
 
 namespace {
 
-enum class Mode { Exact, Cubic };
+enum class ValueMode { Exact, Cubic };
 
-ParameterSpec named(std::string name, ParameterSpec spec) {
+ParameterSpec withName(std::string name, ParameterSpec spec) {
   spec.name = std::move(name);
   spec.help = "What it is for.";
   return spec;
@@ -44,39 +44,39 @@ class Generator {
   ParameterSpec spec(int depth = 0) {
     switch (below(depth < 2 ? 16 : 14)) {
       case 0:
-        return named("value", flag());
+        return withName("value", flag());
       case 1:
-        return named("value", count(-20, 1000));
+        return withName("value", count(-20, 1000));
       case 2:
-        return named("value", number());
+        return withName("value", number());
       case 3:
-        return named("value", ratio());
+        return withName("value", ratio());
       case 4:
-        return named("value", blossom::length());
+        return withName("value", blossom::length());
       case 5:
-        return named("value", positiveLength());
+        return withName("value", positiveLength());
       case 6:
-        return named("value", angle());
+        return withName("value", angle());
       case 7:
-        return named("value", choice({"exact", "cubic", "two words"}));
+        return withName("value", choice({"exact", "cubic", "two words"}));
       case 8:
-        return named("value", blossom::text());
+        return withName("value", blossom::text());
       case 9:
-        return named("value", color());
+        return withName("value", color());
       case 10:
-        return named("value", point());
+        return withName("value", point());
       case 11:
-        return named("value", blossom::vector());
+        return withName("value", blossom::vector());
       case 12:
-        return named("value", controlCurve());
+        return withName("value", controlCurve());
       case 13:
-        return named("value", subShape("face"));
+        return withName("value", subShape("face"));
       case 14:
-        return named("value", list(spec(depth + 1)));
+        return withName("value", list(spec(depth + 1)));
       default: {
         ParameterSpec second = spec(depth + 1);
         second.name = "other";
-        return named("value", record({spec(depth + 1), second}));
+        return withName("value", record({spec(depth + 1), second}));
       }
     }
   }
@@ -168,54 +168,54 @@ class ParameterTest : public QObject {
 
  private slots:
   void messagesNameValueAndBound() {
-    const auto t = named("t", ratio());
+    const auto t = withName("t", ratio());
     QCOMPARE(messageOf([&] { checked(t, 1.4); }), std::string("t must lie between 0 and 1; it is 1.4."));
-    const auto tolerance = named("tolerance", positiveLength());
+    const auto tolerance = withName("tolerance", positiveLength());
     QCOMPARE(messageOf([&] { checked(tolerance, -2); }), std::string("tolerance must be above 0 mm; it is -2."));
     QCOMPARE(messageOf([&] { checked(tolerance, 0); }), std::string("tolerance must be above 0 mm; it is 0."));
     QCOMPARE(hintOf([&] { checked(tolerance, 0); }), std::string("What it is for."));
-    QCOMPARE(messageOf([&] { checked(named("area-preserving", flag()), 3); }),
+    QCOMPARE(messageOf([&] { checked(withName("area-preserving", flag()), 3); }),
              std::string("area preserving must be yes or no; it is 3."));
-    QCOMPARE(messageOf([&] { checked(named("spans", count(2)), 1.5); }),
+    QCOMPARE(messageOf([&] { checked(withName("spans", count(2)), 1.5); }),
              std::string("spans must be a whole number; it is 1.5."));
-    QCOMPARE(messageOf([&] { checked(named("spans", count(2)), 1); }), std::string("spans must be at least 2; it is 1."));
-    const auto mode = named("mode", choice({"exact", "cubic"}));
+    QCOMPARE(messageOf([&] { checked(withName("spans", count(2)), 1); }), std::string("spans must be at least 2; it is 1."));
+    const auto mode = withName("mode", choice({"exact", "cubic"}));
     QCOMPARE(messageOf([&] { checked(mode, "exakt"); }), std::string("mode must be exact or cubic; it is \"exakt\"."));
     QCOMPARE(hintOf([&] { checked(mode, "exakt"); }), std::string("Did you mean exact?"));
-    const auto pins = named("pins", list(record({named("target", point()), named("weight", ratio())})));
+    const auto pins = withName("pins", list(record({withName("target", point()), withName("weight", ratio())})));
     const Value wrong = Value::parse(R"([{"target": [1,2,3], "weight": 1}, {"target": [0,0], "weight": 2}])");
     QCOMPARE(messageOf([&] { checked(pins, wrong); }),
              std::string("weight of item 2 of pins must lie between 0 and 1; it is 2."));
   }
 
   void whatIsNoNumberIsRefused() {
-    const auto spec = named("x", number());
+    const auto spec = withName("x", number());
     for (const Value& value :
          {Value(std::numeric_limits<double>::quiet_NaN()), Value(std::numeric_limits<double>::infinity()), Value(true),
           Value(), Value::array(), Value::object(), Value("abc"), Value("")})
       VERIFY_ERROR(checked(spec, value), ErrorCode::InvalidParameter);
-    VERIFY_ERROR(checked(named("n", count(0)), 1e300), ErrorCode::InvalidParameter);
-    VERIFY_ERROR(checked(named("n", count(0)), std::uint64_t{1} << 40), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(checked(withName("n", count(0)), 1e300), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(checked(withName("n", count(0)), std::uint64_t{1} << 40), ErrorCode::InvalidParameter);
   }
 
   void valuesBecomeCanonical() {
-    QCOMPARE(checked(named("x", number()), 3).is_number_float(), true);
-    QCOMPARE(checked(named("n", count()), 3.0).is_number_integer(), true);
-    COMPARE_NEAR(checked(named("d", blossom::length()), "1/2 in").get<double>(), 12.7, 0);
-    COMPARE_NEAR(checked(named("a", angle()), "0.25turn").get<double>(), 90, 1e-13);
-    QCOMPARE(checked(named("c", color()), "#F80").get<std::string>(), std::string("#ff8800"));
-    QCOMPARE(checked(named("p", point()), Value::array({1, "1cm"})), Value::array({1.0, 10.0, 0.0}));
-    QCOMPARE(checked(named("f", file("json")), "a.json"), (Value{{"path", "a.json"}, {"asset", ""}}));
-    QCOMPARE(parseText(named("e", subShape("edge")), "base:edge:4"),
+    QCOMPARE(checked(withName("x", number()), 3).is_number_float(), true);
+    QCOMPARE(checked(withName("n", count()), 3.0).is_number_integer(), true);
+    COMPARE_NEAR(checked(withName("d", blossom::length()), "1/2 in").get<double>(), 12.7, 0);
+    COMPARE_NEAR(checked(withName("a", angle()), "0.25turn").get<double>(), 90, 1e-13);
+    QCOMPARE(checked(withName("c", color()), "#F80").get<std::string>(), std::string("#ff8800"));
+    QCOMPARE(checked(withName("p", point()), Value::array({1, "1cm"})), Value::array({1.0, 10.0, 0.0}));
+    QCOMPARE(checked(withName("f", file("json")), "a.json"), (Value{{"path", "a.json"}, {"asset", ""}}));
+    QCOMPARE(parseText(withName("e", subShape("edge")), "base:edge:4"),
              (Value{{"input", "base"}, {"kind", "edge"}, {"index", 4}}));
-    QCOMPARE(parseText(named("l", list(point())), "1,2,3; 4,5"), Value::parse("[[1.0,2.0,3.0],[4.0,5.0,0.0]]"));
-    QCOMPARE(parseText(named("l", list(blossom::length())), "1, 1cm ,2"), Value::array({1.0, 10.0, 2.0}));
-    QCOMPARE(parseText(named("k", controlCurve()), "0:1, 0.5:2"), Value::parse("[[0.0,1.0],[0.5,2.0]]"));
-    for (const auto yes : {"yes", "true", "on", "1", " yes "}) QCOMPARE(parseText(named("f", flag()), yes), Value(true));
-    VERIFY_ERROR(parseText(named("k", controlCurve()), "1:1, 0.5:2"), ErrorCode::InvalidParameter);
-    VERIFY_ERROR(parseText(named("r", record({named("a", flag())})), "{\"a\": tru"), ErrorCode::InvalidParameter);
-    VERIFY_ERROR(parseText(named("e", subShape("edge")), "base:face:4"), ErrorCode::InvalidParameter);
-    VERIFY_ERROR(parseText(named("e", subShape("edge")), "base:edge:-4"), ErrorCode::InvalidParameter);
+    QCOMPARE(parseText(withName("l", list(point())), "1,2,3; 4,5"), Value::parse("[[1.0,2.0,3.0],[4.0,5.0,0.0]]"));
+    QCOMPARE(parseText(withName("l", list(blossom::length())), "1, 1cm ,2"), Value::array({1.0, 10.0, 2.0}));
+    QCOMPARE(parseText(withName("k", controlCurve()), "0:1, 0.5:2"), Value::parse("[[0.0,1.0],[0.5,2.0]]"));
+    for (const auto yes : {"yes", "true", "on", "1", " yes "}) QCOMPARE(parseText(withName("f", flag()), yes), Value(true));
+    VERIFY_ERROR(parseText(withName("k", controlCurve()), "1:1, 0.5:2"), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(parseText(withName("r", record({withName("a", flag())})), "{\"a\": tru"), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(parseText(withName("e", subShape("edge")), "base:face:4"), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(parseText(withName("e", subShape("edge")), "base:edge:-4"), ErrorCode::InvalidParameter);
   }
 
   void textAndValueAreInverse() {
@@ -248,19 +248,19 @@ class ParameterTest : public QObject {
   }
 
   void absentParametersGetTheirDefaults() {
-    auto t = named("t", ratio());
+    auto t = withName("t", ratio());
     t.fallback = 0.5;
-    const auto motion = named("motion", file("json"));
+    const auto motion = withName("motion", file("json"));
     QCOMPARE(completed({t}, Value::object()), (Value{{"t", 0.5}}));
     QCOMPARE(completed({t}, {{"t", nullptr}}), (Value{{"t", 0.5}}));
     QCOMPARE(messageOf([&] { completed({t, motion}, Value::object()); }), std::string("motion must be given."));
     QCOMPARE(completed({t, optional(motion)}, Value::object()), (Value{{"t", 0.5}, {"motion", nullptr}}));
     QCOMPARE(messageOf([&] {
-               completed({named("tolerance", blossom::length())}, {{"tolerence", 1}});
+               completed({withName("tolerance", blossom::length())}, {{"tolerence", 1}});
              }),
              std::string("\"tolerence\" is not a parameter."));
     QCOMPARE(hintOf([&] {
-               completed({named("tolerance", blossom::length())}, {{"tolerence", 1}});
+               completed({withName("tolerance", blossom::length())}, {{"tolerence", 1}});
              }),
              std::string("Did you mean tolerance?"));
     // in the order of the declaration, whatever the order given: document, undo and cache see one form
@@ -268,35 +268,35 @@ class ParameterTest : public QObject {
   }
 
   void bindingIsInverse() {
-    const auto mode = named("mode", choice({"exact", "cubic"}));
-    Mode out = Mode::Exact;
-    fromValue(mode, toValue(mode, Mode::Cubic), out);
-    QVERIFY(out == Mode::Cubic);
+    const auto mode = withName("mode", choice({"exact", "cubic"}));
+    ValueMode out = ValueMode::Exact;
+    fromValue(mode, toValue(mode, ValueMode::Cubic), out);
+    QVERIFY(out == ValueMode::Cubic);
     Vec3 p(0, 0, 0);
-    fromValue(named("p", point()), toValue(named("p", point()), Vec3(1, 2.5, -3)), p);
+    fromValue(withName("p", point()), toValue(withName("p", point()), Vec3(1, 2.5, -3)), p);
     QVERIFY(p == Vec3(1, 2.5, -3));
     FileValue f;
-    fromValue(named("f", file("")), toValue(named("f", file("")), FileValue{"a/b.json", "ab12"}), f);
+    fromValue(withName("f", file("")), toValue(withName("f", file("")), FileValue{"a/b.json", "ab12"}), f);
     QVERIFY((f == FileValue{"a/b.json", "ab12"}));
-    QVERIFY(toValue(named("f", file("")), FileValue{}).is_null());
+    QVERIFY(toValue(withName("f", file("")), FileValue{}).is_null());
   }
 
   void descriptions() {
-    QCOMPARE(describe(named("d", positiveLength())), std::string("length in mm, above 0 mm"));
-    QCOMPARE(describe(named("t", ratio())), std::string("number, from 0 to 1"));
-    QCOMPARE(describe(named("m", choice({"a", "b", "c"}))), std::string("a, b or c"));
+    QCOMPARE(describe(withName("d", positiveLength())), std::string("length in mm, above 0 mm"));
+    QCOMPARE(describe(withName("t", ratio())), std::string("number, from 0 to 1"));
+    QCOMPARE(describe(withName("m", choice({"a", "b", "c"}))), std::string("a, b or c"));
     QCOMPARE(describe(whenNone(list(subShape("edge")), "all sharp edges")),
              std::string("list; each item: edge as input:edge:number; none: all sharp edges"));
-    QCOMPARE(label(named("area-preserving", flag())), std::string("area preserving"));
+    QCOMPARE(label(withName("area-preserving", flag())), std::string("area preserving"));
   }
 
   void conditions() {
-    const ParameterSpec always = named("size", positiveLength()),
-                        some = named("turns", onlyFor(positiveLength(), "kind-of-it", {"ring", "tube"}));
+    const ParameterSpec always = withName("size", positiveLength()),
+                        some = withName("turns", onlyFor(positiveLength(), "kind-of-it", {"ring", "tube"}));
     QCOMPARE(describeCondition(always), std::string());
     QCOMPARE(describeCondition(some), std::string("only if kind of it is ring or tube"));
     QCOMPARE(describe(some), std::string("length in mm, above 0 mm; only if kind of it is ring or tube"));
-    ParameterSpec kind = named("kind-of-it", choice({"ball", "ring", "tube"}));
+    ParameterSpec kind = withName("kind-of-it", choice({"ball", "ring", "tube"}));
     kind.fallback = "ball";
     std::vector<ParameterSpec> specs{kind, always, some};
     for (const char* value : {"ball", "ring", "tube"}) {

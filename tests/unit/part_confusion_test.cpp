@@ -17,7 +17,7 @@ Value picked(SubShapeKind kind, int number) {
   return {{"input", "shape"}, {"kind", subShapeKindName(kind)}, {"index", number}};
 }
 
-Document holding(const Document& document, const FeatureId& last, SubShapeKind kind, const Value& part) {
+Document holdingPart(const Document& document, const FeatureId& last, SubShapeKind kind, const Value& part) {
   const char* const list = kind == SubShapeKind::Face ? "faces" : "edges";
   return with(document, "hold", "hold", {{list, Value::array({part})}}, {last});
 }
@@ -35,9 +35,9 @@ Found afterEdit(const Document& before, const Document& edited, const FeatureId&
   if (first.at(last)->error) return {first.at(last)->error->message()};
   const auto number = numberAt(first.at(last)->evaluated.shape, kind, place);
   if (!number) return {"nothing lies there"};
-  const Results signs = evaluated(holding(before, last, kind, picked(kind, *number)));
+  const Results signs = evaluated(holdingPart(before, last, kind, picked(kind, *number)));
   const Value part = signs.at("hold")->parts.begin().value().at(0);
-  const Results after = evaluated(holding(edited, last, kind, part));
+  const Results after = evaluated(holdingPart(edited, last, kind, part));
   if (after.at(last)->error) return {after.at(last)->error->message()};
   const auto& error = after.at("hold")->error;
   if (error) return {error->message().find(" lost: ") == std::string::npos ? error->message() : "", true};
@@ -275,7 +275,7 @@ void PartConfusionTest::whatWasPickedJustNow() {
   const Results shown = evaluated(seen);
   const Shape shape = shown.at("prism")->evaluated.shape;
   const auto number = numberAt(shape, edge, {60, 40, 10});
-  const Document named = holding(seen, "prism", edge, picked(edge, *number));
+  const Document named = holdingPart(seen, "prism", edge, picked(edge, *number));
   const auto shapeOf = [&](const FeatureId& id) {
     const auto found = shown.find(id);
     return found == shown.end() ? nullptr : &found->second->evaluated.shape;
@@ -286,7 +286,7 @@ void PartConfusionTest::whatWasPickedJustNow() {
   const Value part = kept.at("hold").parameters.at("edges").at(0);
   QVERIFY(part.contains("signature"));
   // Before it is evaluated, a corner comes in front of it.
-  const Document edited = holding(model({{0, 0}, {30, -4}, {60, 0}, {60, 40}, {0, 40}}), "prism", edge, part);
+  const Document edited = holdingPart(model({{0, 0}, {30, -4}, {60, 0}, {60, 40}, {0, 40}}), "prism", edge, part);
   const Results after = evaluated(edited);
   QVERIFY(!after.at("hold")->error);
   const int now = after.at("hold")->parts.at("edges").at(0).at("index").get<int>();

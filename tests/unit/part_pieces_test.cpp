@@ -10,10 +10,10 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr double height = 20, radius = 5;
-const std::vector<Vec2> plate{{0, 0}, {60, 0}, {60, 40}, {0, 40}};
+constexpr double height = 20, filletRadius = 5;
+const std::vector<Vec2> plateCorners{{0, 0}, {60, 0}, {60, 40}, {0, 40}};
 
-Value numbered(SubShapeKind kind, int number) {
+Value partNumber(SubShapeKind kind, int number) {
   return {{"input", "shape"}, {"kind", subShapeKindName(kind)}, {"index", number}};
 }
 
@@ -22,7 +22,7 @@ Document prism(const Corners& corners) {
 }
 
 Document rounded(const Document& prism, const Value& edges) {
-  return with(prism, "fillet", "fillet", {{"radius", radius}, {"edges", edges}}, {"prism"});
+  return with(prism, "fillet", "fillet", {{"radius", filletRadius}, {"edges", edges}}, {"prism"});
 }
 
 Document holding(const Document& prism, const Value& part) {
@@ -34,7 +34,7 @@ Value keptEdges(const Document& document, const std::vector<Vec3>& places) {
   const Shape shape = evaluated(document).at("prism")->evaluated.shape;
   Value edges = Value::array();
   for (const Vec3& place : places)
-    edges.push_back(numbered(SubShapeKind::Edge, *numberAt(shape, SubShapeKind::Edge, place)));
+    edges.push_back(partNumber(SubShapeKind::Edge, *numberAt(shape, SubShapeKind::Edge, place)));
   const Document named = with(document, "hold", "hold", {{"edges", edges}}, {"prism"});
   return evaluated(named).at("hold")->parts.at("edges");
 }
@@ -83,7 +83,7 @@ void PartPiecesTest::filletsStayWhileASideIsDivided_data() {
 void PartPiecesTest::filletsStayWhileASideIsDivided() {
   QFETCH(int, side);
   QFETCH(double, bulge);
-  Corners corners(plate);
+  Corners corners(plateCorners);
   const std::vector<Vec3> places{{60, 0, height / 2}, {60, 40, height / 2}};
   const Value kept = keptEdges(prism(corners), places);
   corners.insert(side, bulge);
@@ -96,14 +96,14 @@ void PartPiecesTest::filletsStayWhileASideIsDivided() {
   for (std::size_t k = 0; k < places.size(); ++k)
     QVERIFY(isAt(likenessOf(solid, SubShapeKind::Edge, edges.at(k).at("index").get<int>()).place, places[k]));
   if (bulge != 0) return;  // the corners have other angles
-  const double corner = (1 - std::numbers::pi / 4) * radius * radius * height;
+  const double corner = (1 - std::numbers::pi / 4) * filletRadius * filletRadius * height;
   const double cut = figure(solid, "volume") - figure(fillet.evaluated.shape, "volume");
   QVERIFY(std::abs(cut - 2 * corner) < 1e-6);
 }
 
 void PartPiecesTest::edgesOfTheSideItselfAreLost() {
   for (const double bulge : {0.0, 0.1}) {
-    Corners corners(plate);
+    Corners corners(plateCorners);
     const Document before = prism(corners);
     corners.insert(1, bulge);
     for (const double z : {0.0, height}) QVERIFY(!placeAfter(before, {60, 20, z}, prism(corners)));
@@ -115,11 +115,11 @@ void PartPiecesTest::edgesOfTheSideItselfAreLost() {
 void PartPiecesTest::whatMovedAwayIsNotGuessed() {
   for (const Vec2& by : {Vec2(60, 0), Vec2(-60, 0), Vec2(0, 40), Vec2(0, -40), Vec2(60, 40)})
     for (int side = 0; side < 4; ++side) {
-      Corners corners(plate);
+      Corners corners(plateCorners);
       const Document before = prism(corners);
       corners.insert(side, 0.1);
       corners.moveAll(by);
-      for (const Vec2& corner : plate) {
+      for (const Vec2& corner : plateCorners) {
         const auto found = placeAfter(before, {corner.x(), corner.y(), height / 2}, prism(corners));
         QVERIFY(!found || isAt(found, {corner.x() + by.x(), corner.y() + by.y(), height / 2}));
       }

@@ -50,7 +50,7 @@ std::pair<double, int> firstByHand(const Tessellation& t, const Ray& ray, const 
     const auto at = [&](std::size_t k) { return t.points[static_cast<std::size_t>(t.triangles[i][k])]; };
     Eigen::Matrix3d m;
     m << at(1) - at(0), at(2) - at(0), -ray.direction;
-    const Vec3 solution = m.fullPivLu().solve(ray.origin - at(0));
+    const Vec3 solution = m.inverse() * (ray.origin - at(0));
     if (solution.x() < 0 || solution.y() < 0 || solution.x() + solution.y() > 1 || solution.z() < 0) continue;
     if (cut && cut->height(ray.origin + solution.z() * ray.direction) > 0) continue;
     if (solution.z() < best.first) best = {solution.z(), static_cast<int>(i)};

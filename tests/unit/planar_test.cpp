@@ -6,10 +6,12 @@
 
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/outline_crossing.h"
+#include "support/planar_points.h"
 #include "support/random.h"
 #include "support/support.h"
 
 using namespace blossom;
+using namespace blossom::test;
 using blossom::test::seededRandom;
 
 using test::Random;
@@ -20,11 +22,11 @@ namespace {
 using std::numbers::pi;
 using Affine = Eigen::Matrix<double, 2, 3>;
 
-Path circle(const Vec2& center, double radius, double sweep = 2 * pi) {
+Path roundLoop(const Vec2& center, double radius, double sweep = 2 * pi) {
   return {{Arc2{center, radius, 0.3, sweep}}, true, {}, {}};
 }
 
-Path polygon(const std::vector<Vec2>& points, bool closed = true) {
+Path polygonPath(const std::vector<Vec2>& points, bool closed = true) {
   Path path;
   path.closed = closed;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
@@ -32,8 +34,8 @@ Path polygon(const std::vector<Vec2>& points, bool closed = true) {
   return path;
 }
 
-Path square(const Vec2& low, double side) {
-  return polygon({low, low + Vec2(side, 0), low + Vec2(side, side), low + Vec2(0, side)});
+Path squarePath(const Vec2& low, double side) {
+  return polygonPath({low, low + Vec2(side, 0), low + Vec2(side, side), low + Vec2(0, side)});
 }
 
 Spline2 randomSpline(Random& random) {
@@ -52,8 +54,6 @@ Spline2 randomSpline(Random& random) {
   }
   return spline;
 }
-
-Vec2 at(const Spline2& spline, double t) { return point(toCurve(spline), t).head<2>(); }
 
 double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
@@ -98,12 +98,12 @@ class PlanarTest : public QObject {
   Q_OBJECT
  private slots:
   void discIsExact() {
-    const Path disc = circle({3, -4}, 2.5);
+    const Path disc = roundLoop({3, -4}, 2.5);
     COMPARE_NEAR(signedArea(disc), pi * 6.25, 1e-13);
     COMPARE_NEAR(length(disc), 2 * pi * 2.5, 1e-13);
-    COMPARE_NEAR(signedArea(circle({3, -4}, 2.5, -2 * pi)), -pi * 6.25, 1e-13);
+    COMPARE_NEAR(signedArea(roundLoop({3, -4}, 2.5, -2 * pi)), -pi * 6.25, 1e-13);
   }
-  void farAwayNothingIsLost() { COMPARE_NEAR(signedArea(circle({1e6, 1e6}, 1)), pi, 1e-9); }
+  void farAwayNothingIsLost() { COMPARE_NEAR(signedArea(roundLoop({1e6, 1e6}, 1)), pi, 1e-9); }
   void slotOfLinesAndArcs() {
     const double r = 2, l = 10;
     const Path slot{
@@ -123,7 +123,7 @@ class PlanarTest : public QObject {
       const double sweep = uniform(random, -2 * pi, 2 * pi);
       const Spline2 arc = ellipticArc({0, 0}, {a, 0}, ratio, start, sweep);
       for (int k = 0; k <= 20; ++k)
-        COMPARE_NEAR(distanceFromEllipse(at(arc, arc.knots.back() * k / 20), a, a * ratio), 0, 1e-13);
+        COMPARE_NEAR(distanceFromEllipse(pointOf(arc, arc.knots.back() * k / 20), a, a * ratio), 0, 1e-13);
       const double end = start + sweep;
       COMPARE_NEAR((endPoint(arc) - Vec2(a * std::cos(end), a * ratio * std::sin(end))).norm(), 0, 1e-12);
       COMPARE_NEAR((startPoint(arc) - Vec2(a * std::cos(start), a * ratio * std::sin(start))).norm(), 0, 1e-12);
@@ -142,11 +142,11 @@ class PlanarTest : public QObject {
       const Spline2 spline = randomSpline(random);
       constexpr int steps = 4000;  // in every span of knots, however short
       double polygonLength = 0, twiceArea = 0;
-      Vec2 last = at(spline, 0);
+      Vec2 last = pointOf(spline, 0);
       for (std::size_t span = 0; span + 1 < spline.knots.size(); ++span) {
         const double from = spline.knots[span], to = spline.knots[span + 1];
         for (int k = 1; from < to && k <= steps; ++k) {
-          const Vec2 p = at(spline, k == steps ? to : from + (to - from) * k / steps);
+          const Vec2 p = pointOf(spline, k == steps ? to : from + (to - from) * k / steps);
           polygonLength += (p - last).norm();
           twiceArea += last.x() * p.y() - last.y() * p.x();
           last = p;
@@ -167,7 +167,7 @@ class PlanarTest : public QObject {
       const double chord = std::pow(10, uniform(random, -4, 0));
       const std::vector<Vec2> polyline = flatten(Segment(spline), chord);
       COMPARE_NEAR((polyline.front() - startPoint(spline)).norm() + (polyline.back() - endPoint(spline)).norm(), 0, 1e-12);
-      for (int k = 0; k <= 100; ++k) QVERIFY(distance(at(spline, k / 100.0), polyline) <= chord * (1 + 1e-9));
+      for (int k = 0; k <= 100; ++k) QVERIFY(distance(pointOf(spline, k / 100.0), polyline) <= chord * (1 + 1e-9));
 
       const Arc2 arc{{1, 2}, uniform(random, 0.01, 50), uniform(random, -4, 4), uniform(random, -2 * pi, 2 * pi)};
       const std::vector<Vec2> arcLine = flatten(Segment(arc), chord);
@@ -249,7 +249,7 @@ class PlanarTest : public QObject {
     QVERIFY(joined(whole).paths == whole.paths);
   }
   void gapsWiderThanTheJoiningDistanceStay() {
-    const Path open = polygon({{0, 0}, {1, 0}, {1, 1}, {2e-4, 2e-4}}, false);
+    const Path open = polygonPath({{0, 0}, {1, 0}, {1, 1}, {2e-4, 2e-4}}, false);
     QVERIFY(!joined({{open}, FillRule::EvenOdd}).paths[0].closed);
     Tolerance wide;
     wide.joining = 1e-3;
@@ -258,7 +258,7 @@ class PlanarTest : public QObject {
   void windingNumbersOfCurvedLoops() {
     Random random = seededRandom();
     const Path ellipse{{ellipticArc({0, 0}, {5, 0}, 0.3, 0.7, 2 * pi)}, true, {}, {}};
-    const Path disc = circle({0, 0}, 3, -2 * pi);
+    const Path disc = roundLoop({0, 0}, 3, -2 * pi);
     for (int i = 0; i < 2000; ++i) {
       const Vec2 p(uniform(random, -6, 6), uniform(random, -6, 6));
       QCOMPARE(windingNumber(ellipse, p), std::hypot(p.x() / 5, p.y() / 1.5) < 1 ? 1 : 0);
@@ -272,15 +272,15 @@ class PlanarTest : public QObject {
     }
   }
   void interiorPointsAreInside() {
-    const std::vector<Path> shapes{square({0, 0}, 1), circle({9, 9}, 1e-3),
-                                   polygon({{0, 0}, {100, 0}, {100, 1e-3}, {50, 5e-4}}),
-                                   polygon({{0, 0}, {10, 0}, {10, 10}, {9.99, 10}, {9.99, 0.01}, {0, 0.01}})};
+    const std::vector<Path> shapes{squarePath({0, 0}, 1), roundLoop({9, 9}, 1e-3),
+                                   polygonPath({{0, 0}, {100, 0}, {100, 1e-3}, {50, 5e-4}}),
+                                   polygonPath({{0, 0}, {10, 0}, {10, 10}, {9.99, 10}, {9.99, 0.01}, {0, 0.01}})};
     for (const Path& path : shapes) QVERIFY(windingNumber(path, interiorPoint(path)) != 0);
-    VERIFY_ERROR(interiorPoint(polygon({{0, 0}, {1, 0}})), ErrorCode::Degenerate);
+    VERIFY_ERROR(interiorPoint(polygonPath({{0, 0}, {1, 0}})), ErrorCode::Degenerate);
   }
   void nestedLoopsAlternateByEvenOdd() {
     Curves curves{{}, FillRule::EvenOdd};
-    for (int i = 5; i >= 1; --i) curves.paths.push_back(circle({1, 1}, i, i % 2 == 0 ? 2 * pi : -2 * pi));
+    for (int i = 5; i >= 1; --i) curves.paths.push_back(roundLoop({1, 1}, i, i % 2 == 0 ? 2 * pi : -2 * pi));
     const Region region = toRegion(curves);
     QCOMPARE(loopsOf(region, true), std::size_t{3});
     QCOMPARE(loopsOf(region, false), std::size_t{2});
@@ -291,17 +291,17 @@ class PlanarTest : public QObject {
     QCOMPARE(parts[2].holes.size(), std::size_t{0});
   }
   void nonZeroFillsNestedLoopsOfOneDirection() {
-    Curves curves{{circle({0, 0}, 3), circle({0, 0}, 2), circle({0, 0}, 1, -2 * pi)}, FillRule::NonZero};
+    Curves curves{{roundLoop({0, 0}, 3), roundLoop({0, 0}, 2), roundLoop({0, 0}, 1, -2 * pi)}, FillRule::NonZero};
     COMPARE_NEAR(area(toRegion(curves)), pi * 9, 1e-12);  // 1 + 1 - 1 is still not zero
-    curves.paths[1] = circle({0, 0}, 2, -2 * pi);
+    curves.paths[1] = roundLoop({0, 0}, 2, -2 * pi);
     COMPARE_NEAR(area(toRegion(curves)), pi * (9 - 4 + 1), 1e-12);
-    const Curves clockwise{{reversed(square({0, 0}, 2))}, FillRule::NonZero};
+    const Curves clockwise{{reversed(squarePath({0, 0}, 2))}, FillRule::NonZero};
     COMPARE_NEAR(area(toRegion(clockwise)), 4, 1e-12);
   }
   void twoFacesWithHolesAreTwoComponents() {
-    const Curves curves{
-        {circle({0.5, 0.5}, 0.2), square({0, 0}, 1), square({2, 0}, 1), circle({2.3, 0.3}, 0.1), circle({2.7, 0.7}, 0.1)},
-        FillRule::EvenOdd};
+    const Curves curves{{roundLoop({0.5, 0.5}, 0.2), squarePath({0, 0}, 1), squarePath({2, 0}, 1),
+                         roundLoop({2.3, 0.3}, 0.1), roundLoop({2.7, 0.7}, 0.1)},
+                        FillRule::EvenOdd};
     const Region region = toRegion(curves);
     COMPARE_NEAR(area(region), 2 - pi * (0.04 + 0.01 + 0.01), 1e-12);
     const auto parts = components(region);
@@ -312,7 +312,7 @@ class PlanarTest : public QObject {
     QVERIFY(toRegion(toCurves(region)) == region);
   }
   void openOutlinesAreNamedWithTheirPlace() {
-    const Curves curves{{polygon({{12.5, 0}, {20, 0}, {20, 7}, {13, 1}}, false)}, FillRule::EvenOdd};
+    const Curves curves{{polygonPath({{12.5, 0}, {20, 0}, {20, 7}, {13, 1}}, false)}, FillRule::EvenOdd};
     try {
       toRegion(curves);
       QFAIL("an open outline made a region");
@@ -323,12 +323,12 @@ class PlanarTest : public QObject {
     }
     VERIFY_ERROR(toRegion({}), ErrorCode::InvalidInput);
     // The halves of an 8 cancel out; beside a square it must not vanish without a word.
-    const Path square = polygon({{20, 0}, {30, 0}, {30, 10}, {20, 10}}),
-               eight = polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}});
-    VERIFY_ERROR(toRegion({{square, eight}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
-    const Path thereAndBack = polygon({{0, 0}, {5, 1}, {9, 0}, {5, 1}});
-    COMPARE_NEAR(area(toRegion({{square, thereAndBack}, FillRule::EvenOdd})), 100, 1e-12);
-    VERIFY_ERROR(toRegion({{polygon({{0, 0}, {5, 0}})}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
+    const Path apart = polygonPath({{20, 0}, {30, 0}, {30, 10}, {20, 10}}),
+               eight = polygonPath({{0, 0}, {10, 10}, {10, 0}, {0, 10}});
+    VERIFY_ERROR(toRegion({{apart, eight}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
+    const Path thereAndBack = polygonPath({{0, 0}, {5, 1}, {9, 0}, {5, 1}});
+    COMPARE_NEAR(area(toRegion({{apart, thereAndBack}, FillRule::EvenOdd})), 100, 1e-12);
+    VERIFY_ERROR(toRegion({{polygonPath({{0, 0}, {5, 0}})}, FillRule::EvenOdd}), ErrorCode::InvalidInput);
   }
 
   /// Where two outlines cross, however shallow, even-odd leaves empty what both enclose; their union does not.
@@ -339,7 +339,7 @@ class PlanarTest : public QObject {
         const auto turned = [&](const std::vector<Vec2>& points) {
           std::vector<Vec2> result;
           for (const Vec2& p : points) result.push_back(Eigen::Rotation2Dd(turn) * p);
-          return polygon(result);
+          return polygonPath(result);
         };
         const Path plate = turned({{0, 0}, {1000, 0}, {1000, 500}, {0, 500}}),
                    lens =

@@ -13,7 +13,7 @@ const std::string header =
     "element face 1\nproperty uchar flags\nproperty list uchar int vertex_indices\nend_header\n";
 
 template <class T>
-void append(std::string& out, T value, bool big) {
+void appendNumber(std::string& out, T value, bool big) {
   char raw[sizeof(T)];
   std::memcpy(raw, &value, sizeof(T));
   for (std::size_t i = 0; i < sizeof(T); ++i) out += raw[big ? sizeof(T) - 1 - i : i];
@@ -22,14 +22,14 @@ void append(std::string& out, T value, bool big) {
 std::string binary(bool big) {
   std::string out = std::string("ply\nformat binary_") + (big ? "big" : "little") + "_endian 1.0\n" + header;
   for (const float x : {0.F, 0.F, 0.F, 1.5F, 0.F, 0.F, 0.F, 2.5F, 0.F}) {
-    append(out, x, big);
+    appendNumber(out, x, big);
     static int n = 0;
     if (++n % 3 == 0) out += '\x80';
   }
-  append(out, std::int32_t(0), big);
-  append(out, std::int32_t(1), big);
+  appendNumber(out, std::int32_t(0), big);
+  appendNumber(out, std::int32_t(1), big);
   out += std::string("\x07\x03", 2);
-  for (const std::int32_t v : {0, 1, 2}) append(out, v, big);
+  for (const std::int32_t v : {0, 1, 2}) appendNumber(out, v, big);
   return out;
 }
 

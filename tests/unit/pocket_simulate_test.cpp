@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-Path polygon(const std::vector<Vec2>& corners) {
+Path closedPolygon(const std::vector<Vec2>& corners) {
   Path path;
   path.closed = true;
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -25,7 +25,9 @@ Path polygon(const std::vector<Vec2>& corners) {
   return path;
 }
 
-Region rectangle(double width, double height) { return {{polygon({{0, 0}, {width, 0}, {width, height}, {0, height}})}}; }
+Region rectangle(double width, double height) {
+  return {{closedPolygon({{0, 0}, {width, 0}, {width, height}, {0, height}})}};
+}
 
 Region disc(double radius) {
   Path path;
@@ -164,7 +166,7 @@ class PocketSimulateTest final : public QObject {
     COMPARE_NEAR(simulate(along({a, b, c, d, a}, -2, 10), part).gouge, 0, 1e-12);
     COMPARE_NEAR(simulate(along({a, b, c, d, a}, -2, 10.5), part).gouge, 0.25, 1e-12);
     // the straight way from corner to corner of an L runs over the inner corner
-    const Region l{{polygon({{0, 0}, {40, 0}, {40, 10}, {10, 10}, {10, 40}, {0, 40}})}};
+    const Region l{{closedPolygon({{0, 0}, {40, 0}, {40, 10}, {10, 10}, {10, 40}, {0, 40}})}};
     const auto crossing = simulate(along({{35, 5}, {5, 35}}, -1, 6), l);
     COMPARE_NEAR(crossing.gouge, 3 + 10, 1e-3);  // the middle (20, 20) lies 10 mm beyond both walls
     // within the stock above the part nothing is gouged
@@ -190,7 +192,7 @@ class PocketSimulateTest final : public QObject {
 
   void waysAlongAWallAreMeasuredAllTheirLength() {
     // On the wall for almost a metre, but for a notch early on, whose middle is 2 mm from the part.
-    const Region notched{{polygon({{0, 0}, {10, 0}, {10, 3}, {14, 3}, {14, 0}, {1000, 0}, {1000, 50}, {0, 50}})}};
+    const Region notched{{closedPolygon({{0, 0}, {10, 0}, {10, 3}, {14, 3}, {14, 0}, {1000, 0}, {1000, 50}, {0, 50}})}};
     const SimulationResult found = simulate(along({{5, 0}, {995, 0}}, -1, 2), notched, {.depth = 1});
     COMPARE_NEAR(found.gouge, 3, 1e-4);
     COMPARE_NEAR(found.gougeAt.x(), 12, 0.01);
@@ -345,7 +347,8 @@ class PocketSimulateTest final : public QObject {
   /// A control that may cut corners by a tenth cuts into what stands inside of them.
   void blendingBelongsToTheGouge() {
     // around the outside of a block in the middle, at exactly the tool's radius
-    const Region ring{{polygon({{0, 0}, {60, 0}, {60, 60}, {0, 60}}), polygon({{20, 40}, {40, 40}, {40, 20}, {20, 20}})}};
+    const Region ring{
+        {closedPolygon({{0, 0}, {60, 0}, {60, 60}, {0, 60}}), closedPolygon({{20, 40}, {40, 40}, {40, 20}, {20, 20}})}};
     Toolpath path = along({{17, 17}, {43, 17}, {43, 43}, {17, 43}, {17, 17}}, -1, 6);
     COMPARE_NEAR(simulate(path, ring).gouge, 0, 1e-9);
     // At a sharp corner of the way there is room: it lies sqrt(2) radii from the block's corner.
@@ -396,18 +399,18 @@ class PocketSimulateTest final : public QObject {
 
   /// Two rooms and between them a slot just as wide as the tool: a program that leaves it out is told so.
   void aSlotAsWideAsTheToolIsMissedWhenItIsNotCut() {
-    const Region part{{polygon({{0, 0},
-                                {30, 0},
-                                {30, 17},
-                                {70, 17},
-                                {70, 0},
-                                {100, 0},
-                                {100, 40},
-                                {70, 40},
-                                {70, 23},
-                                {30, 23},
-                                {30, 40},
-                                {0, 40}})}};
+    const Region part{{closedPolygon({{0, 0},
+                                      {30, 0},
+                                      {30, 17},
+                                      {70, 17},
+                                      {70, 0},
+                                      {100, 0},
+                                      {100, 40},
+                                      {70, 40},
+                                      {70, 23},
+                                      {30, 23},
+                                      {30, 40},
+                                      {0, 40}})}};
     SimulationOptions options;
     options.depth = 2;
     options.tolerance = 0.01;

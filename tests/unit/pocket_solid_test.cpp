@@ -42,10 +42,10 @@ int faceWithin(const Shape& solid, const Vec3& low, const Vec3& high) {
   }
 }
 
-Value onFace(int index) { return {{"input", "part"}, {"kind", "face"}, {"index", index}}; }
+Value pocketOnFace(int index) { return {{"input", "part"}, {"kind", "face"}, {"index", index}}; }
 
 Evaluated pocketOn(const Shape& solid, int face, Value parameters) {
-  parameters["face"] = onFace(face);
+  parameters["face"] = pocketOnFace(face);
   return made("pocket", parameters, {solid});
 }
 
@@ -87,7 +87,7 @@ std::string told(const Evaluated& made) {
   return std::accumulate(made.warnings.begin(), made.warnings.end(), std::string());
 }
 
-const Block plate{{0, 0, 0}, {80, 60, 20}};
+const Block solidPlate{{0, 0, 0}, {80, 60, 20}};
 const Block boss{{30, 20, 20}, {50, 40, 45}};
 const Value endMill = {{"tool-diameter", 6}, {"depth", 5}, {"stepdown", 5}};
 
@@ -99,7 +99,7 @@ class PocketSolidTest final : public QObject {
  private slots:
   /// Rapids crossed the boss at 5 mm above the face.
   void theToolCrossesAboveABoss() {
-    const Shape solid = with(solidOf(plate), boss);
+    const Shape solid = with(solidOf(solidPlate), boss);
     const Evaluated cut = pocketOn(solid, faceWithin(solid, {0, 0, 20}, {80, 60, 20}), endMill);
     const Toolpath& path = *cut.shape.get<Toolpath>();
     const Heights heights = heightsOf(path);
@@ -111,7 +111,7 @@ class PocketSolidTest final : public QObject {
   }
 
   void theFloorOfAPocketIsItsFloor() {
-    const Shape solid = without(solidOf(plate), {{10, 10, 5}, {70, 50, 20}});
+    const Shape solid = without(solidOf(solidPlate), {{10, 10, 5}, {70, 50, 20}});
     const int floor = faceWithin(solid, {10, 10, 5}, {70, 50, 5});
     const Evaluated cut = pocketOn(solid, floor, endMill);
     const Toolpath& path = *cut.shape.get<Toolpath>();
@@ -138,7 +138,7 @@ class PocketSolidTest final : public QObject {
 
   /// A boss beside the pocket: the tool crosses above it, and begins to cut where the pocket opens.
   void aBossBesideThePocketLiftsRapidsAlone() {
-    const Shape solid = with(without(solidOf(plate), {{10, 10, 5}, {40, 50, 20}}), {{60, 20, 20}, {70, 40, 45}});
+    const Shape solid = with(without(solidOf(solidPlate), {{10, 10, 5}, {40, 50, 20}}), {{60, 20, 20}, {70, 40, 45}});
     const Evaluated cut = pocketOn(solid, faceWithin(solid, {10, 10, 5}, {40, 50, 5}), endMill);
     const Toolpath& path = *cut.shape.get<Toolpath>();
     QCOMPARE(path.passes, std::size_t(3));  // 15 mm by 5, not 40
@@ -149,11 +149,11 @@ class PocketSolidTest final : public QObject {
   void whatStandsOverTheFaceIsRefusedWithItsPlace() {
     // a stem with a head over the face, and a bridge over the floor of a pocket
     const Block head{{25, 15, 35}, {55, 45, 45}};
-    const Shape mushroom = with(with(solidOf(plate), {{35, 25, 20}, {45, 35, 40}}), head);
+    const Shape mushroom = with(with(solidOf(solidPlate), {{35, 25, 20}, {45, 35, 40}}), head);
     const Error hit = refusal("pocket",
                               [&] {
                                 Value p = endMill;
-                                p["face"] = onFace(faceWithin(mushroom, {0, 0, 20}, {80, 60, 20}));
+                                p["face"] = pocketOnFace(faceWithin(mushroom, {0, 0, 20}, {80, 60, 20}));
                                 return p;
                               }(),
                               {mushroom});
@@ -163,9 +163,9 @@ class PocketSolidTest final : public QObject {
     QCOMPARE(std::sscanf(hit.what(), "The tool would hit the solid by %lf mm near (%lf, %lf, %lf)", &depth, &x, &y, &z), 4);
     QVERIFY2(x > 22 && x < 58 && y > 12 && y < 48 && z >= 15 && z <= 21 + 1e-9, hit.what());
     QVERIFY(depth > 2.9);
-    const Shape bridge = with(without(solidOf(plate), {{10, 10, 5}, {70, 50, 20}}), {{35, 5, 15}, {45, 55, 20}});
+    const Shape bridge = with(without(solidOf(solidPlate), {{10, 10, 5}, {70, 50, 20}}), {{35, 5, 15}, {45, 55, 20}});
     Value p = endMill;
-    p["face"] = onFace(faceWithin(bridge, {10, 10, 5}, {70, 50, 5}));
+    p["face"] = pocketOnFace(faceWithin(bridge, {10, 10, 5}, {70, 50, 5}));
     VERIFY_REFUSED(refusal("pocket", p, {bridge}), ErrorCode::InvalidInput, "The tool would hit the solid");
   }
 
@@ -178,7 +178,7 @@ class PocketSolidTest final : public QObject {
   }
 
   void throughTheSolidIsTold() {
-    const Shape solid = solidOf(plate);
+    const Shape solid = solidOf(solidPlate);
     Value through = endMill;
     through["depth"] = 20.5;
     const Evaluated cut = pocketOn(solid, faceWithin(solid, {0, 0, 20}, {80, 60, 20}), through);
@@ -186,7 +186,7 @@ class PocketSolidTest final : public QObject {
     COMPARE_NEAR(heightsOf(*cut.shape.get<Toolpath>()).lowest, -0.5, 1e-9);
     Value floor = endMill;
     floor["face-is"] = "floor";
-    floor["face"] = onFace(faceWithin(solid, {0, 0, 20}, {80, 60, 20}));
+    floor["face"] = pocketOnFace(faceWithin(solid, {0, 0, 20}, {80, 60, 20}));
     VERIFY_REFUSED(refusal("pocket", floor, {solid}), ErrorCode::InvalidInput, "nothing of the solid rises above it");
   }
 };

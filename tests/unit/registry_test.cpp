@@ -12,35 +12,35 @@ using namespace blossom;
 
 namespace {
 
-enum class Mode { Exact, Cubic };
+enum class FeatureMode { Exact, Cubic };
 
 struct Parameters {
   double t = 0.5;
   int copies = 3;
-  Mode mode = Mode::Cubic;
+  FeatureMode mode = FeatureMode::Cubic;
   std::string title = "none";
   Vec3 axis{0, 0, 1};
   std::vector<double> widths{1, 2};
 };
 
 FeatureBuilder<Parameters> builder(std::string id = "test.thing") {
-  using P = Parameters;
-  auto b = feature<P>(std::move(id), "Thing", "A thing to test with.");
-  b.parameter("t", &P::t, ratio(), "Where.")
-      .parameter("copies", &P::copies, count(1), "How many.")
-      .parameter("mode", &P::mode, choice({"exact", "cubic"}), "How.")
-      .parameter("title", &P::title, text(), "Name.")
-      .parameter("axis", &P::axis, blossom::vector(), "Direction.")
-      .parameter("widths", &P::widths, list(number(0.0)), "Widths.");
+  using Fields = Parameters;
+  auto b = feature<Fields>(std::move(id), "Thing", "A thing to test with.");
+  b.parameter("t", &Fields::t, ratio(), "Where.")
+      .parameter("copies", &Fields::copies, count(1), "How many.")
+      .parameter("mode", &Fields::mode, choice({"exact", "cubic"}), "How.")
+      .parameter("title", &Fields::title, text(), "Name.")
+      .parameter("axis", &Fields::axis, blossom::vector(), "Direction.")
+      .parameter("widths", &Fields::widths, list(number(0.0)), "Widths.");
   return b;
 }
 
-FeatureType thing(std::string id = "test.thing") {
+FeatureType thingType(std::string id = "test.thing") {
   return builder(std::move(id)).evaluate([](const Parameters& p, const Inputs&, const Progress&) -> Evaluated {
     return {Mesh{},
             {{"t", p.t},
              {"copies", p.copies},
-             {"cubic", p.mode == Mode::Cubic},
+             {"cubic", p.mode == FeatureMode::Cubic},
              {"title", p.title},
              {"z", p.axis.z()},
              {"sum", p.widths.at(0) + p.widths.at(1)}},
@@ -49,13 +49,13 @@ FeatureType thing(std::string id = "test.thing") {
 }
 
 FeatureType withInputs(std::vector<InputSpec> inputs) {
-  FeatureType type = thing();
+  FeatureType type = thingType();
   type.title = "Morph";
   type.inputs = std::move(inputs);
   return type;
 }
 
-ParameterSpec withName(ParameterSpec spec, std::string name, Value fallback) {
+ParameterSpec namedWithDefault(ParameterSpec spec, std::string name, Value fallback) {
   spec.name = std::move(name);
   spec.help = "To test.";
   spec.fallback = std::move(fallback);
@@ -63,13 +63,13 @@ ParameterSpec withName(ParameterSpec spec, std::string name, Value fallback) {
 }
 
 /// A closed circle.
-Curves circle() {
+Curves closedCircle() {
   Curves curves;
   curves.paths.push_back({{Arc2{Vec2(0, 0), 2, 0, 2 * M_PI}}, true, {}, {}});
   return curves;
 }
 
-std::string messageOf(const std::function<void()>& work) {
+std::string refusalOf(const std::function<void()>& work) {
   try {
     work();
   } catch (const Error& e) {
@@ -85,7 +85,7 @@ class RegistryTest : public QObject {
 
  private slots:
   void aDeclarationCarriesDefaultsAndBinds() {
-    const FeatureType type = thing();
+    const FeatureType type = thingType();
     QCOMPARE(type.command, std::string("thing"));
     const Value all = completed(type.parameters, {{"t", 1}, {"mode", "exact"}});
     QCOMPARE(all, (Value{{"t", 1.0},
@@ -100,7 +100,7 @@ class RegistryTest : public QObject {
 
   void typesAreFoundByCommandAndId() {
     Registry registry;
-    registry.addAll(thing(), thing("test.other"));
+    registry.addAll(thingType(), thingType("test.other"));
     QCOMPARE(registry.at("thing")->id, std::string("test.thing"));
     QCOMPARE(registry.at("test.other")->command, std::string("other"));
     QVERIFY(registry.find("nothing") == nullptr);
@@ -115,10 +115,10 @@ class RegistryTest : public QObject {
 
   void contradictoryDeclarationsAreRefused() {
     Registry registry;
-    registry.add(thing());
-    VERIFY_ERROR(registry.add(thing()), ErrorCode::PluginBroken);
+    registry.add(thingType());
+    VERIFY_ERROR(registry.add(thingType()), ErrorCode::PluginBroken);
     const auto refused = [&](const std::function<void(FeatureType&)>& change) {
-      FeatureType type = thing("test.changed");
+      FeatureType type = thingType("test.changed");
       change(type);
       VERIFY_ERROR(registry.add(type), ErrorCode::PluginBroken);
     };
@@ -144,7 +144,7 @@ class RegistryTest : public QObject {
     conditional(2, "mode", {"cubic"});  // of itself
     refused([](FeatureType& t) {
       t.parameters[0] = onlyFor(t.parameters[0], "other", {"a"});
-      t.parameters.push_back(onlyFor(withName(choice({"a", "b"}), "other", "a"), "mode", {"cubic"}));
+      t.parameters.push_back(onlyFor(namedWithDefault(choice({"a", "b"}), "other", "a"), "mode", {"cubic"}));
     });
     refused([](FeatureType& t) { t.parameters[5].fields[0] = onlyFor(t.parameters[5].fields[0], "mode", {"cubic"}); });
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
@@ -167,7 +167,7 @@ class RegistryTest : public QObject {
 
   void parametersMayApplyForSomeValuesOfAChoice() {
     Registry registry;
-    FeatureType type = thing();
+    FeatureType type = thingType();
     for (const std::size_t parameter : {0, 1, 3, 4, 5})
       type.parameters[parameter] = onlyFor(type.parameters[parameter], "mode", {"exact"});
     registry.add(type);
@@ -179,9 +179,9 @@ class RegistryTest : public QObject {
     // The evaluation gets what is given all the same.
     const Value all = completed(specs, {{"mode", "cubic"}, {"copies", 7}});
     QCOMPARE(registry.at("thing")->evaluate(all, Inputs(), Progress::none()).stats["copies"], Value(7));
-    type = thing("test.named");
+    type = thingType("test.named");
     type.parameters[0] = onlyFor(type.parameters[0], "mode", {"square"});
-    QCOMPARE(messageOf([&] { registry.add(type); }),
+    QCOMPARE(refusalOf([&] { registry.add(type); }),
              std::string("The parameter \"t\" of test.named applies only for \"square\", which \"mode\" does not offer."));
   }
 
@@ -189,7 +189,7 @@ class RegistryTest : public QObject {
     const InputSpec region{.name = "profile", .help = "", .kinds = {ShapeKind::Region}};
     const Brep face(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 3, 0, 2).Shape(), "sheet");
     const Brep solid(BRepPrimAPI_MakeBox(3, 2, 1).Shape(), "block");
-    QVERIFY(accepts(region, circle()));
+    QVERIFY(accepts(region, closedCircle()));
     QVERIFY(accepts(region, face));
     QVERIFY(!accepts(region, solid));
     QVERIFY(!accepts(region, Mesh{}));
@@ -198,28 +198,28 @@ class RegistryTest : public QObject {
     const Inputs arranged = arrangedInputs(withInputs({region}), given);
     COMPARE_NEAR(area(arranged.get<Region>()), 6, 1e-12);
     const Shape wrong[] = {solid};
-    QCOMPARE(messageOf([&] { static_cast<void>(arrangedInputs(withInputs({region}), wrong)); }),
+    QCOMPARE(refusalOf([&] { static_cast<void>(arrangedInputs(withInputs({region}), wrong)); }),
              std::string("The input \"profile\" of Morph takes a region; it got a solid or faces."));
     QVERIFY(accepts({.name = "any", .help = "", .kinds = {}}, solid));
   }
 
   void resultsAreOfTheKindsDeclared() {
-    FeatureType type = thing();
+    FeatureType type = thingType();
     checkResult(type, Mesh{});  // it declares none: any will do
     VERIFY_ERROR(checkResult(type, Shape()), ErrorCode::Internal);
     type.produces = {ShapeKind::Region, ShapeKind::Curves};
-    checkResult(type, circle());
-    checkResult(type, Sequence{{circle(), circle()}, {0, 1}});
-    VERIFY_ERROR(checkResult(type, Sequence{{circle(), Mesh{}}, {0, 1}}), ErrorCode::Internal);
-    QCOMPARE(messageOf([&] { checkResult(type, Mesh{}); }),
+    checkResult(type, closedCircle());
+    checkResult(type, Sequence{{closedCircle(), closedCircle()}, {0, 1}});
+    VERIFY_ERROR(checkResult(type, Sequence{{closedCircle(), Mesh{}}, {0, 1}}), ErrorCode::Internal);
+    QCOMPARE(refusalOf([&] { checkResult(type, Mesh{}); }),
              std::string("Thing made a mesh and declares that it gives a region or curves."));
   }
 
   void mergingIsAllOrNothing() {
     Registry registry, good, bad;
-    registry.add(thing());
-    good.addAll(thing("good.a"), thing("good.b"));
-    bad.addAll(thing("bad.a2"), thing("bad.thing"));
+    registry.add(thingType());
+    good.addAll(thingType("good.a"), thingType("good.b"));
+    bad.addAll(thingType("bad.a2"), thingType("bad.thing"));
     registry.merge(good);
     QCOMPARE(registry.types().size(), std::size_t{3});
     VERIFY_ERROR(registry.merge(bad), ErrorCode::PluginBroken);
@@ -229,13 +229,13 @@ class RegistryTest : public QObject {
 
   void aTypeOpensAKindOfShape() {
     const auto opener = [](std::string id, ShapeKind kind) {
-      FeatureType type = thing(std::move(id));
+      FeatureType type = thingType(std::move(id));
       type.inputs = {{.name = "given", .help = "What was read.", .kinds = {kind}}};
       type.opens = kind;
       return type;
     };
     Registry registry;
-    registry.addAll(thing(), opener("test.turn", ShapeKind::Motion), opener("test.again", ShapeKind::Motion));
+    registry.addAll(thingType(), opener("test.turn", ShapeKind::Motion), opener("test.again", ShapeKind::Motion));
     QCOMPARE(registry.opening(ShapeKind::Motion)->id, std::string("test.turn"));
     QVERIFY(!registry.opening(ShapeKind::Mesh));
     QVERIFY(!registry.opening(ShapeKind::None));
@@ -256,7 +256,7 @@ class RegistryTest : public QObject {
 
   void aTypePlaysByACount() {
     const auto player = [](const std::string& parameter, int frames) {
-      FeatureType type = thing("test.player");
+      FeatureType type = thingType("test.player");
       type.playedBy = {.parameter = parameter, .frames = frames};
       return type;
     };
@@ -269,15 +269,15 @@ class RegistryTest : public QObject {
 
   void aDeclarationIsReplacedInItsPlace() {
     Registry registry;
-    registry.addAll(thing(), thing("test.other"));
-    FeatureType changed = thing();
+    registry.addAll(thingType(), thingType("test.other"));
+    FeatureType changed = thingType();
     changed.title = "Changed";
     registry.replace(changed);
     QCOMPARE(registry.types().size(), std::size_t{2});
     QCOMPARE(registry.types()[0]->title, std::string("Changed"));
     changed.command = "other";
     VERIFY_ERROR(registry.replace(changed), ErrorCode::PluginBroken);
-    VERIFY_ERROR(registry.replace(thing("test.none")), ErrorCode::PluginBroken);
+    VERIFY_ERROR(registry.replace(thingType("test.none")), ErrorCode::PluginBroken);
   }
 
   void formatsAreChecked() {
@@ -286,7 +286,7 @@ class RegistryTest : public QObject {
       made.id = "dots";
       made.title = "Dots";
       made.extensions = {"dot", "dots"};
-      made.readOptions = {withName(count(1), "size", 3)};
+      made.readOptions = {namedWithDefault(count(1), "size", 3)};
       made.read = [](const auto&, const auto&, const auto&) { return Imported(); };
       return made;
     };
@@ -317,7 +317,7 @@ class RegistryTest : public QObject {
     QCOMPARE(registry.formats().formats().size(), std::size_t{1});
     // All or nothing.
     Registry second;
-    second.addAll(thing(), format());
+    second.addAll(thingType(), format());
     VERIFY_ERROR(registry.merge(second), ErrorCode::PluginBroken);
     QVERIFY(registry.types().empty());
   }
@@ -338,7 +338,7 @@ class RegistryTest : public QObject {
 
   void closedCurvesBecomeARegion() {
     const auto type = withInputs({{"shape", "", {ShapeKind::Region}, 1, 1}});
-    const std::vector<Shape> given{circle()};
+    const std::vector<Shape> given{closedCircle()};
     QCOMPARE(arrangedInputs(type, given).get<Region>().loops.size(), std::size_t{1});
     const auto curves = withInputs({{"shape", "", {ShapeKind::Region, ShapeKind::Curves}, 1, 1}});
     QCOMPARE(arrangedInputs(curves, given).of(0)[0].kind(), ShapeKind::Curves);
@@ -349,17 +349,17 @@ class RegistryTest : public QObject {
 
   void inputsOfTheWrongKindOrNumberAreNamed() {
     const auto type = withInputs({{"shape", "", {ShapeKind::Region}, 2, anyNumber}});
-    QCOMPARE(messageOf([&] {
+    QCOMPARE(refusalOf([&] {
                arrangedInputs(type, std::vector<Shape>{Region{}, Mesh{}});
              }),
              std::string("The input \"shape\" of Morph takes a region; it got a mesh."));
-    QCOMPARE(messageOf([&] {
+    QCOMPARE(refusalOf([&] {
                arrangedInputs(type, std::vector<Shape>{Region{}, Shape()});
              }),
              std::string("The input \"shape\" of Morph takes a region; it got nothing."));
-    QCOMPARE(messageOf([&] { arrangedInputs(type, std::vector<Shape>{Region{}}); }),
+    QCOMPARE(refusalOf([&] { arrangedInputs(type, std::vector<Shape>{Region{}}); }),
              std::string("Morph takes at least 2 \"shape\" as input; it got 1."));
-    QCOMPARE(messageOf([&] { arrangedInputs(withInputs({}), std::vector<Shape>{Region{}}); }),
+    QCOMPARE(refusalOf([&] { arrangedInputs(withInputs({}), std::vector<Shape>{Region{}}); }),
              std::string("Morph takes no input; it got 1."));
   }
 

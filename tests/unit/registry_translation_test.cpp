@@ -70,21 +70,21 @@ class RegistryTranslationTest : public QObject {
 
  private:
   Texts texts_;
-  std::vector<Message> messages_;
+  std::vector<TranslatedMessage> messages_;
 };
 
 void RegistryTranslationTest::initTestCase() {
   const App app = loadApp();
   for (const LoadedPlugin& plugin : app.plugins) QVERIFY2(plugin.problem.empty(), plugin.problem.c_str());
   texts_ = Collector(app).texts();
-  for (Message& each : messagesOf(translationFile(QStringLiteral("features_de"))))
+  for (TranslatedMessage& each : messagesOf(translationFile(QStringLiteral("features_de"))))
     if (each.context == QLatin1String("Registry")) messages_.push_back(std::move(each));
   QVERIFY(texts_.size() > 400);
 }
 
 void RegistryTranslationTest::everyTextIsTranslated() {
   std::set<QString> known;
-  for (const Message& each : messages_) known.insert(each.source);
+  for (const TranslatedMessage& each : messages_) known.insert(each.source);
   QString missing;
   int count = 0;
   for (const auto& [text, where] : texts_) {
@@ -103,14 +103,14 @@ void RegistryTranslationTest::everyTextIsTranslated() {
 
 void RegistryTranslationTest::nothingIsTranslatedThatIsGone() {
   QStringList gone;
-  for (const Message& each : messages_)
+  for (const TranslatedMessage& each : messages_)
     if (!texts_.contains(each.source) && !besides().contains(each.source)) gone << each.source;
   QVERIFY2(gone.isEmpty(), qPrintable(gone.join(u'\n')));
 }
 
 void RegistryTranslationTest::everyTranslationIsFinished() {
   std::set<QString> seen;
-  for (const Message& each : messages_) {
+  for (const TranslatedMessage& each : messages_) {
     QVERIFY2(each.finished && !each.translation.isEmpty(), qPrintable(each.source));
     QVERIFY2(seen.insert(each.source).second, qPrintable(each.source));
     QCOMPARE(each.translation.endsWith(u'.'), each.source.endsWith(u'.'));
@@ -120,7 +120,7 @@ void RegistryTranslationTest::everyTranslationIsFinished() {
 void RegistryTranslationTest::theWindowFindsThem() {
   QTranslator translator;
   QVERIFY(translator.load(QString::fromStdString((buildFolder() / "share/blossom/translations/features_de.qm").string())));
-  for (const Message& each : messages_)
+  for (const TranslatedMessage& each : messages_)
     QCOMPARE(translator.translate("Registry", each.source.toUtf8().constData()), each.translation);
 }
 

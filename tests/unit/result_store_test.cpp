@@ -55,7 +55,7 @@ bool same(const Toolpath& a, const Toolpath& b) {
          a.marks == b.marks && a.centred == b.centred && a.blending == b.blending;
 }
 
-Evaluated made(Shape shape) {
+Evaluated storedFeature(Shape shape) {
   return {std::move(shape), {{"loops", 3}, {"share", 0.1}}, {"Look at this."}, {{"error", 0.25, MeasureUnit::None}}};
 }
 
@@ -127,8 +127,8 @@ double busy(double value) {
 void ResultStoreTest::oneThatIsTooLargeIsNotKept() {
   const TemporaryFolder folder;
   ResultStore store(folder.path(), "v1", 200000);
-  store.keep("a", made(points(4000)));
-  store.keep("b", made(points(40000)));
+  store.keep("a", storedFeature(points(4000)));
+  store.keep("b", storedFeature(points(40000)));
   QVERIFY(store.find("a") && !store.find("b"));
   QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
 }
@@ -136,7 +136,7 @@ void ResultStoreTest::oneThatIsTooLargeIsNotKept() {
 void ResultStoreTest::passingTroubleRemovesNothing() {
   const TemporaryFolder folder;
   ResultStore store(folder.path(), "v1");
-  store.keep("a", made(points(10)));
+  store.keep("a", storedFeature(points(10)));
   const QByteArray before = qgetenv("TMPDIR");
   qputenv("TMPDIR", (folder.path() / "nowhere").c_str());
   QVERIFY(!store.find("a"));
@@ -147,7 +147,7 @@ void ResultStoreTest::passingTroubleRemovesNothing() {
 void ResultStoreTest::nobodyElseReadsThem() {
   const TemporaryFolder folder;
   ResultStore store(folder.path() / "results", "v1");
-  store.keep("a", made(axis()));
+  store.keep("a", storedFeature(axis()));
   QCOMPARE(fs::status(folder.path() / "results").permissions(), fs::perms::owner_all);
 }
 
@@ -161,7 +161,7 @@ void ResultStoreTest::whatChangesWithTheWorldIsComputedAgain() {
                     .dependsOn([world](const Counted&) { return *world; })
                     .evaluate([&count](const Counted&, const Inputs&, const Progress&) -> Evaluated {
                       ++count;
-                      return made(axis());
+                      return storedFeature(axis());
                     }));
   Evaluator evaluator(registry);
   const Document document = Document().with(countedFeature("a"));
@@ -181,7 +181,7 @@ void ResultStoreTest::aFileThatChangesMeanwhileGivesNoResult() {
                     .parameter("file", &Counted::file, optional(blossom::file("txt")), "A file.")
                     .evaluate([&](const Counted& p, const Inputs&, const Progress&) -> Evaluated {
                       if (disturb) std::ofstream(file) << "12345";
-                      Evaluated measured = made(axis());
+                      Evaluated measured = storedFeature(axis());
                       measured.figures = {{"size", static_cast<double>(readFile(p.file.path).size()), MeasureUnit::None}};
                       return measured;
                     }));
@@ -207,7 +207,7 @@ void ResultStoreTest::whatWasDoneBeforeACancelIsKept() {
                     .input({.name = "part", .help = "What is before.", .kinds = {ShapeKind::MedialAxis}, .minimum = 0})
                     .parameter("value", &Counted::value, number(), "A number.")
                     .evaluate([](const Counted& p, const Inputs&, const Progress& progress) -> Evaluated {
-                      Evaluated result = made(axis());
+                      Evaluated result = storedFeature(axis());
                       result.stats["sum"] = busy(p.value);
                       progress.check();
                       return result;
@@ -231,7 +231,7 @@ void ResultStoreTest::endingDuringAnEvaluationKeepsWhatWasDone() {
                     .input({.name = "part", .help = "What is before.", .kinds = {ShapeKind::MedialAxis}, .minimum = 0})
                     .parameter("value", &Counted::value, number(), "A number.")
                     .evaluate([](const Counted& p, const Inputs&, const Progress& progress) -> Evaluated {
-                      Evaluated result = made(axis());
+                      Evaluated result = storedFeature(axis());
                       result.stats["sum"] = busy(p.value);
                       while (p.value > 1) progress.check();
                       return result;
@@ -264,14 +264,14 @@ void ResultStoreTest::keptResultsAreFoundAsTheyWere() {
   ResultStore store(folder.path() / "results", "v1");
   QVERIFY(!store.find("a1"));
   const Region region{{triangle()}};
-  store.keep("a1", made(region));
-  store.keep("a2", made(axis()));
-  store.keep("a3", made(path()));
-  store.keep("a4", made(Brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "Box", Color{1, 2, 3})));
+  store.keep("a1", storedFeature(region));
+  store.keep("a2", storedFeature(axis()));
+  store.keep("a3", storedFeature(path()));
+  store.keep("a4", storedFeature(Brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "Box", Color{1, 2, 3})));
   const auto found = store.find("a1");
   QVERIFY(found && *found->evaluated.shape.get<Region>() == region && !found->gougeLeftOut);
-  QCOMPARE(found->evaluated.stats, made(region).stats);
-  QCOMPARE(found->evaluated.warnings, made(region).warnings);
+  QCOMPARE(found->evaluated.stats, storedFeature(region).stats);
+  QCOMPARE(found->evaluated.warnings, storedFeature(region).warnings);
   QCOMPARE(found->evaluated.figures.size(), std::size_t{1});
   QCOMPARE(std::get<double>(found->evaluated.figures[0].value), 0.25);
   QVERIFY(*store.find("a2")->evaluated.shape.get<MedialAxis>() == axis());
@@ -280,17 +280,17 @@ void ResultStoreTest::keptResultsAreFoundAsTheyWere() {
   // A function is not kept, and that is told.
   Toolpath measuring = path();
   measuring.gougeOf = [](const Toolpath&, const Progress&) { return 0.5; };
-  store.keep("a5", made(measuring));
+  store.keep("a5", storedFeature(measuring));
   QVERIFY(store.find("a5")->gougeLeftOut && same(*store.find("a5")->evaluated.shape.get<Toolpath>(), path()));
   // No key leads out of the folder.
-  store.keep("../a6", made(region));
+  store.keep("../a6", storedFeature(region));
   QVERIFY(!store.find("../a6"));
   QCOMPARE(filesIn(folder.path()).size(), std::size_t{1});
 }
 
 void ResultStoreTest::resultsOfOtherBuildsAreNotFound() {
   const TemporaryFolder folder;
-  ResultStore(folder.path(), "v1").keep("a", made(axis()));
+  ResultStore(folder.path(), "v1").keep("a", storedFeature(axis()));
   QVERIFY(ResultStore(folder.path(), "v1").find("a"));
   QVERIFY(!ResultStore(folder.path(), "v2").find("a"));
 }
@@ -300,7 +300,7 @@ void ResultStoreTest::damagedFilesAreIgnored() {
   const TemporaryFolder folder;
   ResultStore store(folder.path(), "v1");
   const Mesh mesh = points(200);
-  store.keep("a", made(mesh));
+  store.keep("a", storedFeature(mesh));
   const fs::path file = filesIn(folder.path()).at(0);
   const std::string good = readFile(file);
   int ignored = 0;
@@ -325,7 +325,7 @@ void ResultStoreTest::theOldestGoBeyondTheLimit() {
   ResultStore store(folder.path(), "v1", limit);
   const auto name = [](int k) { return "r" + std::to_string(k); };
   for (int k = 0; k < 10; ++k) {
-    store.keep(name(k), made(points(4000)));  // 96 kB
+    store.keep(name(k), storedFeature(points(4000)));  // 96 kB
     for (const fs::path& file : filesIn(folder.path()))
       if (file.filename().string().find("-" + name(k) + ".") != std::string::npos)
         fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(100 - k));
@@ -339,7 +339,7 @@ void ResultStoreTest::aFolderThatCannotBeMadeIsNoError() {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "x";
   ResultStore store(folder.path() / "file" / "results", "v1");
-  store.keep("a", made(axis()));
+  store.keep("a", storedFeature(axis()));
   QVERIFY(!store.find("a"));
 }
 

@@ -7,13 +7,12 @@
 #include "feature/registry.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/brep.h"
+#include "support/documents.h"
 #include "support/support.h"
 
 using namespace blossom;
 
 namespace {
-
-using Ids = std::vector<FeatureId>;
 
 FeatureType type(const char* command, std::vector<InputSpec> inputs) {
   FeatureType made;

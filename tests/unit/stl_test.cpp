@@ -14,8 +14,8 @@ std::string facet(const std::string& a, const std::string& b, const std::string&
   return "facet normal 0 0 0\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " + c + "\n endloop\nendfacet\n";
 }
 
-const std::string tetrahedron = "solid four\n" + facet("0 0 0", "0 1 0", "1 0 0") + facet("0 0 0", "1 0 0", "0 0 1") +
-                                facet("0 0 0", "0 0 1", "0 1 0") + facet("1 0 0", "0 1 0", "0 0 1") + "endsolid four\n";
+const std::string asciiTetrahedron = "solid four\n" + facet("0 0 0", "0 1 0", "1 0 0") + facet("0 0 0", "1 0 0", "0 0 1") +
+                                     facet("0 0 0", "0 0 1", "0 1 0") + facet("1 0 0", "0 1 0", "0 0 1") + "endsolid four\n";
 
 Mesh cube() {
   Mesh mesh;
@@ -26,7 +26,7 @@ Mesh cube() {
 }
 
 /// Divergence theorem over a fan of each face.
-double volume(const Mesh& mesh) {
+double enclosedVolume(const Mesh& mesh) {
   double six = 0;
   for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
     const auto v = mesh.face(f);
@@ -43,13 +43,13 @@ class StlTest : public QObject {
 
  private slots:
   void equalCornersBecomeOneVertex() {
-    const Imported imported = readText(tetrahedron, "stl");
+    const Imported imported = readText(asciiTetrahedron, "stl");
     const Mesh& mesh = *imported.shape.get<Mesh>();
     QCOMPARE(mesh.points.size(), std::size_t(4));
     QCOMPARE(mesh.faceCount(), std::size_t(4));
     QCOMPARE(imported.entities, (Value{{"facet", 4}}));
     QCOMPARE(mesh.name, std::string("four"));
-    COMPARE_NEAR(volume(mesh), 1.0 / 6, 1e-15);
+    COMPARE_NEAR(enclosedVolume(mesh), 1.0 / 6, 1e-15);
   }
 
   void keepsFacetsWithoutArea() {
@@ -68,7 +68,7 @@ class StlTest : public QObject {
     QCOMPARE(bytes.size(), std::size_t(84 + 50 * 12));
     std::memcpy(bytes.data(), "solid facet normal", 18);
     writeText(path, bytes);
-    COMPARE_NEAR(volume(*readShape(formats(), path).shape.get<Mesh>()), 1, 1e-12);
+    COMPARE_NEAR(enclosedVolume(*readShape(formats(), path).shape.get<Mesh>()), 1, 1e-12);
   }
 
   void roundTripKeepsVolumeAndFaces() {
@@ -77,7 +77,7 @@ class StlTest : public QObject {
       const Mesh& mesh = *imported.shape.get<Mesh>();
       QCOMPARE(mesh.faceCount(), std::size_t(12));
       QCOMPARE(mesh.points.size(), std::size_t(8));
-      COMPARE_NEAR(volume(mesh), 1, 1e-12);
+      COMPARE_NEAR(enclosedVolume(mesh), 1, 1e-12);
     }
   }
 
@@ -90,12 +90,12 @@ class StlTest : public QObject {
     mesh.points.emplace_back(100, 0, 1);
     // A tetrahedron with a corner split in two: six triangles, two of them without width.
     for (const auto& f : {std::array{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 3, 4}, {0, 4, 2}, {2, 4, 3}}) mesh.addFace(f);
-    COMPARE_NEAR(volume(mesh), 1.0 / 6, 1e-9);
+    COMPARE_NEAR(enclosedVolume(mesh), 1.0 / 6, 1e-9);
     const Mesh coarse = *roundTrip(mesh, "stl", {{"ascii", false}}).shape.get<Mesh>();
     QCOMPARE(coarse.faceCount(), std::size_t(4));
     QVERIFY(meshTopology(coarse).closed());
     QCOMPARE(meshTopology(coarse).components.size(), std::size_t(1));
-    COMPARE_NEAR(volume(coarse), 1.0 / 6, 1e-5);
+    COMPARE_NEAR(enclosedVolume(coarse), 1.0 / 6, 1e-5);
     QCOMPARE(roundTrip(mesh, "stl", {{"ascii", true}}).shape.get<Mesh>()->faceCount(), std::size_t(6));
   }
 
@@ -129,8 +129,8 @@ class StlTest : public QObject {
     const auto row = [](const char* name, const std::string& text) {
       QTest::newRow(name) << QByteArray::fromStdString(text);
     };
-    row("no end", tetrahedron.substr(0, tetrahedron.size() - 15));
-    row("in a facet", tetrahedron.substr(0, 60));
+    row("no end", asciiTetrahedron.substr(0, asciiTetrahedron.size() - 15));
+    row("in a facet", asciiTetrahedron.substr(0, 60));
     row("two corners", "solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid\n");
     row("four corners",
         "solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 0 0\nvertex 1 0 0\nendfacet\nendsolid\n");

@@ -14,7 +14,7 @@ using namespace blossom;
 
 namespace {
 
-Feature made(const FeatureId& id, std::vector<FeatureId> inputs = {}) {
+Feature sweepFeature(const FeatureId& id, std::vector<FeatureId> inputs = {}) {
   Feature feature;
   feature.id = id;
   feature.type = "sweep.sweep";
@@ -27,10 +27,10 @@ std::string assetText() { return "solid cube\n  a text that stands for a mesh\ne
 
 /// Everything that a document can hold.
 Document rich() {
-  Feature import = made("import-1");
+  Feature import = sweepFeature("import-1");
   import.type = "exchange.import";
   import.parameters = {{ "file", { {"path", "cube.stl"}, { "asset", contentHash(assetText()) } } }};
-  Feature sweep = made("sweep-1", {"import-1"});
+  Feature sweep = sweepFeature("sweep-1", {"import-1"});
   sweep.parameters = {
       {"t", 0.1}, {"mode", "cubic"}, {"pole", {1.0 / 3, 2e-17, -1e300}}, {"text", "Bl\u00fcte \"quoted\", [x]: {y}\n"}};
   sweep.visible = false;

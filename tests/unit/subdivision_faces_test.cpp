@@ -40,7 +40,7 @@ double distanceTo(const std::vector<Surface>& faces, const Vec3& p) {
       Eigen::Matrix2d normal;
       normal << f.du.squaredNorm(), f.du.dot(f.dv), f.du.dot(f.dv), f.dv.squaredNorm();
       const Vec2 right(f.du.dot(p - f.point), f.dv.dot(p - f.point));
-      at += Vec2(normal.ldlt().solve(right));
+      at += Vec2(normal.inverse() * right);
       at = at.cwiseMax(Vec2(u0, v0)).cwiseMin(Vec2(u1, v1));
       nearest = std::min(nearest, (point(face, at.x(), at.y()) - p).norm());
     }

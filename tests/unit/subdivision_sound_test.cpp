@@ -17,6 +17,7 @@
 #include "subdivision/kernel/rims.h"
 #include "subdivision/kernel/subdivide.h"
 #include "support/cages.h"
+#include "support/dense.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -45,7 +46,7 @@ double uniformIn(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-Mesh moved(Mesh mesh, const Vec3& by) {
+Mesh movedMesh(Mesh mesh, const Vec3& by) {
   for (Vec3& p : mesh.points) p += by;
   return mesh;
 }
@@ -230,8 +231,8 @@ class SubdivisionSoundTest : public QObject {
     auto random = seededRandom();
     for (int k = 0; k < 20; ++k) {
       constexpr int rows = 5, columns = 8;
-      const Eigen::MatrixXd left = Eigen::MatrixXd::Random(rows, rows).householderQr().householderQ(),
-                            right = Eigen::MatrixXd::Random(columns, columns).householderQr().householderQ();
+      const Eigen::MatrixXd left = orthogonalFactor(Eigen::MatrixXd::Random(rows, rows)),
+                            right = orthogonalFactor(Eigen::MatrixXd::Random(columns, columns));
       Eigen::MatrixXd scales = Eigen::MatrixXd::Zero(rows, columns);
       for (int i = 0; i < rows; ++i) scales(i, i) = std::pow(10, -1.5 * i);  // down to 1e-6
       const Eigen::MatrixXd matrix = left * scales * right.transpose();
@@ -316,7 +317,7 @@ class SubdivisionSoundTest : public QObject {
     constexpr int rings = 60;
     Mesh mesh = torusCage(7, 5);
     const std::size_t faces = mesh.faceCount();
-    for (int k = 1; k < rings; ++k) mesh = beside(mesh, moved(torusCage(7, 5), Vec3(10.0 * k, 0, 0)));
+    for (int k = 1; k < rings; ++k) mesh = beside(mesh, movedMesh(torusCage(7, 5), Vec3(10.0 * k, 0, 0)));
     std::size_t looked = 0, alone = 0;
     const std::vector<LayoutCell> cells = quadLayout(mesh, {}, &looked), one = quadLayout(torusCage(7, 5), {}, &alone);
     QCOMPARE(cells.size(), rings * one.size());
@@ -351,7 +352,7 @@ class SubdivisionSoundTest : public QObject {
     std::printf("figure mirrored_apart_mm %.3g\n", apart);
     // A second join finds nothing, and neither does one of halves that stand apart.
     QCOMPARE(joinRims(joined.mesh).joined, std::size_t(0));
-    QCOMPARE(joinRims(beside(half, moved(mirrored(half), Vec3(-0.01, 0, 0)))).joined, std::size_t(0));
+    QCOMPARE(joinRims(beside(half, movedMesh(mirrored(half), Vec3(-0.01, 0, 0)))).joined, std::size_t(0));
   }
   void rimsThatMakeNoCageStay() {
     // Three sheets at one edge: none is joined to another.

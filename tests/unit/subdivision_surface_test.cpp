@@ -19,7 +19,7 @@ double largestGap(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return worst;
 }
 
-double distanceTo(const Mesh& mesh, const Vec3& p) {
+double distanceToPoints(const Mesh& mesh, const Vec3& p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Vec3& q : mesh.points) nearest = std::min(nearest, (p - q).norm());
   return nearest;
@@ -72,7 +72,7 @@ class SubdivisionSurfaceTest : public QObject {
       const Mesh masks = subdivide(cage, {.levels = 1, .limit = true}).mesh;
       for (std::size_t f = 0; f < cage.faceCount(); ++f)
         for (std::size_t k = 0; k < cage.face(f).size(); ++k)
-          worst = std::max(worst, distanceTo(masks, combined(surface.cornerRow(f, k), cage.points)));
+          worst = std::max(worst, distanceToPoints(masks, combined(surface.cornerRow(f, k), cage.points)));
       // Points inside of patches against the masks four levels down.
       const Mesh fine = subdivide(cage, {.levels = 4, .limit = true}).mesh;
       for (const double u : {0.0625, 0.25, 0.5, 0.8125}) {
@@ -108,7 +108,7 @@ class SubdivisionSurfaceTest : public QObject {
     cage.corners = {{7, 1.5}};
     const Mesh once = subdivide(subdivide(cage, {.levels = 1}).mesh, {.levels = 2}).mesh;
     const Mesh both = subdivide(cage, {.levels = 3}).mesh;
-    for (const Vec3& p : once.points) QVERIFY(distanceTo(both, p) < 1e-13);  // vertices are numbered differently
+    for (const Vec3& p : once.points) QVERIFY(distanceToPoints(both, p) < 1e-13);  // vertices are numbered differently
   }
 
   void aSharpCubeStaysACube() {

@@ -30,7 +30,7 @@ Surface throughRows(const std::vector<std::vector<Vec3>>& rows) {
   return surface;
 }
 
-constexpr double height = 20;
+constexpr double cylinderHeight = 20;
 
 /// A band 1 mm thick, wound up with a third of a turn lying over its beginning and a slit of `gap` between. One bump of its
 /// outer side fills the slit and reaches `poke` farther: a cubic with poles in even steps is 2/3 of a single pole high.
@@ -49,7 +49,7 @@ Surface woundBand(double gap, double poke) {
     for (int j = 0; j < along; ++j) {
       double r = radius + (thick + gap) * k / ofATurn + (outer ? thick : 0);
       if (outer && k == bumpK && j == bumpJ && poke > 0) r += 1.5 * (gap + poke);
-      row.emplace_back(r * std::cos(angle), r * std::sin(angle), height * j / (along - 1));
+      row.emplace_back(r * std::cos(angle), r * std::sin(angle), cylinderHeight * j / (along - 1));
     }
   }
   return throughRows(rows);
@@ -65,7 +65,7 @@ Surface coilWithGap(const std::vector<double>& gap) {
     for (std::size_t j = 0; j < gap.size(); ++j) {
       const double r = 10 + gap[j] * k / ofATurn;
       row.emplace_back(r * std::cos(angle), r * std::sin(angle),
-                       height * static_cast<double>(j) / static_cast<double>(gap.size() - 1));
+                       cylinderHeight * static_cast<double>(j) / static_cast<double>(gap.size() - 1));
     }
   }
   return throughRows(rows);
@@ -78,7 +78,7 @@ Surface extrudedParabolas(const std::vector<Vec2>& poles) {
   for (std::size_t k = 0; k < poles.size(); k += 2) surface.knotsU.insert(surface.knotsU.end(), 2, static_cast<double>(k));
   surface.knotsU.push_back(surface.knotsU.back());
   for (const Vec2& p : poles)
-    for (const double y : {0.0, height}) surface.poles.emplace_back(p.x(), y, p.y(), 1);
+    for (const double y : {0.0, cylinderHeight}) surface.poles.emplace_back(p.x(), y, p.y(), 1);
   return surface;
 }
 
@@ -99,7 +99,7 @@ class SurfaceCrossingTest : public QObject {
       const auto found = findCrossing(woundBand(gap, poke)).deepest;
       QVERIFY2(found, qPrintable(QStringLiteral("slit %1, reaches %2 beyond").arg(gap).arg(poke)));
       // The bump is four steps of poles wide.
-      QVERIFY(std::abs(found->point.z() - height * 20 / 39) < 2 * height / 39);
+      QVERIFY(std::abs(found->point.z() - cylinderHeight * 20 / 39) < 2 * cylinderHeight / 39);
       QVERIFY(found->depth > 0 && found->depth <= gap + poke);
     }
     for (const double gap : {0.003, 0.005, 0.01, 0.1}) QVERIFY(!findCrossing(woundBand(gap, 0)).deepest);
@@ -112,7 +112,7 @@ class SurfaceCrossingTest : public QObject {
         const auto found = findCrossing(coilWithGap({-a, inner * a, -inner * a, a})).deepest;
         QVERIFY2(found, qPrintable(QStringLiteral("amplitude %1, inner %2").arg(a).arg(inner)));
         QVERIFY(found->depth > 0 && found->depth <= a);
-        QVERIFY(inner < 1 || std::abs(found->point.z() - height / 2) < 0.2);
+        QVERIFY(inner < 1 || std::abs(found->point.z() - cylinderHeight / 2) < 0.2);
       }
   }
 

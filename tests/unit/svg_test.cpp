@@ -7,6 +7,7 @@
 #include "geometry/bspline/bspline.h"
 #include "geometry/planar/planar.h"
 #include "support/exchange.h"
+#include "support/planar_points.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -20,18 +21,13 @@ Imported read(const std::string& content, const std::string& attributes = "") {
                       ">" + content + "</svg>",
                   "svg");
 }
-Curves curvesOf(const std::string& content, const std::string& attributes = "") {
+Curves curvesIn(const std::string& content, const std::string& attributes = "") {
   return *read(content, attributes).shape.get<Curves>();
 }
-Path onlyPath(const std::string& content, const std::string& attributes = "") {
-  const Curves curves = curvesOf(content, attributes);
+Path onlyPathOf(const std::string& content, const std::string& attributes = "") {
+  const Curves curves = curvesIn(content, attributes);
   if (curves.paths.size() != 1) qFatal("%zu paths in %s", curves.paths.size(), content.c_str());
   return curves.paths.front();
-}
-void compareNear(const Vec2& actual, const Vec2& expected, double tolerance = 1e-12) {
-  QVERIFY2(
-      (actual - expected).norm() <= tolerance,
-      qPrintable(QString("(%1, %2) is not (%3, %4)").arg(actual.x()).arg(actual.y()).arg(expected.x()).arg(expected.y())));
 }
 Vec2 middle(const Segment& s) {
   if (const Arc2* a = std::get_if<Arc2>(&s))
@@ -47,15 +43,15 @@ class SvgTest : public QObject {
 
  private slots:
   void pageIsMirroredInPlace() {
-    const Path line = onlyPath("<path d='M1 2L5 6'/>", "viewBox='0 0 24 24'");
-    compareNear(startPoint(line.segments[0]), {1, 22});
-    compareNear(endPoint(line.segments[0]), {5, 18});
-    compareNear(startPoint(onlyPath("<path d='M1 2L5 6'/>", "viewBox='10 -5 24 10'").segments[0]), {1, -2});
+    const Path line = onlyPathOf("<path d='M1 2L5 6'/>", "viewBox='0 0 24 24'");
+    comparePoints(startPoint(line.segments[0]), {1, 22});
+    comparePoints(endPoint(line.segments[0]), {5, 18});
+    comparePoints(startPoint(onlyPathOf("<path d='M1 2L5 6'/>", "viewBox='10 -5 24 10'").segments[0]), {1, -2});
   }
 
   void physicalUnitsGiveMillimetres() {
     const auto end = [](const std::string& attributes) {
-      return endPoint(onlyPath("<path d='M0 0L10 0'/>", attributes).segments[0]).x();
+      return endPoint(onlyPathOf("<path d='M0 0L10 0'/>", attributes).segments[0]).x();
     };
     COMPARE_NEAR(end("viewBox='0 0 100 100'"), 10, 1e-12);
     COMPARE_NEAR(end("width='100' height='100'"), 10, 1e-12);
@@ -68,20 +64,20 @@ class SvgTest : public QObject {
   }
 
   void basicShapes() {
-    COMPARE_NEAR(std::abs(signedArea(onlyPath("<rect x='1' y='2' width='3' height='4'/>"))), 12, 1e-12);
-    COMPARE_NEAR(std::abs(signedArea(onlyPath("<rect width='10' height='6' rx='2'/>"))), 60 - (4 - pi) * 4, 1e-12);
-    COMPARE_NEAR(std::abs(signedArea(onlyPath("<rect width='10' height='6' rx='20' ry='1'/>"))), 60 - (4 - pi) * 5, 1e-9);
-    COMPARE_NEAR(std::abs(signedArea(onlyPath("<circle cx='3' cy='3' r='2'/>"))), 4 * pi, 1e-12);
-    COMPARE_NEAR(std::abs(signedArea(onlyPath("<ellipse cx='3' cy='3' rx='2' ry='5'/>"))), 10 * pi, 1e-9);
-    COMPARE_NEAR(std::abs(signedArea(onlyPath("<polygon points='0,0 4,0 4,3'/>"))), 6, 1e-12);
-    QCOMPARE(onlyPath("<polyline points='0 0 4 0 4 3' fill='none'/>").closed, false);
-    QCOMPARE(onlyPath("<polyline points='0 0 4 0 4 3'/>").closed, true);
-    QCOMPARE(onlyPath("<line x1='1' y1='1' x2='2' y2='2' stroke='red'/>").closed, false);
-    QCOMPARE(curvesOf("<rect width='0' height='6'/><circle r='-1'/>").paths.size(), std::size_t(0));
+    COMPARE_NEAR(std::abs(signedArea(onlyPathOf("<rect x='1' y='2' width='3' height='4'/>"))), 12, 1e-12);
+    COMPARE_NEAR(std::abs(signedArea(onlyPathOf("<rect width='10' height='6' rx='2'/>"))), 60 - (4 - pi) * 4, 1e-12);
+    COMPARE_NEAR(std::abs(signedArea(onlyPathOf("<rect width='10' height='6' rx='20' ry='1'/>"))), 60 - (4 - pi) * 5, 1e-9);
+    COMPARE_NEAR(std::abs(signedArea(onlyPathOf("<circle cx='3' cy='3' r='2'/>"))), 4 * pi, 1e-12);
+    COMPARE_NEAR(std::abs(signedArea(onlyPathOf("<ellipse cx='3' cy='3' rx='2' ry='5'/>"))), 10 * pi, 1e-9);
+    COMPARE_NEAR(std::abs(signedArea(onlyPathOf("<polygon points='0,0 4,0 4,3'/>"))), 6, 1e-12);
+    QCOMPARE(onlyPathOf("<polyline points='0 0 4 0 4 3' fill='none'/>").closed, false);
+    QCOMPARE(onlyPathOf("<polyline points='0 0 4 0 4 3'/>").closed, true);
+    QCOMPARE(onlyPathOf("<line x1='1' y1='1' x2='2' y2='2' stroke='red'/>").closed, false);
+    QCOMPARE(curvesIn("<rect width='0' height='6'/><circle r='-1'/>").paths.size(), std::size_t(0));
   }
 
   void pathCommands() {
-    const Curves curves = curvesOf("<path fill='none' d='M1,1h2v2H1zm5 0l1-1.5.5.5q1 1 2 0t2 0c1 1 2 1 3 0s2-1 3 0'/>");
+    const Curves curves = curvesIn("<path fill='none' d='M1,1h2v2H1zm5 0l1-1.5.5.5q1 1 2 0t2 0c1 1 2 1 3 0s2-1 3 0'/>");
     QCOMPARE(curves.paths.size(), std::size_t(2));
     COMPARE_NEAR(std::abs(signedArea(curves.paths[0])), 4, 1e-12);
     QCOMPARE(curves.paths[1].segments.size(), std::size_t(6));
@@ -89,22 +85,22 @@ class SvgTest : public QObject {
     QCOMPARE(cubic.degree, 3);
     QCOMPARE(cubic.knots, (std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1}));
     // A new subpath without M starts where the last one closed.
-    const Curves twice = curvesOf("<path d='M0 0h1v1zh-1v-1z'/>");
+    const Curves twice = curvesIn("<path d='M0 0h1v1zh-1v-1z'/>");
     QCOMPARE(twice.paths.size(), std::size_t(2));
-    compareNear(startPoint(twice.paths[1].segments[0]), {0, 0});
+    comparePoints(startPoint(twice.paths[1].segments[0]), {0, 0});
   }
 
   void arcsKeepTheRules() {
     // Unit semicircles over (0,0)-(2,0), y down in the file: sweep 1 bulges up on the page.
-    compareNear(middle(onlyPath("<path fill='none' d='M0 0A1 1 0 0 1 2 0'/>").segments[0]), {1, 1});
-    compareNear(middle(onlyPath("<path fill='none' d='M0 0A1 1 0 0 0 2 0'/>").segments[0]), {1, -1});
+    comparePoints(middle(onlyPathOf("<path fill='none' d='M0 0A1 1 0 0 1 2 0'/>").segments[0]), {1, 1});
+    comparePoints(middle(onlyPathOf("<path fill='none' d='M0 0A1 1 0 0 0 2 0'/>").segments[0]), {1, -1});
     // Radii too small are scaled up; zero radii make a line.
-    compareNear(middle(onlyPath("<path fill='none' d='M0 0A.1 .1 0 0 1 2 0'/>").segments[0]), {1, 1});
-    compareNear(middle(svg::arcSegment({0, 0}, {2, 0}, 1e-320, 1e-320, 0, false, true).at(0)), {1, -1}, 1e-9);
+    comparePoints(middle(onlyPathOf("<path fill='none' d='M0 0A.1 .1 0 0 1 2 0'/>").segments[0]), {1, 1});
+    comparePoints(middle(svg::arcSegment({0, 0}, {2, 0}, 1e-320, 1e-320, 0, false, true).at(0)), {1, -1}, 1e-9);
     QVERIFY(std::holds_alternative<Line2>(svg::arcSegment({0, 0}, {2, 0}, 1e-320, 5, 0, false, true).at(0)));
-    QVERIFY(std::holds_alternative<Line2>(onlyPath("<path fill='none' d='M0 0A0 5 0 0 1 2 0'/>").segments[0]));
-    COMPARE_NEAR(length(onlyPath("<path fill='none' d='M1 0A1 1 0 1 1 0 -1'/>").segments[0]), 1.5 * pi, 1e-12);
-    COMPARE_NEAR(length(onlyPath("<path fill='none' d='M1 0A1 1 0 0 0 0 -1'/>").segments[0]), 0.5 * pi, 1e-12);
+    QVERIFY(std::holds_alternative<Line2>(onlyPathOf("<path fill='none' d='M0 0A0 5 0 0 1 2 0'/>").segments[0]));
+    COMPARE_NEAR(length(onlyPathOf("<path fill='none' d='M1 0A1 1 0 1 1 0 -1'/>").segments[0]), 1.5 * pi, 1e-12);
+    COMPARE_NEAR(length(onlyPathOf("<path fill='none' d='M1 0A1 1 0 0 0 0 -1'/>").segments[0]), 0.5 * pi, 1e-12);
   }
 
   void randomArcsLieOnTheirEllipse() {
@@ -114,11 +110,11 @@ class SvgTest : public QObject {
       const Vec2 from(anywhere(random), anywhere(random)), to(anywhere(random), anywhere(random));
       const double rx = 2 * radius(random), ry = 2 * radius(random), rotation = degrees(random);
       const bool large = i % 2, sweep = i / 2 % 2;
-      const Segment s = onlyPath(fmt::format("<path fill='none' d='M{} {}A{} {} {} {} {} {} {}'/>", from.x(), from.y(), rx,
-                                             ry, rotation, large ? 1 : 0, sweep ? 1 : 0, to.x(), to.y()))
+      const Segment s = onlyPathOf(fmt::format("<path fill='none' d='M{} {}A{} {} {} {} {} {} {}'/>", from.x(), from.y(), rx,
+                                               ry, rotation, large ? 1 : 0, sweep ? 1 : 0, to.x(), to.y()))
                             .segments[0];
-      compareNear(startPoint(s), {from.x(), -from.y()}, 1e-9);
-      compareNear(endPoint(s), {to.x(), -to.y()}, 1e-9);
+      comparePoints(startPoint(s), {from.x(), -from.y()}, 1e-9);
+      comparePoints(endPoint(s), {to.x(), -to.y()}, 1e-9);
       // In the frame of the ellipse all points keep the distance 1 from one centre; three of them find it, others prove it.
       const Spline2* spline = std::get_if<Spline2>(&s);
       QVERIFY(spline);
@@ -150,15 +146,15 @@ class SvgTest : public QObject {
   }
 
   void transformsNest() {
-    const auto start = [](const std::string& content) { return startPoint(onlyPath(content).segments[0]); };
+    const auto start = [](const std::string& content) { return startPoint(onlyPathOf(content).segments[0]); };
     const std::string line = "<path d='M1 0L2 0'/>";
-    compareNear(start("<g transform='translate(10,20) scale(2)'>" + line + "</g>"), {12, -20});
-    compareNear(start("<g transform='rotate(90)'>" + line + "</g>"), {0, -1});
-    compareNear(start("<g transform='rotate(90 1 1)'>" + line + "</g>"), {2, -1});
-    compareNear(start("<g transform='matrix(1 2 3 4 5 6)'>" + line + "</g>"), {6, -8});
-    compareNear(start("<g transform='skewY(45)'>" + line + "</g>"), {1, -1});
-    compareNear(start("<g transform='skewX(45)translate(0-1)'>" + line + "</g>"), {0, 1});
-    compareNear(
+    comparePoints(start("<g transform='translate(10,20) scale(2)'>" + line + "</g>"), {12, -20});
+    comparePoints(start("<g transform='rotate(90)'>" + line + "</g>"), {0, -1});
+    comparePoints(start("<g transform='rotate(90 1 1)'>" + line + "</g>"), {2, -1});
+    comparePoints(start("<g transform='matrix(1 2 3 4 5 6)'>" + line + "</g>"), {6, -8});
+    comparePoints(start("<g transform='skewY(45)'>" + line + "</g>"), {1, -1});
+    comparePoints(start("<g transform='skewX(45)translate(0-1)'>" + line + "</g>"), {0, 1});
+    comparePoints(
         start("<g transform='scale(2)'><g transform='translate(1)'><path transform='scale(3)' d='M1 0L2 0'/></g></g>"),
         {8, 0});
     VERIFY_ERROR(read("<g transform='twist(3)'>" + line + "</g>"), ErrorCode::FormatDamaged);
@@ -172,13 +168,13 @@ class SvgTest : public QObject {
     const Curves& curves = *twice.shape.get<Curves>();
     QCOMPARE(curves.paths.size(), std::size_t(2));
     QCOMPARE(twice.entities, (Value{{"use", 2}}));
-    compareNear(startPoint(curves.paths[0].segments[0]), {5, 0});
-    compareNear(startPoint(curves.paths[1].segments[0]), {0, -14});
+    comparePoints(startPoint(curves.paths[0].segments[0]), {5, 0});
+    comparePoints(startPoint(curves.paths[1].segments[0]), {0, -14});
     // The symbol's box is fitted into the size of the use.
-    const Path symbol = onlyPath(
+    const Path symbol = onlyPathOf(
         "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol><use href='#s' width='20' height='40'/>");
     COMPARE_NEAR(std::abs(signedArea(symbol)), 400, 1e-9);
-    compareNear(startPoint(symbol.segments[0]), {0, -10});
+    comparePoints(startPoint(symbol.segments[0]), {0, -10});
   }
 
   void cyclesAndExplosionsEnd() {
@@ -245,7 +241,7 @@ class SvgTest : public QObject {
   }
 
   void paintAndLayer() {
-    const Curves curves = curvesOf(
+    const Curves curves = curvesIn(
         "<g id='cut'><circle r='1' fill='#ff0000'/><g inkscape:label='inner' style='fill:none;stroke:rgb(0,0,255)'><circle "
         "r='1'/></g></g><circle r='1'/>",
         "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape'");
@@ -255,7 +251,7 @@ class SvgTest : public QObject {
     QCOMPARE(curves.paths[1].color, std::optional(Color{0, 0, 1}));
     QVERIFY(!curves.paths[2].color);
     QCOMPARE(curves.fillRule, FillRule::NonZero);
-    QCOMPARE(curvesOf("<path fill-rule='evenodd' d='M0 0h1v1z'/>").fillRule, FillRule::EvenOdd);
+    QCOMPARE(curvesIn("<path fill-rule='evenodd' d='M0 0h1v1z'/>").fillRule, FillRule::EvenOdd);
   }
 
   void refusesDamage_data() {
@@ -296,8 +292,8 @@ class SvgTest : public QObject {
       QCOMPARE(b.closed, a.closed);
       QCOMPARE(b.layer, a.layer);
       QCOMPARE(toHex(*b.color), toHex(*a.color));
-      compareNear(startPoint(b.segments.front()), startPoint(a.segments.front()), 1e-9);
-      compareNear(endPoint(b.segments.back()), endPoint(a.segments.back()), 1e-9);
+      comparePoints(startPoint(b.segments.front()), startPoint(a.segments.front()), 1e-9);
+      comparePoints(endPoint(b.segments.back()), endPoint(a.segments.back()), 1e-9);
       COMPARE_NEAR(length(b), length(a), 1e-9);
       if (a.closed) COMPARE_NEAR(signedArea(b), signedArea(a), 1e-9);
     }

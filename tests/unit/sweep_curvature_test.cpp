@@ -20,7 +20,7 @@ const std::vector<double> line{0, 0, 1, 1}, parabola{0, 0, 0, 1, 1, 1};
 /// The quaternion 1 + angle * axis turns about an axis by 2 atan(angle).
 Vec4 about(const Vec3& axis, double angle) { return {1, angle * axis.x(), angle * axis.y(), angle * axis.z()}; }
 
-Vec4 times(const Vec4& a, const Vec4& b) {
+Vec4 quaternionProduct(const Vec4& a, const Vec4& b) {
   const Vec3 x = a.tail<3>(), y = b.tail<3>(), z = a[0] * y + b[0] * x + x.cross(y);
   return {a[0] * b[0] - x.dot(y), z.x(), z.y(), z.z()};
 }
@@ -29,7 +29,7 @@ Vec4 times(const Vec4& a, const Vec4& b) {
 Surface turns(double a, double b, const Vec3& axis) {
   Surface r{1, 1, line, line, {}};
   for (const double u : {0.0, 1.0})
-    for (const double v : {0.0, 1.0}) r.poles.push_back(times(about(Vec3::UnitZ(), a * u), about(axis, b * v)));
+    for (const double v : {0.0, 1.0}) r.poles.push_back(quaternionProduct(about(Vec3::UnitZ(), a * u), about(axis, b * v)));
   return r;
 }
 

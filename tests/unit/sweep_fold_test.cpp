@@ -33,7 +33,7 @@ Motion aroundAxis(int degree, const std::vector<double>& degrees, double radius)
   return motion;
 }
 
-double normalAt(const Motion& motion, double u, double v) {
+double foldNormal(const Motion& motion, double u, double v) {
   const MotionPoint p = evaluate(motion, u, v);
   return p.du.cross(p.dv).norm();
 }
@@ -60,7 +60,7 @@ class SweepFoldTest : public QObject {
         QVERIFY2(fold, qPrintable(QStringLiteral("degree %1, back by %2").arg(degree).arg(back)));
         COMPARE_NEAR(std::hypot(fold->place.x(), fold->place.y()), radius, 1e-9 * radius);
         QVERIFY((evaluate(motion, fold->u, fold->v).point - fold->place).norm() < 1e-9 * radius);
-        if (degree > 1) QVERIFY(normalAt(motion, fold->u, fold->v) < 1e-4 * normalAt(motion, 0, 0.5));
+        if (degree > 1) QVERIFY(foldNormal(motion, fold->u, fold->v) < 1e-4 * foldNormal(motion, 0, 0.5));
       }
     }
   }

@@ -79,7 +79,7 @@ std::vector<double> randomParameters(Random& random, std::pair<double, double> d
   return result;
 }
 
-bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool sameNumber(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 using Marks = std::vector<char>;
 
@@ -96,7 +96,8 @@ std::size_t differences(const MotionGrid& a, const MotionGrid& b, const Marks& m
   std::size_t count = 0;
   for (std::size_t i = 0; i < marks.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c)
-      if (marks[i] == mark && !(sameBits(a.point[c][i], b.point[c][i]) && sameBits(a.normal[c][i], b.normal[c][i]))) ++count;
+      if (marks[i] == mark && !(sameNumber(a.point[c][i], b.point[c][i]) && sameNumber(a.normal[c][i], b.normal[c][i])))
+        ++count;
   return count;
 }
 

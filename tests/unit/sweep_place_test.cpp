@@ -26,7 +26,7 @@ LiveGrid gridOf(const Motion& motion, std::size_t count) {
 double meet(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
   Eigen::Matrix3d sides;
   sides << b - a, c - a, -ray.direction;
-  const Vec3 solution = sides.fullPivLu().solve(ray.origin - a);
+  const Vec3 solution = sides.inverse() * (ray.origin - a);
   const bool inside = solution[0] >= 0 && solution[1] >= 0 && solution[0] + solution[1] <= 1 && solution[2] > 0;
   return inside ? solution[2] : std::numeric_limits<double>::infinity();
 }

@@ -58,7 +58,7 @@ double totalTurn(const Motion& motion) {
 }
 
 /// Bilinear in u and v, everything constant but the quaternions: rows of u, entries of v.
-Motion plainMotion(int degreeV, const std::vector<std::vector<Vec4>>& quaternions) {
+Motion soundMotion(int degreeV, const std::vector<std::vector<Vec4>>& quaternions) {
   std::vector<double> knots(static_cast<std::size_t>(degreeV) + 1, 0.0);
   knots.insert(knots.end(), static_cast<std::size_t>(degreeV) + 1, 1.0);
   Motion motion;
@@ -236,7 +236,7 @@ class SweepSoundTest : public QObject {
         const double half = 0.3 * j / degree;
         row.emplace_back(std::cos(half), 0, 0, std::sin(half));
       }
-      return plainMotion(degree, {row, row});
+      return soundMotion(degree, {row, row});
     };
     Motion motion = ofDegree(11);  // 1 + 2 * 11 + 1 = 24
     QCOMPARE(productSurface(motion).surface.degreeV, 24);
@@ -251,12 +251,12 @@ class SweepSoundTest : public QObject {
   void nearlyOppositeQuaternionsAreSettled() {
     // Along the line v = 1/2 the length is 1.5e-6 for every u; split evenly, 2^40 patches would lie along it.
     const Vec4 ahead(1, 0, 0, 0), back(-1, 0, 0, 3e-6);
-    requireNonVanishing(plainMotion(1, {{ahead, back}, {ahead, back}}).orientation);
+    requireNonVanishing(soundMotion(1, {{ahead, back}, {ahead, back}}).orientation);
     // The line of near misses bends.
     const Vec4 bent(-0.5, 0, 0, 1e-5), far(-1.5, 0, 0, 1e-5);
-    requireNonVanishing(plainMotion(1, {{ahead, bent}, {ahead, far}}).orientation);
+    requireNonVanishing(soundMotion(1, {{ahead, bent}, {ahead, far}}).orientation);
     requireNonVanishing(
-        plainMotion(3, {{ahead, Vec4(0.4, 0, 1e-6, 4e-6), bent, far}, {far, bent, ahead, ahead + 1e-5 * Vec4::UnitW()}})
+        soundMotion(3, {{ahead, Vec4(0.4, 0, 1e-6, 4e-6), bent, far}, {far, bent, ahead, ahead + 1e-5 * Vec4::UnitW()}})
             .orientation);
   }
   void quaternionsThatVanishAreFoundWithTheirPlace() {
@@ -265,7 +265,7 @@ class SweepSoundTest : public QObject {
       const double u = uniform(random, 0.1, 0.9), v = uniform(random, 0.1, 0.9);
       // w = v - v0, x = u - u0.
       const Motion motion =
-          plainMotion(1, {{Vec4(-v, -u, 0, 0), Vec4(1 - v, -u, 0, 0)}, {Vec4(-v, 1 - u, 0, 0), Vec4(1 - v, 1 - u, 0, 0)}});
+          soundMotion(1, {{Vec4(-v, -u, 0, 0), Vec4(1 - v, -u, 0, 0)}, {Vec4(-v, 1 - u, 0, 0), Vec4(1 - v, 1 - u, 0, 0)}});
       try {
         requireNonVanishing(motion.orientation);
         QFAIL("accepted");
@@ -281,7 +281,7 @@ class SweepSoundTest : public QObject {
     // A whole line of zeros ends as well.
     VERIFY_ERROR(
         requireNonVanishing(
-            plainMotion(1, {{Vec4(1, 0, 0, 0), Vec4(-1, 0, 0, 0)}, {Vec4(2, 0, 0, 0), Vec4(-1, 0, 0, 0)}}).orientation),
+            soundMotion(1, {{Vec4(1, 0, 0, 0), Vec4(-1, 0, 0, 0)}, {Vec4(2, 0, 0, 0), Vec4(-1, 0, 0, 0)}}).orientation),
         ErrorCode::Degenerate);
   }
 

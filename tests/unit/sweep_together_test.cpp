@@ -39,7 +39,7 @@ MatrixXd basisRows(const Motion& motion, const Surface& surface, double sign, co
   return rows;
 }
 
-MatrixXd polesOf(const Motion& motion, const Surface& surface) {
+MatrixXd polesTogether(const Motion& motion, const Surface& surface) {
   const std::size_t count = freeRows(motion, surface) * surface.countV();
   MatrixXd poles(count, 4);
   for (std::size_t i = 0; i < count; ++i) poles.row(static_cast<Eigen::Index>(i)) = surface.poles[i].transpose();
@@ -101,7 +101,7 @@ class SweepTogetherTest : public QObject {
       const EditResult result = pull(motion, edit);
       const MatrixXd change = shortestChange(basisRows(motion, motion.scaling, 1, edit.at), wanted,
                                              basisRows(motion, motion.scaling, 1, edit.pins)),
-                     got = polesOf(motion, result.motion.scaling) - polesOf(motion, motion.scaling);
+                     got = polesTogether(motion, result.motion.scaling) - polesTogether(motion, motion.scaling);
       const double size = 1 + change.cwiseAbs().maxCoeff();
       worst = std::max(worst, (got - change).cwiseAbs().maxCoeff() / size);
       for (const MotionPlace& pin : edit.pins) {
@@ -170,7 +170,7 @@ class SweepTogetherTest : public QObject {
       // Normal equations, without any decomposition: all rows are one, so the mean is what fits best.
       const MatrixXd row = basisRows(motion, motion.scaling, 1, {apart.at.front()});
       const MatrixXd change = row.transpose() / row.squaredNorm() * wanted.colwise().mean();
-      const MatrixXd got = polesOf(motion, result.motion.scaling) - polesOf(motion, motion.scaling);
+      const MatrixXd got = polesTogether(motion, result.motion.scaling) - polesTogether(motion, motion.scaling);
       worst = std::max(worst, (got - change).cwiseAbs().maxCoeff() / (1 + change.cwiseAbs().maxCoeff()));
       QVERIFY(!result.obstacles.empty());
       double left = 0;

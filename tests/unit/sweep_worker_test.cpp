@@ -16,7 +16,7 @@ using namespace blossom::sweep;
 
 namespace {
 
-Motion hub() { return primitiveMotion({.radius = 10, .height = 36}).motion; }
+Motion hubMotion() { return primitiveMotion({.radius = 10, .height = 36}).motion; }
 
 Shape railEdge() { return Brep(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 3, 40)).Edge(), "Rail"); }
 
@@ -38,9 +38,9 @@ class SweepWorkerTest : public QObject {
  private slots:
   void aCrashIsAnErrorOfTheFeature() {
     const FakeWorker crashing(crashingWorker);
-    VERIFY_REFUSED(refusal("sweep", {{"solid", true}}, {hub()}), ErrorCode::WorkerDied,
+    VERIFY_REFUSED(refusal("sweep", {{"solid", true}}, {hubMotion()}), ErrorCode::WorkerDied,
                    "for the solid of the sweep crashed (SIGSEGV)");
-    VERIFY_REFUSED(refusal("sweep", {{"solid", true}, {"mode", "cubic"}}, {hub()}), ErrorCode::WorkerDied, "crashed");
+    VERIFY_REFUSED(refusal("sweep", {{"solid", true}, {"mode", "cubic"}}, {hubMotion()}), ErrorCode::WorkerDied, "crashed");
     VERIFY_REFUSED(refusal("sweep-along", Value::object(), {railEdge()}), ErrorCode::WorkerDied,
                    "for the sweep along the curve crashed");
   }
@@ -49,8 +49,8 @@ class SweepWorkerTest : public QObject {
     const FakeWorker crashing(crashingWorker);
     const Shape ring = made("sweep-motion", {{"kind", "torus"}}).shape;
     QVERIFY(made("sweep-refine", {{"v", Value::array({0.3})}}, {ring}).shape.get<Motion>());
-    QVERIFY(made("sweep-pull", onePull(), {hub()}).shape.get<Motion>());
-    QVERIFY(made("sweep-twist", onePlace(), {hub()}).shape.get<Motion>());
+    QVERIFY(made("sweep-pull", onePull(), {hubMotion()}).shape.get<Motion>());
+    QVERIFY(made("sweep-twist", onePlace(), {hubMotion()}).shape.get<Motion>());
     QVERIFY(made("sweep", Value::object(), {ring}).shape.get<Surface>());
     QVERIFY(made("sweep", {{"mode", "cubic"}}, {ring}).shape.get<Surface>());
     QVERIFY(
@@ -60,11 +60,11 @@ class SweepWorkerTest : public QObject {
   void whatHangsIsCancelled() {
     const FakeWorker hanging(hangingWorker);
     const CancelToken token;
-    VERIFY_ERROR(made("sweep", {{"solid", true}}, {hub()}, cancellingWhenItHangs(token)), ErrorCode::Cancelled);
+    VERIFY_ERROR(made("sweep", {{"solid", true}}, {hubMotion()}, cancellingWhenItHangs(token)), ErrorCode::Cancelled);
   }
 
   void solidsAreTheSameToTheBit() {
-    const Motion pulled = *made("sweep-pull", onePull(), {hub()}).shape.get<Motion>();
+    const Motion pulled = *made("sweep-pull", onePull(), {hubMotion()}).shape.get<Motion>();
     const Evaluated solid = made("sweep", {{"solid", true}}, {pulled});
     QVERIFY(isSound(solid) && solid.stats.contains("worker_ms"));
     const Shape here = Brep(makeSolid(productSurface(pulled).surface).solid);

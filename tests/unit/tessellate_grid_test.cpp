@@ -60,7 +60,7 @@ GridMeshes gridMeshes(const TopoDS_Shape& shape, double chord) {
 }
 
 /// Distance from p to the surface, by Newton's steps along the tangent plane from nearby parameters.
-double distanceTo(const Surface& surface, Vec2 uv, const Vec3& p) {
+double distanceToSurface(const Surface& surface, Vec2 uv, const Vec3& p) {
   const auto [u0, u1] = surface.domainU();
   const auto [v0, v1] = surface.domainV();
   double minimum = 1e300;
@@ -69,7 +69,7 @@ double distanceTo(const Surface& surface, Vec2 uv, const Vec3& p) {
     minimum = std::min(minimum, (at.point - p).norm());
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << at.du, at.dv;
-    uv += tangents.colPivHouseholderQr().solve(p - at.point);
+    uv += (tangents.transpose() * tangents).inverse() * (tangents.transpose() * (p - at.point));
   }
   return minimum;
 }
@@ -94,7 +94,7 @@ double largestError(const GridMeshes& meshes) {
           p += w * Vec3(mesh->Node(n[k]).X(), mesh->Node(n[k]).Y(), mesh->Node(n[k]).Z());
           uv += w * Vec2(mesh->UVNode(n[k]).X(), mesh->UVNode(n[k]).Y());
         }
-        worst = std::max(worst, distanceTo(face->surface, uv, p));
+        worst = std::max(worst, distanceToSurface(face->surface, uv, p));
       }
     }
   }

@@ -67,7 +67,7 @@ bool normalsAgree(const Tessellation& t) {
   return true;
 }
 
-Path circle(const Vec2& center, double radius, double sweep) { return {{Arc2{center, radius, 0, sweep}}, true, {}, {}}; }
+Path roundPath(const Vec2& center, double radius, double sweep) { return {{Arc2{center, radius, 0, sweep}}, true, {}, {}}; }
 
 }  // namespace
 
@@ -228,7 +228,7 @@ class TessellateTest : public QObject {
   void regionsAreTriangulatedFlat() {
     const Path plate{
         {Line2{{0, 0}, {10, 0}}, Line2{{10, 0}, {10, 10}}, Line2{{10, 10}, {0, 10}}, Line2{{0, 10}, {0, 0}}}, true, {}, {}};
-    const Region region{{plate, circle({5, 5}, 2, -2 * pi), circle({20, 0}, 1, 2 * pi)}};
+    const Region region{{plate, roundPath({5, 5}, 2, -2 * pi), roundPath({20, 0}, 1, 2 * pi)}};
     const Tessellation t = tessellate(region, {0.001, 0.5});
     QVERIFY(t.normals.empty());
     QCOMPARE(t.edges.size(), std::size_t{6});  // the segments
@@ -250,11 +250,11 @@ class TessellateTest : public QObject {
       for (std::size_t i = 0; i < t.triangles.size(); ++i) total += triangleNormal(t, i).z() / 2;
       return total;
     };
-    const Region discs{{circle({0, 0}, 2, 2 * pi), circle({1, 0}, 2, 2 * pi), circle({1, 0}, 0.5, -2 * pi)}};
+    const Region discs{{roundPath({0, 0}, 2, 2 * pi), roundPath({1, 0}, 2, 2 * pi), roundPath({1, 0}, 0.5, -2 * pi)}};
     COMPARE_NEAR(filled(discs), (4 + 4 - 0.25) * pi, 0.001 * 9 * pi);
   }
   void drawingsBecomePolylines() {
-    const Tessellation t = tessellate(Curves{{circle({0, 0}, 2, 2 * pi)}, FillRule::EvenOdd}, {0.01, 0.5});
+    const Tessellation t = tessellate(Curves{{roundPath({0, 0}, 2, 2 * pi)}, FillRule::EvenOdd}, {0.01, 0.5});
     QCOMPARE(t.edges.size(), std::size_t{1});
     QVERIFY(t.edges[0].front() == t.edges[0].back());
     const Curve ring = toCurve(ellipticArc({0, 0}, {2, 0}, 1, 0, 2 * pi));
@@ -271,7 +271,7 @@ class TessellateTest : public QObject {
           depth = std::max(depth, 2 - ((line[i] + line[i + 1]) / 2).head<2>().norm());
       return depth;
     };
-    const Path ring = circle({0, 0}, 2, 2 * pi);
+    const Path ring = roundPath({0, 0}, 2, 2 * pi);
     const double size = 4 * std::sqrt(2.0);
     const TessellationOptions byItself{0, 0.5};
     const Region disc{{ring}};

@@ -17,7 +17,7 @@ const std::string types =
 <Default Extension="png" ContentType="image/png"/>
 <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)";
 
-const std::string relations =
+const std::string packageRelations =
     R"(<?xml version="1.0" encoding="UTF-8"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
 <Relationship Target="/3D/3dmodel.model" Id="r1" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 <Relationship Target="/Metadata/picture.png" Id="r2" Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/>
@@ -148,8 +148,8 @@ Imported readPackage(const Case* changed, const std::string& modelText = model) 
       text.replace(at, from.size(), changed->to);
     return text;
   };
-  const std::string t = apply(types), r = apply(relations), m = apply(modelText), mr = apply(modelRelations);
-  if (changed && t + r + m + mr == types + relations + modelText + modelRelations)
+  const std::string t = apply(types), r = apply(packageRelations), m = apply(modelText), mr = apply(modelRelations);
+  if (changed && t + r + m + mr == types + packageRelations + modelText + modelRelations)
     qFatal("nothing changed: %s", changed->name);
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "part.3mf";

@@ -13,7 +13,7 @@ using namespace blossom::test;
 
 namespace {
 
-constexpr const char* relations =
+constexpr const char* relationsXml =
     "<Relationships xmlns='http://schemas.openxmlformats.org/package/2006/relationships'><Relationship "
     "Target='/3D/3dmodel.model' Id='r' Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/>"
     "</Relationships>";
@@ -31,7 +31,7 @@ const std::string cubeMesh = [] {
   return text + "</triangles></mesh>";
 }();
 
-std::string model(const std::string& resources, const std::string& build, const std::string& attributes = "") {
+std::string modelXml(const std::string& resources, const std::string& build, const std::string& attributes = "") {
   return fmt::format(
       "<?xml version='1.0'?><model xmlns='http://schemas.microsoft.com/3dmanufacturing/core/2015/02' {}><resources>{}"
       "</resources><build>{}</build></model>",
@@ -47,14 +47,16 @@ constexpr const char* contentTypes =
     "<Default Extension='rels' ContentType='application/vnd.openxmlformats-package.relationships+xml'/>"
     "<Default Extension='model' ContentType='application/vnd.ms-package.3dmanufacturing-3dmodel+xml'/></Types>";
 
-Imported readPackage(std::vector<ZipEntry> entries) {
+Imported readZipped(std::vector<ZipEntry> entries) {
   entries.push_back({"[Content_Types].xml", contentTypes});
   const TemporaryFolder folder;
   writeZip(folder.path() / "a.3mf", entries, Progress::none());
   return readShape(formats(), folder.path() / "a.3mf");
 }
 
-Imported readModel(const std::string& text) { return readPackage({{"_rels/.rels", relations}, {"3D/3dmodel.model", text}}); }
+Imported readModel(const std::string& text) {
+  return readZipped({{"_rels/.rels", relationsXml}, {"3D/3dmodel.model", text}});
+}
 
 const Mesh& meshIn(const Imported& imported) { return *imported.shape.get<Mesh>(); }
 
@@ -81,7 +83,7 @@ class ThreeMfTest : public QObject {
   }
 
   void closedSolidsStayClosed() {
-    const Brep solid(toShape(meshIn(readModel(model(object(1, cubeMesh), "<item objectid='1'/>")))), "cube");
+    const Brep solid(toShape(meshIn(readModel(modelXml(object(1, cubeMesh), "<item objectid='1'/>")))), "cube");
     const Mesh mesh = meshIn(roundTrip(solid, "3mf"));
     QVERIFY(meshTopology(mesh).closed());
     COMPARE_NEAR(signedVolume(mesh), 1, 1e-12);
@@ -138,8 +140,8 @@ class ThreeMfTest : public QObject {
                                      {"inch", 25.4},
                                      {"foot", 304.8},
                                      {"meter", 1000.0}}) {
-      const Imported read = readModel(model(object(1, cubeMesh), "<item objectid='1' transform='1 0 0 0 1 0 0 0 1 2 0 0'/>",
-                                            fmt::format("unit='{}'", unit)));
+      const Imported read = readModel(modelXml(
+          object(1, cubeMesh), "<item objectid='1' transform='1 0 0 0 1 0 0 0 1 2 0 0'/>", fmt::format("unit='{}'", unit)));
       COMPARE_NEAR(signedVolume(meshIn(read)), size * size * size, 1e-12 * size * size * size);
       COMPARE_NEAR(highest(meshIn(read)).x(), 3 * size, 1e-12 * size);
     }
@@ -151,7 +153,7 @@ class ThreeMfTest : public QObject {
                                                           "<components><component objectid='1'/><component objectid='1' "
                                                           "transform='-1 0 0 0 1 0 0 0 1 -3 0 0'/></components>");
     const Imported read =
-        readModel(model(pair, "<item objectid='2' transform='0 1 0 -1 0 0 0 0 1 10 20 30'/><item objectid='1'/>"));
+        readModel(modelXml(pair, "<item objectid='2' transform='0 1 0 -1 0 0 0 0 1 10 20 30'/><item objectid='1'/>"));
     const Mesh& mesh = meshIn(read);
     QVERIFY(meshTopology(mesh).closed());
     QCOMPARE(meshTopology(mesh).components.size(), std::size_t{3});
@@ -168,21 +170,23 @@ class ThreeMfTest : public QObject {
 
   void objectsOfOtherPartsAreFound() {
     const std::string root =
-        model(object(1, "<components><component objectid='7' p:path='/3D/Objects/One.model'/></components>"),
-              "<item objectid='1'/>",
-              "requiredextensions='p' xmlns:p='http://schemas.microsoft.com/3dmanufacturing/production/2015/06'");
-    const Imported read = readPackage(
-        {{"_rels/.rels", relations}, {"3D/3dmodel.model", root}, {"3D/Objects/one.model", model(object(7, cubeMesh), "")}});
+        modelXml(object(1, "<components><component objectid='7' p:path='/3D/Objects/One.model'/></components>"),
+                 "<item objectid='1'/>",
+                 "requiredextensions='p' xmlns:p='http://schemas.microsoft.com/3dmanufacturing/production/2015/06'");
+    const Imported read = readZipped({{"_rels/.rels", relationsXml},
+                                      {"3D/3dmodel.model", root},
+                                      {"3D/Objects/one.model", modelXml(object(7, cubeMesh), "")}});
     COMPARE_NEAR(signedVolume(meshIn(read)), 1, 1e-12);
     QVERIFY(read.warnings.empty());
   }
 
   void whatIsNoShapeIsCounted() {
-    const Imported read = readModel(model("<basematerials id='9'><base name='a' displaycolor='#FF0000'/></basematerials>" +
-                                              object(1, cubeMesh, "name='Part'") + object(2, cubeMesh, "type='support'"),
-                                          "<item objectid='1'/><item objectid='2'/>",
-                                          "requiredextensions='b' xmlns:b='http://schemas.microsoft.com/3dmanufacturing/"
-                                          "beamlattice/2017/02'"));
+    const Imported read =
+        readModel(modelXml("<basematerials id='9'><base name='a' displaycolor='#FF0000'/></basematerials>" +
+                               object(1, cubeMesh, "name='Part'") + object(2, cubeMesh, "type='support'"),
+                           "<item objectid='1'/><item objectid='2'/>",
+                           "requiredextensions='b' xmlns:b='http://schemas.microsoft.com/3dmanufacturing/"
+                           "beamlattice/2017/02'"));
     QCOMPARE(meshIn(read).name, std::string("Part"));
     COMPARE_NEAR(signedVolume(meshIn(read)), 1, 1e-12);
     QCOMPARE(read.skipped, (Value{{"basematerials", 1}, {"support", 1}}));
@@ -191,7 +195,7 @@ class ThreeMfTest : public QObject {
   }
 
   void namespacesMayHavePrefixes() {
-    std::string text = model(object(1, cubeMesh), "<item objectid='1'/>");
+    std::string text = modelXml(object(1, cubeMesh), "<item objectid='1'/>");
     for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; ++at)
       if (text[at + 1] != '?') text.insert(at + (text[at + 1] == '/' ? 2 : 1), "c:");
     COMPARE_NEAR(signedVolume(meshIn(readModel(text))), 1, 1e-12);
@@ -199,7 +203,7 @@ class ThreeMfTest : public QObject {
 
   void aFileThatBuildsNothingGivesItsObjects() {
     const std::string whole = object(1, cubeMesh) + object(2, "<components><component objectid='1'/></components>");
-    const Imported read = readModel(model(whole, ""));
+    const Imported read = readModel(modelXml(whole, ""));
     COMPARE_NEAR(signedVolume(meshIn(read)), 1, 1e-12);
     QCOMPARE(read.warnings.size(), std::size_t{1});
   }
@@ -207,7 +211,7 @@ class ThreeMfTest : public QObject {
   void trianglesWithoutAreaAreLeftOut() {
     std::string mesh = cubeMesh;
     mesh.insert(mesh.find("</triangles>"), "<triangle v1='0' v2='1' v3='0'/>");
-    const Imported read = readModel(model(object(1, mesh), "<item objectid='1'/>"));
+    const Imported read = readModel(modelXml(object(1, mesh), "<item objectid='1'/>"));
     QCOMPARE(meshIn(read).faceCount(), std::size_t{12});
     QCOMPARE(read.warnings.size(), std::size_t{1});
   }
@@ -222,23 +226,24 @@ class ThreeMfTest : public QObject {
     const auto broken = [&](const std::string& from, const std::string& to) {
       std::string mesh = cubeMesh;
       mesh.replace(mesh.find(from), from.size(), to);
-      return model(object(1, mesh), item);
+      return modelXml(object(1, mesh), item);
     };
     row("no xml", "rubbish", "3d/3dmodel.model");
-    row("cut off", model(object(1, cubeMesh), item).substr(0, 300), "damaged");
+    row("cut off", modelXml(object(1, cubeMesh), item).substr(0, 300), "damaged");
     row("no model", "<html/>", "not a model");
-    row("no unit", model(object(1, cubeMesh), item, "unit='furlong'"), "furlong");
-    row("no object", model(object(2, cubeMesh), item), "object \"1\"");
-    row("ids twice", model(object(1, cubeMesh) + object(1, cubeMesh), item), "two objects");
+    row("no unit", modelXml(object(1, cubeMesh), item, "unit='furlong'"), "furlong");
+    row("no object", modelXml(object(2, cubeMesh), item), "object \"1\"");
+    row("ids twice", modelXml(object(1, cubeMesh) + object(1, cubeMesh), item), "two objects");
     row("no number", broken("x='1'", "x='one'"), "x of vertex 1");
     row("not finite", broken("x='1'", "x='nan'"), "x of vertex 1");
     row("vertex beyond", broken("v2='2'", "v2='8'"), "triangle 0 uses vertex \"8\"; there are 8");
     row("negative vertex", broken("v2='2'", "v2='-2'"), "triangle 0");
-    row("no triangles", model(object(1, "<mesh/>"), item), "no face");
-    row("short transform", model(object(1, cubeMesh), "<item objectid='1' transform='1 2 3'/>"), "twelve");
-    row("flat transform", model(object(1, cubeMesh), "<item objectid='1' transform='1 0 0 0 1 0 0 0 0 0 0 0'/>"), "volume");
-    row("part of itself", model(object(1, "<components><component objectid='1'/></components>"), item), "itself");
-    row("empty", model("", ""), "no face");
+    row("no triangles", modelXml(object(1, "<mesh/>"), item), "no face");
+    row("short transform", modelXml(object(1, cubeMesh), "<item objectid='1' transform='1 2 3'/>"), "twelve");
+    row("flat transform", modelXml(object(1, cubeMesh), "<item objectid='1' transform='1 0 0 0 1 0 0 0 0 0 0 0'/>"),
+        "volume");
+    row("part of itself", modelXml(object(1, "<components><component objectid='1'/></components>"), item), "itself");
+    row("empty", modelXml("", ""), "no face");
   }
   void refusesDamage() {
     QFETCH(QString, text);
@@ -253,8 +258,8 @@ class ThreeMfTest : public QObject {
   }
 
   void otherZipsAreRefused() {
-    VERIFY_ERROR(readPackage({{"readme", "no model"}}), ErrorCode::FormatDamaged);
-    VERIFY_ERROR(readPackage({{"_rels/.rels", relations}}), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readZipped({{"readme", "no model"}}), ErrorCode::FormatDamaged);
+    VERIFY_ERROR(readZipped({{"_rels/.rels", relationsXml}}), ErrorCode::FormatDamaged);
     VERIFY_ERROR(readText("PK\3\4 and nothing more", "3mf"), ErrorCode::FormatDamaged);
     VERIFY_ERROR(readText("solid a\nendsolid a\n", "3mf"), ErrorCode::FormatDamaged);
   }
@@ -265,7 +270,7 @@ class ThreeMfTest : public QObject {
     for (int i = 2; i < 32; ++i)
       objects +=
           object(i, fmt::format("<components><component objectid='{0}'/><component objectid='{0}'/></components>", i - 1));
-    VERIFY_ERROR(readModel(model(objects, "<item objectid='31'/>")), ErrorCode::LimitExceeded);
+    VERIFY_ERROR(readModel(modelXml(objects, "<item objectid='31'/>")), ErrorCode::LimitExceeded);
   }
 };
 

@@ -10,7 +10,7 @@ using namespace blossom;
 
 namespace {
 
-Mesh tetrahedron(double x) {
+Mesh tetrahedronAt(double x) {
   Mesh mesh;
   mesh.points = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
   for (const auto& face : {std::array{0, 2, 1}, std::array{0, 1, 3}, std::array{1, 2, 3}, std::array{0, 3, 2}})
@@ -18,7 +18,7 @@ Mesh tetrahedron(double x) {
   return mesh;
 }
 
-Region square(double x, double size) {
+Region squareRegion(double x, double size) {
   Region region;
   Path path;
   path.closed = true;
@@ -28,7 +28,7 @@ Region square(double x, double size) {
   return region;
 }
 
-double valueOf(const Shape& shape, const std::string& name) {
+double measureOf(const Shape& shape, const std::string& name) {
   for (const Measure& each : measure(shape, Progress::none()).values)
     if (each.name == name)
       return std::holds_alternative<double>(each.value) ? std::get<double>(each.value)
@@ -50,22 +50,22 @@ class TogetherTest : public QObject {
 };
 
 void TogetherTest::aSingleShapeStaysWhatItIs() {
-  const Shape region = square(0, 2);
+  const Shape region = squareRegion(0, 2);
   QCOMPARE(mergedShape({{"a", region}}).kind(), ShapeKind::Region);
   QCOMPARE(mergedKind({ShapeKind::Motion}), ShapeKind::Motion);
 }
 
 void TogetherTest::meshesAreMeasuredAsTheirSum() {
-  const Shape all = mergedShape({{"a", tetrahedron(0)}, {"b", tetrahedron(5)}, {"c", tetrahedron(9)}});
-  COMPARE_NEAR(valueOf(all, "volume"), 3.0 / 6, 1e-12);
+  const Shape all = mergedShape({{"a", tetrahedronAt(0)}, {"b", tetrahedronAt(5)}, {"c", tetrahedronAt(9)}});
+  COMPARE_NEAR(measureOf(all, "volume"), 3.0 / 6, 1e-12);
   QCOMPARE(all.get<Mesh>()->faceCount(), std::size_t(12));
-  COMPARE_NEAR(valueOf(all, "components"), 3, 0);
+  COMPARE_NEAR(measureOf(all, "components"), 3, 0);
 }
 
 void TogetherTest::solidsBecomeAnAssemblyWithNames() {
   const Shape all = mergedShape({{"Box", Brep(BRepPrimAPI_MakeBox(1, 2, 3).Shape())},
                                  {"Ball", Brep(BRepPrimAPI_MakeSphere(gp_Pnt(20, 0, 0), 2).Shape())}});
-  COMPARE_NEAR(valueOf(all, "volume"), 6 + 32 * M_PI / 3, 1e-9);
+  COMPARE_NEAR(measureOf(all, "volume"), 6 + 32 * M_PI / 3, 1e-9);
   QCOMPARE(all.get<Brep>()->roots().size(), std::size_t(2));
   QCOMPARE(all.get<Brep>()->roots()[1].name, std::string("Ball"));
 }
@@ -73,20 +73,20 @@ void TogetherTest::solidsBecomeAnAssemblyWithNames() {
 void TogetherTest::drawingsKeepEveryPath() {
   Curves open;
   open.paths.push_back({{Line2{{0, 0}, {3, 4}}}, false, {}, {}});
-  const Shape all = mergedShape({{"a", square(0, 2)}, {"b", open}});
+  const Shape all = mergedShape({{"a", squareRegion(0, 2)}, {"b", open}});
   QCOMPARE(all.kind(), ShapeKind::Curves);
-  COMPARE_NEAR(valueOf(all, "length"), 8 + 5, 1e-12);
+  COMPARE_NEAR(measureOf(all, "length"), 8 + 5, 1e-12);
 }
 
 void TogetherTest::drawingsBesideSolidsHaveAnExactForm() {
-  const Shape all = mergedShape({{"a", square(10, 2)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}});
+  const Shape all = mergedShape({{"a", squareRegion(10, 2)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}});
   QCOMPARE(all.kind(), ShapeKind::Brep);
-  COMPARE_NEAR(valueOf(all, "area"), 4 + 6, 1e-9);
+  COMPARE_NEAR(measureOf(all, "area"), 4 + 6, 1e-9);
 }
 
 void TogetherTest::meshesBesideSolidsAreRefused() {
   QCOMPARE(mergedKind({ShapeKind::Mesh, ShapeKind::Brep}), ShapeKind::None);
-  VERIFY_ERROR(mergedShape({{"a", tetrahedron(0)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}}),
+  VERIFY_ERROR(mergedShape({{"a", tetrahedronAt(0)}, {"b", Brep(BRepPrimAPI_MakeBox(1, 1, 1).Shape())}}),
                ErrorCode::InvalidInput);
 }
 

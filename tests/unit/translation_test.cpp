@@ -3,8 +3,7 @@
 #include "support/support.h"
 #include "support/translations.h"
 
-using blossom::test::Message;
-using blossom::test::messagesOf;
+using namespace blossom::test;
 
 namespace {
 
@@ -49,13 +48,13 @@ void TranslationTest::everyMessageIsFinished() {
   QFETCH(QString, code);
   const auto messages = messagesOf(file(code));
   QVERIFY(messages.size() > 500);
-  for (const Message& each : messages)
+  for (const TranslatedMessage& each : messages)
     QVERIFY2(each.finished && !each.translation.isEmpty(), qPrintable(each.context + QStringLiteral(": ") + each.source));
 }
 
 void TranslationTest::placeholdersAgree() {
   QFETCH(QString, code);
-  for (const Message& each : messagesOf(file(code))) {
+  for (const TranslatedMessage& each : messagesOf(file(code))) {
     QVERIFY2(placeholders(each.source) == placeholders(each.translation), qPrintable(each.translation));
     QVERIFY2(mnemonics(each.source) == mnemonics(each.translation), qPrintable(each.translation));
     QVERIFY2(each.source.startsWith(u' ') == each.translation.startsWith(u' '), qPrintable(each.translation));
@@ -68,7 +67,7 @@ void TranslationTest::keysStayReadable() {
   QFETCH(QString, code);
   static const QRegularExpression keys(QStringLiteral("^(?:(?:Ctrl|Alt|Shift)\\+)+\\S+$|^F\\d+$|^[A-Z0-9]$"));
   int found = 0;
-  for (const Message& each : messagesOf(file(code)))
+  for (const TranslatedMessage& each : messagesOf(file(code)))
     if (keys.match(each.source).hasMatch()) {
       QCOMPARE(each.translation, each.source);
       ++found;

@@ -12,7 +12,7 @@ using namespace blossom;
 
 namespace {
 
-void waitUntil(const std::function<bool()>& reached) {
+void waitFor(const std::function<bool()>& reached) {
   while (!reached()) std::this_thread::yield();
 }
 
@@ -60,7 +60,7 @@ FeatureType numberType(const char* id, Gate* gate) {
       });
 }
 
-Feature made(const char* type, const FeatureId& id, double value, std::vector<FeatureId> inputs = {}) {
+Feature valueFeature(const char* type, const FeatureId& id, double value, std::vector<FeatureId> inputs = {}) {
   Feature feature;
   feature.id = feature.name = id;
   feature.type = type;
@@ -69,9 +69,9 @@ Feature made(const char* type, const FeatureId& id, double value, std::vector<Fe
   return feature;
 }
 
-Feature quick(const FeatureId& id, double value) { return made("test.quick", id, value); }
+Feature quick(const FeatureId& id, double value) { return valueFeature("test.quick", id, value); }
 Feature slow(const FeatureId& id, double value, std::vector<FeatureId> inputs = {}) {
-  return made("test.slow", id, value, std::move(inputs));
+  return valueFeature("test.slow", id, value, std::move(inputs));
 }
 
 /// What was shown and finished, from any thread.
@@ -135,13 +135,13 @@ void UndisturbedEvaluationTest::anUnrelatedEditDoesNotDisturb() {
   Evaluator evaluator(typesWith(gate));
   Document document = Document().with(slow("s", 1));
   evaluator.evaluateInBackground(document, {}, before.show(), before.finished());
-  waitUntil([&] { return gate.entered == 1; });
+  waitFor([&] { return gate.entered == 1; });
   constexpr int edits = 30;
   for (int i = 0; i < edits; ++i) {
     document = document.with(quick("q", i));
     evaluator.evaluateInBackground(document, {}, after.show(), after.finished());
   }
-  waitUntil([&] { return after.shown("q"); });
+  waitFor([&] { return after.shown("q"); });
   QVERIFY(!after.shown("s"));
   QCOMPARE(gate.entered.load(), 1);
   gate.open = true;
@@ -164,9 +164,11 @@ void UndisturbedEvaluationTest::quickOnesDoNotWaitForLongOnes() {
     sequence.parameters["frames"] = 4000;
     document = document.with(sequence);
   }
-  document = document.with(quick("q", 7)).with(made("test.quick", "r", 1, {"q"})).with(made("test.quick", "t", 1, {"s0"}));
+  document = document.with(quick("q", 7))
+                 .with(valueFeature("test.quick", "r", 1, {"q"}))
+                 .with(valueFeature("test.quick", "t", 1, {"s0"}));
   evaluator.evaluateInBackground(document, {}, seen.show(), seen.finished());
-  waitUntil([&] { return seen.shown("q") && seen.shown("r"); });
+  waitFor([&] { return seen.shown("q") && seen.shown("r"); });
   QVERIFY(!seen.shown("t"));
   gate.open = true;
   evaluator.waitForBackground();
@@ -181,9 +183,9 @@ void UndisturbedEvaluationTest::anEditOfItsInputCancelsAtOnce() {
   Evaluator evaluator(typesWith(gate));
   const Document document = Document().with(quick("q", 1)).with(slow("s", 10, {"q"}));
   evaluator.evaluateInBackground(document, {}, seen.show(), seen.finished());
-  waitUntil([&] { return gate.entered == 1; });
+  waitFor([&] { return gate.entered == 1; });
   evaluator.evaluateInBackground(document.with(quick("q", 2)), {}, seen.show(), seen.finished());
-  waitUntil([&] { return gate.cancelled == 1 && gate.entered == 2; });
+  waitFor([&] { return gate.cancelled == 1 && gate.entered == 2; });
   gate.open = true;
   evaluator.waitForBackground();
   QCOMPARE(seen.all().size(), std::size_t{1});
@@ -197,7 +199,7 @@ void UndisturbedEvaluationTest::whatIsRemovedIsCancelled() {
   for (const Document& after : {Document().with(quick("q", 1)), Document()}) {
     const int before = gate.entered;
     evaluator.evaluateInBackground(Document().with(slow("s", 1)), {}, seen.show(), seen.finished());
-    waitUntil([&] { return gate.entered > before; });
+    waitFor([&] { return gate.entered > before; });
     evaluator.evaluateInBackground(after, {}, seen.show(), seen.finished());
     evaluator.waitForBackground();
     QCOMPARE(gate.cancelled.load(), before + 1);
@@ -211,10 +213,10 @@ void UndisturbedEvaluationTest::whatIsForgottenBeginsAnew() {
   Evaluator evaluator(typesWith(gate));
   const Document document = Document().with(slow("s", 1));
   evaluator.evaluateInBackground(document, {}, seen.show(), seen.finished());
-  waitUntil([&] { return gate.entered == 1; });
+  waitFor([&] { return gate.entered == 1; });
   evaluator.forget();
   evaluator.evaluateInBackground(document, {}, seen.show(), seen.finished());
-  waitUntil([&] { return gate.cancelled == 1 && gate.entered == 2; });
+  waitFor([&] { return gate.cancelled == 1 && gate.entered == 2; });
   gate.open = true;
   evaluator.waitForBackground();
   QCOMPARE(seen.all().size(), std::size_t{1});
@@ -230,9 +232,9 @@ void UndisturbedEvaluationTest::whatIsBeingShownGoesOn() {
   evaluator.evaluateInBackground(
       document, {}, [&](const FeatureId&, const auto&, const Progress& progress) { drawing.pass(progress); },
       seen.finished());
-  waitUntil([&] { return drawing.entered == 1; });
+  waitFor([&] { return drawing.entered == 1; });
   evaluator.evaluateInBackground(document.with(quick("q", 2)), {}, seen.show(), seen.finished());
-  waitUntil([&] { return seen.shown("q"); });
+  waitFor([&] { return seen.shown("q"); });
   QVERIFY(!seen.shown("s"));  // what draws it will have it ready
   drawing.open = true;
   evaluator.waitForBackground();
@@ -248,7 +250,7 @@ void UndisturbedEvaluationTest::equalFeaturesAreComputedOnce() {
   Evaluator evaluator(typesWith(gate));
   const Document document = Document().with(slow("a", 3)).with(slow("b", 3));
   evaluator.evaluateInBackground(document, {}, seen.show(), seen.finished());
-  waitUntil([&] { return gate.entered == 1; });
+  waitFor([&] { return gate.entered == 1; });
   evaluator.evaluateInBackground(document.with(slow("c", 3)), {}, seen.show(), seen.finished());
   gate.open = true;
   evaluator.waitForBackground();
@@ -262,7 +264,7 @@ void UndisturbedEvaluationTest::cancellingEndsWhatWentOn() {
   Evaluator evaluator(typesWith(gate));
   const Document document = Document().with(slow("s", 1));
   evaluator.evaluateInBackground(document, {}, seen.show(), seen.finished());
-  waitUntil([&] { return gate.entered == 1; });
+  waitFor([&] { return gate.entered == 1; });
   evaluator.evaluateInBackground(document.with(quick("q", 1)), {}, seen.show(), seen.finished());
   evaluator.cancelBackground();
   evaluator.waitForBackground();
@@ -280,7 +282,7 @@ void UndisturbedEvaluationTest::endingWhileItComputes() {
     Evaluator evaluator(typesWith(gate));
     Document document = Document().with(slow("s", 1)).with(slow("t", 2));
     evaluator.evaluateInBackground(document, {}, {}, {});
-    if (i % 2 == 0) waitUntil([&] { return gate.entered >= 1; });
+    if (i % 2 == 0) waitFor([&] { return gate.entered >= 1; });
     evaluator.evaluateInBackground(document.with(quick("q", i)), {}, {}, {});
   }
 }
@@ -298,7 +300,7 @@ void UndisturbedEvaluationTest::showingHasItsShareOfTheProgress() {
       [&](const FeatureId&, const auto&, const Progress& progress) {
         atTheBeginning = reached.load();
         progress.report(0.5);
-        waitUntil([&] { return reached > 0.5; });
+        waitFor([&] { return reached > 0.5; });
         inTheMiddle = reached.load();
       },
       {});

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::size_t filesIn(const fs::path& folder) {
+std::size_t countOfFiles(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
@@ -36,7 +36,7 @@ void WriteAtomicallyTest::whatFailsLeavesTheOldFileAlone() {
                                }),
                ErrorCode::Cancelled);
   QCOMPARE(readFile(file), std::string("old"));
-  QCOMPARE(filesIn(place.path()), std::size_t(1));
+  QCOMPARE(countOfFiles(place.path()), std::size_t(1));
   VERIFY_ERROR(writeAtomically(place.path() / "no" / "folder.txt", "x"), ErrorCode::FileUnwritable);
   VERIFY_ERROR(writeAtomically(place.path(), "x"), ErrorCode::FileUnwritable);
   // A pipe stands for the devices that must not be replaced by a file.

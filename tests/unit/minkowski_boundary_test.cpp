@@ -68,11 +68,13 @@ double distanceFrom(const Polygons& polygons, const Vec2& p) {
 }
 
 /// Closed walks from point to point, which cross, touch and run over one another as they come.
-std::vector<CountedEdge> randomWalks(Random& random, int walks, int corners, std::int64_t reach, std::int64_t step) {
+std::vector<CountedEdge> randomWalks(Random& random, int walks, int corners, std::int64_t reach, std::int64_t step,
+                                     int flat = 1) {
   std::vector<CountedEdge> edges;
   const auto place = [&] {
     const auto any = [&] { return std::uniform_int_distribution<std::int64_t>(-reach, reach)(random) * step; };
-    return GridPoint{any(), any()};
+    const std::int64_t x = any();
+    return GridPoint{x / flat, any()};
   };
   for (int k = 0; k < walks; ++k) {
     GridLoop loop;
@@ -82,6 +84,14 @@ std::vector<CountedEdge> randomWalks(Random& random, int walks, int corners, std
     if (loop.size() < 2) continue;
     for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
   }
+  joinEqual(edges);
+  return edges;
+}
+
+std::vector<CountedEdge> edgesAround(const std::vector<GridLoop>& loops) {
+  std::vector<CountedEdge> edges;
+  for (const GridLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
   joinEqual(edges);
   return edges;
 }
@@ -116,28 +126,31 @@ class MinkowskiBoundaryTest : public QObject {
     QTest::addColumn<int>("corners");
     QTest::addColumn<qint64>("reach");
     QTest::addColumn<qint64>("step");
-    QTest::newRow("a small lattice, where most edges touch") << 4 << 6 << qint64(4) << qint64(1 << 20);
-    QTest::newRow("units of the grid") << 3 << 8 << qint64(30) << qint64(1);
-    QTest::newRow("the whole grid") << 3 << 12 << (qint64(1) << 46) << qint64(1);
-    QTest::newRow("many cells") << 8 << 60 << qint64(1000) << qint64(1 << 16);
-    QTest::newRow("many cells of a lattice") << 20 << 40 << qint64(6) << qint64(1 << 24);
+    QTest::addColumn<int>("flat");  // divides x, so that nearly all is upright
+    QTest::newRow("a small lattice, where most edges touch") << 4 << 6 << qint64(4) << qint64(1 << 20) << 1;
+    QTest::newRow("units of the grid") << 3 << 8 << qint64(30) << qint64(1) << 1;
+    QTest::newRow("the whole grid") << 3 << 12 << (qint64(1) << 46) << qint64(1) << 1;
+    QTest::newRow("many cells") << 8 << 60 << qint64(1000) << qint64(1 << 16) << 1;
+    QTest::newRow("upright, some units wide") << 5 << 9 << qint64(6000) << qint64(1) << 1000;
+    QTest::newRow("many cells of a lattice") << 20 << 40 << qint64(6) << qint64(1 << 24) << 1;
   }
   void windingNumbersDecide() {
     QFETCH(int, walks);
     QFETCH(int, corners);
     QFETCH(qint64, reach);
     QFETCH(qint64, step);
+    QFETCH(int, flat);
     Random random = seededRandom();
     int tried = 0;
     for (int k = 0; k < (corners > 20 ? 6 : 150); ++k) {
-      const std::vector<CountedEdge> edges = randomWalks(random, walks, corners, reach, step);
+      const std::vector<CountedEdge> edges = randomWalks(random, walks, corners, reach, step, flat);
       for (const Inside rule : {Inside::Positive, Inside::NonZero, Inside::Hollow}) {
         const Polygons faces = windingFaces(edges, Progress::none(), rule);
         for (int i = 0; i < 40; ++i) {
           const auto any = [&] {
             return std::uniform_int_distribution<std::int64_t>(-reach * step, reach * step)(random) * 2 + 1;
           };
-          verifyAt({any(), any()}, edges, faces, rule, tried);
+          verifyAt({(any() / flat) | 1, any()}, edges, faces, rule, tried);
           if (QTest::currentTestFailed()) return;
         }
       }
@@ -170,20 +183,41 @@ class MinkowskiBoundaryTest : public QObject {
   void interlockedHolesBelongToThePartAroundThem() {
     const GridLoop square{{-1000, -1000}, {3000, -1000}, {3000, 3000}, {-1000, 3000}},
         hook{{0, 0}, {0, 1000}, {1400, 1000}, {1400, 400}, {1200, 400}, {1200, 800}, {200, 800}, {200, 0}};
-    std::vector<CountedEdge> edges;
-    const auto add = [&](const GridLoop& loop) {
-      for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
-    };
-    add(square);
-    add(hook);  // clockwise
     GridLoop other;
     for (const GridPoint& p : hook) other.push_back({2000 - p.x, 1150 - p.y});
-    add(other);
-    joinEqual(edges);
+    const std::vector<CountedEdge> edges = edgesAround({square, hook, other});  // the hooks run clockwise
     const Polygons faces = windingFaces(edges);
     QCOMPARE(faces.size(), std::size_t{1});
     QCOMPARE(faces.front().holes.size(), std::size_t{2});
     QCOMPARE(minkowski::area(faces), 16e6 - 2 * 520e3);
+  }
+
+  void everyHoleBelongsToThePartAroundIt_data() {
+    QTest::addColumn<std::vector<GridLoop>>("loops");
+    QTest::addColumn<int>("holes");
+    QTest::addColumn<double>("area");
+    const GridLoop square{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}},
+        diamond{{0, 0}, {-200, 200}, {0, 400}, {200, 200}};
+    QTest::newRow("above a slot of a unit")
+        << std::vector{square, GridLoop{{-2, -500}, {-2, -100}, {-1, -100}, {-1, -500}}, diamond} << 2 << 4e6 - 400 - 80e3;
+    // Its lowest corner is the crossing (.6, 0) of a steep side, which is far below it half a unit to the left.
+    const GridLoop box{{-10000, -50}, {10000, -50}, {10000, 20000}, {-10000, 20000}},
+        below{{-1000, -50}, {1000, -50}, {1000, -2000}, {-1000, -2000}},
+        steep{{0, -600}, {10, 9400}, {6213, 501}, {-49, -4}};
+    QTest::newRow("with a steep side") << std::vector{box, below, steep} << 1 << -1.0;
+    // The lowest corner of the part is the crossing (-1.5, -300.5) of its own sides.
+    const GridLoop eared{{-302, -601}, {1000, 701}, {1000, 2000}, {-1000, 2000}, {-1000, 698}, {298, -600}, {298, -601}};
+    QTest::newRow("above a crossing on a half") << std::vector{eared, diamond} << 1 << -1.0;
+  }
+  void everyHoleBelongsToThePartAroundIt() {
+    QFETCH(std::vector<GridLoop>, loops);
+    QFETCH(int, holes);
+    QFETCH(double, area);
+    const Polygons faces = windingFaces(edgesAround(loops));
+    std::size_t found = 0;
+    for (const Polygon& part : faces) found += part.holes.size();
+    QCOMPARE(found, static_cast<std::size_t>(holes));
+    if (area > 0) COMPARE_NEAR(minkowski::area(faces), area, 1e-9 * area);
   }
 
   void oneThreadGivesTheSame() {

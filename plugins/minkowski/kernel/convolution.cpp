@@ -66,12 +66,12 @@ std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop) {
 /// Edges that are joined when they become too many: those of a lattice are few.
 class EdgePile {
  public:
-  explicit EdgePile(const Effort& effort) : effort_(effort) {}
+  EdgePile(const Effort& effort, const Progress& progress) : effort_(effort), progress_(progress) {}
 
   void add(const CountedEdge& edge) {
     edges_.push_back(edge);
     if (edges_.size() < full_) return;
-    joinEqual(edges_);
+    joinEqual(edges_, progress_);
     effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
     if (edges_.size() > maximumEdges)
       throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than three million edges.",
@@ -79,13 +79,14 @@ class EdgePile {
     full_ = std::max(full_, 2 * edges_.size());
   }
   std::vector<CountedEdge> joined() && {
-    joinEqual(edges_);
+    joinEqual(edges_, progress_);
     effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
     return std::move(edges_);
   }
 
  private:
   const Effort& effort_;
+  const Progress& progress_;
   std::vector<CountedEdge> edges_;
   std::size_t full_ = 100'000;
 };
@@ -167,14 +168,17 @@ void pairUp(const PartSides& a, const PartSides& b, EdgePile& edges, const Progr
 
 }  // namespace
 
-void joinEqual(std::vector<CountedEdge>& edges) {
+void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {
   for (CountedEdge& edge : edges)
     if (edge.to < edge.from) {
       std::swap(edge.from, edge.to);
       edge.count = -edge.count;
     }
-  std::sort(edges.begin(), edges.end(),
-            [](const CountedEdge& a, const CountedEdge& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
+  std::size_t compared = 0;
+  std::sort(edges.begin(), edges.end(), [&](const CountedEdge& a, const CountedEdge& b) {
+    if (++compared % 65536 == 0) progress.check();
+    return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+  });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < edges.size();) {
     CountedEdge sum = edges[i];
@@ -190,7 +194,7 @@ void joinEqual(std::vector<CountedEdge>& edges) {
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
                                      const Progress& progress, const Effort& effort) {
   const std::vector<PartSides> partsA = partsOf(a, progress), partsB = partsOf(b, progress);
-  EdgePile edges(effort);
+  EdgePile edges(effort, progress);
   for (std::size_t i = 0; i < partsA.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(partsA.size()), "Pairing edges");
     for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);

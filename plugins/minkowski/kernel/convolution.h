@@ -16,7 +16,7 @@ struct CountedEdge {
 };
 
 /// Directs every edge from its lower to its higher point, adds the counts of equal edges and removes edges with count 0.
-void joinEqual(std::vector<CountedEdge>&);
+void joinEqual(std::vector<CountedEdge>&, const Progress& = Progress::none());
 
 /// The convolution of two sets. Its winding number at x is the number of components of A intersected with x - B, so it is
 /// positive exactly inside A + B. An edge is paired with every vertex of the other set whose turn contains the edge's

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace blossom::minkowski {
 namespace {
@@ -21,8 +23,8 @@ GridLoop snapped(const Loop& loop, const Grid& grid) {
   return points;
 }
 
-/// An outline as it comes out of rounding. A speck becomes its box, for a part must not vanish: what is added to it is as
-/// large as the other set.
+/// An outline as it comes out of rounding; empty when that has made it a line. A speck becomes its box, for a part must not
+/// vanish: what is added to it is as large as the other set.
 GridLoop outlineOf(const GridLoop& points) {
   GridPoint low = points.front(), high = points.front();
   for (const GridPoint& p : points) {
@@ -32,6 +34,31 @@ GridLoop outlineOf(const GridLoop& points) {
   if (high.x - low.x > speck || high.y - low.y > speck) return cleaned(points);
   high = {std::max(high.x, low.x + 1), std::max(high.y, low.y + 1)};
   return {low, {high.x, low.y}, high, {low.x, high.y}};
+}
+
+/// Strips of two units along the edges of an outline that rounding has made a line or a tree of lines.
+std::vector<GridLoop> stripsAlong(const GridLoop& points) {
+  GridLoop corners;
+  for (const GridPoint& p : points) {
+    if (!corners.empty() && corners.back() == p) continue;
+    if (corners.size() >= 2) {
+      const GridPoint in = corners.back() - corners[corners.size() - 2], out = p - corners.back();
+      if (cross(in, out) == 0 && dot(in, out) > 0) corners.pop_back();
+    }
+    corners.push_back(p);
+  }
+  std::set<std::pair<GridPoint, GridPoint>> edges;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (const auto [low, high] = std::minmax({corners[i], corners[(i + 1) % corners.size()]}); low != high)
+      edges.insert({low, high});
+  std::vector<GridLoop> strips;
+  for (const auto& [low, high] : edges) {
+    const GridPoint along = high - low;
+    const bool upright = std::abs(along.y) > along.x;
+    const GridPoint aside = upright ? GridPoint{along.y > 0 ? -1 : 1, 0} : GridPoint{0, 1};  // to the left
+    strips.push_back({low - aside, high - aside, high + aside, low + aside});
+  }
+  return strips;
 }
 
 /// A corner that is kept, and how far at most the outline that was given strays from the edge that leads to it.
@@ -145,7 +172,10 @@ std::vector<GridPolygon> snapped(const Polygons& polygons, const Grid& grid) {
   for (const Polygon& polygon : polygons) {
     const GridLoop points = snapped(polygon.outer, grid);
     GridPolygon image{outlineOf(points), {}};
-    if (image.outer.empty()) continue;
+    if (image.outer.empty()) {
+      for (GridLoop& strip : stripsAlong(points)) result.push_back({std::move(strip), {}});
+      continue;
+    }
     for (const Loop& hole : polygon.holes)
       if (GridLoop loop = cleaned(snapped(hole, grid)); !loop.empty()) image.holes.push_back(std::move(loop));
     result.push_back(std::move(image));

@@ -41,7 +41,8 @@ struct Grid {
 double gridUnit(const Vec2& largestSize);
 /// The loop without repeated points, collinear corners and antennas; empty when nothing is left.
 GridLoop cleaned(const GridLoop&);
-/// Rounds to the nearest grid points. Parts smaller than the grid become boxes; slivers and holes that collapse are removed.
+/// Rounds to the nearest grid points. Parts smaller than the grid become boxes or strips
+/// of two units, which may overlap; slivers and holes that collapse are removed.
 std::vector<GridPolygon> snapped(const Polygons&, const Grid&);
 /// Converts grid coordinates to the plane, without collinear points and without parts smaller than the grid's unit or two
 /// units in the last place of the coordinates, whichever is larger.

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double pixel = 1;       // an edge is bent through vertices within it
 constexpr double clearance = 16;  // beyond it, what earlier roundings did (some units) has changed no order
-constexpr int maximumRounds = 100;
 
 Vec2 asVec(const GridPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -85,7 +84,7 @@ bool cutOnce(std::vector<CountedEdge>& edges, const Progress& progress) {
       from = to;
     }
   }
-  joinEqual(pieces);
+  joinEqual(pieces, progress);
   edges = std::move(pieces);
   return true;
 }
@@ -126,7 +125,8 @@ std::vector<GridPolygon> onGrid(const Polygons& polygons) {
 }  // namespace
 
 std::vector<CountedEdge> snapRounded(std::vector<CountedEdge> edges, const Progress& progress) {
-  for (int round = 0; round < maximumRounds; ++round)
+  // Each round but the last bends an edge through another vertex.
+  for (std::size_t rounds = edges.size() + 100; rounds > 0; --rounds)
     if (!cutOnce(edges, progress)) return edges;
   throw Error(ErrorCode::Internal, "Rounding the shapes of a sum does not come to an end.",
               "Please report this with the shapes.");

@@ -8,7 +8,8 @@
 namespace blossom::minkowski {
 
 /// Iterated snap rounding (Halperin & Packer 2002): edges within a unit of a vertex are routed through it and crossings
-/// become vertices, until edges meet only in common end points. No vertex moves by more than a few units.
+/// become vertices, until edges meet only in common end points. An edge drifts by less than a unit a round, of which there
+/// rarely are more than three.
 /// @pre edges run from the lower to the higher point and differ
 /// @throws Error Cancelled; Internal when it does not converge.
 std::vector<CountedEdge> snapRounded(std::vector<CountedEdge>, const Progress& = Progress::none());

@@ -8,23 +8,11 @@ namespace blossom {
 
 void FloatBox::add(const Vec3& p) {
   for (std::size_t k = 0; k < 3; ++k) {
+    // What lies inside is the usual case, and rounding takes long.
     const double value = p[static_cast<Eigen::Index>(k)];
-    low[k] = std::min(low[k], std::nextafter(static_cast<float>(value), std::numeric_limits<float>::lowest()));
-    high[k] = std::max(high[k], std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max()));
+    if (value < low[k]) low[k] = std::nextafter(static_cast<float>(value), std::numeric_limits<float>::lowest());
+    if (value > high[k]) high[k] = std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max());
   }
-}
-
-void FloatBox::add(const FloatBox& box) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], box.low[k]);
-    high[k] = std::max(high[k], box.high[k]);
-  }
-}
-
-float FloatBox::area() const {
-  if (empty()) return 0;
-  const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-  return x * y + y * z + z * x;
 }
 
 class RayTree::Builder {
@@ -52,12 +40,16 @@ class RayTree::Builder {
     return items_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
   }
   static float middle(const FloatBox& box, std::size_t axis) { return (box.low[axis] + box.high[axis]) / 2; }
+  static FloatBox middleOf(const FloatBox& box) {
+    const std::array<float, 3> at{middle(box, 0), middle(box, 1), middle(box, 2)};
+    return {at, at};
+  }
 
   void split(std::size_t node, int first, int count, int depth) {
     FloatBox all, middles;
     for (int i = first; i < first + count; ++i) {
       all.add(box(i));
-      middles.add(Vec3(middle(box(i), 0), middle(box(i), 1), middle(box(i), 2)));
+      middles.add(middleOf(box(i)));
     }
     nodes_[node] = {all, first, count};
     if (count <= fewest || depth >= deepest) return;
@@ -73,13 +65,14 @@ class RayTree::Builder {
   // Puts the items of the left child in front. @returns how many they are.
   int divide(int first, int count, const FloatBox& middles) {
     Cut best;
-    for (std::size_t axis = 0; axis < 3; ++axis) tryAxis(axis, first, count, middles, best);
+    fillBins(first, count, middles);
+    for (std::size_t axis = 0; axis < 3; ++axis) tryAxis(axis, count, best);
     const auto begin = order_.begin() + first, end = begin + count;
     const auto half = begin + count / 2;
     if (best.bin >= 0) {
-      const auto middleOf = [&](int item) { return middle(items_[static_cast<std::size_t>(item)], best.axis); };
-      const auto border =
-          std::partition(begin, end, [&](int item) { return binOf(middleOf(item), best.axis, middles) <= best.bin; });
+      const auto border = std::partition(begin, end, [&](int item) {
+        return binOf(middle(items_[static_cast<std::size_t>(item)], best.axis), best.axis, middles) <= best.bin;
+      });
       if (border != begin && border != end) return static_cast<int>(border - begin);
     }
     return static_cast<int>(half - begin);  // all middles are one point
@@ -90,15 +83,22 @@ class RayTree::Builder {
     return std::clamp(static_cast<int>((value - middles.low[axis]) / width * bins), 0, bins - 1);
   }
 
-  void tryAxis(std::size_t axis, int first, int count, const FloatBox& middles, Cut& best) const {
-    if (!(middles.high[axis] > middles.low[axis])) return;
-    std::array<FloatBox, bins> boxes;
-    std::array<int, bins> counts{};
+  /// The boxes of the items in each bin of each axis, in one pass.
+  void fillBins(int first, int count, const FloatBox& middles) {
+    bins_ = {};
     for (int i = first; i < first + count; ++i) {
-      const auto bin = static_cast<std::size_t>(binOf(middle(box(i), axis), axis, middles));
-      boxes[bin].add(box(i));
-      ++counts[bin];
+      const FloatBox& item = box(i);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!(middles.high[axis] > middles.low[axis])) continue;
+        const auto bin = static_cast<std::size_t>(binOf(middle(item, axis), axis, middles));
+        bins_[axis].boxes[bin].add(item);
+        ++bins_[axis].counts[bin];
+      }
     }
+  }
+
+  void tryAxis(std::size_t axis, int count, Cut& best) const {
+    const auto& [boxes, counts] = bins_[axis];
     std::array<float, bins> rightCost{};
     FloatBox right;
     int rightCount = 0;
@@ -117,7 +117,13 @@ class RayTree::Builder {
     }
   }
 
+  struct Bins {
+    std::array<FloatBox, bins> boxes;
+    std::array<int, bins> counts{};
+  };
+
   const std::vector<FloatBox>& items_;
+  std::array<Bins, 3> bins_;
   std::vector<Node>& nodes_;
   std::vector<int>& order_;
 };

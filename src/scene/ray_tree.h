@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -15,8 +16,18 @@ struct FloatBox {
   std::array<float, 3> high{std::numeric_limits<float>::lowest(), std::numeric_limits<float>::lowest(),
                             std::numeric_limits<float>::lowest()};
   void add(const Vec3&);
-  void add(const FloatBox&);
-  [[nodiscard]] float area() const;  ///< half the surface area
+  void add(const FloatBox& box) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], box.low[k]);
+      high[k] = std::max(high[k], box.high[k]);
+    }
+  }
+  /// Half the surface area.
+  [[nodiscard]] float area() const {
+    if (empty()) return 0;
+    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return x * y + y * z + z * x;
+  }
   [[nodiscard]] bool empty() const { return low[0] > high[0]; }
 };
 

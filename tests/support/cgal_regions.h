@@ -3,15 +3,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>
 #include <CGAL/Polygon_vertical_decomposition_2.h>
-#include <CGAL/minkowski_sum_2.h>
 
 #include <vector>
 
 #include "geometry/planar/planar.h"
 #include "geometry/planar/region.h"
 
-/// Planar regions as CGAL's exact polygons, and CGAL's own Minkowski sums of them: the peer of ours. It takes a minute to
-/// compile, so one test includes it.
+/// Planar regions as CGAL's exact polygons, and CGAL's own Minkowski sums of them.
 namespace blossom::test {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -58,17 +56,8 @@ inline Part withoutFilledHoles(const Part& part, const Part& other) {
 
 enum class Method { Decomposed, Convolved };
 
-/// The parts' sums united.
-inline Set sumOf(const Parts& a, const Parts& b, Method method) {
-  Set total;
-  for (const Part& partA : a)
-    for (const Part& partB : b) {
-      const Part p = withoutFilledHoles(partA, partB), q = withoutFilledHoles(partB, partA);
-      total.join(method == Method::Decomposed ? CGAL::minkowski_sum_2(p, q, Decomposition())
-                                              : CGAL::minkowski_sum_by_reduced_convolution_2(p, q));
-    }
-  return total;
-}
+/// The parts' sums united. In planar_peer.cpp.
+Set sumOf(const Parts& a, const Parts& b, Method method);
 
 inline double areaOf(const Set& set) {
   Kernel::FT sum = 0;

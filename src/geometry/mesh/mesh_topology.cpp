@@ -20,6 +20,21 @@ struct HalfEdge {
   int corner;  ///< where it starts
 };
 
+/// Sorted by their vertices, those of one edge in the order given: counted by the lower vertex, at which few begin.
+std::vector<HalfEdge> sortedByEnds(const std::vector<HalfEdge>& halfEdges, std::size_t vertices) {
+  std::vector<std::size_t> firsts(vertices + 1, 0);
+  for (const HalfEdge& half : halfEdges) ++firsts[static_cast<std::size_t>(half.low) + 1];
+  std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
+  std::vector<HalfEdge> sorted(halfEdges.size());
+  std::vector<std::size_t> next(firsts.begin(), firsts.end() - 1);
+  for (const HalfEdge& half : halfEdges) sorted[next[static_cast<std::size_t>(half.low)]++] = half;
+  const auto at = [&](std::size_t k) { return sorted.begin() + static_cast<std::ptrdiff_t>(k); };
+  for (std::size_t v = 0; v < vertices; ++v)
+    std::sort(at(firsts[v]), at(firsts[v + 1]),
+              [](const HalfEdge& a, const HalfEdge& b) { return a.high != b.high ? a.high < b.high : a.corner < b.corner; });
+  return sorted;
+}
+
 std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh, const Progress& progress) {
   std::vector<HalfEdge> result;
   result.reserve(mesh.faceVertices.size());
@@ -37,9 +52,7 @@ std::vector<HalfEdge> sortedHalfEdges(const Mesh& mesh, const Progress& progress
                         mesh.faceStarts[f] + static_cast<int>(k)});
     }
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const HalfEdge& a, const HalfEdge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-  return result;
+  return sortedByEnds(result, mesh.points.size());
 }
 
 std::vector<MeshEdge> edgesOf(const std::vector<HalfEdge>& halfEdges) {

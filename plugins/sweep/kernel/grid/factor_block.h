@@ -25,7 +25,7 @@ struct FactorRow {
   double fromMiddle;
 };
 
-inline FactorRow factorRow(const FactorGrid& grid, std::size_t k, std::size_t column) {
+BLOSSOM_INLINE FactorRow factorRow(const FactorGrid& grid, std::size_t k, std::size_t column) {
   return {grid.rows(k) + column, grid.basisU(k), grid.basisDerivativesU(k), grid.stride(),
           grid.degreeU(),        grid.span(k),   grid.fromMiddle(k)};
 }

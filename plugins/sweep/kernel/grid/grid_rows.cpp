@@ -1,8 +1,10 @@
 #include "kernel/grid/grid_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.h"
 #include "kernel/grid/factor_block.h"
 #include "kernel/grid/frame_arithmetic.h"
 #include "kernel/grid/vector_width.h"
@@ -10,6 +12,9 @@
 namespace blossom::sweep {
 
 namespace {
+
+/// Rows that one thread evaluates at a time: with a block of columns some tens of microseconds.
+constexpr std::size_t bandSize = 64;
 
 BLOSSOM_INLINE Triple unit(const Triple& n) {
   // A vanishing normal stays zero: the smallest double under the root keeps the division finite.
@@ -37,10 +42,10 @@ struct OutputBlock {
 struct Order {
   std::size_t first = 0, second = 1, third = 2;
 };
-Order endingWith(std::size_t axis) { return {(axis + 1) % 3, (axis + 2) % 3, axis}; }
+BLOSSOM_INLINE Order endingWith(std::size_t axis) { return {(axis + 1) % 3, (axis + 2) % 3, axis}; }
 
 template <class T, class Vectors>
-Arrays<T> arraysAt(Vectors& from, const Order& order, std::size_t at) {
+BLOSSOM_INLINE Arrays<T> arraysAt(Vectors& from, const Order& order, std::size_t at) {
   return {from[order.first].data() + at, from[order.second].data() + at, from[order.third].data() + at};
 }
 
@@ -111,13 +116,13 @@ BLOSSOM_INLINE void combineOnAxis(const FactorBlock& r, const FactorBlock& s, do
 }
 
 /// The axis of the moving frame on which p lies; 3 when it lies on none.
-std::size_t axisOf(const Vec3& p) {
+BLOSSOM_INLINE std::size_t axisOf(const Vec3& p) {
   if (p.x() == 0 && p.y() == 0) return 2;
   if (p.y() == 0 && p.z() == 0) return 0;
   return p.z() == 0 && p.x() == 0 ? 1 : 3;
 }
 
-OutputBlock outputAt(MotionGrid& grid, const Order& order, std::size_t at) {
+BLOSSOM_INLINE OutputBlock outputAt(MotionGrid& grid, const Order& order, std::size_t at) {
   const std::size_t derivative = grid.du[0].empty() ? 0 : at;
   return {arraysAt<double>(grid.point, order, at), arraysAt<double>(grid.normal, order, at),
           arraysAt<double>(grid.du, order, derivative), arraysAt<double>(grid.dv, order, derivative)};
@@ -182,8 +187,16 @@ GridFactors tabulateFactors(const Motion& motion, std::span<const double> us, st
 }
 
 void evaluateRows(const GridFactors& factors, const GridRectangle& part, MotionGrid& grid) {
-  for (std::size_t begin = part.columns.begin; begin < part.columns.end; begin += blockSize)
-    evaluateBlock(factors, part.rows, begin, grid);
+  const auto piecesOf = [](const GridRange& range, std::size_t size) { return (range.end - range.begin + size - 1) / size; };
+  const std::size_t blocks = piecesOf(part.columns, blockSize), bands = piecesOf(part.rows, bandSize);
+  const auto evaluate = [&](std::size_t from, std::size_t to) {
+    for (std::size_t piece = from; piece < to; ++piece) {
+      const std::size_t first = part.rows.begin + piece % bands * bandSize;
+      const GridRange rows{first, std::min(first + bandSize, part.rows.end)};
+      evaluateBlock(factors, rows, part.columns.begin + piece / bands * blockSize, grid);
+    }
+  };
+  parallelFor(blocks * bands, 2, Progress::none(), evaluate);
 }
 
 GridRange wholeBlocks(const GridRange& columns, std::size_t count) {

@@ -25,7 +25,8 @@ inline constexpr std::size_t blockSize = 32;
 GridRange wholeBlocks(const GridRange& columns, std::size_t count);
 
 /// Points and unit normals of a rectangle of the grid, whose arrays have their final sizes; derivatives too when `grid` has
-/// arrays for them. The columns of the rectangle are whole blocks. O(places * degreeU).
+/// arrays for them. The columns of the rectangle are whole blocks. Runs on all cores, with
+/// the same result for any number. O(places * degreeU).
 ///
 /// The general formula is x = t + R a with a = s p / sw, x_u = R (a_u + W_u x a), W_u = 2 vec(conj(r) r_u) / |r|^2 (the
 /// body's angular velocity). Where p lies on an axis e of the moving frame, a = a e and x = t + a c with c = vec(r e

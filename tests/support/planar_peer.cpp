@@ -1,34 +1,21 @@
-#pragma once
+#include "support/planar_peer.h"
+
 #include <CGAL/Arr_curve_data_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/minkowski_sum_2.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <numeric>
-#include <span>
-#include <utility>
-#include <vector>
 
-#include "minkowski/kernel/winding_faces.h"
+#include "support/cgal_regions.h"
 
-/// What edges wind around, read off the faces of CGAL's exact arrangement: the oracle of minkowski's own boundaries. Nothing
-/// is walked: parts and holes are counted by flooding faces. It takes as long as the edges have crossings.
 namespace blossom::test {
 
-struct ArrangedFaces {
-  double area = 0;
-  std::size_t parts = 0;                        ///< whose faces are connected across edges
-  std::size_t holes = 0;                        ///< of each part, what is enclosed by it
-  std::vector<std::pair<Vec2, Vec2>> boundary;  ///< with the inside to the left
-};
+namespace {
 
-namespace arranged {
-
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Segments = CGAL::Arr_segment_traits_2<Kernel>;
 using Traits =
     CGAL::Arr_curve_data_traits_2<Segments, int, std::plus<>>;  // how often a segment counts from its lower end on
@@ -41,7 +28,7 @@ using Face = Arrangement::Face_handle;
 using Halfedge = Arrangement::Halfedge_handle;
 
 /// Edges on one line, cut where others begin or end and joined: CGAL 5.5's sweep fails on some that lie over one another.
-inline std::vector<minkowski::CountedEdge> withoutOverlaps(std::span<const minkowski::CountedEdge> edges) {
+std::vector<minkowski::CountedEdge> withoutOverlaps(std::span<const minkowski::CountedEdge> edges) {
   using minkowski::CountedEdge, minkowski::GridPoint, minkowski::Wide;
   using Line = std::pair<GridPoint, Wide>;
   std::map<Line, std::map<GridPoint, int>> lines;  // by how much the count changes at each point
@@ -93,7 +80,7 @@ void flood(const Face& seed, Within within, Visit visit) {
 }
 
 /// The unbounded face is outside by every rule.
-inline void wind(Arrangement& arrangement, minkowski::Inside rule) {
+void wind(Arrangement& arrangement, minkowski::Inside rule) {
   const Face unbounded = arrangement.unbounded_face();
   unbounded->set_data({true, false, 0, -1});
   std::vector<Face> open{unbounded};
@@ -114,14 +101,14 @@ inline void wind(Arrangement& arrangement, minkowski::Inside rule) {
   }
 }
 
-inline std::vector<Face> facesOf(Arrangement& arrangement) {
+std::vector<Face> facesOf(Arrangement& arrangement) {
   std::vector<Face> faces;
   for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face) faces.emplace_back(face);
   return faces;
 }
 
 /// Twice the area to the left of the edges of a face, about a point near them.
-inline Kernel::FT doubleArea(const Face& face, const Kernel::Point_2& origin) {
+Kernel::FT doubleArea(const Face& face, const Kernel::Point_2& origin) {
   Kernel::FT sum = 0;
   forEachEdge(face, [&](const Halfedge& edge) {
     sum += CGAL::determinant(edge->source()->point() - origin, edge->target()->point() - origin);
@@ -130,7 +117,7 @@ inline Kernel::FT doubleArea(const Face& face, const Kernel::Point_2& origin) {
 }
 
 /// The parts of what does not belong to a part, as far as the part separates them by edges; the unbounded one is no hole.
-inline std::size_t holesOf(std::vector<Face>& faces, int part, std::vector<int>& partOf) {
+std::size_t holesOf(std::vector<Face>& faces, int part, std::vector<int>& partOf) {
   std::map<const void*, std::size_t> number;
   for (std::size_t i = 0; i < faces.size(); ++i) number[&*faces[i]] = i;
   std::vector<bool> seen(faces.size(), false);
@@ -147,10 +134,9 @@ inline std::size_t holesOf(std::vector<Face>& faces, int part, std::vector<int>&
   return floods - 1;
 }
 
-}  // namespace arranged
+}  // namespace
 
-inline ArrangedFaces arrangedFaces(std::span<const minkowski::CountedEdge> edges, minkowski::Inside rule) {
-  using namespace arranged;
+ArrangedFaces arrangedFaces(std::span<const minkowski::CountedEdge> edges, minkowski::Inside rule) {
   const auto at = [](const minkowski::GridPoint& p) {
     return Kernel::Point_2(static_cast<double>(p.x), static_cast<double>(p.y));
   };
@@ -184,6 +170,29 @@ inline ArrangedFaces arrangedFaces(std::span<const minkowski::CountedEdge> edges
   for (std::size_t part = 0; part < result.parts; ++part) result.holes += holesOf(faces, static_cast<int>(part), partOf);
   result.area = CGAL::to_double(area / 2);
   return result;
+}
+
+Set sumOf(const Parts& a, const Parts& b, Method method) {
+  Set total;
+  for (const Part& partA : a)
+    for (const Part& partB : b) {
+      const Part p = withoutFilledHoles(partA, partB), q = withoutFilledHoles(partB, partA);
+      total.join(method == Method::Decomposed ? CGAL::minkowski_sum_2(p, q, Decomposition())
+                                              : CGAL::minkowski_sum_by_reduced_convolution_2(p, q));
+    }
+  return total;
+}
+
+std::function<double()> reducedConvolution(const Region& a, const Region& b) {
+  return [a = partsOf(a), b = partsOf(b)] {
+    if (a.size() > 1 || b.size() > 1) return areaOf(sumOf(a, b, Method::Convolved));
+    // Without the union of one.
+    const Part sum = CGAL::minkowski_sum_by_reduced_convolution_2(withoutFilledHoles(a.front(), b.front()),
+                                                                  withoutFilledHoles(b.front(), a.front()));
+    Kernel::FT area = sum.outer_boundary().area();
+    for (const Ring& hole : sum.holes()) area += hole.area();
+    return CGAL::to_double(area);
+  };
 }
 
 }  // namespace blossom::test

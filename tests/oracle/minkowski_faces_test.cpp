@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "minkowski/kernel/snap_rounding.h"
-#include "support/arrangement_faces.h"
+#include "support/planar_peer.h"
 #include "support/random.h"
 #include "support/support.h"
 
@@ -126,7 +126,7 @@ struct Differences {
 }  // namespace
 
 /// The boundaries of sums and differences against the faces of CGAL's exact arrangement of the same convolutions.
-class MinkowskiFacesCgalTest : public QObject {
+class MinkowskiFacesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -158,5 +158,5 @@ class MinkowskiFacesCgalTest : public QObject {
   }
 };
 
-BLOSSOM_TEST(MinkowskiFacesCgalTest)
-#include "minkowski_faces_cgal_test.moc"
+BLOSSOM_TEST(MinkowskiFacesTest)
+#include "minkowski_faces_test.moc"

@@ -41,7 +41,7 @@ for way in automatic explicit bottom-up recursive; do
 done
 
 # 4: long sums run in the worker; short ones need none
-long=(star:120:50:20 star:121:40:10)
+long=(star:400:50:20 star:401:40:10)
 equal "4: a short sum where no helper can start" "$(BLOSSOM_WORKER=/nonexistent planar minkowski-sum star:5:20:8 star:6:20:8 | json kind)" region
 equal "4: a long sum where no helper can start" "$(BLOSSOM_WORKER=/nonexistent planar minkowski-sum "${long[@]}" | json code)" FileNotFound
 "$bin/blossom" minkowski-sum "${long[@]}" --json >/dev/null 2>&1 & pid=$!

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "minkowski/kernel/snap_rounding.h"
+#include "support/boundary_distance.h"
 #include "support/planar_peer.h"
 #include "support/random.h"
 #include "support/support.h"
@@ -74,28 +75,6 @@ std::vector<GridPolygon> operand(Random& random, int kind, bool first) {
   }
 }
 
-double distanceTo(const std::vector<std::pair<Vec2, Vec2>>& edges, const Vec2& p) {
-  double nearest = HUGE_VAL;
-  for (const auto& [a, b] : edges) {
-    const Vec2 along = b - a;
-    const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-    nearest = std::min(nearest, (p - a - t * along).norm());
-  }
-  return nearest;
-}
-
-std::vector<std::pair<Vec2, Vec2>> boundaryOf(const Polygons& polygons) {
-  std::vector<std::pair<Vec2, Vec2>> edges;
-  const auto add = [&](const minkowski::Loop& loop) {
-    for (std::size_t i = 0; i < loop.size(); ++i) edges.emplace_back(loop[i], loop[(i + 1) % loop.size()]);
-  };
-  for (const minkowski::Polygon& polygon : polygons) {
-    add(polygon.outer);
-    for (const minkowski::Loop& hole : polygon.holes) add(hole);
-  }
-  return edges;
-}
-
 std::size_t holesIn(const Polygons& polygons) {
   std::size_t holes = 0;
   for (const minkowski::Polygon& polygon : polygons) holes += polygon.holes.size();
@@ -108,7 +87,6 @@ struct Differences {
   int parts = 0, holes = 0;
 
   void add(const Polygons& ours, const ArrangedFaces& wanted) {
-    const std::vector<std::pair<Vec2, Vec2>> mine = boundaryOf(ours);
     double size = 0, length = 0;
     for (const auto& [a, b] : wanted.boundary) size = std::max({size, a.norm(), b.norm()}), length += (b - a).norm();
     if (size == 0) {
@@ -116,8 +94,7 @@ struct Differences {
       return;
     }
     area = std::max(area, std::abs(minkowski::area(ours) - wanted.area) / (size * length));
-    for (const auto& [a, b] : mine) distance = std::max(distance, distanceTo(wanted.boundary, a) / size);
-    for (const auto& [a, b] : wanted.boundary) distance = std::max(distance, distanceTo(mine, a) / size);
+    distance = std::max(distance, distanceBetween(sidesOf(ours), wanted.boundary) / size);
     parts += ours.size() == wanted.parts ? 0 : 1;
     holes += holesIn(ours) == wanted.holes ? 0 : 1;
   }

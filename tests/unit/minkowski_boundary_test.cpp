@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "core/parallel.h"
+#include "minkowski/kernel/winding_cells.h"
 #include "minkowski/kernel/winding_faces.h"
 #include "support/random.h"
 #include "support/support.h"
@@ -218,6 +222,30 @@ class MinkowskiBoundaryTest : public QObject {
     for (const Polygon& part : faces) found += part.holes.size();
     QCOMPARE(found, static_cast<std::size_t>(holes));
     if (area > 0) COMPARE_NEAR(minkowski::area(faces), area, 1e-9 * area);
+  }
+
+  /// A thousandth of the size, in one corner.
+  void detailHasCellsOfItsOwn() {
+    const std::int64_t side = std::int64_t(1) << 40;
+    GridLoop star;
+    double starArea = 0;
+    for (int k = 3000; k > 0; --k) {  // clockwise
+      const double radius = k % 2 == 0 ? 5e8 : 4.9e8, angle = 2 * std::numbers::pi * k / 3000;
+      star.push_back(
+          {side / 1000 + std::llround(radius * std::cos(angle)), side / 1000 + std::llround(radius * std::sin(angle))});
+    }
+    for (std::size_t k = 0; k < star.size(); ++k)
+      starArea -= static_cast<double>(cross(star[k] - star[0], star[(k + 1) % star.size()] - star[0])) / 2;
+    const std::vector<CountedEdge> edges = edgesAround({{{0, 0}, {side, 0}, {side, side}, {0, side}}, star});
+    const WindingRule rule{std::numeric_limits<int>::min(), 0};
+    const double alone = WindingCells(edgesAround({star}), rule, Progress::none()).pairs(),
+                 framed = WindingCells(edges, rule, Progress::none()).pairs();
+    QVERIFY2(framed < 2 * alone, qPrintable(QString("%1, %2 alone").arg(framed).arg(alone)));
+    const Polygons faces = windingFaces(edges);
+    QCOMPARE(faces.size(), std::size_t{1});
+    QCOMPARE(faces.front().holes.size(), std::size_t{1});
+    const double whole = static_cast<double>(side) * static_cast<double>(side);
+    COMPARE_NEAR(minkowski::area(faces), whole - starArea, 1e-9 * whole);
   }
 
   void oneThreadGivesTheSame() {

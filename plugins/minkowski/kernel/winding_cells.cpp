@@ -35,29 +35,29 @@ WindingCells::WindingCells(std::span<const CountedEdge> edges, WindingRule rule,
 
 void WindingCells::layOut(std::span<const CountedEdge> edges) {
   const Bounds box = boundsOf(edges);
-  twiceX0_ = 2 * box.low.x - 1;
-  twiceY0_ = 2 * box.low.y - 1;
   const std::int64_t width = box.high.x - box.low.x + 1, height = box.high.y - box.low.y + 1;
   const auto count = [](std::int64_t side, std::int64_t size) { return (side + size - 1) / size; };
   const auto cellsFor = [&](std::int64_t size) {
     return static_cast<double>(count(width, size)) * static_cast<double>(count(height, size));
   };
   constexpr std::int64_t smallest = 16;  // several times the unit by which lists reach beyond a cell
-  size_ = std::max(width, height);
+  std::int64_t size = std::max(width, height);
   const double wanted = edges.size() <= fewEdges ? 1 : static_cast<double>(edges.size()) / edgesPerCell;
   double length = 0;
   for (const CountedEdge& edge : edges)
     length += static_cast<double>(edge.to.x - edge.from.x) + std::abs(static_cast<double>(edge.to.y - edge.from.y));
   constexpr double listed = 4e7;  // entries of all lists: some hundred megabytes
-  while (size_ > smallest && 2 * length <= listed * static_cast<double>(size_) && cellsFor(size_ / 2) <= wanted &&
-         std::max(width, height) / (size_ / 2) < longestSide)
-    size_ /= 2;
-  columns_ = static_cast<int>(count(width, size_));
-  rows_ = static_cast<int>(count(height, size_));
-}
-
-WindingCells::Cell WindingCells::cellOf(const GridPoint& p) const {
-  return {static_cast<int>((2 * p.x - twiceX0_) / (2 * size_)), static_cast<int>((2 * p.y - twiceY0_) / (2 * size_))};
+  while (size > smallest && 2 * length <= listed * static_cast<double>(size) && cellsFor(size / 2) <= wanted &&
+         std::max(width, height) / (size / 2) < longestSide)
+    size /= 2;
+  columns_ = CellBorders(box.low.x, box.high.x, size);
+  rows_ = CellBorders(box.low.y, box.high.y, size);
+  if (edges.size() <= fewEdges) return;
+  std::vector<std::int64_t> places(edges.size());
+  std::transform(edges.begin(), edges.end(), places.begin(), [](const CountedEdge& e) { return e.from.x; });
+  columns_.refine(places, smallest);
+  std::transform(edges.begin(), edges.end(), places.begin(), [](const CountedEdge& e) { return e.from.y; });
+  rows_.refine(places, smallest);
 }
 
 double WindingCells::pairs() const {
@@ -73,54 +73,49 @@ int WindingCells::rowAt(const CountedEdge& edge, int border) const {
   const GridPoint by = edge.to - edge.from;
   const std::int64_t x = borderX(border);
   const double run = static_cast<double>(x - 2 * edge.from.x) / (2 * static_cast<double>(by.x));
-  const double y = static_cast<double>(edge.from.y) - 0.5 * static_cast<double>(twiceY0_) + run * static_cast<double>(by.y);
-  const auto size = static_cast<double>(size_);
-  const double row = y / size;
-  const double nearest = std::round(row);
-  if (std::abs(row - nearest) * size > 1) return static_cast<int>(std::floor(row));
-  const int above = static_cast<int>(nearest);
-  return sideOf(edge.from, edge.to, x, borderY(above)) <= 0 ? above : above - 1;  // the corner lies on the edge or below it
+  const double y = rows_.fromFirst(edge.from.y) + run * static_cast<double>(by.y);
+  const int row = rows_.cellAt(y);
+  const int nearest = y - rows_.at(row) < rows_.at(row + 1) - y ? row : row + 1;
+  if (std::abs(y - rows_.at(nearest)) > 1) return row;
+  return sideOf(edge.from, edge.to, x, borderY(nearest)) <= 0 ? nearest : nearest - 1;  // the corner on the edge or below it
 }
 
 void WindingCells::windCorners(std::span<const CountedEdge> edges, const Progress& progress) {
-  corners_.assign(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), 0);
+  corners_.assign(static_cast<std::size_t>(columns_.cells() + 1) * static_cast<std::size_t>(rows_.cells() + 1), 0);
   for (const CountedEdge& edge : edges) {
     progress.check();
     const int first = cellOf(edge.from).column, last = cellOf(edge.to).column;
     for (int border = first + 1; border <= last; ++border)
       corners_[cornerIndex(border, rowAt(edge, border) + 1)] += edge.count;
   }
-  for (int column = 0; column <= columns_; ++column)
-    for (int row = 1; row <= rows_; ++row) corners_[cornerIndex(column, row)] += corners_[cornerIndex(column, row - 1)];
+  for (int column = 0; column <= columns_.cells(); ++column)
+    for (int row = 1; row <= rows_.cells(); ++row)
+      corners_[cornerIndex(column, row)] += corners_[cornerIndex(column, row - 1)];
 }
 
 /// All cells within a unit of the edge, and perhaps some more.
 template <class Visit>
 void WindingCells::forEachCellNear(const CountedEdge& edge, Visit visit) const {
   const GridPoint by = edge.to - edge.from;
-  const auto size = static_cast<double>(size_);
-  const double x0 = 0.5 * static_cast<double>(twiceX0_), y0 = 0.5 * static_cast<double>(twiceY0_);
-  const double ax = static_cast<double>(edge.from.x) - x0, ay = static_cast<double>(edge.from.y) - y0;
+  const double ax = columns_.fromFirst(edge.from.x), ay = rows_.fromFirst(edge.from.y);
   const double bx = ax + static_cast<double>(by.x), high = ay + static_cast<double>(by.y);
   constexpr double reach = 1.5;  // a unit, and the rounding of what is computed here
-  const auto inRange = [](double cell, int count) { return std::clamp(static_cast<int>(std::floor(cell)), 0, count - 1); };
-  const int first = inRange((ax - reach) / size, columns_), last = inRange((bx + reach) / size, columns_);
+  const int first = columns_.cellAt(ax - reach), last = columns_.cellAt(bx + reach);
   const double slope = by.x == 0 ? 0 : static_cast<double>(by.y) / static_cast<double>(by.x);
   for (int column = first; column <= last; ++column) {
     double from = ay, to = high;
     if (first != last && by.x != 0) {
-      const double left = std::max(ax, column * size - reach), right = std::min(bx, (column + 1) * size + reach);
+      const double left = std::max(ax, columns_.at(column) - reach), right = std::min(bx, columns_.at(column + 1) + reach);
       if (left > ax) from = ay + (left - ax) * slope;
       if (right < bx) to = ay + (right - ax) * slope;
     }
-    const int low = inRange((std::min(from, to) - reach) / size, rows_),
-              top = inRange((std::max(from, to) + reach) / size, rows_);
+    const int low = rows_.cellAt(std::min(from, to) - reach), top = rows_.cellAt(std::max(from, to) + reach);
     for (int row = low; row <= top; ++row) visit(Cell{column, row});
   }
 }
 
 void WindingCells::listEdges(std::span<const CountedEdge> edges, WindingRule rule, const Progress& progress) {
-  const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  const std::size_t cells = static_cast<std::size_t>(columns_.cells()) * static_cast<std::size_t>(rows_.cells());
   std::vector<int> changes(cells, 0);
   firsts_.assign(cells + 1, 0);
   for (const CountedEdge& edge : edges) {
@@ -130,8 +125,8 @@ void WindingCells::listEdges(std::span<const CountedEdge> edges, WindingRule rul
       ++firsts_[index(cell) + 1];
     });
   }
-  for (int column = 0; column < columns_; ++column)
-    for (int row = 0; row < rows_; ++row) {
+  for (int column = 0; column < columns_.cells(); ++column)
+    for (int row = 0; row < rows_.cells(); ++row) {
       const Cell cell{column, row};
       const int winding = windingBelow(column, row), change = changes[index(cell)];
       const bool in = winding - change > rule.high || winding + change < rule.low;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "kernel/cell_borders.h"
 #include "kernel/convolution.h"
 
 namespace blossom::minkowski {
@@ -13,9 +14,10 @@ struct WindingRule {
   [[nodiscard]] bool inside(int winding) const { return winding < low || winding > high; }
 };
 
-/// A uniform grid over edges. The winding number at one corner of each cell comes exactly from sums along columns; a cell
-/// whose edges cannot change whether it is inside is certified and left out, the others list the edges that come near them.
-/// Borders lie at half-integers, so no end of an edge lies on one.
+/// A grid over edges, with equal cells where the edges are spread evenly and more of them where they crowd. The winding
+/// number at one corner of each cell comes exactly from sums along columns; a cell whose edges cannot change whether it is
+/// inside is certified and left out, the others list the edges that come near them. Borders lie at half-integers, so no end
+/// of an edge lies on one.
 /// @pre edges as joinEqual returns them: from the lower to the higher point.
 class WindingCells {
  public:
@@ -26,9 +28,11 @@ class WindingCells {
   WindingCells(std::span<const CountedEdge>, WindingRule, const Progress&);
 
   /// Twice the coordinate of a border, an odd number.
-  [[nodiscard]] std::int64_t borderX(int column) const { return twiceX0_ + 2 * size_ * column; }
-  [[nodiscard]] std::int64_t borderY(int row) const { return twiceY0_ + 2 * size_ * row; }
-  [[nodiscard]] Cell cellOf(const GridPoint&) const;
+  [[nodiscard]] std::int64_t borderX(int column) const { return columns_.twice(column); }
+  [[nodiscard]] std::int64_t borderY(int row) const { return rows_.twice(row); }
+  [[nodiscard]] Cell cellOf(const GridPoint& p) const {
+    return {columns_.cellAt(columns_.fromFirst(p.x)), rows_.cellAt(rows_.fromFirst(p.y))};
+  }
 
   /// Winding number just below the corner of the borders `column` and `row`.
   [[nodiscard]] int windingBelow(int column, int row) const { return corners_[cornerIndex(column, row)]; }
@@ -60,10 +64,10 @@ class WindingCells {
 
  private:
   [[nodiscard]] std::size_t index(const Cell& c) const {
-    return static_cast<std::size_t>(c.column) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(c.row);
+    return static_cast<std::size_t>(c.column) * static_cast<std::size_t>(rows_.cells()) + static_cast<std::size_t>(c.row);
   }
   [[nodiscard]] std::size_t cornerIndex(int column, int row) const {
-    return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_ + 1) + static_cast<std::size_t>(row);
+    return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_.cells() + 1) + static_cast<std::size_t>(row);
   }
   template <class Visit>
   void forEachCellNear(const CountedEdge&, Visit) const;
@@ -71,8 +75,7 @@ class WindingCells {
   void windCorners(std::span<const CountedEdge>, const Progress&);
   void listEdges(std::span<const CountedEdge>, WindingRule, const Progress&);
 
-  int columns_ = 1, rows_ = 1;
-  std::int64_t twiceX0_ = 0, twiceY0_ = 0, size_ = 1;
+  CellBorders columns_{0, 0, 1}, rows_{0, 0, 1};
   std::vector<int> corners_;
   std::vector<std::uint32_t> firsts_, lists_;
 };

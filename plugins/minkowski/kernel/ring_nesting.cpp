@@ -47,7 +47,7 @@ class Nest {
     const GridPoint by = e.to - e.from, along = d.to - d.from;
     const Fraction t = fraction(cross(d.from - e.from, along), cross(by, along));
     const std::int64_t reach = line.twice - 2 * line.turned(e.from).x;
-    return compareProducts(t.over, 2 * line.turned(by).x, reach, t.under) < 0;
+    return compareProducts(t.over, Wide(2) * line.turned(by).x, reach, t.under) < 0;
   }
   [[nodiscard]] bool passes(std::size_t piece, const ProbeLine& line) const {
     const BoundaryPiece& p = pieces_[piece];

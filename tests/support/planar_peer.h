@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/planar/region.h"
-#include "minkowski/kernel/winding_faces.h"
+#include "minkowski/kernel/winding/winding_faces.h"
 
 /// What CGAL makes of the same planar input: the oracle of minkowski's boundaries and the peer of its speed. It takes most
 /// of a minute to compile, so that is done once.

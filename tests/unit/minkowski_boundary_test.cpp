@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "core/parallel.h"
-#include "minkowski/kernel/winding_cells.h"
-#include "minkowski/kernel/winding_faces.h"
+#include "minkowski/kernel/winding/winding_cells.h"
+#include "minkowski/kernel/winding/winding_faces.h"
 #include "support/random.h"
 #include "support/support.h"
 

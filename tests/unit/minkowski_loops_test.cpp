@@ -3,7 +3,7 @@
 #include "minkowski/kernel/flattening.h"
 #include "minkowski/kernel/nesting.h"
 #include "minkowski/kernel/snap_rounding.h"
-#include "minkowski/kernel/winding_faces.h"
+#include "minkowski/kernel/winding/winding_faces.h"
 #include "support/regions.h"
 #include "support/support.h"
 

@@ -17,48 +17,16 @@
 #include "scene/camera.h"
 #include "scene/shading.h"
 #include "ui/thread/refreshes.h"
+#include "ui/view/item_paint.h"
 
 namespace blossom::ui {
 
 namespace {
 
-struct Opacity {
-  double faces = 1, edges = 1;
-};
-
-Opacity opacityOf(Presence presence) {
-  switch (presence) {
-    case Presence::Outdated:
-      return {0.3, 0.3};
-    case Presence::Failed:
-      return {0.35, 0.9};
-    case Presence::SteppedBack:
-      return {0.1, 0.45};
-    case Presence::Beneath:
-      return {0.22, 0.8};
-    case Presence::Whole:
-      break;
-  }
-  return {};
-}
-
 /// Cuts of hints and of controls stay open, so that those of the results are seen.
 bool isFilled(const SceneData& scene, Presence presence) {
   return scene.solid && presence != Presence::SteppedBack && presence != Presence::Beneath;
 }
-
-void setColor(vtkActor& actor, const Color& color) { actor.GetProperty()->SetColor(color.red, color.green, color.blue); }
-
-/// Lines alone fade into the background: a single translucent thing costs every frame two passes over the whole picture.
-void fadeByColor(vtkActor& actor, const Look& look) {
-  vtkProperty& property = *actor.GetProperty();
-  const double* c = property.GetColor();
-  const Color background = mixed(look.backgroundTop, look.backgroundBottom, 0.5);
-  setColor(actor, mixed(background, {c[0], c[1], c[2]}, property.GetOpacity()));
-  property.SetOpacity(1);
-}
-
-bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
 
 /// The faces of a study are those of the scene, and know their curvatures.
 SceneData drawnData(const SceneData& scene, const SurfaceStudy* study) {
@@ -365,62 +333,9 @@ void ViewItems::placeCaps(vtkCamera& camera, double millimetresPerPixel) const {
 
 vtkPlane* ViewItems::clip() const { return section_ ? clip_.Get() : nullptr; }
 
-// Only colours change: the geometry stays on the card.
 void ViewItems::paint(const FeatureId& id, const Shown& shown) const {
-  const bool hovered = !id.empty() && id == hovered_;
-  for (const auto& actor : shown.actors) {
-    const ActorRole part = roleOf(actor);
-    const Opacity opacity = opacityOf(shown.presence);
-    actor->GetProperty()->SetOpacity(part == ActorRole::Faces ? opacity.faces : opacity.edges);
-    layer(*actor, shown);
-    if (part == ActorRole::Faces) paintFaces(*actor, shown, hovered);
-    if (part == ActorRole::Edges) paintEdges(*actor, shown, hovered);
-    if (part == ActorRole::Edges && !shown.scene.faces) fadeByColor(*actor, look_);
-    if (part == ActorRole::IsoCurves) paintIsoCurves(*actor, shown);
-    if (part == ActorRole::Points) actor->GetProperty()->SetPointSize(static_cast<float>(look_.pointSize));
-  }
-}
-
-// Drawings lie in one plane: controls under all else, what is made over it.
-void ViewItems::layer(vtkActor& actor, const Shown& shown) {
-  if (!isDrawing(shown.scene)) return;
-  const bool under = shown.presence == Presence::Beneath || shown.presence == Presence::SteppedBack;
-  const int step = under ? 4 : shown.role == ItemRole::Made ? 0 : 2;
-  vtkMapper& mapper = *actor.GetMapper();
-  mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(1 + step, 1 + 2 * step);
-  mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-3 + step, -6 + 2 * step);
-}
-
-void ViewItems::paintFaces(vtkActor& actor, const Shown& shown, bool hovered) const {
-  const bool plain = shown.role == ItemRole::Plain, made = shown.role == ItemRole::Made;
-  const Color accent = made ? look_.made : look_.control;
-  Color color;
-  if (shown.scene.planar)
-    color = mixed(mixed(look_.backgroundTop, look_.backgroundBottom, 0.5), plain ? look_.curve : accent, made ? 0.88 : 0.2);
-  else
-    color = plain ? look_.surface : mixed(look_.surface, accent, made ? 0.92 : 0.55);
-  setColor(actor, hovered ? mixed(color, plain ? look_.control : Color{1, 1, 1}, 0.2) : color);
-}
-
-void ViewItems::paintEdges(vtkActor& actor, const Shown& shown, bool hovered) const {
-  const bool drawing = isDrawing(shown.scene), plain = shown.role == ItemRole::Plain;
-  const Color accent = shown.role == ItemRole::Made ? look_.made : look_.control;
-  Color color;
-  if (drawing)
-    color = plain ? look_.curve : accent;
-  else
-    color = plain ? look_.edge : mixed(accent, look_.edge, 0.62);
-  if (shown.presence == Presence::Failed) color = look_.fault;
-  setColor(actor, hovered ? mixed(color, plain ? look_.control : accent, 0.75) : color);
-  const double width = look_.edgeWidth * (drawing ? 1.5 : 1.1) * (hovered ? 1.35 : 1);
-  actor.GetProperty()->SetLineWidth(static_cast<float>(width));
-}
-
-void ViewItems::paintIsoCurves(vtkActor& actor, const Shown& shown) const {
-  const Color& accent = shown.role == ItemRole::Made ? look_.made : look_.control;
-  const Color& face = shown.role == ItemRole::Plain ? look_.surface : accent;
-  setColor(actor, mixed(look_.edge, face, 0.25));
-  actor.GetProperty()->SetLineWidth(static_cast<float>(look_.edgeWidth));
+  const ItemPaint paint{shown.scene, shown.role, shown.presence, look_, !id.empty() && id == hovered_};
+  for (const auto& actor : shown.actors) paintActor(*actor, paint);
 }
 
 bool ViewItems::planar() const {

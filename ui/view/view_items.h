@@ -14,25 +14,13 @@
 #include "scene/surface_study.h"
 #include "ui/plugin/tool.h"
 #include "ui/view/display_mode.h"
+#include "ui/view/item_paint.h"
 
 class vtkCamera;
 class vtkPlane;
 class vtkRenderer;
 
 namespace blossom::ui {
-
-/// How a shape takes part in what is being done, and thereby its colour.
-enum class ItemRole { Plain, Made, Control };
-
-/// How far a shape is what there is now.
-enum class Presence {
-  Whole,
-  Outdated,    ///< that of an older document: drawn faintly
-  Failed,      ///< the last one before its feature failed: drawn faintly, with edges in the colour of faults
-  Beneath,     ///< a control shape: translucent, under the result
-  SteppedBack  ///< not what is edited, but what it is made of or goes into: a hint of it, found by the mouse where nothing
-               ///< else is
-};
 
 struct ViewItem {
   FeatureId id;
@@ -114,10 +102,6 @@ class ViewItems {
   void hide(Shown&);
   void finish(Shown&);
   void paint(const FeatureId&, const Shown&) const;
-  void paintFaces(vtkActor&, const Shown&, bool hovered) const;
-  void paintEdges(vtkActor&, const Shown&, bool hovered) const;
-  void paintIsoCurves(vtkActor&, const Shown&) const;
-  static void layer(vtkActor&, const Shown&);
   [[nodiscard]] bool isReplaced(const FeatureId&) const;
   void markReplaced();
   void applyMode(const Shown&) const;

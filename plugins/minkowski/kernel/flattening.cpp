@@ -15,7 +15,7 @@
 #include "kernel/bounding_polyline.h"
 #include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
-#include "kernel/winding_faces.h"
+#include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
 namespace {

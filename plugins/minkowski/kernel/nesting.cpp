@@ -4,7 +4,7 @@
 #include <set>
 
 #include "kernel/snap_rounding.h"
-#include "kernel/winding_faces.h"
+#include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -6,7 +6,7 @@
 #include "kernel/grid.h"
 #include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
-#include "kernel/winding_faces.h"
+#include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/error.h"
 #include "geometry/numeric/box_tree.h"
-#include "kernel/wide_products.h"
-#include "kernel/winding_faces.h"
+#include "kernel/winding/wide_products.h"
+#include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
 namespace {

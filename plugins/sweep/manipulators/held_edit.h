@@ -3,7 +3,7 @@
 
 #include "manipulators/drag_target.h"
 #include "manipulators/live_edit.h"
-#include "manipulators/pull_grip.h"
+#include "manipulators/marks/pull_grip.h"
 
 namespace blossom::sweep {
 

@@ -1,7 +1,7 @@
 #include "manipulators/factors/factors_tool.h"
+#include "manipulators/marks/validity_marks.h"
 #include "manipulators/motion_overlay.h"
 #include "manipulators/surface_pull_tool.h"
-#include "manipulators/validity_marks.h"
 
 BLOSSOM_MANIPULATORS(registry) {
   using namespace blossom;

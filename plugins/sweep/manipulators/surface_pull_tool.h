@@ -5,7 +5,7 @@
 #include "manipulators/held_edit.h"
 #include "manipulators/insert_edit.h"
 #include "manipulators/lingering_picture.h"
-#include "manipulators/pull_grip.h"
+#include "manipulators/marks/pull_grip.h"
 #include "manipulators/pull_mode.h"
 #include "manipulators/surface_loader.h"
 #include "manipulators/typed_goal.h"

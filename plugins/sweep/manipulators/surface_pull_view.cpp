@@ -3,7 +3,7 @@
 
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
-#include "manipulators/pull_marks.h"
+#include "manipulators/marks/pull_marks.h"
 #include "manipulators/surface_pull_tool.h"
 
 namespace blossom::sweep {

@@ -277,7 +277,7 @@ class ShapeMesher {
 
   void addEdges() {
     joints_.emplace(result_.points.size());
-    TopTools_IndexedMapOfShape numbers;  // the map with the faces counts in another order where there are free edges
+    TopTools_IndexedMapOfShape numbers;  // that of the faces counts otherwise where there are free edges
     TopExp::MapShapes(shape_, TopAbs_EDGE, numbers);
     TopTools_IndexedDataMapOfShapeListOfShape edges;
     TopExp::MapShapesAndUniqueAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, edges);

@@ -2,7 +2,7 @@
 #include <QWidget>
 
 #include "core/vector.h"
-#include "manipulators/pull_ring.h"
+#include "manipulators/marks/pull_ring.h"
 
 namespace blossom::sweep {
 

@@ -1,4 +1,4 @@
-#include "manipulators/pull_ring.h"
+#include "manipulators/marks/pull_ring.h"
 
 #include <Eigen/Geometry>
 #include <array>

@@ -1,9 +1,9 @@
-#include "kernel/winding_cells.h"
+#include "kernel/winding/winding_cells.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/wide_products.h"
+#include "kernel/winding/wide_products.h"
 
 namespace blossom::minkowski {
 namespace {

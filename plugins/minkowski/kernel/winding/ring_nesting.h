@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/boundary_pieces.h"
+#include "kernel/winding/boundary_pieces.h"
 
 namespace blossom::minkowski {
 

@@ -1,4 +1,4 @@
-#include "manipulators/validity_marks.h"
+#include "manipulators/marks/validity_marks.h"
 
 #include <QCoreApplication>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "kernel/boundary_pieces.h"
+#include "kernel/winding/boundary_pieces.h"
 
 #include <algorithm>
 #include <memory>
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "kernel/wide_products.h"
+#include "kernel/winding/wide_products.h"
 
 namespace blossom::minkowski {
 namespace {

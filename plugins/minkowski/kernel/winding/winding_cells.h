@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/cell_borders.h"
 #include "kernel/convolution.h"
+#include "kernel/winding/cell_borders.h"
 
 namespace blossom::minkowski {
 

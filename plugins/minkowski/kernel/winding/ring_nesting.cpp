@@ -1,11 +1,11 @@
-#include "kernel/ring_nesting.h"
+#include "kernel/winding/ring_nesting.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "kernel/wide_products.h"
+#include "kernel/winding/wide_products.h"
 
 namespace blossom::minkowski {
 namespace {

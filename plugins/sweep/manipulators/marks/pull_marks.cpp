@@ -1,4 +1,4 @@
-#include "manipulators/pull_marks.h"
+#include "manipulators/marks/pull_marks.h"
 
 #include <vtkProp.h>
 

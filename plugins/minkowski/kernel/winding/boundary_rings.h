@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/boundary_pieces.h"
 #include "kernel/polygons.h"
+#include "kernel/winding/boundary_pieces.h"
 
 namespace blossom::minkowski {
 

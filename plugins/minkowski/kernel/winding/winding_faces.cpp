@@ -1,8 +1,8 @@
-#include "kernel/winding_faces.h"
+#include "kernel/winding/winding_faces.h"
 
 #include <limits>
 
-#include "kernel/boundary_rings.h"
+#include "kernel/winding/boundary_rings.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "manipulators/edit_region.h"
+#include "manipulators/marks/pull_ring.h"
 #include "manipulators/place_under_mouse.h"
-#include "manipulators/pull_ring.h"
 #include "ui/plugin/tool.h"
 #include "ui/tools/typed_text.h"
 

@@ -1,4 +1,4 @@
-#include "kernel/cell_borders.h"
+#include "kernel/winding/cell_borders.h"
 
 #include <cmath>
 #include <cstddef>

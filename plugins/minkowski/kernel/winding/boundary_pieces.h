@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/winding_cells.h"
+#include "kernel/winding/winding_cells.h"
 
 namespace blossom::minkowski {
 

@@ -1,4 +1,4 @@
-#include "kernel/boundary_rings.h"
+#include "kernel/winding/boundary_rings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "core/error.h"
-#include "kernel/ring_nesting.h"
+#include "kernel/winding/ring_nesting.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/wide_products.h"
+#include "kernel/winding/wide_products.h"
 
 #include <cmath>
 

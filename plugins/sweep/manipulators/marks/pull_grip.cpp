@@ -1,4 +1,4 @@
-#include "manipulators/pull_grip.h"
+#include "manipulators/marks/pull_grip.h"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/look/preferences.h"
+#include "ui/look/text.h"
 #include "ui/look/theme.h"
 #include "ui/panel/fault_bar.h"
 #include "ui/panel/property_panel.h"

@@ -56,6 +56,7 @@ void PullMarks::copies(const std::vector<Vec3>& all) { points(all, host_.look().
 void PullMarks::chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& pinned) {
   points(moved, host_.look().control, pointPixels);
   std::vector<std::vector<Vec3>> squares;
+  squares.reserve(pinned.size());
   for (const Vec3& at : pinned) squares.push_back(squareOnScreen(at, facing_, pinPixels));
   seamed(squares, host_.look().control, 2);
   points(pinned, host_.look().control, copyPixels / 2);

@@ -8,6 +8,8 @@
 
 namespace blossom::ui {
 
+bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
+
 namespace {
 
 struct Opacity {
@@ -40,8 +42,6 @@ void fadeByColor(vtkActor& actor, const Look& look) {
   setColor(actor, mixed(background, {c[0], c[1], c[2]}, property.GetOpacity()));
   property.SetOpacity(1);
 }
-
-bool isDrawing(const SceneData& scene) { return !scene.faces || scene.planar; }
 
 /// Drawings lie in one plane: controls under all else, what is made over it.
 void layer(vtkActor& actor, const ItemPaint& shown) {

@@ -27,6 +27,9 @@ struct ItemPaint {
   bool hovered;
 };
 
+/// Curves, or faces that lie in one plane.
+bool isDrawing(const SceneData&);
+
 /// Colours, opacity, widths and the layer of one actor. Its geometry stays on the graphics card.
 void paintActor(vtkActor&, const ItemPaint&);
 

@@ -4,8 +4,10 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "minkowski/kernel/snap_rounding.h"
 #include "minkowski/kernel/winding/winding_cells.h"
 #include "minkowski/kernel/winding/winding_faces.h"
+#include "support/boundary_distance.h"
 #include "support/random.h"
 #include "support/support.h"
 
@@ -55,22 +57,6 @@ int coverOf(const Polygons& polygons, const Vec2& p) {
   return cover;
 }
 
-double distanceFrom(const Polygons& polygons, const Vec2& p) {
-  double nearest = HUGE_VAL;
-  const auto add = [&](const Loop& loop) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2 a = loop[i], along = loop[(i + 1) % loop.size()] - a;
-      const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-      nearest = std::min(nearest, (p - a - t * along).norm());
-    }
-  };
-  for (const Polygon& part : polygons) {
-    add(part.outer);
-    for (const Loop& hole : part.holes) add(hole);
-  }
-  return nearest;
-}
-
 /// Closed walks from point to point, which cross, touch and run over one another as they come.
 std::vector<CountedEdge> randomWalks(Random& random, int walks, int corners, std::int64_t reach, std::int64_t step,
                                      int flat = 1) {
@@ -93,11 +79,9 @@ std::vector<CountedEdge> randomWalks(Random& random, int walks, int corners, std
 }
 
 std::vector<CountedEdge> edgesAround(const std::vector<GridLoop>& loops) {
-  std::vector<CountedEdge> edges;
-  for (const GridLoop& loop : loops)
-    for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
-  joinEqual(edges);
-  return edges;
+  std::vector<GridPolygon> polygons;
+  for (const GridLoop& loop : loops) polygons.push_back({loop, {}});
+  return edgesOf(polygons);
 }
 
 bool isInside(int winding, Inside rule) {
@@ -116,7 +100,7 @@ class MinkowskiBoundaryTest : public QObject {
                        int& tried) {
     const Vec2 p(static_cast<double>(probe.x) / 2, static_cast<double>(probe.y) / 2);
     const std::optional<int> winding = windingAt(probe, edges);
-    if (!winding || distanceFrom(faces, p) < 0.1) return;
+    if (!winding || distanceFrom(sidesOf(faces), p) < 0.1) return;
     if (rule == Inside::Hollow && *winding <= 0) return;  // inside only where something encloses it
     ++tried;
     QVERIFY2(

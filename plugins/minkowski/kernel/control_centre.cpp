@@ -1,7 +1,9 @@
 #include "kernel/control_centre.h"
 
 #include <cmath>
+#include <vector>
 
+#include "geometry/numeric/boxes.h"
 #include "geometry/planar/planar.h"
 
 namespace blossom::minkowski {
@@ -13,7 +15,7 @@ struct Moments {
   double twice = 0;
   Vec2 moment = Vec2::Zero();
 
-  void add(const Loop& loop) {
+  void add(const std::vector<Vec2>& loop) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Vec2 a = loop[i] - about, b = loop[(i + 1) % loop.size()] - about;
       moment += blossom::cross(a, b) * (a + b);
@@ -25,12 +27,9 @@ struct Moments {
 
 }  // namespace
 
-Vec2 centroid(const Polygons& polygons) {
-  Moments moments{polygons.front().outer.front()};
-  for (const Polygon& polygon : polygons) {
-    moments.add(polygon.outer);
-    for (const Loop& hole : polygon.holes) moments.add(hole);
-  }
+Vec2 centroid(const Region& region, double chord) {
+  Moments moments{startPoint(region.loops.front())};
+  for (const Path& loop : region.loops) moments.add(flatten(loop, chord));
   return moments.centre();
 }
 

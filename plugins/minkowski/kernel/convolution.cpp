@@ -27,16 +27,18 @@ Extent extentOf(const GridLoop& loop) {
 struct Corner {
   GridPoint at, first, last;
   int sign = 1;
+  std::uint32_t number = CornerNumbers::unknown;
 };
 
-std::vector<Corner> cornersOf(const GridLoop& loop) {
+/// @param numbers none when nobody asks what edges come from
+std::vector<Corner> cornersOf(const GridLoop& loop, const CornerNumbers* numbers) {
   std::vector<Corner> corners;
   corners.reserve(loop.size());
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
     const GridPoint in = loop[i] - loop[(i + n - 1) % n], out = loop[(i + 1) % n] - loop[i];
     if (cross(in, out) > 0)
-      corners.push_back({loop[i], in, out, 1});
+      corners.push_back({loop[i], in, out, 1, numbers ? numbers->of(loop[i]) : CornerNumbers::unknown});
     else
       corners.push_back({loop[i], out, in, -1});
   }
@@ -51,13 +53,17 @@ bool before(const GridPoint& a, const GridPoint& b) {
 
 struct DirectedEdge {
   GridPoint from, to;
+  std::uint32_t number = CornerNumbers::unknown;
   [[nodiscard]] GridPoint direction() const { return to - from; }
 };
 
-std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop) {
+std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop, const CornerNumbers* numbers) {
   std::vector<DirectedEdge> edges;
   edges.reserve(loop.size());
-  for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const GridPoint &from = loop[i], &to = loop[(i + 1) % loop.size()];
+    edges.push_back({from, to, numbers ? numbers->ofEdge(from, to) : CornerNumbers::unknown});
+  }
   std::sort(edges.begin(), edges.end(),
             [](const DirectedEdge& a, const DirectedEdge& b) { return before(a.direction(), b.direction()); });
   return edges;
@@ -66,7 +72,18 @@ std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop) {
 /// Edges that are joined when they become too many: those of a lattice are few.
 class EdgePile {
  public:
-  EdgePile(const Effort& effort, const Progress& progress) : effort_(effort), progress_(progress) {}
+  EdgePile(const Effort& effort, PairSources* sources, const Progress& progress)
+      : effort_(effort), sources_(sources), progress_(progress) {}
+
+  /// An edge of the first or the second set moved by a corner of the other.
+  void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
+    CountedEdge moved{edge.from + corner.at, edge.to + corner.at, corner.sign, corner.sign > 0};
+    if (edge.number != CornerNumbers::unknown && corner.number != CornerNumbers::unknown) {
+      moved.source = static_cast<std::uint32_t>(sources_->all.size());
+      sources_->all.push_back({edge.number, corner.number, edgeOfFirst});
+    }
+    add(moved);
+  }
 
   void add(const CountedEdge& edge) {
     edges_.push_back(edge);
@@ -86,12 +103,14 @@ class EdgePile {
 
  private:
   const Effort& effort_;
+  PairSources* sources_;
   const Progress& progress_;
   std::vector<CountedEdge> edges_;
   std::size_t full_ = 100'000;
 };
 
 /// Which end of a corner's range of directions belongs to it: with opposite ends for the two sets, parallel edges pair once.
+/// First: the edges are those of the first set.
 enum class Closed { First, Last };
 
 void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, EdgePile& out,
@@ -106,7 +125,7 @@ void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>&
   for (const Corner& corner : corners) {
     progress.check();
     const auto pair = [&](auto first, auto last) {
-      for (; first != last; ++first) out.add({first->from + corner.at, first->to + corner.at, corner.sign, corner.sign > 0});
+      for (; first != last; ++first) out.add(*first, corner, closed == Closed::First);
     };
     const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
     if (before(corner.first, corner.last)) {
@@ -125,9 +144,9 @@ struct LoopSides {
   GridPoint size;
 };
 
-LoopSides sidesOf(const GridLoop& loop) {
+LoopSides sidesOf(const GridLoop& loop, const CornerNumbers* numbers) {
   const Extent extent = extentOf(loop);
-  return {edgesByDirection(loop), cornersOf(loop), extent.high - extent.low};
+  return {edgesByDirection(loop, numbers), cornersOf(loop, numbers), extent.high - extent.low};
 }
 
 struct PartSides {
@@ -135,14 +154,15 @@ struct PartSides {
   std::vector<LoopSides> holes;
 };
 
-std::vector<PartSides> partsOf(std::span<const GridPolygon> polygons, const Progress& progress) {
+std::vector<PartSides> partsOf(std::span<const GridPolygon> polygons, const CornerNumbers* numbers,
+                               const Progress& progress) {
   std::vector<PartSides> parts;
   parts.reserve(polygons.size());
   for (const GridPolygon& polygon : polygons) {
-    PartSides& part = parts.emplace_back(PartSides{sidesOf(polygon.outer), {}});
+    PartSides& part = parts.emplace_back(PartSides{sidesOf(polygon.outer, numbers), {}});
     for (const GridLoop& hole : polygon.holes) {
       progress.check();
-      part.holes.push_back(sidesOf(hole));
+      part.holes.push_back(sidesOf(hole, numbers));
     }
   }
   return parts;
@@ -168,6 +188,28 @@ void pairUp(const PartSides& a, const PartSides& b, EdgePile& edges, const Progr
 
 }  // namespace
 
+std::size_t CornerNumbers::PointHash::operator()(const GridPoint& p) const {
+  const auto h =
+      static_cast<std::uint64_t>(p.x) * 0x9E3779B97F4A7C15U ^ static_cast<std::uint64_t>(p.y) * 0xC2B2AE3D27D4EB4FU;
+  return static_cast<std::size_t>(h ^ (h >> 29));
+}
+
+void CornerNumbers::add(const GridPoint& at, const GridPoint& next) {
+  const auto [place, isNew] = numbers_.try_emplace(at, static_cast<std::uint32_t>(next_.size()));
+  if (!isNew) place->second = unknown;
+  next_.push_back(next);
+}
+
+std::uint32_t CornerNumbers::of(const GridPoint& corner) const {
+  const auto place = numbers_.find(corner);
+  return place == numbers_.end() ? unknown : place->second;
+}
+
+std::uint32_t CornerNumbers::ofEdge(const GridPoint& from, const GridPoint& to) const {
+  const std::uint32_t number = of(from);
+  return number != unknown && next_[number] == to ? number : unknown;
+}
+
 void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {
   for (CountedEdge& edge : edges)
     if (edge.to < edge.from) {
@@ -185,6 +227,7 @@ void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {
     for (++i; i < edges.size() && edges[i].from == sum.from && edges[i].to == sum.to; ++i) {
       sum.count += edges[i].count;
       sum.mayBound |= edges[i].mayBound;
+      if (sum.source == 0) sum.source = edges[i].source;
     }
     if (sum.count != 0) edges[kept++] = sum;
   }
@@ -192,9 +235,10 @@ void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {
 }
 
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
-                                     const Progress& progress, const Effort& effort) {
-  const std::vector<PartSides> partsA = partsOf(a, progress), partsB = partsOf(b, progress);
-  EdgePile edges(effort, progress);
+                                     const Progress& progress, const Effort& effort, PairSources* sources) {
+  const std::vector<PartSides> partsA = partsOf(a, sources ? &sources->first : nullptr, progress),
+                               partsB = partsOf(b, sources ? &sources->second : nullptr, progress);
+  EdgePile edges(effort, sources, progress);
   for (std::size_t i = 0; i < partsA.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(partsA.size()), "Pairing edges");
     for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/progress.h"
@@ -12,11 +14,41 @@ namespace blossom::minkowski {
 struct CountedEdge {
   GridPoint from, to;
   int count = 1;
-  bool mayBound = true;  ///< false when it never bounds what is inside
+  std::uint32_t mayBound : 1 = 1;  ///< 0 when it never bounds what is inside
+  std::uint32_t source : 31 = 0;   ///< place in PairSources::all; 0: unknown
 };
 
 /// Directs every edge from its lower to its higher point, adds the counts of equal edges and removes edges with count 0.
 void joinEqual(std::vector<CountedEdge>&, const Progress& = Progress::none());
+
+/// Numbers of the corners of a set, and of the edges that begin there.
+class CornerNumbers {
+ public:
+  static constexpr std::uint32_t unknown = ~std::uint32_t(0);
+
+  /// Numbers the corners from 0 on; corners that are equal count as unknown.
+  void add(const GridPoint& at, const GridPoint& next);
+  [[nodiscard]] std::uint32_t of(const GridPoint& corner) const;
+  /// The edge that leads from a corner to the next one.
+  [[nodiscard]] std::uint32_t ofEdge(const GridPoint& from, const GridPoint& to) const;
+
+ private:
+  struct PointHash {
+    std::size_t operator()(const GridPoint&) const;
+  };
+  std::unordered_map<GridPoint, std::uint32_t, PointHash> numbers_;
+  std::vector<GridPoint> next_;
+};
+
+/// What the edges of a convolution come from: an edge of one set, moved by a corner of the other.
+struct PairSources {
+  struct Pair {
+    std::uint32_t edge = 0, corner = 0;
+    bool edgeOfFirst = true;
+  };
+  CornerNumbers first, second;       ///< of the two sets
+  std::vector<Pair> all = {Pair()};  ///< filled by the convolution; the first one stands for unknown
+};
 
 /// The convolution of two sets. Its winding number at x is the number of components of A intersected with x - B, so it is
 /// positive exactly inside A + B. An edge is paired with every vertex of the other set whose turn contains the edge's
@@ -24,8 +56,10 @@ void joinEqual(std::vector<CountedEdge>&, const Progress& = Progress::none());
 /// enter are removed first (Baram, Fogel, Halperin, Hemmer & Morr 2018, "fill up"), because the intersection of A and x - B
 /// could otherwise have a hole, which counts -1. Edges at reflex vertices never bound. The result is as joinEqual returns
 /// it. O(n log n + k) for k pairs: the edges of a loop are sorted by direction once.
+/// @param sources when given, edges that may bound and come from numbered edges and corners name them
 /// @throws Error LimitExceeded above three million edges; Cancelled; TooMuchWork.
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
-                                     const Progress& = Progress::none(), const Effort& = Effort());
+                                     const Progress& = Progress::none(), const Effort& = Effort(),
+                                     PairSources* sources = nullptr);
 
 }  // namespace blossom::minkowski

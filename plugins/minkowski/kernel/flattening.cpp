@@ -215,13 +215,6 @@ void refuseEmptyLoops(const std::vector<Loop>& loops, double confusion, const st
   }
 }
 
-Path closedPath(const Loop& loop) {
-  Path path;
-  path.closed = true;
-  for (std::size_t i = 0; i < loop.size(); ++i) path.segments.emplace_back(Line2{loop[i], loop[(i + 1) % loop.size()]});
-  return path;
-}
-
 std::vector<Loop> cornersOf(const Region& region, double tolerance, double confusion, const std::string& name,
                             const Progress& progress) {
   std::vector<Loop> all;
@@ -260,6 +253,47 @@ Polygons flattenedBeside(const Region& region, double tolerance, Approximation s
   return loops.empty() ? Polygons() : Nesting(std::move(loops), progress).polygons(progress);
 }
 
+/// A region that passed all checks.
+struct CheckedRegion {
+  double tolerance;
+  Nesting nesting;  ///< of its loops, flattened
+};
+
+CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
+                            const Progress& progress) {
+  if (options.tolerance && (!(*options.tolerance > 0) || !std::isfinite(*options.tolerance)))
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The tolerance must be above 0; it is {}.", *options.tolerance));
+  if (region.loops.empty())
+    refuse(ErrorCode::InvalidInput, name, "is empty: it has no outline.", "Give a shape with an area.");
+  for (std::size_t i = 0; i < region.loops.size(); ++i) checkLoop(region.loops[i], i + 1, name);
+  const ShapeExtent extent = shapeExtentOf(region);
+  const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
+  const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
+  refuseCrossings(all, name, progress);  // before nesting, which needs loops that do not cross
+  Nesting nesting(all, progress);
+  if (!nesting.clear() && options.effort)
+    options.effort->spend(static_cast<std::size_t>(2 * Effort::pairsOfEdge) * cornerCount(all));
+  refuseOverlaps(nesting, confusion, name, progress);
+  refuseTwice(all, name);
+  refuseEmptyLoops(all, confusion, name);
+  refuseStrayHole(nesting, all, name);
+  return {tolerance, std::move(nesting)};
+}
+
+Path withoutSplines(const Path& path, double tolerance) {
+  Path plain = path;
+  plain.segments.clear();
+  for (const Segment& segment : path.segments) {
+    if (!std::holds_alternative<Spline2>(segment)) {
+      plain.segments.push_back(segment);
+      continue;
+    }
+    const std::vector<Vec2> points = flatten(segment, tolerance);
+    for (std::size_t i = 1; i < points.size(); ++i) plain.segments.emplace_back(Line2{points[i - 1], points[i]});
+  }
+  return plain;
+}
+
 }  // namespace
 
 bool isCurved(const Region& region) {
@@ -287,33 +321,22 @@ double defaultTolerance(const Region& region) {
 
 Polygons flattened(const Region& region, const FlatteningOptions& options, const std::string& name,
                    const Progress& progress) {
-  if (options.tolerance && (!(*options.tolerance > 0) || !std::isfinite(*options.tolerance)))
-    throw Error(ErrorCode::InvalidParameter, fmt::format("The tolerance must be above 0; it is {}.", *options.tolerance));
-  if (region.loops.empty())
-    refuse(ErrorCode::InvalidInput, name, "is empty: it has no outline.", "Give a shape with an area.");
-  for (std::size_t i = 0; i < region.loops.size(); ++i) checkLoop(region.loops[i], i + 1, name);
-  const ShapeExtent extent = shapeExtentOf(region);
-  const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
-  const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
-  refuseCrossings(all, name, progress);  // before nesting, which needs loops that do not cross
-  const Nesting nesting(all, progress);
-  if (!nesting.clear() && options.effort)
-    options.effort->spend(static_cast<std::size_t>(2 * Effort::pairsOfEdge) * cornerCount(all));
-  refuseOverlaps(nesting, confusion, name, progress);
-  refuseTwice(all, name);
-  refuseEmptyLoops(all, confusion, name);
-  refuseStrayHole(nesting, all, name);
-  if (options.side == Approximation::Either || !isCurved(region)) return nesting.polygons(progress);
-  return flattenedBeside(region, tolerance, options.side, progress);
+  const CheckedRegion checked = checkedRegion(region, options, name, progress);
+  if (options.side == Approximation::Either || !isCurved(region)) return checked.nesting.polygons(progress);
+  return flattenedBeside(region, checked.tolerance, options.side, progress);
 }
 
-Region toRegion(const Polygons& polygons) {
-  Region region;
-  for (const Polygon& polygon : polygons) {
-    region.loops.push_back(closedPath(polygon.outer));
-    for (const Loop& hole : polygon.holes) region.loops.push_back(closedPath(hole));
+SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
+                        const Progress& progress) {
+  const CheckedRegion checked = checkedRegion(region, options, name, progress);
+  const auto parts = checked.nesting.parts();
+  if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance};
+  SoundRegion sound{{}, checked.tolerance};
+  for (const auto& [outer, holes] : *parts) {
+    sound.region.loops.push_back(withoutSplines(region.loops[outer], checked.tolerance));
+    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutSplines(region.loops[hole], checked.tolerance));
   }
-  return region;
+  return sound;
 }
 
 }  // namespace blossom::minkowski

@@ -6,6 +6,7 @@
 #include "geometry/planar/region.h"
 #include "kernel/effort.h"
 #include "kernel/polygons.h"
+#include "kernel/sound_region.h"
 
 namespace blossom::minkowski {
 
@@ -37,7 +38,8 @@ bool isCurved(const Region&);
 /// LimitExceeded beyond 1e9 mm or 200,000 corners. Cancelled; TooMuchWork. O(n log n) for well-distributed edges.
 Polygons flattened(const Region&, const FlatteningOptions&, const std::string& name, const Progress& = Progress::none());
 
-/// A region of straight lines, outer loops each followed by its holes. Empty polygons make a region without loops.
-Region toRegion(const Polygons&);
+/// The same checks, but arcs stay. Where loops touch each other or themselves, arcs become lines too. @throws as flattened
+SoundRegion soundRegion(const Region&, const FlatteningOptions&, const std::string& name,
+                        const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

@@ -16,10 +16,7 @@ constexpr std::int64_t speck = 16;  // units; rounding leaves no shape to what i
 GridLoop snapped(const Loop& loop, const Grid& grid) {
   GridLoop points;
   points.reserve(loop.size());
-  for (const Vec2& p : loop) {
-    const Vec2 q = (p - grid.origin) / grid.unit;
-    points.push_back({std::llround(q.x()), std::llround(q.y())});
-  }
+  for (const Vec2& p : loop) points.push_back(grid.nearest(p));
   return points;
 }
 

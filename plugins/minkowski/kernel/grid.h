@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -35,6 +36,11 @@ struct Grid {
   Vec2 origin = Vec2::Zero();
   double unit = 1;  ///< a power of two
   [[nodiscard]] Vec2 point(const Vec2& p) const { return origin + unit * p; }
+  /// The grid point nearest to a position.
+  [[nodiscard]] GridPoint nearest(const Vec2& position) const {
+    const Vec2 q = (position - origin) / unit;
+    return {std::llround(q.x()), std::llround(q.y())};
+  }
 };
 
 /// The smallest unit for which boxes of this size, centred at the origin of the grid, are representable.

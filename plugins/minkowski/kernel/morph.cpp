@@ -19,20 +19,20 @@ namespace {
 constexpr std::size_t maximumShapes = 16;
 
 /// (1-t) A + t B, where 0 A is the origin alone.
-Polygons between(const Polygons& a, const Polygons& b, double t, Adder& add, const Progress& progress) {
+SoundRegion between(const SoundRegion& a, const SoundRegion& b, double t, Adder& add, const Progress& progress) {
   if (t == 0) return a;
   if (t == 1) return b;
   return add(scaled(a, 1 - t), scaled(b, t), progress);
 }
 
-Polygons recursive(std::span<const Polygons> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+SoundRegion recursive(std::span<const SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
   if (t.empty()) return shapes.front();
   const auto earlier = t.first(t.size() - 1);
   return between(recursive(shapes.first(shapes.size() - 1), earlier, add, progress),
                  recursive(shapes.subspan(1), earlier, add, progress), t.back(), add, progress);
 }
 
-Polygons bottomUp(std::vector<Polygons> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+SoundRegion bottomUp(std::vector<SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
   for (const double level : t) {
     for (std::size_t i = 0; i + 1 < shapes.size(); ++i) shapes[i] = between(shapes[i], shapes[i + 1], level, add, progress);
     shapes.pop_back();
@@ -43,40 +43,40 @@ Polygons bottomUp(std::vector<Polygons> shapes, std::span<const double> t, Adder
 /// The explicit form. Repetitions stay for all frames.
 class Expansion {
  public:
-  Expansion(std::span<const Polygons> shapes, Adder& add) : shapes_(shapes), add_(add) {}
+  Expansion(std::span<const SoundRegion> shapes, Adder& add) : shapes_(shapes), add_(add) {}
 
-  Polygons at(std::span<const double> t, const Progress& progress) {
-    std::optional<Polygons> total;
+  SoundRegion at(std::span<const double> t, const Progress& progress) {
+    std::optional<SoundRegion> total;
     const auto weights = weightsOf(t);
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto& [weight, count] : weights[i]) {
-        const Polygons term = scaled(repetition(i, count, progress), weight);
+        const SoundRegion term = scaled(repetition(i, count, progress), weight);
         total = total ? add_(*total, term, progress) : term;
       }
     return *total;
   }
 
  private:
-  const Polygons& repetition(std::size_t i, std::size_t count, const Progress& progress) {
+  const SoundRegion& repetition(std::size_t i, std::size_t count, const Progress& progress) {
     const auto [place, isNew] = repetitions_.try_emplace({i, count});
     if (isNew) place->second = repeated(shapes_[i], count, add_, progress);
     return place->second;
   }
 
-  std::span<const Polygons> shapes_;
+  std::span<const SoundRegion> shapes_;
   Adder& add_;
-  std::map<std::pair<std::size_t, std::size_t>, Polygons> repetitions_;
+  std::map<std::pair<std::size_t, std::size_t>, SoundRegion> repetitions_;
 };
 
 /// All repetitions of a shape in one, which is right for convex shapes only.
-Polygons convexAt(std::span<const Polygons> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
-  std::optional<Polygons> total;
+SoundRegion convexAt(std::span<const SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+  std::optional<SoundRegion> total;
   const auto weights = weightsOf(t);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     double all = 0;
     for (const auto& [weight, count] : weights[i]) all += weight * static_cast<double>(count);
     if (!(all > 0)) continue;
-    const Polygons term = scaled(shapes[i], all);
+    const SoundRegion term = scaled(shapes[i], all);
     total = total ? add(*total, term, progress) : term;
   }
   return *total;
@@ -119,11 +119,11 @@ class Morph {
       : regions_(regions), options_(options), add_(options.maximumWork) {
     for (std::size_t i = 0; i < regions.size(); ++i)
       shapes_.push_back(
-          flattened(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
+          soundRegion(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
     if (options.evaluation == EvaluationOrder::Convex) refuseHollows();
-    for (const Polygons& shape : shapes_) {
-      areas_.push_back(area(shape));
-      centres_.push_back(centroid(shape));
+    for (const SoundRegion& shape : shapes_) {
+      areas_.push_back(area(shape.region));
+      centres_.push_back(centroid(shape.region, shape.tolerance));
     }
     if (options.degreeElevate) elevate(progress);
     expansion_.emplace(shapes_, add_);
@@ -134,7 +134,7 @@ class Morph {
     std::vector<Arguments> all;
     for (const Arguments& t : arguments) all.push_back(elevated(t));
     std::vector<bool> convex;
-    for (const Polygons& shape : shapes_) convex.push_back(isConvex(shape));
+    for (const SoundRegion& shape : shapes_) convex.push_back(isConvex(shape));
     if (options_.evaluation == EvaluationOrder::Automatic) options_.evaluation = wayOfFewestSums(all, convex);
     add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
   }
@@ -143,13 +143,13 @@ class Morph {
   Region at(const Arguments& t, const Progress& progress) {
     if (std::all_of(t.begin(), t.end(), [](double level) { return level == 0; })) return regions_.front();
     if (std::all_of(t.begin(), t.end(), [](double level) { return level == 1; })) return regions_.back();
-    Polygons shape = inBetween(elevated(t), progress);
+    SoundRegion shape = inBetween(elevated(t), progress);
     if (options_.areaPreserving) {
       const Vec2 centre = blended(centres_, t);
-      const double factor = std::sqrt(blended(areas_, t) / area(shape));
+      const double factor = std::sqrt(blended(areas_, t) / area(shape.region));
       shape = translated(scaled(translated(shape, -centre), factor), centre);
     }
-    return toRegion(shape);
+    return std::move(shape.region);
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
@@ -172,8 +172,8 @@ class Morph {
 
   /// A'_i = i/(n+1) A_(i-1) + (1 - i/(n+1)) A_i.
   void elevate(const Progress& progress) {
-    for (const Polygons& shape : shapes_) regionsConvex_.push_back(isConvex(shape));
-    std::vector<Polygons> more{shapes_.front()};
+    for (const SoundRegion& shape : shapes_) regionsConvex_.push_back(isConvex(shape));
+    std::vector<SoundRegion> more{shapes_.front()};
     const double count = static_cast<double>(shapes_.size());
     add_.plan(shapes_.size() - 1);
     for (std::size_t i = 1; i < shapes_.size(); ++i)
@@ -186,7 +186,7 @@ class Morph {
     return shapes_.size() == regions_.size() ? t : diagonal(shapes_.size() - 1, t.front());
   }
 
-  Polygons inBetween(const Arguments& t, const Progress& progress) {
+  SoundRegion inBetween(const Arguments& t, const Progress& progress) {
     switch (options_.evaluation) {
       case EvaluationOrder::Recursive:
         return recursive(shapes_, t, add_, progress);
@@ -204,7 +204,7 @@ class Morph {
   std::span<const Region> regions_;
   MorphOptions options_;
   Adder add_;
-  std::vector<Polygons> shapes_;
+  std::vector<SoundRegion> shapes_;
   std::vector<bool> regionsConvex_;
   std::vector<double> areas_;
   std::vector<Vec2> centres_;

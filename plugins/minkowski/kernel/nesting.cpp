@@ -164,17 +164,28 @@ bool Nesting::isProper() const {
   return true;
 }
 
-Polygons Nesting::polygons(const Progress& progress) const {
-  if (!clear_ || !isProper()) return onPlane(windingFaces(edgesOf(snapped_), progress), grid_);
-  Polygons result;
+std::optional<std::vector<Nesting::Part>> Nesting::parts() const {
+  if (!clear_ || !isProper()) return std::nullopt;
+  std::vector<Part> parts;
   std::vector<std::size_t> partOf(snapped_.size());
   for (std::size_t i = 0; i < snapped_.size(); ++i) {
     if (turns_[i] < 0) continue;
-    partOf[i] = result.size();
-    result.push_back({loops_[places_[i]], {}});
+    partOf[i] = parts.size();
+    parts.push_back({places_[i], {}});
   }
   for (std::size_t i = 0; i < snapped_.size(); ++i)
-    if (turns_[i] < 0) result[partOf[*around_[i]]].holes.push_back(loops_[places_[i]]);
+    if (turns_[i] < 0) parts[partOf[*around_[i]]].holes.push_back(places_[i]);
+  return parts;
+}
+
+Polygons Nesting::polygons(const Progress& progress) const {
+  const auto sorted = parts();
+  if (!sorted) return onPlane(windingFaces(edgesOf(snapped_), progress), grid_);
+  Polygons result;
+  for (const auto& [outer, holes] : *sorted) {
+    Polygon& polygon = result.emplace_back(Polygon{loops_[outer], {}});
+    for (const std::size_t hole : holes) polygon.holes.push_back(loops_[hole]);
+  }
   return result;
 }
 

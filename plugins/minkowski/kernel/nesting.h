@@ -26,6 +26,13 @@ class Nesting {
   [[nodiscard]] const Grid& grid() const { return grid_; }
   /// When `clear`: a clockwise loop that lies in no other.
   [[nodiscard]] std::optional<std::size_t> strayHole() const;
+  /// An outer loop and the holes in it, as numbers of the loops.
+  struct Part {
+    std::size_t outer = 0;
+    std::vector<std::size_t> holes;
+  };
+  /// The loops sorted into parts when they are clear and parts and holes alternate from the outside in; else nothing.
+  [[nodiscard]] std::optional<std::vector<Part>> parts() const;
   /// Parts with their holes. @throws Error LimitExceeded, Cancelled (see windingFaces).
   [[nodiscard]] Polygons polygons(const Progress& = Progress::none()) const;
 

@@ -6,6 +6,7 @@
 #include "kernel/grid.h"
 #include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
+#include "kernel/snapped_operands.h"
 #include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
@@ -54,23 +55,10 @@ bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() <
 
 Loop reversed(const Loop& loop) { return {loop.rbegin(), loop.rend()}; }
 
-/// Both sets on grids of one unit. The sum's origin is the sum of theirs.
-struct Operands {
-  std::vector<GridPolygon> a, b;
-  Grid grid;
-};
-
-Operands snappedTogether(const Polygons& a, const Polygons& b) {
-  const Box2 boxA = boxOf(a), boxB = boxOf(b);
-  const Grid gridA{boxA.center(), gridUnit(boxA.sizes().cwiseMax(boxB.sizes()))};
-  const Grid gridB{boxB.center(), gridA.unit};
-  return {snapped(a, gridA), snapped(b, gridB), {gridA.origin + gridB.origin, gridA.unit}};
-}
-
-Polygons facesOfSum(const Operands& operands, Inside rule, const Progress& progress, Effort& effort) {
+Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
   const std::vector<CountedEdge> edges =
       convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort);
-  return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.grid);
+  return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.gridOfSum);
 }
 
 /// The complement of A within a frame that B, wherever it meets A, does not reach.
@@ -91,9 +79,9 @@ Polygons complement(const Polygons& a, const Polygons& b, const Progress& progre
 Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress, Effort& effort) {
   progress.check();
   if (a.empty() || b.empty()) return {};
-  const Operands operands = snappedTogether(a, b);
+  const SnappedOperands operands = snappedTogether(a, b);
   if (isConvex(operands.a) && isConvex(operands.b))
-    return onPlane({{mergedByAngle(operands.a.front().outer, operands.b.front().outer), {}}}, operands.grid);
+    return onPlane({{mergedByAngle(operands.a.front().outer, operands.b.front().outer), {}}}, operands.gridOfSum);
   return facesOfSum(operands, Inside::Positive, progress, effort);
 }
 

@@ -7,35 +7,42 @@
 #include <utility>
 
 #include "core/error.h"
+#include "kernel/arcs/curved_sum.h"
 #include "kernel/flattening.h"
 #include "kernel/polygon_sum.h"
 
 namespace blossom::minkowski {
 namespace {
 
+/// Shape i as the operand of a sum or difference.
+template <class Operand>
+using MakeOperand = Operand (*)(const Region&, const FlatteningOptions&, const std::string& name, const Progress&);
+
 /// @param sides where the polygons of the first and of the other shapes may lie
-std::vector<Polygons> operands(std::span<const Region> regions, const RegionSumOptions& options,
-                               std::pair<Approximation, Approximation> sides, Effort& effort, const Progress& progress) {
+template <class Operand>
+std::vector<Operand> operands(std::span<const Region> regions, const RegionSumOptions& options,
+                              std::pair<Approximation, Approximation> sides, MakeOperand<Operand> make, Effort& effort,
+                              const Progress& progress) {
   if (regions.size() < 2)
     throw Error(ErrorCode::InvalidParameter, "A Minkowski sum or difference needs two shapes.", "Give another shape.");
-  std::vector<Polygons> result;
+  std::vector<Operand> result;
   for (std::size_t i = 0; i < regions.size(); ++i)
-    result.push_back(flattened(regions[i],
-                               {.tolerance = options.tolerance,
-                                .share = 1.0 / static_cast<double>(regions.size()),
-                                .side = i == 0 ? sides.first : sides.second,
-                                .effort = &effort},
-                               fmt::format("shape {}", i + 1), progress));
+    result.push_back(make(regions[i],
+                          {.tolerance = options.tolerance,
+                           .share = 1.0 / static_cast<double>(regions.size()),
+                           .side = i == 0 ? sides.first : sides.second,
+                           .effort = &effort},
+                          fmt::format("shape {}", i + 1), progress));
   return result;
 }
 
-using Operation = Polygons (*)(const Polygons&, const Polygons&, const Progress&, Effort&);
+template <class Operand>
+using Operation = Operand (*)(const Operand&, const Operand&, const Progress&, Effort&);
 
-RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& options,
-                       std::pair<Approximation, Approximation> sides, const Progress& progress, Operation operation) {
-  Effort effort(options.maximumWork);
-  const std::vector<Polygons> shapes = operands(regions, options, sides, effort, progress);
-  Polygons total = shapes.front();
+/// The first shape with the others, one after the other.
+template <class Operand>
+Operand folded(const std::vector<Operand>& shapes, const Progress& progress, Effort& effort, Operation<Operand> operation) {
+  Operand total = shapes.front();
   const auto count = static_cast<double>(shapes.size() - 1);
   for (std::size_t i = 1; i < shapes.size(); ++i) {
     const auto before = static_cast<double>(i - 1);
@@ -43,7 +50,7 @@ RegionSumResult folded(std::span<const Region> regions, const RegionSumOptions& 
     effort.expect(shapes.size() - i);
     total = operation(total, shapes[i], progress.part(before / count, (before + 1) / count), effort);
   }
-  return {toRegion(total), shapes.size() - 1, {}};
+  return total;
 }
 
 double smallestDefault(std::span<const Region> regions) {
@@ -55,12 +62,18 @@ double smallestDefault(std::span<const Region> regions) {
 }  // namespace
 
 RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
-  return folded(regions, options, {Approximation::Either, Approximation::Either}, progress, sum);
+  Effort effort(options.maximumWork);
+  const auto shapes =
+      operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
+  return {folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
 }
 
 RegionSumResult minkowskiDifference(std::span<const Region> regions, const RegionSumOptions& options,
                                     const Progress& progress) {
-  RegionSumResult result = folded(regions, options, {Approximation::Inside, Approximation::Outside}, progress, difference);
+  Effort effort(options.maximumWork);
+  const auto shapes =
+      operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);
+  RegionSumResult result{toRegion(folded<Polygons>(shapes, progress, effort, difference)), shapes.size() - 1, {}};
   const bool curved = std::any_of(regions.begin(), regions.end(), isCurved);
   const double tolerance = options.tolerance.value_or(smallestDefault(regions));
   if (result.region.loops.empty())

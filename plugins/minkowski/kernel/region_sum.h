@@ -17,12 +17,13 @@ struct RegionSumOptions {
 };
 
 struct RegionSumResult {
-  Region region;  ///< straight lines; outer loops counter-clockwise, holes clockwise
+  Region region;  ///< lines and, of a sum, arcs; outer loops counter-clockwise, holes clockwise
   std::size_t sums = 0;
   std::vector<std::string> warnings;
 };
 
-/// A + B + .. (Lee, Lee, Kim & Kim 2002, section 1): all sums of a point of each, about the origin of the document.
+/// A + B + .. (Lee, Lee, Kim & Kim 2002, section 1): all sums of a point of each, about the origin of the document. Lines
+/// and arcs stay lines and arcs; splines are lines within the tolerance.
 /// @throws Error InvalidParameter (fewer than two), InvalidInput naming shape and place (see flattening.h), LimitExceeded,
 /// Cancelled; TooMuchWork. O((m + k) log m) for the m edges of the convolution with k crossings.
 RegionSumResult minkowskiSum(std::span<const Region>, const RegionSumOptions& = {}, const Progress& = Progress::none());

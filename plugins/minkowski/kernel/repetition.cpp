@@ -4,11 +4,11 @@
 #include <bit>
 #include <optional>
 
-#include "kernel/polygon_sum.h"
+#include "kernel/arcs/curved_sum.h"
 
 namespace blossom::minkowski {
 
-Polygons Adder::operator()(const Polygons& a, const Polygons& b, const Progress& progress) {
+SoundRegion Adder::operator()(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
   effort_.expect(planned_ > count_ ? planned_ - count_ : 1);
   const double all = static_cast<double>(std::max(planned_, count_ + 1)), done = static_cast<double>(count_);
   ++count_;
@@ -19,11 +19,11 @@ std::size_t sumsOfRepetition(bool convex, std::size_t k) {
   return convex || k == 1 ? 0 : static_cast<std::size_t>(std::bit_width(k) - 1 + std::popcount(k) - 1);
 }
 
-Polygons repeated(const Polygons& shape, std::size_t k, Adder& add, const Progress& progress) {
+SoundRegion repeated(const SoundRegion& shape, std::size_t k, Adder& add, const Progress& progress) {
   if (k == 1) return shape;
   if (isConvex(shape)) return scaled(shape, static_cast<double>(k));
-  std::optional<Polygons> result;
-  Polygons power = shape;
+  std::optional<SoundRegion> result;
+  SoundRegion power = shape;
   for (std::size_t rest = k;;) {
     if (rest % 2 == 1) result = result ? add(*result, power, progress) : power;
     rest /= 2;

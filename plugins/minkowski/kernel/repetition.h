@@ -3,7 +3,7 @@
 
 #include "core/progress.h"
 #include "kernel/effort.h"
-#include "kernel/polygons.h"
+#include "kernel/sound_region.h"
 
 namespace blossom::minkowski {
 
@@ -12,7 +12,7 @@ class Adder {
  public:
   explicit Adder(std::size_t maximumWork = Effort::unlimited) : effort_(maximumWork) {}
 
-  Polygons operator()(const Polygons& a, const Polygons& b, const Progress& progress);
+  SoundRegion operator()(const SoundRegion& a, const SoundRegion& b, const Progress& progress);
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] Effort& effort() { return effort_; }
   /// Sets the total number of sums, for progress and for the estimate of the work that is left.
@@ -27,6 +27,6 @@ class Adder {
 std::size_t sumsOfRepetition(bool convex, std::size_t k);
 /// [k]A, the sum of k copies of A: k A without a sum when A is convex, else by doubling in floor(log2 k) + popcount(k) - 1
 /// sums. @pre k >= 1
-Polygons repeated(const Polygons&, std::size_t k, Adder&, const Progress& = Progress::none());
+SoundRegion repeated(const SoundRegion&, std::size_t k, Adder&, const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

@@ -38,7 +38,7 @@ class Joiner {
   Joiner(std::span<const BoundaryPiece> pieces, std::span<const CountedEdge> edges, const Progress& progress)
       : pieces_(pieces), edges_(edges), progress_(progress), rounding_(roundingOf(edges)) {}
 
-  Polygons run() {
+  std::vector<TracedPart> run() {
     nameCorners();
     walkAll();
     return parts();
@@ -131,18 +131,25 @@ class Joiner {
     return loop;
   }
 
-  Polygons parts() const {
-    Polygons result;
+  [[nodiscard]] TracedLoop tracedLoop(const Ring& ring) const {
+    TracedLoop loop{loopOf(ring), {}};
+    loop.edges.reserve(ring.pieces.size());
+    for (const std::size_t piece : ring.pieces) loop.edges.push_back(pieces_[piece].edge);
+    return loop;
+  }
+
+  [[nodiscard]] std::vector<TracedPart> parts() const {
+    std::vector<TracedPart> result;
     std::vector<std::size_t> number(rings_.size(), none);
     for (std::size_t i = 0; i < rings_.size(); ++i) {
       if (rings_[i].area < 0) continue;
       number[i] = result.size();
-      result.push_back({loopOf(rings_[i]), {}});
+      result.push_back({tracedLoop(rings_[i]), {}});
     }
     if (result.size() == rings_.size()) return result;
     const std::vector<std::size_t> around = partsAround(rings_, pieces_, edges_, progress_);
     for (std::size_t i = 0; i < rings_.size(); ++i)
-      if (around[i] != noRing) result[number[around[i]]].holes.push_back(loopOf(rings_[i]));
+      if (around[i] != noRing) result[number[around[i]]].holes.push_back(tracedLoop(rings_[i]));
     return result;
   }
 
@@ -157,7 +164,8 @@ class Joiner {
 
 }  // namespace
 
-Polygons joinedPieces(std::span<const BoundaryPiece> pieces, std::span<const CountedEdge> edges, const Progress& progress) {
+std::vector<TracedPart> joinedPieces(std::span<const BoundaryPiece> pieces, std::span<const CountedEdge> edges,
+                                     const Progress& progress) {
   if (pieces.empty()) return {};
   return Joiner(pieces, edges, progress).run();
 }

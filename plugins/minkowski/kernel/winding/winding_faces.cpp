@@ -1,8 +1,10 @@
 #include "kernel/winding/winding_faces.h"
 
 #include <limits>
+#include <utility>
 
-#include "kernel/winding/boundary_rings.h"
+#include "kernel/winding/boundary_pieces.h"
+#include "kernel/winding/winding_cells.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -21,7 +23,8 @@ WindingRule ruleOf(Inside inside) {
   return {1, highest};
 }
 
-Polygons facesBy(WindingRule rule, std::span<const CountedEdge> edges, const Progress& progress, Effort& effort) {
+std::vector<TracedPart> facesBy(WindingRule rule, std::span<const CountedEdge> edges, const Progress& progress,
+                                Effort& effort) {
   if (edges.empty()) return {};
   const WindingCells cells(edges, rule, progress);
   const double work = cells.pairs() + Effort::pairsOfEdge * static_cast<double>(edges.size());
@@ -32,8 +35,18 @@ Polygons facesBy(WindingRule rule, std::span<const CountedEdge> edges, const Pro
 
 }  // namespace
 
-Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progress, Inside inside, Effort& effort) {
+std::vector<TracedPart> tracedFaces(std::span<const CountedEdge> edges, const Progress& progress, Inside inside,
+                                    Effort& effort) {
   return facesBy(ruleOf(inside), edges, progress, effort);
+}
+
+Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progress, Inside inside, Effort& effort) {
+  Polygons faces;
+  for (TracedPart& part : tracedFaces(edges, progress, inside, effort)) {
+    Polygon& face = faces.emplace_back(Polygon{std::move(part.outer.corners), {}});
+    for (TracedLoop& hole : part.holes) face.holes.push_back(std::move(hole.corners));
+  }
+  return faces;
 }
 
 Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progress, Inside inside) {
@@ -43,8 +56,8 @@ Polygons windingFaces(std::span<const CountedEdge> edges, const Progress& progre
 
 std::optional<Vec2> misplacedFace(std::span<const CountedEdge> edges, double width, const Progress& progress) {
   Effort unlimited;
-  for (const Polygon& face : facesBy({0, 1}, edges, progress, unlimited))
-    if (2 * signedArea(face.outer) > width * perimeter(face.outer)) return face.outer.front();
+  for (const auto& [outer, holes] : facesBy({0, 1}, edges, progress, unlimited))
+    if (2 * signedArea(outer.corners) > width * perimeter(outer.corners)) return outer.corners.front();
   return std::nullopt;
 }
 

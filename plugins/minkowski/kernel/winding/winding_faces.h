@@ -5,6 +5,7 @@
 #include "core/progress.h"
 #include "kernel/convolution.h"
 #include "kernel/polygons.h"
+#include "kernel/winding/boundary_rings.h"
 
 namespace blossom::minkowski {
 
@@ -19,6 +20,9 @@ enum class Inside { Positive, NonZero, Hollow };
 /// @throws Error Cancelled; TooMuchWork; Internal when the edges are no cycles.
 Polygons windingFaces(std::span<const CountedEdge>, const Progress&, Inside, Effort&);
 Polygons windingFaces(std::span<const CountedEdge>, const Progress& = Progress::none(), Inside = Inside::Positive);
+
+/// The same with the edge of every side. @throws as windingFaces
+std::vector<TracedPart> tracedFaces(std::span<const CountedEdge>, const Progress&, Inside, Effort&);
 
 /// A corner of a face wider than `width` with a winding number other than 0 and 1, that is, where loops that should bound an
 /// area cross or overlap; empty when there is none. @throws as windingFaces

@@ -1,0 +1,104 @@
+#include "kernel/sound_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "geometry/planar/planar.h"
+
+namespace blossom::minkowski {
+namespace {
+
+/// p goes to s p + by.
+struct Similarity {
+  double s = 1;
+  Vec2 by = Vec2::Zero();
+
+  Vec2 operator()(const Vec2& p) const { return s * p + by; }
+  Segment operator()(const Line2& line) const { return Line2{(*this)(line.from), (*this)(line.to)}; }
+  Segment operator()(const Arc2& arc) const {
+    return Arc2{(*this)(arc.center), std::abs(s) * arc.radius, s > 0 ? arc.start : arc.start + std::numbers::pi, arc.sweep};
+  }
+  Segment operator()(const Spline2& spline) const {
+    Spline2 image = spline;
+    for (Vec3& pole : image.poles) pole.head<2>() = s * pole.head<2>() + pole.z() * by;
+    return image;
+  }
+};
+
+SoundRegion mapped(const SoundRegion& shape, const Similarity& map) {
+  SoundRegion image{shape.region, std::abs(map.s) * shape.tolerance};
+  for (Path& loop : image.region.loops)
+    for (Segment& segment : loop.segments) segment = std::visit(map, segment);
+  return image;
+}
+
+/// Unit directions at the start and the end of a line or an arc.
+std::pair<Vec2, Vec2> directionsOf(const Segment& segment) {
+  if (const auto* line = std::get_if<Line2>(&segment)) {
+    const Vec2 along = (line->to - line->from).normalized();
+    return {along, along};
+  }
+  const auto& arc = std::get<Arc2>(segment);
+  const double sign = arc.sweep > 0 ? 1 : -1;
+  const auto along = [&](double angle) { return Vec2(sign * Vec2(-std::sin(angle), std::cos(angle))); };
+  return {along(arc.start), along(arc.start + arc.sweep)};
+}
+
+Path closedPath(const Loop& loop) {
+  Path path;
+  path.closed = true;
+  for (std::size_t i = 0; i < loop.size(); ++i) path.segments.emplace_back(Line2{loop[i], loop[(i + 1) % loop.size()]});
+  return path;
+}
+
+}  // namespace
+
+bool hasArcs(const Region& region) {
+  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
+    return std::any_of(loop.segments.begin(), loop.segments.end(),
+                       [](const Segment& segment) { return std::holds_alternative<Arc2>(segment); });
+  });
+}
+
+SoundRegion scaled(const SoundRegion& shape, double s) { return mapped(shape, {.s = s}); }
+
+SoundRegion translated(const SoundRegion& shape, const Vec2& by) { return mapped(shape, {.by = by}); }
+
+bool isConvex(const SoundRegion& shape) {
+  if (shape.region.loops.size() != 1) return false;
+  const std::vector<Segment>& segments = shape.region.loops.front().segments;
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (const auto* arc = std::get_if<Arc2>(&segments[i]); arc && arc->sweep < 0) return false;
+    const Vec2 in = directionsOf(segments[i]).second, out = directionsOf(segments[(i + 1) % segments.size()]).first;
+    if (cross(in, out) < -rounding) return false;
+  }
+  return true;
+}
+
+Polygons toPolygons(const SoundRegion& shape) {
+  Polygons polygons;
+  for (const Path& path : shape.region.loops) {
+    Loop loop;
+    loop.reserve(path.segments.size());
+    for (const Segment& segment : path.segments) loop.push_back(startPoint(segment));
+    if (signedArea(loop) > 0)
+      polygons.push_back({std::move(loop), {}});
+    else
+      polygons.back().holes.push_back(std::move(loop));
+  }
+  return polygons;
+}
+
+Region toRegion(const Polygons& polygons) {
+  Region region;
+  for (const Polygon& polygon : polygons) {
+    region.loops.push_back(closedPath(polygon.outer));
+    for (const Loop& hole : polygon.holes) region.loops.push_back(closedPath(hole));
+  }
+  return region;
+}
+
+}  // namespace blossom::minkowski

@@ -1,0 +1,198 @@
+#include "minkowski/kernel/flattening.h"
+#include "minkowski/kernel/morph.h"
+#include "minkowski/kernel/polygon_sum.h"
+#include "minkowski/kernel/region_sum.h"
+#include "support/random.h"
+#include "support/regions.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::minkowski;
+using std::numbers::pi;
+
+namespace {
+
+/// A polygon with its corners rounded by arcs that touch the sides; convex ones and hollow ones.
+Path roundedPath(const std::vector<Vec2>& corners, double radius) {
+  const std::size_t n = corners.size();
+  Path path;
+  path.closed = true;
+  std::vector<Arc2> arcs;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 in = corners[i] - corners[(i + n - 1) % n], out = corners[(i + 1) % n] - corners[i];
+    const double turn = std::atan2(cross(in, out), in.dot(out));
+    const double room = 0.45 * std::min(in.norm(), out.norm());
+    const double r = std::min(radius, room / std::tan(std::abs(turn) / 2));
+    const double setback = r * std::tan(std::abs(turn) / 2), side = turn > 0 ? 1 : -1;
+    const Vec2 along = in.normalized(), left(-along.y(), along.x());
+    const Vec2 start = corners[i] - setback * along, centre = start + side * r * left;
+    arcs.push_back({centre, r, std::atan2(start.y() - centre.y(), start.x() - centre.x()), turn});
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    path.segments.emplace_back(arcs[i]);
+    path.segments.emplace_back(Line2{endPoint(Segment(arcs[i])), startPoint(Segment(arcs[(i + 1) % n]))});
+  }
+  return path;
+}
+
+std::vector<Vec2> convexCorners(Random& random, double reach) {
+  const int n = uniformInt(random, 3, 9);
+  std::vector<Vec2> corners;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * pi * (k + uniform(random, 0.1, 0.9)) / n;
+    corners.push_back(reach * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return corners;
+}
+
+/// A rounded spiky outline, sometimes with a round hole, with a rounded neighbour or as it was before rounding.
+Region anyRounded(Random& random, double reach) {
+  const auto spiky = [&](const Vec2& at) { return spikyPoints(random, at, reach, uniformInt(random, 3, 9)); };
+  Region region{{roundedPath(spiky({0, 0}), reach * uniform(random, 0.02, 0.3))}};
+  switch (uniformInt(random, 0, 3)) {
+    case 0: {
+      Path outer = polygonPath({{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}});
+      Path hole = circleRegion(reach * uniform(random, 0.2, 0.9), {0, 0}).loops.front();
+      region.loops = {outer, blossom::reversed(hole)};
+      break;
+    }
+    case 1:
+      region.loops.push_back(roundedPath(spiky({2.5 * reach, 0}), 0.1 * reach));
+      break;
+    case 2:
+      region = circleRegion(reach * uniform(random, 0.1, 1));
+      break;
+    default:
+      break;
+  }
+  return region;
+}
+
+int arcCountOf(const Region& region) {
+  int count = 0;
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) count += std::holds_alternative<Arc2>(segment) ? 1 : 0;
+  return count;
+}
+
+std::size_t segmentCountOf(const Region& region) {
+  std::size_t count = 0;
+  for (const Path& loop : region.loops) count += loop.segments.size();
+  return count;
+}
+
+double largestGap(const Region& region) {
+  double gap = 0;
+  for (const Path& loop : region.loops)
+    for (std::size_t i = 0; i < loop.segments.size(); ++i)
+      gap = std::max(gap, (endPoint(loop.segments[i]) - startPoint(loop.segments[(i + 1) % loop.segments.size()])).norm());
+  return gap;
+}
+
+double wayAround(const Region& region) {
+  double sum = 0;
+  for (const Path& loop : region.loops) sum += length(loop);
+  return sum;
+}
+
+Region curvedSumOf(const Region& a, const Region& b, std::optional<double> tolerance = {}) {
+  return minkowskiSum(std::vector<Region>{a, b}, {.tolerance = tolerance}).region;
+}
+
+Region moved(const Region& region, const Vec2& by, double turn) {
+  Eigen::Matrix<double, 2, 3> map;
+  map << std::cos(turn), -std::sin(turn), by.x(), std::sin(turn), std::cos(turn), by.y();
+  Region image;
+  for (const Path& loop : region.loops) image.loops.push_back(transformed(loop, map));
+  return image;
+}
+
+}  // namespace
+
+/// Lines and arcs stay lines and arcs.
+class MinkowskiArcsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aSquareAndADisc() {
+    Random random = seededRandom();
+    for (int k = 0; k < 200; ++k) {
+      const double s = std::pow(10, uniform(random, -2, 2)), r = s * std::pow(10, uniform(random, -2, 2));
+      const Region square = moved(rectangleRegion({0, 0}, {s, s}), {uniform(random, -s, s), 0}, uniform(random, 0, 7));
+      const Region sum = curvedSumOf(square, circleRegion(r, {0, uniform(random, -r, r)}));
+      const double exact = s * s + 4 * s * r + pi * r * r;
+      COMPARE_NEAR(area(sum), exact, 1e-12 * exact);
+      QCOMPARE(arcCountOf(sum), 4);
+      QCOMPARE(segmentCountOf(sum), std::size_t{8});
+      QVERIFY(largestGap(sum) <= 1e-13 * (s + r));
+    }
+  }
+
+  void aTriangleBecomesACircle() {
+    const Region triangle = polygonRegion({{-9, -7}, {11, -4}, {2, 13}});
+    const double side = wayAround(triangle), r = 6;
+    for (int k = 1; k <= 50; ++k) {
+      const double t = k / 51.0;
+      const Region between =
+          morph(std::vector<Region>{triangle, circleRegion(r)}, std::vector<std::vector<double>>{{t}}).regions.front();
+      QCOMPARE(arcCountOf(between), 3);
+      QCOMPARE(segmentCountOf(between), std::size_t{6});
+      const double exact = (1 - t) * (1 - t) * area(triangle) + (1 - t) * t * side * r + t * t * pi * r * r;
+      COMPARE_NEAR(area(between), exact, 1e-12 * exact);
+    }
+  }
+
+  /// Steiner's formula, and the same for rounded outlines, whose arcs are shorter by what rounding takes.
+  void convexOutlinesAndDiscs() {
+    Random random = seededRandom();
+    for (int k = 0; k < 200; ++k) {
+      const std::vector<Vec2> corners = convexCorners(random, 10);
+      const Region outline = k % 2 == 0 ? polygonRegion(corners) : Region{{roundedPath(corners, uniform(random, 0.1, 3))}};
+      const double r = std::pow(10, uniform(random, -2, 2));
+      const Region sum = curvedSumOf(outline, circleRegion(r, {3, -2}));
+      const double exact = area(outline) + r * wayAround(outline) + pi * r * r;
+      COMPARE_NEAR(area(sum), exact, 1e-11 * exact);
+      COMPARE_NEAR(wayAround(sum), wayAround(outline) + 2 * pi * r, 1e-10 * wayAround(sum));
+    }
+  }
+
+  /// The perimeters of convex sets add up, and A + A = 2 A.
+  void roundedConvexOutlines() {
+    Random random = seededRandom();
+    for (int k = 0; k < 200; ++k) {
+      const Region a{{roundedPath(convexCorners(random, 10), uniform(random, 0.1, 4))}};
+      const Region b{{roundedPath(convexCorners(random, 5), uniform(random, 0.1, 4))}};
+      const Region sum = curvedSumOf(a, b);
+      COMPARE_NEAR(wayAround(sum), wayAround(a) + wayAround(b), 1e-10 * wayAround(sum));
+      QVERIFY(largestGap(sum) <= 1e-11);
+      COMPARE_NEAR(area(curvedSumOf(a, a)), 4 * area(a), 1e-10 * area(a));
+    }
+  }
+
+  /// The result is that of fine polygons within their tolerance, and but for specks that the coarser polygons miss it does
+  /// not depend on how finely arcs are sampled.
+  void anyRoundedOutlines() {
+    Random random = seededRandom();
+    int exact = 0;
+    constexpr int pairs = 120;
+    for (int k = 0; k < pairs; ++k) {
+      const Region a = anyRounded(random, 10), b = anyRounded(random, std::pow(10, uniform(random, -1, 1)));
+      const Region sum = curvedSumOf(a, b), finer = curvedSumOf(a, b, 3e-4);
+      constexpr double fine = 1e-4;
+      Effort unlimited;
+      const Polygons polygons = minkowski::sum(flattened(a, {.tolerance = fine}, "a"),
+                                               flattened(b, {.tolerance = fine}, "b"), Progress::none(), unlimited);
+      QCOMPARE(sum.loops.size(), toRegion(polygons).loops.size());
+      COMPARE_NEAR(area(sum), minkowski::area(polygons), 2 * fine * wayAround(sum));
+      if (std::abs(area(sum) - area(finer)) <= 1e-10 * area(sum) && largestGap(sum) <= 1e-10) ++exact;
+      // Few sides are left where only lines bound the sum.
+      if (edgeCount(polygons) > 40) QVERIFY(arcCountOf(sum) > 0);
+    }
+    qInfo("%d of %d pairs to rounding", exact, pairs);
+    QVERIFY(exact >= 0.9 * pairs);
+  }
+};
+
+BLOSSOM_TEST(MinkowskiArcsTest)
+#include "minkowski_arcs_test.moc"

@@ -192,6 +192,64 @@ class MinkowskiArcsTest : public QObject {
     qInfo("%d of %d pairs to rounding", exact, pairs);
     QVERIFY(exact >= 0.9 * pairs);
   }
+
+  /// A disc put on and taken off again leaves a convex outline, and rounds the hollow corners of others.
+  void discsPutOnAndTakenOff() {
+    Random random = seededRandom();
+    for (int k = 0; k < 100; ++k) {
+      const Region outline{{k % 2 == 0 ? polygonPath(convexCorners(random, 10))
+                                       : roundedPath(convexCorners(random, 10), uniform(random, 0.1, 3))}};
+      const Region disc = circleRegion(uniform(random, 0.1, 20));
+      const Region back = minkowskiDifference(std::vector<Region>{curvedSumOf(outline, disc), disc}).region;
+      COMPARE_NEAR(area(back), area(outline), 1e-10 * area(outline));
+    }
+  }
+
+  /// A hole with a disc in it, whose room is a smaller disc; a slot; a rectangle.
+  void roomOfDiscs() {
+    Random random = seededRandom();
+    for (int k = 0; k < 100; ++k) {
+      const double r = std::pow(10, uniform(random, -3, 1)), wide = r * uniform(random, 1.1, 9),
+                   high = r * uniform(random, 1.1, 9);
+      const Region disc = circleRegion(r, {uniform(random, -3, 3), 1});
+      const auto roomIn = [&](const Region& region) {
+        return area(minkowskiDifference(std::vector<Region>{region, disc}).region);
+      };
+      COMPARE_NEAR(roomIn(circleRegion(wide)), pi * (wide - r) * (wide - r), 1e-10 * wide * wide);
+      const double box = 4 * (wide - r) * (high - r);
+      COMPARE_NEAR(roomIn(rectangleRegion({-wide, -high}, {wide, high})), box, 1e-10 * wide * high);
+      const Region slot{
+          {roundedPath({{-wide - high, -high}, {wide + high, -high}, {wide + high, high}, {-wide - high, high}}, high)}};
+      COMPARE_NEAR(roomIn(slot), area(slot) - r * wayAround(slot) + pi * r * r, 1e-6 * area(slot));
+      // A ring has no room for a disc wider than itself, and a ring of room for a smaller one.
+      Region ring = circleRegion(wide + 3 * r);
+      ring.loops.push_back(blossom::reversed(circleRegion(wide).loops.front()));
+      COMPARE_NEAR(roomIn(ring), pi * ((wide + 2 * r) * (wide + 2 * r) - (wide + r) * (wide + r)), 1e-10 * wide * wide);
+    }
+  }
+
+  /// The room is that in fine polygons on the safe side, within their tolerance.
+  void anyRoom() {
+    Random random = seededRandom();
+    int rooms = 0;
+    for (int k = 0; k < 120; ++k) {
+      const Region a = anyRounded(random, 10), b = anyRounded(random, uniform(random, 0.1, 3));
+      constexpr double fine = 1e-4;
+      Effort unlimited;
+      const auto polygonsOf = [&](const Region& region, Approximation side) {
+        return flattened(region, {.tolerance = fine, .side = side}, "shape");
+      };
+      const Polygons safe = minkowski::difference(polygonsOf(a, Approximation::Inside),
+                                                  polygonsOf(b, Approximation::Outside), Progress::none(), unlimited);
+      if (minkowski::area(safe) < 0.5) continue;
+      ++rooms;
+      const Region room = minkowskiDifference(std::vector<Region>{a, b}).region;
+      QVERIFY(area(room) >= minkowski::area(safe) - 0.01 * wayAround(room));
+      COMPARE_NEAR(area(room), minkowski::area(safe), 0.02 * wayAround(room));
+      QVERIFY(largestGap(room) <= 0.05);
+    }
+    QVERIFY(rooms > 20);
+  }
 };
 
 BLOSSOM_TEST(MinkowskiArcsTest)

@@ -206,8 +206,22 @@ std::uint32_t CornerNumbers::of(const GridPoint& corner) const {
 }
 
 std::uint32_t CornerNumbers::ofEdge(const GridPoint& from, const GridPoint& to) const {
-  const std::uint32_t number = of(from);
-  return number != unknown && next_[number] == to ? number : unknown;
+  constexpr int mostDropped = 8;
+  std::uint32_t longest = unknown;
+  Wide length = -1;
+  GridPoint at = from;
+  for (int i = 0; i <= mostDropped; ++i) {
+    const std::uint32_t number = of(at);
+    if (number == unknown) return unknown;
+    const GridPoint along = next_[number] - at;
+    if (dot(along, along) > length) {
+      length = dot(along, along);
+      longest = number;
+    }
+    at = next_[number];
+    if (at == to) return longest;
+  }
+  return unknown;
 }
 
 void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {

@@ -29,7 +29,7 @@ class CornerNumbers {
   /// Numbers the corners from 0 on; corners that are equal count as unknown.
   void add(const GridPoint& at, const GridPoint& next);
   [[nodiscard]] std::uint32_t of(const GridPoint& corner) const;
-  /// The edge that leads from a corner to the next one.
+  /// The edge that leads from a corner to the next one, or the longest of some where corners between them were dropped.
   [[nodiscard]] std::uint32_t ofEdge(const GridPoint& from, const GridPoint& to) const;
 
  private:

@@ -280,6 +280,13 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   return {tolerance, std::move(nesting)};
 }
 
+bool hasSplines(const Region& region) {
+  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
+    return std::any_of(loop.segments.begin(), loop.segments.end(),
+                       [](const Segment& segment) { return std::holds_alternative<Spline2>(segment); });
+  });
+}
+
 Path withoutSplines(const Path& path, double tolerance) {
   Path plain = path;
   plain.segments.clear();
@@ -330,8 +337,8 @@ SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, 
                         const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);
   const auto parts = checked.nesting.parts();
-  if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance};
-  SoundRegion sound{{}, checked.tolerance};
+  if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !isCurved(region)};
+  SoundRegion sound{{}, checked.tolerance, !hasSplines(region)};
   for (const auto& [outer, holes] : *parts) {
     sound.region.loops.push_back(withoutSplines(region.loops[outer], checked.tolerance));
     for (const std::size_t hole : holes) sound.region.loops.push_back(withoutSplines(region.loops[hole], checked.tolerance));

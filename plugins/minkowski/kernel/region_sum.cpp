@@ -53,6 +53,18 @@ Operand folded(const std::vector<Operand>& shapes, const Progress& progress, Eff
   return total;
 }
 
+/// Lines and arcs where that is all there is, else polygons on the safe side of the curves.
+Region roomOf(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
+  Effort effort(options.maximumWork);
+  const auto shapes =
+      operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
+  if (std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& shape) { return shape.faithful; }))
+    return folded<SoundRegion>(shapes, progress, effort, difference).region;
+  const auto polygons =
+      operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);
+  return toRegion(folded<Polygons>(polygons, progress, effort, difference));
+}
+
 double smallestDefault(std::span<const Region> regions) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Region& region : regions) smallest = std::min(smallest, defaultTolerance(region));
@@ -70,10 +82,7 @@ RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOpt
 
 RegionSumResult minkowskiDifference(std::span<const Region> regions, const RegionSumOptions& options,
                                     const Progress& progress) {
-  Effort effort(options.maximumWork);
-  const auto shapes =
-      operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);
-  RegionSumResult result{toRegion(folded<Polygons>(shapes, progress, effort, difference)), shapes.size() - 1, {}};
+  RegionSumResult result{roomOf(regions, options, progress), regions.size() - 1, {}};
   const bool curved = std::any_of(regions.begin(), regions.end(), isCurved);
   const double tolerance = options.tolerance.value_or(smallestDefault(regions));
   if (result.region.loops.empty())

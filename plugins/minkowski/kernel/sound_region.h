@@ -10,6 +10,7 @@ namespace blossom::minkowski {
 struct SoundRegion {
   Region region;
   double tolerance = 0;  ///< mm between a curve and the polygons by which sums are decided
+  bool faithful = true;  ///< no curve of the drawing was replaced by lines
 };
 
 bool hasArcs(const Region&);

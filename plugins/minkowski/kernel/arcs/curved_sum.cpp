@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "core/error.h"
+#include "geometry/planar/planar.h"
 #include "kernel/arcs/convex_sum.h"
 #include "kernel/arcs/curve_fitting.h"
 #include "kernel/arcs/sampled_region.h"
 #include "kernel/convolution.h"
-#include "kernel/flattening.h"
+#include "kernel/nesting.h"
 #include "kernel/polygon_sum.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/snapped_operands.h"
@@ -43,54 +48,123 @@ double roundingOf(const SampledRegion& a, const SampledRegion& b, const Grid& gr
   return 64 * grid.unit + 32 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
-/// A sum by polygons within a share of the tolerances.
+/// How the polygons of two regions are added.
+struct Addition {
+  Sampling sampling = Sampling::Chords;
+  Inside inside = Inside::Positive;
+};
+
+/// The sum of two regions by polygons within a share of the tolerances.
 class SampledSum {
  public:
-  /// @param share of the tolerances
-  SampledSum(const SoundRegion& a, const SoundRegion& b, double share) : tolerance_(share * (a.tolerance + b.tolerance)) {
+  SampledSum(const SoundRegion& a, const SoundRegion& b, double share, const Addition& addition, const Progress& progress,
+             Effort& effort)
+      : tolerance_(share * (a.tolerance + b.tolerance)) {
     const std::vector<double> normals = endNormals(a.region, b.region);
-    a_ = sampled(a.region, normals, share * a.tolerance);
-    b_ = sampled(b.region, normals, share * b.tolerance);
+    a_ = sampled(a.region, normals, share * a.tolerance, addition.sampling);
+    b_ = sampled(b.region, normals, share * b.tolerance, addition.sampling);
+    const SnappedOperands operands = snappedTogether(a_.polygons, b_.polygons);
+    grid_ = operands.gridOfSum;
+    sources_.first = numbersOf(a_, operands.gridA);
+    sources_.second = numbersOf(b_, operands.gridB);
+    edges_ = convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort,
+                         &sources_);
+    faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), addition.inside, effort);
   }
 
   /// Nothing when the polygons are too coarse.
-  std::optional<Region> curves(const Progress& progress, Effort& effort) {
-    const SnappedOperands operands = snappedTogether(a_.polygons, b_.polygons);
-    PairSources sources;
-    sources.first = numbersOf(a_, operands.gridA);
-    sources.second = numbersOf(b_, operands.gridB);
-    const std::vector<CountedEdge> edges = convolution(untangled(operands.a, progress), untangled(operands.b, progress),
-                                                       progress.part(0, 0.1), effort, &sources);
-    const auto faces = tracedFaces(edges, progress.part(0.1, 0.9), Inside::Positive, effort);
-    const Grid& grid = operands.gridOfSum;
+  [[nodiscard]] std::optional<Region> curves(const Progress& progress) const {
     const CurveFitting fitting{
-        .rounding = roundingOf(a_, b_, grid), .reach = 2 * (longestChord(a_) + longestChord(b_)), .gap = 4 * tolerance_};
-    const auto curveOf = [&](std::uint32_t edge) { return curveOfEdge(edges[edge], sources, grid, fitting.rounding); };
-    return fittedCurves(faces, grid, curveOf, fitting, progress);
+        .rounding = roundingOf(a_, b_, grid_), .reach = 2 * (longestChord(a_) + longestChord(b_)), .gap = 4 * tolerance_};
+    const auto curveOf = [&](std::uint32_t edge) { return curveOfEdge(edges_[edge], fitting.rounding); };
+    return fittedCurves(faces_, grid_, curveOf, fitting, progress);
   }
 
-  /// The sum of the polygons.
-  Region lines(const Progress& progress, Effort& effort) {
-    return toRegion(sum(a_.polygons, b_.polygons, progress, effort));
+  [[nodiscard]] Region lines() const {
+    Polygons polygons;
+    for (const TracedPart& part : faces_) {
+      Polygon& polygon = polygons.emplace_back(Polygon{part.outer.corners, {}});
+      for (const TracedLoop& hole : part.holes) polygon.holes.push_back(hole.corners);
+    }
+    return toRegion(onPlane(polygons, grid_));
   }
 
  private:
-  [[nodiscard]] std::optional<TrueCurve> curveOfEdge(const CountedEdge& edge, const PairSources& sources, const Grid& grid,
-                                                     double rounding) const {
+  [[nodiscard]] std::optional<TrueCurve> curveOfEdge(const CountedEdge& edge, double rounding) const {
     if (edge.source == 0) {
       const auto place = [&](const GridPoint& p) {
-        return grid.point(Vec2(static_cast<double>(p.x), static_cast<double>(p.y)));
+        return grid_.point(Vec2(static_cast<double>(p.x), static_cast<double>(p.y)));
       };
       return StraightCurve{place(edge.from), place(edge.to)};
     }
-    const PairSources::Pair& pair = sources.all[edge.source];
+    const PairSources::Pair& pair = sources_.all[edge.source];
     return pair.edgeOfFirst ? curveOfPair(a_, pair.edge, b_, pair.corner, rounding)
                             : curveOfPair(b_, pair.edge, a_, pair.corner, rounding);
   }
 
   double tolerance_;
   SampledRegion a_, b_;
+  Grid grid_;
+  PairSources sources_;
+  std::vector<CountedEdge> edges_;
+  std::vector<TracedPart> faces_;
 };
+
+/// By polygons that become finer until the curves fit.
+Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
+                 Effort& effort) {
+  constexpr int attempts = 4;
+  constexpr double finer = 1.0 / 8;
+  double share = 1;
+  std::optional<Region> lines;
+  for (int i = 0; i < attempts; ++i, share *= finer) {
+    progress.check();
+    const SampledSum sum(a, b, share, addition, progress, effort);
+    if (auto curves = sum.curves(progress)) return *std::move(curves);
+    if (!lines) lines = sum.lines();
+  }
+  return *std::move(lines);
+}
+
+Box2 boxOf(const std::vector<Loop>& loops) {
+  Box2 box;
+  for (const Loop& loop : loops)
+    for (const Vec2& p : loop) box.extend(p);
+  return box;
+}
+
+std::vector<Loop> flattenedLoops(const SoundRegion& shape) {
+  std::vector<Loop> loops;
+  for (const Path& loop : shape.region.loops) loops.push_back(flatten(loop, shape.tolerance));
+  return loops;
+}
+
+Path framePath(const Vec2& low, const Vec2& high) {
+  const Vec2 right(high.x(), low.y()), left(low.x(), high.y());
+  return {{Line2{low, right}, Line2{right, high}, Line2{high, left}, Line2{left, low}}, true, {}, {}};
+}
+
+/// The complement of A within a frame that B, wherever it meets A, does not reach.
+SoundRegion complement(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
+  const std::vector<Loop> loopsOfA = flattenedLoops(a);
+  const Box2 boxA = boxOf(loopsOfA), boxB = boxOf(flattenedLoops(b));
+  const Vec2 reach = 2 * boxB.sizes() + boxA.sizes();
+  std::vector<Path> paths{framePath(boxA.min() - reach, boxA.max() + reach)};
+  std::vector<Loop> loops{flatten(paths.front(), a.tolerance)};
+  for (std::size_t i = 0; i < loopsOfA.size(); ++i) {
+    paths.push_back(reversed(a.region.loops[i]));
+    loops.emplace_back(loopsOfA[i].rbegin(), loopsOfA[i].rend());
+  }
+  const auto parts = Nesting(std::move(loops), progress).parts();
+  if (!parts)
+    throw Error(ErrorCode::Internal, "The loops of a shape touch one another.", "Please report this with the shapes.");
+  SoundRegion result{{}, a.tolerance};
+  for (const auto& [outer, holes] : *parts) {
+    result.region.loops.push_back(paths[outer]);
+    for (const std::size_t hole : holes) result.region.loops.push_back(paths[hole]);
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -101,14 +175,17 @@ SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& prog
   if (!hasArcs(a.region) && !hasArcs(b.region))
     return {toRegion(sum(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
   if (isConvex(a) && isConvex(b)) return {convexSum(a.region, b.region), tolerance};
-  constexpr int attempts = 4;
-  constexpr double finer = 1.0 / 8;
-  double share = 1;
-  for (int i = 0; i < attempts; ++i, share *= finer) {
-    progress.check();
-    if (auto curves = SampledSum(a, b, share).curves(progress, effort)) return {*std::move(curves), tolerance};
-  }
-  return {SampledSum(a, b, 1).lines(progress, effort), tolerance};
+  return {fittedSum(a, b, {}, progress, effort), tolerance};
+}
+
+SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {
+  progress.check();
+  if (a.region.loops.empty()) return {};
+  const double tolerance = a.tolerance + b.tolerance;
+  if (!hasArcs(a.region) && !hasArcs(b.region))
+    return {toRegion(difference(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
+  const Addition leftOut{Sampling::Around, Inside::Hollow};
+  return {fittedSum(complement(a, b, progress), scaled(b, -1), leftOut, progress, effort), tolerance};
 }
 
 }  // namespace blossom::minkowski

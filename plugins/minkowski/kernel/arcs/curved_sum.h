@@ -14,4 +14,9 @@ namespace blossom::minkowski {
 /// @throws Error LimitExceeded, Cancelled; TooMuchWork. As polygon_sum.h for the polygons.
 SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress&, Effort&);
 
+/// {p : p + B inside A}, regularised, of regions of lines and arcs, again of lines and arcs. Which curves bound it is
+/// decided by polygons around the complement of A and around B: room within the tolerances may be missed, none is invented.
+/// @pre B is not empty. @throws as sum
+SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progress&, Effort&);
+
 }  // namespace blossom::minkowski

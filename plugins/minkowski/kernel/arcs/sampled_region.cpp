@@ -68,7 +68,8 @@ class ArcSampler {
 
 class RegionSampler {
  public:
-  RegionSampler(const std::vector<double>& normals, double tolerance) : arcs_(normals, tolerance) {}
+  RegionSampler(const std::vector<double>& normals, double tolerance, Sampling sampling)
+      : arcs_(normals, tolerance), sampling_(sampling) {}
 
   SampledRegion run(const Region& region) {
     for (const Path& loop : region.loops) add(loop);
@@ -99,24 +100,52 @@ class RegionSampler {
   }
 
   void add(const Arc2& arc) {
-    const auto number = static_cast<std::uint32_t>(out_.arcs.size());
     out_.arcs.push_back({arc.center, arc.sweep > 0 ? arc.radius : -arc.radius});
     const std::vector<double> angles = arcs_.anglesOf(arc);
-    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-      addCorner(arc.center + arc.radius * unitAt(angles[i]));
-      SampledCorner& corner = out_.corners.back();
-      corner.after = number;
-      corner.normalAfter = normalAt(arc, angles[i]);
-      if (i > 0) {
-        corner.before = number;
-        corner.normalBefore = corner.normalAfter;
-      }
-      SampledSide& side = out_.sides.emplace_back();
-      side.arc = number;
-      side.normal = normalAt(arc, (angles[i] + angles[i + 1]) / 2);
-    }
+    if (sampling_ == Sampling::Around && arc.sweep > 0)
+      addTangents(arc, angles);
+    else
+      addChords(arc, angles);
     ends_.emplace_back(out_.corners.size() - 1, normalAt(arc, angles.back()));
   }
+
+  void addChords(const Arc2& arc, const std::vector<double>& angles) {
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+      addCorner(arc.center + arc.radius * unitAt(angles[i]));
+      if (i > 0) arrive(arc, angles[i]);
+      leave(arc, angles[i], (angles[i] + angles[i + 1]) / 2);
+    }
+  }
+
+  /// Sides that touch the arc at the angles, and so turn half-way between them.
+  void addTangents(const Arc2& arc, const std::vector<double>& angles) {
+    const bool closed = std::abs(arc.sweep) >= 2 * std::numbers::pi - sameAngle;
+    if (!closed) {
+      addCorner(arc.center + arc.radius * unitAt(angles.front()));
+      leave(arc, angles.front(), angles.front());
+    }
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+      const double middle = (angles[i] + angles[i + 1]) / 2, half = (angles[i + 1] - angles[i]) / 2;
+      addCorner(arc.center + arc.radius / std::cos(half) * unitAt(middle));
+      arrive(arc, middle);
+      leave(arc, middle, angles[i + 1]);
+    }
+  }
+
+  /// The last corner lies within the last arc.
+  void arrive(const Arc2& arc, double angle) {
+    out_.corners.back().before = lastArc();
+    out_.corners.back().normalBefore = normalAt(arc, angle);
+  }
+  /// The last arc goes on from the last corner, by a side with its own angle.
+  void leave(const Arc2& arc, double angle, double ofSide) {
+    out_.corners.back().after = lastArc();
+    out_.corners.back().normalAfter = normalAt(arc, angle);
+    SampledSide& side = out_.sides.emplace_back();
+    side.arc = lastArc();
+    side.normal = normalAt(arc, ofSide);
+  }
+  [[nodiscard]] std::uint32_t lastArc() const { return static_cast<std::uint32_t>(out_.arcs.size() - 1); }
 
   /// What needs the next corner: ends of sides, and the arcs that end there.
   void close(std::size_t first) {
@@ -137,6 +166,7 @@ class RegionSampler {
   }
 
   ArcSampler arcs_;
+  Sampling sampling_;
   SampledRegion out_;
   std::vector<std::pair<std::size_t, double>> ends_;  ///< last sides of arcs in a loop, and the normals at their ends
 };
@@ -167,8 +197,8 @@ std::vector<double> endNormals(const Region& a, const Region& b) {
   return normals;
 }
 
-SampledRegion sampled(const Region& region, const std::vector<double>& normals, double tolerance) {
-  return RegionSampler(normals, tolerance).run(region);
+SampledRegion sampled(const Region& region, const std::vector<double>& normals, double tolerance, Sampling sampling) {
+  return RegionSampler(normals, tolerance, sampling).run(region);
 }
 
 std::optional<TrueCurve> curveOfPair(const SampledRegion& ofSide, std::uint32_t side, const SampledRegion& ofCorner,

@@ -18,7 +18,7 @@ struct BoundaryArc {
 /// An edge of a polygon that stands for a line or for part of an arc.
 struct SampledSide {
   Vec2 from, to;
-  double normal = 0;                 ///< angle of the outward normal, of an arc in the middle of the part
+  double normal = 0;                 ///< angle of the outward normal of the side
   std::optional<std::uint32_t> arc;  ///< number of the arc
 };
 
@@ -40,10 +40,16 @@ struct SampledRegion {
 /// Angles of the normals at the ends of all arcs of two regions, sorted, 0 to 2 pi.
 std::vector<double> endNormals(const Region&, const Region&);
 
+/// Where the polygons of a sampled region may lie.
+enum class Sampling {
+  Chords,  ///< corners on the arcs
+  Around,  ///< never inside of the region: sides that touch arcs with the material inside, chords of the others
+};
+
 /// Polygons within the tolerance of a region whose loops are sorted into parts and consist of lines and arcs. Arcs are cut
 /// at the normals, so that each chord belongs to one set of arcs of the other region with the same normals, and between them
 /// in a power of two of equal parts, so that chords of arcs with the same normals tend to be parallel.
-SampledRegion sampled(const Region&, const std::vector<double>& normals, double tolerance);
+SampledRegion sampled(const Region&, const std::vector<double>& normals, double tolerance, Sampling = Sampling::Chords);
 
 /// The curve on which x + y lies for points x of a side and those of another region at a convex corner whose turn contains
 /// the direction of the side: a side moved by the corner or, where the corner stands for an arc, by the arc's point with the

@@ -127,7 +127,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "Scale the result so that its area blends those of the shapes.")
       .parameter("offsets", &P::offsets, list(displacement()),
                  "Displacement of each control shape from its drawn position, first to last; others stay.")
-      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.")
+      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between curves and the polygons that stand for them.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
@@ -161,7 +161,7 @@ FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std:
               .maximum = anyNumber,
               .use = InputUse::Control,
               .asks = "a region to combine"})
-      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between a curve and its polygon.");
+      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between curves and the polygons that stand for them.");
   return builder;
 }
 

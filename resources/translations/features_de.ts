@@ -1519,8 +1519,8 @@
         <translation>Größte Abweichung des Weges.</translation>
     </message>
     <message>
-        <source>Largest distance between a curve and its polygon.</source>
-        <translation>Größter Abstand zwischen einer Kurve und ihrem Polygon.</translation>
+        <source>Largest distance between curves and the polygons that stand for them.</source>
+        <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen.</translation>
     </message>
     <message>
         <source>Largest distance between a curve and the cubic pieces that stand for it; places are kept to 0.002 mm.</source>

@@ -117,7 +117,7 @@ double confusionOf(const ShapeExtent& extent) {
 
 double toleranceFor(const Region& region, const ShapeExtent& extent, const FlatteningOptions& options,
                     const std::string& name) {
-  if (!isCurved(region)) return options.share * options.tolerance.value_or(largestTolerance);
+  if (!hasCurves(region)) return options.share * options.tolerance.value_or(largestTolerance);
   if (!options.tolerance) return options.share * defaultTolerance(region);
   const double bySize = coarsestShare * extent.size(), byThickness = coarsestShareOfThickness * thicknessOf(region);
   const double tolerance = options.share * *options.tolerance, coarsest = std::min(bySize, byThickness);
@@ -280,35 +280,7 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   return {tolerance, std::move(nesting)};
 }
 
-bool hasSplines(const Region& region) {
-  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
-    return std::any_of(loop.segments.begin(), loop.segments.end(),
-                       [](const Segment& segment) { return std::holds_alternative<Spline2>(segment); });
-  });
-}
-
-Path withoutSplines(const Path& path, double tolerance) {
-  Path plain = path;
-  plain.segments.clear();
-  for (const Segment& segment : path.segments) {
-    if (!std::holds_alternative<Spline2>(segment)) {
-      plain.segments.push_back(segment);
-      continue;
-    }
-    const std::vector<Vec2> points = flatten(segment, tolerance);
-    for (std::size_t i = 1; i < points.size(); ++i) plain.segments.emplace_back(Line2{points[i - 1], points[i]});
-  }
-  return plain;
-}
-
 }  // namespace
-
-bool isCurved(const Region& region) {
-  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
-    return std::any_of(loop.segments.begin(), loop.segments.end(),
-                       [](const Segment& segment) { return !std::holds_alternative<Line2>(segment); });
-  });
-}
 
 double thicknessOf(const Region& region) {
   double area = 0, perimeter = 0;
@@ -329,7 +301,7 @@ double defaultTolerance(const Region& region) {
 Polygons flattened(const Region& region, const FlatteningOptions& options, const std::string& name,
                    const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);
-  if (options.side == Approximation::Either || !isCurved(region)) return checked.nesting.polygons(progress);
+  if (options.side == Approximation::Either || !hasCurves(region)) return checked.nesting.polygons(progress);
   return flattenedBeside(region, checked.tolerance, options.side, progress);
 }
 
@@ -337,11 +309,11 @@ SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, 
                         const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);
   const auto parts = checked.nesting.parts();
-  if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !isCurved(region)};
+  if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !hasCurves(region)};
   SoundRegion sound{{}, checked.tolerance, !hasSplines(region)};
   for (const auto& [outer, holes] : *parts) {
-    sound.region.loops.push_back(withoutSplines(region.loops[outer], checked.tolerance));
-    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutSplines(region.loops[hole], checked.tolerance));
+    sound.region.loops.push_back(region.loops[outer]);
+    for (const std::size_t hole : holes) sound.region.loops.push_back(region.loops[hole]);
   }
   return sound;
 }

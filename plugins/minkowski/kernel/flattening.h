@@ -29,7 +29,6 @@ struct FlatteningOptions {
 double defaultTolerance(const Region&);
 /// Twice the area over the perimeter: the width of a long strip, the radius of a disc. 0 of an empty region.
 double thicknessOf(const Region&);
-bool isCurved(const Region&);
 
 /// Polygons within the tolerance of a region. Parts that touch along edges are joined.
 /// @param name of the region in messages, "control shape 2"
@@ -38,7 +37,7 @@ bool isCurved(const Region&);
 /// LimitExceeded beyond 1e9 mm or 200,000 corners. Cancelled; TooMuchWork. O(n log n) for well-distributed edges.
 Polygons flattened(const Region&, const FlatteningOptions&, const std::string& name, const Progress& = Progress::none());
 
-/// The same checks, but arcs stay. Where loops touch each other or themselves, arcs become lines too. @throws as flattened
+/// The same checks, but curves stay. Where loops touch each other or themselves, curves become lines. @throws as flattened
 SoundRegion soundRegion(const Region&, const FlatteningOptions&, const std::string& name,
                         const Progress& = Progress::none());
 

@@ -21,7 +21,7 @@ struct MorphOptions {
 };
 
 struct MorphResult {
-  std::vector<Region> regions;        ///< one per argument; lines and arcs, outer loops counter-clockwise
+  std::vector<Region> regions;        ///< one per argument; outer loops counter-clockwise
   std::size_t sums = 0;               ///< Minkowski sums computed
   std::vector<std::string> warnings;  ///< full sentences
 };

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "kernel/arcs/curved_sum.h"
+#include "kernel/curves/curved_sum.h"
 #include "kernel/flattening.h"
 #include "kernel/polygon_sum.h"
 
@@ -58,7 +58,7 @@ Region roomOf(std::span<const Region> regions, const RegionSumOptions& options, 
   Effort effort(options.maximumWork);
   const auto shapes =
       operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
-  if (std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& shape) { return shape.faithful; }))
+  if (std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& shape) { return shape.plain; }))
     return folded<SoundRegion>(shapes, progress, effort, difference).region;
   const auto polygons =
       operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);
@@ -83,7 +83,7 @@ RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOpt
 RegionSumResult minkowskiDifference(std::span<const Region> regions, const RegionSumOptions& options,
                                     const Progress& progress) {
   RegionSumResult result{roomOf(regions, options, progress), regions.size() - 1, {}};
-  const bool curved = std::any_of(regions.begin(), regions.end(), isCurved);
+  const bool curved = std::any_of(regions.begin(), regions.end(), hasCurves);
   const double tolerance = options.tolerance.value_or(smallestDefault(regions));
   if (result.region.loops.empty())
     throw Error(ErrorCode::Degenerate,

@@ -17,7 +17,7 @@ struct RegionSumOptions {
 };
 
 struct RegionSumResult {
-  Region region;  ///< lines and, of a sum, arcs; outer loops counter-clockwise, holes clockwise
+  Region region;  ///< outer loops counter-clockwise, holes clockwise
   std::size_t sums = 0;
   std::vector<std::string> warnings;
 };

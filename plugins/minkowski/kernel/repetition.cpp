@@ -4,7 +4,7 @@
 #include <bit>
 #include <optional>
 
-#include "kernel/arcs/curved_sum.h"
+#include "kernel/curves/curved_sum.h"
 
 namespace blossom::minkowski {
 

@@ -10,6 +10,12 @@
 namespace blossom::minkowski {
 namespace {
 
+template <class Is>
+bool anySegment(const Region& region, Is is) {
+  return std::any_of(region.loops.begin(), region.loops.end(),
+                     [&](const Path& loop) { return std::any_of(loop.segments.begin(), loop.segments.end(), is); });
+}
+
 /// p goes to s p + by.
 struct Similarity {
   double s = 1;
@@ -55,11 +61,12 @@ Path closedPath(const Loop& loop) {
 
 }  // namespace
 
-bool hasArcs(const Region& region) {
-  return std::any_of(region.loops.begin(), region.loops.end(), [](const Path& loop) {
-    return std::any_of(loop.segments.begin(), loop.segments.end(),
-                       [](const Segment& segment) { return std::holds_alternative<Arc2>(segment); });
-  });
+bool hasCurves(const Region& region) {
+  return anySegment(region, [](const Segment& segment) { return !std::holds_alternative<Line2>(segment); });
+}
+
+bool hasSplines(const Region& region) {
+  return anySegment(region, [](const Segment& segment) { return std::holds_alternative<Spline2>(segment); });
 }
 
 SoundRegion scaled(const SoundRegion& shape, double s) { return mapped(shape, {.s = s}); }
@@ -68,6 +75,7 @@ SoundRegion translated(const SoundRegion& shape, const Vec2& by) { return mapped
 
 bool isConvex(const SoundRegion& shape) {
   if (shape.region.loops.size() != 1) return false;
+  if (hasSplines(shape.region)) return isConvex(Polygons{{flatten(shape.region.loops.front(), shape.tolerance), {}}});
   const std::vector<Segment>& segments = shape.region.loops.front().segments;
   constexpr double rounding = 1e-9;
   for (std::size_t i = 0; i < segments.size(); ++i) {

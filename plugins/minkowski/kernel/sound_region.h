@@ -5,22 +5,24 @@
 
 namespace blossom::minkowski {
 
-/// An operand and result of sums: lines and arcs, outer loops counter-clockwise each followed by its holes, no loop touching
+/// An operand and result of sums: outer loops counter-clockwise each followed by its holes, no loop touching
 /// another. Made by soundRegion of flattening.h.
 struct SoundRegion {
   Region region;
   double tolerance = 0;  ///< mm between a curve and the polygons by which sums are decided
-  bool faithful = true;  ///< no curve of the drawing was replaced by lines
+  bool plain = true;     ///< lines and arcs are all that was drawn
 };
 
-bool hasArcs(const Region&);
+/// Whether not all segments are lines.
+bool hasCurves(const Region&);
+bool hasSplines(const Region&);
 /// s A, about the origin of the document. A negative s also turns by 180 degrees; s = 0 is not allowed.
 SoundRegion scaled(const SoundRegion&, double s);
 SoundRegion translated(const SoundRegion&, const Vec2& by);
 /// Whether there is one part, without holes, without a concave arc and without a right turn beyond rounding (1e-9 radians).
 bool isConvex(const SoundRegion&);
 
-/// The polygons of a region of lines. @pre no arcs
+/// The polygons of a region of lines. @pre no curves
 Polygons toPolygons(const SoundRegion&);
 /// A region of straight lines, outer loops each followed by its holes. Empty polygons make a region without loops.
 Region toRegion(const Polygons&);

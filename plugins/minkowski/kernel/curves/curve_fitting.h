@@ -5,7 +5,7 @@
 
 #include "core/progress.h"
 #include "geometry/planar/region.h"
-#include "kernel/arcs/true_curve.h"
+#include "kernel/curves/true_curve.h"
 #include "kernel/grid.h"
 #include "kernel/winding/boundary_rings.h"
 

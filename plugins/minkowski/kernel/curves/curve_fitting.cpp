@@ -1,11 +1,12 @@
-#include "kernel/arcs/curve_fitting.h"
+#include "kernel/curves/curve_fitting.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "geometry/planar/planar.h"
-#include "kernel/arcs/segment_crossing.h"
+#include "kernel/curves/angles.h"
+#include "kernel/curves/hermite_spline.h"
+#include "kernel/curves/segment_crossing.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 struct Run {
   TrueCurve curve;
   std::vector<Vec2> corners;
+  std::vector<FreeSide> sides;  ///< of a free curve, between the corners
 };
 
 /// Where a run ends and the next one begins; two points when their curves miss each other.
@@ -69,10 +71,12 @@ class RingFitter {
       if (from == to) continue;
       const std::optional<TrueCurve> curve = curveOf_(ring.edges[i]);
       if (!curve) continue;
-      if (!runs_.empty() && sameCurve(runs_.back().curve, *curve, fitting_.rounding))
-        runs_.back().corners.push_back(to);
+      Run run{*curve, {from, to}, {}};
+      if (isFree(*curve)) run.sides.push_back(std::get<FreeSide>(*curve));
+      if (!runs_.empty() && continues(runs_.back(), run))
+        append(runs_.back(), run);
       else
-        runs_.push_back({*curve, {from, to}});
+        runs_.push_back(std::move(run));
     }
     std::erase_if(runs_, [&](const Run& run) { return lengthOf(run.corners) <= fitting_.rounding; });
     joinNeighbours();
@@ -82,12 +86,12 @@ class RingFitter {
   void joinNeighbours() {
     std::vector<Run> joined;
     for (Run& run : runs_) {
-      if (!joined.empty() && sameCurve(joined.back().curve, run.curve, fitting_.rounding))
+      if (!joined.empty() && continues(joined.back(), run))
         append(joined.back(), run);
       else
         joined.push_back(std::move(run));
     }
-    if (joined.size() > 1 && sameCurve(joined.back().curve, joined.front().curve, fitting_.rounding)) {
+    if (joined.size() > 1 && continues(joined.back(), joined.front())) {
       append(joined.back(), joined.front());
       joined.front() = std::move(joined.back());
       joined.pop_back();
@@ -95,8 +99,26 @@ class RingFitter {
     runs_ = std::move(joined);
   }
 
+  /// Whether two runs that follow each other lie on one curve.
+  [[nodiscard]] bool continues(const Run& run, const Run& next) const {
+    if (!isFree(run.curve) || !isFree(next.curve)) return sameCurve(run.curve, next.curve, fitting_.rounding);
+    // Free curves may cross themselves. They go on where a side ends, along the same side, or, hollow ones whose sides cross
+    // each other, where the normal goes on.
+    const FreeSide &last = run.sides.back(), &first = next.sides.front();
+    const Vec2& corner = next.corners.front();
+    const auto isAt = [&](const FreePoint& p) { return (p.at - corner).norm() <= fitting_.rounding; };
+    const auto oneNormal = [](const FreePoint& p, const FreePoint& q) {
+      return std::abs(turnFrom(p.normal, q.normal)) <= sameAngle;
+    };
+    const bool goesOn = isAt(last.from) || isAt(last.to) || (last.from.at == first.from.at && last.to.at == first.to.at) ||
+                        oneNormal(last.to, first.from) || oneNormal(last.from, first.to);
+    return goesOn && last.name == first.name && (run.corners.back() - corner).norm() <= fitting_.rounding;
+  }
+
+  /// Sides go on from the last corner.
   static void append(Run& run, const Run& next) {
-    run.corners.insert(run.corners.end(), next.corners.begin(), next.corners.end());
+    run.corners.insert(run.corners.end(), next.corners.begin() + 1, next.corners.end());
+    run.sides.insert(run.sides.end(), next.sides.begin(), next.sides.end());
   }
 
   void remove(std::size_t run) {
@@ -106,15 +128,19 @@ class RingFitter {
 
   /// A ring on one curve: a circle, or a line there and back.
   [[nodiscard]] std::optional<Path> wholeCurve() const {
+    if (isFree(runs_.front().curve)) return wholeFreeCurve();
     const auto* circle = std::get_if<Circle>(&runs_.front().curve);
     if (!circle) return Path{};
     const double sweep = sweepAbout(circle->centre, runs_.front().corners);
-    if (std::abs(std::abs(sweep) - 2 * std::numbers::pi) > 0.5) return std::nullopt;
+    if (std::abs(std::abs(sweep) - fullTurn) > 0.5) return std::nullopt;
     const double start = angleOf(runs_.front().corners.front() - circle->centre);
-    return Path{{Arc2{circle->centre, circle->radius, start, sweep > 0 ? 2 * std::numbers::pi : -2 * std::numbers::pi}},
-                true,
-                {},
-                {}};
+    return Path{{Arc2{circle->centre, circle->radius, start, sweep > 0 ? fullTurn : -fullTurn}}, true, {}, {}};
+  }
+
+  [[nodiscard]] std::optional<Path> wholeFreeCurve() const {
+    const Run& run = runs_.front();
+    if ((run.corners.front() - run.corners.back()).norm() > fitting_.gap) return std::nullopt;
+    return Path{{splineOf(run, run.corners.front(), run.corners.front())}, true, {}, {}};
   }
 
   bool makeJunctions() {
@@ -131,6 +157,11 @@ class RingFitter {
     const Vec2 corner = (before.corners.back() + after.corners.front()) / 2;
     const Vec2 onBefore = nearestOn(before.curve, corner), onAfter = nearestOn(after.curve, corner);
     const auto miss = [&](const Vec2& p) { return (p - corner).norm(); };
+    if (isFree(before.curve) || isFree(after.curve)) {
+      // A free end is where the polygons have it, which may be moved within the tolerance.
+      const Vec2& place = isFree(before.curve) ? onAfter : onBefore;
+      return miss(place) <= fitting_.gap ? std::optional(Junction{place, place}) : std::nullopt;
+    }
     if (miss(onBefore) <= fitting_.rounding && miss(onAfter) <= fitting_.rounding) return Junction{corner, corner};
     const Meetings meetings = meetingsOf(before.curve, after.curve, touching());
     const auto points = meetings.points();
@@ -161,12 +192,50 @@ class RingFitter {
       path.segments.emplace_back(Line2{from, to});
       return (to - from).dot(run.corners.back() - run.corners.front()) > 0;
     }
+    if (isFree(run.curve)) {
+      path.segments.emplace_back(splineOf(run, from, to));
+      return true;
+    }
     const auto& circle = std::get<Circle>(run.curve);
     const double given = sweepAbout(circle.centre, run.corners);
     const double start = angleOf(from - circle.centre), end = angleOf(to - circle.centre);
-    const double sweep = given + std::remainder(end - start - given, 2 * std::numbers::pi);
+    const double sweep = given + std::remainder(end - start - given, fullTurn);
     path.segments.emplace_back(Arc2{circle.centre, circle.radius, start, sweep});
-    return sweep * given > 0 && std::abs(sweep) <= 2 * std::numbers::pi;
+    return sweep * given > 0 && std::abs(sweep) <= fullTurn;
+  }
+
+  /// Through the ends of sides that lie on the curve: sides of two curves have others beside it, and hollow ones cross each
+  /// other before they end.
+  [[nodiscard]] Spline2 splineOf(const Run& run, const Vec2& from, const Vec2& to) const {
+    std::vector<DirectedPoint> points{{from, directionAt(run, 0, run.corners.front())}};
+    const auto add = [&](std::size_t side, const FreePoint& end) {
+      if (!end.isOnCurve) return;
+      const Vec2 along = alongRun(run, side, end.normal);
+      const bool beforeEnd = side + 2 < run.sides.size() || (to - end.at).dot(along) > fitting_.rounding;
+      if (beforeEnd && (end.at - points.back().at).dot(along) > fitting_.rounding) points.push_back({end.at, along});
+    };
+    for (std::size_t i = 0; i < run.sides.size(); ++i) {
+      const FreeSide& side = run.sides[i];
+      const bool forward = (side.to.at - side.from.at).dot(run.corners[i + 1] - run.corners[i]) > 0;
+      if (i > 0) add(i, forward ? side.from : side.to);
+      if (i + 1 < run.sides.size()) add(i, forward ? side.to : side.from);
+    }
+    points.push_back({to, directionAt(run, run.sides.size() - 1, run.corners.back())});
+    return splineThrough(points, fitting_.gap / 16);
+  }
+
+  /// Along side i, where the normal has an angle.
+  static Vec2 alongRun(const Run& run, std::size_t i, double normal) {
+    const Vec2 along(-std::sin(normal), std::cos(normal));
+    return along.dot(run.corners[i + 1] - run.corners[i]) < 0 ? Vec2(-along) : along;
+  }
+
+  /// In a point of side i, whose normal turns evenly.
+  static Vec2 directionAt(const Run& run, std::size_t i, const Vec2& p) {
+    const auto& [from, to] = std::pair{run.sides[i].from, run.sides[i].to};
+    const Vec2 along = to.at - from.at;
+    const double share = std::clamp((p - from.at).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return alongRun(run, i, from.normal + share * turnFrom(from.normal, to.normal));
   }
 
   const Grid& grid_;
@@ -205,7 +274,7 @@ std::optional<Region> fittedCurves(const std::vector<TracedPart>& parts, const G
     for (const TracedLoop& hole : part.holes)
       if (!add(hole)) return std::nullopt;
   }
-  if (segmentsCross(region, fitting.rounding, progress)) return std::nullopt;
+  if (segmentsCross(region, fitting.rounding, fitting.gap / 16, progress)) return std::nullopt;
   return region;
 }
 

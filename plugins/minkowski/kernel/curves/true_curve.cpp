@@ -1,4 +1,4 @@
-#include "kernel/arcs/true_curve.h"
+#include "kernel/curves/true_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,16 +67,31 @@ bool same(const Circle& a, const Circle& b, double within) {
   return (a.centre - b.centre).norm() <= within && std::abs(a.radius - b.radius) <= within;
 }
 
-bool same(const StraightCurve&, const Circle&, double) { return false; }
-bool same(const Circle&, const StraightCurve&, double) { return false; }
+template <class A, class B>
+bool same(const A&, const B&, double) {
+  return false;
+}
+
+template <class Other>
+Meetings meet(const FreeSide&, const Other&, double) {
+  return {};
+}
+template <class Other>
+Meetings meet(const Other&, const FreeSide&, double) {
+  return {};
+}
+Meetings meet(const FreeSide&, const FreeSide&, double) { return {}; }
 
 }  // namespace
+
+bool isFree(const TrueCurve& curve) { return std::holds_alternative<FreeSide>(curve); }
 
 Vec2 nearestOn(const TrueCurve& curve, const Vec2& p) {
   if (const auto* line = std::get_if<StraightCurve>(&curve)) {
     const Vec2 along = directionOf(*line);
     return line->from + (p - line->from).dot(along) * along;
   }
+  if (isFree(curve)) return p;
   const auto& circle = std::get<Circle>(curve);
   const Vec2 out = p - circle.centre;
   const double distance = out.norm();

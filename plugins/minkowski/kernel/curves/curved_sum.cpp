@@ -1,4 +1,4 @@
-#include "kernel/arcs/curved_sum.h"
+#include "kernel/curves/curved_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
-#include "kernel/arcs/convex_sum.h"
-#include "kernel/arcs/curve_fitting.h"
-#include "kernel/arcs/sampled_region.h"
 #include "kernel/convolution.h"
+#include "kernel/curves/convex_sum.h"
+#include "kernel/curves/curve_fitting.h"
+#include "kernel/curves/sampled_region.h"
 #include "kernel/nesting.h"
 #include "kernel/polygon_sum.h"
 #include "kernel/snap_rounding.h"
@@ -33,7 +33,7 @@ CornerNumbers numbersOf(const SampledRegion& region, const Grid& grid) {
 double longestChord(const SampledRegion& region) {
   double longest = 0;
   for (const SampledSide& side : region.sides)
-    if (side.arc) longest = std::max(longest, (side.to - side.from).norm());
+    if (side.curve) longest = std::max(longest, (side.to - side.from).norm());
   return longest;
 }
 
@@ -42,7 +42,7 @@ double roundingOf(const SampledRegion& a, const SampledRegion& b, const Grid& gr
   double farthest = 0;
   for (const SampledRegion* region : {&a, &b}) {
     for (const SampledCorner& corner : region->corners) farthest = std::max(farthest, corner.at.cwiseAbs().maxCoeff());
-    for (const BoundaryArc& arc : region->arcs)
+    for (const BoundaryCurve& arc : region->curves)
       farthest = std::max(farthest, arc.centre.cwiseAbs().maxCoeff() + std::abs(arc.radius));
   }
   return 64 * grid.unit + 32 * std::numeric_limits<double>::epsilon() * farthest;
@@ -60,9 +60,9 @@ class SampledSum {
   SampledSum(const SoundRegion& a, const SoundRegion& b, double share, const Addition& addition, const Progress& progress,
              Effort& effort)
       : tolerance_(share * (a.tolerance + b.tolerance)) {
-    const std::vector<double> normals = endNormals(a.region, b.region);
-    a_ = sampled(a.region, normals, share * a.tolerance, addition.sampling);
-    b_ = sampled(b.region, normals, share * b.tolerance, addition.sampling);
+    const std::vector<double> normals = sharedNormals(a, b, share);
+    a_ = sampled(a, share, normals, addition.sampling);
+    b_ = sampled(b, share, normals, addition.sampling);
     const SnappedOperands operands = snappedTogether(a_.polygons, b_.polygons);
     grid_ = operands.gridOfSum;
     sources_.first = numbersOf(a_, operands.gridA);
@@ -98,8 +98,10 @@ class SampledSum {
       return StraightCurve{place(edge.from), place(edge.to)};
     }
     const PairSources::Pair& pair = sources_.all[edge.source];
-    return pair.edgeOfFirst ? curveOfPair(a_, pair.edge, b_, pair.corner, rounding)
-                            : curveOfPair(b_, pair.edge, a_, pair.corner, rounding);
+    if (pair.edgeOfFirst) return curveOfPair(a_, pair.edge, b_, pair.corner, rounding);
+    std::optional<TrueCurve> curve = curveOfPair(b_, pair.edge, a_, pair.corner, rounding);
+    if (curve && isFree(*curve)) std::swap(std::get<FreeSide>(*curve).name[0], std::get<FreeSide>(*curve).name[1]);
+    return curve;
   }
 
   double tolerance_;
@@ -172,9 +174,10 @@ SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& prog
   progress.check();
   if (a.region.loops.empty() || b.region.loops.empty()) return {};
   const double tolerance = a.tolerance + b.tolerance;
-  if (!hasArcs(a.region) && !hasArcs(b.region))
+  if (!hasCurves(a.region) && !hasCurves(b.region))
     return {toRegion(sum(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
-  if (isConvex(a) && isConvex(b)) return {convexSum(a.region, b.region), tolerance};
+  if (!hasSplines(a.region) && !hasSplines(b.region) && isConvex(a) && isConvex(b))
+    return {convexSum(a.region, b.region), tolerance};
   return {fittedSum(a, b, {}, progress, effort), tolerance};
 }
 
@@ -182,7 +185,7 @@ SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progres
   progress.check();
   if (a.region.loops.empty()) return {};
   const double tolerance = a.tolerance + b.tolerance;
-  if (!hasArcs(a.region) && !hasArcs(b.region))
+  if (!hasCurves(a.region) && !hasCurves(b.region))
     return {toRegion(difference(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
   const Addition leftOut{Sampling::Around, Inside::Hollow};
   return {fittedSum(complement(a, b, progress), scaled(b, -1), leftOut, progress, effort), tolerance};

@@ -1,13 +1,13 @@
-#include "kernel/arcs/segment_crossing.h"
+#include "kernel/curves/segment_crossing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "geometry/numeric/box_tree.h"
 #include "geometry/planar/planar.h"
-#include "kernel/arcs/true_curve.h"
+#include "kernel/curves/angles.h"
+#include "kernel/curves/true_curve.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -19,17 +19,18 @@ struct Stretch {
   Box2 box;
 };
 
+constexpr double quarterTurn = fullTurn / 4;
+
 Stretch stretchOf(const Segment& segment) {
   if (const auto* line = std::get_if<Line2>(&segment))
     return {&segment, StraightCurve{line->from, line->to}, {line->from.cwiseMin(line->to), line->from.cwiseMax(line->to)}};
-  const auto& arc = std::get<Arc2>(segment);
+  const auto& arc = std::get<Arc2>(segment);  // splines come here as lines
   Stretch stretch{&segment, Circle{arc.center, arc.radius}, {}};
   stretch.box.extend(startPoint(segment));
   stretch.box.extend(endPoint(segment));
   const double first = std::min(arc.start, arc.start + arc.sweep), last = std::max(arc.start, arc.start + arc.sweep);
-  for (double quarter = std::ceil(first / (std::numbers::pi / 2)); quarter * std::numbers::pi / 2 < last; ++quarter)
-    stretch.box.extend(
-        arc.center + arc.radius * Vec2(std::cos(quarter * std::numbers::pi / 2), std::sin(quarter * std::numbers::pi / 2)));
+  for (double quarter = std::ceil(first / quarterTurn); quarter * quarterTurn < last; ++quarter)
+    stretch.box.extend(arc.center + arc.radius * Vec2(std::cos(quarter * quarterTurn), std::sin(quarter * quarterTurn)));
   return stretch;
 }
 
@@ -41,8 +42,7 @@ bool holds(const Stretch& stretch, const Vec2& p, double touching) {
     return (p - line->from).dot(line->to - line->from) > 0 && (p - line->to).dot(line->to - line->from) < 0;
   const auto& arc = std::get<Arc2>(*stretch.segment);
   const double angle = std::atan2(p.y() - arc.center.y(), p.x() - arc.center.x());
-  const double along =
-      std::fmod((arc.sweep > 0 ? angle - arc.start : arc.start - angle) + 4 * std::numbers::pi, 2 * std::numbers::pi);
+  const double along = std::fmod((arc.sweep > 0 ? angle - arc.start : arc.start - angle) + 2 * fullTurn, fullTurn);
   return along < std::abs(arc.sweep);
 }
 
@@ -58,10 +58,29 @@ bool crossInside(const Stretch& a, const Stretch& b, double touching) {
 
 }  // namespace
 
-bool segmentsCross(const Region& region, double touching, const Progress& progress) {
-  std::vector<Stretch> stretches;
+namespace {
+
+/// Splines as lines within `chord`.
+std::vector<Segment> segmentsOf(const Region& region, double chord) {
+  std::vector<Segment> segments;
   for (const Path& loop : region.loops)
-    for (const Segment& segment : loop.segments) stretches.push_back(stretchOf(segment));
+    for (const Segment& segment : loop.segments) {
+      if (!std::holds_alternative<Spline2>(segment)) {
+        segments.push_back(segment);
+        continue;
+      }
+      const std::vector<Vec2> points = flatten(segment, chord);
+      for (std::size_t i = 1; i < points.size(); ++i) segments.emplace_back(Line2{points[i - 1], points[i]});
+    }
+  return segments;
+}
+
+}  // namespace
+
+bool segmentsCross(const Region& region, double touching, double chord, const Progress& progress) {
+  const std::vector<Segment> segments = segmentsOf(region, chord);
+  std::vector<Stretch> stretches;
+  for (const Segment& segment : segments) stretches.push_back(stretchOf(segment));
   std::vector<Box2> boxes;
   for (const Stretch& stretch : stretches) boxes.push_back(stretch.box);
   bool crossing = false;

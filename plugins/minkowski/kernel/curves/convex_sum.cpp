@@ -1,24 +1,16 @@
-#include "kernel/arcs/convex_sum.h"
+#include "kernel/curves/convex_sum.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "geometry/planar/planar.h"
+#include "kernel/curves/angles.h"
 
 namespace blossom::minkowski {
 namespace {
 
-constexpr double whole = 2 * std::numbers::pi;
 constexpr double oneDirection = 1e-11;  // radians
-
-double inOneTurn(double angle) {
-  const double inside = std::fmod(angle, whole);
-  return inside < 0 ? inside + whole : inside;
-}
-
-Vec2 towards(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// A range of normals, from one angle to that of the next fan, in which the boundary is an arc; a corner has the radius 0.
 struct Fan {
@@ -60,7 +52,7 @@ class Fans {
       return;
     }
     const double before = fans_.back().from;
-    fans_.push_back({before + std::max(0.0, std::remainder(angle - before, whole)), centre, radius});
+    fans_.push_back({before + std::max(0.0, std::remainder(angle - before, fullTurn)), centre, radius});
   }
 
   std::vector<Fan> fans_;
@@ -74,7 +66,7 @@ std::vector<double> startsOf(const Fans& a, const Fans& b) {
   std::sort(starts.begin(), starts.end());
   const auto same = [](double p, double q) { return q - p <= oneDirection; };
   starts.erase(std::unique(starts.begin(), starts.end(), same), starts.end());
-  while (starts.size() > 1 && same(starts.back(), starts.front() + whole)) starts.pop_back();
+  while (starts.size() > 1 && same(starts.back(), starts.front() + fullTurn)) starts.pop_back();
   return starts;
 }
 
@@ -84,7 +76,7 @@ bool continues(const Arc2& arc, const Arc2& next) { return arc.center == next.ce
 std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, const Fans& b) {
   std::vector<Arc2> arcs;
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    const double width = (i + 1 < starts.size() ? starts[i + 1] : starts.front() + whole) - starts[i];
+    const double width = (i + 1 < starts.size() ? starts[i + 1] : starts.front() + fullTurn) - starts[i];
     const double middle = inOneTurn(starts[i] + width / 2);
     const Fan &ofA = a.at(middle), &ofB = b.at(middle);
     const Arc2 arc{ofA.centre + ofB.centre, ofA.radius + ofB.radius, starts[i], width};
@@ -114,8 +106,8 @@ Region convexSum(const Region& a, const Region& b) {
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const Arc2 &arc = arcs[i], &next = arcs[(i + 1) % arcs.size()];
     if (arc.radius > 0) path.segments.emplace_back(arc);
-    const Vec2 from = arc.center + arc.radius * towards(arc.start + arc.sweep),
-               to = next.center + next.radius * towards(next.start);
+    const Vec2 from = arc.center + arc.radius * unitAt(arc.start + arc.sweep),
+               to = next.center + next.radius * unitAt(next.start);
     if ((to - from).norm() > rounding) path.segments.emplace_back(Line2{from, to});
   }
   return {{path}};

@@ -69,6 +69,26 @@ Region anyRounded(Random& random, double reach) {
   return region;
 }
 
+/// A smooth closed cubic B-spline with hollows.
+Region freeRegion(Random& random, double reach) {
+  const int n = uniformInt(random, 5, 9);
+  Spline2 spline{3, {}, {}};
+  for (int i = 0; i < n + 3; ++i) {
+    const double angle = 2 * pi * i / n;
+    if (i < n) {
+      const double r = reach * uniform(random, 0.4, 1);
+      spline.poles.push_back(Vec2(r * std::cos(angle), r * std::sin(angle)).homogeneous());
+    } else {
+      spline.poles.push_back(spline.poles[static_cast<std::size_t>(i - n)]);
+    }
+  }
+  for (int i = 0; i < n + 7; ++i) spline.knots.push_back(i);
+  Path path;
+  path.closed = true;
+  path.segments.emplace_back(spline);
+  return {{path}};
+}
+
 int arcCountOf(const Region& region) {
   int count = 0;
   for (const Path& loop : region.loops)
@@ -111,7 +131,7 @@ Region moved(const Region& region, const Vec2& by, double turn) {
 }  // namespace
 
 /// Lines and arcs stay lines and arcs.
-class MinkowskiArcsTest : public QObject {
+class MinkowskiCurvesTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -250,7 +270,43 @@ class MinkowskiArcsTest : public QObject {
     }
     QVERIFY(rooms > 20);
   }
+
+  /// Steiner's formula within the tolerance, by few smooth pieces.
+  void ellipsesAndDiscs() {
+    Random random = seededRandom();
+    for (int k = 0; k < 60; ++k) {
+      const double a = std::pow(10, uniform(random, -1, 2)), b = a * uniform(random, 0.2, 1),
+                   r = a * uniform(random, 0.01, 2);
+      const Region ellipse = ellipseRegion(a, b), sum = curvedSumOf(ellipse, circleRegion(r));
+      const double tolerance = 2 * (defaultTolerance(ellipse) + defaultTolerance(circleRegion(r)));
+      const double exact = area(ellipse) + r * wayAround(ellipse) + pi * r * r;
+      COMPARE_NEAR(area(sum), exact, tolerance * wayAround(sum));
+      QCOMPARE(segmentCountOf(sum), std::size_t{1});
+      QVERIFY(std::get<Spline2>(sum.loops.front().segments.front()).poles.size() <= 100);
+    }
+  }
+
+  /// Free-form outlines with hollows, with lines, arcs and each other: as fine polygons within the tolerance, and not of
+  /// many more pieces than what they come from.
+  void anyFreeOutlines() {
+    Random random = seededRandom();
+    for (int k = 0; k < 60; ++k) {
+      const Region a = freeRegion(random, 10);
+      const Region b = k % 3 == 0   ? freeRegion(random, 3)
+                       : k % 3 == 1 ? circleRegion(uniform(random, 0.1, 6))
+                                    : anyRounded(random, 3);
+      const Region sum = curvedSumOf(a, b);
+      constexpr double fine = 1e-4;
+      Effort unlimited;
+      const Polygons polygons = minkowski::sum(flattened(a, {.tolerance = fine}, "a"),
+                                               flattened(b, {.tolerance = fine}, "b"), Progress::none(), unlimited);
+      const double tolerance = 4 * (defaultTolerance(a) + defaultTolerance(b));
+      COMPARE_NEAR(area(sum), minkowski::area(polygons), tolerance * wayAround(sum));
+      QVERIFY(segmentCountOf(sum) <= 60);
+      QVERIFY(largestGap(sum) <= tolerance);
+    }
+  }
 };
 
-BLOSSOM_TEST(MinkowskiArcsTest)
-#include "minkowski_arcs_test.moc"
+BLOSSOM_TEST(MinkowskiCurvesTest)
+#include "minkowski_curves_test.moc"

@@ -23,7 +23,7 @@ struct RegionSumResult {
 };
 
 /// A + B + .. (Lee, Lee, Kim & Kim 2002, section 1): all sums of a point of each, about the origin of the document. Lines
-/// and arcs stay lines and arcs; splines are lines within the tolerance.
+/// and arcs stay lines and arcs, splines become cubic splines within the tolerance.
 /// @throws Error InvalidParameter (fewer than two), InvalidInput naming shape and place (see flattening.h), LimitExceeded,
 /// Cancelled; TooMuchWork. O((m + k) log m) for the m edges of the convolution with k crossings.
 RegionSumResult minkowskiSum(std::span<const Region>, const RegionSumOptions& = {}, const Progress& = Progress::none());

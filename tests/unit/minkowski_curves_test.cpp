@@ -312,6 +312,103 @@ class MinkowskiCurvesTest : public QObject {
       QVERIFY(largestGap(sum) <= tolerance);
     }
   }
+
+  /// Two discs that touch, joined by lines to a point: convex but for the cusp between the discs.
+  void aCuspIsNotConvex() {
+    const double half = 3;  // from (0, -3) the discs about (+-1, 0) are touched at a distance of 3
+    const Vec2 tip(0, -3);
+    const auto touch = [&](double side) {  // of the tangent from the tip to the outer side of a disc
+      const Vec2 centre(side, 0), to = centre - tip;
+      const double angle = std::atan2(to.y(), to.x()) - side * std::asin(1 / to.norm());
+      return Vec2(tip + half * Vec2(std::cos(angle), std::sin(angle)));
+    };
+    const Vec2 first = touch(1), last = touch(-1);
+    const double start = std::atan2(first.y(), first.x() - 1), end = std::atan2(last.y(), last.x() + 1);
+    Path heart;
+    heart.closed = true;
+    heart.segments = {Line2{tip, first}, Arc2{{1, 0}, 1, start, pi - start},
+                      Arc2{{-1, 0}, 1, 0, end < 0 ? end + 2 * pi : end}, Line2{last, tip}};
+    const Region disc = circleRegion(0.1), sum = curvedSumOf({{heart}}, disc);
+    constexpr double fine = 1e-5;
+    Effort unlimited;
+    const Polygons polygons = minkowski::sum(flattened({{heart}}, {.tolerance = fine}, "heart"),
+                                             flattened(disc, {.tolerance = fine}, "disc"), Progress::none(), unlimited);
+    COMPARE_NEAR(area(sum), minkowski::area(polygons), 2 * fine * wayAround(sum));
+  }
+
+  /// A segment without a length in a hollow corner.
+  void aPointInTheDrawingDoesNoHarm() {
+    Region hollow = polygonRegion({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
+    const double without = area(curvedSumOf(hollow, circleRegion(0.3)));
+    auto& segments = hollow.loops.front().segments;
+    segments.insert(segments.begin() + 3, Line2{{2, 1}, {2, 1}});
+    COMPARE_NEAR(area(curvedSumOf(hollow, circleRegion(0.3))), without, 1e-12);
+  }
+
+  /// A side drawn in two lines, an arc that turns into a hollow one, and ends of arcs a rounding apart at the angle 0.
+  void sidesAndArcsGoOnThroughStraightCorners() {
+    const Region bent = polygonRegion({{0, 0}, {1.3, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}, {0, 1.7}});
+    Region disc = circleRegion(0.5);
+    std::get<Arc2>(disc.loops.front().segments.front()).start = 0.1;
+    // Steiner's formula, but in the hollow corner two strips overlap in a square instead of being joined by a quarter.
+    const double r = 0.5, exact = 12 + 16 * r + 5 * pi * r * r / 4 - r * r;
+    COMPARE_NEAR(area(curvedSumOf(bent, disc)), exact, 1e-12);
+    const Region coarse = curvedSumOf(bent, disc, 0.01), fine = curvedSumOf(bent, disc, 1e-4);
+    COMPARE_NEAR(area(coarse), area(fine), 1e-12);
+    QCOMPARE(segmentCountOf(coarse), std::size_t{11});
+
+    Path fillets;
+    fillets.closed = true;
+    fillets.segments = {Line2{{0, 0}, {3, 0}},
+                        Arc2{{3, 1}, 1, -pi / 2, pi / 2},
+                        Line2{{4, 1}, {4, 2}},
+                        Line2{{4, 2}, {2, 2}},
+                        Line2{{2, 2}, {2, 3}},
+                        Line2{{2, 3}, {2, 3}},
+                        Arc2{{1, 3}, 1, -1e-17, pi / 2},
+                        Line2{{1, 4}, {0, 4}},
+                        Line2{{0, 4}, {0, 0}}};
+    Region other = circleRegion(0.5);
+    std::get<Arc2>(other.loops.front().segments.front()).start = 1;
+    const Region grown = curvedSumOf({{fillets}}, other);
+    COMPARE_NEAR(area(grown), area(curvedSumOf({{fillets}}, other, 2e-4)), 1e-12);
+    QCOMPARE(arcCountOf(grown), 5);
+  }
+
+  /// A half-round bite in which the disc just does not fit, and just fits.
+  void aHollowThatIsFilled() {
+    for (const double less : {1e-2, 1e-6, 1e-7, 1e-9, 1e-11}) {
+      const double bite = 1 - less;
+      Path block;
+      block.closed = true;
+      block.segments = {Line2{{-4, 0}, {4, 0}},     Line2{{4, 0}, {4, 4}},      Line2{{4, 4}, {bite, 4}},
+                        Arc2{{0, 4}, bite, 0, -pi}, Line2{{-bite, 4}, {-4, 4}}, Line2{{-4, 4}, {-4, 0}}};
+      const Region sum = curvedSumOf({{block}}, circleRegion(1));
+      QVERIFY2(arcCountOf(sum) == 6, qPrintable(QStringLiteral("%1 arcs at %2").arg(arcCountOf(sum)).arg(less)));
+    }
+  }
+
+  /// Near the ends of a morph the other shape is smaller than any rounding.
+  void theEndsOfAMorphAreCurved() {
+    Random random = seededRandom();
+    const std::vector<Region> shapes{{{roundedPath(spikyPoints(random, {0, 0}, 10, 8), 0.5)}},
+                                     {{roundedPath(spikyPoints(random, {0, 0}, 6, 7), 0.3)}}};
+    for (const double t : {1e-15, 1e-13, 1e-163, 1 - 1e-16, 1 - 1e-14}) {
+      const Region between = morph(shapes, std::vector<std::vector<double>>{{t}}).regions.front();
+      QVERIFY(arcCountOf(between) >= 7);
+      COMPARE_NEAR(area(between), area(shapes[t < 0.5 ? 0 : 1]), 1e-9);
+    }
+  }
+
+  /// The normals at the ends of one shape's arcs cut the other's, not its own.
+  void manyFilletsAreNoBurden() {
+    Random random = seededRandom();
+    const Region many{{roundedPath(spikyPoints(random, {0, 0}, 50, 600), 0.02)}};
+    const Region sum = curvedSumOf(many, circleRegion(1));
+    QVERIFY(arcCountOf(sum) > 10);
+    const Region some{{roundedPath(spikyPoints(random, {0, 0}, 20, 200), 0.02)}};
+    QVERIFY(arcCountOf(curvedSumOf(many, some)) > 10);
+  }
 };
 
 BLOSSOM_TEST(MinkowskiCurvesTest)

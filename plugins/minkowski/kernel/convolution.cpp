@@ -78,7 +78,7 @@ class EdgePile {
   /// An edge of the first or the second set moved by a corner of the other.
   void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
     CountedEdge moved{edge.from + corner.at, edge.to + corner.at, corner.sign, corner.sign > 0};
-    if (edge.number != CornerNumbers::unknown && corner.number != CornerNumbers::unknown) {
+    if (corner.sign > 0 && edge.number != CornerNumbers::unknown && corner.number != CornerNumbers::unknown) {
       moved.source = static_cast<std::uint32_t>(sources_->all.size());
       sources_->all.push_back({edge.number, corner.number, edgeOfFirst});
     }

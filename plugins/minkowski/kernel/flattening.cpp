@@ -280,6 +280,16 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   return {tolerance, std::move(nesting)};
 }
 
+/// Without segments that have no length, and so no direction.
+Path withoutPoints(Path path) {
+  std::erase_if(path.segments, [](const Segment& segment) {
+    if (const auto* line = std::get_if<Line2>(&segment)) return line->from == line->to;
+    const auto* arc = std::get_if<Arc2>(&segment);
+    return arc && (arc->sweep == 0 || arc->radius == 0);
+  });
+  return path;
+}
+
 }  // namespace
 
 double thicknessOf(const Region& region) {
@@ -312,8 +322,8 @@ SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, 
   if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !hasCurves(region)};
   SoundRegion sound{{}, checked.tolerance, !hasSplines(region)};
   for (const auto& [outer, holes] : *parts) {
-    sound.region.loops.push_back(region.loops[outer]);
-    for (const std::size_t hole : holes) sound.region.loops.push_back(region.loops[hole]);
+    sound.region.loops.push_back(withoutPoints(region.loops[outer]));
+    for (const std::size_t hole : holes) sound.region.loops.push_back(withoutPoints(region.loops[hole]));
   }
   return sound;
 }

@@ -81,7 +81,8 @@ bool isConvex(const SoundRegion& shape) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (const auto* arc = std::get_if<Arc2>(&segments[i]); arc && arc->sweep < 0) return false;
     const Vec2 in = directionsOf(segments[i]).second, out = directionsOf(segments[(i + 1) % segments.size()]).first;
-    if (cross(in, out) < -rounding) return false;
+    const double turn = cross(in, out);
+    if (turn < -rounding || (turn <= rounding && in.dot(out) < 0)) return false;  // also a cusp
   }
   return true;
 }
@@ -92,7 +93,7 @@ Polygons toPolygons(const SoundRegion& shape) {
     Loop loop;
     loop.reserve(path.segments.size());
     for (const Segment& segment : path.segments) loop.push_back(startPoint(segment));
-    if (signedArea(loop) > 0)
+    if (polygons.empty() || signedArea(loop) > 0)
       polygons.push_back({std::move(loop), {}});
     else
       polygons.back().holes.push_back(std::move(loop));

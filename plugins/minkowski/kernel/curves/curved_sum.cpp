@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/planar_bezier.h"
 #include "kernel/convolution.h"
 #include "kernel/curves/convex_sum.h"
 #include "kernel/curves/curve_fitting.h"
@@ -60,9 +61,8 @@ class SampledSum {
   SampledSum(const SoundRegion& a, const SoundRegion& b, double share, const Addition& addition, const Progress& progress,
              Effort& effort)
       : tolerance_(share * (a.tolerance + b.tolerance)) {
-    const std::vector<double> normals = sharedNormals(a, b, share);
-    a_ = sampled(a, share, normals, addition.sampling);
-    b_ = sampled(b, share, normals, addition.sampling);
+    a_ = sampled(a, share, normalsOf(b, a, share), addition.sampling, progress);
+    b_ = sampled(b, share, normalsOf(a, b, share), addition.sampling, progress);
     const SnappedOperands operands = snappedTogether(a_.polygons, b_.polygons);
     grid_ = operands.gridOfSum;
     sources_.first = numbersOf(a_, operands.gridA);
@@ -115,17 +115,45 @@ class SampledSum {
 /// By polygons that become finer until the curves fit.
 Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
                  Effort& effort) {
-  constexpr int attempts = 4;
+  constexpr int attempts = 3;
   constexpr double finer = 1.0 / 8;
-  double share = 1;
+  double share = 1, done = 0;
   std::optional<Region> lines;
-  for (int i = 0; i < attempts; ++i, share *= finer) {
+  for (int i = 0; i < attempts; ++i, share *= finer, done = (1 + done) / 2) {
     progress.check();
-    const SampledSum sum(a, b, share, addition, progress, effort);
-    if (auto curves = sum.curves(progress)) return *std::move(curves);
-    if (!lines) lines = sum.lines();
+    try {
+      const SampledSum sum(a, b, share, addition, progress.part(done, (1 + done) / 2), effort);
+      if (auto curves = sum.curves(progress)) return *std::move(curves);
+      if (!lines) lines = sum.lines();
+    } catch (const Error& error) {
+      if (!lines || error.code() != ErrorCode::LimitExceeded) throw;  // finer polygons are too many
+      break;
+    }
   }
   return *std::move(lines);
+}
+
+/// When one set is as good as a point beside the other: the other, moved there.
+std::optional<SoundRegion> sumWithPoint(const SoundRegion& a, const SoundRegion& b) {
+  const auto boxOfShape = [](const SoundRegion& shape) {
+    Box2 box;
+    for (const Path& loop : shape.region.loops)
+      for (const Segment& segment : loop.segments) {
+        box.extend(startPoint(segment));
+        if (const auto* arc = std::get_if<Arc2>(&segment)) {
+          box.extend(Vec2(arc->center + Vec2::Constant(arc->radius)));
+          box.extend(Vec2(arc->center - Vec2::Constant(arc->radius)));
+        }
+        if (const auto* spline = std::get_if<Spline2>(&segment))
+          for (const Vec3& pole : spline->poles) box.extend(euclidean(pole));
+      }
+    return box;
+  };
+  constexpr double point = 3e-12;
+  const Box2 boxA = boxOfShape(a), boxB = boxOfShape(b);
+  if (boxB.sizes().norm() <= point * boxA.sizes().norm()) return translated(a, boxB.center());
+  if (boxA.sizes().norm() <= point * boxB.sizes().norm()) return translated(b, boxA.center());
+  return std::nullopt;
 }
 
 Box2 boxOf(const std::vector<Loop>& loops) {
@@ -176,6 +204,7 @@ SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& prog
   const double tolerance = a.tolerance + b.tolerance;
   if (!hasCurves(a.region) && !hasCurves(b.region))
     return {toRegion(sum(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
+  if (auto moved = sumWithPoint(a, b)) return *std::move(moved);
   if (!hasSplines(a.region) && !hasSplines(b.region) && isConvex(a) && isConvex(b))
     return {convexSum(a.region, b.region), tolerance};
   return {fittedSum(a, b, {}, progress, effort), tolerance};

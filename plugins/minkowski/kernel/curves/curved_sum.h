@@ -6,9 +6,9 @@
 namespace blossom::minkowski {
 
 /// A + B of curved regions: an edge moved over a corner stays what it is, an arc moved along an arc with the same normals
-/// becomes one with the sum of the radii (Lee, Lee, Kim & Kim 2002, section 3.1), and what comes of splines is a cubic spline
-/// within the tolerances. Which of them bound the sum is decided by polygons within the tolerances, whose sides know their
-/// curves; where curves do not fit together the polygons are made finer, three times at most, and the last resort are
+/// becomes one with the sum of the radii (Lee, Lee, Kim & Kim 2002, section 3.1), and what comes of splines is a cubic
+/// spline within the tolerances. Which of them bound the sum is decided by polygons within the tolerances, whose sides know
+/// their curves; where curves do not fit together the polygons are made finer, twice at most, and the last resort are
 /// straight lines within the tolerances. The centres, radii and ends of lines and arcs are those of the curves to rounding.
 /// The empty set when one of them is empty.
 /// @throws Error LimitExceeded, Cancelled; TooMuchWork. As polygon_sum.h for the polygons.

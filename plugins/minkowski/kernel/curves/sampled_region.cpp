@@ -61,8 +61,11 @@ class RegionSampler {
   RegionSampler(const std::vector<double>& normals, double tolerance, Sampling sampling)
       : arcs_(normals, tolerance), normals_(normals), tolerance_(tolerance), sampling_(sampling) {}
 
-  SampledRegion run(const Region& region) {
-    for (const Path& loop : region.loops) add(loop);
+  SampledRegion run(const Region& region, const Progress& progress) {
+    for (const Path& loop : region.loops) {
+      progress.check();
+      add(loop);
+    }
     return std::move(out_);
   }
 
@@ -73,7 +76,7 @@ class RegionSampler {
     close(first);
     Loop loop;
     for (std::size_t i = first; i < out_.corners.size(); ++i) loop.push_back(out_.corners[i].at);
-    if (blossom::signedArea(path) > 0)
+    if (out_.polygons.empty() || blossom::signedArea(path) > 0)
       out_.polygons.push_back({std::move(loop), {}});
     else
       out_.polygons.back().holes.push_back(std::move(loop));
@@ -207,7 +210,7 @@ FreeSide freeSide(const SampledSide& side, const SampledCorner& by, std::uint32_
           {side.to + by.at, side.normalTo, onCurve(side.normalTo)}};
 }
 
-/// The normals of one region that the other has to know.
+/// Directions, each once.
 class NormalList {
  public:
   void addArcs(const Region& region) {
@@ -232,6 +235,7 @@ class NormalList {
     std::sort(normals_.begin(), normals_.end());
     const auto end = std::unique(normals_.begin(), normals_.end(), [](double p, double q) { return q - p <= sameAngle; });
     normals_.erase(end, normals_.end());
+    while (normals_.size() > 1 && normals_.front() + fullTurn - normals_.back() <= sameAngle) normals_.pop_back();
     return std::move(normals_);
   }
 
@@ -247,6 +251,17 @@ class NormalList {
   std::vector<double> normals_;
 };
 
+/// About how often the curves of a region turn all around: how often they meet a normal.
+double turnsOf(const Region& region) {
+  double turns = 0;
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) {
+      if (const auto* arc = std::get_if<Arc2>(&segment)) turns += std::abs(arc->sweep) / fullTurn;
+      if (std::holds_alternative<Spline2>(segment)) turns += 0.5;
+    }
+  return turns;
+}
+
 std::size_t segmentCount(const Region& region) {
   std::size_t count = 0;
   for (const Path& loop : region.loops) count += loop.segments.size();
@@ -255,20 +270,21 @@ std::size_t segmentCount(const Region& region) {
 
 }  // namespace
 
-std::vector<double> sharedNormals(const SoundRegion& a, const SoundRegion& b, double share) {
+std::vector<double> normalsOf(const SoundRegion& shape, const SoundRegion& other, double share) {
   constexpr std::size_t few = 1000;  // segments
   NormalList normals;
-  const bool splines = hasSplines(a.region) || hasSplines(b.region);
-  for (const SoundRegion* shape : {&a, &b}) {
-    normals.addArcs(shape->region);
-    normals.addSplines(*shape, share);
-    if (splines && segmentCount(shape->region) <= few) normals.addLines(shape->region);
-  }
-  return std::move(normals).sorted();
+  normals.addArcs(shape.region);
+  normals.addSplines(shape, share);
+  if (hasSplines(other.region) && segmentCount(shape.region) <= few) normals.addLines(shape.region);
+  std::vector<double> all = std::move(normals).sorted();
+  constexpr double mostCuts = 20'000;
+  if (turnsOf(other.region) * static_cast<double>(all.size()) <= mostCuts) return all;
+  return {0, fullTurn / 4, fullTurn / 2, 3 * fullTurn / 4};
 }
 
-SampledRegion sampled(const SoundRegion& shape, double share, const std::vector<double>& normals, Sampling sampling) {
-  return RegionSampler(normals, share * shape.tolerance, sampling).run(shape.region);
+SampledRegion sampled(const SoundRegion& shape, double share, const std::vector<double>& normals, Sampling sampling,
+                      const Progress& progress) {
+  return RegionSampler(normals, share * shape.tolerance, sampling).run(shape.region, progress);
 }
 
 std::optional<TrueCurve> curveOfPair(const SampledRegion& ofSide, std::uint32_t side, const SampledRegion& ofCorner,
@@ -285,8 +301,9 @@ std::optional<TrueCurve> curveOfPair(const SampledRegion& ofSide, std::uint32_t 
     return StraightCurve{moved.from + shift, moved.to + shift};
   }
   const BoundaryCurve& curve = ofSide.curves[*moved.curve];
-  const double radius = std::abs(curve.radius + (arc ? moves->radius : 0));
-  if (radius <= point) return std::nullopt;
+  const double sum = curve.radius + (arc ? moves->radius : 0), radius = std::abs(sum);
+  // A hollow arc that is filled by a larger one bounds nothing but what its polygon leaves.
+  if (radius <= point || (curve.radius < 0 && sum > 0)) return std::nullopt;
   return Circle{curve.centre + (arc ? moves->centre : by.at), radius};
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/progress.h"
 #include "kernel/curves/true_curve.h"
 #include "kernel/polygons.h"
 #include "kernel/sound_region.h"
@@ -40,9 +41,11 @@ struct SampledRegion {
   std::vector<BoundaryCurve> curves;
 };
 
-/// Angles of the normals at which both regions are cut, sorted, 0 to 2 pi: those at the ends of all arcs; where there are
-/// splines, also those of their own samples and, when they are few, of the lines.
-std::vector<double> sharedNormals(const SoundRegion&, const SoundRegion&, double share);
+/// Angles of the normals of a shape at which another one is to be cut, sorted, 0 to 2 pi: those at the ends of arcs and of
+/// the samples of splines and, where the other has splines, of the lines when they are few. Where that would be too many
+/// cuts, the four directions of the axes.
+/// @param share of the tolerance
+std::vector<double> normalsOf(const SoundRegion&, const SoundRegion& other, double share);
 
 /// Where the polygons of a sampled region may lie.
 enum class Sampling {
@@ -53,7 +56,8 @@ enum class Sampling {
 /// Polygons within a share of the tolerance. Curves are cut at the normals, so that each chord of an arc belongs to one set
 /// of curves of the other region with the same normals, and arcs between them in a power of two of equal parts, so that
 /// chords of arcs with the same normals tend to be parallel. @pre without splines, or Sampling::Chords
-SampledRegion sampled(const SoundRegion&, double share, const std::vector<double>& normals, Sampling);
+SampledRegion sampled(const SoundRegion&, double share, const std::vector<double>& normals, Sampling,
+                      const Progress& = Progress::none());
 
 /// The curve on which x + y lies for points x of a side and those of another region at a convex corner whose turn contains
 /// the direction of the side: a side moved by the corner or, where the corner stands for an arc, by the arc's point with the

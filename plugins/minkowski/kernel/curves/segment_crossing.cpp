@@ -46,14 +46,25 @@ bool holds(const Stretch& stretch, const Vec2& p, double touching) {
   return along < std::abs(arc.sweep);
 }
 
+/// Neighbours that are nearly tangent meet near their common end as well, once more, within rounding.
+double slackOf(const Stretch& a, const Stretch& b, double touching) {
+  double radius = 0;
+  for (const Stretch* stretch : {&a, &b})
+    if (const auto* circle = std::get_if<Circle>(&stretch->curve)) radius = std::max(radius, circle->radius);
+  const auto near = [&](const Vec2& p, const Vec2& q) { return (p - q).norm() <= 8 * touching; };
+  const bool neighbours =
+      near(endPoint(*a.segment), startPoint(*b.segment)) || near(endPoint(*b.segment), startPoint(*a.segment));
+  return neighbours ? touching + std::sqrt(32 * radius * touching) : touching;
+}
+
 bool crossInside(const Stretch& a, const Stretch& b, double touching) {
   const Meetings meetings = meetingsOf(a.curve, b.curve, touching);
   const auto points = meetings.points();
   // Circles and lines that meet in one point touch there; two lines cross.
   const bool lines = std::holds_alternative<StraightCurve>(a.curve) && std::holds_alternative<StraightCurve>(b.curve);
   if (points.size() == 1 && !lines) return false;
-  return std::any_of(points.begin(), points.end(),
-                     [&](const Vec2& p) { return holds(a, p, touching) && holds(b, p, touching); });
+  const double slack = points.empty() ? touching : slackOf(a, b, touching);
+  return std::any_of(points.begin(), points.end(), [&](const Vec2& p) { return holds(a, p, slack) && holds(b, p, slack); });
 }
 
 }  // namespace

@@ -127,7 +127,8 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "Scale the result so that its area blends those of the shapes.")
       .parameter("offsets", &P::offsets, list(displacement()),
                  "Displacement of each control shape from its drawn position, first to last; others stay.")
-      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between curves and the polygons that stand for them.")
+      .parameter("tolerance", &P::tolerance, toleranceSpec(),
+                 "Largest distance between curves and the polygons that stand for them.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
@@ -150,7 +151,8 @@ Evaluated evaluated(RegionSumResult result) {
   return out;
 }
 
-FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std::string summary, std::string inputHelp) {
+FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std::string summary, std::string inputHelp,
+                                         std::size_t mostShapes = anyNumber) {
   using P = SumParameters;
   auto builder = feature<P>(std::move(id), std::move(title), std::move(summary));
   builder
@@ -158,10 +160,11 @@ FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std:
               .help = std::move(inputHelp),
               .kinds = {ShapeKind::Region},
               .minimum = 2,
-              .maximum = anyNumber,
+              .maximum = mostShapes,
               .use = InputUse::Control,
               .asks = "a region to combine"})
-      .parameter("tolerance", &P::tolerance, toleranceSpec(), "Largest distance between curves and the polygons that stand for them.");
+      .parameter("tolerance", &P::tolerance, toleranceSpec(),
+                 "Largest distance between curves and the polygons that stand for them.");
   return builder;
 }
 
@@ -190,10 +193,42 @@ FeatureType differenceFeature(std::size_t maximumWork) {
       });
 }
 
+FeatureType openingFeature(std::size_t maximumWork) {
+  return sumBuilder(
+             "minkowski.region-open", "Opening of an outline",
+             "The part of an outline that a shape covers while it stays inside: thin parts and outer corners disappear.",
+             "An outline, then the shape that moves inside it.", 2)
+      .command("region-open")
+      .icon("solid-open")
+      .produces({ShapeKind::Region})
+      .example("blossom region-open plate.dxf circle:2 -o rounded.dxf")
+      .example("blossom region-open star:5:20:12 circle:1 --json")
+      .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        const std::vector<Region> shapes = regionsOf(inputs);
+        return evaluated(regionOpening(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
+      });
+}
+
+FeatureType closingFeature(std::size_t maximumWork) {
+  return sumBuilder("minkowski.region-close", "Closing of an outline",
+                    "An outline with the places filled that a shape cannot reach from outside: slots and inner corners.",
+                    "An outline, then the shape that moves outside it, turned by 180 degrees.", 2)
+      .command("region-close")
+      .icon("solid-close")
+      .produces({ShapeKind::Region})
+      .example("blossom region-close plate.dxf circle:2 -o filled.dxf")
+      .example("blossom region-close star:5:20:12 circle:1 --json")
+      .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
+        const std::vector<Region> shapes = regionsOf(inputs);
+        return evaluated(regionClosing(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
+      });
+}
+
 }  // namespace
 
 void registerAll(Registry& registry) {
-  for (const auto& make : {morphFeature, sumFeature, differenceFeature}) registry.add(inWorkerWhenLong(make));
+  for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature})
+    registry.add(inWorkerWhenLong(make));
 }
 
 }  // namespace blossom::minkowski

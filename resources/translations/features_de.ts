@@ -1691,6 +1691,30 @@
         <translation>Minkowski</translation>
     </message>
     <message>
+        <source>Opening of an outline</source>
+        <translation>Öffnen eines Umrisses</translation>
+    </message>
+    <message>
+        <source>The part of an outline that a shape covers while it stays inside: thin parts and outer corners disappear.</source>
+        <translation>Der Teil eines Umrisses, den eine Form überdeckt, während sie darin bleibt: dünne Teile und äußere Ecken verschwinden.</translation>
+    </message>
+    <message>
+        <source>An outline, then the shape that moves inside it.</source>
+        <translation>Ein Umriss, dann die Form, die sich darin bewegt.</translation>
+    </message>
+    <message>
+        <source>Closing of an outline</source>
+        <translation>Schließen eines Umrisses</translation>
+    </message>
+    <message>
+        <source>An outline with the places filled that a shape cannot reach from outside: slots and inner corners.</source>
+        <translation>Ein Umriss, an dem gefüllt ist, was eine Form von außen nicht erreicht: Schlitze und innere Ecken.</translation>
+    </message>
+    <message>
+        <source>An outline, then the shape that moves outside it, turned by 180 degrees.</source>
+        <translation>Ein Umriss, dann die Form, die sich außen bewegt, um 180 Grad gedreht.</translation>
+    </message>
+    <message>
         <source>Minkowski difference</source>
         <translation>Minkowski-Differenz</translation>
     </message>

@@ -32,7 +32,10 @@ class MinkowskiCliTest : public QObject {
     const Answer room = blossom({"minkowski-difference", "rectangle:40:30", "rectangle:10:10", "-o", "room.dxf"});
     COMPARE_NEAR(room.result("area"), 30 * 20, 1e-9);
     const Answer rounded = blossom({"minkowski-sum", "rectangle:40:10", "circle:2", "--tolerance", "1e-4"});
-    COMPARE_NEAR(rounded.result("area"), 400 + 100 * 2 + 4 * pi, 1e-4 * (100 + 4 * pi));
+    COMPARE_NEAR(rounded.result("area"), 400 + 100 * 2 + 4 * pi, 1e-9);
+    const Answer opened = blossom({"region-open", "rectangle:40:10", "circle:2", "-o", "opened.dxf"});
+    COMPARE_NEAR(opened.result("area"), 400 - 16 + 4 * pi, 1e-9);
+    QCOMPARE(opened.result("arcs"), 4.0);
   }
 
   /// The ends are the control shapes, with their arcs: not polygons of them.
@@ -143,7 +146,7 @@ class MinkowskiCliTest : public QObject {
       QVERIFY2(!type->examples.empty(), type->id.c_str());
       QVERIFY2(fs::exists(sourceFolder() / "resources/icons" / (type->icon + ".svg")), type->id.c_str());
     }
-    QCOMPARE(found, 3);
+    QCOMPARE(found, 5);
   }
 
   void theSamplesHoldTheirMorphs() {

@@ -409,6 +409,24 @@ class MinkowskiCurvesTest : public QObject {
     const Region some{{roundedPath(spikyPoints(random, {0, 0}, 20, 200), 0.02)}};
     QVERIFY(arcCountOf(curvedSumOf(many, some)) > 10);
   }
+
+  /// A disc rounds the outer corners of a rectangle, the inner ones of a frame and the hollow one of an angle.
+  void openingAndClosingRoundCorners() {
+    const Region disc = circleRegion(2, {5, 7});  // where the disc lies makes no difference
+    const double corner = (4 - pi) * 4 / 4;       // what a corner loses
+    const Region angle = polygonRegion({{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 20}, {0, 20}});
+    const Region opened = regionOpening(angle, disc).region, closed = regionClosing(angle, disc).region;
+    COMPARE_NEAR(area(opened), area(angle) - 5 * corner, 1e-10);
+    COMPARE_NEAR(area(closed), area(angle) + corner, 1e-10);
+    QCOMPARE(arcCountOf(opened), 5);
+    QCOMPARE(arcCountOf(closed), 1);
+    Region frame = rectangleRegion({0, 0}, {30, 30});
+    frame.loops.push_back(blossom::reversed(rectanglePath({10, 10}, {20, 20})));
+    COMPARE_NEAR(area(regionClosing(frame, disc).region), area(frame) + 4 * corner, 1e-10);
+    // Both change nothing when they are done again.
+    COMPARE_NEAR(area(regionOpening(opened, disc).region), area(opened), 1e-9);
+    COMPARE_NEAR(area(regionClosing(closed, disc).region), area(closed), 1e-9);
+  }
 };
 
 BLOSSOM_TEST(MinkowskiCurvesTest)

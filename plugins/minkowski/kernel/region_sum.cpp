@@ -99,4 +99,19 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
   return result;
 }
 
+RegionSumResult regionOpening(const Region& a, const Region& b, const RegionSumOptions& options, const Progress& progress) {
+  const RegionSumResult room = minkowskiDifference(std::vector{a, b}, options, progress.part(0, 0.5));
+  RegionSumResult result = minkowskiSum(std::vector{room.region, b}, options, progress.part(0.5, 1));
+  result.sums += room.sums;
+  result.warnings = room.warnings;
+  return result;
+}
+
+RegionSumResult regionClosing(const Region& a, const Region& b, const RegionSumOptions& options, const Progress& progress) {
+  const RegionSumResult grown = minkowskiSum(std::vector{a, b}, options, progress.part(0, 0.5));
+  RegionSumResult result = minkowskiDifference(std::vector{grown.region, b}, options, progress.part(0.5, 1));
+  result.sums += grown.sums;
+  return result;
+}
+
 }  // namespace blossom::minkowski

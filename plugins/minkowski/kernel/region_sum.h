@@ -34,4 +34,12 @@ RegionSumResult minkowskiSum(std::span<const Region>, const RegionSumOptions& = 
 RegionSumResult minkowskiDifference(std::span<const Region>, const RegionSumOptions& = {},
                                     const Progress& = Progress::none());
 
+/// (A - B) + B: the part of A that B covers while it stays inside. @throws as minkowskiDifference
+RegionSumResult regionOpening(const Region& a, const Region& b, const RegionSumOptions& = {},
+                              const Progress& = Progress::none());
+
+/// (A + B) - B: A with the places filled that -B cannot reach from outside. @throws as minkowskiSum
+RegionSumResult regionClosing(const Region& a, const Region& b, const RegionSumOptions& = {},
+                              const Progress& = Progress::none());
+
 }  // namespace blossom::minkowski

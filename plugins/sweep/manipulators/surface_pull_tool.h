@@ -18,7 +18,8 @@ class PullMarks;
 /// Pulls a swept surface by hand while its sweep, or an edit of its motion, is selected: any place of the surface is a
 /// handle. During a drag a shaded grid of the surface stands in for it and follows at once; the end of the drag, or Enter
 /// after the goal was typed, adds a pull or a twist before the sweep, or changes the last one when a place of it was taken,
-/// as one step of undo. Finding places is prepared in the background.
+/// as one step of undo. Finding places is prepared in the background. Of a motion that nothing sweeps there is no surface to
+/// take hold of, which the hint says.
 class SurfacePullTool : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -74,6 +75,7 @@ class SurfacePullTool : public ui::HandleTool {
 
   PullMode mode_;
   std::optional<EditPlacement> placement_;
+  bool unseen_ = false;  ///< no sweep takes the motion
   std::optional<LastEdit> last_;
   std::shared_ptr<const LiveSurface> surface_;
   ChosenPlaces chosen_;

@@ -35,6 +35,7 @@ std::vector<Vec3> pointsAt(const Motion& motion, const std::vector<MotionPlace>&
 }  // namespace
 
 QString SurfacePullTool::hint() const {
+  if (unseen_) return tr("No sweep is made of this motion: choose Sweep to see its surface and pull it");
   if (!surface_) return {};  // the view says what it does by itself
   if (entry_) return typingHint();
   if (held() && edit_) return heldHint();

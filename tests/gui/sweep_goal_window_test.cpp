@@ -18,6 +18,8 @@ class SweepGoalWindowTest : public SweepFixture {
 
   void aTypedTargetIsReachedExactly();
   void aTargetIsTypedDuringADrag();
+  void tabGoesToTheNextCoordinate();
+  void anotherFieldEndsTheTyping();
   void whatIsTypedCanBeLeft();
   void aTypedAngleIsThatOfTheTwist();
   void theLastPullIsGivenAnotherTarget();
@@ -88,6 +90,59 @@ void SweepGoalWindowTest::aTargetIsTypedDuringADrag() {
   QCOMPARE(to.x(), 12.0);
   QCOMPARE(to.z(), 20.0);
   QVERIFY((pointOf(only("sweep.pull").id, only("sweep.pull").parameters["pulls"][0]) - to).norm() < 1e-11);
+}
+
+void SweepGoalWindowTest::tabGoesToTheNextCoordinate() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_Return);
+  type(QStringLiteral("7*2"));
+  key(Qt::Key_Tab);
+  QVERIFY(window_->view().hasFocus());
+  type(QStringLiteral("-10"));
+  key(Qt::Key_Tab);
+  type(QStringLiteral("21"));
+  key(Qt::Key_Tab);  // there is no fourth one
+  key(Qt::Key_Backtab);
+  QVERIFY(window_->view().hasFocus());
+  QVERIFY(window_->page().tool()->entering());
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  QCOMPARE(vectorOf(valuesOf("sweep.pull")["pulls"][0]["to"]), Vec3(14, -10, 21));
+
+  // At once: the first one stays as it is.
+  const Value first = valuesOf("sweep.pull")["pulls"][0];
+  hover(screenOf(vectorOf(first["to"])));
+  key(Qt::Key_Return);
+  key(Qt::Key_Tab);
+  type(QStringLiteral("-11"));
+  key(Qt::Key_Tab);
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  QVERIFY((vectorOf(valuesOf("sweep.pull")["pulls"][0]["to"]) - Vec3(14, -11, 21)).norm() < 1e-9);
+
+  // Where nothing is typed, Tab is for the window.
+  window_->view().setFocus();
+  key(Qt::Key_Tab);
+  QVERIFY(!window_->view().hasFocus());
+}
+
+void SweepGoalWindowTest::anotherFieldEndsTheTyping() {
+  openSample("cylinder.json");
+  const Document before = document();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  hover(onTheSide());
+  key(Qt::Key_Return);
+  type(QStringLiteral("14, -10, 21"));
+  QVERIFY(window_->page().tool()->entering());
+  window_->tree().setFocus();
+  QVERIFY(!window_->page().tool()->entering());
+  QVERIFY(!window_->page().tool()->standIn());
+  waitUntilComputed();
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
 }
 
 void SweepGoalWindowTest::whatIsTypedCanBeLeft() {

@@ -106,6 +106,8 @@ class Tool : public QObject {
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }  ///< if Esc is not accepted, it ends the tool
+  /// The keys go elsewhere from now on: what is being typed is left as by Esc.
+  virtual void keysLost() {}
   /// Something is being typed: the hint stays in the status line wherever the mouse goes.
   [[nodiscard]] virtual bool entering() const { return false; }
   /// What `undo` and `redo` would take back and give again of what the tool has begun, "the last point"; empty: the

@@ -48,6 +48,12 @@ bool SurfacePullTool::chooseKey(int key) {
   return false;
 }
 
+void SurfacePullTool::keysLost() {
+  if (!entry_) return;
+  stopTyping();
+  emit changed();
+}
+
 void SurfacePullTool::startTyping() {
   if (!edit_) hold(DragTarget(under_->hit, towards_), millimetresPerPixel());
   refusal_.clear();

@@ -30,6 +30,7 @@ class SurfacePullTool : public ui::HandleTool {
   bool move(const ui::ToolEvent&) override;
   bool release(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  void keysLost() override;
   [[nodiscard]] bool entering() const override { return entry_.has_value(); }
   /// No picking during a drag.
   [[nodiscard]] ui::PickMode picks() const override { return held() ? ui::PickMode::None : ui::PickMode::Feature; }

@@ -1,5 +1,7 @@
 #include "manipulators/typed_goal.h"
 
+#include <QKeyEvent>
+
 #include "core/error.h"
 
 namespace blossom::sweep {
@@ -42,6 +44,15 @@ GoalEntry GoalEntry::ofAngle(double presentDegrees) {
   entry.angle_ = true;
   entry.text_.open(shownNumber(presentDegrees));
   return entry;
+}
+
+// A present text that is still selected is left with its first coordinate as it is.
+ui::TypedKey GoalEntry::key(const QKeyEvent& event) {
+  if (event.key() != Qt::Key_Tab && event.key() != Qt::Key_Backtab) return text_.key(event);
+  constexpr qsizetype coordinates = 3;
+  const bool more = text_.selected() || coordinatesIn(text_.text()).size() < coordinates;
+  if (event.key() == Qt::Key_Tab && !angle_ && more) text_.type(QStringLiteral(", "));
+  return ui::TypedKey::Text;  // the focus stays where something is typed
 }
 
 GoalEntry::Goal GoalEntry::goal(const ui::ToolHost& host) const {

@@ -16,7 +16,8 @@ class GoalEntry {
   static GoalEntry ofPoint(const ui::ToolHost&, const Vec3& present);
   static GoalEntry ofAngle(double presentDegrees);
 
-  ui::TypedKey key(const QKeyEvent& event) { return text_.key(event); }
+  /// As of a text that is typed; Tab goes on to the next coordinate.
+  ui::TypedKey key(const QKeyEvent& event);
 
   struct Goal {
     Vec3 point = Vec3::Zero();

@@ -29,6 +29,7 @@ class SweepWindowTest : public SweepFixture {
   void escapeTakesBack();
   void fourCopiesMakeFourEqualBumps();
   void keysAreForThePlaceUnderTheMouse();
+  void keysStayInForceWhenSomethingElseIsSelected();
   void whatCannotBeReachedIsSaidAndNotKept();
   void aClickIsForTheView();
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
@@ -219,6 +220,24 @@ void SweepWindowTest::keysAreForThePlaceUnderTheMouse() {
   QTRY_VERIFY(window_->view().hasFocus());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_4);
   QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
+}
+
+void SweepWindowTest::keysStayInForceWhenSomethingElseIsSelected() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_S);
+  key(Qt::Key_4);
+  window_->tree().select({});
+  QVERIFY(!window_->page().tool());
+  window_->tree().select(sweep_);
+  window_->view().setFocus();
+  hover(from);
+  QVERIFY2(hint().contains(QStringLiteral("by scaling alone")), qPrintable(hint()));
+  QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
+  drag(from, from + QPoint(40, 0));
+  QCOMPARE(only("sweep.pull").parameters["fold"].get<int>(), 4);
+  QCOMPARE(only("sweep.pull").parameters["rotate"].get<double>(), 0.0);
 }
 
 void SweepWindowTest::fourCopiesMakeFourEqualBumps() {

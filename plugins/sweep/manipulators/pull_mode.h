@@ -6,7 +6,7 @@
 
 namespace blossom::sweep {
 
-/// What the next drag on the surface does. Keys change it; it lasts until they do so again.
+/// What the next drag on the surface does. Keys change it; it lasts until they do so again, for all surfaces of a document.
 class PullMode {
   Q_DECLARE_TR_FUNCTIONS(blossom::sweep::PullMode)
  public:

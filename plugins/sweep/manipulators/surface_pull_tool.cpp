@@ -9,7 +9,8 @@
 
 namespace blossom::sweep {
 
-SurfacePullTool::SurfacePullTool(ui::ToolHost& toolHost, FeatureId feature) : HandleTool(toolHost, std::move(feature)) {
+SurfacePullTool::SurfacePullTool(ui::ToolHost& toolHost, FeatureId feature)
+    : HandleTool(toolHost, std::move(feature)), mode_(toolHost.kept<PullMode>()) {
   load();
 }
 

@@ -74,7 +74,7 @@ class SurfacePullTool : public ui::HandleTool {
   void markPlace(PullMarks&) const;
   void markEdit(PullMarks&) const;
 
-  PullMode mode_;
+  PullMode& mode_;  ///< stays in force when something else is selected meanwhile
   std::optional<EditPlacement> placement_;
   bool unseen_ = false;  ///< no sweep takes the motion
   std::optional<LastEdit> last_;

@@ -119,6 +119,8 @@ class Tool : public QObject {
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }  ///< if Esc is not accepted, it ends the tool
+  /// Turns of the wheel away from the user, in notches, before the camera has them.
+  virtual bool wheel(double /*notches*/, Qt::KeyboardModifiers) { return false; }
   /// The keys go elsewhere from now on: what is being typed is left as by Esc.
   virtual void keysLost() {}
   /// Something is being typed: the hint stays in the status line wherever the mouse goes.

@@ -103,6 +103,10 @@ void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ViewWidget::wheelEvent(QWheelEvent* event) {
   event->accept();
+  // With a key that is held down, some systems turn it sideways.
+  const QPoint turned = event->angleDelta();
+  const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+  if (tool_ && notches != 0 && tool_->wheel(notches, event->modifiers())) return;
   navigation_->wheel(*event);
   tellWhereabouts(event->position());
 }

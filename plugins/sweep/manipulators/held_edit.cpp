@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "kernel/edit/apply_edits.h"
+#include "manipulators/reachable_target.h"
 
 namespace blossom::sweep {
 
@@ -78,7 +79,7 @@ MotionPull HeldEdit::pull(const PullMode& mode) const {
   const std::size_t held = last ? place() : 0;
   for (std::size_t k = 0; k < pull.at.size(); ++k) {
     const Vec3 aim = k == held ? goal() : Vec3(placeHit(before(), pull.at[k]).point + way);
-    pull.to.push_back(goal_ ? aim : reachableTarget(base(mode), pull.at[k], mode.way(), aim));
+    pull.to.push_back(goal_ ? aim : reachableTarget(base(mode), pull.at[k], mode.weights(), aim));
   }
   return pull;
 }

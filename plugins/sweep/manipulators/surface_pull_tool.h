@@ -30,6 +30,7 @@ class SurfacePullTool : public ui::HandleTool {
   bool move(const ui::ToolEvent&) override;
   bool release(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  bool wheel(double notches, Qt::KeyboardModifiers) override;
   void keysLost() override;
   [[nodiscard]] bool entering() const override { return entry_.has_value(); }
   /// No picking during a drag.
@@ -57,7 +58,8 @@ class SurfacePullTool : public ui::HandleTool {
 
   // Keys.
   bool chooseKey(int key);
-  bool keyWhilePreparing(int key);
+  bool keyOfMode(const QKeyEvent&);
+  bool keyWhilePreparing(const QKeyEvent&);
   bool typingKey(const QKeyEvent&);
   void startTyping();
   void followTyped();
@@ -89,6 +91,7 @@ class SurfacePullTool : public ui::HandleTool {
   std::optional<LingeringPicture> lingering_;
   std::optional<ui::ToolEvent> mouse_;  ///< what it did last
   QPointF pressedAt_;
+  double notches_ = 0;  ///< of the wheel, that make no whole one yet
   bool dragged_ = false;
 
   SurfaceLoader loader_{[this](std::shared_ptr<const LiveSurface> surface) { show(std::move(surface)); }};

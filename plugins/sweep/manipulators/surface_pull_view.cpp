@@ -61,6 +61,7 @@ QString SurfacePullTool::heldHint() const {
   else
     parts << tr("Let go to pull the point here %1").arg(mode_.wayText()) << tr("Shift: along the normal")
           << tr("Enter: type the target");
+  if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("wheel: share of %1").arg(share);
   return joined(parts << mode_.symmetryText() << mode_.levelText() << tr("Esc takes it back"));
 }
 
@@ -95,7 +96,8 @@ QString SurfacePullTool::keysHint(bool single, bool ownLevel) const {
   if (mode_.twists())
     parts << tr("A: another axis") << tr("W: pull");
   else
-    parts << tr("T, R, S: one way alone") << tr("W: twist");
+    parts << tr("T, R, S: one way alone (Shift: as well)") << tr("W: twist");
+  if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("Shift+wheel: share of %1").arg(share);
   if (single) parts << tr("2–9, M: copies");
   if (ownLevel) parts << tr("+, −: finer, coarser");
   parts << (mode_.twists() ? tr("Enter: type the angle") : tr("Enter: type the target"));

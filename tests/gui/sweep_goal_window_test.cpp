@@ -18,6 +18,7 @@ class SweepGoalWindowTest : public SweepFixture {
 
   void aTypedTargetIsReachedExactly();
   void aTargetIsTypedDuringADrag();
+  void theSurfaceFollowsWhatIsTypedSoFar();
   void tabGoesToTheNextCoordinate();
   void anotherFieldEndsTheTyping();
   void whatIsTypedCanBeLeft();
@@ -90,6 +91,27 @@ void SweepGoalWindowTest::aTargetIsTypedDuringADrag() {
   QCOMPARE(to.x(), 12.0);
   QCOMPARE(to.z(), 20.0);
   QVERIFY((pointOf(only("sweep.pull").id, only("sweep.pull").parameters["pulls"][0]) - to).norm() < 1e-11);
+}
+
+/// Each key leaves the help in sight; coordinates to come stay as they are.
+void SweepGoalWindowTest::theSurfaceFollowsWhatIsTypedSoFar() {
+  openSample("cylinder.json");
+  hover(onTheSide());
+  key(Qt::Key_Return);
+  double before = 0;
+  for (const QString& typed : {QStringLiteral("1"), QStringLiteral("4"), QStringLiteral(","), QStringLiteral(" ")}) {
+    type(typed);
+    QVERIFY2(hint().startsWith(QStringLiteral("Type where")), qPrintable(typed + u' ' + hint()));
+    const auto picture = window_->page().tool()->standIn();
+    QVERIFY(picture);
+    before = picture->faces->GetLength();
+  }
+  type(QStringLiteral("60"));  // farther off in y
+  QVERIFY2(hint().startsWith(QStringLiteral("Type where")), qPrintable(hint()));
+  const auto picture = window_->page().tool()->standIn();
+  QVERIFY(picture && picture->faces->GetLength() > before + 10);
+  type(QStringLiteral(", 20, 5"));
+  QVERIFY2(hint().contains(QStringLiteral("three coordinates")), qPrintable(hint()));
 }
 
 void SweepGoalWindowTest::tabGoesToTheNextCoordinate() {

@@ -206,7 +206,7 @@ class DocumentEditsTest : public QObject {
     watching.id = "test.watching";
     watching.command = "watching";
     watching.title = watching.summary = "Watching";
-    watching.inputs = {{.name = "steps", .maximum = anyNumber, .use = InputUse::Step}};
+    watching.inputs = {{.name = "steps", .help = "", .kinds = {}, .maximum = anyNumber, .use = InputUse::Step}};
     watching.evaluate = [](const Value&, const Inputs&, const Progress&) { return Evaluated(); };
     registry.add(watching);
     Feature watcher = made("watcher", {"a"});

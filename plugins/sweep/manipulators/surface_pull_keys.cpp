@@ -92,15 +92,15 @@ bool SurfacePullTool::typingKey(const QKeyEvent& event) {
   return true;
 }
 
-/// As far as it can be understood; half a number need not be.
-void SurfacePullTool::followTyped() {
+/// As far as it can be understood; half a number need not be. Before it is ready, nothing is missing.
+void SurfacePullTool::followTyped(bool ready) {
   refusal_.clear();
   try {
     if (entry_->unchanged()) {
       edit_->forgetTyped();
       return follow();
     }
-    const GoalEntry::Goal goal = entry_->goal(host());
+    const GoalEntry::Goal goal = ready ? entry_->goal(host()) : entry_->goalSoFar(host());
     if (entry_->isAngle())
       edit_->turnTo(goal.angle);
     else
@@ -112,7 +112,7 @@ void SurfacePullTool::followTyped() {
 }
 
 void SurfacePullTool::takeTyped() {
-  followTyped();
+  followTyped(true);
   if (!refusal_.isEmpty()) return;
   if (!edit_->changesAnything(mode_)) return stopTyping();
   if (!edit_->possible()) {

@@ -62,7 +62,7 @@ class SurfacePullTool : public ui::HandleTool {
   bool keyWhilePreparing(const QKeyEvent&);
   bool typingKey(const QKeyEvent&);
   void startTyping();
-  void followTyped();
+  void followTyped(bool ready = false);
   void takeTyped();
   void stopTyping();
 

@@ -24,7 +24,9 @@ class GoalEntry {
     double angle = 0;
     Value written;  ///< what a document keeps of it
   };
-  /// @throws Error InvalidParameter saying what is wrong with the text.
+  /// Coordinates that are not typed yet stay as they are. @throws Error InvalidParameter saying what is wrong with the text.
+  [[nodiscard]] Goal goalSoFar(const ui::ToolHost&) const;
+  /// @throws Error as goalSoFar, and where coordinates are missing.
   [[nodiscard]] Goal goal(const ui::ToolHost&) const;
 
   [[nodiscard]] bool isAngle() const { return angle_; }

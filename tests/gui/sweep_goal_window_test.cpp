@@ -257,6 +257,8 @@ void SweepGoalWindowTest::placesGoTogetherAndPinsStay() {
   key(Qt::Key_T);
   mouse(QEvent::MouseButtonPress, inFront(20));
   for (int k = 1; k <= 5; ++k) mouse(QEvent::MouseMove, inFront(20) + QPoint(8 * k, 0));
+  QVERIFY2(hint().startsWith(QStringLiteral("Let go to pull 2 places")), qPrintable(hint()));
+  QVERIFY2(hint().contains(QStringLiteral("1 pinned")), qPrintable(hint()));
   keepPictures("pull-several", inFront(20) + QPoint(40, 0));
   mouse(QEvent::MouseButtonRelease, inFront(20) + QPoint(40, 0));
   waitUntilComputed();

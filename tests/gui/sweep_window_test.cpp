@@ -317,6 +317,8 @@ void SweepWindowTest::whatCannotBeReachedIsSaidAndNotKept() {
   hover(from);
   key(Qt::Key_3);  // eight rows cannot be parted in three
   QVERIFY2(hint().contains(QStringLiteral("rows")), qPrintable(hint()));
+  QVERIFY2(!hint().contains(QStringLiteral(". ·")), qPrintable(hint()));
+  QVERIFY2(hint().endsWith(QStringLiteral("1: no copies")), qPrintable(hint()));
   drag(from, from + QPoint(50, 0));
   QVERIFY(std::ranges::equal(document().features(), before.features()));
 

@@ -66,6 +66,15 @@ std::vector<MotionPlace> HeldEdit::places() const {
 
 std::size_t HeldEdit::place() const { return start_.grip.ofLast.value_or(0); }
 
+std::size_t HeldEdit::countOfPlaces(const PullMode& mode) const {
+  return changesLast(mode) ? editedPlaces(start_.last->edit).size() : places().size();
+}
+
+std::size_t HeldEdit::countOfPins(const PullMode& mode) const {
+  if (!changesLast(mode)) return start_.chosen.pinned.size();
+  return std::visit([](const auto& each) { return each.pins.size(); }, start_.last->edit);
+}
+
 /// What goes along goes the same way as what is held. A goal that was typed is meant exactly.
 MotionPull HeldEdit::pull(const PullMode& mode) const {
   const bool last = changesLast(mode);

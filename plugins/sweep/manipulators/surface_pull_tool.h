@@ -72,6 +72,7 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString hoverHint() const;
   [[nodiscard]] QString keysHint(bool single, bool ownLevel) const;
   [[nodiscard]] QString chosenHint() const;
+  [[nodiscard]] QString heldText() const;
   [[nodiscard]] QString leftText() const;
   void markPlace(PullMarks&) const;
   void markEdit(PullMarks&) const;

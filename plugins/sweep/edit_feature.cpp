@@ -8,7 +8,7 @@ InputSpec motionToEdit() {
   return {.name = "motion",
           .help = "The motion to edit; edits of its file are applied first.",
           .kinds = {ShapeKind::Motion},
-          .use = InputUse::Consumed,
+          .use = InputUse::Edited,
           .asks = "a motion to edit"};
 }
 

@@ -126,7 +126,7 @@ InputSpec beginning() {
   return {.name = "motion",
           .help = "The motion that grows, before its edits; those of its file come first.",
           .kinds = {ShapeKind::Motion},
-          .use = InputUse::Consumed,
+          .use = InputUse::Step,
           .asks = "the motion to begin with"};
 }
 
@@ -136,7 +136,7 @@ InputSpec whatFollows() {
           .kinds = {ShapeKind::Motion},
           .minimum = 0,
           .maximum = anyNumber,
-          .use = InputUse::Consumed,
+          .use = InputUse::Step,
           .asks = "the pulls and twists after it"};
 }
 

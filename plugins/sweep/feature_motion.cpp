@@ -116,7 +116,7 @@ FeatureType refineFeature() {
       .input({.name = "motion",
               .help = "A motion: trajectory, orientation and scaling.",
               .kinds = {ShapeKind::Motion},
-              .use = InputUse::Consumed,
+              .use = InputUse::Edited,
               .asks = "a motion to refine"})
       .parameter("u", &P::u, whenNone(list(number()), "none"),
                  "Knots to insert in u; one that is repeated lets a pull crease.")

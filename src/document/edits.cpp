@@ -215,6 +215,27 @@ Document withFeatureOf(const Registry& registry, const Document& into, const Doc
   return result;
 }
 
+Document withInserted(Document document, const Feature& edit, const std::vector<FeatureId>& users) {
+  const FeatureId source = edit.inputs.front();
+  document = document.with(edit);
+  for (const FeatureId& id : users) {
+    Feature user = document.at(id);
+    std::replace(user.inputs.begin(), user.inputs.end(), source, edit.id);
+    document = document.with(std::move(user));
+  }
+  return document;
+}
+
+std::vector<FeatureId> usersOfEdited(const Registry& registry, const Document& document, const FeatureId& id) {
+  std::vector<FeatureId> users = document.usersOf(id);
+  std::erase_if(users, [&](const FeatureId& user) {
+    const auto type = registry.find(document.at(user).type);
+    const auto isStep = [](const InputSpec& input) { return input.use == InputUse::Step; };
+    return type && std::any_of(type->inputs.begin(), type->inputs.end(), isStep);
+  });
+  return users;
+}
+
 const Feature& lastFeature(const Document& document) {
   const auto features = document.features();
   const auto last = std::find_if(features.rbegin(), features.rend(), [](const auto& each) { return !each->suppressed; });

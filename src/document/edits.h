@@ -55,6 +55,13 @@ Document withFeatureOf(const Registry&, const Document& into, const Document& ot
 /// The feature that a document makes: its last one that is not suppressed. @throws Error InvalidInput when there is none.
 const Feature& lastFeature(const Document&);
 
+/// `edit`, which takes one shape, added between that and some of its users, which take what it makes instead.
+/// @throws Error as Document::with.
+Document withInserted(Document, const Feature& edit, const std::vector<FeatureId>& users);
+/// The users that go on with an edit of a feature that is made now: all but those to which it is a step of the way (see
+/// InputUse::Step).
+std::vector<FeatureId> usersOfEdited(const Registry&, const Document&, const FeatureId&);
+
 // These read files; embedded_files.cpp.
 
 /// The content of every file that a feature names by its path is taken into the document as an asset, so that the document

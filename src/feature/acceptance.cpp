@@ -53,7 +53,8 @@ bool accepts(const InputSpec& spec, const Shape& shape) {
 
 bool consumes(const InputSpec& spec, const Shape& shape) {
   const Brep* brep = shape.get<Brep>();
-  return spec.use == InputUse::Consumed || (spec.use == InputUse::Outline && !(brep && hasSolid(*brep)));
+  const bool whole = spec.use == InputUse::Consumed || spec.use == InputUse::Edited || spec.use == InputUse::Step;
+  return whole || (spec.use == InputUse::Outline && !(brep && hasSolid(*brep)));
 }
 
 std::vector<std::size_t> inputCounts(const FeatureType& type, std::size_t given,

@@ -94,6 +94,15 @@ void checkOpening(const std::string& what, const FeatureType& type) {
              fmt::format("cannot open a {}: the parameter \"{}\" has no default", shapeKindName(type.opens), spec.name));
 }
 
+/// What is made of the shape goes on with the result in its place, so it must be clear which shape that is.
+void checkEdited(const std::string& what, const FeatureType& type) {
+  const auto edited = [](const InputSpec& input) { return input.use == InputUse::Edited; };
+  if (std::none_of(type.inputs.begin(), type.inputs.end(), edited)) return;
+  const InputSpec& input = type.inputs.front();
+  if (type.inputs.size() != 1 || input.minimum != 1 || input.maximum != 1)
+    broken(what, "cannot edit its input: it must take one shape and nothing else");
+}
+
 }  // namespace
 
 void broken(const std::string& what, const std::string& why) {
@@ -128,6 +137,7 @@ void check(FeatureType& type) {
   checkInputByFlags(what, type, names);
   checkOpening(what, type);
   checkPlaying(what, type);
+  checkEdited(what, type);
 }
 
 void check(Format& format) {

@@ -20,7 +20,9 @@ enum class InputUse {
   Kept,      ///< it stays beside the result
   Consumed,  ///< it has gone into the result, which is drawn in its place
   Outline,   ///< so has an outline; a solid stays, of which only a face or edges are used
-  Control    ///< a control shape: it stays as a translucent outline under the result
+  Control,   ///< a control shape: it stays as a translucent outline under the result
+  Edited,    ///< consumed, and changed: a new feature goes between the shape and what is made of it already
+  Step       ///< consumed, as a step on the way that edits make: what edits add after it is no part of it
 };
 
 /// One input of a feature type, or several consecutive inputs of the same kinds.

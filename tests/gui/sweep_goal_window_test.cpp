@@ -18,6 +18,9 @@ class SweepGoalWindowTest : public SweepFixture {
 
   void aTypedTargetIsReachedExactly();
   void aTargetIsTypedDuringADrag();
+  void theSurfaceFollowsWhatIsTypedSoFar();
+  void tabGoesToTheNextCoordinate();
+  void anotherFieldEndsTheTyping();
   void whatIsTypedCanBeLeft();
   void aTypedAngleIsThatOfTheTwist();
   void theLastPullIsGivenAnotherTarget();
@@ -88,6 +91,80 @@ void SweepGoalWindowTest::aTargetIsTypedDuringADrag() {
   QCOMPARE(to.x(), 12.0);
   QCOMPARE(to.z(), 20.0);
   QVERIFY((pointOf(only("sweep.pull").id, only("sweep.pull").parameters["pulls"][0]) - to).norm() < 1e-11);
+}
+
+/// Each key leaves the help in sight; coordinates to come stay as they are.
+void SweepGoalWindowTest::theSurfaceFollowsWhatIsTypedSoFar() {
+  openSample("cylinder.json");
+  hover(onTheSide());
+  key(Qt::Key_Return);
+  double before = 0;
+  for (const QString& typed : {QStringLiteral("1"), QStringLiteral("4"), QStringLiteral(","), QStringLiteral(" ")}) {
+    type(typed);
+    QVERIFY2(hint().startsWith(QStringLiteral("Type where")), qPrintable(typed + u' ' + hint()));
+    const auto picture = window_->page().tool()->standIn();
+    QVERIFY(picture);
+    before = picture->faces->GetLength();
+  }
+  type(QStringLiteral("60"));  // farther off in y
+  QVERIFY2(hint().startsWith(QStringLiteral("Type where")), qPrintable(hint()));
+  const auto picture = window_->page().tool()->standIn();
+  QVERIFY(picture && picture->faces->GetLength() > before + 10);
+  type(QStringLiteral(", 20, 5"));
+  QVERIFY2(hint().contains(QStringLiteral("three coordinates")), qPrintable(hint()));
+}
+
+void SweepGoalWindowTest::tabGoesToTheNextCoordinate() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_Return);
+  type(QStringLiteral("7*2"));
+  key(Qt::Key_Tab);
+  QVERIFY(window_->view().hasFocus());
+  type(QStringLiteral("-10"));
+  key(Qt::Key_Tab);
+  type(QStringLiteral("21"));
+  key(Qt::Key_Tab);  // there is no fourth one
+  key(Qt::Key_Backtab);
+  QVERIFY(window_->view().hasFocus());
+  QVERIFY(window_->page().tool()->entering());
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  QCOMPARE(vectorOf(valuesOf("sweep.pull")["pulls"][0]["to"]), Vec3(14, -10, 21));
+
+  // At once: the first one stays as it is.
+  const Value first = valuesOf("sweep.pull")["pulls"][0];
+  hover(screenOf(vectorOf(first["to"])));
+  key(Qt::Key_Return);
+  key(Qt::Key_Tab);
+  type(QStringLiteral("-11"));
+  key(Qt::Key_Tab);
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  QVERIFY((vectorOf(valuesOf("sweep.pull")["pulls"][0]["to"]) - Vec3(14, -11, 21)).norm() < 1e-9);
+
+  // Where nothing is typed, Tab is for the window.
+  window_->view().setFocus();
+  key(Qt::Key_Tab);
+  QVERIFY(!window_->view().hasFocus());
+}
+
+void SweepGoalWindowTest::anotherFieldEndsTheTyping() {
+  openSample("cylinder.json");
+  const Document before = document();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  hover(onTheSide());
+  key(Qt::Key_Return);
+  type(QStringLiteral("14, -10, 21"));
+  QVERIFY(window_->page().tool()->entering());
+  window_->tree().setFocus();
+  QVERIFY(!window_->page().tool()->entering());
+  QVERIFY(!window_->page().tool()->standIn());
+  waitUntilComputed();
+  QVERIFY(std::ranges::equal(document().features(), before.features()));
 }
 
 void SweepGoalWindowTest::whatIsTypedCanBeLeft() {
@@ -180,6 +257,8 @@ void SweepGoalWindowTest::placesGoTogetherAndPinsStay() {
   key(Qt::Key_T);
   mouse(QEvent::MouseButtonPress, inFront(20));
   for (int k = 1; k <= 5; ++k) mouse(QEvent::MouseMove, inFront(20) + QPoint(8 * k, 0));
+  QVERIFY2(hint().startsWith(QStringLiteral("Let go to pull 2 places")), qPrintable(hint()));
+  QVERIFY2(hint().contains(QStringLiteral("1 pinned")), qPrintable(hint()));
   keepPictures("pull-several", inFront(20) + QPoint(40, 0));
   mouse(QEvent::MouseButtonRelease, inFront(20) + QPoint(40, 0));
   waitUntilComputed();

@@ -1,4 +1,5 @@
 #include <QElapsedTimer>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -23,12 +24,14 @@ class SweepWindowTest : public SweepFixture {
   void eachWayAloneMovesItsPolesByTheFormula_data();
   void eachWayAloneMovesItsPolesByTheFormula();
   void turningAndScalingTogetherArrive();
+  void sharesAreSetByShiftAndTheWheel();
   void aTwistTurnsByTheAngleShown();
   void theSamePlaceIsTheSamePull();
   void thereAndBackChangesNothing();
   void escapeTakesBack();
   void fourCopiesMakeFourEqualBumps();
   void keysAreForThePlaceUnderTheMouse();
+  void keysStayInForceWhenSomethingElseIsSelected();
   void whatCannotBeReachedIsSaidAndNotKept();
   void aClickIsForTheView();
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
@@ -108,6 +111,49 @@ void SweepWindowTest::turningAndScalingTogetherArrive() {
   const Vec3 end = vectorOf(straight["to"]), start = PlaceOfMotion(before, u, v).x;
   QVERIFY((end - start).norm() > 1);
   QVERIFY((end - start).normalized().cross(Vec3(start.x(), start.y(), 0).normalized()).norm() < 1e-9);
+}
+
+void SweepWindowTest::sharesAreSetByShiftAndTheWheel() {
+  openSample("cylinder.json");
+  const Motion before = motionOf(source_);
+  const QPoint from = onTheSide(), to = from + QPoint(60, -40);
+  const auto turnWheel = [&](const QPoint& at, int notches, Qt::KeyboardModifiers modifiers) {
+    QWheelEvent event(at, window_->view().mapToGlobal(at), {}, QPoint(0, 120 * notches), Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&window_->view(), &event);
+  };
+  const double scale = window_->view().camera().millimetresPerPixel();
+  hover(from);
+  QTest::keyClick(&window_->view(), Qt::Key_T, Qt::ShiftModifier);
+  QVERIFY2(hint().contains(QStringLiteral("by moving 50 %, turning, scaling")), qPrintable(hint()));
+  turnWheel(from, -2, Qt::ShiftModifier);
+  QVERIFY2(hint().contains(QStringLiteral("by moving 30 %, turning, scaling")), qPrintable(hint()));
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, to);
+  turnWheel(to, 1, {});
+  QVERIFY2(hint().contains(QStringLiteral("by moving 40 %")), qPrintable(hint()));
+  QCOMPARE(window_->view().camera().millimetresPerPixel(), scale);
+  mouse(QEvent::MouseButtonRelease, to);
+  waitUntilComputed();
+
+  const Feature& pull = only("sweep.pull");
+  QCOMPARE(pull.parameters["translate"].get<double>(), 0.4);
+  QCOMPARE(pull.parameters["rotate"].get<double>(), 1.0);
+  QCOMPARE(pull.parameters["scale"].get<double>(), 1.0);
+  const Value& record = pull.parameters["pulls"][0];
+  const Vec3 target = vectorOf(record["to"]);
+  QVERIFY((screenOf(target) - to).manhattanLength() <= 2);
+  const double u = record["u"].get<double>(), v = record["v"].get<double>();
+  const PlaceOfMotion at(before, u, v);
+  const Motion moved = translatedBy(before, at, at.x + 0.4 * (target - at.x));
+  const Motion turned = turnedTo(moved, PlaceOfMotion(moved, u, v), target);
+  const double off = poleDifference(scaledTo(turned, PlaceOfMotion(turned, u, v), target), motionOf(pull.id));
+  QVERIFY2(off < 1e-11, qPrintable(QString::number(off)));
+
+  // Without Shift, the wheel is for the camera.
+  hover(screenOf(target));
+  turnWheel(screenOf(target), 1, {});
+  QVERIFY(window_->view().camera().millimetresPerPixel() < scale);
 }
 
 void SweepWindowTest::aTwistTurnsByTheAngleShown() {
@@ -221,6 +267,24 @@ void SweepWindowTest::keysAreForThePlaceUnderTheMouse() {
   QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
 }
 
+void SweepWindowTest::keysStayInForceWhenSomethingElseIsSelected() {
+  openSample("cylinder.json");
+  const QPoint from = onTheSide();
+  hover(from);
+  key(Qt::Key_S);
+  key(Qt::Key_4);
+  window_->tree().select({});
+  QVERIFY(!window_->page().tool());
+  window_->tree().select(sweep_);
+  window_->view().setFocus();
+  hover(from);
+  QVERIFY2(hint().contains(QStringLiteral("by scaling alone")), qPrintable(hint()));
+  QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
+  drag(from, from + QPoint(40, 0));
+  QCOMPARE(only("sweep.pull").parameters["fold"].get<int>(), 4);
+  QCOMPARE(only("sweep.pull").parameters["rotate"].get<double>(), 0.0);
+}
+
 void SweepWindowTest::fourCopiesMakeFourEqualBumps() {
   openSample("cylinder.json");
   const QPoint from = onTheSide();
@@ -253,6 +317,8 @@ void SweepWindowTest::whatCannotBeReachedIsSaidAndNotKept() {
   hover(from);
   key(Qt::Key_3);  // eight rows cannot be parted in three
   QVERIFY2(hint().contains(QStringLiteral("rows")), qPrintable(hint()));
+  QVERIFY2(!hint().contains(QStringLiteral(". ·")), qPrintable(hint()));
+  QVERIFY2(hint().endsWith(QStringLiteral("1: no copies")), qPrintable(hint()));
   drag(from, from + QPoint(50, 0));
   QVERIFY(std::ranges::equal(document().features(), before.features()));
 

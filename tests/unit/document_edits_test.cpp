@@ -187,6 +187,37 @@ class DocumentEditsTest : public QObject {
     QVERIFY(joined.access()->permits("/somewhere/else.txt"));
   }
 
+  /// Each user goes on with the edit or stays as it is; the order of its inputs stays.
+  void anEditGoesBeforeTheUsersThatAreNamed() {
+    const Document before = sample().with(made("f", {"a"}));
+    const Document after = withInserted(before, made("edit", {"a"}), {"c"});
+    QCOMPARE(after.at("edit").inputs, Ids{"a"});
+    QCOMPARE(after.at("c").inputs, (Ids{"edit", "b"}));
+    QCOMPARE(after.at("f").inputs, Ids{"a"});
+    QCOMPARE(after.at("e").inputs, Ids{"c"});
+    QCOMPARE(after.features().size(), before.features().size() + 1);
+    QCOMPARE(withInserted(before, made("edit", {"a"}), {"c", "f"}).at("f").inputs, Ids{"edit"});
+    QCOMPARE(withInserted(before, made("edit", {"a"}), {}).at("c").inputs, (Ids{"a", "b"}));
+  }
+
+  void whatShowsTheStepsKeepsThem() {
+    Registry registry = readers();
+    FeatureType watching;
+    watching.id = "test.watching";
+    watching.command = "watching";
+    watching.title = watching.summary = "Watching";
+    watching.inputs = {{.name = "steps", .help = "", .kinds = {}, .maximum = anyNumber, .use = InputUse::Step}};
+    watching.evaluate = [](const Value&, const Inputs&, const Progress&) { return Evaluated(); };
+    registry.add(watching);
+    Feature watcher = made("watcher", {"a"});
+    watcher.type = watching.id;
+    Feature unknown = made("unknown", {"a"});
+    unknown.type = "elsewhere.thing";
+    const Document document = sample().with(watcher).with(unknown);
+    QCOMPARE(usersOfEdited(registry, document, "a"), (Ids{"c", "unknown"}));
+    QCOMPARE(usersOfEdited(registry, document, "d"), Ids{});
+  }
+
   void theLastFeatureIsNotSuppressed() {
     QCOMPARE(lastFeature(sample()).id, FeatureId("e"));
     QCOMPARE(lastFeature(withSuppressed(sample(), {"e"}, true)).id, FeatureId("d"));

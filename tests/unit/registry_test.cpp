@@ -148,6 +148,12 @@ class RegistryTest : public QObject {
     });
     refused([](FeatureType& t) { t.parameters[5].fields[0] = onlyFor(t.parameters[5].fields[0], "mode", {"cubic"}); });
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
+    const InputSpec edited{.name = "shape", .help = "", .kinds = {}, .use = InputUse::Edited};
+    refused([&](FeatureType& t) { t.inputs = {edited, {"other", "", {}}}; });
+    refused([&](FeatureType& t) {
+      t.inputs = {edited};
+      t.inputs.front().maximum = 2;
+    });
     refused([](FeatureType& t) { t.inputByFlags.asks = "title"; });
     refused([](FeatureType& t) {
       t.produces = {ShapeKind::Mesh};

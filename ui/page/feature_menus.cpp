@@ -113,7 +113,7 @@ void FeatureMenus::begin(const FeatureType& type, std::vector<FeatureId> chosen,
       page.view().setSelectedParts({});
       Value parameters = preset;
       parameters.update(start.parameters);
-      return page.session().addFeature(type, start.inputs, parameters);
+      return page.session().addFeature(type, start.inputs, parameters, start.users);
     }
     const std::vector<FeatureId> fitting = fittingFeatures(page.session(), *start.missing, start.inputs);
     const std::size_t wanted = start.missing->minimum - start.has;

@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <optional>
 
+#include "document/edits.h"
 #include "document/shown.h"
 #include "feature/acceptance.h"
 #include "geometry/occt/sub_shape.h"
@@ -67,18 +69,9 @@ bool fits(const InputSpec& spec, const Shape& shape) {
   return accepts(spec, shape) && (spec.use != InputUse::Outline || consumes(spec, shape));
 }
 
-}  // namespace
-
-FeatureStart featureStart(const Session& session, const FeatureType& type, const std::vector<FeatureId>& selected,
-                          const std::vector<Pick>& parts) {
-  const ParameterSpec* taker = takerOf(type, parts);
-  std::vector<FeatureId> left;
-  if (taker)
-    for (const Pick& pick : parts)
-      if (!contains(left, pick.feature)) left.push_back(pick.feature);
-  for (const FeatureId& id : selected)
-    if (!contains(left, id)) left.push_back(id);
-
+/// What is chosen is given to the inputs that accept it, in their order.
+FeatureStart startWith(const Session& session, const FeatureType& type, std::vector<FeatureId> left,
+                       const ParameterSpec* taker, const std::vector<Pick>& parts) {
   FeatureStart start;
   std::vector<std::size_t> counts;
   for (const InputSpec& spec : type.inputs) {
@@ -98,6 +91,85 @@ FeatureStart featureStart(const Session& session, const FeatureType& type, const
     return start;
   }
   if (taker) takeParts(start, type, counts, *taker, parts);
+  return start;
+}
+
+bool editsItsInput(const FeatureType& type) {
+  return type.inputs.size() == 1 && type.inputs.front().use == InputUse::Edited;
+}
+
+bool acceptsResult(const Session& session, const InputSpec& spec, const FeatureId& id) {
+  const Shape* shape = session.shape(id);
+  return shape && !shape->empty() && accepts(spec, *shape);
+}
+
+struct Below {
+  FeatureId found, user;
+};
+
+/// The nearest shape that a feature was made of and an input accepts, as long as there is only one way down to it.
+std::optional<Below> shapeBelow(const Session& session, const InputSpec& spec, FeatureId id) {
+  const Document& document = session.document();
+  while (document.contains(id)) {
+    const Feature& user = document.at(id);
+    std::vector<FeatureId> fitting;
+    for (const FeatureId& input : user.inputs)
+      if (acceptsResult(session, spec, input) && !contains(fitting, input)) fitting.push_back(input);
+    if (fitting.size() == 1) return Below{fitting.front(), user.id};
+    if (!fitting.empty() || user.inputs.size() != 1) return std::nullopt;
+    id = user.inputs.front();
+  }
+  return std::nullopt;
+}
+
+/// A shape and those that edits made it of, the first one first; those that are suppressed are no steps.
+std::vector<FeatureId> wayTo(const Session& session, const InputSpec& spec, const FeatureId& end) {
+  std::vector<FeatureId> way;
+  for (FeatureId id = end;;) {
+    const Feature& feature = session.document().at(id);
+    const auto type = session.app().registry->find(feature.type);
+    const bool further =
+        type && editsItsInput(*type) && feature.inputs.size() == 1 && acceptsResult(session, spec, feature.inputs.front());
+    if (!feature.suppressed || !further) way.push_back(id);
+    if (!further) break;
+    id = feature.inputs.front();
+  }
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+/// What is seen is made of what is edited: a sweep of its motion.
+std::optional<FeatureStart> startBelow(const Session& session, const FeatureType& type, const FeatureId& chosen) {
+  const InputSpec& spec = type.inputs.front();
+  const bool ofSteps = spec.use == InputUse::Step && type.inputs.back().maximum == anyNumber;
+  if (!editsItsInput(type) && !ofSteps) return std::nullopt;
+  const auto below = shapeBelow(session, spec, chosen);
+  if (!below) return std::nullopt;
+  FeatureStart start;
+  start.inputs = ofSteps ? wayTo(session, spec, below->found) : std::vector<FeatureId>{below->found};
+  if (ofSteps) return start;
+  start.users = usersOfEdited(*session.app().registry, session.document(), below->found);
+  if (contains(start.users, below->user)) start.users = {below->user};  // others go on as they were
+  return start;
+}
+
+}  // namespace
+
+FeatureStart featureStart(const Session& session, const FeatureType& type, const std::vector<FeatureId>& selected,
+                          const std::vector<Pick>& parts) {
+  const ParameterSpec* taker = takerOf(type, parts);
+  std::vector<FeatureId> chosen;
+  if (taker)
+    for (const Pick& pick : parts)
+      if (!contains(chosen, pick.feature)) chosen.push_back(pick.feature);
+  for (const FeatureId& id : selected)
+    if (!contains(chosen, id)) chosen.push_back(id);
+
+  FeatureStart start = startWith(session, type, chosen, taker, parts);
+  if (start.missing && start.inputs.empty() && chosen.size() == 1)
+    if (auto below = startBelow(session, type, chosen.front())) return *below;
+  if (!start.missing && editsItsInput(type))
+    start.users = usersOfEdited(*session.app().registry, session.document(), start.inputs.front());
   return start;
 }
 

@@ -13,13 +13,15 @@ class Session;
 /// What a new feature begins with.
 struct FeatureStart {
   std::vector<FeatureId> inputs;       ///< in the order of the type's inputs
+  std::vector<FeatureId> users;        ///< of an edit: the users of its input that go on with what it makes
   Value parameters = Value::object();  ///< faces and edges that were picked
   const InputSpec* missing = nullptr;  ///< the first input that has too few
   std::size_t has = 0;                 ///< number of shapes that the missing input has
 };
 
 /// The selected features as inputs of a new feature of a type, as far as it accepts them, and the selected faces, edges or
-/// vertices as its parameters; the features of those come first.
+/// vertices as its parameters; the features of those come first. Where what is selected is accepted by no input, an edit
+/// takes what it was made of, and a type that shows the steps of a way takes all of them.
 FeatureStart featureStart(const Session&, const FeatureType&, const std::vector<FeatureId>& selected,
                           const std::vector<Pick>& parts);
 

@@ -5,9 +5,11 @@
 #include <QObject>
 #include <QPointF>
 #include <QString>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 #include "core/units.h"
@@ -84,11 +86,22 @@ class ToolHost {
   [[nodiscard]] virtual double pixelRatio() const { return 1; }
   /// The view, for a card that floats over it (ui/tools/floating_panel.h); nullptr where there is none.
   [[nodiscard]] virtual QWidget* viewWidget() const { return nullptr; }
+  /// What the tools of a kind leave to those after them while the document is open, such as a mode that keys chose: one
+  /// value of each type, as it is made without arguments at first.
+  template <class T>
+  [[nodiscard]] T& kept() {
+    std::shared_ptr<void>& place = kept_[typeid(T).name()];
+    if (!place) place = std::make_shared<T>();
+    return *static_cast<T*>(place.get());
+  }
   /// Shows a document without recording it; ended by the next commit or by endPreview.
   virtual void preview(Document) = 0;
   virtual void endPreview() = 0;
   /// One step of undo.
   virtual void commit(Document, const QString& what) = 0;
+
+ private:
+  std::map<std::string, std::shared_ptr<void>> kept_;
 };
 
 /// One interaction in the view: a state machine that ends in a commit or reverts everything. While active it receives mouse
@@ -106,6 +119,10 @@ class Tool : public QObject {
   virtual bool release(const ToolEvent&) { return false; }
   virtual bool doubleClick(const ToolEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }  ///< if Esc is not accepted, it ends the tool
+  /// Turns of the wheel away from the user, in notches, before the camera has them.
+  virtual bool wheel(double /*notches*/, Qt::KeyboardModifiers) { return false; }
+  /// The keys go elsewhere from now on: what is being typed is left as by Esc.
+  virtual void keysLost() {}
   /// Something is being typed: the hint stays in the status line wherever the mouse goes.
   [[nodiscard]] virtual bool entering() const { return false; }
   /// What `undo` and `redo` would take back and give again of what the tool has begun, "the last point"; empty: the

@@ -77,8 +77,10 @@ class Session : public QObject {
   void exportFeature(const FeatureId& id, const std::filesystem::path& file, const Value& options) {
     exportFeatures({id}, file, options);
   }
-  /// A feature of `type` that takes `inputs`; with a file, that file is imported first and is its input.
-  void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs, const Value& parameters = Value::object());
+  /// A feature of `type` that takes `inputs`; with a file, that file is imported first and is its input. `users` of its only
+  /// input go on with what it makes.
+  void addFeature(const FeatureType&, const std::vector<FeatureId>& inputs, const Value& parameters = Value::object(),
+                  const std::vector<FeatureId>& users = {});
   void addFeatureFromFile(const FeatureType&, const std::filesystem::path&);
   void cancel();  ///< job and evaluation
   void cancelEvaluation();

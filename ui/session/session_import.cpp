@@ -57,10 +57,12 @@ void Session::import(const std::vector<std::filesystem::path>& files) {
       files.front());
 }
 
-void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs, const Value& parameters) {
+void Session::addFeature(const FeatureType& type, const std::vector<FeatureId>& inputs, const Value& parameters,
+                         const std::vector<FeatureId>& users) {
   Feature feature = namedFeature(document(), type, inputs);
   feature.parameters = parameters;
-  commit(document().with(feature), tr("Add %1").arg(registryText(type.title)));
+  commit(users.empty() ? document().with(feature) : withInserted(document(), feature, users),
+         tr("Add %1").arg(registryText(type.title)));
   emit featureAdded(qt(feature.id));
 }
 

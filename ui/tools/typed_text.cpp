@@ -39,8 +39,10 @@ bool TypedText::change(const QKeyEvent& event) {
       break;
   }
   if (event.text().isEmpty() || !event.text().front().isPrint()) return false;
-  text_ = (std::exchange(selected_, false) ? QString() : text_) + event.text();
+  type(event.text());
   return true;
 }
+
+void TypedText::type(const QString& more) { text_ = (std::exchange(selected_, false) ? QString() : text_) + more; }
 
 }  // namespace blossom::ui

@@ -20,6 +20,8 @@ class TypedText {
   void open(const QString& present);
   /// Takes printable characters, Backspace and the keys that leave the selection, none of them with Ctrl, Alt or Meta.
   TypedKey key(const QKeyEvent&);
+  /// As if it were typed.
+  void type(const QString&);
 
   [[nodiscard]] const QString& text() const { return text_; }
   [[nodiscard]] bool selected() const { return selected_; }

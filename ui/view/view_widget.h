@@ -124,6 +124,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   void keyPressEvent(QKeyEvent*) override;
   void contextMenuEvent(QContextMenuEvent*) override;
   void leaveEvent(QEvent*) override;
+  void focusOutEvent(QFocusEvent*) override;
 
  private:
   enum class KeyOffer { None, Refused, Taken };
@@ -147,6 +148,7 @@ class ViewWidget : public QWidget, private PictureSubject {
   void markTool();
   void bringToolUpToDate();
   bool offerKey(const QKeyEvent&);
+  bool offerTab(const QKeyEvent&);
   void takeKeys();
   void hoverAt(QPointF at, Qt::KeyboardModifiers);
   void setHovered(const Pick&);

@@ -103,6 +103,10 @@ void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ViewWidget::wheelEvent(QWheelEvent* event) {
   event->accept();
+  // With a key that is held down, some systems turn it sideways.
+  const QPoint turned = event->angleDelta();
+  const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+  if (tool_ && notches != 0 && tool_->wheel(notches, event->modifiers())) return;
   navigation_->wheel(*event);
   tellWhereabouts(event->position());
 }
@@ -118,7 +122,26 @@ bool ViewWidget::event(QEvent* event) {
     event->accept();
     return true;
   }
+  if (event->type() == QEvent::KeyPress && offerTab(static_cast<const QKeyEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
   return QWidget::event(event);
+}
+
+// Widgets never see the key that moves the focus, though a tool may have taken it.
+bool ViewWidget::offerTab(const QKeyEvent& event) {
+  if (event.key() != Qt::Key_Tab && event.key() != Qt::Key_Backtab) return false;
+  if (keyOffer_ == KeyOffer::None) offerKey(event);
+  return std::exchange(keyOffer_, KeyOffer::None) == KeyOffer::Taken;
+}
+
+// A menu, or another window, gives the focus back.
+void ViewWidget::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  const Qt::FocusReason why = event->reason();
+  if (tool_ && why != Qt::PopupFocusReason && why != Qt::MenuBarFocusReason && why != Qt::ActiveWindowFocusReason)
+    tool_->keysLost();
 }
 
 // The right button opens it when it is released without a drag; the key opens it where the mouse is.

@@ -7,7 +7,6 @@
 
 #include "geometry/bspline/bspline.h"
 #include "kernel/grid/motion_point.h"
-#include "kernel/quaternion.h"
 
 namespace blossom::sweep {
 
@@ -67,23 +66,6 @@ double draggedAngle(const Vec3& axis, const Vec3& arm, const Vec3& moved, const 
   const Vec3 across = axis.cross(-towards);
   if (!(across.norm() > 0)) return 0;
   return degreesPerRadian * moved.dot(across.normalized()) / std::max(radial.norm(), shortest);
-}
-
-Vec3 reachableTarget(const Motion& motion, const MotionPlace& at, PullMode::Way way, const Vec3& wanted) {
-  const Vec3 centre = point(motion.trajectory, at.v);
-  const Vec3 arm = wanted - centre;
-  if (way == PullMode::Way::Rotate) {
-    const double radius = (evaluate(motion, at.u, at.v).point - centre).norm();
-    return arm.norm() > 0 ? Vec3(centre + radius / arm.norm() * arm) : wanted;
-  }
-  if (way != PullMode::Way::Scale) return wanted;
-  const Vec4 r = evaluate(motion.orientation, at.u, at.v);
-  if (!(r.squaredNorm() > 0)) return wanted;
-  Vec3 inFrame = turnedBack(r, arm);
-  constexpr double noComponent = 1e-9;  // as in kernel/edit/pull.cpp
-  for (Eigen::Index k = 0; k < 3; ++k)
-    if (std::abs(motion.point[k]) <= noComponent * motion.point.cwiseAbs().maxCoeff()) inFrame[k] = 0;
-  return centre + turnedBack(conjugate(r), inFrame);
 }
 
 }  // namespace blossom::sweep

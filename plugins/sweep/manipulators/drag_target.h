@@ -36,8 +36,4 @@ Vec3 twistAxis(const Motion&, const MotionPlace&, PullMode::Axis);
 /// follows. @param shortest radius at which the mouse turns
 double draggedAngle(const Vec3& axis, const Vec3& arm, const Vec3& moved, const Vec3& towards, double shortest);
 
-/// The point nearest to `wanted` to which that way alone can bring a place: turning keeps the distance from the trajectory,
-/// scaling goes along the axes of the frame in which p has a component.
-Vec3 reachableTarget(const Motion&, const MotionPlace&, PullMode::Way, const Vec3& wanted);
-
 }  // namespace blossom::sweep

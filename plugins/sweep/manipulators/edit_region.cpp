@@ -61,7 +61,8 @@ SurfaceLines isoCurvesThrough(const Motion& motion, const MotionPlace& at, const
 }
 
 EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMode& mode) {
-  const PullMode::Way way = mode.way();
+  const PullWeights weights = mode.weights();
+  const bool sections = weights.translate > 0;
   const BaseKnots base = baseKnots(motion);
   const auto reach = [&](const SplineSpace& now, const std::vector<double>& knots, double t) {
     return reachAt(levelSpace(withInnerKnots(now, knots), mode.level(), mode.symmetry().fold), t);
@@ -76,14 +77,13 @@ EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMod
     widen(u, reach(spaceInU(factor, closure), knots[0], at.u));
     addV(spaceInV(factor), knots[1], ends);
   };
-  if (way == PullMode::Way::Translate) {
+  if (sections) {
     u = motion.domainU();
     addV(spaceOf(motion.trajectory), base.trajectory, &JoinedFactors::trajectory);
   }
-  if (way == PullMode::Way::Combined || way == PullMode::Way::Rotate || way == PullMode::Way::Twist)
+  if (mode.twists() || weights.rotate > 0)
     add(motion.orientation, closureOfOrientation(motion), base.orientation, &JoinedFactors::orientation);
-  if (way == PullMode::Way::Combined || way == PullMode::Way::Scale)
-    add(motion.scaling, closureOfScaling(motion), base.scaling, &JoinedFactors::scaling);
+  if (weights.scale > 0) add(motion.scaling, closureOfScaling(motion), base.scaling, &JoinedFactors::scaling);
   const auto lengthOf = [](std::pair<double, double> range) { return range.second - range.first; };
   const bool along = joined && lengthOf(v) >= lengthOf(motion.domainV());
   if (along) v = motion.domainV();
@@ -91,7 +91,7 @@ EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMod
           u.second,
           v.first,
           v.second,
-          way == PullMode::Way::Translate || (motion.closedU != ClosedU::No && lengthOf(u) >= lengthOf(motion.domainU())),
+          sections || (motion.closedU != ClosedU::No && lengthOf(u) >= lengthOf(motion.domainU())),
           joined && !along};
 }
 

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "kernel/edit/apply_edits.h"
+#include "manipulators/reachable_target.h"
 
 namespace blossom::sweep {
 
@@ -65,6 +66,15 @@ std::vector<MotionPlace> HeldEdit::places() const {
 
 std::size_t HeldEdit::place() const { return start_.grip.ofLast.value_or(0); }
 
+std::size_t HeldEdit::countOfPlaces(const PullMode& mode) const {
+  return changesLast(mode) ? editedPlaces(start_.last->edit).size() : places().size();
+}
+
+std::size_t HeldEdit::countOfPins(const PullMode& mode) const {
+  if (!changesLast(mode)) return start_.chosen.pinned.size();
+  return std::visit([](const auto& each) { return each.pins.size(); }, start_.last->edit);
+}
+
 /// What goes along goes the same way as what is held. A goal that was typed is meant exactly.
 MotionPull HeldEdit::pull(const PullMode& mode) const {
   const bool last = changesLast(mode);
@@ -78,7 +88,7 @@ MotionPull HeldEdit::pull(const PullMode& mode) const {
   const std::size_t held = last ? place() : 0;
   for (std::size_t k = 0; k < pull.at.size(); ++k) {
     const Vec3 aim = k == held ? goal() : Vec3(placeHit(before(), pull.at[k]).point + way);
-    pull.to.push_back(goal_ ? aim : reachableTarget(base(mode), pull.at[k], mode.way(), aim));
+    pull.to.push_back(goal_ ? aim : reachableTarget(base(mode), pull.at[k], mode.weights(), aim));
   }
   return pull;
 }

@@ -31,7 +31,9 @@ class HeldEdit {
   /// Grabbed at a place of the last edit, and in the same way.
   [[nodiscard]] bool changesLast(const PullMode&) const;
   [[nodiscard]] MotionEdit edit(const PullMode&) const;
-  [[nodiscard]] std::size_t place() const;               ///< which of the edit's places is held
+  [[nodiscard]] std::size_t place() const;  ///< which of the edit's places is held
+  [[nodiscard]] std::size_t countOfPlaces(const PullMode&) const;
+  [[nodiscard]] std::size_t countOfPins(const PullMode&) const;
   [[nodiscard]] double angle(const PullMode&) const;     ///< of the twist, degrees, in steps that can be read
   [[nodiscard]] double turnedBy(const PullMode&) const;  ///< by how much of it the surface has turned since
   [[nodiscard]] bool changesAnything(const PullMode&) const;

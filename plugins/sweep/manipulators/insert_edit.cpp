@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "document/edits.h"
 #include "manipulators/edit_values.h"
 #include "ui/look/registry_text.h"
 
@@ -32,6 +33,16 @@ FeatureId lastOf(const Document& document, FeatureId id) {
     std::erase_if(users, [&](const FeatureId& user) { return document.at(user).type == growthType; });
     if (users.size() != 1 || !isEdit(document.at(users.front()))) return id;
     id = users.front();
+  }
+}
+
+/// As the menu adds it: nothing of it was decided, and nothing is changed by it.
+bool isBegun(const Feature& feature, const FeatureType& type) {
+  if (feature.type != type.id || feature.suppressed) return false;
+  try {
+    return completed(type.parameters, feature.parameters) == completed(type.parameters, Value::object());
+  } catch (const Error&) {
+    return false;
   }
 }
 
@@ -87,20 +98,15 @@ std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& 
 
 Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, const MotionEdit& edit,
                   const std::optional<TypedGoal>& typed) {
-  Document document = host.document();
+  const Document& document = host.document();
   const auto type = host.registry().at(std::holds_alternative<MotionPull>(edit) ? pullType : twistType);
-  Feature feature = ui::namedFeature(document, *type, {placement.source});
+  const bool begun = isBegun(document.at(placement.source), *type);
+  Feature feature = begun ? document.at(placement.source) : ui::namedFeature(document, *type, {placement.source});
   feature.parameters = parametersOf(edit, typed);
   if (const Value pins = pinsOf(edit); !pins.empty()) feature.parameters["pins"] = pins;
+  if (begun) return document.with(std::move(feature));
   feature.visible = document.at(placement.source).visible;
-  const FeatureId id = feature.id;
-  document = document.with(std::move(feature));
-  for (const FeatureId& user : placement.users) {
-    Feature sweep = document.at(user);
-    std::replace(sweep.inputs.begin(), sweep.inputs.end(), placement.source, id);
-    document = document.with(std::move(sweep));
-  }
-  return document;
+  return withInserted(document, feature, placement.users);
 }
 
 Document withChangedEdit(const ui::ToolHost& host, const FeatureId& id, const MotionEdit& edit,

@@ -11,21 +11,42 @@ namespace blossom::sweep {
 bool SurfacePullTool::key(const QKeyEvent& event) {
   if (entry_) return typingKey(event);
   if (HandleTool::key(event)) return true;
-  const bool plain = held() ? !event.modifiers().testFlag(Qt::ControlModifier)
-                            : !(event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier));
+  const bool plain = !event.modifiers().testFlag(Qt::ControlModifier) &&
+                     (held() || !(event.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)));
   if (!plain) return false;
-  if (!surface_) return keyWhilePreparing(event.key());
+  if (!surface_) return keyWhilePreparing(event);
   const bool ready = hovered() || held() || overSurface_;  // the mouse need not have moved since the last edit
-  if (!chooseKey(event.key()) && !(ready && mode_.key(event.key()))) return false;
+  const bool chooses = held() || !event.modifiers().testFlag(Qt::ShiftModifier);
+  if (!(chooses && chooseKey(event.key())) && !(ready && keyOfMode(event))) return false;
   if (!entry_) follow();
+  emit changed();
+  return true;
+}
+
+/// During a drag, Shift is for its direction.
+bool SurfacePullTool::keyOfMode(const QKeyEvent& event) {
+  if (held() || !event.modifiers().testFlag(Qt::ShiftModifier)) return mode_.key(event.key());
+  return mode_.keyWithShift(event.key());
+}
+
+/// The camera has it, unless Shift is held down over the surface; during a drag it stays where it is.
+bool SurfacePullTool::wheel(double notches, Qt::KeyboardModifiers modifiers) {
+  const bool meant = held() || (hovered() && modifiers.testFlag(Qt::ShiftModifier));
+  if (!meant || modifiers & (Qt::ControlModifier | Qt::AltModifier) || mode_.adjustable().isEmpty()) return false;
+  notches_ += notches;
+  const int whole = static_cast<int>(notches_);
+  notches_ -= whole;
+  if (whole == 0) return true;
+  mode_.addTenths(whole);
+  follow();
   emit changed();
   return true;
 }
 
 /// After an edit the surface takes a moment to be ready for the next one. Who goes on meanwhile does not mean the keys of
 /// the view.
-bool SurfacePullTool::keyWhilePreparing(int key) {
-  if (!overSurface_ || loader_.wanted().empty() || !mode_.key(key)) return false;
+bool SurfacePullTool::keyWhilePreparing(const QKeyEvent& event) {
+  if (!overSurface_ || loader_.wanted().empty() || !keyOfMode(event)) return false;
   emit changed();
   return true;
 }
@@ -48,6 +69,12 @@ bool SurfacePullTool::chooseKey(int key) {
   return false;
 }
 
+void SurfacePullTool::keysLost() {
+  if (!entry_) return;
+  stopTyping();
+  emit changed();
+}
+
 void SurfacePullTool::startTyping() {
   if (!edit_) hold(DragTarget(under_->hit, towards_), millimetresPerPixel());
   refusal_.clear();
@@ -65,15 +92,15 @@ bool SurfacePullTool::typingKey(const QKeyEvent& event) {
   return true;
 }
 
-/// As far as it can be understood; half a number need not be.
-void SurfacePullTool::followTyped() {
+/// As far as it can be understood; half a number need not be. Before it is ready, nothing is missing.
+void SurfacePullTool::followTyped(bool ready) {
   refusal_.clear();
   try {
     if (entry_->unchanged()) {
       edit_->forgetTyped();
       return follow();
     }
-    const GoalEntry::Goal goal = entry_->goal(host());
+    const GoalEntry::Goal goal = ready ? entry_->goal(host()) : entry_->goalSoFar(host());
     if (entry_->isAngle())
       edit_->turnTo(goal.angle);
     else
@@ -85,7 +112,7 @@ void SurfacePullTool::followTyped() {
 }
 
 void SurfacePullTool::takeTyped() {
-  followTyped();
+  followTyped(true);
   if (!refusal_.isEmpty()) return;
   if (!edit_->changesAnything(mode_)) return stopTyping();
   if (!edit_->possible()) {

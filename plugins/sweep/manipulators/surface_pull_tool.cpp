@@ -9,13 +9,16 @@
 
 namespace blossom::sweep {
 
-SurfacePullTool::SurfacePullTool(ui::ToolHost& toolHost, FeatureId feature) : HandleTool(toolHost, std::move(feature)) {
+SurfacePullTool::SurfacePullTool(ui::ToolHost& toolHost, FeatureId feature)
+    : HandleTool(toolHost, std::move(feature)), mode_(toolHost.kept<PullMode>()) {
   load();
 }
 
 void SurfacePullTool::load() {
   if (lingering_ && lingering_->over(host())) lingering_.reset();
   placement_ = editPlacement(host(), feature());
+  unseen_ = placement_ && placement_->users.empty();
+  if (unseen_) placement_.reset();  // a drag would change nothing that is seen
   last_ = placement_ ? lastEdit(host(), *placement_) : std::nullopt;
   const Shape motion = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
   if (loader_.load(motion)) show(nullptr);

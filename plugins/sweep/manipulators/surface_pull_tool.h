@@ -18,7 +18,8 @@ class PullMarks;
 /// Pulls a swept surface by hand while its sweep, or an edit of its motion, is selected: any place of the surface is a
 /// handle. During a drag a shaded grid of the surface stands in for it and follows at once; the end of the drag, or Enter
 /// after the goal was typed, adds a pull or a twist before the sweep, or changes the last one when a place of it was taken,
-/// as one step of undo. Finding places is prepared in the background.
+/// as one step of undo. Finding places is prepared in the background. Of a motion that nothing sweeps there is no surface to
+/// take hold of, which the hint says.
 class SurfacePullTool : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -29,6 +30,8 @@ class SurfacePullTool : public ui::HandleTool {
   bool move(const ui::ToolEvent&) override;
   bool release(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  bool wheel(double notches, Qt::KeyboardModifiers) override;
+  void keysLost() override;
   [[nodiscard]] bool entering() const override { return entry_.has_value(); }
   /// No picking during a drag.
   [[nodiscard]] ui::PickMode picks() const override { return held() ? ui::PickMode::None : ui::PickMode::Feature; }
@@ -55,10 +58,11 @@ class SurfacePullTool : public ui::HandleTool {
 
   // Keys.
   bool chooseKey(int key);
-  bool keyWhilePreparing(int key);
+  bool keyOfMode(const QKeyEvent&);
+  bool keyWhilePreparing(const QKeyEvent&);
   bool typingKey(const QKeyEvent&);
   void startTyping();
-  void followTyped();
+  void followTyped(bool ready = false);
   void takeTyped();
   void stopTyping();
 
@@ -68,12 +72,14 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString hoverHint() const;
   [[nodiscard]] QString keysHint(bool single, bool ownLevel) const;
   [[nodiscard]] QString chosenHint() const;
+  [[nodiscard]] QString heldText() const;
   [[nodiscard]] QString leftText() const;
   void markPlace(PullMarks&) const;
   void markEdit(PullMarks&) const;
 
-  PullMode mode_;
+  PullMode& mode_;  ///< stays in force when something else is selected meanwhile
   std::optional<EditPlacement> placement_;
+  bool unseen_ = false;  ///< no sweep takes the motion
   std::optional<LastEdit> last_;
   std::shared_ptr<const LiveSurface> surface_;
   ChosenPlaces chosen_;
@@ -86,6 +92,7 @@ class SurfacePullTool : public ui::HandleTool {
   std::optional<LingeringPicture> lingering_;
   std::optional<ui::ToolEvent> mouse_;  ///< what it did last
   QPointF pressedAt_;
+  double notches_ = 0;  ///< of the wheel, that make no whole one yet
   bool dragged_ = false;
 
   SurfaceLoader loader_{[this](std::shared_ptr<const LiveSurface> surface) { show(std::move(surface)); }};

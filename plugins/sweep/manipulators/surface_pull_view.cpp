@@ -10,8 +10,11 @@ namespace blossom::sweep {
 
 namespace {
 
+/// Sentences of others are parts like ours, which have no full stop.
 QString joined(QStringList parts) {
   parts.removeAll(QString());
+  for (QString& each : parts)
+    if (parts.size() > 1 && each.endsWith(u'.')) each.chop(1);
   return parts.join(QStringLiteral(" · "));
 }
 
@@ -35,6 +38,7 @@ std::vector<Vec3> pointsAt(const Motion& motion, const std::vector<MotionPlace>&
 }  // namespace
 
 QString SurfacePullTool::hint() const {
+  if (unseen_) return tr("No sweep is made of this motion: choose Sweep to see its surface and pull it");
   if (!surface_) return {};  // the view says what it does by itself
   if (entry_) return typingHint();
   if (held() && edit_) return heldHint();
@@ -54,13 +58,24 @@ QString SurfacePullTool::heldHint() const {
   if (!edit_->possible()) return tr("Nothing will be changed here: %1").arg(live.reason());
   QStringList parts;
   if (!live.arrived()) parts << tr("The places cannot all arrive; %1 is left at most").arg(leftText());
+  parts << heldText();
+  if (const std::size_t pins = edit_->countOfPins(mode_); pins > 0) parts << tr("%1 pinned").arg(pins);
   if (mode_.twists())
-    parts << tr("Let go to twist by %1° about %2").arg(edit_->angle(mode_), 0, 'f', 1).arg(mode_.axisText())
-          << tr("A: another axis") << tr("Enter: type the angle");
+    parts << tr("A: another axis") << tr("Enter: type the angle");
   else
-    parts << tr("Let go to pull the point here %1").arg(mode_.wayText()) << tr("Shift: along the normal")
-          << tr("Enter: type the target");
+    parts << tr("Shift: along the normal") << tr("Enter: type the target");
+  if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("wheel: share of %1").arg(share);
   return joined(parts << mode_.symmetryText() << mode_.levelText() << tr("Esc takes it back"));
+}
+
+QString SurfacePullTool::heldText() const {
+  const std::size_t places = edit_->countOfPlaces(mode_);
+  if (!mode_.twists())
+    return places > 1 ? tr("Let go to pull %1 places %2").arg(places).arg(mode_.wayText())
+                      : tr("Let go to pull the point here %1").arg(mode_.wayText());
+  const QString angle = QString::number(edit_->angle(mode_), 'f', 1);
+  return places > 1 ? tr("Let go to twist %1 places by %2° about %3").arg(places).arg(angle, mode_.axisText())
+                    : tr("Let go to twist by %1° about %2").arg(angle, mode_.axisText());
 }
 
 QString SurfacePullTool::leftText() const {
@@ -94,7 +109,8 @@ QString SurfacePullTool::keysHint(bool single, bool ownLevel) const {
   if (mode_.twists())
     parts << tr("A: another axis") << tr("W: pull");
   else
-    parts << tr("T, R, S: one way alone") << tr("W: twist");
+    parts << tr("T, R, S: one way alone (Shift: as well)") << tr("W: twist");
+  if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("Shift+wheel: share of %1").arg(share);
   if (single) parts << tr("2–9, M: copies");
   if (ownLevel) parts << tr("+, −: finer, coarser");
   parts << (mode_.twists() ? tr("Enter: type the angle") : tr("Enter: type the target"));

@@ -1,10 +1,18 @@
 #include "manipulators/typed_goal.h"
 
+#include <QKeyEvent>
+
 #include "core/error.h"
 
 namespace blossom::sweep {
 
 namespace {
+
+constexpr qsizetype coordinates = 3;
+
+[[noreturn]] void refuseNumberOfCoordinates() {
+  throw Error(ErrorCode::InvalidParameter, GoalEntry::tr("A target has three coordinates: x, y, z.").toStdString());
+}
 
 /// Between commas, but for those within parentheses; semicolons part as well.
 QStringList coordinatesIn(const QString& text) {
@@ -44,7 +52,20 @@ GoalEntry GoalEntry::ofAngle(double presentDegrees) {
   return entry;
 }
 
+// A present text that is still selected is left with its first coordinate as it is.
+ui::TypedKey GoalEntry::key(const QKeyEvent& event) {
+  if (event.key() != Qt::Key_Tab && event.key() != Qt::Key_Backtab) return text_.key(event);
+  const bool more = text_.selected() || coordinatesIn(text_.text()).size() < coordinates;
+  if (event.key() == Qt::Key_Tab && !angle_ && more) text_.type(QStringLiteral(", "));
+  return ui::TypedKey::Text;  // the focus stays where something is typed
+}
+
 GoalEntry::Goal GoalEntry::goal(const ui::ToolHost& host) const {
+  if (!angle_ && coordinatesIn(text_.text()).size() < coordinates) refuseNumberOfCoordinates();
+  return goalSoFar(host);
+}
+
+GoalEntry::Goal GoalEntry::goalSoFar(const ui::ToolHost& host) const {
   if (!angle_) return pointGoal(host);
   ParameterSpec spec = angle();
   spec.name = "angle";
@@ -53,9 +74,9 @@ GoalEntry::Goal GoalEntry::goal(const ui::ToolHost& host) const {
 }
 
 GoalEntry::Goal GoalEntry::pointGoal(const ui::ToolHost& host) const {
-  const QStringList parts = coordinatesIn(text_.text());
-  if (parts.size() != 3)
-    throw Error(ErrorCode::InvalidParameter, tr("A target has three coordinates: x, y, z.").toStdString());
+  QStringList parts = coordinatesIn(text_.text());
+  if (parts.size() > coordinates) refuseNumberOfCoordinates();
+  while (parts.size() < coordinates) parts << QString();
   Goal goal{present_, 0, Value::array()};
   for (int k = 0; k < 3; ++k) {
     if (!parts[k].trimmed().isEmpty()) {

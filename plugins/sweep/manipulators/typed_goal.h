@@ -16,14 +16,17 @@ class GoalEntry {
   static GoalEntry ofPoint(const ui::ToolHost&, const Vec3& present);
   static GoalEntry ofAngle(double presentDegrees);
 
-  ui::TypedKey key(const QKeyEvent& event) { return text_.key(event); }
+  /// As of a text that is typed; Tab goes on to the next coordinate.
+  ui::TypedKey key(const QKeyEvent& event);
 
   struct Goal {
     Vec3 point = Vec3::Zero();
     double angle = 0;
     Value written;  ///< what a document keeps of it
   };
-  /// @throws Error InvalidParameter saying what is wrong with the text.
+  /// Coordinates that are not typed yet stay as they are. @throws Error InvalidParameter saying what is wrong with the text.
+  [[nodiscard]] Goal goalSoFar(const ui::ToolHost&) const;
+  /// @throws Error as goalSoFar, and where coordinates are missing.
   [[nodiscard]] Goal goal(const ui::ToolHost&) const;
 
   [[nodiscard]] bool isAngle() const { return angle_; }

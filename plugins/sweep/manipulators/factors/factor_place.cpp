@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "document/edits.h"
 #include "factor_values.h"
+#include "ui/look/registry_text.h"
 
 namespace blossom::sweep {
 
@@ -24,23 +26,11 @@ bool changesMotion(const Feature& feature) {
 
 /// A new feature between the motion and its sweeps.
 Document inserted(const ui::ToolHost& host, const EditPlacement& placement, const char* typeId, Value parameters) {
-  Document document = host.document();
-  const auto type = host.registry().at(typeId);
-  Feature feature;
-  feature.type = type->id;
-  feature.id = document.freshId(type->command);
-  feature.name = type->title;
+  const Document& document = host.document();
+  Feature feature = ui::namedFeature(document, *host.registry().at(typeId), {placement.source});
   feature.parameters = std::move(parameters);
-  feature.inputs = {placement.source};
   feature.visible = document.at(placement.source).visible;
-  const FeatureId id = feature.id;
-  document = document.with(std::move(feature));
-  for (const FeatureId& user : placement.users) {
-    Feature changed = document.at(user);
-    std::replace(changed.inputs.begin(), changed.inputs.end(), placement.source, id);
-    document = document.with(std::move(changed));
-  }
-  return document;
+  return withInserted(document, feature, placement.users);
 }
 
 /// Numbers that depend on named ones, and whatever else only its user can change.

@@ -1,4 +1,6 @@
 #include <QElapsedTimer>
+#include <QRegularExpression>
+#include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +31,7 @@ class SweepWindowTest : public SweepFixture {
   void escapeTakesBack();
   void fourCopiesMakeFourEqualBumps();
   void keysAreForThePlaceUnderTheMouse();
+  void whereThePointIsIsTold();
   void whatCannotBeReachedIsSaidAndNotKept();
   void aClickIsForTheView();
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
@@ -219,6 +222,34 @@ void SweepWindowTest::keysAreForThePlaceUnderTheMouse() {
   QTRY_VERIFY(window_->view().hasFocus());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_4);
   QVERIFY2(hint().contains(QStringLiteral("4 copies")), qPrintable(hint()));
+}
+
+/// The point of the surface, and during a drag where it is taken, not the ground behind it.
+void SweepWindowTest::whereThePointIsIsTold() {
+  openSample("cylinder.json");
+  QSignalSpy told(&window_->view(), &ViewWidget::whereabouts);
+  const auto toldPoint = [&told] {
+    static const QRegularExpression three(QStringLiteral("^x (\\S+)   y (\\S+)   z (\\S+) mm$"));
+    const auto found = three.match(told.isEmpty() ? QString() : told.back().front().toString());
+    return found.hasMatch() ? std::optional(Vec3(found.captured(1).toDouble(), found.captured(2).toDouble(),
+                                                 found.captured(3).toDouble()))
+                            : std::nullopt;
+  };
+  const QPoint from = onTheSide(), to = from + QPoint(60, -10);
+  hover(from);
+  const auto place = toldPoint();
+  QVERIFY2(place, qPrintable(told.back().front().toString()));
+  QVERIFY(std::abs(place->head<2>().norm() - 10) < 0.1);
+  QVERIFY((screenOf(*place) - from).manhattanLength() <= 3);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, to);
+  const auto dragged = toldPoint();
+  QVERIFY2(dragged, qPrintable(told.back().front().toString()));
+  mouse(QEvent::MouseButtonRelease, to);
+  waitUntilComputed();
+  QVERIFY((*dragged - vectorOf(only("sweep.pull").parameters["pulls"][0]["to"])).norm() < 0.1);
+  mouse(QEvent::MouseMove, QPoint(5, 5));
+  QVERIFY(!toldPoint());
 }
 
 void SweepWindowTest::fourCopiesMakeFourEqualBumps() {

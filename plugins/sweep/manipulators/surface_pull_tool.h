@@ -29,6 +29,7 @@ class SurfacePullTool : public ui::HandleTool {
   bool move(const ui::ToolEvent&) override;
   bool release(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
+  [[nodiscard]] std::optional<Vec3> whereabouts() const override;
   [[nodiscard]] bool entering() const override { return entry_.has_value(); }
   /// No picking during a drag.
   [[nodiscard]] ui::PickMode picks() const override { return held() ? ui::PickMode::None : ui::PickMode::Feature; }
@@ -69,6 +70,7 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString keysHint(bool single, bool ownLevel) const;
   [[nodiscard]] QString chosenHint() const;
   [[nodiscard]] QString leftText() const;
+  [[nodiscard]] QString wayText() const;
   void markPlace(PullMarks&) const;
   void markEdit(PullMarks&) const;
 

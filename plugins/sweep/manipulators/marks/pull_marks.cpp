@@ -94,6 +94,13 @@ void PullMarks::way(const Vec3& from, const Vec3& to) {
   points({to}, host_.look().control, pointPixels);
 }
 
+void PullMarks::tell(const Vec3& at, const QString& text, bool aboveRing) {
+  ui::LabelLook look = ui::labelLook(host_.look(), host_.look().control, host_.pixelRatio());
+  look.card = ui::qtColor(host_.look().backgroundBottom);
+  if (aboveRing) look.shift = {0, ringReach};
+  props_.push_back(ui::labelProp(text, at, look));
+}
+
 void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& unit) {
   const Color &made = host_.look().made, &ground = host_.look().backgroundBottom;
   ui::LabelLook look = ui::labelLook(host_.look(), text.selected() ? ground : made, host_.pixelRatio());

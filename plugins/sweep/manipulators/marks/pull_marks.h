@@ -30,6 +30,8 @@ class PullMarks {
   void turn(const TwistArc&, const QString& text);
   /// Of the point that is dragged.
   void way(const Vec3& from, const Vec3& to);
+  /// Numbers about a point, on a card above its ring, or where there is none right above it.
+  void tell(const Vec3& at, const QString& text, bool aboveRing);
   /// What is typed about a point.
   void entry(const Vec3& at, const ui::TypedText&, const QString& unit);
 

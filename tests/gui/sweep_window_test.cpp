@@ -380,6 +380,16 @@ void SweepWindowTest::theHandlesAreSeen() {
   keepPictures("pull-hover", from);
   QVERIFY(colored(canvas(), qtColor(look.made)) > 1e-4);
   QVERIFY(colored(canvas(), qtColor(look.control)) > 3e-4);
+  // The letter of scaling stands on a plate that hides the surface.
+  const QImage picture = canvas();
+  const double ratio = picture.width() / static_cast<double>(window_->view().width());
+  const QPointF letter = from + 37.5 * QPointF(-std::cos(M_PI / 6), std::sin(M_PI / 6));
+  for (const QPointF& beside : {QPointF(-7, 0), QPointF(7, 0), QPointF(0, -7), QPointF(0, 7)}) {
+    const QColor seen = picture.pixelColor(((letter + beside) * ratio).toPoint()), plate = qtColor(look.backgroundBottom);
+    const int off =
+        std::abs(seen.red() - plate.red()) + std::abs(seen.green() - plate.green()) + std::abs(seen.blue() - plate.blue());
+    QVERIFY2(off < 30, qPrintable(seen.name()));
+  }
   key(Qt::Key_4);
   keepPictures("pull-four-hover", from);
   mouse(QEvent::MouseButtonPress, from);

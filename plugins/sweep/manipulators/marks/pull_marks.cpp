@@ -20,7 +20,11 @@ constexpr double labelDistance = 16;  // from the end of an arc to the card
 }  // namespace
 
 void PullMarks::lines(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
-  if (!all.empty()) props_.push_back(ui::linesProp(all, color, width * host_.pixelRatio()));
+  if (all.empty()) return;
+  // Drivers draw lines of one device pixel whatever width they are asked for: where these are fine, a hair.
+  const double ratio = host_.pixelRatio();
+  props_.push_back(ratio > 1 ? ui::linesProp(thickened(all, facing_, width, ratio), color, 1)
+                             : ui::linesProp(all, color, width));
 }
 
 void PullMarks::seamed(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
@@ -63,10 +67,7 @@ void PullMarks::chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& 
 }
 
 void PullMarks::ring(const Vec3& centre, const PullMode& mode) {
-  const RingLines ring = ringLines(centre, facing_, mode.weights());
-  lines(ring.idle, mixed(host_.look().control, host_.look().backgroundBottom, 0.4), 2);
-  lines(ring.active, host_.look().made, 2.5);
-  lines(ring.border, host_.look().backgroundBottom, 1);
+  props_.push_back(ui::pictureProp(ringPicture(mode.weights(), host_.look(), host_.pixelRatio()), centre));
 }
 
 void PullMarks::axis(const Vec3& centre, const Vec3& axis) {

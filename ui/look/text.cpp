@@ -1,6 +1,7 @@
 #include "ui/look/text.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
 #include <cmath>
 #include <map>
@@ -73,6 +74,23 @@ double inShownUnit(double value, MeasureUnit unit) {
 
 QString saidInFull(std::string_view what, std::string_view remedy) {
   return remedy.empty() ? qt(what) : qt(what) + u' ' + qt(remedy);
+}
+
+double withoutNoise(double value, double largest) {
+  constexpr double noise = 1e-12;
+  return std::abs(value) <= noise * largest ? 0 : value;
+}
+
+QString fittingNumber(const QString& text, const std::function<bool(const QString&)>& fits) {
+  if (fits(text)) return text;
+  static const QRegularExpression pattern(QStringLiteral("^([-+]?[0-9]*\\.?[0-9]+(?:e[-+]?[0-9]+)?)( ?[^-+*/()0-9 ]*)$"));
+  const QRegularExpressionMatch match = pattern.match(text);
+  if (!match.hasMatch()) return text;
+  const double value = match.captured(1).toDouble();
+  constexpr int mostDigits = 15;
+  for (int digits = mostDigits; digits > 0; --digits)
+    if (const QString shorter = QString::number(value, 'g', digits) + match.captured(2); fits(shorter)) return shorter;
+  return text;
 }
 
 QString readable(double value, int digits) {

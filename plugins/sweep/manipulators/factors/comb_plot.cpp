@@ -50,7 +50,8 @@ void CombPlot::fitScale() {
   constexpr double hardly = 1e-9;
   const bool constant = high_ - low_ <= hardly * size || size == 0;
   range_ = constant ? ui::readable((low_ + high_) / 2, 3)
-                    : QStringLiteral("%1 … %2").arg(ui::readable(low_, 3), ui::readable(high_, 3));
+                    : QStringLiteral("%1 … %2").arg(ui::readable(ui::withoutNoise(low_, size), 3),
+                                                    ui::readable(ui::withoutNoise(high_, size), 3));
   if (constant) low_ -= 0.5 + 0.5 * size, high_ += 0.5 + 0.5 * size;
   if (tallest_ <= hardly * size) tallest_ = 0;
 }

@@ -160,7 +160,9 @@ void FactorsTool::fillPanel() {
   for (const FactorPole& pole : chosen_) {
     if (!layout.contains(pole)) return;  // of the motion before a knot was taken back; the net tells what is left
     const PoleValue value = poleValue(motion(), factor_, pole);
-    for (int k = 0; k < weightField; ++k) values[static_cast<std::size_t>(k)].push_back(value.vector[k]);
+    const double largest = value.vector.cwiseAbs().maxCoeff();
+    for (int k = 0; k < weightField; ++k)
+      values[static_cast<std::size_t>(k)].push_back(ui::withoutNoise(value.vector[k], largest));
     values.back().push_back(value.weight);
   }
   FactorsPanel::Texts texts;

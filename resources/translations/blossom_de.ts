@@ -2994,6 +2994,10 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>Reset to %1</source>
         <translation>Zurück auf %1</translation>
     </message>
+    <message>
+        <source>Each with %1.</source>
+        <translation>Jeder Eintrag mit %1.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::PointTool</name>
@@ -4063,6 +4067,10 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3 %4</source>
+        <translation>x %1   y %2   z %3 %4</translation>
     </message>
 </context>
 </TS>

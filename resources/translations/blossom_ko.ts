@@ -2994,6 +2994,10 @@ Drag sideways to change it.</source>
         <source>Reset to %1</source>
         <translation>%1(으)로 되돌리기</translation>
     </message>
+    <message>
+        <source>Each with %1.</source>
+        <translation>항목마다 %1.</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::PointTool</name>
@@ -4063,6 +4067,10 @@ Drag sideways to change it.</source>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3 %4</source>
+        <translation>x %1   y %2   z %3 %4</translation>
     </message>
 </context>
 </TS>

@@ -50,7 +50,13 @@ void PullMarks::surfaceLines(const SurfaceLines& all, double width) {
 
 void PullMarks::place(const Motion& motion, const PlaceHit& hit, const PullMode& mode, const Vec3& towards) {
   const double side = hit.normal.dot(towards) >= 0 ? 1 : -1;
-  surfaceLines(borderOf(motion, editRegion(motion, hit.at, mode), towards, side), 1);
+  SurfaceLines border;
+  for (const EditRegion& region : editRegions(motion, hit.at, mode)) {
+    const SurfaceLines each = borderOf(motion, region, towards, side);
+    border.facing.insert(border.facing.end(), each.facing.begin(), each.facing.end());
+    border.averted.insert(border.averted.end(), each.averted.begin(), each.averted.end());
+  }
+  surfaceLines(border, 1);
   surfaceLines(isoCurvesThrough(motion, hit.at, towards, side), 1.8);
   points({hit.point}, host_.look().control, pointPixels);
 }

@@ -18,7 +18,7 @@ class PullMarks {
  public:
   PullMarks(const ui::ToolHost& host, const Facing& facing, Props& props) : host_(host), facing_(facing), props_(props) {}
 
-  /// The point under the mouse, its iso-curves and the border of what an edit there would touch.
+  /// The point under the mouse, its iso-curves and the borders of what an edit there and its copies would touch.
   void place(const Motion&, const PlaceHit&, const PullMode&, const Vec3& towards);
   void copies(const std::vector<Vec3>&);
   /// Places that go along, and those that stay.

@@ -85,7 +85,7 @@ FeatureType frameFeature() {
   return feature<P>("sweep.frame", "Sweep along",
                     "A motion that carries a section along a curve without spinning it, ready to be pulled.")
       .command("sweep-along")
-      .icon("motion")
+      .icon("sweep-along")
       .produces({ShapeKind::Motion})
       .input(pathInput())
       .input(sectionInput())

@@ -627,7 +627,7 @@
     </message>
     <message>
         <source>Frames</source>
-        <translation>Systeme</translation>
+        <translation>Begleitsysteme</translation>
     </message>
     <message>
         <source>Draw the frames M(u, v) along u and v</source>
@@ -2997,6 +2997,10 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Each with %1.</source>
         <translation>Jeder Eintrag mit %1.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
     </message>
 </context>
 <context>

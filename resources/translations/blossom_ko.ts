@@ -2998,6 +2998,10 @@ Drag sideways to change it.</source>
         <source>Each with %1.</source>
         <translation>항목마다 %1.</translation>
     </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 또는 %2</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::PointTool</name>

@@ -208,6 +208,12 @@ void ParameterField::enterEvent(QEnterEvent*) {
 QString ParameterField::shownKind() const {
   const bool items = spec_.kind == ParameterKind::List && !spec_.fields.empty();
   const ParameterSpec& each = items ? spec_.fields.front() : spec_;
+  if (spec_.kind == ParameterKind::Choice && spec_.choices.size() > 1 && spec_.condition.choice.empty()) {
+    QStringList names;
+    for (const std::string& choice : spec_.choices) names << shownChoice(choice);
+    const QString last = names.takeLast();
+    return sentenceCase(tr("%1 or %2").arg(names.join(QStringLiteral(", ")), last)) + u'.';
+  }
   if (each.kind != ParameterKind::Record) return sentenceCase(qt(describe(spec_, lengthUnit()))) + u'.';
   if (!items) return {};
   QStringList names;

@@ -30,6 +30,10 @@ QString readable(const Measure&);
 double inShownUnit(double value, MeasureUnit);
 /// "Smallest weight" for "min_weight", in the language of the window.
 QString measureLabel(const std::string& name);
+/// "surface", a kind of shape, in the language of the window.
+QString shownShapeKind(const std::string& kind);
+/// A warning in the language of the window, where its words are always the same; else as it was given.
+QString shownWarning(const std::string& warning);
 /// " mm" where the name of a figure says it; lengths and areas in the unit that the user prefers, as shownStat gives them.
 QString statUnit(const std::string& name);
 /// A figure in the unit that statUnit names; what is no number stays as it is.

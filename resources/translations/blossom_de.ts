@@ -709,6 +709,10 @@
         <source>A drag in the net scales along this axis</source>
         <translation>Ziehen im Netz skaliert entlang dieser Achse</translation>
     </message>
+    <message>
+        <source>Close the card</source>
+        <translation>Die Karte schließen</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::FactorsTool</name>
@@ -807,6 +811,10 @@
     <message>
         <source>Choose poles in the net and drag them there</source>
         <translation>Pole im Netz wählen und dort ziehen</translation>
+    </message>
+    <message>
+        <source>%1, the first pole</source>
+        <translation>%1, erster Pol</translation>
     </message>
 </context>
 <context>

@@ -709,6 +709,10 @@
         <source>A drag in the net scales along this axis</source>
         <translation>망에서 끌면 이 축 방향으로 크기를 조절합니다</translation>
     </message>
+    <message>
+        <source>Close the card</source>
+        <translation>카드 닫기</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::FactorsTool</name>
@@ -807,6 +811,10 @@
     <message>
         <source>Choose poles in the net and drag them there</source>
         <translation>망에서 제어점을 골라 거기서 끌기</translation>
+    </message>
+    <message>
+        <source>%1, the first pole</source>
+        <translation>%1, 첫 제어점</translation>
     </message>
 </context>
 <context>

@@ -13,13 +13,13 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr double titleHeight = 17, toothPixels = 24;
+constexpr double titleHeight = 30, rangeTop = 13, toothPixels = 24;  // the title, and below it the range
 
 }  // namespace
 
 CombPlot::CombPlot(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("combPlot"));
-  setMinimumHeight(84);
+  setMinimumHeight(97);
 }
 
 void CombPlot::setCurves(const QString& what, std::vector<CombCurve> curves, double mark) {
@@ -101,14 +101,12 @@ void CombPlot::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, titleHeight), QPointF(x, height() - 3));
   for (const CombCurve& curve : curves_) paintCurve(painter, curve);
   painter.setPen(colors.color("faint"));
-  painter.drawText(text, Qt::AlignTop | Qt::AlignRight, range_);
+  painter.drawText(text.adjusted(0, rangeTop, 0, 0), Qt::AlignTop | Qt::AlignRight, range_);
 }
 
 /// What it is, and at which parameter, stand at its ends.
 QString CombPlot::shownTitle(const QFontMetrics& metrics, int width) const {
-  constexpr int between = 10;
-  const int room = curves_.empty() ? width : width - metrics.horizontalAdvance(range_) - between;
-  return metrics.elidedText(what_, Qt::ElideMiddle, room);
+  return metrics.elidedText(what_, Qt::ElideMiddle, width);
 }
 
 }  // namespace blossom::sweep

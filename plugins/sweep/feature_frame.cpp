@@ -38,9 +38,10 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
   out.stats["min_bend_radius"] = made.smallestBend;
   out.stats["reach"] = made.reach;
   if (made.smallestBend > 0 && made.smallestBend <= made.reach)
-    out.warnings.push_back(fmt::format(
-        "The path bends to a radius of {} mm near v = {}, and the section reaches {} mm: the surface folds there.",
-        formatNumber(made.smallestBend), formatNumber(made.bendAt), formatNumber(made.reach)));
+    out.warnings.push_back(
+        fmt::format("The path bends to a radius of {:.4g} mm near v = {:.4g}, and the section reaches {:.4g} mm: the "
+                    "surface folds there.",
+                    made.smallestBend, made.bendAt, made.reach));
 }
 
 Evaluated evaluateFrame(const FrameParameters& p, const Inputs& inputs, const Progress& progress) {
@@ -84,7 +85,7 @@ FeatureType frameFeature() {
   return feature<P>("sweep.frame", "Sweep along",
                     "A motion that carries a section along a curve without spinning it, ready to be pulled.")
       .command("sweep-along")
-      .icon("motion")
+      .icon("sweep-along")
       .produces({ShapeKind::Motion})
       .input(pathInput())
       .input(sectionInput())

@@ -111,7 +111,7 @@ FeatureType refineFeature() {
   return feature<P>("sweep.refine", "Refine motion",
                     "The same motion with more poles, so that pulls move smaller parts of it.")
       .command("sweep-refine")
-      .icon("grid")
+      .icon("refine-motion")
       .produces({ShapeKind::Motion})
       .input({.name = "motion",
               .help = "A motion: trajectory, orientation and scaling.",

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/error.h"
 #include "core/place_text.h"
-#include "core/units.h"
 #include "geometry/crossing/surface_crossing.h"
 #include "kernel/cubic_approximation.h"
 #include "kernel/validity.h"
@@ -22,6 +22,9 @@ Value listOf(const Vec3& p) { return Value::array({p.x(), p.y(), p.z()}); }
 
 std::string parametersText(const Vec2& at) { return fmt::format("u = {:.4g}, v = {:.4g}", at.x(), at.y()); }
 
+/// Before all others: a panel shows the first one, and a list begins with it.
+void warnFirst(Evaluated& out, std::string warning) { out.warnings.insert(out.warnings.begin(), std::move(warning)); }
+
 /// @returns whether the surface folds over itself
 bool addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   constexpr double vanishing = 1e-6;
@@ -32,15 +35,15 @@ bool addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   out.stats["min_normal_place"] = listOf(validity.place);
   if (validity.fold) {
     const Fold& fold = *validity.fold;
-    out.warnings.push_back(fmt::format(
-        "The surface folds over itself near {}, at {}: x_u x x_v reverses there, so that parts of the surface run back over "
-        "others or turn inside out. Whether it crosses itself is not tested for sheets that lie on each other. Turn or pull "
-        "it less there, or over a wider part, at a coarser level.",
-        placeText(fold.place), parametersText({fold.u, fold.v})));
+    warnFirst(out,
+              fmt::format("The surface folds over itself near {}, at {}: x_u x x_v reverses there, so that parts of the "
+                          "surface run back over others or turn inside out. Whether it crosses itself is not tested for "
+                          "sheets that lie on each other. Turn or pull it less there, or over a wider part, at a "
+                          "coarser level.",
+                          placeText(fold.place), parametersText({fold.u, fold.v})));
   } else if (validity.smallestShare < vanishing) {
-    out.warnings.push_back(
-        fmt::format("The surface has no normal near u = {}, v = {}: it runs into a point or folds over there.",
-                    formatNumber(validity.u), formatNumber(validity.v)));
+    out.warnings.push_back(fmt::format("The surface has no normal near {}: it runs into a point or folds over there.",
+                                       parametersText({validity.u, validity.v})));
   }
   return validity.fold.has_value();
 }
@@ -76,9 +79,9 @@ void addCrossing(const Motion& motion, const Surface& surface, bool folds, Evalu
   out.stats["crossing_first_at"] = listOf(crossing.first.at);
   out.stats["crossing_second_at"] = listOf(crossing.second.at);
   const CrossingCause why = causeOfCrossing(motion, crossing.first.at, crossing.second.at);
-  out.warnings.push_back(fmt::format("The surface crosses itself near {}, at {} and {}, by at least {} mm: {} {}",
-                                     placeText(crossing.point, found.size, 5), parametersText(crossing.first.at),
-                                     parametersText(crossing.second.at), leastText(crossing.depth), why.cause, why.remedy));
+  warnFirst(out, fmt::format("The surface crosses itself near {}, at {} and {}, by at least {} mm: {} {}",
+                             placeText(crossing.point, found.size, 5), parametersText(crossing.first.at),
+                             parametersText(crossing.second.at), leastText(crossing.depth), why.cause, why.remedy));
 }
 
 void addDeviation(const Motion& motion, const Surface& surface, std::optional<double> known, Evaluated& out,

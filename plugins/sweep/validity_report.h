@@ -12,8 +12,9 @@ namespace blossom::sweep {
 /// and how exactly it follows its motion: figures `crosses_itself`, `crossing_depth` and `export_deviation` of `result`;
 /// stats `min_normal`, `min_normal_share` (of the largest), `min_normal_at` (u, v), `min_normal_place` (mm),
 /// `min_weight_at`, `min_weight_place`, and of a crossing `crossing_place`, `crossing_first_at`, `crossing_second_at`; a
-/// warning with place, cause and remedy for each of what is wrong. Where the surface folds over itself, `crosses_itself` is
-/// true or left out: sheets that lie on each other do not cross, and are not sound either.
+/// warning with place, cause and remedy for each of what is wrong, a crossing before all others and a fold next. Where the
+/// surface folds over itself, `crosses_itself` is true or left out: sheets that lie on each other do not cross, and are not
+/// sound either.
 /// @param surface of the result  @param deviation mm, of a cubic surface from the motion, measured when it was made; else it
 /// is measured here, and the surface is the rational one with weights
 /// @throws Error Cancelled

@@ -627,7 +627,7 @@
     </message>
     <message>
         <source>Frames</source>
-        <translation>Systeme</translation>
+        <translation>Begleitsysteme</translation>
     </message>
     <message>
         <source>Draw the frames M(u, v) along u and v</source>
@@ -708,6 +708,10 @@
     <message>
         <source>A drag in the net scales along this axis</source>
         <translation>Ziehen im Netz skaliert entlang dieser Achse</translation>
+    </message>
+    <message>
+        <source>Close the card</source>
+        <translation>Die Karte schließen</translation>
     </message>
 </context>
 <context>
@@ -807,6 +811,10 @@
     <message>
         <source>Choose poles in the net and drag them there</source>
         <translation>Pole im Netz wählen und dort ziehen</translation>
+    </message>
+    <message>
+        <source>%1, the first pole</source>
+        <translation>%1, erster Pol</translation>
     </message>
 </context>
 <context>
@@ -2994,6 +3002,14 @@ Seitwärts ziehen ändert ihn.</translation>
         <source>Reset to %1</source>
         <translation>Zurück auf %1</translation>
     </message>
+    <message>
+        <source>Each with %1.</source>
+        <translation>Jeder Eintrag mit %1.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::PointTool</name>
@@ -4063,6 +4079,10 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3 %4</source>
+        <translation>x %1   y %2   z %3 %4</translation>
     </message>
 </context>
 </TS>

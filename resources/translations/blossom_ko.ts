@@ -709,6 +709,10 @@
         <source>A drag in the net scales along this axis</source>
         <translation>망에서 끌면 이 축 방향으로 크기를 조절합니다</translation>
     </message>
+    <message>
+        <source>Close the card</source>
+        <translation>카드 닫기</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::FactorsTool</name>
@@ -807,6 +811,10 @@
     <message>
         <source>Choose poles in the net and drag them there</source>
         <translation>망에서 제어점을 골라 거기서 끌기</translation>
+    </message>
+    <message>
+        <source>%1, the first pole</source>
+        <translation>%1, 첫 제어점</translation>
     </message>
 </context>
 <context>
@@ -2994,6 +3002,14 @@ Drag sideways to change it.</source>
         <source>Reset to %1</source>
         <translation>%1(으)로 되돌리기</translation>
     </message>
+    <message>
+        <source>Each with %1.</source>
+        <translation>항목마다 %1.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 또는 %2</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::PointTool</name>
@@ -4063,6 +4079,10 @@ Drag sideways to change it.</source>
     <message>
         <source>x %1   y %2 %3   ·   %4</source>
         <translation>x %1   y %2 %3   ·   %4</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3 %4</source>
+        <translation>x %1   y %2   z %3 %4</translation>
     </message>
 </context>
 </TS>

@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>Off the motion</source>
-        <translation>Abweichung von der Bewegung</translation>
+        <translation>Neben der Bewegung</translation>
     </message>
     <message>
         <source>Outside change</source>
@@ -246,6 +246,70 @@
     <message>
         <source>Volume</source>
         <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>loops</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>medial axis</source>
+        <translation>Mittelachse</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>spans</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>toolpath</source>
+        <translation>Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>sequence</source>
+        <translation>Folge</translation>
     </message>
 </context>
 <context>
@@ -3017,6 +3081,13 @@
     <message>
         <source>zero height</source>
         <translation>Höhe des Nullpunkts</translation>
+    </message>
+</context>
+<context>
+    <name>Warnings</name>
+    <message>
+        <source>Nothing is edited yet: there is no place.</source>
+        <translation>Noch wird nichts bearbeitet: Es gibt keine Stelle.</translation>
     </message>
 </context>
 </TS>

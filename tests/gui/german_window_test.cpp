@@ -29,6 +29,7 @@ class GermanWindowTest : public WindowFixture {
   void cleanup() { window_.reset(); }
   void featuresAreNamedInGerman();
   void fieldsAreLabelledInGerman();
+  void resultsAreToldInGerman();
   void bothLanguagesFindACommand();
 
  private:
@@ -51,6 +52,21 @@ void GermanWindowTest::featuresAreNamedInGerman() {
   QCOMPARE(lastFeature().name, std::string("Rechteck 2"));
   const QAbstractItemModel& rows = *window_->tree().model();
   QCOMPARE(rows.index(0, 0).data(DocumentModel::TypeRole).toString(), QStringLiteral("Rechteck"));
+}
+
+void GermanWindowTest::resultsAreToldInGerman() {
+  run("feature.sweep.primitive");
+  waitUntilComputed();
+  const auto view = window_->session().view(last());
+  QVERIFY(view && view->result && !view->result->error);
+  QCOMPARE(stateLine(view->measures).section(u',', 0, 0), QStringLiteral("Bewegung"));
+  for (const char* kind :
+       {"nothing", "region", "curve", "curves", "surface", "solid", "faces", "mesh", "motion", "toolpath", "sequence"})
+    QVERIFY2(shownShapeKind(kind) != QLatin1String(kind), kind);
+  QCOMPARE(readable(Measure{"crosses_itself", false}), QStringLiteral("nein"));
+  QCOMPARE(shownWarning("Nothing is edited yet: there is no place."),
+           QStringLiteral("Noch wird nichts bearbeitet: Es gibt keine Stelle."));
+  QCOMPARE(shownWarning("With 3 spans it does not fit."), QStringLiteral("With 3 spans it does not fit."));
 }
 
 void GermanWindowTest::fieldsAreLabelledInGerman() {

@@ -29,6 +29,7 @@ class JobsAndLogTest : public TreeFixture {
   void theLogFollowsTheNewest();
   void theCrossStaysInPlace();
   void aLongHintEndsInDots();
+  void aLongHintIsShownPartByPart();
   void everythingIsComputedAnew();
 };
 
@@ -169,6 +170,26 @@ void JobsAndLogTest::aLongHintEndsInDots() {
   line.setHint(QStringLiteral("Drag"));
   QCOMPARE(shown()->text(), QStringLiteral("Drag"));
   QVERIFY(shown()->toolTip().isEmpty());
+}
+
+void JobsAndLogTest::aLongHintIsShownPartByPart() {
+  StatusLine line;
+  line.resize(400, 24);
+  line.show();
+  QStringList parts;
+  for (int k = 1; k <= 12; ++k) parts << QStringLiteral("part number %1").arg(k);
+  const QString wanted = parts.join(QStringLiteral(" · "));
+  QStringList seen;
+  const auto allSeen = [&] {
+    line.setHint(wanted);  // as with each move of the mouse
+    for (const QLabel* label : line.findChildren<QLabel*>())
+      if (label->text().contains(QStringLiteral("part number"))) seen << label->text().split(QStringLiteral(" · "));
+    return std::all_of(parts.begin(), parts.end(), [&](const QString& part) { return seen.contains(part); });
+  };
+  QVERIFY(!allSeen());
+  QVERIFY(seen.contains(parts.front()));
+  QTRY_VERIFY_WITH_TIMEOUT(allSeen(), 60000);
+  QCOMPARE(line.hint(), wanted);
 }
 
 void JobsAndLogTest::everythingIsComputedAnew() {

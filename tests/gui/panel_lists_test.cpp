@@ -1,10 +1,13 @@
 #include <QComboBox>
+#include <QEnterEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 
 #include "panel_fixture.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
+#include "ui/fields/record_field.h"
 
 using namespace blossom;
 using namespace blossom::ui;
@@ -18,6 +21,7 @@ class PanelListsTest : public PanelFixture {
   void cleanup() { closePanel(); }
   void listsAreEdited();
   void listsOfRecords();
+  void recordsAreToldInShort();
   void recordsAreGroups();
   void longListsAreShownBitByBit();
 };
@@ -96,6 +100,20 @@ void PanelListsTest::listsOfRecords() {
     QTRY_COMPARE(now("tools").at(0).at("diameter"), Value(16.0));
     QTest::mouseRelease(label, Qt::LeftButton, {}, QPoint(45, 5));
   });
+}
+
+void PanelListsTest::recordsAreToldInShort() {
+  const ParameterSpec place = record({declared("u", number()), declared("v", number()), declared("to", point())});
+  const Value pulled{{"u", 0.75570620912}, {"v", 0.5}, {"to", Value::array({18.3360636553537, -2.1000000004, 1e-15})}};
+  QCOMPARE(summaryOf(place, pulled),
+           QStringLiteral("u 0.756 · v 0.5 · to 18.3, %1, 0").arg(QChar(0x2212) + QStringLiteral("2.1")));
+  // JSON is for the command line.
+  QSignalSpy hinted(field("tools"), &ParameterField::hint);
+  QEnterEvent enter{QPointF(), QPointF(), QPointF()};
+  QCoreApplication::sendEvent(field("tools"), &enter);
+  QCOMPARE(hinted.size(), 1);
+  const QString said = hinted.front().front().toString();
+  QVERIFY2(said.endsWith(QStringLiteral("Each with diameter, shape, at.")), qPrintable(said));
 }
 
 void PanelListsTest::recordsAreGroups() {

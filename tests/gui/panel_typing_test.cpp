@@ -6,6 +6,7 @@
 #include <QMimeData>
 
 #include "panel_fixture.h"
+#include "ui/controls/number_line.h"
 #include "ui/controls/ratio_slider.h"
 #include "ui/controls/swatch.h"
 
@@ -23,6 +24,7 @@ class PanelTypingTest : public PanelFixture {
   void expressionsStayAsTheyWereTyped();
   void expressionsOfCoordinatesStay();
   void exponentsStayInSight();
+  void narrowNumbersStayTheirNumbers();
   void aWrongValueIsKeptOut();
   void closingWithSomethingTypedIsHarmless();
   void escapeTakesBackWhatIsTyped();
@@ -131,6 +133,27 @@ void PanelTypingTest::exponentsStayInSight() {
   QCOMPARE(displayText(angle(), -1.8651746813702630e-15), u'-' + inSight + u'°');
   QCOMPARE(displayText(number(), 1e-15), QStringLiteral("1e-15"));
   QCOMPARE(displayText(number(), 1234.56789012), QStringLiteral("1234.56789012"));
+}
+
+void PanelTypingTest::narrowNumbersStayTheirNumbers() {
+  Feature feature = session_->document().at("e");
+  feature.parameters["point"] = Value::array({-31.53421876123, 26.1, -1.3219812345e-14});
+  session_->commit(session_->document().with(feature), QStringLiteral("Move"));
+  settle();
+  const auto line = [&](const char* axis) { return field("point")->findChild<NumberLine*>(QLatin1String(axis)); };
+  QCOMPARE(line("z")->text(), QStringLiteral("0"));  // rounding of the others
+  NumberLine* const x = line("x");
+  QVERIFY(!x->hasFocus());
+  QCOMPARE(x->text(), QStringLiteral("-31.53421876123"));
+  const QString shown = x->shownText();
+  QVERIFY2(x->fontMetrics().horizontalAdvance(shown) < x->width(), qPrintable(shown));
+  COMPARE_NEAR(shown.toDouble(), -31.53421876123, 0.5);
+  QVERIFY(!x->grab().isNull());
+  x->setFocus();
+  QCOMPARE(x->shownText(), x->text());
+  x->clearFocus();
+  QCOMPARE(session_->document().at("e").parameters["point"], feature.parameters["point"]);
+  oneStep("point", Value::array({-31.53421876123, 30.0, -1.3219812345e-14}), [&] { type(line("y"), QStringLiteral("30")); });
 }
 
 void PanelTypingTest::aWrongValueIsKeptOut() {

@@ -8,6 +8,7 @@ class ReadableTextTest : public QObject {
   Q_OBJECT
  private slots:
   void figuresReadWell();
+  void longNumbersAreShownWithTheDigitsThatFit();
   void theStateOfAToolpathIsItsLength();
 };
 
@@ -27,6 +28,23 @@ void ReadableTextTest::figuresReadWell() {
            QChar(0x2212) + QStringLiteral("1") + thin + QStringLiteral("234") + thin + QStringLiteral("567"));
   QCOMPARE(readable(std::int64_t(999)), QStringLiteral("999"));
   QCOMPARE(readable(3e-7), QStringLiteral("3.00e") + QChar(0x2212) + QStringLiteral("07"));
+}
+
+void ReadableTextTest::longNumbersAreShownWithTheDigitsThatFit() {
+  const auto within = [](qsizetype room) { return [room](const QString& each) { return each.size() <= room; }; };
+  QCOMPARE(fittingNumber(QStringLiteral("-31.534218"), within(20)), QStringLiteral("-31.534218"));
+  QCOMPARE(fittingNumber(QStringLiteral("-31.534218"), within(5)), QStringLiteral("-31.5"));
+  QCOMPARE(fittingNumber(QStringLiteral("-31.534218 mm"), within(8)), QStringLiteral("-31.5 mm"));
+  QCOMPARE(fittingNumber(QStringLiteral("44.49871°"), within(5)), QStringLiteral("44.5°"));
+  QCOMPARE(fittingNumber(QStringLiteral("-1.32198e-14"), within(9)), QStringLiteral("-1.32e-14"));
+  QCOMPARE(fittingNumber(QStringLiteral("-1.32198e-14"), within(6)), QStringLiteral("-1e-14"));
+  // No other number than what was meant.
+  for (const char* whole : {"1/3 + 0.123456", "1 1/2 in", "wall * 2.00001", "5' 6\"", "-1.32198e-14"})
+    QCOMPARE(fittingNumber(QLatin1String(whole), within(4)), QLatin1String(whole));
+
+  QCOMPARE(withoutNoise(-1.32198e-14, 26.1), 0.0);
+  QCOMPARE(withoutNoise(1e-9, 26.1), 1e-9);
+  QCOMPARE(withoutNoise(-3e-15, 3e-15), -3e-15);
 }
 
 void ReadableTextTest::theStateOfAToolpathIsItsLength() {

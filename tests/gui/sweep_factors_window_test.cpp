@@ -330,6 +330,19 @@ void SweepFactorsWindowTest::theFactorsOpenTheirEditor() {
   QVERIFY(!window_->page().toolStarted());
   window_->tree().select(sweep_);
   QTRY_VERIFY(!net());
+
+  // Its cross closes the card, and does not let it come again.
+  window_->tree().select(factors);
+  QTRY_VERIFY(net());
+  part<QToolButton>("closeCard")->click();
+  QTRY_VERIFY(!net());
+  QVERIFY(window_->page().selection().empty());
+  window_->tree().select(sweep_);
+  startTool();
+  part<QToolButton>("closeCard")->click();
+  QTRY_VERIFY(!net());
+  QVERIFY(!window_->page().toolStarted());
+  QCOMPARE(window_->page().selection(), std::vector<FeatureId>{sweep_});
 }
 
 void SweepFactorsWindowTest::whatIsNoMotionIsRefused() {

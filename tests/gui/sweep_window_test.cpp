@@ -1,4 +1,6 @@
 #include <QElapsedTimer>
+#include <QRegularExpression>
+#include <QSignalSpy>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -32,6 +34,7 @@ class SweepWindowTest : public SweepFixture {
   void fourCopiesMakeFourEqualBumps();
   void keysAreForThePlaceUnderTheMouse();
   void keysStayInForceWhenSomethingElseIsSelected();
+  void whereThePointIsIsTold();
   void whatCannotBeReachedIsSaidAndNotKept();
   void aClickIsForTheView();
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
@@ -285,6 +288,34 @@ void SweepWindowTest::keysStayInForceWhenSomethingElseIsSelected() {
   QCOMPARE(only("sweep.pull").parameters["rotate"].get<double>(), 0.0);
 }
 
+/// The point of the surface, and during a drag where it is taken, not the ground behind it.
+void SweepWindowTest::whereThePointIsIsTold() {
+  openSample("cylinder.json");
+  QSignalSpy told(&window_->view(), &ViewWidget::whereabouts);
+  const auto toldPoint = [&told] {
+    static const QRegularExpression three(QStringLiteral("^x (\\S+)   y (\\S+)   z (\\S+) mm$"));
+    const auto found = three.match(told.isEmpty() ? QString() : told.back().front().toString());
+    return found.hasMatch() ? std::optional(Vec3(found.captured(1).toDouble(), found.captured(2).toDouble(),
+                                                 found.captured(3).toDouble()))
+                            : std::nullopt;
+  };
+  const QPoint from = onTheSide(), to = from + QPoint(60, -10);
+  hover(from);
+  const auto place = toldPoint();
+  QVERIFY2(place, qPrintable(told.back().front().toString()));
+  QVERIFY(std::abs(place->head<2>().norm() - 10) < 0.1);
+  QVERIFY((screenOf(*place) - from).manhattanLength() <= 3);
+  mouse(QEvent::MouseButtonPress, from);
+  mouse(QEvent::MouseMove, to);
+  const auto dragged = toldPoint();
+  QVERIFY2(dragged, qPrintable(told.back().front().toString()));
+  mouse(QEvent::MouseButtonRelease, to);
+  waitUntilComputed();
+  QVERIFY((*dragged - vectorOf(only("sweep.pull").parameters["pulls"][0]["to"])).norm() < 0.1);
+  mouse(QEvent::MouseMove, QPoint(5, 5));
+  QVERIFY(!toldPoint());
+}
+
 void SweepWindowTest::fourCopiesMakeFourEqualBumps() {
   openSample("cylinder.json");
   const QPoint from = onTheSide();
@@ -415,6 +446,16 @@ void SweepWindowTest::theHandlesAreSeen() {
   keepPictures("pull-hover", from);
   QVERIFY(colored(canvas(), qtColor(look.made)) > 1e-4);
   QVERIFY(colored(canvas(), qtColor(look.control)) > 3e-4);
+  // The letter of scaling stands on a plate that hides the surface.
+  const QImage picture = canvas();
+  const double ratio = picture.width() / static_cast<double>(window_->view().width());
+  const QPointF letter = from + 37.5 * QPointF(-std::cos(M_PI / 6), std::sin(M_PI / 6));
+  for (const QPointF& beside : {QPointF(-7, 0), QPointF(7, 0), QPointF(0, -7), QPointF(0, 7)}) {
+    const QColor seen = picture.pixelColor(((letter + beside) * ratio).toPoint()), plate = qtColor(look.backgroundBottom);
+    const int off =
+        std::abs(seen.red() - plate.red()) + std::abs(seen.green() - plate.green()) + std::abs(seen.blue() - plate.blue());
+    QVERIFY2(off < 30, qPrintable(seen.name()));
+  }
   key(Qt::Key_4);
   keepPictures("pull-four-hover", from);
   mouse(QEvent::MouseButtonPress, from);

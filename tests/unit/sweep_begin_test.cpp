@@ -1,5 +1,7 @@
 #include <QTemporaryDir>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <numbers>
 
 #include "app/app.h"
@@ -27,6 +29,18 @@ class SweepBeginTest : public QObject {
     QCOMPARE(solid.code, 0);
     const double wanted = std::numbers::pi * 400 * 40;
     COMPARE_NEAR(blossom({"sweep", "hub.json", "--solid", "-o", "hub.step"}).result("volume"), wanted, 1e-6 * wanted);
+  }
+
+  void everyFeatureHasAnIconOfItsOwn() {
+    std::map<std::string, std::string> typeOf;
+    for (const auto& type : theApp().registry->types()) {
+      if (!type->id.starts_with("sweep.") || type->icon.empty()) continue;
+      QVERIFY2(std::filesystem::exists(sourceFolder() / "resources/icons" / (type->icon + ".svg")), type->id.c_str());
+      const auto [other, alone] = typeOf.emplace(type->icon, type->id);
+      QVERIFY2(alone, (type->id + " and " + other->second).c_str());
+      QVERIFY2(type->icon != "grid", type->id.c_str());  // that of the ground grid
+    }
+    QVERIFY(typeOf.size() >= 7);
   }
 
   // The panel hides what does not apply: it must not count, whatever it is set to.

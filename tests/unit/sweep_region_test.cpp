@@ -114,6 +114,42 @@ class SweepRegionTest : public QObject {
     QVERIFY(inside > 300 && outside > 1000 && over > 30);
   }
 
+  void theRegionsOfCopiesAreWhatChanges() {
+    auto random = seededRandom();
+    const Motion motion = primitiveMotion({.radius = 10, .rows = 16, .columns = 12}).motion;
+    int inside = 0, outside = 0;
+    for (int k = 0; k < 20; ++k) {
+      const PullMode mode = modeOf(Qt::Key_S, 1 + k % 2, k % 4 < 2 ? 2 : 4);
+      const MotionPlace at{uniform(random, 0, 1), uniform(random, 0, 1)};
+      const MotionPoint there = evaluate(motion, at.u, at.v);
+      MotionPull edit{{at}, {there.point + Vec3(there.point.x(), there.point.y(), 0) / 3}, mode.weights()};
+      edit.symmetry = mode.symmetry();
+      edit.level = mode.level();
+      const Motion after = pull(motion, edit).motion;
+      const std::vector<EditRegion> regions = editRegions(motion, at, mode);
+      QCOMPARE(regions.size(), static_cast<std::size_t>(mode.symmetry().fold));
+      for (int i = 0; i < 300; ++i) {
+        const double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
+        const double moved = (evaluate(after, u, v).point - evaluate(motion, u, v).point).norm();
+        const auto has = [&](double margin) {
+          return std::any_of(regions.begin(), regions.end(),
+                             [&](const EditRegion& each) { return isIn(each, u, v, margin); });
+        };
+        if (has(0.3)) {
+          ++inside;
+          QVERIFY2(moved > 1e-9, qPrintable(QString("%1 at %2, %3").arg(moved).arg(u).arg(v)));
+        } else if (!has(0)) {
+          ++outside;
+          QVERIFY2(moved < 1e-12, qPrintable(QString("%1 at %2, %3").arg(moved).arg(u).arg(v)));
+        }
+      }
+    }
+    QVERIFY(inside > 100 && outside > 1000);
+    // Three do not fit on sixteen rows, and sections that are moved go as a whole.
+    QCOMPARE(editRegions(motion, {0.3, 0.5}, modeOf(Qt::Key_S, 0, 3)).size(), std::size_t{1});
+    QCOMPARE(editRegions(motion, {0.3, 0.5}, modeOf(Qt::Key_T, 0, 4)).size(), std::size_t{1});
+  }
+
   void keysChangeTheLevel() {
     PullMode mode;
     QVERIFY(mode.levelText().isEmpty());

@@ -1,12 +1,18 @@
 #include "ui/controls/number_line.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QPainter>
+#include <QStyle>
+#include <QStyleOptionFrame>
 #include <QTimerEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include "ui/controls/document_undo.h"
 #include "ui/controls/stepping.h"
 #include "ui/controls/wheel_gesture.h"
+#include "ui/look/text.h"
 
 namespace blossom::ui {
 
@@ -35,6 +41,43 @@ NumberLine::NumberLine(QWidget* parent) : QLineEdit(parent) {
   leaveUndoToTheDocument(this);
   installEventFilter(this);
   watchWheel();
+}
+
+// Within the frame and the margins of QLineEdit, which are not public.
+QRect NumberLine::textRect() const {
+  constexpr int margin = 2;
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  return style()
+      ->subElementRect(QStyle::SE_LineEditContents, &option, this)
+      .marginsRemoved(textMargins())
+      .adjusted(margin, 0, -margin, 0);
+}
+
+QString NumberLine::shownText() const {
+  if (hasFocus() || isModified()) return text();
+  const int room = textRect().width();
+  return fittingNumber(text(), [&](const QString& each) { return fontMetrics().horizontalAdvance(each) <= room; });
+}
+
+// QLineEdit would show the beginning of the text, and so another number.
+void NumberLine::paintEvent(QPaintEvent* event) {
+  const QString shown = shownText();
+  if (shown == text()) return QLineEdit::paintEvent(event);
+  QStyleOptionFrame option;
+  initStyleOption(&option);
+  QPainter painter(this);
+  style()->drawPrimitive(QStyle::PE_PanelLineEdit, &option, &painter, this);
+  painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Text));
+  painter.drawText(textRect(),
+                   static_cast<int>(alignment() & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter | Qt::TextSingleLine, shown);
+}
+
+bool NumberLine::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || shownText() == text()) return QLineEdit::event(event);
+  const QString full = toolTip().isEmpty() ? text() : toolTip() + u'\n' + text();
+  QToolTip::showText(static_cast<const QHelpEvent*>(event)->globalPos(), full, this);
+  return true;
 }
 
 void NumberLine::keyPressEvent(QKeyEvent* event) {

@@ -201,8 +201,24 @@ void ParameterField::resizeEvent(QResizeEvent*) { reset_->move(caption_->maximum
 
 void ParameterField::enterEvent(QEnterEvent*) {
   refreshMarks();
-  emit hint(QStringLiteral("%1: %2 %3")
-                .arg(shownLabel(spec_), registryText(spec_.help), sentenceCase(qt(describe(spec_, lengthUnit()))) + u'.'));
+  emit hint(QStringLiteral("%1: %2 %3").arg(shownLabel(spec_), registryText(spec_.help), shownKind()).trimmed());
+}
+
+// Records are written as JSON on the command line alone.
+QString ParameterField::shownKind() const {
+  const bool items = spec_.kind == ParameterKind::List && !spec_.fields.empty();
+  const ParameterSpec& each = items ? spec_.fields.front() : spec_;
+  if (spec_.kind == ParameterKind::Choice && spec_.choices.size() > 1 && spec_.condition.choice.empty()) {
+    QStringList names;
+    for (const std::string& choice : spec_.choices) names << shownChoice(choice);
+    const QString last = names.takeLast();
+    return sentenceCase(tr("%1 or %2").arg(names.join(QStringLiteral(", ")), last)) + u'.';
+  }
+  if (each.kind != ParameterKind::Record) return sentenceCase(qt(describe(spec_, lengthUnit()))) + u'.';
+  if (!items) return {};
+  QStringList names;
+  for (const ParameterSpec& field : each.fields) names << registryText(label(field));
+  return tr("Each with %1.").arg(names.join(QStringLiteral(", ")));
 }
 
 void ParameterField::leaveEvent(QEvent*) { reset_->hide(); }

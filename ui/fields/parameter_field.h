@@ -113,6 +113,8 @@ class ParameterField : public QWidget {
   void contextMenuEvent(QContextMenuEvent*) override;
 
  private:
+  /// What is accepted, for the hint: a sentence, or nothing.
+  [[nodiscard]] QString shownKind() const;
   void refreshMarks();
   [[nodiscard]] bool differsFromDefault() const;
 

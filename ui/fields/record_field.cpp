@@ -2,11 +2,13 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/controls/field_label.h"
 #include "ui/controls/switch_box.h"
 #include "ui/look/registry_text.h"
 #include "ui/look/text.h"
+#include "ui/look/units.h"
 
 namespace blossom::ui {
 
@@ -92,14 +94,54 @@ void RecordField::display(const Value& shown) {
   }
 }
 
+namespace {
+
+// Enough to tell items apart; the fields have all digits.
+constexpr int summaryDigits = 3;
+
+QString coordinatesText(const ParameterSpec& field, const Value& value) {
+  const double unit = field.kind == ParameterKind::Vector ? 1 : lengthUnit().millimetres;
+  double largest = 0;
+  for (const Value& each : value) largest = std::max(largest, std::abs(each.get<double>()));
+  QStringList parts;
+  for (const Value& each : value) parts << readable(withoutNoise(each.get<double>(), largest) / unit, summaryDigits);
+  return parts.join(QStringLiteral(", "));
+}
+
+// What has no unit needs its name.
+QString summaryText(const ParameterSpec& field, const Value& value) {
+  using enum ParameterKind;
+  switch (field.kind) {
+    case Number:
+    case Ratio:
+      if (!value.is_number()) return {};
+      return registryText(label(field)) + u' ' + readable(value.get<double>(), summaryDigits);
+    case Point:
+    case Vector:
+    case Displacement:
+      if (!value.is_array()) return {};
+      return registryText(label(field)) + u' ' + coordinatesText(field, value);
+    case Flag:
+    case Count:
+      return registryText(label(field)) + u' ' + displayText(field, value);
+    case List:
+    case Record:
+    case Curve:
+    case SubShape:
+      return {};
+    default:
+      return displayText(field, value);
+  }
+}
+
+}  // namespace
+
 QString summaryOf(const ParameterSpec& record, const Value& value) {
   QStringList parts;
   for (const ParameterSpec& field : record.fields) {
-    using enum ParameterKind;
     if (!value.is_object() || !value.contains(field.name) || parts.size() == 3) continue;
-    const bool lengthy = field.kind == List || field.kind == Record || field.kind == Curve || field.kind == SubShape;
-    const QString text = lengthy ? QString() : displayText(field, value.at(field.name));
-    if (!text.isEmpty()) parts << (field.kind == Flag ? registryText(label(field)) + u' ' + text : text);
+    const QString text = summaryText(field, value.at(field.name));
+    if (!text.isEmpty()) parts << text;
   }
   return parts.join(QStringLiteral(" · "));
 }

@@ -28,7 +28,7 @@ class RecordField final : public ParameterField {
   std::vector<ParameterField*> fields_;
 };
 
-/// "5 mm, flat": summary of the content of a closed group.
+/// "6 mm · ball", "u 0.756 · v 0.911 · to 18.3, −2.1, 20": summary of a closed group, in three digits.
 QString summaryOf(const ParameterSpec& record, const Value&);
 
 }  // namespace blossom::ui

@@ -70,11 +70,14 @@ QString VectorField::plainText(double value) const { return displayText(componen
 
 void VectorField::display(const Value& value) {
   shown_ = value;
+  double largest = 0;
+  if (value.is_array())
+    for (const Value& each : value) largest = std::max(largest, std::abs(each.get<double>()));
   QStringList results;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const bool there = value.is_array() && value.size() > axis;
     const bool expressed = there && typedComesTo(component_, expressions_[axis], value[axis], names());
-    const QString plain = there ? plainText(value[axis].get<double>()) : QString();
+    const QString plain = there ? plainText(withoutNoise(value[axis].get<double>(), largest)) : QString();
     lines_[axis]->setText(expressed ? expressions_[axis] : plain);
     lines_[axis]->setCursorPosition(0);
     if (expressed)

@@ -45,7 +45,7 @@ void LogList::addResults(const DocumentPage& page) {
     const auto view = page.session().view(feature->id);
     if (!view || feature->suppressed) continue;
     QStringList words;
-    for (const std::string& warning : view->result->evaluated.warnings) words << qt(warning);
+    for (const std::string& warning : view->result->evaluated.warnings) words << shownWarning(warning);
     const bool failed = view->result->error.has_value();
     if (failed) words = {saidInFull(*view->result->error)};
     const QString all = words.join(u' ');

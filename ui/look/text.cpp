@@ -1,6 +1,7 @@
 #include "ui/look/text.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
 #include <cmath>
 #include <map>
@@ -75,6 +76,23 @@ QString saidInFull(std::string_view what, std::string_view remedy) {
   return remedy.empty() ? qt(what) : qt(what) + u' ' + qt(remedy);
 }
 
+double withoutNoise(double value, double largest) {
+  constexpr double noise = 1e-12;
+  return std::abs(value) <= noise * largest ? 0 : value;
+}
+
+QString fittingNumber(const QString& text, const std::function<bool(const QString&)>& fits) {
+  if (fits(text)) return text;
+  static const QRegularExpression pattern(QStringLiteral("^([-+]?[0-9]*\\.?[0-9]+(?:e[-+]?[0-9]+)?)( ?[^-+*/()0-9 ]*)$"));
+  const QRegularExpressionMatch match = pattern.match(text);
+  if (!match.hasMatch()) return text;
+  const double value = match.captured(1).toDouble();
+  constexpr int mostDigits = 15;
+  for (int digits = mostDigits; digits > 0; --digits)
+    if (const QString shorter = QString::number(value, 'g', digits) + match.captured(2); fits(shorter)) return shorter;
+  return text;
+}
+
 QString readable(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? QStringLiteral("not a number") : QStringLiteral("∞");
   if (value == 0) return QStringLiteral("0");
@@ -94,7 +112,10 @@ QString readable(std::int64_t value) { return grouped(QString::number(value).rep
 QString readable(const Measure& measure) {
   struct Writer {
     MeasureUnit unit;
-    QString operator()(bool value) const { return value ? QStringLiteral("yes") : QStringLiteral("no"); }
+    QString operator()(bool value) const {
+      return value ? QCoreApplication::translate("blossom::ui::ResultTable", "yes")
+                   : QCoreApplication::translate("blossom::ui::ResultTable", "no");
+    }
     QString operator()(std::int64_t value) const { return readable(value) + unitText(unit); }
     QString operator()(double value) const { return readable(inShownUnit(value, unit), 6) + unitText(unit); }
     QString operator()(const std::string& value) const { return qt(value); }
@@ -139,6 +160,10 @@ QString measureLabel(const std::string& name) {
   return QCoreApplication::translate("Figures", englishLabel(name).toUtf8().constData());
 }
 
+QString shownShapeKind(const std::string& kind) { return QCoreApplication::translate("Figures", kind.c_str()); }
+
+QString shownWarning(const std::string& warning) { return QCoreApplication::translate("Warnings", warning.c_str()); }
+
 QString statUnit(const std::string& name) {
   return qt(name).endsWith(QLatin1String("_ms")) ? QStringLiteral(" ms") : unitText(unitOfStat(name));
 }
@@ -168,7 +193,7 @@ QString counted(const QString& count, const QString& noun) {
 
 QString stateLine(const Measures& measures) {
   QStringList parts;
-  QString head = qt(measures.kind);
+  QString head = shownShapeKind(measures.kind);
   const Measure* degreeU = find(measures, "degree_u");
   const Measure* degreeV = find(measures, "degree_v");
   if (degreeU && degreeV) head += QStringLiteral(" %1 × %2").arg(readable(*degreeU), readable(*degreeV));
@@ -182,7 +207,7 @@ QString stateLine(const Measures& measures) {
   if (parts.size() == 1)
     for (const char* name : {"faces", "curves", "frames", "loops", "spans"})
       if (const Measure* measure = find(measures, name)) {
-        parts << QStringLiteral("%1 %2").arg(readable(*measure), QLatin1String(name));
+        parts << QStringLiteral("%1 %2").arg(readable(*measure), QCoreApplication::translate("Figures", name));
         break;
       }
   return parts.join(QStringLiteral(", "));

@@ -370,7 +370,7 @@ void PropertyPanel::refreshResult() {
 void PropertyPanel::showNotice(const std::vector<std::string>& warnings) {
   notice_->setVisible(!warnings.empty());
   if (warnings.empty()) return;
-  QString text = qt(warnings.front());
+  QString text = shownWarning(warnings.front());
   if (warnings.size() > 1) text += QStringLiteral("\n") + tr("%1 more with the results below.").arg(warnings.size() - 1);
   notice_->setText(text);
 }

@@ -100,7 +100,7 @@ void ResultTable::addError(const Error& error) {
 }
 
 void ResultTable::addResult(const FeatureView& view, const std::vector<std::string>& besides) {
-  if (!view.measures.kind.empty()) addText(tr("Kind"), qt(view.measures.kind));
+  if (!view.measures.kind.empty()) addText(tr("Kind"), shownShapeKind(view.measures.kind));
   std::vector<std::string> shown = besides;
   for (const Measure& measure : view.measures.values) {
     shown.push_back(measure.name);
@@ -123,7 +123,7 @@ void ResultTable::addResult(const FeatureView& view, const std::vector<std::stri
     addText(tr("Time"), tr("from the cache"));
   else
     addRow(tr("Time"), readable(result.kernelMs, 3), tr("ms"), qt(formatNumber(result.kernelMs)));
-  for (const std::string& warning : result.evaluated.warnings) addWords(qt(warning), "warning");
+  for (const std::string& warning : result.evaluated.warnings) addWords(shownWarning(warning), "warning");
 }
 
 void ResultTable::addRow(const QString& name, const QString& number, const QString& unit, const QString& copy) {

@@ -60,11 +60,11 @@ QImage drawnLabel(const QString& text, const LabelLook& look) {
   painter.setFont(font);
   painter.setPen(look.text);
   painter.drawText(card, Qt::AlignCenter, text);
-  painter.end();
-  return image.mirrored();  // VTK's first row is the lowest
+  return image;
 }
 
-vtkSmartPointer<vtkTexture> textureOf(const QImage& image) {
+vtkSmartPointer<vtkTexture> textureOf(const QImage& picture) {
+  const QImage image = picture.convertToFormat(QImage::Format_RGBA8888).mirrored();  // VTK's first row is the lowest
   auto data = vtkSmartPointer<vtkImageData>::New();
   data->SetDimensions(image.width(), image.height(), 1);
   data->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
@@ -77,7 +77,7 @@ vtkSmartPointer<vtkTexture> textureOf(const QImage& image) {
   return texture;
 }
 
-// A rectangle of pixels above the place where it is anchored, so that what it names stays in sight.
+// A rectangle of pixels whose lower edge has its middle at the place where it is anchored, or shifted from there.
 vtkSmartPointer<vtkPolyData> rectangle(const QSize& size, const QPointF& shift) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   auto places = vtkSmartPointer<vtkFloatArray>::New();
@@ -97,6 +97,18 @@ vtkSmartPointer<vtkPolyData> rectangle(const QSize& size, const QPointF& shift) 
   data->SetPolys(cells);
   data->GetPointData()->SetTCoords(places);
   return data;
+}
+
+PropPtr flatProp(const QImage& image, const Vec3& at, const QPointF& shift) {
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
+  mapper->SetInputData(rectangle(image.size(), shift));
+  auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->SetTexture(textureOf(image));
+  actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  actor->GetPositionCoordinate()->SetValue(at.x(), at.y(), at.z());
+  actor->PickableOff();
+  return actor;
 }
 
 }  // namespace
@@ -152,17 +164,11 @@ PropPtr trianglesProp(const std::vector<std::array<Vec3, 3>>& triangles, const C
 }
 
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook& look) {
-  const QImage image = drawnLabel(text, look);
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
-  mapper->SetInputData(rectangle(image.size(), QPointF(0, labelGap * look.pixelRatio) + look.shift * look.pixelRatio));
-  auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
-  actor->SetMapper(mapper);
-  actor->SetTexture(textureOf(image));
-  actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
-  actor->GetPositionCoordinate()->SetValue(at.x(), at.y(), at.z());
-  actor->PickableOff();
-  return actor;
+  // Above the place, so that what it names stays in sight.
+  return flatProp(drawnLabel(text, look), at, (QPointF(0, labelGap) + look.shift) * look.pixelRatio);
 }
+
+PropPtr pictureProp(const QImage& image, const Vec3& at) { return flatProp(image, at, QPointF(0, -image.height() / 2.0)); }
 
 QColor qtColor(const Color& color, double opacity) {
   return QColor::fromRgbF(static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue),

@@ -3,6 +3,7 @@
 #include <vtkSmartPointer.h>
 
 #include <QColor>
+#include <QImage>
 #include <QPointF>
 #include <QString>
 #include <array>
@@ -32,6 +33,9 @@ struct LabelLook {
 };
 inline constexpr double labelGap = 6;  ///< logical pixels from the position to the card above it
 PropPtr labelProp(const QString& text, const Vec3& at, const LabelLook&);
+
+/// A picture of constant size that faces the viewer, its middle at a position. Its device pixels are those of the view.
+PropPtr pictureProp(const QImage&, const Vec3& at);
 
 QColor qtColor(const Color&, double opacity = 1);
 /// Text and border in one colour, on a card of the colour of the background.

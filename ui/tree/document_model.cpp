@@ -217,7 +217,7 @@ QString DocumentModel::tipOf(const Feature& feature) const {
   if (const QString remedy = remedyOf(feature); !remedy.isEmpty()) lines << remedy;
   const auto view = session_.view(feature.id);
   if (view && !view->result->error && !feature.suppressed)
-    for (const std::string& warning : view->result->evaluated.warnings) lines << qt(warning);
+    for (const std::string& warning : view->result->evaluated.warnings) lines << shownWarning(warning);
   return lines.join(u'\n');
 }
 

@@ -109,7 +109,8 @@ class ViewWidget : public QWidget, private PictureSubject {
   void contextMenuWanted(const QPoint& globalPosition, const blossom::ui::Pick&);
   void toolDismissed();  ///< Esc, which the tool did not want
   void hint(const QString& text);
-  void whereabouts(const QString& text);  ///< cursor on the ground and grid
+  /// The point that the tool tells, or that of the ground under the cursor with the grid.
+  void whereabouts(const QString& text);
   void filesDropped(const QStringList& files);
 
  protected:

@@ -162,17 +162,20 @@ void ViewWidget::tellWhereabouts(QPointF at) {
   if (legend_->range()) legend_->setValue(stage_.items().curvatureAt(pickAt(at, PickMode::Face)));
   const Ray ray = camera_.rayThrough(at);
   const QString grid = tr("grid %1").arg(readableLength(stage_.gridSpacing()));
+  const std::optional<Vec3> onShape = tool_ ? tool_->whereabouts() : std::nullopt;
   const double reach = std::abs(ray.direction.z()) > 0.05 ? -ray.origin.z() / ray.direction.z() : -1;
-  if (reach <= 0) {
+  if (!onShape && reach <= 0) {
     emit whereabouts(grid);
     return;
   }
-  const Vec3 p = ray.origin + ray.direction * reach;
+  const Vec3 p = onShape.value_or(ray.origin + ray.direction * reach);
   const LengthUnit& unit = lengthUnit();
   const double perPixel = camera_.millimetresPerPixel() / unit.millimetres;
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(perPixel))), 0, 6);
   const auto shown = [&](double value) { return QString::number(value / unit.millimetres, 'f', decimals); };
-  emit whereabouts(tr("x %1   y %2 %3   ·   %4").arg(shown(p.x()), shown(p.y()), qt(unit.name), grid));
+  const QString name = qt(unit.name);
+  emit whereabouts(onShape ? tr("x %1   y %2   z %3 %4").arg(shown(p.x()), shown(p.y()), shown(p.z()), name)
+                           : tr("x %1   y %2 %3   ·   %4").arg(shown(p.x()), shown(p.y()), name, grid));
 }
 
 Pick ViewWidget::pickAt(QPointF at, PickMode mode) {

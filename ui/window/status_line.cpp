@@ -59,6 +59,12 @@ StatusLine::StatusLine(QWidget* parent)
   patience_.setSingleShot(true);
   patience_.setInterval(150);
   connect(&patience_, &QTimer::timeout, this, &StatusLine::refresh);
+  // Long enough to read what is there.
+  turning_.setInterval(4000);
+  connect(&turning_, &QTimer::timeout, this, [this] {
+    ++page_;
+    fitHint();
+  });
   connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelled);
   refresh();
 }
@@ -76,15 +82,39 @@ void StatusLine::setStandingHint(const QString& text) {
 QString StatusLine::hint() const { return said_; }
 
 void StatusLine::say(const QString& text) {
+  if (said_ != text) page_ = 0, turning_.stop();
   said_ = text;
   fitHint();
 }
 
-// What there is no room for is told by dots, and by the tool tip, rather than cut in the midst of a letter.
+// What there is no room for comes a moment later, and is told by the tool tip, rather than cut in the midst of a letter.
 void StatusLine::fitHint() {
-  const QString shown = hint_->fontMetrics().elidedText(said_, Qt::ElideRight, hint_->width());
+  const QStringList all = pages();
+  if (all.size() < 2) turning_.stop();
+  if (all.size() > 1 && !turning_.isActive()) turning_.start();
+  page_ = page_ < all.size() ? page_ : 0;
+  const QString shown = hint_->fontMetrics().elidedText(all[page_], Qt::ElideRight, hint_->width());
   hint_->setToolTip(shown == said_ ? QString() : said_);
   if (shown != hint_->text()) hint_->setText(shown);
+}
+
+QStringList StatusLine::pages() const {
+  const QString separator = QStringLiteral(" · "), more(QChar(0x2026));
+  const auto fits = [this](const QString& text) { return hint_->fontMetrics().horizontalAdvance(text) <= hint_->width(); };
+  if (fits(said_)) return {said_};
+  QStringList all, page;
+  const auto written = [&](const QStringList& parts, bool last) {
+    return ((all.empty() ? QStringList() : QStringList{more}) + parts + (last ? QStringList() : QStringList{more}))
+        .join(separator);
+  };
+  for (const QString& part : said_.split(separator, Qt::SkipEmptyParts)) {
+    if (!page.empty() && !fits(written(page + QStringList{part}, false))) {
+      all << written(page, false);
+      page.clear();
+    }
+    page << part;
+  }
+  return all << written(page, true);
 }
 
 bool StatusLine::eventFilter(QObject* object, QEvent* event) {

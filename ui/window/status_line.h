@@ -16,7 +16,8 @@ class StatusLine : public QFrame {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
-  /// What the mouse would do where it is; empty: the standing hint is shown.
+  /// What the mouse would do where it is; empty: the standing hint is shown. Where there is no room for all of its parts,
+  /// which " · " separates, they are shown one after the other.
   void setHint(const QString&);
   void setStandingHint(const QString&);
   void setWhereabouts(const QString&);
@@ -43,6 +44,7 @@ class StatusLine : public QFrame {
   void refresh();
   void say(const QString&);
   void fitHint();
+  [[nodiscard]] QStringList pages() const;  ///< the hint in parts that there is room for
   struct Work {
     QString what;
     double fraction = 0;
@@ -57,7 +59,8 @@ class StatusLine : public QFrame {
   QString said_;  ///< in full; shown as far as there is room
   QString idle_, standing_;
   int jobs_ = 0;
-  QTimer announcing_, patience_;
+  int page_ = 0;  ///< of the hint
+  QTimer announcing_, patience_, turning_;
 };
 
 }  // namespace blossom::ui

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "kernel/edit/edit_level.h"
 #include "kernel/edit/motion_symmetry.h"
@@ -93,6 +94,18 @@ EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMod
           v.second,
           sections || (motion.closedU != ClosedU::No && lengthOf(u) >= lengthOf(motion.domainU())),
           joined && !along};
+}
+
+std::vector<EditRegion> editRegions(const Motion& motion, const MotionPlace& at, const PullMode& mode) {
+  std::vector<EditRegion> regions{editRegion(motion, at, mode)};
+  if (regions.front().around || mode.symmetry() == EditSymmetry{}) return regions;
+  try {
+    const std::vector<SymmetricPlace> places = symmetricPlaces(motion, at, mode.symmetry());
+    for (std::size_t k = 1; k < places.size(); ++k) regions.push_back(editRegion(motion, places[k].at, mode));
+  } catch (const Error&) {
+    regions.resize(1);  // the hint says why
+  }
+  return regions;
 }
 
 SurfaceLines borderOf(const Motion& motion, const EditRegion& region, const Vec3& towards, double side) {

@@ -26,6 +26,9 @@ struct EditRegion {
 };
 EditRegion editRegion(const Motion&, const MotionPlace&, const PullMode&);
 
+/// Those of the place and of its copies, as many as differ; of the place alone where its motion allows no copies.
+std::vector<EditRegion> editRegions(const Motion&, const MotionPlace&, const PullMode&);
+
 /// Its border; the ends of the surface in v are left out where nothing ends there.
 SurfaceLines borderOf(const Motion&, const EditRegion&, const Vec3& towards, double side);
 

@@ -32,6 +32,7 @@ class SurfacePullTool : public ui::HandleTool {
   bool key(const QKeyEvent&) override;
   bool wheel(double notches, Qt::KeyboardModifiers) override;
   void keysLost() override;
+  [[nodiscard]] std::optional<Vec3> whereabouts() const override;
   [[nodiscard]] bool entering() const override { return entry_.has_value(); }
   /// No picking during a drag.
   [[nodiscard]] ui::PickMode picks() const override { return held() ? ui::PickMode::None : ui::PickMode::Feature; }
@@ -74,6 +75,7 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString chosenHint() const;
   [[nodiscard]] QString heldText() const;
   [[nodiscard]] QString leftText() const;
+  [[nodiscard]] QString wayText() const;
   void markPlace(PullMarks&) const;
   void markEdit(PullMarks&) const;
 

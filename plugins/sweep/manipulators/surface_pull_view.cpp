@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
 #include "manipulators/marks/pull_marks.h"
+#include "manipulators/marks/pull_numbers.h"
 #include "manipulators/surface_pull_tool.h"
 
 namespace blossom::sweep {
@@ -123,6 +124,21 @@ QString SurfacePullTool::chosenHint() const {
   return tr("chosen: %1, pinned: %2 (Esc: none)").arg(chosen_.moved.size()).arg(chosen_.pinned.size());
 }
 
+std::optional<Vec3> SurfacePullTool::whereabouts() const {
+  if (!surface_) return std::nullopt;
+  if (edit_ && (held() || entry_)) return placeHit(edit_->live().motion(), edit_->grip().hit.at).point;
+  return hovered() && under_ ? std::optional(under_->hit.point) : std::nullopt;
+}
+
+/// Where the point that is dragged is now, seen from the trajectory.
+QString SurfacePullTool::wayText() const {
+  const Motion& now = edit_->live().motion();
+  const MotionPlace& at = edit_->grip().hit.at;
+  const Vec3 end = placeHit(now, at).point;
+  return dragNumbers((end - point(now.trajectory, at.v)).norm(), (end - edit_->from()).norm(), host().lengthUnit(),
+                     millimetresPerPixel());
+}
+
 std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
   Props props;
   if (!surface_) return props;
@@ -147,6 +163,7 @@ void SurfacePullTool::markPlace(PullMarks& marks) const {
   std::vector<Vec3> copies;
   copiesProblem(motion, hit.at, mode_.symmetry(), copies);
   marks.copies(copies);
+  marks.tell(hit.point, placeNumbers(motion, hit.at), !mode_.twists());
   if (!mode_.twists()) return;
   const Vec3 centre = point(motion.trajectory, hit.at.v);
   marks.axis(centre, twistAxis(motion, hit.at, mode_.axis()));
@@ -164,6 +181,7 @@ void SurfacePullTool::markEdit(PullMarks& marks) const {
                entry_ ? QString() : QStringLiteral("%1°").arg(edit_->angle(mode_), 0, 'f', 1));
   } else {
     marks.ring(end, mode_);
+    if (!entry_) marks.tell(end, wayText(), true);
   }
   marks.way(edit_->from(), end);
   std::vector<Vec3> copies;

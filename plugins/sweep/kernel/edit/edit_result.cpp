@@ -46,7 +46,7 @@ Explanation reasonOf(Unreached why) {
 
 Explanation explain(const Obstacle& obstacle) {
   Explanation reason = reasonOf(obstacle.why);
-  reason.what = fmt::format("At u = {}, v = {}, {}.", obstacle.at.u, obstacle.at.v, reason.what);
+  reason.what = fmt::format("At u = {:.4g}, v = {:.4g}, {}.", obstacle.at.u, obstacle.at.v, reason.what);
   return reason;
 }
 

@@ -13,13 +13,13 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr double titleHeight = 17, toothPixels = 24;
+constexpr double titleHeight = 30, rangeTop = 13, toothPixels = 24;  // the title, and below it the range
 
 }  // namespace
 
 CombPlot::CombPlot(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("combPlot"));
-  setMinimumHeight(84);
+  setMinimumHeight(97);
 }
 
 void CombPlot::setCurves(const QString& what, std::vector<CombCurve> curves, double mark) {
@@ -50,7 +50,8 @@ void CombPlot::fitScale() {
   constexpr double hardly = 1e-9;
   const bool constant = high_ - low_ <= hardly * size || size == 0;
   range_ = constant ? ui::readable((low_ + high_) / 2, 3)
-                    : QStringLiteral("%1 … %2").arg(ui::readable(low_, 3), ui::readable(high_, 3));
+                    : QStringLiteral("%1 … %2").arg(ui::readable(ui::withoutNoise(low_, size), 3),
+                                                    ui::readable(ui::withoutNoise(high_, size), 3));
   if (constant) low_ -= 0.5 + 0.5 * size, high_ += 0.5 + 0.5 * size;
   if (tallest_ <= hardly * size) tallest_ = 0;
 }
@@ -100,14 +101,12 @@ void CombPlot::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, titleHeight), QPointF(x, height() - 3));
   for (const CombCurve& curve : curves_) paintCurve(painter, curve);
   painter.setPen(colors.color("faint"));
-  painter.drawText(text, Qt::AlignTop | Qt::AlignRight, range_);
+  painter.drawText(text.adjusted(0, rangeTop, 0, 0), Qt::AlignTop | Qt::AlignRight, range_);
 }
 
 /// What it is, and at which parameter, stand at its ends.
 QString CombPlot::shownTitle(const QFontMetrics& metrics, int width) const {
-  constexpr int between = 10;
-  const int room = curves_.empty() ? width : width - metrics.horizontalAdvance(range_) - between;
-  return metrics.elidedText(what_, Qt::ElideMiddle, room);
+  return metrics.elidedText(what_, Qt::ElideMiddle, width);
 }
 
 }  // namespace blossom::sweep

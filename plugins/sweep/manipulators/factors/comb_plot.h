@@ -23,7 +23,7 @@ class CombPlot final : public QWidget {
   explicit CombPlot(QWidget* parent = nullptr);
   /// @param what is plotted, with its unit  @param mark parameter of the pole
   void setCurves(const QString& what, std::vector<CombCurve>, double mark);
-  [[nodiscard]] QSize sizeHint() const override { return {300, 104}; }
+  [[nodiscard]] QSize sizeHint() const override { return {300, 117}; }
   [[nodiscard]] QString what() const { return what_; }
 
  protected:

@@ -12,13 +12,14 @@
 #include "manipulators/factors/comb_plot.h"
 #include "manipulators/factors/turn_ball.h"
 #include "ui/controls/number_line.h"
+#include "ui/look/icons.h"
 #include "ui/look/restyle.h"
 
 namespace blossom::sweep {
 
 namespace {
 
-constexpr int panelWidth = 344;  // the row of buttons at the foot has room in every language
+constexpr int panelWidth = 364;  // the row of buttons at the foot has room in every language
 
 }  // namespace
 
@@ -85,6 +86,12 @@ QHBoxLayout* FactorsPanel::factorRow() {
     row->addWidget(button);
   }
   row->addStretch(1);
+  auto* const close = textButton({}, tr("Close the card"));
+  close->setObjectName(QStringLiteral("closeCard"));
+  close->setIcon(ui::icon(QStringLiteral("close")));
+  close->setAccessibleName(close->toolTip());
+  connect(close, &QToolButton::clicked, this, &FactorsPanel::closeWanted);
+  row->addWidget(close);
   return row;
 }
 

@@ -47,6 +47,7 @@ class FactorsPanel final : public ui::FloatingPanel {
   [[nodiscard]] QString text(int field) const;
 
  signals:
+  void closeWanted();
   void factorChosen(blossom::sweep::Factor factor);
   void typed(int field, const QString& text);
   void turnWanted(bool absolute);  ///< by the axis and the angle in the fields

@@ -61,6 +61,7 @@ class FactorsTool final : public ui::HandleTool {
   // The card.
   void makePanel();
   void connectPanel(FactorsPanel&);
+  void close();
   void chooseFactor(Factor);
   void fillPanel();
   void fillPlot();

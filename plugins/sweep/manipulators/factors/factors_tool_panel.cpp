@@ -2,6 +2,7 @@
 #include <vtkProp.h>
 
 #include <Eigen/Geometry>
+#include <QPointer>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -113,6 +114,8 @@ void FactorsTool::makePanel() {
 }
 
 void FactorsTool::connectPanel(FactorsPanel& panel) {
+  // Later: the card goes with the tool, and its button is on the stack.
+  connect(&panel, &FactorsPanel::closeWanted, this, &FactorsTool::close, Qt::QueuedConnection);
   connect(&panel, &FactorsPanel::factorChosen, this, &FactorsTool::chooseFactor);
   connect(&panel, &FactorsPanel::typed, this, &FactorsTool::type);
   connect(&panel, &FactorsPanel::turnWanted, this, &FactorsTool::turn);
@@ -141,6 +144,16 @@ void FactorsTool::connectPanel(FactorsPanel& panel) {
   connect(&panel.ball(), &TurnBall::cancelled, this, &FactorsTool::cancelPanel);
 }
 
+/// Selected, factors would open their card again.
+void FactorsTool::close() {
+  const QPointer<FactorsTool> self(this);
+  const std::vector<FeatureId> selected = host().selection();
+  const Document& document = host().document();
+  const auto opens = [&](const FeatureId& id) { return document.contains(id) && document.at(id).type == "sweep.factors"; };
+  if (std::any_of(selected.begin(), selected.end(), opens)) host().select({});
+  if (self) emit finished();
+}
+
 void FactorsTool::chooseFactor(Factor factor) {
   cancelPanel();
   factor_ = factor;
@@ -160,7 +173,9 @@ void FactorsTool::fillPanel() {
   for (const FactorPole& pole : chosen_) {
     if (!layout.contains(pole)) return;  // of the motion before a knot was taken back; the net tells what is left
     const PoleValue value = poleValue(motion(), factor_, pole);
-    for (int k = 0; k < weightField; ++k) values[static_cast<std::size_t>(k)].push_back(value.vector[k]);
+    const double largest = value.vector.cwiseAbs().maxCoeff();
+    for (int k = 0; k < weightField; ++k)
+      values[static_cast<std::size_t>(k)].push_back(ui::withoutNoise(value.vector[k], largest));
     values.back().push_back(value.weight);
   }
   FactorsPanel::Texts texts;
@@ -198,8 +213,9 @@ void FactorsTool::fillPlot() {
   const CombAlong along = alongU ? CombAlong::U : CombAlong::V;
   const double u = layout.us[pole.row], v = layout.vs[pole.column];
   const double across = alongU ? v : u, mark = alongU ? u : v;
-  const QString line =
+  const QString at =
       alongU ? tr("along u at v = %1").arg(ui::readable(v, 3)) : tr("along v at u = %1").arg(ui::readable(u, 3));
+  const QString line = chosen_.empty() ? tr("%1, the first pole").arg(at) : at;
   if (factor_ == Factor::Trajectory) {
     const TrajectoryComb comb = trajectoryComb(motion(), plotSamples);
     panel_->plot().setCurves(tr("Curvature along v, 1/mm"),

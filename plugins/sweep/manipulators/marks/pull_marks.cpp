@@ -20,7 +20,11 @@ constexpr double labelDistance = 16;  // from the end of an arc to the card
 }  // namespace
 
 void PullMarks::lines(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
-  if (!all.empty()) props_.push_back(ui::linesProp(all, color, width * host_.pixelRatio()));
+  if (all.empty()) return;
+  // Drivers draw lines of one device pixel whatever width they are asked for: where these are fine, a hair.
+  const double ratio = host_.pixelRatio();
+  props_.push_back(ratio > 1 ? ui::linesProp(thickened(all, facing_, width, ratio), color, 1)
+                             : ui::linesProp(all, color, width));
 }
 
 void PullMarks::seamed(const std::vector<std::vector<Vec3>>& all, const Color& color, double width) {
@@ -46,7 +50,13 @@ void PullMarks::surfaceLines(const SurfaceLines& all, double width) {
 
 void PullMarks::place(const Motion& motion, const PlaceHit& hit, const PullMode& mode, const Vec3& towards) {
   const double side = hit.normal.dot(towards) >= 0 ? 1 : -1;
-  surfaceLines(borderOf(motion, editRegion(motion, hit.at, mode), towards, side), 1);
+  SurfaceLines border;
+  for (const EditRegion& region : editRegions(motion, hit.at, mode)) {
+    const SurfaceLines each = borderOf(motion, region, towards, side);
+    border.facing.insert(border.facing.end(), each.facing.begin(), each.facing.end());
+    border.averted.insert(border.averted.end(), each.averted.begin(), each.averted.end());
+  }
+  surfaceLines(border, 1);
   surfaceLines(isoCurvesThrough(motion, hit.at, towards, side), 1.8);
   points({hit.point}, host_.look().control, pointPixels);
 }
@@ -63,10 +73,7 @@ void PullMarks::chosen(const std::vector<Vec3>& moved, const std::vector<Vec3>& 
 }
 
 void PullMarks::ring(const Vec3& centre, const PullMode& mode) {
-  const RingLines ring = ringLines(centre, facing_, mode.weights());
-  lines(ring.idle, mixed(host_.look().control, host_.look().backgroundBottom, 0.4), 2);
-  lines(ring.active, host_.look().made, 2.5);
-  lines(ring.border, host_.look().backgroundBottom, 1);
+  props_.push_back(ui::pictureProp(ringPicture(mode.weights(), host_.look(), host_.pixelRatio()), centre));
 }
 
 void PullMarks::axis(const Vec3& centre, const Vec3& axis) {
@@ -92,6 +99,13 @@ void PullMarks::turn(const TwistArc& arc, const QString& text) {
 void PullMarks::way(const Vec3& from, const Vec3& to) {
   seamed({{from, to}}, host_.look().control, 1.5);
   points({to}, host_.look().control, pointPixels);
+}
+
+void PullMarks::tell(const Vec3& at, const QString& text, bool aboveRing) {
+  ui::LabelLook look = ui::labelLook(host_.look(), host_.look().control, host_.pixelRatio());
+  look.card = ui::qtColor(host_.look().backgroundBottom);
+  if (aboveRing) look.shift = {0, ringReach};
+  props_.push_back(ui::labelProp(text, at, look));
 }
 
 void PullMarks::entry(const Vec3& at, const ui::TypedText& text, const QString& unit) {

@@ -18,7 +18,7 @@ class PullMarks {
  public:
   PullMarks(const ui::ToolHost& host, const Facing& facing, Props& props) : host_(host), facing_(facing), props_(props) {}
 
-  /// The point under the mouse, its iso-curves and the border of what an edit there would touch.
+  /// The point under the mouse, its iso-curves and the borders of what an edit there and its copies would touch.
   void place(const Motion&, const PlaceHit&, const PullMode&, const Vec3& towards);
   void copies(const std::vector<Vec3>&);
   /// Places that go along, and those that stay.
@@ -30,6 +30,8 @@ class PullMarks {
   void turn(const TwistArc&, const QString& text);
   /// Of the point that is dragged.
   void way(const Vec3& from, const Vec3& to);
+  /// Numbers about a point, on a card above its ring, or where there is none right above it.
+  void tell(const Vec3& at, const QString& text, bool aboveRing);
   /// What is typed about a point.
   void entry(const Vec3& at, const ui::TypedText&, const QString& unit);
 

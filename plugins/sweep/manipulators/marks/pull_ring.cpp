@@ -1,6 +1,9 @@
 #include "manipulators/marks/pull_ring.h"
 
 #include <Eigen/Geometry>
+#include <QApplication>
+#include <QPainter>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,30 +13,13 @@ namespace blossom::sweep {
 namespace {
 
 constexpr double radian = std::numbers::pi / 180;
-constexpr double ringRadius = 26, letterRadius = 38, letterSize = 9, seamOfLetters = 1.3;  // pixels
+constexpr double ringRadius = 26, letterRadius = 37.5, plateRadius = 9;  // pixels
+constexpr double arcWidth = 3, idleWidth = 2, plateWidth = 7;
+constexpr int letterPixels = 12;
 constexpr double arcOfShare = 96;  // degrees; the rest of a third is a gap
 
-using Stroke = std::vector<Vec2>;
-
-/// Letters in a square from -1 to 1.
-const std::vector<Stroke>& letter(std::size_t share) {
-  static const std::array<std::vector<Stroke>, 3> all{
-      {{{{-0.8, 1}, {0.8, 1}}, {{0.0, 1.0}, {0.0, -1.0}}},
-       {{{-0.7, -1}, {-0.7, 1}, {0.3, 1}, {0.7, 0.75}, {0.7, 0.25}, {0.3, 0}, {-0.7, 0}}, {{0.1, 0}, {0.75, -1}}},
-       {{{0.7, 0.7},
-         {0.3, 1},
-         {-0.3, 1},
-         {-0.7, 0.7},
-         {-0.7, 0.3},
-         {-0.3, 0.05},
-         {0.3, -0.05},
-         {0.7, -0.3},
-         {0.7, -0.7},
-         {0.3, -1},
-         {-0.3, -1},
-         {-0.7, -0.7}}}}};
-  return all.at(share);
-}
+constexpr std::array<char, 3> letters{'T', 'R', 'S'};
+constexpr std::array<double, 3> middles{90, 330, 210};  // clockwise from the top, in the order in which they act
 
 Vec3 onScreen(const Vec3& centre, const Facing& to, const Vec2& pixels) {
   return centre + to.pixel * (pixels.x() * to.right + pixels.y() * to.up);
@@ -43,11 +29,23 @@ Vec2 polar(double radius, double degrees) {
   return {radius * std::cos(degrees * radian), radius * std::sin(degrees * radian)};
 }
 
-std::vector<Vec3> arcOnScreen(const Vec3& centre, const Facing& to, double radius, double from, double degrees) {
-  constexpr int steps = 24;
-  std::vector<Vec3> arc;
-  for (int i = 0; i <= steps; ++i) arc.push_back(onScreen(centre, to, polar(radius, from + degrees * i / steps)));
-  return arc;
+/// Degrees counterclockwise from the right, as Qt has them but for its factor.
+void drawArc(QPainter& painter, const QColor& color, double width, double from, double degrees) {
+  if (!(degrees > 0)) return;
+  constexpr double partsOfDegree = 16;
+  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+  painter.drawArc(QRectF(-ringRadius, -ringRadius, 2 * ringRadius, 2 * ringRadius),
+                  static_cast<int>(std::lround(partsOfDegree * from)),
+                  static_cast<int>(std::lround(partsOfDegree * degrees)));
+}
+
+void drawLetter(QPainter& painter, char letter, const QPointF& at, const QColor& color, const QColor& plate) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawEllipse(at, plateRadius, plateRadius);
+  painter.setPen(color);
+  const QPointF corner(plateRadius, plateRadius);
+  painter.drawText(QRectF(at - corner, at + corner), Qt::AlignCenter, QString(QLatin1Char(letter)));
 }
 
 }  // namespace
@@ -62,28 +60,47 @@ Facing facing(const Vec3& towards, double millimetresPerPixel) {
   return to;
 }
 
-RingLines ringLines(const Vec3& centre, const Facing& to, const PullWeights& weights) {
-  RingLines lines;
+QImage ringPicture(const PullWeights& weights, const Look& look, double pixelRatio) {
+  const QColor active = ui::qtColor(look.made), plate = ui::qtColor(look.backgroundBottom),
+               idle = ui::qtColor(mixed(look.control, look.backgroundBottom, 0.4));
+  QImage image((QSizeF(2 * ringReach, 2 * ringReach) * pixelRatio).toSize(), QImage::Format_RGBA8888);
+  image.setDevicePixelRatio(pixelRatio);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(ringReach, ringReach);
+  QFont font = QApplication::font();
+  font.setPixelSize(letterPixels);
+  font.setBold(true);
+  painter.setFont(font);
   const std::array<double, 3> shares{weights.translate, weights.rotate, weights.scale};
-  const std::array<double, 3> middles{90, 330, 210};  // clockwise from the top, in the order in which they act
   for (std::size_t k = 0; k < shares.size(); ++k) {
     const double from = middles[k] - arcOfShare / 2, filled = arcOfShare * shares[k];
-    // Drivers draw lines of one pixel whatever width they are asked for: three of them make an arc.
-    for (const double off : {-0.7, 0.0, 0.7}) {
-      const double radius = ringRadius + off;
-      if (shares[k] > 0) lines.active.push_back(arcOnScreen(centre, to, radius, from, filled));
-      if (shares[k] < 1) lines.idle.push_back(arcOnScreen(centre, to, radius, from + filled, arcOfShare - filled));
-    }
-    for (const double off : {-2.0, 2.0}) lines.border.push_back(arcOnScreen(centre, to, ringRadius + off, from, arcOfShare));
+    drawArc(painter, plate, plateWidth, from, arcOfShare);
+    drawArc(painter, idle, idleWidth, from + filled, arcOfShare - filled);
+    drawArc(painter, active, arcWidth, from, filled);
     const Vec2 middle = polar(letterRadius, middles[k]);
-    for (const Stroke& stroke : letter(k)) {
-      std::vector<Vec3> line;
-      for (const Vec2& p : stroke) line.push_back(onScreen(centre, to, middle + letterSize / 2 * p));
-      for (auto& beside : besides({line}, to, seamOfLetters)) lines.border.push_back(std::move(beside));
-      (shares[k] > 0 ? lines.active : lines.idle).push_back(std::move(line));
-    }
+    drawLetter(painter, letters[k], {middle.x(), -middle.y()}, shares[k] > 0 ? active : idle, plate);
   }
-  return lines;
+  return image;
+}
+
+std::vector<std::vector<Vec3>> thickened(const std::vector<std::vector<Vec3>>& lines, const Facing& to, double width,
+                                         double pixelRatio) {
+  std::vector<std::vector<Vec3>> all;
+  const long strokes = std::max(1L, std::lround(width * pixelRatio));
+  const auto add = [&](const Vec2& pixels) {
+    for (std::vector<Vec3> line : lines) {
+      for (Vec3& p : line) p = onScreen(p, to, pixels);
+      all.push_back(std::move(line));
+    }
+  };
+  for (long k = 0; k < strokes; ++k) {
+    const double off = (static_cast<double>(k) - static_cast<double>(strokes - 1) / 2) / pixelRatio;
+    add({off, 0});  // a steep line needs copies beside it, a flat one above it
+    if (off != 0) add({0, off});
+  }
+  return all;
 }
 
 std::vector<Vec3> arcOf(const TwistArc& twist, double radius) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <QImage>
 #include <vector>
 
 #include "manipulators/pull_mode.h"
@@ -14,14 +15,11 @@ struct Facing {
 /// @param towards the line of sight, unit length
 Facing facing(const Vec3& towards, double millimetresPerPixel);
 
-/// Lines of the ring around a point: an arc with its letter for each of the shares T, R, S of a pull.
-struct RingLines {
-  std::vector<std::vector<Vec3>> active, idle;
-  std::vector<std::vector<Vec3>> border;  ///< beside arcs and letters, which are seen on a surface of their own colour
-};
-RingLines ringLines(const Vec3& centre, const Facing&, const PullWeights&);
+inline constexpr double ringReach = 47;  ///< pixels from the centre within which the ring and its letters lie
 
-inline constexpr double ringReach = 46;  ///< pixels from the centre within which the ring and its letters lie
+/// The ring around a point: an arc for each of the shares T, R, S of a pull, with its letter on a plate, so that it is seen
+/// on a surface of any colour. Square; the point is in its middle.
+QImage ringPicture(const PullWeights&, const Look&, double pixelRatio);
 
 /// What a twist does to an arm from a point of the trajectory.
 struct TwistArc {
@@ -33,6 +31,9 @@ std::vector<Vec3> arcOf(const TwistArc&, double radius);
 
 /// A square that faces the viewer; `half` of its side in pixels.
 std::vector<Vec3> squareOnScreen(const Vec3& centre, const Facing&, double half);
+/// Copies of lines, one device pixel from each other, that make lines of a width together. @param width logical pixels
+std::vector<std::vector<Vec3>> thickened(const std::vector<std::vector<Vec3>>& lines, const Facing&, double width,
+                                         double pixelRatio);
 /// Copies of lines to both sides, above and below, `pixels` away on the screen.
 std::vector<std::vector<Vec3>> besides(const std::vector<std::vector<Vec3>>& lines, const Facing&, double pixels);
 

@@ -20,10 +20,13 @@ class ValidityMarks {
     // Every surface has a smallest normal and weight somewhere. Where they are harmless, marks would only be in the way of
     // who pulls there.
     constexpr double worryingShare = 1e-3, worryingWeight = 0.02;
+    // Of marks that lie on each other the first is seen. Where the places are close to each other, each name has a row of
+    // its own: the worst above its point, the others below theirs.
+    mark("crossing_place", context_.look.fault, large, tr("crosses itself"), 0);
     if (below("min_normal_share", worryingShare))
-      mark("min_normal_place", context_.look.control, small, tr("smallest normal"));
-    if (below("min_weight", worryingWeight)) mark("min_weight_place", context_.look.control, small, tr("smallest weight"));
-    mark("crossing_place", context_.look.fault, large, tr("crosses itself"));
+      mark("min_normal_place", context_.look.control, small, tr("smallest normal"), 1);
+    if (below("min_weight", worryingWeight))
+      mark("min_weight_place", context_.look.control, small, tr("smallest weight"), 2);
     return std::move(props_);
   }
 
@@ -39,11 +42,15 @@ class ValidityMarks {
     return found != context_.stats.end() && found->is_number() && found->get<double>() < limit;
   }
 
-  void mark(const char* name, const Color& color, double size, const QString& text) {
+  /// @param row 0 above the point, 1 and 2 below it
+  void mark(const char* name, const Color& color, double size, const QString& text, int row) {
     const auto place = placeOf(name);
     if (!place) return;
     props_.push_back(ui::pointsProp({*place}, color, size * context_.pixelRatio));
-    props_.push_back(ui::labelProp(text, *place, ui::labelLook(context_.look, color, context_.pixelRatio)));
+    constexpr double rowHeight = 26;  // logical pixels, of a label and what parts it from the next
+    ui::LabelLook look = ui::labelLook(context_.look, color, context_.pixelRatio);
+    if (row > 0) look.shift = {0, -row * rowHeight - 2 * ui::labelGap};
+    props_.push_back(ui::labelProp(text, *place, look));
   }
 
   const ui::OverlayContext& context_;

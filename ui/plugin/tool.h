@@ -123,8 +123,8 @@ class Tool : public QObject {
   virtual bool wheel(double /*notches*/, Qt::KeyboardModifiers) { return false; }
   /// The keys go elsewhere from now on: what is being typed is left as by Esc.
   virtual void keysLost() {}
-  /// The point of a shape that the mouse is at or takes along, where the tool knows it; told at the end of the status line in
-  /// place of the point of the ground.
+  /// The point of a shape that the mouse is at or takes along, where the tool knows it; told at the end of the status line
+  /// in place of the point of the ground.
   [[nodiscard]] virtual std::optional<Vec3> whereabouts() const { return std::nullopt; }
   /// Something is being typed: the hint stays in the status line wherever the mouse goes.
   [[nodiscard]] virtual bool entering() const { return false; }

@@ -886,6 +886,22 @@
         <source>%1 levels coarser</source>
         <translation>%1 Stufen gröber</translation>
     </message>
+    <message>
+        <source>by %1</source>
+        <translation>durch %1</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>scaling</source>
+        <translation>Skalieren</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::SurfacePullTool</name>
@@ -946,10 +962,6 @@
         <translation>Ziehen bewegt diesen Punkt %1</translation>
     </message>
     <message>
-        <source>T, R, S: one way alone</source>
-        <translation>T, R, S: nur eine Art</translation>
-    </message>
-    <message>
         <source>W: twist</source>
         <translation>W: verdrehen</translation>
     </message>
@@ -1000,6 +1012,34 @@
     <message>
         <source>%1 (0: as it is)</source>
         <translation>%1 (0: unverändert)</translation>
+    </message>
+    <message>
+        <source>No sweep is made of this motion: choose Sweep to see its surface and pull it</source>
+        <translation>Aus dieser Bewegung ist kein Sweep gemacht: Sweep wählen, um ihre Fläche zu sehen und zu ziehen</translation>
+    </message>
+    <message>
+        <source>Let go to pull %1 places %2</source>
+        <translation>Loslassen zieht %1 Stellen, %2</translation>
+    </message>
+    <message>
+        <source>Let go to twist %1 places by %2° about %3</source>
+        <translation>Loslassen verdreht %1 Stellen um %2° um %3</translation>
+    </message>
+    <message>
+        <source>%1 pinned</source>
+        <translation>%1 festgesteckt</translation>
+    </message>
+    <message>
+        <source>wheel: share of %1</source>
+        <translation>Mausrad: Anteil von %1</translation>
+    </message>
+    <message>
+        <source>Shift+wheel: share of %1</source>
+        <translation>Umschalt+Mausrad: Anteil von %1</translation>
+    </message>
+    <message>
+        <source>T, R, S: one way alone (Shift: as well)</source>
+        <translation>T, R, S: nur eine Art (Umschalt: zusätzlich)</translation>
     </message>
 </context>
 <context>

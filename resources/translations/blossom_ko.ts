@@ -886,6 +886,22 @@
         <source>%1 levels coarser</source>
         <translation>%1단계 성기게</translation>
     </message>
+    <message>
+        <source>by %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>이동</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>scaling</source>
+        <translation>크기 변경</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::SurfacePullTool</name>
@@ -946,10 +962,6 @@
         <translation>끌어서 이 점을 당기기, %1</translation>
     </message>
     <message>
-        <source>T, R, S: one way alone</source>
-        <translation>T, R, S: 한 방식만</translation>
-    </message>
-    <message>
         <source>W: twist</source>
         <translation>W: 비틀기</translation>
     </message>
@@ -1000,6 +1012,34 @@
     <message>
         <source>%1 (0: as it is)</source>
         <translation>%1 (0: 그대로)</translation>
+    </message>
+    <message>
+        <source>No sweep is made of this motion: choose Sweep to see its surface and pull it</source>
+        <translation>이 움직임으로 만든 스윕이 없습니다: 스윕을 선택하면 곡면을 보고 당길 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Let go to pull %1 places %2</source>
+        <translation>놓으면 %1곳을 당깁니다, %2</translation>
+    </message>
+    <message>
+        <source>Let go to twist %1 places by %2° about %3</source>
+        <translation>놓으면 %1곳을 %3 둘레로 %2° 비틉니다</translation>
+    </message>
+    <message>
+        <source>%1 pinned</source>
+        <translation>%1곳 고정</translation>
+    </message>
+    <message>
+        <source>wheel: share of %1</source>
+        <translation>휠: %1의 비율</translation>
+    </message>
+    <message>
+        <source>Shift+wheel: share of %1</source>
+        <translation>Shift+휠: %1의 비율</translation>
+    </message>
+    <message>
+        <source>T, R, S: one way alone (Shift: as well)</source>
+        <translation>T, R, S: 한 방식만 (Shift: 함께)</translation>
     </message>
 </context>
 <context>

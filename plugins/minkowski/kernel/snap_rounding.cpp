@@ -28,6 +28,16 @@ double distance(const GridPoint& p, const GridPoint& a, const GridPoint& b) {
   return asVec(t == 0 ? p - a : p - b).norm();
 }
 
+/// Whether f lies on one side of the line of e, farther than some units from it. May be false where it does.
+bool liesAside(const CountedEdge& e, const CountedEdge& f, double units) {
+  const Vec2 along = asVec(e.to - e.from), from = asVec(f.from - e.from), to = asVec(f.to - e.from);
+  constexpr double rounding = 1e-14;  // of the products
+  const double reach = from.lpNorm<1>() + to.lpNorm<1>();
+  const double least = (units + rounding * reach) * along.lpNorm<1>();
+  const double first = cross(along, from), last = cross(along, to);
+  return (first > least && last > least) || (first < -least && last < -least);
+}
+
 bool crossing(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
   return signOf(cross(b - a, c - a)) * signOf(cross(b - a, d - a)) < 0 &&
          signOf(cross(d - c, a - c)) * signOf(cross(d - c, b - c)) < 0;
@@ -146,6 +156,7 @@ bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress)
     const auto near = [](const GridPoint& p, const CountedEdge& edge) {
       return distance(p, edge.from, edge.to) < clearance;
     };
+    if (liesAside(e, f, clearance) || liesAside(f, e, clearance)) return true;
     // Neighbours share one end; any other coincidence needs a look.
     const bool chained = e.to == f.from || e.from == f.to;
     const int ends = int{near(e.from, f)} + int{near(e.to, f)} + int{near(f.from, e)} + int{near(f.to, e)};

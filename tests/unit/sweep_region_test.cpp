@@ -114,6 +114,21 @@ class SweepRegionTest : public QObject {
     QVERIFY(inside > 300 && outside > 1000 && over > 30);
   }
 
+  void theFoldDoesNotChangeTheRegionAlongV() {
+    for (const PrimitiveKind kind : {PrimitiveKind::Cylinder, PrimitiveKind::Torus}) {
+      const Motion motion = primitiveMotion({.kind = kind, .radius = 30, .profile = 6, .rows = 16, .columns = 16}).motion;
+      for (const int way : {Qt::Key_S, Qt::Key_R, Qt::Key_T})
+        for (int level = -4; level <= 1; ++level) {
+          const MotionPlace at{0.1, 0.4};
+          const EditRegion alone = editRegion(motion, at, modeOf(way, level)),
+                           folded = editRegion(motion, at, modeOf(way, level, 4));
+          QCOMPARE(folded.firstV, alone.firstV);
+          QCOMPARE(folded.lastV, alone.lastV);
+          QCOMPARE(folded.ring, alone.ring);
+        }
+    }
+  }
+
   void keysChangeTheLevel() {
     PullMode mode;
     QVERIFY(mode.levelText().isEmpty());

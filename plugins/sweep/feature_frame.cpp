@@ -38,9 +38,10 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
   out.stats["min_bend_radius"] = made.smallestBend;
   out.stats["reach"] = made.reach;
   if (made.smallestBend > 0 && made.smallestBend <= made.reach)
-    out.warnings.push_back(fmt::format(
-        "The path bends to a radius of {} mm near v = {}, and the section reaches {} mm: the surface folds there.",
-        formatNumber(made.smallestBend), formatNumber(made.bendAt), formatNumber(made.reach)));
+    out.warnings.push_back(
+        fmt::format("The path bends to a radius of {:.6g} mm near v = {:.6g}, and the section reaches {:.6g} mm: the "
+                    "surface folds there.",
+                    made.smallestBend, made.bendAt, made.reach));
 }
 
 Evaluated evaluateFrame(const FrameParameters& p, const Inputs& inputs, const Progress& progress) {

@@ -60,7 +60,7 @@ EditPlaces::EditPlaces(const Motion& motion, std::span<const MotionPlace> at, st
     for (const SymmetricPlace& copy : symmetricPlaces(motion, placeInside(motion, at[k]), symmetry)) {
       if (!(evaluate(motion.orientation, copy.at.u, copy.at.v).squaredNorm() > 0))
         throw Error(ErrorCode::Degenerate,
-                    fmt::format("The orientation of this motion vanishes at u = {}, v = {}.", copy.at.u, copy.at.v));
+                    fmt::format("The orientation of this motion vanishes at u = {:.6g}, v = {:.6g}.", copy.at.u, copy.at.v));
       places_.push_back({copy.at, copy.turn, k});
     }
   for (const MotionPlace& pin : pins)
@@ -74,10 +74,10 @@ Eigen::MatrixXd EditPlaces::wantedAt(const std::function<Vector(EditPlace&)>& wa
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const Vector value = wanted(places_[k]);
     if (!std::isfinite(value.squaredNorm()))
-      throw Error(
-          ErrorCode::Degenerate,
-          fmt::format("At u = {}, v = {}, what this edit asks for is beyond all numbers.", places_[k].at.u, places_[k].at.v),
-          "Choose a nearer target.");
+      throw Error(ErrorCode::Degenerate,
+                  fmt::format("At u = {:.6g}, v = {:.6g}, what this edit asks for is beyond all numbers.", places_[k].at.u,
+                              places_[k].at.v),
+                  "Choose a nearer target.");
     all.row(static_cast<Eigen::Index>(k)) = value.transpose();
   }
   return all;

@@ -23,6 +23,11 @@ Explanation reasonOf(Unreached why) {
     case Unreached::Opposite:
       return {"the target lies on the other side of the trajectory, and half a turn has no axis of its own",
               "Give an axis for it, or pull in two steps."};
+    case Unreached::AxisAlongArm:
+      return {
+          "the target lies on the other side of the trajectory, and the axis given for half a turn points along the line "
+          "from the trajectory to the point, which no turn about it moves",
+          "Give an axis across that line."};
     case Unreached::Cancelled:
       return {
           "the basis functions around this closed motion cancel each other there, so that no change of its poles "
@@ -46,7 +51,7 @@ Explanation reasonOf(Unreached why) {
 
 Explanation explain(const Obstacle& obstacle) {
   Explanation reason = reasonOf(obstacle.why);
-  reason.what = fmt::format("At u = {}, v = {}, {}.", obstacle.at.u, obstacle.at.v, reason.what);
+  reason.what = fmt::format("At u = {:.6g}, v = {:.6g}, {}.", obstacle.at.u, obstacle.at.v, reason.what);
   return reason;
 }
 

@@ -36,7 +36,7 @@ double squareSum(const std::vector<Vec4>& rows) {
 Vec4 unit(const Vec4& sum, double v) {
   const double length = sum.norm();
   if (!(length > 0))
-    throw Error(ErrorCode::Degenerate, fmt::format("The orientation of this motion vanishes around v = {}.", v));
+    throw Error(ErrorCode::Degenerate, fmt::format("The orientation of this motion vanishes around v = {:.6g}.", v));
   return sum / length;
 }
 
@@ -77,9 +77,10 @@ Vec4 stepOf(const Motion& motion, double v, int fold) {
   double off = 0;
   for (std::size_t i = 0; i < values.size(); ++i) off += (next[i] - times(step, values[i])).squaredNorm();
   if (off > allowedOff(r) * allowedOff(r) * squareSum(values))
-    refuse(fmt::format("This motion is not {}-fold at v = {}: its frames are not the same turn apart after each {}th of the "
-                       "period.",
-                       fold, v, fold),
+    refuse(fmt::format(
+               "This motion is not {}-fold at v = {:.6g}: its frames are not the same turn apart after each {}th of the "
+               "period.",
+               fold, v, fold),
            "Begin with a motion that has this symmetry there, and edit it with the same fold; a single edit that reaches "
            "this v takes the symmetry away.");
   return step;
@@ -164,11 +165,11 @@ Matrix3d reflection(const Motion& motion, double v) {
     if (!scalingIsMirrored(motion, s, axis)) continue;
     if (const auto normal = mirrorNormal(r, axis, v)) return Matrix3d::Identity() - 2 * *normal * normal->transpose();
   }
-  refuse(
-      fmt::format("This motion is not its own mirror image at v = {}: read backwards in u, its frames or scalings are not "
-                  "reflected in one plane.",
-                  v),
-      "Begin with a motion that is mirrored over its seam, or over its middle when it is open.");
+  refuse(fmt::format(
+             "This motion is not its own mirror image at v = {:.6g}: read backwards in u, its frames or scalings are not "
+             "reflected in one plane.",
+             v),
+         "Begin with a motion that is mirrored over its seam, or over its middle when it is open.");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Evaluated pullEvaluate(const PullParameters& p, const Inputs& inputs, const Prog
 
 ParameterSpec pullList() {
   ParameterSpec pull = placeRecord();
-  pull.fields.push_back(fieldOf("to", point(), "Where that place is to go."));
+  pull.fields.push_back(fieldOf("to", pointInSpace(), "Where that place is to go."));
   return list(pull);
 }
 

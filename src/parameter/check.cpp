@@ -70,9 +70,10 @@ Value checkColor(const ParameterSpec& spec, const std::string& subject, const Va
 
 Value checkCoordinates(const ParameterSpec& spec, const std::string& subject, const Value& value) {
   const bool point = spec.kind == ParameterKind::Point;
-  if (!value.is_array() || value.size() < 2 || value.size() > 3)
+  const bool needsAll = point && spec.minimum && *spec.minimum > 2;
+  if (!value.is_array() || value.size() < (needsAll ? 3 : 2) || value.size() > 3)
     wrongForm(spec, subject, point ? "must be a point" : "must be a vector", value,
-              "Write x,y,z; z may be left out and is then 0.");
+              needsAll ? "Write all of x,y,z." : "Write x,y,z; z may be left out and is then 0.");
   Value all = Value::array();
   constexpr std::string_view axes = "xyz";
   for (std::size_t i = 0; i < value.size(); ++i) {

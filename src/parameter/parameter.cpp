@@ -160,6 +160,12 @@ ParameterSpec choice(std::vector<std::string> names) {
 ParameterSpec text() { return ofKind(ParameterKind::Text); }
 ParameterSpec color() { return ofKind(ParameterKind::Color); }
 ParameterSpec point() { return ofKind(ParameterKind::Point); }
+
+ParameterSpec pointInSpace() {
+  ParameterSpec spec = point();
+  spec.minimum = 3;
+  return spec;
+}
 ParameterSpec vector() { return ofKind(ParameterKind::Vector); }
 ParameterSpec displacement() { return ofKind(ParameterKind::Displacement); }
 

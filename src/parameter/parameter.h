@@ -43,8 +43,10 @@ struct ParameterSpec {
   std::string name;  ///< "area-preserving": flag and key; with spaces, the label
   std::string help;  ///< one sentence
   ParameterKind kind = ParameterKind::Flag;
-  Value fallback;                 ///< default in canonical form; null when there is none and a value is required
-  std::optional<double> minimum;  ///< of numbers, counts, lengths and angles; of a List: minimum number of items
+  Value fallback;  ///< default in canonical form; null when there is none and a value is required
+  /// Of numbers, counts, lengths and angles; of a List: minimum number of items; of a Point: of coordinates that are
+  /// written.
+  std::optional<double> minimum;
   std::optional<double> maximum;
   bool aboveMinimum = false;          ///< `minimum` itself is not allowed
   std::vector<std::string> choices;   ///< of a Choice; of a SubShape: exactly one, "face", "edge" or "vertex"
@@ -100,7 +102,8 @@ ParameterSpec angle();           ///< degrees
 ParameterSpec choice(std::vector<std::string> names);
 ParameterSpec text();
 ParameterSpec color();
-ParameterSpec point();
+ParameterSpec point();         ///< of two numbers z is 0
+ParameterSpec pointInSpace();  ///< three numbers: 0 would be a guess
 ParameterSpec vector();        ///< a direction or factors, without unit
 ParameterSpec displacement();  ///< from one place to another, in mm
 ParameterSpec file(std::string extensions);

@@ -40,6 +40,7 @@ std::string_view unitSuffix(const ParameterSpec& spec) {
 }
 
 std::string describeRange(const ParameterSpec& spec, const LengthUnit& unit) {
+  if (spec.kind == ParameterKind::Point) return {};  // "point x,y,z" says it
   if (spec.minimum && spec.maximum)
     return fmt::format("{} {} to {}", spec.aboveMinimum ? "above" : "from", plainBound(spec, *spec.minimum, unit),
                        bound(spec, *spec.maximum, unit));

@@ -205,6 +205,10 @@ class ParameterTest : public QObject {
     COMPARE_NEAR(checked(withName("a", angle()), "0.25turn").get<double>(), 90, 1e-13);
     QCOMPARE(checked(withName("c", color()), "#F80").get<std::string>(), std::string("#ff8800"));
     QCOMPARE(checked(withName("p", point()), Value::array({1, "1cm"})), Value::array({1.0, 10.0, 0.0}));
+    QCOMPARE(checked(withName("p", pointInSpace()), Value::array({1, "1cm", 2})), Value::array({1.0, 10.0, 2.0}));
+    VERIFY_ERROR(checked(withName("p", pointInSpace()), Value::array({1, 2})), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(parseText(withName("l", list(pointInSpace())), "1,2,3; 4,5"), ErrorCode::InvalidParameter);
+    QCOMPARE(describe(withName("p", pointInSpace())), describe(withName("p", point())));
     QCOMPARE(checked(withName("f", file("json")), "a.json"), (Value{{"path", "a.json"}, {"asset", ""}}));
     QCOMPARE(parseText(withName("e", subShape("edge")), "base:edge:4"),
              (Value{{"input", "base"}, {"kind", "edge"}, {"index", 4}}));

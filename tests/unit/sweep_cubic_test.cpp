@@ -5,6 +5,7 @@
 #include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/cubic_approximation.h"
 #include "sweep/kernel/cubic_spline.h"
+#include "sweep/kernel/edit/pull.h"
 #include "sweep/kernel/grid/motion_point.h"
 
 using namespace blossom;
@@ -109,6 +110,44 @@ class SweepCubicTest : public QObject {
       const auto start = derivatives(curve, 0, 2), end = derivatives(curve, breaks.at.back(), 2);
       for (std::size_t k = 0; k < 3; ++k) QVERIFY((start[k] - end[k]).norm() < 1e-11);
     }
+  }
+
+  /// A ring, pulled so that nothing is symmetric about its seam: the second derivatives on both sides of it are one.
+  void ringsStayC2AtTheSeamInV() {
+    const Motion given =
+        primitiveMotion({.kind = PrimitiveKind::Torus, .radius = 30, .profile = 6, .rows = 8, .columns = 12}).motion;
+    for (const double v : {0.0, 0.03, 0.9}) {
+      const MotionPull edit{{{0.3, v}}, {evaluate(given, 0.3, v).point + Vec3(1, 2, 3)}, {0.5, 0, 1}};
+      const Motion motion = pull(given, edit).motion;
+      const Surface s = approximateCubic(motion, {.tolerance = 1e-2}).surface;
+      validate(s);
+      for (std::size_t i = 0; i < s.countU(); ++i) QVERIFY(s.pole(i, 0) == s.pole(i, s.countV() - 1));
+      for (int i = 0; i <= 24; ++i) {
+        const auto along = [&](double at) {
+          Curve curve{3, s.knotsV, {}};
+          for (std::size_t j = 0; j < s.countV(); ++j) {
+            Curve across{3, s.knotsU, {}};
+            for (std::size_t k = 0; k < s.countU(); ++k) across.poles.push_back(s.pole(k, j));
+            const Vec3 p = point(across, i / 24.0);
+            curve.poles.emplace_back(p.x(), p.y(), p.z(), 1);
+          }
+          return derivatives(curve, at, 2);
+        };
+        const auto start = along(0), end = along(1);
+        for (std::size_t k = 0; k < 3; ++k)
+          QVERIFY2(
+              (start[k] - end[k]).norm() <= 1e-9 * (1 + start[k].norm()),
+              qPrintable(QString("derivative %1 at u = %2: %3 apart").arg(k).arg(i / 24.0).arg((start[k] - end[k]).norm())));
+      }
+    }
+  }
+
+  /// Spans are halved up to a number; those of the motion all stay.
+  void aMotionWithMoreSpansKeepsThem() {
+    const Motion motion = primitiveMotion({.radius = 10, .rows = 12, .columns = 40}).motion;
+    const CubicResult result = approximateCubic(motion, {.tolerance = 1, .maximumSpans = 16});
+    QCOMPARE(result.spansU, std::size_t{12});
+    QCOMPARE(result.spansV, std::size_t{40});
   }
 
   void keepsItsTolerance_data() {

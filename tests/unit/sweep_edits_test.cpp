@@ -113,6 +113,10 @@ class SweepEditsTest : public QObject {
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "twist": {"axis": [0, 0, 1], "angle": 3}}])", "edits[0]", "either");
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2]}])", "edits[0].to", "[x, y, z]");
     expectDamaged(R"([{"at": [[0, 0], [1, 0]], "to": [1, 2, 3]}])", "edits[0].to", "2 places");
+    expectDamaged(R"([{"at": [], "to": [1, 2, 3]}])", "edits[0].at", "empty");
+    expectDamaged(R"([{"at": [], "to": []}])", "edits[0].at", "empty");
+    expectDamaged(R"([{"at": [0, 0], "to": []}])", "edits[0].to", "empty");
+    expectDamaged(R"([{"at": [], "twist": {"axis": [0, 0, 1], "angle": 3}}])", "edits[0].at", "empty");
     expectDamaged(R"([{"at": [0, "x"], "to": [1, 2, 3]}])", "edits[0].at[1]", "number");
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "weight": {}}])", "edits[0].weight", "not a key");
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "weights": {"scale": 2}}])", "edits[0].weights.scale",
@@ -143,6 +147,9 @@ class SweepEditsTest : public QObject {
     const Evaluated out = evaluated("sweep.pull", {{"pulls", pulls}, {"level", 2}}, plain);
     QVERIFY(*out.shape.get<Motion>() == applied);
     VERIFY_ERROR(evaluated("sweep.pull", {{"pulls", pulls}, {"level", 9}}, plain), ErrorCode::InvalidParameter);
+    // Of a target in space no coordinate is guessed.
+    const Value flat = Value::parse(R"([{"u": 0.3, "v": 0.4, "to": [3, 12]}])");
+    VERIFY_ERROR(evaluated("sweep.pull", {{"pulls", flat}}, plain), ErrorCode::InvalidParameter);
     VERIFY_ERROR(evaluated("sweep.twist", {{"level", -9}}, plain), ErrorCode::InvalidParameter);
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "level": 1.5}])", "edits[0].level", "whole number");
     expectDamaged(R"([{"at": [0, 0], "to": [1, 2, 3], "level": 9}])", "edits[0].level", "between -8 and 8");

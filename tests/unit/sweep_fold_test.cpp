@@ -4,9 +4,15 @@
 #include <numbers>
 
 #include "exchange/formats.h"
+#include "geometry/bspline/bspline.h"
+#include "geometry/crossing/surface_crossing.h"
 #include "support/motions.h"
 #include "support/support.h"
+#include "sweep/kernel/begin/primitive_motions.h"
+#include "sweep/kernel/edit/pull.h"
 #include "sweep/kernel/grid/motion_point.h"
+#include "sweep/kernel/grid/span_parameters.h"
+#include "sweep/kernel/product_surface.h"
 #include "sweep/kernel/validity.h"
 
 using namespace blossom;
@@ -86,6 +92,39 @@ class SweepFoldTest : public QObject {
         motion.scaling.poles.insert(motion.scaling.poles.end(), 2, Vec4(p.x(), p.y(), p.z(), 1));
       QVERIFY(!examine(motion).fold);
     }
+  }
+
+  /// A cylinder pulled along its axis until it runs back: all of it lies on the cylinder still, and what goes on beyond the
+  /// fold passes through nothing.
+  void sheetsThatLieOnEachOtherDoNotCross() {
+    const Motion cylinder =
+        primitiveMotion({.kind = PrimitiveKind::Cylinder, .radius = 10, .height = 40, .rows = 16, .columns = 16}).motion;
+    const MotionPlace at{0.25, 0.5};
+    const Vec3 from = evaluate(cylinder, at.u, at.v).point;
+    for (const double by : {12.0, drawn(10, 16), -12.0}) {
+      const Motion motion = pull(cylinder, {{at}, {from + Vec3(0, 0, by)}, {1, 0, 0}}).motion;
+      QVERIFY(examine(motion).fold);
+      for (int k = 0; k < 100; ++k) {
+        const Vec3 p = evaluate(motion, drawn(0, 1), drawn(0, 1)).point;
+        COMPARE_NEAR(std::hypot(p.x(), p.y()), 10, 1e-9);
+      }
+      const auto found = findCrossing(productSurface(motion).surface).deepest;
+      QVERIFY2(!found, qPrintable(QStringLiteral("%1 mm deep, pulled by %2").arg(found ? found->depth : 0).arg(by)));
+    }
+  }
+
+  /// What is sampled has a limit, and a fold among very many spans is found within it.
+  void manySpansAreSampledLess() {
+    QCOMPARE(partsWithin(12, 8, 8, 4'000'000), std::size_t{8});
+    QCOMPARE(partsWithin(600, 600, 8, 4'000'000), std::size_t{3});
+    QCOMPARE(partsWithin(5000, 5000, 8, 4'000'000), std::size_t{1});
+    Motion motion = aroundAxis(2, {0, 40, 80, 120, 100, 60, 100, 140, 200}, 10);
+    for (Surface* factor : {&motion.orientation, &motion.scaling}) {
+      std::vector<double> u, v;
+      for (int k = 1; k < 400; ++k) u.push_back(k / 400.0 + 1e-4), v.push_back(k / 400.0);
+      *factor = insertKnotsV(insertKnotsU(*factor, u), v);
+    }
+    QVERIFY(examine(motion).fold);
   }
 
   void samplesDoNotFold() {

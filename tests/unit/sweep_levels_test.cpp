@@ -9,6 +9,7 @@
 #include "sweep/kernel/begin/motion_knots.h"
 #include "sweep/kernel/begin/primitive_motions.h"
 #include "sweep/kernel/edit/edit_level.h"
+#include "sweep/kernel/edit/motion_symmetry.h"
 #include "sweep/kernel/edit/place_row.h"
 #include "sweep/kernel/edit/pull.h"
 #include "sweep/kernel/edit/twist.h"
@@ -345,6 +346,36 @@ class SweepLevelsTest : public QObject {
     std::printf("figure level_fold_asymmetry %.3g\nfigure level_fold_miss %.3g\n", worst, miss);
     QVERIFY2(worst <= 1e-12, qPrintable(QString::number(worst)));
     QVERIFY2(miss <= 1e-12, qPrintable(QString::number(miss)));
+  }
+
+  /// Copies repeat around the motion, so knots are left out in equal parts of u alone: with a number of rows for which that
+  /// is the same, a folded edit is the edit of all its copies at once.
+  void aFoldMeansNothingAlongV() {
+    auto random = seededRandom();
+    for (const bool isRing : {false, true})
+      for (int level = -5; level < 0; ++level) {
+        const PrimitiveKind kind = isRing ? PrimitiveKind::Torus : PrimitiveKind::Cylinder;
+        const Motion motion =
+            primitiveMotion({.kind = kind, .radius = 10, .profile = 3, .height = 40, .rows = 16, .columns = 16}).motion;
+        const double u = uniform(random, 0, 0.25), v = uniform(random, 0.05, 0.95);
+        MotionPull folded{{{u, v}}, {evaluate(motion, u, v).point + anyVector(random, 2)}, {0.5, 0, 1}};
+        folded.level = level;
+        folded.symmetry.fold = 4;
+        MotionPull all = folded;
+        all.symmetry.fold = 1, all.at.clear(), all.to.clear();
+        for (const SymmetricPlace& copy : symmetricPlaces(motion, folded.at[0], folded.symmetry)) {
+          const Vec3 middle = point(motion.trajectory, v);
+          all.at.push_back(copy.at);
+          all.to.push_back(middle + copy.turn * (folded.to[0] - middle));
+        }
+        const Motion a = pull(motion, folded).motion, b = pull(motion, all).motion;
+        QVERIFY(haveSameForm(a, b));
+        for (int i = 0; i < 100; ++i) {
+          const double x = uniform(random, 0, 1), y = uniform(random, 0, 1);
+          const double off = (evaluate(a, x, y).point - evaluate(b, x, y).point).norm();
+          QVERIFY2(off <= 1e-9, qPrintable(QString("level %1, ring %2: %3 mm").arg(level).arg(isRing).arg(off)));
+        }
+      }
   }
 
   void pinsHoldAtEveryLevel() {

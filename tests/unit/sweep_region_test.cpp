@@ -150,6 +150,21 @@ class SweepRegionTest : public QObject {
     QCOMPARE(editRegions(motion, {0.3, 0.5}, modeOf(Qt::Key_T, 0, 4)).size(), std::size_t{1});
   }
 
+  void theFoldDoesNotChangeTheRegionAlongV() {
+    for (const PrimitiveKind kind : {PrimitiveKind::Cylinder, PrimitiveKind::Torus}) {
+      const Motion motion = primitiveMotion({.kind = kind, .radius = 30, .profile = 6, .rows = 16, .columns = 16}).motion;
+      for (const int way : {Qt::Key_S, Qt::Key_R, Qt::Key_T})
+        for (int level = -4; level <= 1; ++level) {
+          const MotionPlace at{0.1, 0.4};
+          const EditRegion alone = editRegion(motion, at, modeOf(way, level)),
+                           folded = editRegion(motion, at, modeOf(way, level, 4));
+          QCOMPARE(folded.firstV, alone.firstV);
+          QCOMPARE(folded.lastV, alone.lastV);
+          QCOMPARE(folded.ring, alone.ring);
+        }
+    }
+  }
+
   void keysChangeTheLevel() {
     PullMode mode;
     QVERIFY(mode.levelText().isEmpty());

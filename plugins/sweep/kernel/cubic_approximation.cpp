@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "geometry/bspline/product.h"
 #include "kernel/cubic_spline.h"
+#include "kernel/edit/seam_v.h"
 #include "kernel/grid/motion_grid.h"
 #include "kernel/grid/motion_point.h"
 #include "kernel/surface_grid.h"
@@ -72,11 +73,18 @@ CubicBreaks breaksU(const Motion& motion) {
                       motion.closedU != ClosedU::No && seamIsSmooth(r) && seamIsSmooth(s));
 }
 
+/// The motion closes in v, and is C2 there.
+bool isSmoothRing(const Motion& motion) {
+  const auto joined = joinedInV(motion);
+  return joined &&
+         std::min({joined->trajectory.continuity, joined->orientation.continuity, joined->scaling.continuity}) >= 2;
+}
+
 CubicBreaks breaksV(const Motion& motion) {
   const Surface &r = motion.orientation, &s = motion.scaling;
   const Curve& t = motion.trajectory;
   return motionBreaks(std::vector<ProductFactor>{{t.degree, 1, t.knots}, {r.degreeV, 2, r.knotsV}, {s.degreeV, 1, s.knotsV}},
-                      false);
+                      isSmoothRing(motion));
 }
 
 CubicBreaks halved(const CubicBreaks& breaks, std::size_t maximumSpans) {
@@ -130,8 +138,9 @@ Rows pointsAtBreaks(const Motion& motion, const CubicBreaks& u, const CubicBreak
   Rows values = makeRows(grid.countU, grid.countV);
   for (std::size_t i = 0; i < grid.countU; ++i)
     for (std::size_t j = 0; j < grid.countV; ++j) put(values, i, j, grid.pointAt(i, j));
-  // Both sides of the seam are bitwise equal.
+  // Both sides of a seam are bitwise equal.
   if (motion.closedU != ClosedU::No) values.row(values.rows() - 1) = values.row(0);
+  if (v.periodic) values.rightCols<3>() = values.leftCols<3>().eval();
   return values;
 }
 
@@ -141,18 +150,22 @@ Surface interpolate(const Motion& motion, const CubicBreaks& u, const CubicBreak
   Rows slopesU = makeRows(placesU.size(), v.at.size()), slopesV = makeRows(u.at.size(), placesV.size()),
        twists = makeRows(placesU.size(), placesV.size());
   for (std::size_t i = 0; i < placesU.size(); ++i) {
+    progress.check();
     for (std::size_t j = 0; j < v.at.size(); ++j)
       put(slopesU, i, j, evaluate(motion, placesU[i].at, v.at[j], placesU[i].side).du);
     for (std::size_t j = 0; j < placesV.size(); ++j)
       put(twists, i, j, evaluate(motion, placesU[i].at, placesV[j].at, placesU[i].side, placesV[j].side).duv);
   }
-  for (std::size_t i = 0; i < u.at.size(); ++i)
+  for (std::size_t i = 0; i < u.at.size(); ++i) {
+    progress.check();
     for (std::size_t j = 0; j < placesV.size(); ++j)
       put(slopesV, i, j, evaluate(motion, u.at[i], placesV[j].at, KnotSide::Right, placesV[j].side).dv);
+  }
   if (motion.closedU != ClosedU::No) slopesV.row(slopesV.rows() - 1) = slopesV.row(0);
 
-  const Rows poles = interpolateCubic(v, transposedPoints(interpolateCubic(u, values, slopesU)),
-                                      transposedPoints(interpolateCubic(u, slopesV, twists)));
+  const Rows along = transposedPoints(interpolateCubic(u, values, slopesU)),
+             slopesAlong = placesV.empty() ? Rows(0, along.cols()) : transposedPoints(interpolateCubic(u, slopesV, twists));
+  const Rows poles = interpolateCubic(v, along, slopesAlong);
   Surface surface{3, 3, u.knots(), v.knots(), {}};
   surface.poles.reserve(static_cast<std::size_t>(poles.size() / 3));
   for (Eigen::Index i = 0; i < poles.cols() / 3; ++i)

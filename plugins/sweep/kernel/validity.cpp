@@ -19,7 +19,7 @@ namespace blossom::sweep {
 
 namespace {
 
-constexpr std::size_t placesInSpan = 8;
+constexpr std::size_t placesInSpan = 8, mostPlaces = 4'000'000;  // 13 numbers each
 
 /// Coefficients of W = tw |r|^2 sw as the first component of a surface.
 Surface denominator(const Motion& motion, const Progress& progress) {
@@ -173,11 +173,15 @@ double greville(int degree, const std::vector<double>& knots, std::size_t pole) 
 }  // namespace
 
 Validity examine(const Motion& motion, const Progress& progress) {
-  const NormalSamples samples(
-      motion, spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, placesInSpan),
-      spanParameters(motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots},
-                     placesInSpan),
-      progress);
+  const auto alongU = [&](std::size_t parts) {
+    return spanParameters(motion.domainU(), {&motion.orientation.knotsU, &motion.scaling.knotsU}, parts);
+  };
+  const auto alongV = [&](std::size_t parts) {
+    return spanParameters(motion.domainV(), {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots},
+                          parts);
+  };
+  const std::size_t parts = partsWithin(alongU(1).size() - 1, alongV(1).size() - 1, placesInSpan, mostPlaces);
+  const NormalSamples samples(motion, alongU(parts), alongV(parts), progress);
   Validity result = samples.least();
   for (const NormalSamples::Place& low : samples.lows()) {
     const Validity finer = leastAround(motion, samples, low, progress);

@@ -21,7 +21,8 @@ struct Validity {
   std::optional<Fold> fold;   ///< between neighbouring samples; none at an edge, however sharp
 };
 
-/// Samples 8 x 8 points of every span of the motion, and its ends. Around samples smaller than their neighbours, the least
+/// Samples 8 x 8 points of every span of the motion, and its ends; fewer of a motion of very many spans, so that they are no
+/// more than 4 million. Around samples smaller than their neighbours, the least
 /// of them first and 32 at most, finer samples are taken, until the normal vanishes or gets no smaller: a point through
 /// which the surface passes, or a line along which it folds, lies between the samples as a rule. O(samples), about 20 ns
 /// each, and 3 ms. @throws Error Cancelled.

@@ -65,17 +65,19 @@ EditRegion editRegion(const Motion& motion, const MotionPlace& at, const PullMod
   const PullWeights weights = mode.weights();
   const bool sections = weights.translate > 0;
   const BaseKnots base = baseKnots(motion);
-  const auto reach = [&](const SplineSpace& now, const std::vector<double>& knots, double t) {
-    return reachAt(levelSpace(withInnerKnots(now, knots), mode.level(), mode.symmetry().fold), t);
+  const auto reach = [&](const SplineSpace& now, const std::vector<double>& knots, int parts, double t) {
+    return reachAt(levelSpace(withInnerKnots(now, knots), mode.level(), parts), t);
   };
+  // Copies stand around the motion, at one v.
+  const int aroundU = mode.symmetry().fold, alongV = 1;
   std::pair<double, double> u{at.u, at.u}, v{at.v, at.v};
   const auto joined = joinedInV(motion);
   const auto addV = [&](const SplineSpace& now, const std::vector<double>& knots, JoinedEnds JoinedFactors::*ends) {
-    widen(v, reach(joined ? ringSpace(now, *joined.*ends) : now, knots, at.v));
+    widen(v, reach(joined ? ringSpace(now, *joined.*ends) : now, knots, alongV, at.v));
   };
   const auto add = [&](const Surface& factor, double closure, const std::array<std::vector<double>, 2>& knots,
                        JoinedEnds JoinedFactors::*ends) {
-    widen(u, reach(spaceInU(factor, closure), knots[0], at.u));
+    widen(u, reach(spaceInU(factor, closure), knots[0], aroundU, at.u));
     addV(spaceInV(factor), knots[1], ends);
   };
   if (sections) {

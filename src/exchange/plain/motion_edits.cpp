@@ -13,6 +13,7 @@ constexpr double fullTurn = 360;
 template <int N, class Entry>
 std::vector<Entry> oneOrMany(const MotionNode& node, const char* what, Entry (*of)(const Eigen::Matrix<double, N, 1>&)) {
   if (node.value.is_array() && !node.value.empty() && node.value.front().is_number()) return {of(node.numbers<N>(what))};
+  if (node.value.is_array() && node.value.empty()) node.fail(fmt::format("is empty; it must hold {} or several", what));
   std::vector<Entry> all;
   const std::size_t count = node.arraySize(what);
   for (std::size_t i = 0; i < count; ++i) all.push_back(of(node[i].numbers<N>(what)));
@@ -51,7 +52,8 @@ EditSymmetry readSymmetry(const MotionNode& node) {
 }
 
 template <class Edit>
-MotionEdit withCommonKeys(const MotionNode& node, Edit edit) {
+Edit withCommonKeys(const MotionNode& node) {
+  Edit edit;
   edit.at = readPlaces(node.at("at"));
   if (node.has("pins")) edit.pins = node.at("pins").value.empty() ? edit.pins : readPlaces(node.at("pins"));
   if (node.has("symmetry")) edit.symmetry = readSymmetry(node.at("symmetry"));
@@ -61,26 +63,25 @@ MotionEdit withCommonKeys(const MotionNode& node, Edit edit) {
 
 MotionEdit readPull(const MotionNode& node) {
   node.requireObject({"at", "to", "weights", "axis", "pins", "symmetry", "level"});
-  MotionPull pull;
+  MotionPull pull = withCommonKeys<MotionPull>(node);  // places first: they say how many targets there must be
   pull.to = readTargets(node.at("to"));
   if (node.has("weights")) pull.weights = readWeights(node.at("weights"));
   if (node.has("axis")) pull.axis = readAxis(node.at("axis"));
-  MotionEdit edit = withCommonKeys(node, pull);
-  const std::size_t places = std::get<MotionPull>(edit).at.size();
+  const std::size_t places = pull.at.size();
   if (pull.to.size() != places)
     node.at("to").fail(
         fmt::format("must hold one point for each of the {} places of \"at\"; it holds {}", places, pull.to.size()));
-  return edit;
+  return pull;
 }
 
 MotionEdit readTwist(const MotionNode& node) {
   node.requireObject({"at", "twist", "pins", "symmetry", "level"});
   const MotionNode given = node.at("twist");
   given.requireObject({"axis", "angle"});
-  MotionTwist twist;
+  MotionTwist twist = withCommonKeys<MotionTwist>(node);
   twist.axis = readAxis(given.at("axis"));
   twist.angle = given.at("angle").numberWithin(-fullTurn, fullTurn);
-  return withCommonKeys(node, twist);
+  return twist;
 }
 
 MotionEdit readEdit(const MotionNode& node) {

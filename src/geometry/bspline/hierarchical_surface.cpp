@@ -29,19 +29,24 @@ class SpanLine {
   /// Spans over a range, which in a closed direction may pass beyond the domain.
   [[nodiscard]] std::vector<std::size_t> within(double from, double to) const {
     std::vector<std::size_t> spans;
-    for (std::size_t i = 0; i < middles_.size(); ++i)
-      if (reaches(middles_[i], from, to)) spans.push_back(i);
+    const double period = domain_.second - domain_.first;
+    if (!closed_) {
+      addWithin(from, to, spans);
+    } else if (to - from >= period) {
+      addWithin(domain_.first, domain_.second, spans);
+    } else {
+      const double turns = std::floor((from - domain_.first) / period);
+      for (const double back : {turns + 1, turns}) addWithin(from - back * period, to - back * period, spans);
+    }
     return spans;
   }
 
  private:
-  [[nodiscard]] bool reaches(double middle, double from, double to) const {
-    if (middle > from && middle < to) return true;
-    if (!closed_) return false;
-    const double period = domain_.second - domain_.first;
-    if (to - from >= period) return true;
-    const double turns = std::ceil((from - middle) / period);
-    return middle + turns * period > from && middle + turns * period < to;
+  /// Those with their middles inside a range, in order.
+  void addWithin(double from, double to, std::vector<std::size_t>& spans) const {
+    auto middle = std::upper_bound(middles_.begin(), middles_.end(), from);
+    for (; middle != middles_.end() && *middle < to; ++middle)
+      spans.push_back(static_cast<std::size_t>(middle - middles_.begin()));
   }
 
   bool closed_;

@@ -47,9 +47,10 @@ std::vector<double> commonBreaks(std::span<const ProductFactor> factors) {
   return breaks;
 }
 
+/// Knots are sorted.
 int multiplicity(const ProductFactor& factor, double at, double tolerance) {
-  return static_cast<int>(std::count_if(factor.knots.begin(), factor.knots.end(),
-                                        [&](double knot) { return knot >= at && knot <= at + tolerance; }));
+  const auto first = std::lower_bound(factor.knots.begin(), factor.knots.end(), at);
+  return static_cast<int>(std::upper_bound(first, factor.knots.end(), at + tolerance) - first);
 }
 
 }  // namespace

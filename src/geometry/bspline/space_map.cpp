@@ -94,19 +94,23 @@ SpaceMap closedMap(const SplineSpace& coarse, const SplineSpace& fine) {
   const long periods = (2 * p + 2) / std::min(m, n) + 2, start = -periods * m;
   const PoleRows rows = rowsBetween(fine.degree, wide.run(start, periods * m + 1), narrow.run(-p, n + 1));
   SpaceMap map{static_cast<std::size_t>(m)};
-  std::vector<double> sums(static_cast<std::size_t>(m));
+  std::vector<std::pair<std::size_t, double>> sums;  // columns of one row, some of them copies of one another
   for (std::size_t i = 0; i < rows.size(); ++i, closeRow(map)) {
-    std::fill(sums.begin(), sums.end(), 0.0);
+    sums.clear();
     for (std::size_t k = 0; k < rows.width; ++k) {
       const long row = start + p + static_cast<long>(rows.first[i] + k);  // of the unwrapped poles
       const long turns = row >= 0 ? row / m : -((-row + m - 1) / m);
       const double weight = rows.weights[i * rows.width + k];
-      sums[static_cast<std::size_t>(row - turns * m)] += afterPeriods(coarse.closure, turns) * weight;
+      const auto column = static_cast<std::size_t>(row - turns * m);
+      const auto known = std::find_if(sums.begin(), sums.end(), [&](const auto& each) { return each.first == column; });
+      double& sum = known == sums.end() ? sums.emplace_back(column, 0.0).second : known->second;
+      sum += afterPeriods(coarse.closure, turns) * weight;
     }
-    for (std::size_t j = 0; j < sums.size(); ++j) {
-      if (sums[j] == 0) continue;
-      map.coarse.push_back(j);
-      map.weight.push_back(sums[j]);
+    std::sort(sums.begin(), sums.end());
+    for (const auto& [column, sum] : sums) {
+      if (sum == 0) continue;
+      map.coarse.push_back(column);
+      map.weight.push_back(sum);
     }
   }
   return map;

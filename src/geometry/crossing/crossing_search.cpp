@@ -50,7 +50,7 @@ double longestSide(const std::array<Vec3, 3>& t) {
 class Examiner {
  public:
   Examiner(const SheetMesh& mesh, const SmoothSheets& sheets, const CrossingOptions& o, const Progress& progress)
-      : mesh_(mesh), sheets_(sheets), depth_(o.depth * mesh.size), progress_(progress) {}
+      : mesh_(mesh), sheets_(sheets), around_(mesh, sheets), depth_(o.depth * mesh.size), progress_(progress) {}
 
   CrossingResult run(const MeetingTriangles& found) {
     CrossingResult result;
@@ -106,15 +106,15 @@ class Examiner {
   [[nodiscard]] double offIn(double radius) const {
     return std::clamp(offOfRadius * radius, leastOff * depth_, greatestOff * depth_);
   }
-  [[nodiscard]] Passage passageIn(const SheetMeeting& meeting, double radius) const {
-    return passageAt(mesh_, sheets_, meeting, radius, offIn(radius), progress_);
+  [[nodiscard]] Passage passageIn(const SheetMeeting& meeting, double radius) {
+    return around_.passageAt(meeting, radius, offIn(radius), progress_);
   }
 
   /// In balls that grow as long as there are two sheets in them; 0 when the sheets do not pass through each other. They
   /// begin where sheets at that angle could be told apart, and end where sheets that pass through each other would have
   /// shown it. On one side a slit may be all that a sheet reaches into, so there it is enough that the reach is no error;
   /// on the other it must be as deep as is looked for, be it in a wider ball, whose error is greater.
-  [[nodiscard]] std::optional<double> depthAt(const SheetMeeting& meeting) const {
+  [[nodiscard]] std::optional<double> depthAt(const SheetMeeting& meeting) {
     const double needed = neededReach * depth_;
     const double widest = std::min(shareOfSize * mesh_.size, 8 * depth_ / meeting.sine);
     std::optional<double> found;
@@ -135,7 +135,7 @@ class Examiner {
 
   /// The same where the sheets are tangent, so that small balls tell nothing: they touch when the first ball in which they
   /// part has one of them on one side only. Wider ones may hold parts of it that come round the border of the other.
-  [[nodiscard]] std::optional<double> depthOfTangent(const SheetMeeting& meeting) const {
+  [[nodiscard]] std::optional<double> depthOfTangent(const SheetMeeting& meeting) {
     const double needed = neededReach * depth_;
     std::optional<double> found;
     double radius = 2 * depth_;
@@ -153,6 +153,7 @@ class Examiner {
 
   const SheetMesh& mesh_;
   const SmoothSheets& sheets_;
+  Surroundings around_;
   double depth_;
   const Progress& progress_;
   std::vector<Vec3> examined_, tangent_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 
@@ -14,8 +15,8 @@ constexpr int undivided = -1;  // a side that is not halved
 
 class Divider {
  public:
-  Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong)
-      : points_(points), sheets_(sheets), tooLong_(tooLong) {}
+  Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong, DivisionMemory& memory)
+      : points_(points), sheets_(sheets), tooLong_(tooLong), memory_(memory) {}
 
   /// The middles of a triangle's sides, to be asked for all triangles before any is divided.
   void look(const SheetTriangle& t) {
@@ -66,6 +67,8 @@ class Divider {
     int middle = undivided;
   };
 
+  [[nodiscard]] const SurfaceFrame& frame(int face, const Vec2& at) const { return memory_.frame(sheets_, face, at); }
+
   /// The parameters of both ends of a side.
   struct Ends {
     Vec2 from, to;
@@ -77,7 +80,7 @@ class Divider {
   [[nodiscard]] Ends endsOf(const SheetTriangle& t, std::size_t k) const {
     constexpr double still = 1e-6;  // of the speed at the other end
     Ends ends{t.at[k], t.at[(k + 1) % 3]};
-    const SurfaceFrame a = sheets_.frame(t.face, ends.from), b = sheets_.frame(t.face, ends.to);
+    const SurfaceFrame a = frame(t.face, ends.from), b = frame(t.face, ends.to);
     const auto carryOver = [&](double fromSpeed, double toSpeed, Eigen::Index which) {
       if (fromSpeed <= still * toSpeed) ends.from[which] = ends.to[which];
       if (toSpeed <= still * fromSpeed) ends.to[which] = ends.from[which];
@@ -87,7 +90,7 @@ class Divider {
     return ends;
   }
 
-  static std::uint64_t keyOf(const SheetTriangle& t, std::size_t k) {
+  static DivisionMemory::Key keyOf(const SheetTriangle& t, std::size_t k) {
     const std::size_t l = (k + 1) % 3;
     const auto low = static_cast<std::uint64_t>(std::min(t.corners[k], t.corners[l])),
                high = static_cast<std::uint64_t>(std::max(t.corners[k], t.corners[l]));
@@ -95,6 +98,7 @@ class Divider {
   }
 
   void look(const SheetTriangle& t, std::size_t k) {
+    if (memory_.isShort(keyOf(t, k))) return;
     const auto [found, isNew] = sides_.try_emplace(keyOf(t, k));
     Side& side = found->second;
     if (!isNew && side.face == t.face) return;
@@ -102,15 +106,15 @@ class Divider {
     const Vec2 at = ends.middle();
     // Corners on a border may lie off this face: their middle belongs to the neighbouring face, and only its parameters lie
     // on this one. So the face tells how far a middle is from its chord, not where it is: a flat face stays flat.
-    const auto onFace = [&](const Vec2& parameters) { return sheets_.frame(t.face, parameters).point; };
+    const auto onFace = [&](const Vec2& parameters) { return frame(t.face, parameters).point; };
     const Vec3 bulge = onFace(at) - (onFace(ends.from) + onFace(ends.to)) / 2;
     side = isNew ? Side{t.face, at, bulge, false, undivided}
                  : Side{t.face, at, bulgeOfBoth(side, {t.face, at, bulge, false, undivided}), false, undivided};
   }
 
   [[nodiscard]] Vec3 normalAt(const Side& side) const {
-    const SurfaceFrame frame = sheets_.frame(side.face, side.at);
-    return frame.du.cross(frame.dv).normalized();
+    const SurfaceFrame there = frame(side.face, side.at);
+    return there.du.cross(there.dv).normalized();
   }
 
   /// Along an edge between two faces the middle lies on both: a flat end knows nothing of the round wall.
@@ -125,6 +129,7 @@ class Divider {
 
   /// The middle of the side from corner k to the next, one point for all its triangles.
   int middleOf(const SheetTriangle& t, std::size_t k) {
+    if (memory_.isShort(keyOf(t, k))) return undivided;
     Side& side = sides_.at(keyOf(t, k));
     if (side.isKnown) return side.middle;
     side.isKnown = true;
@@ -133,7 +138,10 @@ class Divider {
     Vec3 middle = (p + q) / 2 + side.bulge;
     // Where the parameters say little, as beside a pole, the chord is safer.
     if (!((middle - (p + q) / 2).norm() < (p - q).norm() / 2)) middle = (p + q) / 2;
-    if (!tooLong_(p, q, middle)) return undivided;
+    if (!tooLong_(p, q, middle)) {
+      memory_.setShort(keyOf(t, k));
+      return undivided;
+    }
     points_.push_back(middle);
     return side.middle = static_cast<int>(points_.size()) - 1;
   }
@@ -141,14 +149,28 @@ class Divider {
   std::vector<Vec3>& points_;
   const SmoothSheets& sheets_;
   const SideJudge& tooLong_;
+  DivisionMemory& memory_;
   std::unordered_map<std::uint64_t, Side> sides_;
 };
 
 }  // namespace
 
+std::size_t DivisionMemory::HashOfPlace::operator()(const Place& p) const {
+  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;  // 2^64 divided by the golden ratio
+  std::uint64_t hash = static_cast<std::uint64_t>(p.face);
+  for (const double each : {p.u, p.v}) hash = (hash ^ std::hash<double>{}(each)) * odd, hash ^= hash >> 29U;
+  return hash;
+}
+
+const SurfaceFrame& DivisionMemory::frame(const SmoothSheets& sheets, int face, const Vec2& at) {
+  const auto [found, isNew] = frames_.try_emplace(Place{face, at.x(), at.y()});
+  if (isNew) found->second = sheets.frame(face, at);
+  return found->second;
+}
+
 bool divideOnce(std::vector<Vec3>& points, std::vector<SheetTriangle>& triangles, const SmoothSheets& sheets,
-                const SideJudge& tooLong) {
-  Divider divider(points, sheets, tooLong);
+                const SideJudge& tooLong, DivisionMemory& memory) {
+  Divider divider(points, sheets, tooLong, memory);
   std::vector<SheetTriangle> made;
   made.reserve(2 * triangles.size());
   bool any = false;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <span>
 #include <unordered_map>
@@ -41,10 +42,11 @@ class Ball {
       return along.squaredNorm() > longest * longest ||
              along.cross(middle - p).squaredNorm() > off * off * along.squaredNorm();
     };
+    DivisionMemory memory;
     for (int round = 0; round < rounds && triangles.size() < many; ++round) {
       progress.check();
       std::erase_if(triangles, [&](const SheetTriangle& t) { return !reaches(at(t)); });
-      if (!divideOnce(points, triangles, sheets_, tooLong)) return;
+      if (!divideOnce(points, triangles, sheets_, tooLong, memory)) return;
     }
   }
 
@@ -79,6 +81,7 @@ class Ball {
 /// What hangs together over sides, all of its triangles turned one way round.
 struct LocalSheet {
   std::vector<Triangle3> triangles;
+  std::vector<SheetTriangle> onFace;     ///< the same on their faces, with the corners in the same order
   std::vector<std::array<bool, 3>> rim;  ///< whether the side from corner k to the next is of one triangle alone
   std::vector<Vec3> points;              ///< corners within the ball
   BoxTree<3> tree;                       ///< of the triangles
@@ -91,13 +94,14 @@ struct LocalSheet {
   }
 };
 
+/// The sheets of a ball, by numbers from 1.
 class Sheets {
  public:
-  explicit Sheets(const Ball& ball) : ball_(ball), mark_(ball.triangles.size(), 0) {
-    sides_.reserve(3 * ball.triangles.size());
-    for (std::size_t k = 0; k < ball.triangles.size(); ++k)
-      for (std::size_t i = 0; i < 3; ++i) sides_.emplace_back(side(k, i), k);
-    std::sort(sides_.begin(), sides_.end());
+  explicit Sheets(const Ball& ball) : ball_(ball), mark_(ball.triangles.size(), 0), sides_(3 * ball.triangles.size()) {
+    listSides();
+    int count = 0;
+    for (std::size_t k = 0; k < mark_.size(); ++k)
+      if (mark_[k] == 0) flood(k, ++count);
   }
 
   /// The triangle of a face nearest to a point, of those equally near the one nearest by its parameters.
@@ -107,42 +111,26 @@ class Sheets {
     for (std::size_t k = 0; k < ball_.triangles.size(); ++k) {
       const SheetTriangle& t = ball_.triangles[k];
       if (t.face != place.face) continue;
-      if ((closestOnTriangle(point, ball_.at(t)) - point).norm() > slack) continue;
       const double off = ((t.at[0] + t.at[1] + t.at[2]) / 3 - place.at).squaredNorm();
-      if (off < least) least = off, best = k;
+      if (off >= least || (closestOnTriangle(point, ball_.at(t)) - point).norm() > slack) continue;
+      least = off, best = k;
     }
     return best;
   }
 
-  /// Marks the sheet of a triangle by a number; false when it has another one already.
-  bool flood(std::size_t from, int number) {
-    if (mark_[from] != 0) return false;
-    std::vector<std::size_t> open{from};
-    mark_[from] = number;
-    while (!open.empty()) {
-      const std::size_t k = open.back();
-      open.pop_back();
-      for (std::size_t i = 0; i < 3; ++i)
-        for (const auto& [which, other] : over(side(k, i))) {
-          if (other == k || mark_[other] != 0) continue;
-          const bool sameWay = runsUp(k, side(k, i)) != runsUp(other, side(k, i));
-          mark_[other] = sameWay ? mark_[k] : -mark_[k];
-          open.push_back(other);
-        }
-    }
-    return true;
-  }
+  [[nodiscard]] int sheetOf(std::size_t triangle) const { return std::abs(mark_[triangle]); }
 
   [[nodiscard]] LocalSheet sheet(int number, const Vec3& middle, double radius) const {
     LocalSheet result;
     std::vector<bool> taken(ball_.points.size());
     for (std::size_t k = 0; k < ball_.triangles.size(); ++k) {
       if (std::abs(mark_[k]) != number) continue;
-      Triangle3 t = ball_.at(ball_.triangles[k]);
+      SheetTriangle t = ball_.triangles[k];
       std::array<bool, 3> rim{};
-      for (std::size_t i = 0; i < 3; ++i) rim[i] = over(side(k, i)).size() == 1;
-      if (mark_[k] < 0) std::swap(t[0], t[1]), std::swap(rim[1], rim[2]);
-      result.triangles.push_back(t);
+      for (std::size_t i = 0; i < 3; ++i) rim[i] = over(k, i).size() == 1;
+      if (mark_[k] < 0) std::swap(t.corners[0], t.corners[1]), std::swap(t.at[0], t.at[1]), std::swap(rim[1], rim[2]);
+      result.triangles.push_back(ball_.at(t));
+      result.onFace.push_back(t);
       result.rim.push_back(rim);
       for (const int corner : ball_.triangles[k].corners) {
         const auto c = static_cast<std::size_t>(corner);
@@ -159,23 +147,58 @@ class Sheets {
     const auto& corners = ball_.triangles[k].corners;
     return sideBetween(corners[i], corners[(i + 1) % 3]);
   }
-  [[nodiscard]] std::span<const std::pair<TriangleSide, std::size_t>> over(const TriangleSide& side) const {
-    const auto from = std::lower_bound(sides_.begin(), sides_.end(), std::pair(side, std::size_t{0}));
-    const auto to = std::find_if(from, sides_.end(), [&](const auto& each) { return each.first != side; });
-    return {from, to};
+  struct Listed {
+    TriangleSide side;
+    std::size_t triangle = 0, which = 0;  ///< of its three sides
+    friend auto operator<=>(const Listed&, const Listed&) = default;
+  };
+
+  void listSides() {
+    for (std::size_t k = 0; k < mark_.size(); ++k)
+      for (std::size_t i = 0; i < 3; ++i) sides_[3 * k + i] = {side(k, i), k, i};
+    std::sort(sides_.begin(), sides_.end());
+    from_.resize(sides_.size());
+    for (std::size_t first = 0, e = 0; e < sides_.size(); ++e) {
+      if (sides_[e].side != sides_[first].side) first = e;
+      from_[3 * sides_[e].triangle + sides_[e].which] = first;
+    }
   }
 
-  /// Whether a triangle runs along its side from the lower number to the higher one.
-  [[nodiscard]] bool runsUp(std::size_t k, const TriangleSide& wanted) const {
+  /// The triangles that have side i of triangle k.
+  [[nodiscard]] std::span<const Listed> over(std::size_t k, std::size_t i) const {
+    const std::size_t first = from_[3 * k + i];
+    std::size_t last = first;
+    while (last < sides_.size() && sides_[last].side == sides_[first].side) ++last;
+    return std::span(sides_).subspan(first, last - first);
+  }
+
+  /// Marks what hangs together with a triangle.
+  void flood(std::size_t seed, int number) {
+    std::vector<std::size_t> open{seed};
+    mark_[seed] = number;
+    while (!open.empty()) {
+      const std::size_t k = open.back();
+      open.pop_back();
+      for (std::size_t i = 0; i < 3; ++i)
+        for (const Listed& other : over(k, i)) {
+          if (mark_[other.triangle] != 0) continue;
+          const bool sameWay = runsUp(k, i) != runsUp(other.triangle, other.which);
+          mark_[other.triangle] = sameWay ? mark_[k] : -mark_[k];
+          open.push_back(other.triangle);
+        }
+    }
+  }
+
+  /// Whether a triangle runs along a side from the lower number to the higher one.
+  [[nodiscard]] bool runsUp(std::size_t k, std::size_t i) const {
     const auto& corners = ball_.triangles[k].corners;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (side(k, i) == wanted) return corners[i] < corners[(i + 1) % 3];
-    return true;
+    return corners[i] < corners[(i + 1) % 3];
   }
 
   const Ball& ball_;
-  std::vector<std::pair<TriangleSide, std::size_t>> sides_;  ///< sorted, with the triangles that have them
-  std::vector<int> mark_;  ///< number of the sheet, negative where the triangle is turned; 0: none
+  std::vector<int> mark_;          ///< number of the sheet, negative where the triangle is turned
+  std::vector<Listed> sides_;      ///< sorted
+  std::vector<std::size_t> from_;  ///< of side i of triangle k, at 3 k + i: its first place in `sides_`
 };
 
 /// Whether a point of a triangle lies on a side of it that is part of the rim.
@@ -188,40 +211,91 @@ bool isOnRim(const Triangle3& t, const std::array<bool, 3>& rim, const Vec3& foo
   return false;
 }
 
-/// The signed distance of a point from a sheet; 0 where the nearest point lies on the rim.
-double distanceFrom(const LocalSheet& sheet, const Vec3& p) {
-  constexpr double same = 1 + 1e-9;
-  double least = std::numeric_limits<double>::max();
-  std::vector<std::pair<std::size_t, Vec3>> nearest;
-  const auto visit = [&](std::size_t k) {
-    const Vec3 foot = closestOnTriangle(p, sheet.triangles[k]);
-    const double squared = (foot - p).squaredNorm();
-    if (squared > least * same) return;
-    if (squared * same < least) nearest.clear();
-    least = std::min(least, squared);
-    nearest.emplace_back(k, foot);
-  };
-  sheet.tree.walk([&](const Box3& box) { return squaredDistance(box, p); }, visit,
-                  [&](double squared) { return squared <= least * same; });
-  // Of the triangles around the nearest point the one that is seen most from the front tells the side.
-  double best = -1, result = 0;
-  for (const auto& [k, foot] : nearest) {
-    const Triangle3& t = sheet.triangles[k];
-    if (isOnRim(t, sheet.rim[k], foot)) return 0;
-    const double height = (p - foot).dot((t[1] - t[0]).cross(t[2] - t[0]).normalized());
-    if (std::abs(height) > best) best = std::abs(height), result = std::copysign(std::sqrt(least), height);
+/// The unit normal of the smooth face beside a point of a triangle, towards the side the triangle is seen from.
+Vec3 smoothNormal(const SmoothSheets& smooth, const SheetTriangle& onFace, const Triangle3& t, const Vec3& foot) {
+  constexpr double inwards = 0.1;  // off sides and corners, where the face may have no normal, or another one
+  const Vec3 ownNormal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double whole = ownNormal.squaredNorm();
+  Vec2 at = inwards * (onFace.at[0] + onFace.at[1] + onFace.at[2]) / 3;
+  for (std::size_t i = 0; i < 3 && whole > 0; ++i) {
+    const Vec3 &a = t[(i + 1) % 3], &b = t[(i + 2) % 3];
+    at += (1 - inwards) * (b - a).cross(foot - a).dot(ownNormal) / whole * onFace.at[i];
   }
-  return result;
+  const SurfaceFrame frame = smooth.frame(onFace.face, at);
+  const Vec2 first = onFace.at[1] - onFace.at[0], second = onFace.at[2] - onFace.at[0];
+  const double turn = first.x() * second.y() - first.y() * second.x();
+  const Vec3 normal = frame.du.cross(frame.dv);
+  const double length = normal.norm(), scale = std::max(frame.du.squaredNorm(), frame.dv.squaredNorm());
+  if (!(whole > 0) || turn == 0 || !(length > 1e-9 * scale)) return ownNormal.normalized();
+  return std::copysign(1 / length, turn) * normal;
 }
 
+/// Distances of points from a sheet, with the side that they lie on; 0 where the nearest point of the sheet is on its rim.
+class SheetSides {
+ public:
+  explicit SheetSides(const LocalSheet& sheet) : sheet_(sheet) {}
+
+  /// By the triangles.
+  double distance(const Vec3& p) {
+    constexpr double same = 1 + 1e-9;
+    least_ = std::numeric_limits<double>::max();
+    nearest_.clear();
+    const auto visit = [&](std::size_t k) {
+      const Vec3 foot = closestOnTriangle(p, sheet_.triangles[k]);
+      const double squared = (foot - p).squaredNorm();
+      if (squared > least_ * same) return;
+      if (squared * same < least_) nearest_.clear();
+      least_ = std::min(least_, squared);
+      nearest_.emplace_back(k, foot);
+    };
+    sheet_.tree.walk([&](const Box3& box) { return squaredDistance(box, p); }, visit,
+                     [&](double squared) { return squared <= least_ * same; });
+    for (const auto& [k, foot] : nearest_)
+      if (isOnRim(sheet_.triangles[k], sheet_.rim[k], foot)) return 0;
+    const double height = greatestHeight([&](std::size_t k, const Vec3& foot) {
+      const Triangle3& t = sheet_.triangles[k];
+      return (p - foot).dot((t[1] - t[0]).cross(t[2] - t[0]).normalized());
+    });
+    return std::copysign(std::sqrt(least_), height);
+  }
+
+  /// The height over the smooth face at the point that `distance` has just been asked for. It is the distance, except beyond
+  /// an edge: where a sheet folds back on itself, what lies in its plane beyond the fold is on neither side of it, although
+  /// it is far from it, and the triangles at the fold may stand in any direction.
+  [[nodiscard]] double smoothHeight(const SmoothSheets& smooth, const Vec3& p) const {
+    const double height = greatestHeight([&](std::size_t k, const Vec3& foot) {
+      return (p - foot).dot(smoothNormal(smooth, sheet_.onFace[k], sheet_.triangles[k], foot));
+    });
+    return std::copysign(std::min(std::abs(height), std::sqrt(least_)), height);
+  }
+
+ private:
+  /// Of the triangles around the nearest point the one that is seen most from the front tells the side.
+  template <class HeightOver>
+  [[nodiscard]] double greatestHeight(const HeightOver& over) const {
+    double best = 0;
+    for (const auto& [k, foot] : nearest_)
+      if (const double height = over(k, foot); std::abs(height) > std::abs(best)) best = height;
+    return best;
+  }
+
+  const LocalSheet& sheet_;
+  double least_ = 0;                                   ///< squared distance of the last point
+  std::vector<std::pair<std::size_t, Vec3>> nearest_;  ///< triangles, and their points
+};
+
 /// How far points reach on either side of a sheet.
-Passage reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, const Progress& progress) {
+Passage reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, const SmoothSheets& smooth,
+                     const Progress& progress) {
   constexpr std::size_t enough = 400;
   const std::size_t stride = points.size() / enough + 1;
+  SheetSides sides(sheet);
   double above = 0, below = 0;
   for (std::size_t k = 0; k < points.size(); k += stride) {
     progress.check();
-    const double d = distanceFrom(sheet, points[k]);
+    double d = sides.distance(points[k]);
+    // Smooth faces cost time: they are asked where it matters.
+    if (d > above || -d > below) d = sides.smoothHeight(smooth, points[k]);
     above = std::max(above, d);
     below = std::max(below, -d);
   }
@@ -230,17 +304,41 @@ Passage reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, c
 
 }  // namespace
 
-Passage passageAt(const SheetMesh& mesh, const SmoothSheets& smooth, const SheetMeeting& meeting, double radius, double off,
-                  const Progress& progress) {
-  Ball ball(mesh, smooth, meeting.point, radius);
+struct Surroundings::Divided {
+  Divided(Ball given, const Vec3& at, double within, double near)
+      : middle(at), radius(within), off(near), ball(std::move(given)), sheets(ball) {}
+
+  Vec3 middle;
+  double radius, off;
+  Ball ball;
+  Sheets sheets;
+};
+
+Surroundings::Surroundings(const SheetMesh& mesh, const SmoothSheets& smooth) : mesh_(mesh), smooth_(smooth) {}
+Surroundings::~Surroundings() = default;
+
+const Surroundings::Divided& Surroundings::around(const Vec3& middle, double radius, double off, const Progress& progress) {
+  constexpr double same = 0.01;  // of the radius
+  constexpr std::size_t most = 8;
+  for (const std::unique_ptr<Divided>& each : divided_)
+    if (each->radius == radius && each->off == off && (each->middle - middle).norm() <= same * radius) return *each;
+  Ball ball(mesh_, smooth_, middle, radius);
   ball.divide(radius / 4, off, progress);
-  Sheets sheets(ball);
+  auto made = std::make_unique<Divided>(std::move(ball), middle, radius, off);
+  if (divided_.size() == most) divided_.erase(divided_.begin());
+  return *divided_.emplace_back(std::move(made));
+}
+
+Passage Surroundings::passageAt(const SheetMeeting& meeting, double radius, double off, const Progress& progress) {
+  const Divided& here = around(meeting.point, radius, off, progress);
   const double slack = radius / 16;
-  const auto first = sheets.triangleAt(meeting.first, meeting.point, slack);
-  const auto second = sheets.triangleAt(meeting.second, meeting.point, slack);
-  if (!first || !second || !sheets.flood(*first, 1) || !sheets.flood(*second, 2)) return {};
-  const LocalSheet a = sheets.sheet(1, meeting.point, radius), b = sheets.sheet(2, meeting.point, radius);
-  const Passage ofA = reachThrough(a.points, b, progress), ofB = reachThrough(b.points, a, progress);
+  const auto first = here.sheets.triangleAt(meeting.first, meeting.point, slack),
+             second = here.sheets.triangleAt(meeting.second, meeting.point, slack);
+  if (!first || !second) return {};
+  const int one = here.sheets.sheetOf(*first), other = here.sheets.sheetOf(*second);
+  if (one == other) return {};
+  const LocalSheet a = here.sheets.sheet(one, here.middle, radius), b = here.sheets.sheet(other, here.middle, radius);
+  const Passage ofA = reachThrough(a.points, b, smooth_, progress), ofB = reachThrough(b.points, a, smooth_, progress);
   return ofA.lesser < ofB.lesser ? ofB : ofA;
 }
 

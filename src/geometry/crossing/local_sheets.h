@@ -1,6 +1,5 @@
 #pragma once
-#include <array>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "core/progress.h"
@@ -17,12 +16,29 @@ struct Passage {
   double lesser = 0, greater = 0;
 };
 
-/// Judges a meeting in a ball around it. The triangles there are divided on the smooth faces until their sides are a quarter
+/// Judges meetings in balls around them. The triangles there are divided on the smooth faces until their sides are a quarter
 /// of the radius and within `off` of the face; what hangs together over their sides is a sheet. Of the points of one sheet
-/// those count whose nearest point of the other is not on its rim. So what ends at a sheet, lies against it or passes beside
-/// it has no lesser reach beyond about twice `off`: a sheet that has points on both sides of another has passed through it.
-/// O(n log n) in the triangles of the ball.
-/// @throws Error Cancelled
-Passage passageAt(const SheetMesh&, const SmoothSheets&, const SheetMeeting&, double radius, double off, const Progress&);
+/// those count whose nearest point of the other is not on its rim, by their height over its smooth face. So what ends at a
+/// sheet, lies against it, passes beside it or goes on in its plane where it folds back has no lesser reach beyond about
+/// twice `off`: a sheet that has points on both sides of another has passed through it. The last few balls are kept, for
+/// many meetings at one place.
+class Surroundings {
+ public:
+  Surroundings(const SheetMesh&, const SmoothSheets&);
+  ~Surroundings();
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+  /// O(n log n) in the triangles of the ball. @throws Error Cancelled
+  Passage passageAt(const SheetMeeting&, double radius, double off, const Progress&);
+
+ private:
+  struct Divided;
+  const Divided& around(const Vec3& middle, double radius, double off, const Progress&);
+
+  const SheetMesh& mesh_;
+  const SmoothSheets& smooth_;
+  std::vector<std::unique_ptr<Divided>> divided_;  ///< the latest last
+};
 
 }  // namespace blossom

@@ -178,9 +178,10 @@ void refine(SheetMesh& mesh, const SmoothSheets& sheets, double chord, const Pro
   const auto isOff = [&](const Vec3& p, const Vec3& q, const Vec3& middle) {
     return (q - p).cross(middle - p).squaredNorm() > chord * chord * (q - p).squaredNorm();
   };
+  DivisionMemory memory;
   for (int round = 0; round < rounds; ++round) {
     progress.check();
-    if (!divideOnce(mesh.points, mesh.triangles, sheets, isOff)) return;
+    if (!divideOnce(mesh.points, mesh.triangles, sheets, isOff, memory)) return;
   }
 }
 

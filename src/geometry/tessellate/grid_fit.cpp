@@ -32,7 +32,7 @@ struct Fineness {
 /// within the angle. Only the part of S'' along the normal bends the surface; the rest is parametrisation. A turn that bends
 /// the surface by less than a fifth of the chord is too small to be seen and may exceed the angle.
 Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, const std::vector<double>& breaksV,
-                  const TessellationOptions& options) {
+                  const TessellationOptions& options, const Progress& progress) {
   constexpr int maximumByAngle = 64;
   constexpr double seen = 0.2;
   constexpr std::array<double, 4> places{0.02, 0.35, 0.65, 0.98};
@@ -48,6 +48,7 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
     lift(steps, std::max<double>(minimum, byBend * std::sqrt(3)));
   };
   for (std::size_t a = 0; a + 1 < breaksU.size(); ++a) {
+    progress.check();
     for (std::size_t b = 0; b + 1 < breaksV.size(); ++b) {
       for (const double pu : places) {
         for (const double pv : places) {
@@ -80,7 +81,7 @@ class GridFitter {
         progress_(progress),
         breaksU_(domainBreaks(surface.degreeU, surface.knotsU)),
         breaksV_(domainBreaks(surface.degreeV, surface.knotsV)),
-        fineness_(estimate(surface, breaksU_, breaksV_, options)) {
+        fineness_(estimate(surface, breaksU_, breaksV_, options, progress)) {
     const int minimumSteps = border == GridBorder::Shared ? 2 : 1;
     for (Steps* minimum : {&fineness_.minimumU, &fineness_.minimumV})
       if (static_cast<int>(minimum->size()) < minimumSteps) minimum->front() = std::max(minimum->front(), minimumSteps);

@@ -122,8 +122,8 @@ CurvePoint SmoothCurve::at(double t, std::size_t piece) const {
 }
 
 int SmoothCurve::frameMultiplicity(std::size_t k) const {
-  const auto multiplicity = std::count(curve_.knots.begin(), curve_.knots.end(), breaks_[k]);
-  if (curve_.degree - multiplicity >= 3) return 1;
+  const auto [first, last] = std::equal_range(curve_.knots.begin(), curve_.knots.end(), breaks_[k]);
+  if (curve_.degree - (last - first) >= 3) return 1;
   const Vec3 before = at(breaks_[k], k - 1).turning(), after = at(breaks_[k], k).turning();
   return (after - before).norm() > 1e-8 * (1 + before.norm() + after.norm()) ? 3 : 2;
 }

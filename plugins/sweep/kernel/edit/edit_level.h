@@ -13,7 +13,7 @@ namespace blossom::sweep {
 BaseKnots baseKnots(const Motion&);
 
 /// The whole space of a level: every span of the base halved `level` times, or knots left out -level times. @param parts
-/// copies of the edit around the motion: coarser knots repeat as often
+/// copies of the edit along this direction: coarser knots repeat as often
 SplineSpace levelSpace(const SplineSpace& base, int level, int parts);
 
 /// Where the functions that are not 0 at t reach; on a knot, up to rounding, those that begin or end there are left out. In

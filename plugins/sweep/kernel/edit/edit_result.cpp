@@ -23,6 +23,11 @@ Explanation reasonOf(Unreached why) {
     case Unreached::Opposite:
       return {"the target lies on the other side of the trajectory, and half a turn has no axis of its own",
               "Give an axis for it, or pull in two steps."};
+    case Unreached::AxisAlongArm:
+      return {
+          "the target lies on the other side of the trajectory, and the axis given for half a turn points along the line "
+          "from the trajectory to the point, which no turn about it moves",
+          "Give an axis across that line."};
     case Unreached::Cancelled:
       return {
           "the basis functions around this closed motion cancel each other there, so that no change of its poles "

@@ -13,6 +13,7 @@ enum class Unreached {
   OnTrajectory,        ///< a point on the trajectory cannot rotate
   TargetOnTrajectory,  ///< no direction leads from the trajectory to the target
   Opposite,            ///< half a turn, without an axis for it
+  AxisAlongArm,        ///< half a turn, and the axis for it points along the line from the trajectory to the point
   Cancelled,           ///< the basis functions of a closed motion cancel each other there
   TooClose,            ///< places ask for more than their common poles can do
   Pinned,              ///< the same, and pins hold some of these poles

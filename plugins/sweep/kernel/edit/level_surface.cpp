@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t mostPoles = 1'000'000;
 /// As in kernel/edit/place_row.h: with smaller shares, rounding would be enlarged a million times.
 constexpr double smallestPart = 1e-6;
+/// Copies of an edit stand around the motion, all of them at the same v: nothing has to repeat along it.
+constexpr int partsAlongV = 1;
 
 /// One direction of an edit: where its functions reach, and the space that has them.
 struct LevelLine {
@@ -22,12 +24,12 @@ struct LevelLine {
   SplineSpace space;
 };
 
-/// Of coarser levels the whole space is taken, of finer ones what lies around the places.
-LevelLine levelLine(const SplineSpace& base, const EditLevel& level, const std::vector<double>& at) {
+/// Of coarser levels the whole space is taken, of finer ones what lies around the places. @param parts see levelSpace
+LevelLine levelLine(const SplineSpace& base, int level, int parts, const std::vector<double>& at) {
   LevelLine line;
-  line.space = levelSpace(base, level.level, level.parts);
+  line.space = levelSpace(base, level, parts);
   for (const double t : at) line.reaches.push_back(reachAt(line.space, t));
-  if (level.level > 0) line.space = refinedInside(base, line.space, line.reaches);
+  if (level > 0) line.space = refinedInside(base, line.space, line.reaches);
   return line;
 }
 
@@ -88,8 +90,8 @@ LevelSurface::LevelSurface(const Surface& factor, double closure, const std::arr
                            const std::optional<JoinedEnds>& ring)
     : closure_(closure), nowU_(spaceInU(factor, closure)), nowV_(spaceInV(factor)) {
   const SplineSpace baseU = withInnerKnots(nowU_, base[0]), baseV = withInnerKnots(spaceAlong(nowV_, ring), base[1]);
-  const LevelLine u = levelLine(baseU, level, parametersOf<&MotionPlace::u>(places)),
-                  v = levelLine(baseV, level, parametersOf<&MotionPlace::v>(places));
+  const LevelLine u = levelLine(baseU, level.level, level.parts, parametersOf<&MotionPlace::u>(places)),
+                  v = levelLine(baseV, level.level, partsAlongV, parametersOf<&MotionPlace::v>(places));
   refinedU_ = unionOf(nowU_, u.space), refinedV_ = unionOf(nowV_, v.space);
   requirePossible(refinedU_, refinedV_);
   change_ = changeOver(baseU, baseV, level, u, v);
@@ -142,7 +144,8 @@ LevelCurve::LevelCurve(const Curve& trajectory, const std::vector<double>& base,
   const SplineSpace now = spaceOf(trajectory);
   SplineSpace along = spaceAlong(now, ring);
   if (ring) along.closure = 1;
-  const LevelLine line = levelLine(withInnerKnots(along, base), level, parametersOf<&MotionPlace::v>(places));
+  const LevelLine line =
+      levelLine(withInnerKnots(along, base), level.level, partsAlongV, parametersOf<&MotionPlace::v>(places));
   const SplineSpace refined = unionOf(now, line.space);
   if (!(refined == now)) {
     refined_.poles = mapped(embedding(now, refined), trajectory.poles);

@@ -15,7 +15,7 @@ namespace blossom::sweep {
 /// Which functions an edit changes.
 struct EditLevel {
   int level = 0;
-  int parts = 1;  ///< copies around the motion
+  int parts = 1;  ///< copies around the motion, along u
 };
 
 /// The change of an orientation or a scaling by an edit of some level: a surface of truncated hierarchical B-splines over

@@ -28,7 +28,8 @@ TurnTowards turnTowards(const Vec3& a, const Vec3& b, double share, const Vec3& 
   if (sine == 0 && cosine > 0) return {Vec4(1, 0, 0, 0)};
   if (sine > noAxis || cosine > 0) return {rotationAbout(normalPart(normal / sine, from).normalized(), angle)};
   const Vec3 chosen = normalPart(axis, from);
-  if (!(chosen.norm() > noAxis * axis.norm()) || axis.isZero(0)) return {std::nullopt, Unreached::Opposite};
+  if (axis.isZero(0)) return {std::nullopt, Unreached::Opposite};
+  if (!(chosen.norm() > noAxis * axis.norm())) return {std::nullopt, Unreached::AxisAlongArm};
   return {rotationAbout(chosen.normalized(), angle)};
 }
 

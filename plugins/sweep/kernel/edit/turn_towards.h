@@ -11,7 +11,8 @@ namespace blossom::sweep {
 /// points to b up to rounding however nearly opposite the two are.
 struct TurnTowards {
   std::optional<Vec4> turn;             ///< none when the vectors do not determine it
-  Unreached why = Unreached::Opposite;  ///< then: OnTrajectory (a = 0), TargetOnTrajectory (b = 0), Opposite
+  Unreached why = Unreached::Opposite;  ///< then: OnTrajectory (a = 0), TargetOnTrajectory (b = 0), Opposite,
+                                        ///< AxisAlongArm
 };
 
 /// @param share from 0 to 1  @param axis for opposite vectors, zero when there is none: what of it is normal to a

@@ -20,4 +20,9 @@ std::vector<double> spanParameters(std::pair<double, double> domain,
   return result;
 }
 
+std::size_t partsWithin(std::size_t spansU, std::size_t spansV, std::size_t parts, std::size_t most) {
+  while (parts > 1 && (spansU * parts + 1) * (spansV * parts + 1) > most) --parts;
+  return parts;
+}
+
 }  // namespace blossom::sweep

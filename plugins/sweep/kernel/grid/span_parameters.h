@@ -11,4 +11,8 @@ namespace blossom::sweep {
 std::vector<double> spanParameters(std::pair<double, double> domain,
                                    std::initializer_list<const std::vector<double>*> knotsOfFactors, std::size_t parts);
 
+/// The greatest number of parts of every span, `parts` at most and 1 at least, with which a grid has no more than `most`
+/// places.
+std::size_t partsWithin(std::size_t spansU, std::size_t spansV, std::size_t parts, std::size_t most);
+
 }  // namespace blossom::sweep

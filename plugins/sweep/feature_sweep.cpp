@@ -45,7 +45,8 @@ Surface exactSurface(const Motion& motion, Evaluated& out, const Progress& progr
   out.stats["min_weight"] = product.smallestWeight;
   out.stats["refinements"] = product.refinements;
   if (product.refinements > 0)
-    out.warnings.push_back("Knots were inserted to make every weight positive; the surface is the same, with more poles.");
+    out.warnings.push_back(
+        "Knots were inserted to keep every weight well above zero; the surface is the same, with more poles.");
   return product.surface;
 }
 

@@ -48,9 +48,9 @@ bool addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   return validity.fold.has_value();
 }
 
-void addWeight(const Motion& motion, Evaluated& out, const Progress& progress) {
+void addWeight(const Motion& motion, const Surface& surface, Evaluated& out) {
   constexpr double small = 1e-6;  // of the largest
-  const SmallestWeight smallest = smallestProductWeight(motion, progress);
+  const SmallestWeight smallest = smallestWeightOf(surface, motion);
   out.stats["min_weight_at"] = listOf(Vec2(smallest.u, smallest.v));
   out.stats["min_weight_place"] = listOf(smallest.place);
   if (smallest.weight < small)
@@ -96,7 +96,7 @@ void addDeviation(const Motion& motion, const Surface& surface, std::optional<do
 bool addAllButCrossing(const Motion& motion, const Surface& surface, std::optional<double> deviation, Evaluated& out,
                        const Progress& progress) {
   const bool folds = addNormal(motion, out, progress);
-  if (!deviation) addWeight(motion, out, progress);  // a cubic surface has no weights
+  if (!deviation) addWeight(motion, surface, out);  // a cubic surface has no weights
   addDeviation(motion, surface, deviation, out, progress);
   return folds;
 }

@@ -9,6 +9,7 @@
 #include <gp_Circ.hxx>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "geometry/shape/motion.h"
@@ -54,6 +55,36 @@ inline Motion coil(double radius, double height, double first, double last, int 
       motion.scaling.poles.emplace_back(r, r, r, 1);
     }
   return motion;
+}
+
+/// Poles of a circle about z in two rational cubic arcs over the knots 0, 1/2 and 1; two of those weights are `weight`,
+/// however small, and so lie at about `radius` / `weight`. `open` is in mm: how far the end misses the beginning.
+inline std::vector<Vec4> circleWithFarPoles(double radius, double weight, double open = 0) {
+  // A quadratic arc of half-angle a has the weights 1, cos a and 1, and as a cubic 1, (1 + 2 cos a) / 3 twice, and 1.
+  const double half = std::acos((3 * weight - 1) / 2);
+  std::vector<Vec4> poles;
+  for (const auto& [middle, a] :
+       {std::pair(std::numbers::pi, half), std::pair(2 * std::numbers::pi, std::numbers::pi - half)}) {
+    const auto at = [&](double angle, double w) { return Vec4(radius * std::cos(angle), radius * std::sin(angle), 0, w); };
+    const Vec4 from = at(middle - a, 1), apex = at(middle, std::cos(a)), to = at(middle + a, 1);
+    if (poles.empty()) poles.push_back(from);
+    poles.insert(poles.end(), {(from + 2 * apex) / 3, (2 * apex + to) / 3, to});
+  }
+  poles.back() = poles.front() + Vec4(0, 0, open, 0);
+  return poles;
+}
+
+/// That circle moved along a Bezier curve.
+inline Surface circleMoved(const std::vector<Vec4>& circle, const std::vector<Vec3>& way) {
+  Surface surface{3, static_cast<int>(way.size()) - 1, {0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, 1}, {}, {}};
+  surface.knotsV.assign(way.size(), 0.0);
+  surface.knotsV.insert(surface.knotsV.end(), way.size(), 1.0);
+  for (const Vec4& pole : circle)
+    for (const Vec3& p : way) {
+      surface.poles.push_back(pole);
+      surface.poles.back().head<3>() += pole[3] * p;
+    }
+  return surface;
 }
 
 /// Two lines of a profile in the xz plane, the second of which ends `by` beyond the first: (a, b), then (c, d) with d on the

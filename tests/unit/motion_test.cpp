@@ -250,6 +250,34 @@ class MotionTest : public QObject {
     QCOMPARE(knots[2], knots[3]);
     QCOMPARE(knots[6], knots[7]);
   }
+
+  /// The seam of a closed factor is a knot like others, which stands at both ends of the period.
+  void seamsThatTearAreRefused() {
+    Value closed = small();
+    closed["orientation"]["closed_u"] = "anti-periodic";
+    closed["orientation"]["knots"][0] = {0, 0.5, 1};
+    closed["scaling"] = Value::parse(R"({"degree": [3, 1], "knots": [[0, 0, 0, 0.5, 1, 1], [0, 0, 1, 1]], "poles": []})");
+    for (const double r : {10, 10, 14, 14, 10}) {
+      const Value pole{r, r, r, 1.0};
+      closed["scaling"]["poles"].push_back({pole, pole});
+    }
+    expectError(closed, "scaling.knots[0]", "repeats the knot of the seam, 0 = 1, 4 times");
+    closed["scaling"]["knots"][0] = {0.3, 0.3, 0.3, 0.5, 0.9, 1.3};  // three times: a corner
+    for (auto& knot : closed["orientation"]["knots"][0]) knot = knot.get<double>() + 0.3;
+    Motion motion = motionOf(closed);
+    validate(motion);
+    // Numbers of which one period later is not the same sum in floating point.
+    const Surface& s = motion.scaling;
+    std::vector<Vec4> poles(s.poles.begin(), s.poles.begin() + 10);
+    motion.scaling = unwrapped(3, 1, {0.3, 0.3, 0.3, 0.5, 1.3, 1.3}, s.knotsV, poles, 1);
+    try {
+      validate(motion);
+      QFAIL("accepted");
+    } catch (const Error& error) {
+      QCOMPARE(error.code(), ErrorCode::InvalidInput);
+      QVERIFY2(error.message().find("at its seam u = 0.3") != std::string::npos, error.what());
+    }
+  }
 };
 
 BLOSSOM_TEST(MotionTest)

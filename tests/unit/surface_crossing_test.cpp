@@ -5,7 +5,9 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/crossing/self_crossing.h"
 #include "geometry/crossing/surface_crossing.h"
+#include "geometry/occt/occt.h"
 #include "support/crossing_shapes.h"
 #include "support/support.h"
 
@@ -103,6 +105,23 @@ class SurfaceCrossingTest : public QObject {
       QVERIFY(found->depth > 0 && found->depth <= gap + poke);
     }
     for (const double gap : {0.003, 0.005, 0.01, 0.1}) QVERIFY(!findCrossing(woundBand(gap, 0)).deepest);
+  }
+
+  /// A tube along a loop that comes back through itself. Poles of small weights lie far beyond it and tell nothing of its
+  /// size.
+  void polesFarAwayDoNotHideACrossing() {
+    const std::vector<Vec3> loop{{-20, 0, 0}, {150, 0, 150}, {-150, 0, 150}, {20, 0, 0}};
+    const CrossingResult plain = findCrossing(circleMoved(circleWithFarPoles(10, 0.4), loop));
+    QVERIFY(plain.deepest);
+    for (const double weight : {1e-3, 1e-5, 1e-7}) {
+      const TopoDS_Shape face = toFace(circleMoved(circleWithFarPoles(10, weight), loop));
+      const CrossingResult found = findCrossing(face);
+      QVERIFY2(found.deepest, qPrintable(QStringLiteral("weight %1").arg(weight)));
+      COMPARE_NEAR(found.size, plain.size, 0.01 * plain.size);
+      QVERIFY(selfCrossing(face, Progress::none()));
+    }
+    const std::vector<Vec3> straight{{0, 0, 0}, {0, 0, 40}};
+    QVERIFY(!findCrossing(toFace(circleMoved(circleWithFarPoles(10, 1e-7), straight))).deepest);
   }
 
   /// The gap changes its sign where its slope is zero, or next to it.

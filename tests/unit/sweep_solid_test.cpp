@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/measure/measure.h"
+#include "support/crossing_shapes.h"
 #include "support/motion_integrals.h"
 #include "support/motion_samples.h"
 #include "support/motions.h"
@@ -77,6 +78,16 @@ class SweepSolidTest : public QObject {
         QVERIFY(there.start == here.start && there.end == here.end);
       }
     }
+  }
+
+  /// What is the same point is told by the size of the surface: a gap stays one however far poles of small weights lie.
+  void gapsAreFoundBesidePolesFarAway() {
+    const std::vector<Vec3> straight{{0, 0, 0}, {0, 0, 40}};
+    const double weight = 1e-6, gap = 1e-4;  // poles at 1e7
+    const SolidResult closed = makeSolid(circleMoved(circleWithFarPoles(10, weight), straight));
+    verifySolid(closed);
+    COMPARE_NEAR(volumeOf(closed), pi * 100 * 40, 1e-5 * pi * 100 * 40);
+    VERIFY_ERROR(makeSolid(circleMoved(circleWithFarPoles(10, weight, gap), straight)), ErrorCode::InvalidInput);
   }
 
   void cylinderHasItsVolume() {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
@@ -78,8 +80,16 @@ Surface multiply(const Motion& motion, const Progress& progress) {
   return assemble({coordinate(0), coordinate(1), coordinate(2), multiplied(t[3], dsw)}, grid, progress);
 }
 
-/// A power of two is exact: no pole changes its place.
-void scaleWeights(Surface& surface) {
+/// Coefficients of W as they were if nothing cancelled in them: those of the factors without the signs of their poles. The
+/// rounding errors of W are a share of these, and a coefficient that is far below its own belongs to quaternions that nearly
+/// cancel, not to short ones.
+Surface uncancelledWeights(Motion motion, const Progress& progress) {
+  for (Vec4& pole : motion.orientation.poles) pole = pole.cwiseAbs();
+  return weightCoefficients(motion, progress);
+}
+
+/// A power of two is exact: no pole changes its place. @returns it
+double scaleWeights(Surface& surface) {
   double largest = 0;
   for (const Vec4& pole : surface.poles) largest = std::max(largest, std::abs(pole[3]));
   if (!(largest > 0) || !std::isfinite(largest))
@@ -89,9 +99,18 @@ void scaleWeights(Surface& surface) {
   std::frexp(largest, &exponent);
   const double factor = std::ldexp(1.0, -exponent);
   for (Vec4& pole : surface.poles) pole *= factor;
+  return factor;
 }
 
+/// The last row becomes the first, bit for bit.
 void closeSeam(Surface& surface) {
+  constexpr double rounding = 1e-6;  // of the largest component, for any degree and knots
+  double largest = 0, apart = 0;
+  for (const Vec4& pole : surface.poles) largest = std::max(largest, pole.cwiseAbs().maxCoeff());
+  for (std::size_t j = 0; j < surface.countV(); ++j)
+    apart = std::max(apart, (surface.pole(surface.countU() - 1, j) - surface.pole(0, j)).norm());
+  if (!(apart <= rounding * largest))
+    throw Error(ErrorCode::Internal, "The swept surface of a closed motion does not close at its seam.");
   for (std::size_t j = 0; j < surface.countV(); ++j) surface.pole(surface.countU() - 1, j) = surface.pole(0, j);
 }
 
@@ -104,16 +123,45 @@ std::vector<double> middles(int degree, const std::vector<double>& knots, const 
   return {result.begin(), result.end()};
 }
 
-/// @returns false when there was nothing to mend.
-bool refineWhereNegative(const Surface& surface, Motion& motion) {
+/// Poles whose weights are zero, negative or small because quaternions nearly cancel in them.
+struct WeakPoles {
   std::set<std::size_t> rows, columns;
-  for (std::size_t i = 0; i < surface.countU(); ++i)
-    for (std::size_t j = 0; j < surface.countV(); ++j)
-      if (surface.pole(i, j)[3] <= 0) rows.insert(i), columns.insert(j);
-  if (rows.empty()) return false;
+  bool usable = true;  ///< every weight is positive, and not by an error of rounding
+};
+
+/// @param factor that of scaleWeights
+WeakPoles weakPoles(const Surface& surface, const Motion& motion, double factor, const Progress& progress) {
+  constexpr double clear = 1e-2;      // of the largest: a pole lies within some 100 times the size, and has 14 digits
+  constexpr double rounding = 1e-13;  // of what would be there if nothing cancelled; some 100 times what was seen
+  WeakPoles weak;
+  double largest = 0;
+  for (const Vec4& pole : surface.poles) largest = std::max(largest, pole[3]);
+  if (std::all_of(surface.poles.begin(), surface.poles.end(), [&](const Vec4& pole) { return pole[3] >= clear * largest; }))
+    return weak;
+  const Surface whole = uncancelledWeights(motion, progress);
+  for (std::size_t k = 0; k < surface.poles.size(); ++k) {
+    const double weight = surface.poles[k][3], uncancelled = factor * whole.poles[k][3];
+    if (weight > 0 && weight >= clear * std::min(largest, uncancelled)) continue;
+    weak.rows.insert(k / surface.countV());
+    weak.columns.insert(k % surface.countV());
+    if (!(weight > rounding * uncancelled)) weak.usable = false;
+  }
+  return weak;
+}
+
+Motion refinedAt(const WeakPoles& weak, const Surface& surface, Motion motion) {
   Surface& r = motion.orientation;
-  r = insertKnotsU(clamped(r), middles(surface.degreeU, surface.knotsU, rows));
-  r = insertKnotsV(r, middles(surface.degreeV, surface.knotsV, columns));
+  r = insertKnotsU(clamped(r), middles(surface.degreeU, surface.knotsU, weak.rows));
+  r = insertKnotsV(r, middles(surface.degreeV, surface.knotsV, weak.columns));
+  return motion;
+}
+
+bool fitsMemory(const Motion& motion) {
+  try {
+    productGrid(motion);
+  } catch (const Error&) {
+    return false;
+  }
   return true;
 }
 
@@ -127,27 +175,46 @@ PatchGrid productGrid(const Motion& motion) {
                            {t.degree, 1, t.knots}, {r.degreeV, 2, r.knotsV}, {s.degreeV, 1, s.knotsV}})});
 }
 
+Surface weightCoefficients(const Motion& motion, const Progress& progress) {
+  const PatchGrid grid = productGrid(motion);
+  const auto r = patchPolynomials(motion.orientation, grid, progress);
+  PatchPolynomial square = product(r[0], r[0], 1, progress);
+  for (std::size_t c = 1; c < 4; ++c) square.addProduct(r[c], r[c], 1, progress);
+  const PatchPolynomial scaled = product(square, patchPolynomials(motion.scaling, grid, progress)[3], 1, progress),
+                        weight = product(patchPolynomialsInV(motion.trajectory, grid, progress)[3], scaled, 1, progress);
+  return assemble({weight, weight, weight, weight}, grid, progress);
+}
+
 ProductResult productSurface(const Motion& motion, const ProductOptions& options, const Progress& progress) {
   const PatchGrid grid = productGrid(motion);
   requireDegree("u", grid.u(), "twice that of the orientation and that of the scaling");
   requireDegree("v", grid.v(), "that of the trajectory, twice that of the orientation and that of the scaling");
   requireNonVanishing(motion.orientation, progress);
+  constexpr int mostForAccuracy = 2;  // rounds for weights that are positive already
   ProductResult result;
   Motion refined = motion;
-  while (true) {
+  for (int forAccuracy = 0;;) {
     // Most often the first round is the last.
     const double left = std::pow(0.2, result.refinements);
     const Progress round = progress.part(1 - left, 1 - 0.2 * left);
     result.surface = multiply(refined, round);
     round.report(1, sweeping);
-    scaleWeights(result.surface);
+    const double factor = scaleWeights(result.surface);
     if (motion.closedU != ClosedU::No) closeSeam(result.surface);
-    if (!refineWhereNegative(result.surface, refined)) break;
-    if (++result.refinements > options.refinements)
+    const WeakPoles weak = weakPoles(result.surface, refined, factor, progress);
+    if (weak.rows.empty()) break;
+    const bool last = result.refinements >= options.refinements;
+    if (weak.usable && (last || forAccuracy == mostForAccuracy)) break;
+    if (last)
       throw Error(
           ErrorCode::Degenerate,
           fmt::format("Some weights of the swept surface stay negative after {} knot insertions.", options.refinements),
           "The orientation turns too fast somewhere; give it more poles there.");
+    Motion finer = refinedAt(weak, result.surface, refined);
+    if (weak.usable && !fitsMemory(finer)) break;
+    refined = std::move(finer);
+    ++result.refinements;
+    if (weak.usable) ++forAccuracy;
   }
   result.smallestWeight = smallestWeight(result.surface);
   return result;

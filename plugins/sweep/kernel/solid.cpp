@@ -26,6 +26,7 @@
 #include "core/error.h"
 #include "core/place_text.h"
 #include "geometry/crossing/self_crossing.h"
+#include "geometry/crossing/sheet_mesh.h"
 #include "geometry/occt/occt.h"
 #include "kernel/end_outline.h"
 
@@ -38,18 +39,14 @@ constexpr double sameFarAway = 1.5e-14;  // of the coordinates, which have no fi
 
 Vec3 euclidean(const Vec4& pole) { return pole.head<3>() / pole[3]; }
 
-double sizeOf(const Surface& surface) {
-  Vec3 low = euclidean(surface.poles[0]), high = low;
-  for (const Vec4& pole : surface.poles) low = low.cwiseMin(euclidean(pole)), high = high.cwiseMax(euclidean(pole));
-  return (high - low).norm();
+/// How far apart points may lie that are the same one: the size is that of the surface, as poles of small weights lie
+/// anywhere.
+double nearOf(const Box3& box) {
+  return std::max(same * box.diagonal().norm(), sameFarAway * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
 }
 
-/// How far apart points may lie that are the same one.
-double nearOf(const Surface& surface, double size) {
-  double farthest = 0;
-  for (const Vec4& pole : surface.poles) farthest = std::max(farthest, euclidean(pole).norm());
-  return std::max(same * size, sameFarAway * farthest);
-}
+/// The same beside a pole, which may lie far beyond the surface and has no finer steps there.
+double nearAt(const Vec4& pole, double near) { return std::max(near, sameFarAway * euclidean(pole).norm()); }
 
 /// Copies line `from` of poles to line `to` when they represent the same curve: the same points, weights in a fixed ratio.
 /// @param step,lines stride inside a line and between positions, as indices into the pole array
@@ -57,7 +54,8 @@ bool mergeLines(Surface& surface, std::size_t from, std::size_t to, std::size_t 
   const double ratio = surface.poles[to][3] / surface.poles[from][3];
   for (std::size_t i = 0; i < count; ++i) {
     const Vec4 &a = surface.poles[from + i * step], &b = surface.poles[to + i * step];
-    if ((euclidean(a) - euclidean(b)).norm() > near || std::abs(b[3] - ratio * a[3]) > same * std::abs(b[3])) return false;
+    if ((euclidean(a) - euclidean(b)).norm() > nearAt(a, near) || std::abs(b[3] - ratio * a[3]) > same * std::abs(b[3]))
+      return false;
   }
   // Quaternions of another length at one end leave their weights in a ratio: the curve is the same, and keeps its ratio.
   const double kept = std::abs(ratio - 1) > same ? ratio : 1.0;
@@ -85,7 +83,7 @@ std::optional<Vec3> planeNormal(const std::vector<Vec4>& poles, const Vec3& orig
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
   const Vec3 normal = solver.eigenvectors().col(0);
   for (const Vec4& pole : poles)
-    if (std::abs(normal.dot(euclidean(pole) - origin)) > tolerance) return {};
+    if (std::abs(normal.dot(euclidean(pole) - origin)) > nearAt(pole, tolerance)) return {};
   return normal;
 }
 
@@ -181,7 +179,8 @@ TopoDS_Solid outwardSolid(const TopoDS_Shell& shell) {
 }
 
 SolidResult build(Surface surface, const Progress& progress) {
-  const double size = sizeOf(surface), near = nearOf(surface, size);
+  const Box3 box = sampledBox(surface, progress);
+  const double size = box.diagonal().norm(), near = nearOf(box);
   const std::size_t nu = surface.countU(), nv = surface.countV();
   if (!mergeLines(surface, 0, (nu - 1) * nv, 1, nv, near))
     throw Error(ErrorCode::InvalidInput, "This motion is not closed in u, so the surface encloses no body.",

@@ -21,17 +21,6 @@ namespace {
 
 constexpr std::size_t placesInSpan = 8, mostPlaces = 4'000'000;  // 13 numbers each
 
-/// Coefficients of W = tw |r|^2 sw as the first component of a surface.
-Surface denominator(const Motion& motion, const Progress& progress) {
-  const PatchGrid grid = productGrid(motion);
-  const auto r = patchPolynomials(motion.orientation, grid, progress);
-  PatchPolynomial square = product(r[0], r[0], 1, progress);
-  for (std::size_t c = 1; c < 4; ++c) square.addProduct(r[c], r[c], 1, progress);
-  const PatchPolynomial scaled = product(square, patchPolynomials(motion.scaling, grid, progress)[3], 1, progress),
-                        weight = product(patchPolynomialsInV(motion.trajectory, grid, progress)[3], scaled, 1, progress);
-  return assemble({weight, weight, weight, weight}, grid, progress);
-}
-
 /// Lengths of x_u cross x_v on a grid of parameters.
 class NormalSamples {
  public:
@@ -197,12 +186,15 @@ Validity examine(const Motion& motion, const Progress& progress) {
 }
 
 SmallestWeight smallestProductWeight(const Motion& motion, const Progress& progress) {
-  const Surface weights = denominator(motion, progress);
+  return smallestWeightOf(weightCoefficients(motion, progress), motion);
+}
+
+SmallestWeight smallestWeightOf(const Surface& weights, const Motion& motion) {
   std::size_t smallest = 0;
   double largest = 0;
   for (std::size_t k = 0; k < weights.poles.size(); ++k) {
-    if (weights.poles[k][0] < weights.poles[smallest][0]) smallest = k;
-    largest = std::max(largest, std::abs(weights.poles[k][0]));
+    if (weights.poles[k][3] < weights.poles[smallest][3]) smallest = k;
+    largest = std::max(largest, std::abs(weights.poles[k][3]));
   }
   if (!(largest > 0) || !std::isfinite(largest))
     throw Error(ErrorCode::Degenerate, "The weights of the swept surface vanish or overflow.",
@@ -210,7 +202,7 @@ SmallestWeight smallestProductWeight(const Motion& motion, const Progress& progr
   int exponent = 0;
   std::frexp(largest, &exponent);
   SmallestWeight result;
-  result.weight = std::ldexp(weights.poles[smallest][0], -exponent);
+  result.weight = std::ldexp(weights.poles[smallest][3], -exponent);
   result.u = greville(weights.degreeU, weights.knotsU, smallest / weights.countV());
   result.v = greville(weights.degreeV, weights.knotsV, smallest % weights.countV());
   result.place = evaluate(motion, result.u, result.v).point;

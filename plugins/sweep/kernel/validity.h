@@ -41,4 +41,8 @@ struct SmallestWeight {
 /// @throws as productKnots; Error Degenerate where all coefficients vanish or overflow; Cancelled.
 SmallestWeight smallestProductWeight(const Motion&, const Progress& = Progress::none());
 
+/// The same of the weights of a surface that was made from the motion, knots inserted or not: those that are exported.
+/// @throws Error Degenerate where all weights vanish or overflow.
+SmallestWeight smallestWeightOf(const Surface&, const Motion&);
+
 }  // namespace blossom::sweep

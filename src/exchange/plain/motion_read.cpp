@@ -112,6 +112,10 @@ Surface closeInU(const MotionNode& knotsMotionNode, int degreeU, int degreeV, st
     surface.knotsU = std::move(knotsU);
   }
   requireContinuous(knotsMotionNode, period, degreeU, 0, period.size());
+  if (const int times = seamMultiplicity(period); times > degreeU)
+    knotsMotionNode.fail(
+        fmt::format("repeats the knot of the seam, {} = {}, {} times, more than {}, which tears the factor apart",
+                    period.front(), period.back(), times, degreeU));
   return surface;
 }
 

@@ -7,8 +7,6 @@
 
 #include "geometry/crossing/crossing_search.h"
 #include "geometry/mesh/winding_field.h"
-#include "geometry/shape/bounds.h"
-#include "geometry/shape/brep.h"
 
 namespace blossom {
 namespace {
@@ -31,8 +29,12 @@ bool isWrong(int winding) { return winding != 0 && winding != 1; }
 /// The space around triangles that meet.
 class Around {
  public:
-  Around(const SheetMesh& mesh, double chord, const Progress& progress)
-      : mesh_(mesh), chord_(chord), progress_(progress), field_(trianglesOf(mesh), progress), tree_(trianglesOf(mesh)) {}
+  Around(const SheetMesh& mesh, const Progress& progress)
+      : mesh_(mesh),
+        chord_(mesh.chord),
+        progress_(progress),
+        field_(trianglesOf(mesh), progress),
+        tree_(trianglesOf(mesh)) {}
 
   /// Whether a point near a pair, clear of the surface and of the error of its triangles, is enclosed twice or inside out.
   /// Around a crossing one of the four wedges between the two sheets is.
@@ -77,13 +79,12 @@ class Around {
 
 std::optional<Vec3> selfCrossing(const TopoDS_Shape& solid, const Progress& progress) {
   const CrossingOptions options;
-  const double chord = chordFor(options) * bounds(Shape(Brep(solid))).diagonal();
-  const SheetMesh mesh = sheetMesh(solid, chord, progress);
+  const SheetMesh mesh = sheetMeshWithin(chordFor(options), solid, progress);
   const MeetingTriangles found = meetingTriangles(mesh, pairsKept, progress);
   if (found.pairs.empty() && found.lying.empty()) return {};
   if (const auto deepest = searchCrossing(mesh, SmoothSheets(solid), found, options, progress).deepest)
     return deepest->point;
-  const Around around(mesh, chord, progress);
+  const Around around(mesh, progress);
   for (const TrianglePair& pair : found.lying)
     if (around.isWallWithoutThickness(pair)) return pair.place;
   const std::size_t stride = (found.pairs.size() + pairsTried - 1) / pairsTried;

@@ -8,6 +8,8 @@
 #include "geometry/crossing/divided_triangles.h"
 #include "geometry/numeric/box_tree.h"
 #include "geometry/numeric/union_find.h"
+#include "geometry/shape/bounds.h"
+#include "geometry/shape/brep.h"
 #include "geometry/tessellate/brep_mesher.h"
 #include "geometry/tessellate/grid_fit.h"
 
@@ -217,7 +219,7 @@ DirectionCone joinedCone(const DirectionCone& a, const DirectionCone& b) {
   return {axis, std::max(turnBetween(axis, a.axis) + a.halfAngle, turnBetween(axis, b.axis) + b.halfAngle)};
 }
 
-double sampledSize(const Surface& surface, const Progress& progress) {
+Box3 sampledBox(const Surface& surface, const Progress& progress) {
   const auto along = [](int degree, const std::vector<double>& knots) {
     const std::vector<double> breaks = domainBreaks(degree, knots);
     return samples(degree, knots, breaks, std::vector<int>(breaks.size() - 1, 4), 1, Kinks::Once);
@@ -226,12 +228,18 @@ double sampledSize(const Surface& surface, const Progress& progress) {
                                         along(surface.degreeV, surface.knotsV), progress, GridNormals::No);
   Box3 box;
   for (const Vec3& p : grid.points) box.extend(p);
-  return box.diagonal().norm();
+  return box;
+}
+
+double sampledSize(const Surface& surface, const Progress& progress) {
+  return sampledBox(surface, progress).diagonal().norm();
 }
 
 SheetMesh sheetMesh(const Surface& surface, double chord, const Progress& progress) {
   const TessellationOptions options{.chord = chord, .angle = anglesOfSheets};
-  return GridBlocks(fitGrid(surface, options, GridBorder::Own, progress)).finished();
+  SheetMesh mesh = GridBlocks(fitGrid(surface, options, GridBorder::Own, progress)).finished();
+  mesh.chord = chord;
+  return mesh;
 }
 
 SheetMesh sheetMesh(const TopoDS_Shape& shape, double chord, const Progress& progress) {
@@ -240,6 +248,7 @@ SheetMesh sheetMesh(const TopoDS_Shape& shape, double chord, const Progress& pro
   const Tessellation made = meshShape(shape, {.chord = coarser * chord, .angle = anglesOfSheets}, progress, &origins);
   SheetMesh mesh;
   mesh.points = made.points;
+  mesh.chord = chord;
   setSize(mesh);
   mesh.triangles.reserve(made.triangles.size());
   for (std::size_t k = 0; k < made.triangles.size(); ++k) {
@@ -254,6 +263,20 @@ SheetMesh sheetMesh(const TopoDS_Shape& shape, double chord, const Progress& pro
   std::erase_if(mesh.triangles, isWithoutArea);
   refine(mesh, SmoothSheets(shape), chord, progress);
   blocksOfLeaves(mesh, progress);
+  return mesh;
+}
+
+SheetMesh sheetMeshWithin(double share, const TopoDS_Shape& shape, const Progress& progress) {
+  constexpr double enough = 1.25;  // at most the whole depth for two sheets, see chordFor
+  constexpr int rounds = 6;
+  // The box of a rational face is that of its poles, and one of a small weight lies anywhere. What the triangles span is
+  // known when they are made; those of a far too large chord are few.
+  double chord = share * bounds(Shape(Brep(shape))).diagonal();
+  SheetMesh mesh = sheetMesh(shape, chord, progress);
+  for (int round = 0; round < rounds && mesh.size > 0 && chord > enough * share * mesh.size; ++round) {
+    chord = share * mesh.size;
+    mesh = sheetMesh(shape, chord, progress);
+  }
   return mesh;
 }
 

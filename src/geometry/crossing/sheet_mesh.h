@@ -44,6 +44,7 @@ struct SheetMesh {
   std::size_t blocksU = 0, blocksV = 0;   ///< of a grid, block (i, j) is i * blocksV + j; else 0
   bool closedU = false, closedV = false;  ///< of a grid: its first and last rows are joined
   double size = 0;                        ///< mm, diagonal of the box around all points
+  double chord = 0;                       ///< mm, how far the triangles may be off the faces
 
   [[nodiscard]] std::array<Vec3, 3> at(const SheetTriangle& t) const {
     return {points[static_cast<std::size_t>(t.corners[0])], points[static_cast<std::size_t>(t.corners[1])],
@@ -51,7 +52,11 @@ struct SheetMesh {
   }
 };
 
-/// The diagonal of the box around points of a surface.
+/// The box around points of a surface, four or more to a span either way: that of the poles may be far larger, as one of a
+/// small weight lies anywhere.
+Box3 sampledBox(const Surface&, const Progress& = Progress::none());
+
+/// Its diagonal, mm.
 double sampledSize(const Surface&, const Progress& = Progress::none());
 
 /// A grid of the whole surface within `chord`, in blocks of 8 x 8 cells. @throws as tessellate.
@@ -60,5 +65,9 @@ SheetMesh sheetMesh(const Surface&, double chord, const Progress& = Progress::no
 /// All faces of a shape within `chord`, numbered as TopExp::MapShapes does, in blocks that lie near together; oriented as
 /// the faces are. @throws as tessellate.
 SheetMesh sheetMesh(const TopoDS_Shape&, double chord, const Progress& = Progress::none());
+
+/// The same within about that share of the shape's own size (1.25 times it at most), be the poles of its faces ever so far
+/// away. @throws as tessellate.
+SheetMesh sheetMeshWithin(double share, const TopoDS_Shape&, const Progress& = Progress::none());
 
 }  // namespace blossom

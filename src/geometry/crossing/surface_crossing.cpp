@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "geometry/crossing/crossing_search.h"
-#include "geometry/shape/bounds.h"
-#include "geometry/shape/brep.h"
 
 namespace blossom {
 
@@ -17,8 +15,7 @@ CrossingResult findCrossing(const Surface& surface, const CrossingOptions& o, co
 }
 
 CrossingResult findCrossing(const TopoDS_Shape& shape, const CrossingOptions& o, const Progress& progress) {
-  const double size = bounds(Shape(Brep(shape))).diagonal();
-  const SheetMesh mesh = sheetMesh(shape, chordFor(o) * size, progress);
+  const SheetMesh mesh = sheetMeshWithin(chordFor(o), shape, progress);
   return searchCrossing(mesh, SmoothSheets(shape), meetingTriangles(mesh, pairsKept, progress), o, progress);
 }
 

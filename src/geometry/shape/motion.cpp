@@ -42,6 +42,16 @@ void requireContinuity(const char* factor, int degree, const std::vector<double>
       fail(factor, fmt::format("it tears apart at the knot {}, which has a multiplicity above the degree.", knots[i]));
 }
 
+/// Knots at the seam count on both of its sides: inside the domain they stand nowhere.
+void requireContinuousSeam(const char* factor, const Surface& surface) {
+  const std::vector<double>& knots = surface.knotsU;
+  const auto degree = static_cast<std::ptrdiff_t>(surface.degreeU);
+  const int multiplicity = seamMultiplicity({knots.begin() + degree, knots.end() - degree});
+  if (multiplicity > surface.degreeU)
+    fail(factor, fmt::format("it tears apart at its seam u = {}, whose knot has a multiplicity of {}, above the degree.",
+                             surface.domainU().first, multiplicity));
+}
+
 void requireClosed(const char* factor, const Surface& surface, double sign) {
   const std::size_t degree = static_cast<std::size_t>(surface.degreeU), period = surface.countU() - degree;
   const auto [first, last] = surface.domainU();
@@ -80,6 +90,12 @@ void requireBase(const Motion& motion) {
 
 }  // namespace
 
+int seamMultiplicity(const std::vector<double>& periodU) {
+  const auto first = std::find_if(periodU.begin(), periodU.end(), [&](double k) { return k != periodU.front(); });
+  const auto last = std::find_if(periodU.rbegin(), periodU.rend(), [&](double k) { return k != periodU.back(); });
+  return static_cast<int>(first - periodU.begin()) + static_cast<int>(last - periodU.rbegin()) - 1;
+}
+
 Surface unwrapped(int degreeU, int degreeV, const std::vector<double>& periodU, std::vector<double> knotsV,
                   std::vector<Vec4> poles, double sign) {
   const std::size_t rows = periodU.size() - 1, columns = knotsV.size() - static_cast<std::size_t>(degreeV) - 1;
@@ -115,6 +131,8 @@ void validate(const Motion& motion) {
   if (motion.closedU == ClosedU::No) return;
   requireClosed("orientation", motion.orientation, motion.closedU == ClosedU::AntiPeriodic ? -1.0 : 1.0);
   requireClosed("scaling", motion.scaling, 1.0);
+  requireContinuousSeam("orientation", motion.orientation);
+  requireContinuousSeam("scaling", motion.scaling);
 }
 
 namespace {

@@ -42,13 +42,17 @@ struct Motion {
   friend bool operator==(const Motion&, const Motion&) = default;
 };
 
+/// How often the knot at the seam stands in one period u0..un of a closed factor: u0 and un are the same one.
+int seamMultiplicity(const std::vector<double>& periodU);
+
 /// Unwrapped surface from the n = periodU.size() - 1 rows of a periodic one over the knots u0..un: the first degreeU rows
 /// are repeated at the end, times `sign` for each period passed (-1 for anti-periodic quaternions).
 Surface unwrapped(int degreeU, int degreeV, const std::vector<double>& periodU, std::vector<double> knotsV,
                   std::vector<Vec4> poles, double sign);
 
 /// @throws Error InvalidInput naming the factor and the mistake: sizes, knots, domains that differ, values that are not
-/// finite, weights that are not positive, a closed factor whose last rows do not repeat its first ones, base knots that the
+/// finite, weights that are not positive, a factor that a knot tears apart, at the seam, too, a closed
+/// one whose last rows do not repeat its first ones, base knots that the
 /// factor does not have.
 void validate(const Motion&);
 

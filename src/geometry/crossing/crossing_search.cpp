@@ -153,7 +153,7 @@ class Examiner {
 
   const SheetMesh& mesh_;
   const SmoothSheets& sheets_;
-  Surroundings around_;
+  SheetSurroundings around_;
   double depth_;
   const Progress& progress_;
   std::vector<Vec3> examined_, tangent_;

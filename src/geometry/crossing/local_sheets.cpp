@@ -304,7 +304,7 @@ Passage reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, c
 
 }  // namespace
 
-struct Surroundings::Divided {
+struct SheetSurroundings::Divided {
   Divided(Ball given, const Vec3& at, double within, double near)
       : middle(at), radius(within), off(near), ball(std::move(given)), sheets(ball) {}
 
@@ -314,10 +314,11 @@ struct Surroundings::Divided {
   Sheets sheets;
 };
 
-Surroundings::Surroundings(const SheetMesh& mesh, const SmoothSheets& smooth) : mesh_(mesh), smooth_(smooth) {}
-Surroundings::~Surroundings() = default;
+SheetSurroundings::SheetSurroundings(const SheetMesh& mesh, const SmoothSheets& smooth) : mesh_(mesh), smooth_(smooth) {}
+SheetSurroundings::~SheetSurroundings() = default;
 
-const Surroundings::Divided& Surroundings::around(const Vec3& middle, double radius, double off, const Progress& progress) {
+const SheetSurroundings::Divided& SheetSurroundings::around(const Vec3& middle, double radius, double off,
+                                                            const Progress& progress) {
   constexpr double same = 0.01;  // of the radius
   constexpr std::size_t most = 8;
   for (const std::unique_ptr<Divided>& each : divided_)
@@ -329,7 +330,7 @@ const Surroundings::Divided& Surroundings::around(const Vec3& middle, double rad
   return *divided_.emplace_back(std::move(made));
 }
 
-Passage Surroundings::passageAt(const SheetMeeting& meeting, double radius, double off, const Progress& progress) {
+Passage SheetSurroundings::passageAt(const SheetMeeting& meeting, double radius, double off, const Progress& progress) {
   const Divided& here = around(meeting.point, radius, off, progress);
   const double slack = radius / 16;
   const auto first = here.sheets.triangleAt(meeting.first, meeting.point, slack),

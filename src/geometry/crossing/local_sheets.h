@@ -22,12 +22,12 @@ struct Passage {
 /// sheet, lies against it, passes beside it or goes on in its plane where it folds back has no lesser reach beyond about
 /// twice `off`: a sheet that has points on both sides of another has passed through it. The last few balls are kept, for
 /// many meetings at one place.
-class Surroundings {
+class SheetSurroundings {
  public:
-  Surroundings(const SheetMesh&, const SmoothSheets&);
-  ~Surroundings();
-  Surroundings(const Surroundings&) = delete;
-  Surroundings& operator=(const Surroundings&) = delete;
+  SheetSurroundings(const SheetMesh&, const SmoothSheets&);
+  ~SheetSurroundings();
+  SheetSurroundings(const SheetSurroundings&) = delete;
+  SheetSurroundings& operator=(const SheetSurroundings&) = delete;
 
   /// O(n log n) in the triangles of the ball. @throws Error Cancelled
   Passage passageAt(const SheetMeeting&, double radius, double off, const Progress&);

@@ -1,5 +1,6 @@
 #include "kernel/curves/hermite_spline.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -91,8 +91,10 @@ std::vector<Segment> segmentsOf(const Region& region, double chord) {
 bool segmentsCross(const Region& region, double touching, double chord, const Progress& progress) {
   const std::vector<Segment> segments = segmentsOf(region, chord);
   std::vector<Stretch> stretches;
+  stretches.reserve(segments.size());
   for (const Segment& segment : segments) stretches.push_back(stretchOf(segment));
   std::vector<Box2> boxes;
+  boxes.reserve(segments.size());
   for (const Stretch& stretch : stretches) boxes.push_back(stretch.box);
   bool crossing = false;
   forEachNearPair<2>(boxes, 0, progress, [&](std::size_t i, std::size_t j) {

@@ -2,6 +2,7 @@
 #include "feature_types.h"
 #include "kernel/begin/motion_knots.h"
 #include "kernel/begin/primitive_motions.h"
+#include "kernel/edit/apply_edits.h"
 
 namespace blossom::sweep {
 
@@ -55,11 +56,13 @@ struct RefineParameters {
 
 Evaluated evaluateRefine(const RefineParameters& p, const Inputs& inputs, const Progress& progress) {
   progress.check();
-  const Motion& motion = inputs.get<Motion>();
-  validate(motion);
+  const Motion& given = inputs.get<Motion>();
+  validate(given);
   if (p.factors == Factors::Trajectory && !p.u.empty())
     throw Error(ErrorCode::InvalidParameter, "The trajectory has knots in v alone; knots in u are given.",
                 "Leave u empty, or choose other factors.");
+  // More knots are finer levels, at which the same edits would change other parts.
+  const Motion motion = withEditsApplied(given, progress);
   const auto gets = [&](Factors factor) { return p.factors == Factors::All || p.factors == factor; };
   Motion fine = withKnots(motion, {.u = p.u,
                                    .v = p.v,
@@ -68,6 +71,7 @@ Evaluated evaluateRefine(const RefineParameters& p, const Inputs& inputs, const 
                                    .scaling = gets(Factors::Scaling)});
   validate(fine);
   Evaluated out;
+  if (!given.edits.empty()) out.stats["edits"] = given.edits.size();
   addNet(fine, out.stats);
   out.shape = std::move(fine);
   return out;

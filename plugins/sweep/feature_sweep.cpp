@@ -4,6 +4,7 @@
 #include "kernel/edit/apply_edits.h"
 #include "kernel/product_surface.h"
 #include "kernel/solid.h"
+#include "kernel/validity.h"
 #include "validity_report.h"
 
 namespace blossom::sweep {
@@ -77,6 +78,7 @@ Evaluated sweep(const SweepParameters& p, const Inputs& inputs, const Progress& 
   const Progress making = progress.part(0.05, p.solid ? 0.5 : 0.8);
   const Surface surface =
       p.mode == Mode::Exact ? exactSurface(motion, out, making) : cubicSurface(motion, p.tolerance, out, making);
+  requireArea(motion, progress);
   if (!p.solid) {
     addValidity(motion, surface, measuredDeviation(out), out, progress.part(0.8, 1));
     out.shape = surface;

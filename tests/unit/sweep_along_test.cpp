@@ -189,6 +189,7 @@ class SweepAlongTest : public QObject {
       const PolarProfile profile(circle);
       QVERIFY((profile.centre() - Vec3(70, 3, 0)).norm() < 1e-9);
       COMPARE_NEAR(profile.at(1.234).radius, 5, 1e-12);
+      COMPARE_NEAR(profile.reach(), 5, 1e-12);  // not where its poles are
       COMPARE_NEAR(profile.at(4).slopeLeft, 0, 1e-9);
       const CurveMotionResult round = motionFromCurve(line, {.profile = profile, .tolerance = 1e-3});
       QVERIFY(round.deviation < 1e-9);
@@ -238,6 +239,26 @@ class SweepAlongTest : public QObject {
     std::vector<Vec2> twice;
     for (int i = 0; i < 7; ++i) twice.emplace_back(10 * std::cos(4 * pi * i / 7), 10 * std::sin(4 * pi * i / 7));
     VERIFY_ERROR(PolarProfile{polygon(twice)}, ErrorCode::InvalidInput);
+  }
+
+  /// A factor that all weights have in common changes nothing, nor do weights that come from another parameter.
+  void weightsDoNotDecideWhatIsSmooth() {
+    for (const double factor : {1e-3, 1e-6, 1e6}) {
+      Curve scaled = star(5, 4, 10);
+      for (Vec4& pole : scaled.poles) pole *= factor;
+      const PolarProfile profile(scaled);
+      COMPARE_NEAR(profile.reach(), 10, 1e-9);
+    }
+    Curve arch{3, {0, 0, 0, 0, 1, 1, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0, 20, 0, 1), Vec4(30, 20, 5, 1), Vec4(30, 0, 5, 1)}};
+    const double length = SmoothCurve(arch).length(0, 1);
+    for (const double base : {0.1, 0.01, 100.0}) {
+      Curve other = arch;
+      for (int i = 0; i < 4; ++i) other.poles[static_cast<std::size_t>(i)] *= std::pow(base, i);
+      COMPARE_NEAR(SmoothCurve(other).length(0, 1), length, 1e-8 * length);
+    }
+    // A cusp stays one: the pole in the middle of a line doubled back.
+    const Curve cusp{2, {0, 0, 0, 1, 1, 1}, {Vec4(0, 0, 0, 1), Vec4(0.1, 0, 0, 0.01), Vec4(0, 0, 0, 0.0001)}};
+    VERIFY_ERROR(SmoothCurve{cusp}, ErrorCode::Degenerate);
   }
 
   void outlinesInAnyPlane() {

@@ -203,6 +203,31 @@ class SweepCubicTest : public QObject {
     }
   }
 
+  /// The product is never formed, so its degree, 5 + 2 * 22 + 12, does not matter.
+  void anyDegreeIsFollowed() {
+    const auto line = [](int degree) {
+      std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
+      knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, 1.0);
+      return knots;
+    };
+    Motion motion = primitiveMotion({.radius = 10, .height = 40}).motion;
+    motion.trajectory = {5, line(5), {}};
+    for (int j = 0; j <= 5; ++j) motion.trajectory.poles.emplace_back(0, 0, 8.0 * j, 1);
+    for (const auto& [factor, degree] : {std::pair(&motion.orientation, 22), std::pair(&motion.scaling, 12)}) {
+      const Surface plain = *factor;
+      factor->degreeV = degree, factor->knotsV = line(degree), factor->poles.clear();
+      for (std::size_t i = 0; i < plain.countU(); ++i)
+        factor->poles.insert(factor->poles.end(), static_cast<std::size_t>(degree) + 1, plain.pole(i, 0));
+    }
+    const CubicResult cubic = approximateCubic(motion, {.tolerance = 1e-3});
+    QVERIFY(cubic.deviation <= 1e-3);
+    auto random = seededRandom();
+    for (int i = 0; i < 300; ++i) {
+      const double u = randomIn(random, motion.domainU()), v = randomIn(random, motion.domainV());
+      QVERIFY((point(cubic.surface, u, v) - evaluate(motion, u, v).point).norm() <= 1.1e-3);
+    }
+  }
+
   void impossibleToleranceIsRefused() {
     VERIFY_ERROR(approximateCubic(readMotionOf("propeller.json"), {.tolerance = 1e-9, .maximumSpans = 200}),
                  ErrorCode::LimitExceeded);

@@ -201,6 +201,24 @@ class SweepEditsTest : public QObject {
     }
   }
 
+  /// More knots are finer levels: edits of the file come first, or they would change other parts.
+  void refiningKeepsWhatTheEditsMake() {
+    const Motion given = readEdited(Value::parse(R"([
+      {"at": [0.5, 0.5], "to": [-16, 0, 20], "weights": {"scale": 1}},
+      {"at": [0.125, 0.25], "twist": {"axis": [1, 1, 0], "angle": 20}}])"));
+    const Motion applied = withEditsApplied(given);
+    const Evaluated refined =
+        evaluated("sweep.refine", {{"u", Value::array({0.45, 0.55})}, {"v", Value::array({0.45, 0.55})}}, given);
+    QCOMPARE(refined.stats.at("edits").get<int>(), 2);
+    const Motion& fine = *refined.shape.get<Motion>();
+    QVERIFY(fine.edits.empty());
+    auto random = seededRandom();
+    for (int i = 0; i < 200; ++i) {
+      const double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
+      QVERIFY((evaluate(fine, u, v).point - evaluate(applied, u, v).point).norm() < 1e-10);
+    }
+  }
+
   void editsOutOfReachAreErrorsWithTheirPlace() {
     const Motion scaled = readEdited(Value::parse(R"([
       {"at": [0, 0.5], "to": [15, 0, 20]}, {"at": [0, 0.5], "to": [10, 0, 20]},

@@ -12,6 +12,7 @@
 #include "support/motions.h"
 #include "support/support.h"
 #include "sweep/kernel/begin/primitive_motions.h"
+#include "sweep/kernel/begin/turning_spline.h"
 #include "sweep/kernel/cubic_approximation.h"
 #include "sweep/kernel/product_surface.h"
 #include "sweep/kernel/solid.h"
@@ -148,6 +149,34 @@ class SweepSolidTest : public QObject {
     const SolidResult drop = makeSolid(productSurface(tube({0, 8, 9, 5}, 0)).surface);
     verifySolid(drop);
     QCOMPARE(drop.end, EndCap::Planar);
+  }
+
+  /// What is a point beside the size of the body becomes one, though OCCT could tell its poles apart.
+  void endsThatAreNearlyPointsBecomePoints() {
+    for (const double top : {1e-7, 1e-6, 2e-6, 5e-6}) {
+      Motion cone = primitiveMotion({.kind = PrimitiveKind::Cylinder, .radius = 1000, .height = 10000}).motion;
+      const auto greville = grevilleAbscissae(cone.scaling.degreeV, cone.scaling.knotsV);
+      for (std::size_t i = 0; i < cone.scaling.countU(); ++i)
+        for (std::size_t j = 0; j < cone.scaling.countV(); ++j)
+          cone.scaling.pole(i, j).head<3>() *= (1000 * (1 - greville[j]) + top * greville[j]) / 1000;
+      const SolidResult solid = makeSolid(productSurface(cone).surface);
+      verifySolid(solid);
+      QCOMPARE(solid.end, EndCap::Point);
+      const double wanted = pi * 1e6 * 1e4 / 3;
+      COMPARE_NEAR(volumeOf(solid), wanted, 1e-6 * wanted);
+    }
+  }
+
+  /// The ends of a body are told apart however short the domain of its parameters is.
+  void shortDomainsHaveTheirEnds() {
+    for (const double length : {1e-6, 1e-8, 1e6}) {
+      Motion motion = readMotionOf("cylinder.json");
+      for (std::vector<double>* knots : {&motion.trajectory.knots, &motion.orientation.knotsV, &motion.scaling.knotsV})
+        for (double& knot : *knots) knot *= length;
+      const SolidResult solid = makeSolid(productSurface(motion).surface);
+      verifySolid(solid);
+      COMPARE_NEAR(volumeOf(solid), pi * 100 * 40, 1e-6 * pi * 100 * 40);
+    }
   }
 
   void bentEndsAreClosedByCones() {

@@ -91,6 +91,21 @@ class SweepWeightsTest : public QObject {
     for (const std::string& warning : swept.warnings)
       QVERIFY2(warning.find("smallest weight") == std::string::npos, warning.c_str());
   }
+
+  /// On the axis of the turn, or where the frame begins, a point sweeps a line; beside it, however thin a tube.
+  void whatHasNoAreaIsRefused() {
+    Motion motion = readMotionOf("cylinder.json");
+    for (const Vec3& p : {Vec3(0, 0, 1), Vec3(0, 0, 0)}) {
+      motion.point = p;
+      VERIFY_ERROR(made("sweep", {}, {motion}), ErrorCode::Degenerate);
+      VERIFY_ERROR(made("sweep", {{"mode", "cubic"}}, {motion}), ErrorCode::Degenerate);
+    }
+    for (const double x : {1e-3, 1e-7}) {
+      motion.point = Vec3(x, 0, 1);
+      requireArea(motion);
+    }
+    for (const char* name : {"torus.json", "helicoid.json", "propeller.json"}) requireArea(readMotionOf(name));
+  }
 };
 
 BLOSSOM_TEST(SweepWeightsTest)

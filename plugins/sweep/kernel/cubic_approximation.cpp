@@ -44,16 +44,10 @@ CubicBreaks apart(const CubicBreaks& breaks) {
 
 /// Distinct knots of all factors in one direction, with the multiplicity that a cubic needs for the same smoothness.
 CubicBreaks motionBreaks(std::span<const ProductFactor> factors, bool closed) {
-  const ProductKnots product = productKnots(factors);
+  const ProductBreaks product = productBreaks(factors);  // which is never formed, so that any degree is allowed
   CubicBreaks breaks;
-  for (std::size_t i = 0; i < product.knots.size();) {
-    std::size_t next = i;
-    while (next < product.knots.size() && product.knots[next] == product.knots[i]) ++next;
-    const int smoothness = product.degree - static_cast<int>(next - i);
-    breaks.at.push_back(product.knots[i]);
-    breaks.multiplicity.push_back(std::clamp(3 - smoothness, 1, 3));
-    i = next;
-  }
+  breaks.at = product.at;
+  for (const int smoothness : product.continuity) breaks.multiplicity.push_back(std::clamp(3 - smoothness, 1, 3));
   breaks = apart(breaks);
   breaks.multiplicity.front() = breaks.multiplicity.back() = 1;
   breaks.periodic =

@@ -76,6 +76,22 @@ Vec3 centre(const std::vector<Vec4>& poles) {
   return sum / static_cast<double>(poles.size() - 1);
 }
 
+bool isPoint(const std::vector<Vec4>& poles, const Vec3& middle, double near) {
+  return std::all_of(poles.begin(), poles.end(),
+                     [&](const Vec4& pole) { return (euclidean(pole) - middle).norm() <= near; });
+}
+
+/// Makes an end that is a point within `near` exactly one; what is left of it would be an edge without a face beside it.
+void gatherPoint(Surface& surface, bool atEnd, double near) {
+  const std::vector<Vec4> poles = endPoles(surface, atEnd);
+  const Vec3 middle = centre(poles);
+  if (!isPoint(poles, middle, near)) return;
+  for (std::size_t i = 0; i < surface.countU(); ++i) {
+    Vec4& pole = surface.pole(i, atEnd ? surface.countV() - 1 : 0);
+    pole.head<3>() = pole[3] * middle;
+  }
+}
+
 /// Normal of the plane through all poles within `tolerance`.
 std::optional<Vec3> planeNormal(const std::vector<Vec4>& poles, const Vec3& origin, double tolerance) {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -90,14 +106,15 @@ std::optional<Vec3> planeNormal(const std::vector<Vec4>& poles, const Vec3& orig
 gp_Pnt toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// The boundary edge of the side face that runs along an end.
-TopoDS_Edge endEdge(const TopoDS_Face& side, double v) {
+/// @param near in the parameter
+TopoDS_Edge endEdge(const TopoDS_Face& side, double v, double near) {
   for (TopExp_Explorer explorer(side, TopAbs_EDGE); explorer.More(); explorer.Next()) {
     TopoDS_Edge edge = TopoDS::Edge(explorer.Current());
     double first = 0, last = 0;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, side, first, last);
     if (curve.IsNull() || BRep_Tool::Degenerated(edge)) continue;
     const gp_Pnt2d a = curve->Value(first), b = curve->Value(last);
-    if (std::abs(a.Y() - v) < 1e-9 && std::abs(b.Y() - v) < 1e-9) return edge;
+    if (std::abs(a.Y() - v) < near && std::abs(b.Y() - v) < near) return edge;
   }
   throw Error(ErrorCode::Degenerate, "An end of the sweep has no boundary to close.",
               "Sections below 1e-7 mm are points to a solid: make the motion larger, or leave out --solid.");
@@ -129,9 +146,7 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
             const Progress& progress) {
   const std::vector<Vec4> poles = endPoles(surface, atEnd);
   const Vec3 origin = centre(poles);
-  const bool point =
-      std::all_of(poles.begin(), poles.end(), [&](const Vec4& pole) { return (euclidean(pole) - origin).norm() <= near; });
-  if (point) return {EndCap::Point, {}};
+  if (isPoint(poles, origin, near)) return {EndCap::Point, {}};
   const auto [first, last] = surface.domainV();
   if (const auto normal = planeNormal(poles, origin, std::max(near, 1e-9))) {
     // OCCT neither refuses such an outline nor ends when it is to triangulate one that is run through twice.
@@ -141,7 +156,7 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
           fmt::format(": its section at the {}, v = {:.4g}, does.", atEnd ? "end" : "start", atEnd ? last : first),
           "Even out the scaling and rotation along u there, or leave out --solid: the surface alone may cross "
           "itself.");
-    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(endEdge(side, atEnd ? last : first)).Wire();
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(endEdge(side, atEnd ? last : first, 1e-9 * (last - first))).Wire();
     BRepBuilderAPI_MakeFace maker(gp_Pln(toPoint(origin), gp_Dir(normal->x(), normal->y(), normal->z())), wire,
                                   Standard_True);
     if (!maker.IsDone())
@@ -186,6 +201,8 @@ SolidResult build(Surface surface, const Progress& progress) {
     throw Error(ErrorCode::InvalidInput, "This motion is not closed in u, so the surface encloses no body.",
                 "Leave out --solid, or close the orientation with \"closed_u\".");
   const bool ring = mergeLines(surface, 0, nv - 1, nv, nu, near);
+  if (!ring)
+    for (const bool atEnd : {false, true}) gatherPoint(surface, atEnd, near);
   SolidResult result;
   std::vector<TopoDS_Face> faces{toFace(surface)};
   if (!ring) {

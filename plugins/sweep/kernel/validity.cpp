@@ -1,5 +1,7 @@
 #include "kernel/validity.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -183,6 +185,34 @@ Validity examine(const Motion& motion, const Progress& progress) {
     if ((result.fold = foldBetween(motion, samples.parameters(from), samples.parameters(to)))) break;
   }
   return result;
+}
+
+void requireArea(const Motion& motion, const Progress& progress) {
+  constexpr std::size_t places = 4;
+  constexpr double nothing = 1e-12, rounding = 1e-14;  // of the size; of the coordinates
+  const auto [u0, u1] = motion.domainU();
+  const auto [v0, v1] = motion.domainV();
+  MotionGrid grid;
+  evaluateGrid(
+      motion, spanParameters({u0, u1}, {&motion.orientation.knotsU, &motion.scaling.knotsU}, places),
+      spanParameters({v0, v1}, {&motion.orientation.knotsV, &motion.scaling.knotsV, &motion.trajectory.knots}, places), grid,
+      GridDerivatives::Yes, progress);
+  Eigen::AlignedBox3d box;
+  double largest = 0, farthest = 0;
+  for (std::size_t k = 0; k < grid.countU; ++k)
+    for (std::size_t l = 0; l < grid.countV; ++l) {
+      const Vec3 p = grid.pointAt(k, l);
+      box.extend(p);
+      farthest = std::max(farthest, p.norm());
+      largest = std::max(largest, grid.duAt(k, l).cross(grid.dvAt(k, l)).norm());
+    }
+  const double size = box.diagonal().norm(), area = largest * (u1 - u0) * (v1 - v0);
+  if (area > (nothing * size + rounding * farthest) * size) return;
+  throw Error(ErrorCode::Degenerate,
+              fmt::format("The point ({:.6g}, {:.6g}, {:.6g}) sweeps {}, which has no area.", motion.point.x(),
+                          motion.point.y(), motion.point.z(), size > rounding * farthest ? "a line" : "a single point"),
+              "It lies on the trajectory, or on the axis about which the frame turns. Give another point of the moving "
+              "frame, away from both, or a motion that turns or scales along u.");
 }
 
 SmallestWeight smallestProductWeight(const Motion& motion, const Progress& progress) {

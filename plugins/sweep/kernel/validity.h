@@ -28,6 +28,10 @@ struct Validity {
 /// each, and 3 ms. @throws Error Cancelled.
 Validity examine(const Motion&, const Progress& = Progress::none());
 
+/// Checks that the motion sweeps a surface, and no line or point: somewhere among 4 x 4 samples of every span, x_u cross x_v
+/// is longer than rounding explains. @throws Error Degenerate with what to do; Cancelled.
+void requireArea(const Motion&, const Progress& = Progress::none());
+
 /// The smallest coefficient of W, the denominator of the swept surface: above 0, W is positive everywhere (convex hull).
 struct SmallestWeight {
   double weight = 0;    ///< scaled by a power of two so that the largest is between 1/2 and 1, as productSurface does

@@ -55,6 +55,26 @@ int multiplicity(const ProductFactor& factor, double at, double tolerance) {
 
 }  // namespace
 
+ProductBreaks productBreaks(std::span<const ProductFactor> factors) {
+  requireSameDomain(factors);
+  ProductBreaks result;
+  for (const ProductFactor& factor : factors) result.degree += factor.times * factor.degree;
+  result.at = commonBreaks(factors);
+  const double tolerance = kSameKnot * (result.at.back() - result.at.front());
+  for (std::size_t i = 0; i < result.at.size(); ++i) {
+    int continuity = -1;
+    if (i > 0 && i + 1 < result.at.size()) {
+      continuity = result.degree;
+      for (const ProductFactor& factor : factors)
+        if (const int m = multiplicity(factor, result.at[i], tolerance); m > 0)
+          continuity = std::min(continuity, factor.degree - m);
+      continuity = std::max(continuity, -1);
+    }
+    result.continuity.push_back(continuity);
+  }
+  return result;
+}
+
 ProductKnots productKnots(std::span<const ProductFactor> factors) {
   requireSameDomain(factors);
   ProductKnots result;
@@ -62,20 +82,9 @@ ProductKnots productKnots(std::span<const ProductFactor> factors) {
   if (result.degree > kMaximumDegree)
     throw Error(ErrorCode::LimitExceeded,
                 fmt::format("The product has degree {}; the highest possible is {}.", result.degree, kMaximumDegree));
-
-  const std::vector<double> breaks = commonBreaks(factors);
-  const double tolerance = kSameKnot * (breaks.back() - breaks.front());
-  for (std::size_t i = 0; i < breaks.size(); ++i) {
-    int continuity = -1;
-    if (i > 0 && i + 1 < breaks.size()) {
-      continuity = result.degree;
-      for (const ProductFactor& factor : factors)
-        if (const int m = multiplicity(factor, breaks[i], tolerance); m > 0)
-          continuity = std::min(continuity, factor.degree - m);
-      continuity = std::max(continuity, -1);
-    }
-    result.knots.insert(result.knots.end(), static_cast<std::size_t>(result.degree - continuity), breaks[i]);
-  }
+  const ProductBreaks breaks = productBreaks(factors);
+  for (std::size_t i = 0; i < breaks.at.size(); ++i)
+    result.knots.insert(result.knots.end(), static_cast<std::size_t>(result.degree - breaks.continuity[i]), breaks.at[i]);
   return result;
 }
 

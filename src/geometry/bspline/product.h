@@ -27,6 +27,17 @@ struct ProductKnots {
   int degree = 0;             ///< P = sum of times * degree
   std::vector<double> knots;  ///< clamped full vector over the common domain
 };
+/// The distinct knots of a product, ends included, and how many times it can be differentiated there: min(p_i - m_i) over
+/// the factors that contain it, and -1 at the ends.
+struct ProductBreaks {
+  int degree = 0;
+  std::vector<double> at;
+  std::vector<int> continuity;  ///< one for each of `at`
+};
+/// Of any degree, as long as nobody forms the product. Knots of different factors that differ by less than 1e-12 of the
+/// domain's length are treated as equal. @throws Error InvalidInput when the domains differ or there are no factors.
+ProductBreaks productBreaks(std::span<const ProductFactor> factors);
+
 /// Knots of different factors that differ by less than 1e-12 of the domain's length are treated as equal.
 /// @throws Error InvalidInput when the domains differ or there are no factors; LimitExceeded when P exceeds kMaximumDegree.
 ProductKnots productKnots(std::span<const ProductFactor> factors);

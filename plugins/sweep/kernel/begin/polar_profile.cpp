@@ -43,12 +43,14 @@ PolarProfile::PolarProfile(const Curve& given, const std::optional<Vec3>& centre
   centre_ = centre.value_or(plane.origin + x * plane.x + y * plane.y);
   flat = flattened(curve, plane, centre_);
   if (moments.x() < 0) flat = reversedCurve(flat);
-  for (const Vec4& pole : flat.poles) reach_ = std::max(reach_, pole.head<2>().norm() / pole.w());
+  double farthest = 0;
+  for (const Vec4& pole : flat.poles) farthest = std::max(farthest, pole.head<2>().norm() / pole.w());
   const Vec4 &first = flat.poles.front(), &last = flat.poles.back();
   const double gap = (first.head<2>() / first.w() - last.head<2>() / last.w()).norm();
-  if (gap > 1e-6 * reach_)
+  if (gap > 1e-6 * farthest)
     refuseProfile(fmt::format("it is open, its ends are {:.3g} mm apart.", gap), "Give a closed outline.");
   cutPieces(flat);
+  reach_ = largestRadius();
   requireStar();
   starts_.push_back(std::atan2(pieces_[0].poles[0].y(), pieces_[0].poles[0].x()));
   for (const Curve& piece : pieces_) {
@@ -86,6 +88,26 @@ void PolarProfile::cutPieces(const Curve& flat) {
   refuseProfile("its centre lies on it or nearly so.", "Choose a centre well inside the outline.");
 }
 
+double PolarProfile::largestRadius() const {
+  constexpr int samples = 32;  // of a piece, which is a fifth of the turn at most
+  double largest = 0;
+  for (const Curve& piece : pieces_) {
+    const double from = piece.knots.front(), step = (piece.knots.back() - from) / samples;
+    const auto radius = [&](double t) { return point(piece, t).norm(); };
+    int best = 0;
+    for (int i = 1; i <= samples; ++i)
+      if (radius(from + i * step) > radius(from + best * step)) best = i;
+    double low = from + std::max(best - 1, 0) * step, high = from + std::min(best + 1, samples) * step;
+    largest = std::max(largest, radius(from + best * step));
+    for (int k = 0; k < 40; ++k) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      (radius(a) < radius(b) ? low : high) = radius(a) < radius(b) ? a : b;
+    }
+    largest = std::max(largest, radius((low + high) / 2));
+  }
+  return largest;
+}
+
 void PolarProfile::requireStar() const {
   BernsteinPieces turning;  // x y' - y x' of the numerators: the speed of the angle, but for a positive factor
   turning.degree = static_cast<std::size_t>(2 * pieces_[0].degree - 1);
@@ -93,9 +115,11 @@ void PolarProfile::requireStar() const {
   for (const Curve& piece : pieces_) {
     turning.breaks.push_back(piece.knots.back());
     std::array<std::vector<double>, 2> value, slope;
+    double weight = 0;  // the largest; the numerators carry it squared
+    for (const Vec4& pole : piece.poles) weight = std::max(weight, pole.w());
     for (std::size_t c = 0; c < 2; ++c)
       for (std::size_t i = 0; i < piece.poles.size(); ++i) {
-        value[c].push_back(piece.poles[i][static_cast<Eigen::Index>(c)]);
+        value[c].push_back(piece.poles[i][static_cast<Eigen::Index>(c)] / weight);
         if (i > 0) slope[c].push_back(piece.degree * (value[c][i] - value[c][i - 1]));
       }
     const auto a = bernsteinProduct(value[0], slope[1]), b = bernsteinProduct(value[1], slope[0]);

@@ -35,6 +35,7 @@ class PolarProfile {
 
  private:
   void cutPieces(const Curve& flat);
+  [[nodiscard]] double largestRadius() const;
   void requireStar() const;
   void findJoints(const std::vector<double>& breaks);
   [[nodiscard]] double slopeOf(const Curve& piece, double t) const;

@@ -40,16 +40,43 @@ double boxDiagonal(const Curve& curve) {
   return box.diagonal().norm();
 }
 
-/// Numerator of the derivative, A' w - A w' for the curve A / w, per unit of the parameter.
+double weightRatio(const BezierCurve& bezier, std::size_t piece) {
+  const auto order = static_cast<std::size_t>(bezier.degree) + 1;
+  const auto first = bezier.poles.begin() + static_cast<std::ptrdiff_t>(piece * order);
+  const auto [least, most] = std::minmax_element(first, first + static_cast<std::ptrdiff_t>(order),
+                                                 [](const Vec4& a, const Vec4& b) { return a.w() < b.w(); });
+  return most->w() / least->w();
+}
+
+/// Pieces in which weights differ by some times at most, however much they do along the curve.
+BezierCurve withEvenWeights(Curve curve) {
+  constexpr double even = 4;
+  constexpr int halvings = 24;
+  BezierCurve bezier = toBezier(curve);
+  for (int round = 0; round < halvings; ++round) {
+    std::vector<double> middles;
+    for (std::size_t k = 0; k + 1 < bezier.breaks.size(); ++k)
+      if (weightRatio(bezier, k) > even) middles.push_back((bezier.breaks[k] + bezier.breaks[k + 1]) / 2);
+    if (middles.empty()) break;
+    curve = insertKnots(curve, middles);
+    bezier = toBezier(curve);
+  }
+  return bezier;
+}
+
+/// The derivative per unit of the parameter but for a factor of some times: the numerator A' w - A w' for the curve A / w,
+/// divided by the square of the largest weight of its piece.
 BernsteinPieces hodograph(const BezierCurve& bezier) {
   const auto p = static_cast<std::size_t>(bezier.degree);
   BernsteinPieces result{2 * p - 1, bezier.breaks, {}};
   for (std::size_t k = 0; k < result.pieces(); ++k) {
     const double scale = static_cast<double>(p) / (bezier.breaks[k + 1] - bezier.breaks[k]);
+    double weight = 0;
+    for (std::size_t i = 0; i <= p; ++i) weight = std::max(weight, bezier.poles[k * (p + 1) + i].w());
     std::array<std::vector<double>, 4> value, slope;
     for (std::size_t c = 0; c < 4; ++c)
       for (std::size_t i = 0; i <= p; ++i) {
-        value[c].push_back(bezier.poles[k * (p + 1) + i][static_cast<Eigen::Index>(c)]);
+        value[c].push_back(bezier.poles[k * (p + 1) + i][static_cast<Eigen::Index>(c)] / weight);
         if (i > 0) slope[c].push_back(scale * (value[c][i] - value[c][i - 1]));
       }
     std::vector<Vec3> numerator(2 * p);
@@ -83,7 +110,7 @@ SmoothCurve::SmoothCurve(const Curve& given) : curve_(overUnitInterval(given)), 
 }
 
 void SmoothCurve::refuseCusps() const {
-  const BernsteinPieces derivative = hodograph(toBezier(curve_));
+  const BernsteinPieces derivative = hodograph(withEvenWeights(curve_));
   double longest = 0;
   for (const Vec3& c : derivative.coefficients) longest = std::max(longest, c.norm());
   if (!(longest > 0)) throw Error(ErrorCode::Degenerate, "The curve is a single point.", "Give a curve that has a length.");

@@ -169,7 +169,7 @@ class SweepSolidTest : public QObject {
 
   /// The ends of a body are told apart however short the domain of its parameters is.
   void shortDomainsHaveTheirEnds() {
-    for (const double length : {1e-6, 1e-8, 1e6}) {
+    for (const double length : {1e-6, 1e-9, 5e-10, 1e-12, 1e6}) {
       Motion motion = readMotionOf("cylinder.json");
       for (std::vector<double>* knots : {&motion.trajectory.knots, &motion.orientation.knotsV, &motion.scaling.knotsV})
         for (double& knot : *knots) knot *= length;

@@ -193,7 +193,18 @@ TopoDS_Solid outwardSolid(const TopoDS_Shell& shell) {
   return solid;
 }
 
+/// OCCT takes parameters within 1e-9 for the same. A power of two lengthens the domain and changes no point.
+void lengthenIfShort(std::vector<double>& knots) {
+  constexpr double shortest = 1e-6;
+  const double length = knots.back() - knots.front();
+  if (!(length < shortest)) return;
+  const double factor = std::ldexp(1.0, -std::ilogb(length));
+  for (double& knot : knots) knot *= factor;
+}
+
 SolidResult build(Surface surface, const Progress& progress) {
+  lengthenIfShort(surface.knotsU);
+  lengthenIfShort(surface.knotsV);
   const Box3 box = sampledBox(surface, progress);
   const double size = box.diagonal().norm(), near = nearOf(box);
   const std::size_t nu = surface.countU(), nv = surface.countV();

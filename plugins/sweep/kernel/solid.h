@@ -23,7 +23,8 @@ struct SolidResult {
 /// The solid inside a swept tube: a surface closed in u, and in v either closed or capped at both ends. Caps share their
 /// edges with the surface, so there are no gaps. Faces are oriented outward; the solid is valid and closed (BRepCheck) and
 /// its triangles do not intersect. Rows or columns of poles that are equal within 1e-9 of the size, or within the rounding
-/// of coordinates far from the origin, are made equal.
+/// of coordinates far from the origin, are made equal. The side keeps the parameters of the surface, but for domains shorter
+/// than 1e-6, which become longer by a power of two.
 /// @throws Error InvalidInput when the surface is not closed in u; Degenerate when the solid is invalid or intersects
 /// itself, with the place; Cancelled.
 SolidResult makeSolid(const Surface&, const Progress& = Progress::none());

@@ -1,3 +1,4 @@
+#include "minkowski/kernel/curves/curved_sum.h"
 #include "minkowski/kernel/flattening.h"
 #include "minkowski/kernel/morph.h"
 #include "minkowski/kernel/polygon_sum.h"
@@ -426,6 +427,17 @@ class MinkowskiCurvesTest : public QObject {
     // Both change nothing when they are done again.
     COMPARE_NEAR(area(regionOpening(opened, disc).region), area(opened), 1e-9);
     COMPARE_NEAR(area(regionClosing(closed, disc).region), area(closed), 1e-9);
+  }
+
+  /// What is left of the first difference may touch itself: two holes that have grown until they meet.
+  void differencesOfWhatTouchesItself() {
+    Effort unlimited;
+    const auto hole = [](double x) { return blossom::reversed(circleRegion(2, {x, 0}).loops.front()); };
+    const SoundRegion plate{{{rectanglePath({-20, -10}, {20, 10}), hole(-2), hole(2)}}, 1e-3};
+    const SoundRegion disc{circleRegion(0.5), 1e-3};
+    const SoundRegion room = difference(plate, disc, Progress::none(), unlimited);
+    const double outside = 39 * 19, lens = 2 * (6.25 * std::acos(2 / 2.5) - 2 * 1.5);
+    COMPARE_NEAR(area(room.region), outside - 2 * pi * 6.25 + lens, 0.05);
   }
 };
 

@@ -14,6 +14,7 @@
 #include "kernel/curves/convex_sum.h"
 #include "kernel/curves/curve_fitting.h"
 #include "kernel/curves/sampled_region.h"
+#include "kernel/flattening.h"
 #include "kernel/nesting.h"
 #include "kernel/polygon_sum.h"
 #include "kernel/snap_rounding.h"
@@ -174,8 +175,9 @@ Path framePath(const Vec2& low, const Vec2& high) {
   return {{Line2{low, right}, Line2{right, high}, Line2{high, left}, Line2{left, low}}, true, {}, {}};
 }
 
-/// The complement of A within a frame that B, wherever it meets A, does not reach.
-SoundRegion complement(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
+/// The complement of A within a frame that B, wherever it meets A, does not reach. Nothing where loops of A touch, as those
+/// of an earlier result may.
+std::optional<SoundRegion> complement(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
   const std::vector<Loop> loopsOfA = flattenedLoops(a);
   const Box2 boxA = boxOf(loopsOfA), boxB = boxOf(flattenedLoops(b));
   const Vec2 reach = 2 * boxB.sizes() + boxA.sizes();
@@ -186,8 +188,7 @@ SoundRegion complement(const SoundRegion& a, const SoundRegion& b, const Progres
     loops.emplace_back(loopsOfA[i].rbegin(), loopsOfA[i].rend());
   }
   const auto parts = Nesting(std::move(loops), progress).parts();
-  if (!parts)
-    throw Error(ErrorCode::Internal, "The loops of a shape touch one another.", "Please report this with the shapes.");
+  if (!parts) return std::nullopt;
   SoundRegion result{{}, a.tolerance};
   for (const auto& [outer, holes] : *parts) {
     result.region.loops.push_back(paths[outer]);
@@ -217,7 +218,13 @@ SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progres
   if (!hasCurves(a.region) && !hasCurves(b.region))
     return {toRegion(difference(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
   const Addition leftOut{Sampling::Around, Inside::Hollow};
-  return {fittedSum(complement(a, b, progress), scaled(b, -1), leftOut, progress, effort), tolerance};
+  if (const auto around = complement(a, b, progress))
+    return {fittedSum(*around, scaled(b, -1), leftOut, progress, effort), tolerance};
+  // By polygons on the safe side, whose loops may touch.
+  return {toRegion(difference(flattened(a.region, {.side = Approximation::Inside, .effort = &effort}, "shape 1", progress),
+                              flattened(b.region, {.side = Approximation::Outside, .effort = &effort}, "shape 2", progress),
+                              progress, effort)),
+          tolerance};
 }
 
 }  // namespace blossom::minkowski

@@ -67,8 +67,14 @@ void LivePicture::paint() {
   if (blank_ && before_.isNull()) drawNow();  // better late than empty
   if (outdated_ || subject_.stale()) wantFrame();
   QPainter(&widget_).drawImage(widget_.rect(), blank_ ? before_ : picture_);
+  if (!std::exchange(changed_, false)) return;
   // Painting is done, and the window is shown, when this event has been handled.
-  if (std::exchange(changed_, false)) QMetaObject::invokeMethod(this, &LivePicture::painted, Qt::QueuedConnection);
+  untold_ = true;
+  QMetaObject::invokeMethod(this, &LivePicture::tellPainted, Qt::QueuedConnection);
+}
+
+void LivePicture::tellPainted() {
+  if (std::exchange(untold_, false)) emit painted();
 }
 
 const QImage& LivePicture::upToDate() {
@@ -94,6 +100,7 @@ void LivePicture::fitSize() {
 
 void LivePicture::beginFrame() {
   if (frame_ || !widget_.isVisible() || !problem().isEmpty()) return;  // its arrival, or painting, asks again
+  tellPainted();  // not only after the time that this frame takes: timers may come before queued calls
   subject_.bringUpToDate();
   fitSize();
   if (sharp() || picture_.isNull()) return;

@@ -78,6 +78,7 @@ class LivePicture : public QObject {
   void showFrame(const std::vector<std::uint32_t>& pixels);
   void drawNow();
   void chooseSmoothing();
+  void tellPainted();
 
   QWidget& widget_;
   PictureSubject& subject_;
@@ -93,6 +94,7 @@ class LivePicture : public QObject {
   bool blank_ = true;                   // nothing is in the picture yet
   QImage before_;                       // what is shown until then
   bool changed_ = false;                // the picture, since it was painted
+  bool untold_ = false;                 // that it was painted
   // Where a frame takes too long, the camera moves in frames of half the size.
   bool moving_ = false, slow_ = false;
   bool opened_ = false;  ///< something has been shown at rest

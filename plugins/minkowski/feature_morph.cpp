@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "feature/registry.h"
+#include "feature_types.h"
+#include "geometry/planar/planar.h"
+#include "kernel/morph.h"
+#include "region_inputs.h"
+
+namespace blossom::minkowski {
+namespace {
+
+struct MorphParameters {
+  double t = 0.5;
+  int frames = 0;
+  std::vector<double> blossom;
+  EvaluationOrder evaluation = EvaluationOrder::Automatic;
+  bool degreeElevate = false;
+  bool areaPreserving = false;
+  std::vector<Vec3> offsets;
+  Value tolerance;  ///< null: follows the shapes' sizes
+};
+
+/// Where the control shapes were dragged to.
+void moveShapes(std::vector<Region>& shapes, const std::vector<Vec3>& offsets) {
+  if (offsets.size() > shapes.size())
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("{} offsets are given for {} control shapes.", offsets.size(), shapes.size()),
+                "Leave out those too many.");
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (offsets[i].z() != 0)
+      throw Error(ErrorCode::InvalidParameter, fmt::format("Offset {} leaves the plane of the shapes.", i + 1),
+                  "Give 0 for its z.");
+    if (offsets[i].isZero()) continue;  // the very same numbers
+    Eigen::Matrix<double, 2, 3> affine;
+    affine << Eigen::Matrix2d::Identity(), offsets[i].head<2>();
+    for (Path& loop : shapes[i].loops) loop = transformed(loop, affine);
+  }
+}
+
+void refuseTogether(const MorphParameters& p) {
+  if (p.frames > 0 && !p.blossom.empty())
+    throw Error(ErrorCode::InvalidParameter, "Blossom parameters give one shape, not a sequence of frames.",
+                "Leave out the frames or the blossom parameters.");
+}
+
+double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static_cast<double>(frame) / (frames - 1); }
+
+Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
+  refuseTogether(p);
+  std::vector<Region> shapes = regionsOf(inputs);
+  moveShapes(shapes, p.offsets);
+  const std::size_t degree = shapes.size() - 1;
+  Sequence sequence;
+  std::vector<std::vector<double>> arguments;
+  for (int k = 0; k < p.frames; ++k) {
+    sequence.times.push_back(timeOf(k, p.frames, p.t));
+    arguments.push_back(diagonal(degree, sequence.times.back()));
+  }
+  if (p.frames == 0) arguments.push_back(p.blossom.empty() ? diagonal(degree, p.t) : p.blossom);
+  MorphResult result = morph(shapes, arguments,
+                             {.evaluation = p.evaluation,
+                              .degreeElevate = p.degreeElevate,
+                              .areaPreserving = p.areaPreserving,
+                              .tolerance = toleranceOf(p.tolerance),
+                              .maximumWork = maximumWork},
+                             progress);
+  Evaluated out;
+  out.stats["sums"] = result.sums;
+  out.stats["degree"] = degree + (p.degreeElevate ? 1 : 0);
+  out.warnings = std::move(result.warnings);
+  if (p.frames == 0) {
+    out.shape = std::move(result.regions.front());
+    return out;
+  }
+  for (Region& region : result.regions) sequence.frames.emplace_back(std::move(region));
+  out.shape = std::move(sequence);
+  return out;
+}
+
+}  // namespace
+
+FeatureType morphFeature(std::size_t maximumWork) {
+  using P = MorphParameters;
+  return feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.")
+      .command("morph")
+      .icon("morph")
+      .produces({ShapeKind::Region})
+      .playedBy({.parameter = "frames"})
+      .input({.name = "shape",
+              .help = "Control shapes, first to last.",
+              .kinds = {ShapeKind::Region},
+              .minimum = 2,
+              .maximum = anyNumber,
+              .use = InputUse::Control,
+              .asks = "a shape to morph"})
+      .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
+      .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
+      .parameter("blossom", &P::blossom, list(ratio()),
+                 "One number for each control shape after the first, instead of t; all equal, they are t.")
+      .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
+                 "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
+                 "convex requires convex control shapes between the ends.")
+      .parameter("degree-elevate", &P::degreeElevate, flag(),
+                 "Elevate the degree by one; the morph stays the same when all shapes are convex.")
+      .parameter("area-preserving", &P::areaPreserving, flag(),
+                 "Scale the result so that its area blends those of the shapes.")
+      .parameter("offsets", &P::offsets, list(displacement()),
+                 "Displacement of each control shape from its drawn position, first to last; others stay.")
+      .parameter("tolerance", &P::tolerance, toleranceSpec(),
+                 "Largest distance between curves and the polygons that stand for them.")
+      .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
+      .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
+      .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
+      .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
+      .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
+      .evaluate([maximumWork](const P& p, const Inputs& inputs, const Progress& progress) {
+        return morphed(p, maximumWork, inputs, progress);
+      });
+}
+
+}  // namespace blossom::minkowski

@@ -1,0 +1,18 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "feature/feature_type.h"
+#include "feature/registry.h"
+#include "geometry/planar/region.h"
+
+namespace blossom::minkowski {
+
+/// The regions of the first input.
+std::vector<Region> regionsOf(const Inputs&);
+
+/// Of a parameter that may be null: the tolerance then follows the shapes' sizes.
+std::optional<double> toleranceOf(const Value& given);
+ParameterSpec toleranceSpec();
+
+}  // namespace blossom::minkowski

@@ -15,7 +15,7 @@
 #include "kernel/curves/curve_fitting.h"
 #include "kernel/curves/sampled_pair.h"
 #include "kernel/flattening.h"
-#include "kernel/nesting.h"
+#include "kernel/nested_paths.h"
 #include "kernel/polygon_sum.h"
 #include "kernel/snapped_operands.h"
 #include "kernel/winding/winding_faces.h"
@@ -178,23 +178,13 @@ Path framePath(const Vec2& low, const Vec2& high) {
 /// The complement of A within a frame that B, wherever it meets A, does not reach. Nothing where loops of A touch, as those
 /// of an earlier result may.
 std::optional<SoundRegion> complement(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
-  const std::vector<Loop> loopsOfA = flattenedLoops(a);
-  const Box2 boxA = boxOf(loopsOfA), boxB = boxOf(flattenedLoops(b));
+  const Box2 boxA = boxOf(flattenedLoops(a)), boxB = boxOf(flattenedLoops(b));
   const Vec2 reach = 2 * boxB.sizes() + boxA.sizes();
   std::vector<Path> paths{framePath(boxA.min() - reach, boxA.max() + reach)};
-  std::vector<Loop> loops{flatten(paths.front(), a.tolerance)};
-  for (std::size_t i = 0; i < loopsOfA.size(); ++i) {
-    paths.push_back(reversed(a.region.loops[i]));
-    loops.emplace_back(loopsOfA[i].rbegin(), loopsOfA[i].rend());
-  }
-  const auto parts = Nesting(std::move(loops), progress).parts();
-  if (!parts) return std::nullopt;
-  SoundRegion result{{}, a.tolerance};
-  for (const auto& [outer, holes] : *parts) {
-    result.region.loops.push_back(paths[outer]);
-    for (const std::size_t hole : holes) result.region.loops.push_back(paths[hole]);
-  }
-  return result;
+  for (const Path& loop : a.region.loops) paths.push_back(reversed(loop));
+  auto region = nestedPaths(paths, a.tolerance, progress);
+  if (!region) return std::nullopt;
+  return SoundRegion{*std::move(region), a.tolerance};
 }
 
 /// @param kept samples of both within the tolerances, or null

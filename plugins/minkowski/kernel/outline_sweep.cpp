@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
+#include "kernel/curves/curved_union.h"
 #include "kernel/flattening.h"
 #include "kernel/nested_paths.h"
 
@@ -16,9 +17,9 @@ double toleranceFor(const Region& a, const Region& b, const RegionSumOptions& op
   return options.tolerance.value_or(std::min(defaultTolerance(a), defaultTolerance(b)));
 }
 
-/// The sound region that the loops bound.
-Region bounded(const Region& sound, Boundary boundary, double tolerance, const Progress& progress) {
-  if (boundary == Boundary::All) return sound;
+/// Regions that are bounded by the loops; several where the loops lie in one another.
+std::vector<Region> bounded(const Region& sound, Boundary boundary, double tolerance, const Progress& progress) {
+  if (boundary == Boundary::All) return {sound};
   std::vector<Path> loops;
   for (const Path& loop : sound.loops) {
     const bool hole = signedArea(loop) < 0;
@@ -26,19 +27,20 @@ Region bounded(const Region& sound, Boundary boundary, double tolerance, const P
   }
   if (loops.empty())
     throw Error(ErrorCode::InvalidInput, "Shape 1 has no holes to follow.", "Follow its outer boundary, or all of it.");
-  const auto region = nestedPaths(loops, tolerance, progress);
-  if (!region)
-    throw Error(ErrorCode::InvalidInput, "Some of the loops of shape 1 that are to be followed lie in one another.",
-                "Follow all of its boundary, or one part after the other.");
-  return *region;
+  if (auto together = nestedPaths(loops, tolerance, progress)) return {*std::move(together)};
+  std::vector<Region> each;
+  for (const Path& loop : loops) each.push_back({{loop}});
+  return each;
 }
 
-void refuseParts(const Region& sound) {
-  const auto parts =
-      std::count_if(sound.loops.begin(), sound.loops.end(), [](const Path& loop) { return signedArea(loop) > 0; });
-  if (parts > 1)
-    throw Error(ErrorCode::InvalidInput, "Shape 2, which is swept, has more than one part.",
-                "Sweep one part after the other and unite the results.");
+/// Each with its holes.
+std::vector<Region> partsOfSound(const Region& sound) {
+  std::vector<Region> parts;
+  for (const Path& loop : sound.loops) {
+    if (signedArea(loop) > 0) parts.emplace_back();
+    parts.back().loops.push_back(loop);
+  }
+  return parts;
 }
 
 Region turnedAround(const Region& region) {
@@ -49,27 +51,41 @@ Region turnedAround(const Region& region) {
   return image;
 }
 
+/// Along all of the boundary of A. @pre B has one part
+Region sweptAlongAll(const Region& a, const Region& b, const RegionSumOptions& options, double tolerance,
+                     const Progress& progress) {
+  const Region sum = minkowskiSum(std::vector{a, b}, options, progress.part(0, 0.5)).region;
+  const Region room = roomInside(std::vector{a, turnedAround(b)}, options, progress.part(0.5, 1));
+  if (room.loops.empty()) return sum;
+  std::vector<Path> loops = sum.loops;
+  for (const Path& loop : room.loops) loops.push_back(reversed(loop));
+  if (auto region = nestedPaths(loops, tolerance, progress)) return *std::move(region);
+  throw Error(ErrorCode::Degenerate, "Loops of the room inside of shape 1 touch each other.",
+              "Make shape 2 a little smaller or larger.");
+}
+
 }  // namespace
 
 RegionSumResult outlineSweep(const Region& a, const Region& b, Boundary boundary, const RegionSumOptions& options,
                              const Progress& progress) {
   const double tolerance = toleranceFor(a, b, options);
   const FlatteningOptions same{.tolerance = options.tolerance};
-  const Region sound = soundRegion(a, same, "shape 1", progress).region;
-  refuseParts(soundRegion(b, same, "shape 2", progress).region);
-  const Region followed = bounded(sound, boundary, tolerance, progress);
-  RegionSumResult result = minkowskiSum(std::vector{followed, b}, options, progress.part(0, 0.5));
-  const Region room = roomInside(std::vector{followed, turnedAround(b)}, options, progress.part(0.5, 1));
-  ++result.sums;
-  if (room.loops.empty()) return result;
-  std::vector<Path> loops = result.region.loops;
-  for (const Path& loop : room.loops) loops.push_back(reversed(loop));
-  if (auto region = nestedPaths(loops, tolerance, progress)) {
-    result.region = *std::move(region);
-    return result;
-  }
-  throw Error(ErrorCode::Degenerate, "Loops of the room inside of shape 1 touch each other.",
-              "Make shape 2 a little smaller or larger.");
+  const std::vector<Region> followed =
+      bounded(soundRegion(a, same, "shape 1", progress).region, boundary, tolerance, progress);
+  const std::vector<Region> parts = partsOfSound(soundRegion(b, same, "shape 2", progress).region);
+  RegionSumResult result;
+  std::vector<SoundRegion> sweeps;
+  const auto all = static_cast<double>(followed.size() * parts.size());
+  for (const Region& each : followed)
+    for (const Region& part : parts) {
+      const auto done = static_cast<double>(sweeps.size());
+      const Progress share = progress.part(done / (all + 1), (done + 1) / (all + 1));
+      sweeps.push_back({sweptAlongAll(each, part, options, tolerance, share), tolerance});
+      result.sums += 2;
+    }
+  Effort effort(options.maximumWork);
+  result.region = united(sweeps, progress.part(all / (all + 1), 1), effort).region;
+  return result;
 }
 
 }  // namespace blossom::minkowski

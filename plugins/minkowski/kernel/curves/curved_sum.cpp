@@ -13,6 +13,7 @@
 #include "kernel/convolution.h"
 #include "kernel/curves/convex_sum.h"
 #include "kernel/curves/curve_fitting.h"
+#include "kernel/curves/finer_polygons.h"
 #include "kernel/curves/sampled_pair.h"
 #include "kernel/flattening.h"
 #include "kernel/nested_paths.h"
@@ -27,26 +28,6 @@ CornerNumbers numbersOf(const SampledRegion& region, const Grid& grid) {
   CornerNumbers numbers;
   for (const SampledSide& side : region.sides) numbers.add(grid.nearest(side.from), grid.nearest(side.to));
   return numbers;
-}
-
-/// The tolerance within which corners of polygons and of curves correspond: the longest chord, about which crossings of
-/// nearly tangent curves move.
-double longestChord(const SampledRegion& region) {
-  double longest = 0;
-  for (const SampledSide& side : region.sides)
-    if (side.curve) longest = std::max(longest, (side.to - side.from).norm());
-  return longest;
-}
-
-/// How far rounding moves points of a sum and the centres and radii of its arcs.
-double roundingOf(const SampledRegion& a, const SampledRegion& b, const Grid& grid) {
-  double farthest = 0;
-  for (const SampledRegion* region : {&a, &b}) {
-    for (const SampledCorner& corner : region->corners) farthest = std::max(farthest, corner.at.cwiseAbs().maxCoeff());
-    for (const BoundaryCurve& arc : region->curves)
-      farthest = std::max(farthest, arc.centre.cwiseAbs().maxCoeff() + std::abs(arc.radius));
-  }
-  return 64 * grid.unit + 32 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
 /// How the polygons of two regions are added.
@@ -73,20 +54,14 @@ class SampledSum {
 
   /// Nothing when the polygons are too coarse.
   [[nodiscard]] std::optional<Region> curves(const Progress& progress) const {
-    const CurveFitting fitting{
-        .rounding = roundingOf(a_, b_, grid_), .reach = 2 * (longestChord(a_) + longestChord(b_)), .gap = 4 * tolerance_};
+    const CurveFitting fitting{.rounding = std::max(roundingOf(a_, grid_), roundingOf(b_, grid_)),
+                               .reach = 2 * (longestChord(a_) + longestChord(b_)),
+                               .gap = 4 * tolerance_};
     const auto curveOf = [&](std::uint32_t edge) { return curveOfEdge(edges_[edge], fitting.rounding); };
     return fittedCurves(faces_, grid_, curveOf, fitting, progress);
   }
 
-  [[nodiscard]] Region lines() const {
-    Polygons polygons;
-    for (const TracedPart& part : faces_) {
-      Polygon& polygon = polygons.emplace_back(Polygon{part.outer.corners, {}});
-      for (const TracedLoop& hole : part.holes) polygon.holes.push_back(hole.corners);
-    }
-    return toRegion(onPlane(polygons, grid_));
-  }
+  [[nodiscard]] Region lines() const { return straightRegion(faces_, grid_); }
 
  private:
   [[nodiscard]] std::optional<TrueCurve> curveOfEdge(const CountedEdge& edge, double rounding) const {
@@ -111,27 +86,13 @@ class SampledSum {
   std::vector<TracedPart> faces_;
 };
 
-/// By polygons that become finer until the curves fit.
 Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
                  Effort& effort) {
-  constexpr int attempts = 3;
-  constexpr double finer = 1.0 / 8;
-  double share = 1, done = 0;
-  std::optional<Region> lines;
-  for (int i = 0; i < attempts; ++i, share *= finer, done = (1 + done) / 2) {
-    progress.check();
-    try {
-      SampledPair pair = i == 0 && addition.kept ? *addition.kept : sampledPair(a, b, share, addition.sampling, progress);
-      const SampledSum sum(std::move(pair), share * (a.tolerance + b.tolerance), addition.inside,
-                           progress.part(done, (1 + done) / 2), effort);
-      if (auto curves = sum.curves(progress)) return *std::move(curves);
-      if (!lines) lines = sum.lines();
-    } catch (const Error& error) {
-      if (!lines || error.code() != ErrorCode::LimitExceeded) throw;  // finer polygons are too many
-      break;
-    }
-  }
-  return *std::move(lines);
+  const auto attempt = [&](double share, const Progress& part) {
+    SampledPair pair = share == 1 && addition.kept ? *addition.kept : sampledPair(a, b, share, addition.sampling, part);
+    return SampledSum(std::move(pair), share * (a.tolerance + b.tolerance), addition.inside, part, effort);
+  };
+  return byFinerPolygons(attempt, progress);
 }
 
 /// When one set is as good as a point beside the other: the other, moved there.

@@ -80,7 +80,7 @@ std::pair<int, int> firstDrawnColumns(const QImage& image) {
 }
 
 /// Largest difference of a channel between two pictures in the columns before `end`.
-int difference(const QImage& a, const QImage& b, int end) {
+int largestDifference(const QImage& a, const QImage& b, int end) {
   int most = 0;
   for (int y = 0; y < a.height(); ++y)
     for (int x = 0; x < end; ++x) {
@@ -154,7 +154,7 @@ std::size_t bigEndian(const std::string& text, std::size_t at, std::size_t count
   return value;
 }
 
-std::size_t filesIn(const fs::path& folder) {
+std::size_t entriesOf(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
@@ -196,9 +196,10 @@ void SequencePictureTest::whatStandsStillStaysAtItsPixels() {
   for (const QImage& image : images) {
     QCOMPARE(image.size(), QSize(320, 200));
     // Places are rounded to floats, whose last digit may differ with the size of a frame.
-    QVERIFY2(difference(images.front(), image, to) <= 3, qPrintable(QString::number(difference(images.front(), image, to))));
+    QVERIFY2(largestDifference(images.front(), image, to) <= 3,
+             qPrintable(QString::number(largestDifference(images.front(), image, to))));
   }
-  QVERIFY(difference(images.front(), images.back(), 320) > 100);
+  QVERIFY(largestDifference(images.front(), images.back(), 320) > 100);
 }
 
 void SequencePictureTest::theCameraSeesAllFrames() {
@@ -225,7 +226,7 @@ void SequencePictureTest::anEmptyFrameIsTheCanvas() {
   Sequence nothing;
   nothing.frames = {Shape(Region{}), Shape(Region{})};
   VERIFY_ERROR(writeShape(pictures(), nothing, folder.path() / "no.png"), ErrorCode::InvalidInput);
-  QCOMPARE(filesIn(folder.path()), std::size_t{0});
+  QCOMPARE(entriesOf(folder.path()), std::size_t{0});
 }
 
 void SequencePictureTest::aContactSheetHasItsCells_data() {
@@ -250,7 +251,7 @@ void SequencePictureTest::aContactSheetHasItsCells() {
   const TemporaryFolder folder;
   const fs::path out = folder.path() / "sheet.png";
   writeShape(pictures(), sequence, out, {{"size", "640x480"}, {"sheet", wanted}, {"transparent", true}});
-  QCOMPARE(filesIn(folder.path()), std::size_t{1});
+  QCOMPARE(entriesOf(folder.path()), std::size_t{1});
   const QImage image(QString::fromStdString(out.string()));
   QCOMPARE(image.size(), QSize(640, 480));
   const auto parts = largeParts(image);
@@ -295,7 +296,7 @@ void SequencePictureTest::aFilmIsTheora() {
   QCOMPARE(bigEndian(header, 22, 4), std::size_t{20});                           // pictures
   QCOMPARE(bigEndian(header, 26, 4), std::size_t{1});                            // per second
   QCOMPARE((ogg.lastGranule >> 6) + (ogg.lastGranule & 63), std::uint64_t{24});  // the number of the last picture
-  QCOMPARE(filesIn(folder.path()), std::size_t{1});
+  QCOMPARE(entriesOf(folder.path()), std::size_t{1});
 }
 
 void SequencePictureTest::theSameFilmIsTheSameFile() {
@@ -345,7 +346,7 @@ void SequencePictureTest::aSingleShapeIsNoFilm() {
                  ErrorCode::InvalidParameter);
   VERIFY_ERROR(writeShape(pictures(), widening(2), folder.path() / "none" / "film.ogv", {{"size", "64x48"}}),
                ErrorCode::FileUnwritable);
-  QCOMPARE(filesIn(folder.path()), std::size_t{0});
+  QCOMPARE(entriesOf(folder.path()), std::size_t{0});
 }
 
 void SequencePictureTest::aCancelledFilmLeavesNothing() {
@@ -359,7 +360,7 @@ void SequencePictureTest::aCancelledFilmLeavesNothing() {
     if (name == std::string("sheet.png")) options["sheet"] = 4;
     VERIFY_ERROR(writeShape(pictures(), widening(4), folder.path() / name, options, progress), ErrorCode::Cancelled);
   }
-  QCOMPARE(filesIn(folder.path()), std::size_t{0});
+  QCOMPARE(entriesOf(folder.path()), std::size_t{0});
 }
 
 BLOSSOM_TEST(SequencePictureTest)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <memory>
 
 #include "core/error.h"
 #include "exchange/format/frames.h"
@@ -88,9 +89,9 @@ void writePicture(const Shape& shape, const std::filesystem::path& path, const V
 }
 
 Format::Write pictureOfEachFrame(const Sequence& sequence, const Value& values, const Progress& looking) {
-  return [view = viewOf(sequence, readPictureOptions(values), looking)](
-             const Shape& frame, const std::filesystem::path& path, const Value& given, const Progress& progress) {
-    renderFrame(frame, path, readPictureOptions(given), view, progress);
+  return [pictures = std::make_shared<FramePictures>(sequence, readPictureOptions(values), looking)](
+             const Shape& frame, const std::filesystem::path& path, const Value&, const Progress& progress) {
+    pictures->write(frame, path, progress);
   };
 }
 

@@ -31,7 +31,7 @@ struct CellPlan {
 
 CellPlan cellPlan(std::size_t cells, const PictureOptions& options, const Vec2& shape) {
   CellPlan plan;
-  plan.letter = std::max(1, std::min(options.width, options.height) / 500);
+  plan.letter = std::max(1, std::min(options.width, options.height) / 350);
   plan.strip = (letterHeight + 6) * plan.letter;
   plan.grid = sheetGrid(cells, shape, Vec2(options.width, options.height));
   plan.width = options.width / plan.grid.columns;

@@ -57,13 +57,28 @@ SequenceView viewOf(const Sequence& sequence, const PictureOptions& options, con
   return view;
 }
 
-void renderFrame(const Shape& frame, const std::filesystem::path& png, const PictureOptions& options,
-                 const SequenceView& view, const Progress& progress) {
-  checkSize(options);
-  const OnePictureAtATime turn(progress);
-  OffscreenDrawer drawer(options.width, options.height, pictureSupersampling);
-  Image image = drawFrame(drawer, frame, options, view, progress);
-  finishImage(image, options, rangeOfBound(options.display, view.curvatureBound));
+struct FramePictures::Drawing {
+  Drawing(const Sequence& sequence, const PictureOptions& given, const Progress& progress)
+      : options(given),
+        view(viewOf(sequence, given, progress)),
+        turn(progress),
+        drawer(given.width, given.height, pictureSupersampling) {}
+
+  PictureOptions options;
+  SequenceView view;
+  OnePictureAtATime turn;
+  OffscreenDrawer drawer;
+};
+
+FramePictures::FramePictures(const Sequence& sequence, const PictureOptions& options, const Progress& progress)
+    : drawing_(std::make_unique<Drawing>(sequence, options, progress)) {}
+
+FramePictures::~FramePictures() = default;
+
+void FramePictures::write(const Shape& frame, const std::filesystem::path& png, const Progress& progress) {
+  const PictureOptions& options = drawing_->options;
+  Image image = drawFrame(drawing_->drawer, frame, options, drawing_->view, progress);
+  finishImage(image, options, rangeOfBound(options.display, drawing_->view.curvatureBound));
   writeAtomically(png, pngOf(image, png, options.transparent ? 4 : 3));
   progress.report(1);
 }

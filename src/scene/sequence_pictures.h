@@ -1,6 +1,6 @@
 #pragma once
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "core/progress.h"
@@ -19,9 +19,23 @@ struct SequenceView {
 /// where curvature is shown. @throws Error InvalidParameter; InvalidInput when there is nothing to draw; Cancelled.
 SequenceView viewOf(const Sequence&, const PictureOptions&, const Progress&);
 
-/// A frame as a PNG file; an empty one is the canvas. @throws Error as renderPicture.
-void renderFrame(const Shape& frame, const std::filesystem::path& png, const PictureOptions&, const SequenceView&,
-                 const Progress& = Progress::none());
+/// Draws the frames of a sequence as PNG files of one view, one after the other, in one OpenGL context: on the thread that
+/// made it, and no other pictures are drawn in this process meanwhile.
+class FramePictures {
+ public:
+  /// Looks at every frame. @throws Error as viewOf; Internal with the driver's message when no context can be created.
+  FramePictures(const Sequence&, const PictureOptions&, const Progress& = Progress::none());
+  ~FramePictures();
+  FramePictures(const FramePictures&) = delete;
+  FramePictures& operator=(const FramePictures&) = delete;
+
+  /// An empty frame is the canvas. @throws Error FileUnwritable, Cancelled.
+  void write(const Shape& frame, const std::filesystem::path& png, const Progress& = Progress::none());
+
+ private:
+  struct Drawing;
+  std::unique_ptr<Drawing> drawing_;
+};
 
 /// Up to `cells` frames, evenly spread, beside each other in one PNG file of the size in the options, each with its time,
 /// all of them with the same camera. There are fewer where cells would have less than 24 pixels a side. @returns the number

@@ -40,8 +40,8 @@ FeatureType frameFeature() {
       .parameter("number", &P::number, count(1, static_cast<int>(maximumFrames)), "Which frame, counted from 1.")
       .parameter("time", &P::time, whenNone(optional(number()), "the frame of that number"),
                  "In place of the number: the frame whose time is nearest to this; of two the earlier one.")
-      .example("blossom frame walk.blossom#morph --number 7 -o seventh.svg")
-      .example("blossom frame walk.blossom#morph --time 0.25 -o quarter.step")
+      .example("blossom frame walk.blossom --number 7 -o seventh.svg")
+      .example("blossom frame walk.blossom --time 0.25 -o quarter.step")
       .evaluate(takenFrame);
 }
 
@@ -68,7 +68,7 @@ FeatureType joinFeature() {
                  "Even: the frames are spread evenly from 0 to 1; lengths: each sequence keeps its share of the time.")
       .parameter("merge-ends", &P::mergeEnds, flag(),
                  "Leave out the first frame of each sequence that comes after another part, as it repeats the end of that.")
-      .example("blossom sequence-join there.blossom#morph back.blossom#morph --merge-ends -o loop.svg --svg.animate")
+      .example("blossom sequence-join there.blossom back.blossom --merge-ends -o loop.svg --svg.animate")
       .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
         progress.check();
         return Evaluated{joinedInTime(inputs.of(0), {p.times == JoinTimes::Lengths, p.mergeEnds}), Value::object(), {}};
@@ -96,8 +96,8 @@ FeatureType retimeFeature() {
           "frames", &P::frames, count(0, static_cast<int>(maximumFrames)),
           "Number of frames, at even times, each the nearest one there is: none is computed anew. 0 keeps the frames and "
           "moves their times.")
-      .example("blossom sequence-retime walk.blossom#morph --ease in-out --frames 49 -o soft.svg")
-      .example("blossom sequence-retime walk.blossom#morph --reverse -o back.svg --svg.animate")
+      .example("blossom sequence-retime walk.blossom --ease in-out --frames 49 -o soft.svg")
+      .example("blossom sequence-retime walk.blossom --reverse -o back.svg --svg.animate")
       .evaluate([](const P& p, const Inputs& inputs, const Progress& progress) {
         progress.check();
         return Evaluated{

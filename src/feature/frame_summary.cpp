@@ -19,11 +19,10 @@ std::vector<std::string> runsOf(const std::vector<std::size_t>& frames) {
   for (std::size_t i = 0; i < frames.size();) {
     std::size_t end = i + 1;
     while (end < frames.size() && frames[end] == frames[end - 1] + 1) ++end;
-    const std::size_t first = frames[i] + 1, last = frames[end - 1] + 1;
-    if (first == last)
-      runs.push_back(std::to_string(first));
+    if (end - i > 2)
+      runs.push_back(fmt::format("{} to {}", frames[i] + 1, frames[end - 1] + 1));
     else
-      runs.push_back(fmt::format("{} {} {}", first, last == first + 1 ? "and" : "to", last));
+      for (std::size_t k = i; k < end; ++k) runs.push_back(std::to_string(frames[k] + 1));
     i = end;
   }
   return runs;

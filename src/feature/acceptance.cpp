@@ -19,12 +19,12 @@ bool mayBoundRegion(const Shape& shape) {
   return shape.kind() == ShapeKind::Curves;
 }
 
-bool takes(const InputSpec& spec, ShapeKind kind) {
+bool takesKind(const InputSpec& spec, ShapeKind kind) {
   return spec.kinds.empty() || std::find(spec.kinds.begin(), spec.kinds.end(), kind) != spec.kinds.end();
 }
 
 bool acceptsAsOne(const InputSpec& spec, const Shape& shape) {
-  return !shape.empty() && (takes(spec, shape.kind()) || (takes(spec, ShapeKind::Region) && mayBoundRegion(shape)));
+  return !shape.empty() && (takesKind(spec, shape.kind()) || (takesKind(spec, ShapeKind::Region) && mayBoundRegion(shape)));
 }
 
 void checkNamedInput(const FeatureType& type, const ParameterSpec& spec, const Value& value) {
@@ -53,7 +53,7 @@ void checkNamedInputs(const FeatureType& type, const Value& parameters) {
 }
 
 bool takenByFrames(const InputSpec& spec, const Shape& shape) {
-  return shape.kind() == ShapeKind::Sequence && !takes(spec, ShapeKind::Sequence);
+  return shape.kind() == ShapeKind::Sequence && !takesKind(spec, ShapeKind::Sequence);
 }
 
 bool accepts(const InputSpec& spec, const Shape& shape) {

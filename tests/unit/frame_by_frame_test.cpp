@@ -17,13 +17,13 @@ using namespace blossom::test;
 
 namespace {
 
-Shape pointAt(double value) {
+Shape pointOnAxis(double value) {
   Mesh mesh;
   mesh.points = {Vec3(value, 0, 0)};
   return mesh;
 }
 
-double valueOf(const Shape& shape) { return shape.get<Mesh>()->points.at(0).x(); }
+double abscissaOf(const Shape& shape) { return shape.get<Mesh>()->points.at(0).x(); }
 
 Sequence sequenceOf(std::vector<Shape> frames) {
   Sequence sequence{std::move(frames), {}};
@@ -34,13 +34,13 @@ Sequence sequenceOf(std::vector<Shape> frames) {
 
 Shape series(const std::vector<double>& values) {
   std::vector<Shape> frames;
-  for (const double value : values) frames.push_back(pointAt(value));
+  for (const double value : values) frames.push_back(pointOnAxis(value));
   return sequenceOf(std::move(frames));
 }
 
-std::vector<double> valuesOf(const Shape& shape) {
+std::vector<double> abscissasOf(const Shape& shape) {
   std::vector<double> values;
-  for (const Shape& frame : shape.get<Sequence>()->frames) values.push_back(valueOf(frame));
+  for (const Shape& frame : shape.get<Sequence>()->frames) values.push_back(abscissaOf(frame));
   return values;
 }
 
@@ -53,16 +53,16 @@ struct Add {
 /// The sum of points on the x axis. It tells and fails by what comes out.
 Evaluated added(const Add& p, const Inputs& in, const Progress& progress) {
   double sum = p.add;
-  for (const Shape& part : in.of(0)) sum += valueOf(part);
+  for (const Shape& part : in.of(0)) sum += abscissaOf(part);
   progress.report(0.5, "adding");
   if (sum == p.failAt) throw Error(ErrorCode::Degenerate, "It collapses.", "Make it larger.");
   while (sum == p.endlessAt) progress.check();
-  Evaluated out{pointAt(sum), {{"sum", sum}, {"terms", in.of(0).size()}, {"kernel_ms", 2.0}, {"gap_mm", sum / 2}}, {}};
+  Evaluated out{pointOnAxis(sum), {{"sum", sum}, {"terms", in.of(0).size()}, {"kernel_ms", 2.0}, {"gap_mm", sum / 2}}, {}};
   out.figures = {{"size", sum, MeasureUnit::Length}, {"kind of", std::string("sum"), MeasureUnit::None}};
   if (sum > 2) out.warnings = {"It is large."};
   if (p.frames > 0) {
     std::vector<Shape> frames;
-    for (int k = 0; k < p.frames; ++k) frames.push_back(pointAt(sum + k));
+    for (int k = 0; k < p.frames; ++k) frames.push_back(pointOnAxis(sum + k));
     out.shape = sequenceOf(std::move(frames));
   }
   return out;
@@ -92,12 +92,12 @@ std::shared_ptr<Registry> registry(const std::shared_ptr<std::atomic<int>>& eval
   made->add(feature<None>("test.area", "Area", "Takes regions.")
                 .input({.name = "outline", .help = "An outline.", .kinds = {ShapeKind::Region}, .use = InputUse::Outline})
                 .evaluate([](const None&, const Inputs& in, const Progress&) -> Evaluated {
-                  return {pointAt(area(in.get<Region>())), Value::object(), {}};
+                  return {pointOnAxis(area(in.get<Region>())), Value::object(), {}};
                 }));
   made->add(feature<None>("test.length", "Number of frames", "Takes sequences as they are.")
                 .input({.name = "sequence", .help = "A sequence.", .kinds = {ShapeKind::Sequence}})
                 .evaluate([](const None&, const Inputs& in, const Progress&) -> Evaluated {
-                  return {pointAt(double(in.get<Sequence>().frames.size())), Value::object(), {}};
+                  return {pointOnAxis(double(in.get<Sequence>().frames.size())), Value::object(), {}};
                 }));
   return made;
 }
@@ -144,11 +144,11 @@ class FrameByFrameTest : public QObject {
  private slots:
   void aPlainShapeIsTheSameInEveryFrame() {
     const Shape run = series({1, 2, 4});
-    const Evaluated made = evaluated("add", {{"add", 0.5}}, {run, pointAt(10)});
-    QCOMPARE(valuesOf(made.shape), (std::vector{11.5, 12.5, 14.5}));
+    const Evaluated made = evaluated("add", {{"add", 0.5}}, {run, pointOnAxis(10)});
+    QCOMPARE(abscissasOf(made.shape), (std::vector{11.5, 12.5, 14.5}));
     QCOMPARE(made.shape.get<Sequence>()->times, run.get<Sequence>()->times);
-    QCOMPARE(valuesOf(evaluated("add", {}, {pointAt(10), run}).shape), (std::vector{11.0, 12.0, 14.0}));
-    QCOMPARE(valueOf(evaluated("add", {}, {pointAt(10), pointAt(1)}).shape), 11.0);
+    QCOMPARE(abscissasOf(evaluated("add", {}, {pointOnAxis(10), run}).shape), (std::vector{11.0, 12.0, 14.0}));
+    QCOMPARE(abscissaOf(evaluated("add", {}, {pointOnAxis(10), pointOnAxis(1)}).shape), 11.0);
   }
 
   void sequencesGoTogether() {
@@ -156,13 +156,13 @@ class FrameByFrameTest : public QObject {
     std::uniform_real_distribution<double> any(-5, 5);
     std::vector<double> a(17), b(17), sum(17);
     for (std::size_t k = 0; k < a.size(); ++k) sum[k] = (a[k] = any(random)) + (b[k] = any(random));
-    QCOMPARE(valuesOf(evaluated("add", {}, {series(a), series(b)}).shape), sum);
+    QCOMPARE(abscissasOf(evaluated("add", {}, {series(a), series(b)}).shape), sum);
   }
 
-  void oneFrameMakesASequenceOfOne() { QCOMPARE(valuesOf(evaluated("add", {}, {series({3})}).shape), std::vector{3.0}); }
+  void oneFrameMakesASequenceOfOne() { QCOMPARE(abscissasOf(evaluated("add", {}, {series({3})}).shape), std::vector{3.0}); }
 
   void differentNumbersOfFramesAreRefused() {
-    const Error error = refused("add", {}, {series({1, 2, 3}), pointAt(0), series({1, 2})});
+    const Error error = refused("add", {}, {series({1, 2, 3}), pointOnAxis(0), series({1, 2})});
     QCOMPARE(error.code(), ErrorCode::InvalidInput);
     QVERIFY2(holds(error.message(), "3 frames, another 2."), error.what());
     QVERIFY2(holds(error.hint(), "sequence-retime"), error.hint().c_str());
@@ -171,7 +171,7 @@ class FrameByFrameTest : public QObject {
   void framesMustBeOfAKindThatIsTaken() {
     const Shape disc = circleRegion(1);
     const auto message = [&](const Shape& given) { return refused("add", {}, {given}).message(); };
-    QCOMPARE(message(sequenceOf({pointAt(1), disc})),
+    QCOMPARE(message(sequenceOf({pointOnAxis(1), disc})),
              std::string("The input \"part\" of Sum takes a mesh; it got a sequence whose frame 2 is a region."));
     QVERIFY(holds(message(Sequence()), "it got a sequence without frames."));
     QVERIFY(holds(message(sequenceOf({series({1, 2})})), "it got a sequence whose frame 1 is a sequence."));
@@ -186,14 +186,14 @@ class FrameByFrameTest : public QObject {
       return Shape(curves);
     };
     const Evaluated made = evaluated("area", {}, {sequenceOf({outline(1, true), outline(2, true), outline(3, true)})});
-    QCOMPARE(valuesOf(made.shape), (std::vector{1.0, 4.0, 9.0}));
+    QCOMPARE(abscissasOf(made.shape), (std::vector{1.0, 4.0, 9.0}));
     const Error open = refused("area", {}, {sequenceOf({outline(1, true), outline(2, true), outline(3, false)})});
     QVERIFY2(open.message().starts_with("Frame 3 (t = 1): "), open.what());
   }
 
   void whatIsDeclaredToTakeSequencesGetsThem() {
-    QCOMPARE(valueOf(evaluated("length", {}, {series({7, 7, 7, 7})}).shape), 4.0);
-    QCOMPARE(refused("length", {}, {pointAt(1)}).code(), ErrorCode::InvalidInput);
+    QCOMPARE(abscissaOf(evaluated("length", {}, {series({7, 7, 7, 7})}).shape), 4.0);
+    QCOMPARE(refused("length", {}, {pointOnAxis(1)}).code(), ErrorCode::InvalidInput);
   }
 
   void theRuleOfWhatIsAccepted() {
@@ -203,8 +203,8 @@ class FrameByFrameTest : public QObject {
     const InputSpec& whole = types->at("length")->inputs[0];
     const Shape run = series({1, 2}), discs = sequenceOf({circleRegion(1), circleRegion(2)});
     QVERIFY(accepts(parts, run) && !accepts(parts, discs) && accepts(outline, discs) && !accepts(outline, run));
-    QVERIFY(accepts(whole, run) && accepts(whole, discs) && !accepts(whole, pointAt(1)));
-    QVERIFY(takenByFrames(parts, run) && !takenByFrames(whole, run) && !takenByFrames(parts, pointAt(1)));
+    QVERIFY(accepts(whole, run) && accepts(whole, discs) && !accepts(whole, pointOnAxis(1)));
+    QVERIFY(takenByFrames(parts, run) && !takenByFrames(whole, run) && !takenByFrames(parts, pointOnAxis(1)));
     QVERIFY(!takenByFrames(InputSpec{.name = "any", .help = "", .kinds = {}}, run));
     QVERIFY(consumes(parts, run) && consumes(outline, discs) && !consumes(whole, run));
   }
@@ -242,7 +242,7 @@ class FrameByFrameTest : public QObject {
     QVERIFY2(holds(early.hint(), "Set \"frames\" to 0") && holds(early.hint(), "\"frame\""), early.hint().c_str());
     const Error late = refused("add", {{"frames", 1}}, {series({1, 2})});
     QVERIFY2(holds(late.message(), "A sequence of sequences"), late.what());
-    QCOMPARE(valuesOf(evaluated("add", {{"frames", 4}}, {pointAt(1)}).shape), (std::vector{1.0, 2.0, 3.0, 4.0}));
+    QCOMPARE(abscissasOf(evaluated("add", {{"frames", 4}}, {pointOnAxis(1)}).shape), (std::vector{1.0, 2.0, 3.0, 4.0}));
   }
 
   void thereIsALimit() {
@@ -280,7 +280,7 @@ class FrameByFrameTest : public QObject {
     Evaluator evaluator(registry(evaluations));
     const Results results = evaluator.evaluate(document(), {});
     QVERIFY(!results.at("all")->error);
-    QCOMPARE(valuesOf(results.at("all")->evaluated.shape), (std::vector{11.0, 12.0, 13.0}));
+    QCOMPARE(abscissasOf(results.at("all")->evaluated.shape), (std::vector{11.0, 12.0, 13.0}));
     QCOMPARE(evaluations->load(), 2 + 3);
     evaluator.evaluate(document(), {});
     QCOMPARE(evaluations->load(), 2 + 3);
@@ -290,7 +290,7 @@ class FrameByFrameTest : public QObject {
     const fs::path file = fs::path(folder.path().toStdString()) / "run.blossom";
     saveDocument(document(), file);
     const Results again = Evaluator(registry()).evaluate(openDocument(file).document, {});
-    QCOMPARE(valuesOf(again.at("all")->evaluated.shape), (std::vector{11.0, 12.0, 13.0}));
+    QCOMPARE(abscissasOf(again.at("all")->evaluated.shape), (std::vector{11.0, 12.0, 13.0}));
   }
 
   void theBackgroundTakesThemToo() {
@@ -298,7 +298,7 @@ class FrameByFrameTest : public QObject {
     Results results;
     evaluator.evaluateInBackground(document(), {}, {}, [&](Results made) { results = std::move(made); });
     evaluator.waitForBackground();
-    QCOMPARE(valuesOf(results.at("all")->evaluated.shape), (std::vector{11.0, 12.0, 13.0}));
+    QCOMPARE(abscissasOf(results.at("all")->evaluated.shape), (std::vector{11.0, 12.0, 13.0}));
   }
 
   void partsOfASequenceAreRefused() {

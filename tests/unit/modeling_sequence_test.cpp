@@ -66,7 +66,7 @@ class ModelingSequenceTest : public QObject {
   void aMorphIsExtruded() {
     const Shape plates = made("extrude", {{"height", 5.0}}, {growing(5)}).shape;
     QCOMPARE(timesOf(plates), (std::vector{0.0, 0.25, 0.5, 0.75, 1.0}));
-    compareFrames(plates, "volume", 1e-12, [](double t) { return 5 * grown(t); });
+    compareFrames(plates, "volume", 1e-9, [](double t) { return 5 * grown(t); });
   }
 
   void sequencesAreCombined() {
@@ -85,11 +85,11 @@ class ModelingSequenceTest : public QObject {
   }
 
   void sequencesAreMovedRepeatedAndMirrored() {
-    compareFrames(made("transform", {{"scale", 2.0}, {"move", {3, 4, 0}}}, {growing(3)}).shape, "area", 1e-12,
+    compareFrames(made("transform", {{"scale", 2.0}, {"move", {3, 4, 0}}}, {growing(3)}).shape, "area", 1e-9,
                   [](double t) { return 4 * grown(t); });
-    compareFrames(made("pattern", {{"count", 3}, {"step", {100, 0, 0}}}, {growing(3)}).shape, "area", 1e-12,
+    compareFrames(made("pattern", {{"count", 3}, {"step", {100, 0, 0}}}, {growing(3)}).shape, "area", 1e-9,
                   [](double t) { return 3 * grown(t); });
-    compareFrames(made("mirror", {{"point", {-1, 0, 0}}}, {growing(3)}).shape, "area", 1e-12,
+    compareFrames(made("mirror", {{"point", {-1, 0, 0}}}, {growing(3)}).shape, "area", 1e-9,
                   [](double t) { return 2 * grown(t); });
   }
 
@@ -105,9 +105,8 @@ class ModelingSequenceTest : public QObject {
   void whatFailsIsNamedByItsFrame() {
     const Shape plates = made("extrude", {{"height", 5.0}}, {growing(3)}).shape;
     compareFrames(made("fillet", {{"radius", 0.5}}, {plates}).shape, "closed", 1e-12, [](double) { return 1; });
-    const Error error = refusal("shell", {{"thickness", -1.0}}, {plates});
-    if (error.code() != ErrorCode::InvalidParameter)
-      QVERIFY2(error.message().starts_with("Frame 1 (t = 0): "), error.what());
+    const Error error = refusal("fillet", {{"radius", 25}}, {plates});
+    QVERIFY2(error.message().starts_with("Frame 1 (t = 0): "), error.what());
     const Document document =
         Document()
             .with(featureOf("a", "rectangle", {{"width", 10}, {"height", 10}}))
@@ -127,7 +126,8 @@ class ModelingSequenceTest : public QObject {
     const Shape run = growing(5);
     for (int k = 1; k <= 5; ++k)
       COMPARE_NEAR(figure(made("frame", {{"number", k}}, {run}).shape, "area"), grown((k - 1) / 4.0), 1e-9);
-    for (const auto& [time, number] : {std::pair{0.3, 2}, {0.375, 2}, {0.376, 3}, {-4.0, 1}, {9.0, 5}}) {
+    const std::vector<std::pair<double, int>> nearest{{0.3, 2}, {0.375, 2}, {0.376, 3}, {-4.0, 1}, {9.0, 5}};
+    for (const auto& [time, number] : nearest) {
       const Evaluated frame = made("frame", {{"time", time}}, {run});
       QCOMPARE(frame.stats.at("frame"), Value(number));
       COMPARE_NEAR(figure(frame.shape, "area"), grown((number - 1) / 4.0), 1e-9);
@@ -185,7 +185,7 @@ class ModelingSequenceTest : public QObject {
     const Sequence again = retimed(back, {.reverse = true});
     QCOMPARE(numbersOf(again), numbersOf(run));
     QCOMPARE(again.times, run.times);
-    QCOMPARE(numbersOf(retimed(run, {.reverse = true, .ease = Ease::In, .frames = 3})), (std::vector{4, 3, 1}));
+    QCOMPARE(numbersOf(retimed(run, {.reverse = true, .ease = Ease::In, .frames = 3})), (std::vector{4, 4, 1}));
   }
 
   /// Each of the new frames is an old one, and none is nearer to where the ease has come to.

@@ -109,7 +109,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
               .asks = "a shape to morph"})
       .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
-      .parameter("blossom", &P::blossom, list(ratio()),
+      .parameter("blossom", &P::blossom, onePer(list(ratio()), "shape", -1, "t"),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
       .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
                  "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
@@ -118,11 +118,11 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "Elevate the degree by one; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.")
-      .parameter("offsets", &P::offsets, list(displacement()),
+      .parameter("offsets", &P::offsets, onePer(list(displacement()), "shape"),
                  "Displacement of each control shape from its drawn position, first to last; others stay.")
-      .parameter("scales", &P::scales, list(positiveNumber()),
+      .parameter("scales", &P::scales, onePer(list(positiveNumber()), "shape"),
                  "How many times as large each control shape is as drawn, about its centre, first to last; others stay.")
-      .parameter("turns", &P::turns, list(angle()),
+      .parameter("turns", &P::turns, onePer(list(angle()), "shape"),
                  "Rotation of each control shape about its centre, counter-clockwise, first to last; others stay.")
       .parameter("tolerance", &P::tolerance, toleranceSpec(),
                  "Largest distance between curves and the polygons that stand for them.")

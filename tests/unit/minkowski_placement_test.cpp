@@ -46,7 +46,8 @@ class MinkowskiPlacementTest : public QObject {
     const Region box = rectangleRegion({0, 0}, {4, 2});
     for (const double turn : {90.0, -90.0, 270.0, 450.0}) {
       Vec2 low(1e9, 1e9), high(-1e9, -1e9);
-      for (const Segment& side : placed(box, {.turn = turn}).loops.at(0).segments) {
+      const Region turned = placed(box, {.turn = turn});
+      for (const Segment& side : turned.loops.at(0).segments) {
         low = low.cwiseMin(startPoint(side));
         high = high.cwiseMax(startPoint(side));
       }

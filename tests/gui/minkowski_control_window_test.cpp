@@ -1,5 +1,9 @@
+#include <QDir>
+#include <QLabel>
 #include <QToolButton>
 
+#include "ui/look/text.h"
+#include "ui/timeline/playback.h"
 #include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
 #include "window_fixture.h"
@@ -17,21 +21,28 @@ class MinkowskiControlWindowTest : public WindowFixture {
 
   void theNumberIsDraggedLikeItsDot();
   void theRingScalesAndTurns();
+  void theCardTellsWhatIsSeen();
+  void theLadderIsDrawnOnDemand();
+  void picturesOfTheLadder();
 
  private:
   void dragPixels(const QPoint& from, const QPoint& to);
   [[nodiscard]] Value given(const char* name) const {
     return window_->page().document().at(morph_).parameters.value(name, Value::array());
   }
-  FeatureId morph_;
+  void set(const char* name, const Value& value);
+  [[nodiscard]] QLabel* figures() const { return window_->view().findChild<QLabel*>(QStringLiteral("morphFigures")); }
+  [[nodiscard]] QToolButton* ladder() const { return window_->view().findChild<QToolButton*>(QStringLiteral("ladder")); }
+  [[nodiscard]] std::size_t drawn() const { return window_->page().tool()->props().size(); }
+  FeatureId first_, morph_;
 };
 
 /// A square of side 20 about the origin and one of side 30 about (100, 0), seen from above; the morph is the second.
 void MinkowskiControlWindowTest::init() {
   openNewDocument();
-  const FeatureId a = add("modeling.rectangle", {{"width", 20}, {"height", 20}});
+  first_ = add("modeling.rectangle", {{"width", 20}, {"height", 20}});
   const FeatureId b = add("modeling.rectangle", {{"width", 30}, {"height", 30}, {"centre", {100, 0, 0}}});
-  morph_ = add("minkowski.morph", {{"t", 1}}, {a, b});
+  morph_ = add("minkowski.morph", {{"t", 1}}, {first_, b});
   window_->tree().select(morph_);
   run("view.top");
   window_->view().fitTo({{-60, -90, 0}, {180, 90, 0}}, false);
@@ -83,6 +94,94 @@ void MinkowskiControlWindowTest::theRingScalesAndTurns() {
   window_->session().undo();
   waitUntilComputed();
   QVERIFY(given("scales").empty() && given("turns").empty());
+}
+
+void MinkowskiControlWindowTest::set(const char* name, const Value& value) {
+  Feature morph = window_->page().document().at(morph_);
+  morph.parameters[name] = value;
+  window_->session().commit(window_->page().document().with(morph), QStringLiteral("Set"));
+  waitUntilComputed();
+}
+
+/// t and area, of the frame that is seen, and while something is dragged.
+void MinkowskiControlWindowTest::theCardTellsWhatIsSeen() {
+  const auto says = [this](const char* t, double area) {
+    const QString wanted = readable(Measure{"area", area, MeasureUnit::Area});
+    return QTest::qWaitFor([&] {
+      return figures() && figures()->text().startsWith(QStringLiteral("t %1 ").arg(QLatin1String(t))) &&
+             figures()->text().endsWith(wanted);
+    });
+  };
+  QVERIFY2(says("1", 900), qPrintable(figures()->text()));
+  set("t", 0.5);
+  QVERIFY2(says("0.5", 625), qPrintable(figures()->text()));
+  set("frames", 5);
+  Playback& playback = window_->page().playback();
+  playback.show(1);
+  QVERIFY2(says("0.25", 22.5 * 22.5), qPrintable(figures()->text()));
+  playback.show(4);
+  QVERIFY2(says("1", 900), qPrintable(figures()->text()));
+  const QPoint square = screenOf({100, 0, 0}) + QPoint(40, 0);
+  test::moveMouse(&window_->view(), square);
+  QTest::mousePress(&window_->view(), Qt::LeftButton, {}, square);
+  test::moveMouse(&window_->view(), square + QPoint(20, 0));
+  test::moveMouse(&window_->view(), square + QPoint(40, 0));
+  QVERIFY2(says("1", 3600), qPrintable(figures()->text()));  // still held
+  QTest::keyClick(&window_->view(), Qt::Key_Escape);
+  QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, square + QPoint(40, 0));
+  QVERIFY2(says("1", 900), qPrintable(figures()->text()));
+  window_->tree().select(first_);
+  QTRY_VERIFY(!figures());
+}
+
+void MinkowskiControlWindowTest::theLadderIsDrawnOnDemand() {
+  window_->view().setFocus();
+  QTest::keyClick(&window_->view(), Qt::Key_L);
+  QVERIFY(ladder()->isChecked());
+  auto* const note = ladder()->parentWidget()->findChild<QLabel*>(QStringLiteral("note"));
+  QTRY_VERIFY(note && note->text().contains(QStringLiteral("Three control shapes")));
+  const FeatureId third = add("modeling.circle", {{"radius", 12}, {"centre", {50, 60, 0}}});
+  Feature morph = window_->page().document().at(morph_);
+  morph.inputs.push_back(third);
+  morph.parameters["t"] = 0.5;
+  Document document = window_->page().document().without(morph_).with(morph);  // after what it takes
+  window_->session().commit(std::move(document), QStringLiteral("Three"));
+  waitUntilComputed();
+  window_->tree().select(morph_);
+  QTRY_VERIFY(ladder() && ladder()->isChecked());  // it stays on
+  const auto click = [this] { QTest::mouseClick(ladder(), Qt::LeftButton); };
+  click();
+  QVERIFY(!ladder()->isChecked());
+  const std::size_t without = drawn();
+  const QImage before = canvas();
+  click();
+  // Two shapes between three control shapes and the result, and the line between their centres.
+  QTRY_COMPARE(drawn(), without + 2);
+  QVERIFY(canvas() != before);
+  click();
+  QCOMPARE(drawn(), without);
+}
+
+/// Kept where BLOSSOM_PICTURES says, to be looked at: a ladder of three levels, with a ring.
+void MinkowskiControlWindowTest::picturesOfTheLadder() {
+  window_->resize(1280, 800);
+  openAndWait(QString::fromStdString(test::sample("triangle-to-star.blossom").string()));
+  morph_ = last();
+  window_->tree().select(morph_);
+  QTRY_VERIFY(ladder());
+  run("view.top");
+  QTRY_VERIFY(std::abs(window_->view().camera().turn().pitch - 90) < 1e-9);
+  window_->page().playback().show(12);
+  const std::size_t without = drawn();
+  QTest::mouseClick(ladder(), Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(drawn() >= without + 4, 300000);  // two levels between four shapes and the result
+  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
+  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+    ThemeManager::instance().apply(choice);
+    QVERIFY(!canvas().isNull());  // at rest
+    const char* const name = choice == ThemeChoice::Light ? "ladder-light.png" : "ladder-dark.png";
+    if (!folder.isEmpty()) QVERIFY(window_->grab().save(QDir(folder).filePath(QLatin1String(name))));
+  }
 }
 
 BLOSSOM_WINDOW_TEST(MinkowskiControlWindowTest)

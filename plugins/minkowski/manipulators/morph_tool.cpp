@@ -9,6 +9,8 @@
 #include "core/error.h"
 #include "feature/registry.h"
 #include "kernel/control_centre.h"
+#include "manipulators/morph_card.h"
+#include "manipulators/morph_ladder.h"
 #include "manipulators/placement_values.h"
 #include "parameter/written.h"
 #include "ui/tools/view_props.h"
@@ -36,7 +38,20 @@ double snappedTo(double value, double spacing, double reach) {
 
 }  // namespace
 
-MorphTool::MorphTool(ui::ToolHost& toolHost, FeatureId feature) : HandleTool(toolHost, std::move(feature)) { load(); }
+MorphTool::MorphTool(ui::ToolHost& toolHost, FeatureId feature)
+    : HandleTool(toolHost, std::move(feature)),
+      habits_(toolHost.kept<MorphHabits>()),
+      loader_([this](std::shared_ptr<const LadderLines> lines) {
+        ladder_ = std::move(lines);
+        refreshCard();
+        emit changed();
+      }) {
+  load();
+  makeCard();
+  refreshCard();
+}
+
+MorphTool::~MorphTool() { delete card_; }
 
 void MorphTool::load() {
   base_ = host().document();

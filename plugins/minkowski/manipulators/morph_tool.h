@@ -1,23 +1,31 @@
 #pragma once
+#include <QPointer>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "geometry/planar/region.h"
 #include "kernel/control_placement.h"
+#include "manipulators/ladder_loader.h"
 #include "parameter/parameter.h"
 #include "ui/tools/handle_tool.h"
 #include "ui/tools/typed_text.h"
 
 namespace blossom::minkowski {
 
+class MorphCard;
+struct MorphHabits;
+
 /// The control shapes of a morph where they stand in it. The dot at the centre of each, and its number, move it; a ring
 /// around the one that the mouse is near or that was clicked last holds a square that scales it and a dot that turns it. A
 /// drag sets the parameters `offsets`, `scales` and `turns`: the document is previewed meanwhile, numbers can be typed
-/// instead, and the whole drag is one step of undo.
+/// instead, and the whole drag is one step of undo. A card tells t and area of what is seen and switches the ladder of de
+/// Casteljau, which is computed in the background.
 class MorphTool final : public ui::HandleTool {
   Q_OBJECT
  public:
   MorphTool(ui::ToolHost&, FeatureId);
+  ~MorphTool() override;
 
   [[nodiscard]] QString hint() const override;
   bool press(const ui::ToolEvent&) override;
@@ -25,6 +33,8 @@ class MorphTool final : public ui::HandleTool {
   bool doubleClick(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
   void keysLost() override;
+  void documentChanged() override;
+  void frameMoved() override { refreshCard(); }
   [[nodiscard]] bool entering() const override { return typing_; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
 
@@ -75,11 +85,21 @@ class MorphTool final : public ui::HandleTool {
   void takeTyped();
   void stopTyping();
 
+  // The card and the ladder.
+  void makeCard();
+  void refreshCard();
+  void setLadder(bool on);
+  void askLadder(const Value& parameters);
+  [[nodiscard]] const Region* regionSeen(std::optional<double>& time) const;
+  [[nodiscard]] QString figures(const Region*);
+  [[nodiscard]] QString ladderNote(const Value& parameters) const;
+
   // What is said and drawn.
   [[nodiscard]] QString heldHint(const Handle&) const;
   [[nodiscard]] QString hoverHint(const Handle&) const;
   [[nodiscard]] QString valueText(const Handle&) const;
   [[nodiscard]] QString offsetText(const Vec2&) const;
+  void drawLadder(std::vector<vtkSmartPointer<vtkProp>>&) const;
   void drawShapes(std::vector<vtkSmartPointer<vtkProp>>&) const;
   void drawRing(std::vector<vtkSmartPointer<vtkProp>>&, std::size_t shape) const;
 
@@ -95,6 +115,15 @@ class MorphTool final : public ui::HandleTool {
   bool typing_ = false;
   ui::TypedText entry_;
   QString refusal_;
+
+  MorphHabits& habits_;  ///< stay in force when something else is selected meanwhile
+  QPointer<MorphCard> card_;
+  std::vector<double> levels_;  ///< the numbers by which what is seen is blended
+  std::shared_ptr<const FeatureResult> measured_;
+  const Region* measuredRegion_ = nullptr;  ///< of it
+  double area_ = 0;                         ///< mm^2, of that
+  std::shared_ptr<const LadderLines> ladder_;
+  LadderLoader loader_;
 };
 
 }  // namespace blossom::minkowski

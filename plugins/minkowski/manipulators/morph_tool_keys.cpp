@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 
 #include "core/error.h"
+#include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
 
 namespace blossom::minkowski {
@@ -29,6 +30,11 @@ bool MorphTool::key(const QKeyEvent& event) {
     entry_.open({});
     typing_ = true;
     return typingKey(event);
+  }
+  const bool plain = !(event.modifiers() & ~Qt::KeypadModifier);
+  if (plain && event.key() == Qt::Key_L && !held()) {
+    setLadder(!habits_.ladder);
+    return true;
   }
   return HandleTool::key(event);
 }

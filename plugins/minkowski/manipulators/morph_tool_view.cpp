@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
+#include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
 #include "ui/tools/view_props.h"
 
@@ -95,7 +96,26 @@ QString MorphTool::hint() const {
   if (!refusal_.isEmpty()) return refusal_;
   if (held()) return heldHint(handleOf(*held()));
   if (hovered()) return hoverHint(handleOf(*hovered()));
-  return tr("Drag the number of a control shape to move it, the square or the dot on its ring to scale or turn it");
+  return tr(
+      "Drag the number of a control shape to move it, the square or the dot on its ring to scale or turn it · L: ladder");
+}
+
+/// Ghosts that turn from the colour of the controls to that of the result, and the polygons through their centres.
+void MorphTool::drawLadder(std::vector<vtkSmartPointer<vtkProp>>& props) const {
+  if (!habits_.ladder || !ladder_) return;
+  const double pixel = host().pixelRatio(), count = static_cast<double>(controls_.size()) - 1;
+  const Look& look = host().look();
+  const auto ghost = [&](std::size_t level) {
+    const Color color = mixed(look.control, look.made, static_cast<double>(level + 1) / std::max(count, 1.0));
+    return mixed(color, look.backgroundBottom, 0.4);
+  };
+  for (std::size_t r = 0; r < ladder_->levels.size(); ++r)
+    props.push_back(ui::linesProp(ladder_->levels[r], ghost(r), pixel));
+  std::vector<Vec2> centres;
+  for (std::size_t i = 0; i < controls_.size(); ++i) centres.push_back(centreOf(i));
+  const auto polygons = ladderOfPoints(std::move(centres), levels_);
+  for (std::size_t r = 0; r < std::min(polygons.size(), ladder_->levels.size()); ++r)
+    props.push_back(ui::linesProp({polygons[r]}, ghost(r), 0.75 * pixel));
 }
 
 void MorphTool::drawShapes(std::vector<vtkSmartPointer<vtkProp>>& props) const {
@@ -139,6 +159,7 @@ std::vector<vtkSmartPointer<vtkProp>> MorphTool::props() const {
   std::vector<vtkSmartPointer<vtkProp>> props;
   const double pixel = host().pixelRatio();
   const Look& look = host().look();
+  drawLadder(props);
   drawShapes(props);
   std::vector<Vec3> polygon;
   for (std::size_t i = 0; i < controls_.size(); ++i) polygon.push_back(onGround(centreOf(i)));

@@ -20,6 +20,7 @@ class MinkowskiControlWindowTest : public WindowFixture {
   void cleanup() { window_.reset(); }
 
   void theNumberIsDraggedLikeItsDot();
+  void numbersAtOnePlaceStandSideBySide();
   void theRingScalesAndTurns();
   void theCardTellsWhatIsSeen();
   void theLadderIsDrawnOnDemand();
@@ -74,6 +75,18 @@ void MinkowskiControlWindowTest::theNumberIsDraggedLikeItsDot() {
   QTest::mouseDClick(&window_->view(), Qt::LeftButton, {}, again);
   waitUntilComputed();
   QVERIFY(given("offsets").empty());
+}
+
+void MinkowskiControlWindowTest::numbersAtOnePlaceStandSideBySide() {
+  set("offsets", Value::parse("[[100.0,0.0,0.0]]"));  // the first onto the second
+  const QPoint number = screenOf({100, 0, 0}) - QPoint(0, static_cast<int>(labelGap) + 11);
+  const QPoint by = screenOf({100, 50, 0}) - screenOf({100, 0, 0});
+  test::moveMouse(&window_->view(), number + QPoint(60, -80));  // what a pixel is worth is known from now on
+  dragPixels(number + QPoint(26, 0), number + QPoint(26, 0) + by);
+  QCOMPARE(given("offsets").size(), std::size_t{2});
+  QCOMPARE(given("offsets").at(0), Value::parse("[100.0,0.0,0.0]"));
+  dragPixels(number, number + by / 2);
+  QVERIFY(given("offsets").at(0) != Value::parse("[100.0,0.0,0.0]"));
 }
 
 void MinkowskiControlWindowTest::theRingScalesAndTurns() {

@@ -18,7 +18,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr double gripPixels = 9, snapPixels = 6;
+constexpr double gripPixels = 9, snapPixels = 6, samePlacePixels = 2;
 constexpr double scaleStep = 0.1, turnStep = 15, smallestScale = 0.01;
 constexpr double badgeHalfWidth = 12, badgeHeight = 22;  // logical pixels, of a number on its card
 
@@ -103,18 +103,30 @@ Vec2 MorphTool::gripAt(std::size_t shape, Grip grip, double millimetresPerPixel)
   return centreOf(shape) + ringRadius(shape, millimetresPerPixel) * Vec2(std::cos(turn), std::sin(turn));
 }
 
-std::optional<std::size_t> MorphTool::dotUnder(const ui::ToolEvent& event) const {
+/// The control shape whose centre is nearest; of several at one place the one that was clicked last.
+std::optional<std::size_t> MorphTool::nearest(const ui::ToolEvent& event, double pixels) const {
   const auto at = ui::inGround(event.ray);
   if (!at) return std::nullopt;
   std::optional<std::size_t> best;
-  double reach = gripPixels * event.millimetresPerPixel;
+  double reach = pixels * event.millimetresPerPixel;
   for (std::size_t i = 0; i < controls_.size(); ++i) {
     const double distance = (centreOf(i) - *at).norm();
     if (distance > reach) continue;
     reach = distance;
     best = i;
   }
-  return best;
+  const auto together = [&](std::size_t a, std::size_t b) {
+    return (centreOf(a) - centreOf(b)).norm() <= samePlacePixels * event.millimetresPerPixel;
+  };
+  return best && chosen_ && together(*best, *chosen_) ? chosen_ : best;
+}
+
+/// Numbers of shapes at one place stand side by side. @returns logical pixels to the right
+double MorphTool::badgeShift(std::size_t shape, double millimetresPerPixel) const {
+  double shift = 0;
+  for (std::size_t i = 0; i < shape; ++i)
+    if ((centreOf(i) - centreOf(shape)).norm() < badgeHalfWidth * millimetresPerPixel) shift += 2 * badgeHalfWidth + 2;
+  return shift;
 }
 
 /// The number above a dot has a place in the picture, not in the plane. The one drawn last lies in front.
@@ -122,29 +134,20 @@ std::optional<std::size_t> MorphTool::badgeUnder(const ui::ToolEvent& event) con
   for (std::size_t i = controls_.size(); i-- > 0;) {
     const auto seen = host().onScreen({centreOf(i).x(), centreOf(i).y(), 0});
     if (!seen) continue;
-    const double right = event.at.x() - seen->x(), up = seen->y() - event.at.y() - ui::labelGap;
+    const double right = event.at.x() - seen->x() - badgeShift(i, event.millimetresPerPixel),
+                 up = seen->y() - event.at.y() - ui::labelGap;
     if (std::abs(right) <= badgeHalfWidth && up >= 0 && up <= badgeHeight) return i;
   }
   return std::nullopt;
 }
 
 std::optional<std::size_t> MorphTool::shapeNear(const ui::ToolEvent& event) const {
-  const auto at = ui::inGround(event.ray);
-  if (!at) return std::nullopt;
-  std::optional<std::size_t> best;
-  double reach = (ringPixels + gripPixels) * event.millimetresPerPixel;
-  for (std::size_t i = 0; i < controls_.size(); ++i) {
-    const double distance = (centreOf(i) - *at).norm();
-    if (distance > reach) continue;
-    reach = distance;
-    best = i;
-  }
-  return best;
+  return nearest(event, ringPixels + gripPixels);
 }
 
 /// What can always be taken comes before what the ring of a neighbour lays over it.
 std::optional<std::size_t> MorphTool::handleUnder(const ui::ToolEvent& event) const {
-  if (const auto dot = dotUnder(event)) return numberOf(*dot, Grip::Move);
+  if (const auto dot = nearest(event, gripPixels)) return numberOf(*dot, Grip::Move);
   if (const auto badge = badgeUnder(event)) return numberOf(*badge, Grip::Move);
   const auto at = ui::inGround(event.ray);
   if (!at) return std::nullopt;

@@ -69,7 +69,8 @@ class MorphTool final : public ui::HandleTool {
   [[nodiscard]] Vec2 centreOf(std::size_t shape) const { return controls_[shape].centre + placements_[shape].offset; }
   [[nodiscard]] double ringRadius(std::size_t shape, double millimetresPerPixel) const;
   [[nodiscard]] Vec2 gripAt(std::size_t shape, Grip, double millimetresPerPixel) const;
-  [[nodiscard]] std::optional<std::size_t> dotUnder(const ui::ToolEvent&) const;
+  [[nodiscard]] std::optional<std::size_t> nearest(const ui::ToolEvent&, double pixels) const;
+  [[nodiscard]] double badgeShift(std::size_t shape, double millimetresPerPixel) const;
   [[nodiscard]] std::optional<std::size_t> badgeUnder(const ui::ToolEvent&) const;
   [[nodiscard]] std::optional<std::size_t> shapeNear(const ui::ToolEvent&) const;
   void showRingOf(std::optional<std::size_t> shape);

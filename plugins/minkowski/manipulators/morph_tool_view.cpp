@@ -168,7 +168,9 @@ std::vector<vtkSmartPointer<vtkProp>> MorphTool::props() const {
     const bool lit = hovered() == numberOf(i, Grip::Move);
     const Color& color = lit ? look.made : look.control;
     props.push_back(ui::pointsProp({polygon[i]}, color, (lit ? 2.4 : 2) * dotPixels * pixel));
-    props.push_back(ui::labelProp(QString::number(i + 1), polygon[i], ui::labelLook(look, color, pixel)));
+    ui::LabelLook card = ui::labelLook(look, color, pixel);
+    card.shift = QPointF(badgeShift(i, millimetresPerPixel()), 0);
+    props.push_back(ui::labelProp(QString::number(i + 1), polygon[i], card));
   }
   if (ringed_) drawRing(props, *ringed_);
   return props;

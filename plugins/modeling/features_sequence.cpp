@@ -28,7 +28,7 @@ Evaluated takenFrame(const FrameParameters& p, const Inputs& inputs, const Progr
         ErrorCode::InvalidParameter,
         fmt::format("Frame {} is asked for, and the sequence has {} frame{}.", p.number, count, count == 1 ? "" : "s"),
         count == 0 ? "Mend the feature that it comes from." : fmt::format("Give a number from 1 to {}.", count));
-  return {sequence.frames[index], {{"frame", index + 1}, {"t", frameTimes(sequence)[index]}}, {}};
+  return {sequence.frames[index], {{"frame", index + 1}, {"frame_time", frameTimes(sequence)[index]}}, {}};
 }
 
 FeatureType frameFeature() {

@@ -259,7 +259,7 @@ class ModelingSequenceTest : public QObject {
     COMPARE_NEAR(blossom({"info", "plate-0002.step"}).result("volume"), 5 * grown(0.5), 1e-6);
     const Answer middle = blossom({"frame", "plates.blossom", "--number", "2"});
     COMPARE_NEAR(middle.result("volume"), 5 * grown(0.5), 1e-6);
-    QCOMPARE(middle.json["stats"]["t"], Value(0.5));
+    QCOMPARE(middle.json["stats"]["frame_time"], Value(0.5));
     const Answer odd = blossom({"boolean", "plates.blossom", "plates.blossom", "grow.blossom"});
     QCOMPARE(odd.code, 1);
     QVERIFY2(odd.message().starts_with("Frame 1 (t = 0): "), odd.message().c_str());

@@ -23,6 +23,7 @@ class MinkowskiControlWindowTest : public WindowFixture {
   void numbersAtOnePlaceStandSideBySide();
   void theRingScalesAndTurns();
   void theCardTellsWhatIsSeen();
+  void aSequenceIsTakenWhereItIsSeen();
   void theLadderIsDrawnOnDemand();
   void picturesOfTheLadder();
 
@@ -145,6 +146,20 @@ void MinkowskiControlWindowTest::theCardTellsWhatIsSeen() {
   QVERIFY2(says("1", 900), qPrintable(figures()->text()));
   window_->tree().select(first_);
   QTRY_VERIFY(!figures());
+}
+
+/// The last frame of the morph is the square about (100, 0).
+void MinkowskiControlWindowTest::aSequenceIsTakenWhereItIsSeen() {
+  set("frames", 5);
+  morph_ = add("minkowski.morph", {{"t", 0}}, {morph_, first_});
+  window_->tree().select(morph_);
+  window_->page().playback().show(4);
+  QTRY_VERIFY(figures() && figures()->text().startsWith(QStringLiteral("t 0 ")));  // of the morph, not of the frame
+  dragPixels(screenOf({100, 0, 0}), screenOf({100, 50, 0}));
+  const double near = 8 * window_->view().camera().millimetresPerPixel();
+  QCOMPARE(given("offsets").size(), std::size_t{1});
+  COMPARE_NEAR(given("offsets")[0][0].get<double>(), 0, near);
+  COMPARE_NEAR(given("offsets")[0][1].get<double>(), 50, near);
 }
 
 void MinkowskiControlWindowTest::theLadderIsDrawnOnDemand() {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "feature/registry.h"
+#include "geometry/shape/sequence.h"
 #include "kernel/control_centre.h"
 #include "manipulators/morph_card.h"
 #include "manipulators/morph_ladder.h"
@@ -58,11 +59,13 @@ void MorphTool::load() {
   const Feature& morph = base_.at(feature());
   const auto type = host().registry().at(morph.type);
   controls_.clear();
+  moving_ = false;
   for (const FeatureId& input : morph.inputs) {
     const auto result = host().result(input);
     if (!result || result->error) break;  // handles come when all shapes before them are known
+    moving_ = moving_ || result->evaluated.shape.get<Sequence>();
     try {
-      const std::vector<Shape> twice(2, result->evaluated.shape);  // read as the feature reads it
+      const std::vector<Shape> twice(2, shapeSeen(result->evaluated.shape));  // read as the feature reads it
       const Region region = arrangedInputs(*type, twice).get<Region>();
       controls_.push_back({region, minkowski::centreOf(region), QString::fromStdString(base_.at(input).name)});
     } catch (const Error&) {

@@ -34,7 +34,7 @@ class MorphTool final : public ui::HandleTool {
   bool key(const QKeyEvent&) override;
   void keysLost() override;
   void documentChanged() override;
-  void frameMoved() override { refreshCard(); }
+  void frameMoved() override;
   [[nodiscard]] bool entering() const override { return typing_; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
 
@@ -91,7 +91,8 @@ class MorphTool final : public ui::HandleTool {
   void refreshCard();
   void setLadder(bool on);
   void askLadder(const Value& parameters);
-  [[nodiscard]] const Region* regionSeen(std::optional<double>& time) const;
+  [[nodiscard]] const Shape& shapeSeen(const Shape&) const;
+  [[nodiscard]] std::optional<double> timeSeen(const Value& parameters) const;
   [[nodiscard]] QString figures(const Region*);
   [[nodiscard]] QString ladderNote(const Value& parameters) const;
 
@@ -106,6 +107,7 @@ class MorphTool final : public ui::HandleTool {
 
   Document base_;  ///< the document that a drag starts from
   std::vector<Control> controls_;
+  bool moving_ = false;                ///< some of them are sequences
   std::vector<Placement> placements_;  ///< one for each control shape
   std::vector<Placement> before_;
   std::optional<std::size_t> chosen_;   ///< the control shape that was clicked last

@@ -35,18 +35,30 @@ void MorphTool::documentChanged() {
   refreshCard();
 }
 
-/// The in-between that is seen, and its time when it is a frame.
-const Region* MorphTool::regionSeen(std::optional<double>& time) const {
-  const auto result = host().result(feature());
-  if (!result || result->error) return nullptr;
-  const Shape& shape = result->evaluated.shape;
+/// Control shapes that are sequences are seen as they are in the frame of the timeline.
+void MorphTool::frameMoved() {
+  if (moving_)
+    documentChanged();
+  else
+    refreshCard();
+}
+
+/// Of a sequence the frame that the timeline shows.
+const Shape& MorphTool::shapeSeen(const Shape& shape) const {
   const Sequence* sequence = shape.get<Sequence>();
-  if (!sequence) return shape.get<Region>();
-  if (sequence->frames.empty()) return nullptr;
+  if (!sequence || sequence->frames.empty()) return shape;
   const int count = static_cast<int>(sequence->frames.size());
-  const auto frame = static_cast<std::size_t>(std::clamp(host().shownFrame(count), 0, count - 1));
-  if (frame < sequence->times.size()) time = sequence->times[frame];
-  return sequence->frames[frame].get<Region>();
+  return sequence->frames[static_cast<std::size_t>(std::clamp(host().shownFrame(count), 0, count - 1))];
+}
+
+/// The t of the frame that is seen when the morph makes frames itself; in a sequence that comes from its control shapes all
+/// frames have the same.
+std::optional<double> MorphTool::timeSeen(const Value& parameters) const {
+  const auto result = host().result(feature());
+  const Sequence* sequence = result && !result->error ? result->evaluated.shape.get<Sequence>() : nullptr;
+  if (!sequence || parameters.at("frames").get<int>() == 0 || sequence->times.empty()) return std::nullopt;
+  const int count = static_cast<int>(sequence->times.size());
+  return sequence->times[static_cast<std::size_t>(std::clamp(host().shownFrame(count), 0, count - 1))];
 }
 
 /// The area is computed once for each shape that is seen, however often the mouse moves.
@@ -80,12 +92,11 @@ void MorphTool::refreshCard() {
   } catch (const Error&) {
     return;  // the feature tells what is wrong
   }
-  std::optional<double> time;
-  const Region* const seen = regionSeen(time);
-  levels_ = levelsSeen(parameters, controls_.size(), time);
+  levels_ = levelsSeen(parameters, controls_.size(), timeSeen(parameters));
   askLadder(parameters);
   if (!card_) return;
-  card_->setFigures(figures(seen));
+  const auto result = host().result(feature());
+  card_->setFigures(figures(result && !result->error ? shapeSeen(result->evaluated.shape).get<Region>() : nullptr));
   card_->setLadder(habits_.ladder);
   card_->setNote(ladderNote(parameters));
 }

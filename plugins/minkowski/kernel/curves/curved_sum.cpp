@@ -13,11 +13,10 @@
 #include "kernel/convolution.h"
 #include "kernel/curves/convex_sum.h"
 #include "kernel/curves/curve_fitting.h"
-#include "kernel/curves/sampled_region.h"
+#include "kernel/curves/sampled_pair.h"
 #include "kernel/flattening.h"
 #include "kernel/nesting.h"
 #include "kernel/polygon_sum.h"
-#include "kernel/snap_rounding.h"
 #include "kernel/snapped_operands.h"
 #include "kernel/winding/winding_faces.h"
 
@@ -54,23 +53,22 @@ double roundingOf(const SampledRegion& a, const SampledRegion& b, const Grid& gr
 struct Addition {
   Sampling sampling = Sampling::Chords;
   Inside inside = Inside::Positive;
+  const SampledPair* kept = nullptr;  ///< of both, within the tolerances
 };
 
-/// The sum of two regions by polygons within a share of the tolerances.
+/// The sum of two regions by polygons.
 class SampledSum {
  public:
-  SampledSum(const SoundRegion& a, const SoundRegion& b, double share, const Addition& addition, const Progress& progress,
-             Effort& effort)
-      : tolerance_(share * (a.tolerance + b.tolerance)) {
-    a_ = sampled(a, share, normalsOf(b, a, share), addition.sampling, progress);
-    b_ = sampled(b, share, normalsOf(a, b, share), addition.sampling, progress);
-    const SnappedOperands operands = snappedTogether(a_.polygons, b_.polygons);
+  SampledSum(SampledPair pair, double tolerance, Inside inside, const Progress& progress, Effort& effort)
+      : tolerance_(tolerance) {
+    const SnappedOperands operands = untangledTogether(pair, progress);
+    a_ = std::move(pair.a);
+    b_ = std::move(pair.b);
     grid_ = operands.gridOfSum;
     sources_.first = numbersOf(a_, operands.gridA);
     sources_.second = numbersOf(b_, operands.gridB);
-    edges_ = convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort,
-                         &sources_);
-    faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), addition.inside, effort);
+    edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_);
+    faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), inside, effort);
   }
 
   /// Nothing when the polygons are too coarse.
@@ -123,7 +121,9 @@ Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& add
   for (int i = 0; i < attempts; ++i, share *= finer, done = (1 + done) / 2) {
     progress.check();
     try {
-      const SampledSum sum(a, b, share, addition, progress.part(done, (1 + done) / 2), effort);
+      SampledPair pair = i == 0 && addition.kept ? *addition.kept : sampledPair(a, b, share, addition.sampling, progress);
+      const SampledSum sum(std::move(pair), share * (a.tolerance + b.tolerance), addition.inside,
+                           progress.part(done, (1 + done) / 2), effort);
       if (auto curves = sum.curves(progress)) return *std::move(curves);
       if (!lines) lines = sum.lines();
     } catch (const Error& error) {
@@ -197,9 +197,9 @@ std::optional<SoundRegion> complement(const SoundRegion& a, const SoundRegion& b
   return result;
 }
 
-}  // namespace
-
-SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {
+/// @param kept samples of both within the tolerances, or null
+SoundRegion sumBy(const SampledPair* kept, const SoundRegion& a, const SoundRegion& b, const Progress& progress,
+                  Effort& effort) {
   progress.check();
   if (a.region.loops.empty() || b.region.loops.empty()) return {};
   const double tolerance = a.tolerance + b.tolerance;
@@ -208,7 +208,18 @@ SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& prog
   if (auto moved = sumWithPoint(a, b)) return *std::move(moved);
   if (!hasSplines(a.region) && !hasSplines(b.region) && isConvex(a) && isConvex(b))
     return {convexSum(a.region, b.region), tolerance};
-  return {fittedSum(a, b, {}, progress, effort), tolerance};
+  return {fittedSum(a, b, {.kept = kept}, progress, effort), tolerance};
+}
+
+}  // namespace
+
+SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {
+  return sumBy(nullptr, a, b, progress, effort);
+}
+
+SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const SampledPair& kept, const Progress& progress,
+                Effort& effort) {
+  return sumBy(&kept, a, b, progress, effort);
 }
 
 SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {

@@ -1,14 +1,7 @@
-#include <ShapeUpgrade_UnifySameDomain.hxx>
-#include <Standard_Failure.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-
 #include "feature/registry.h"
 #include "feature_types.h"
-#include "geometry/measure/measure.h"
-#include "geometry/mesh/mesh_topology.h"
-#include "geometry/occt/occt.h"
 #include "kernel/solid/loft.h"
+#include "kernel/solid/loft_brep.h"
 #include "region_inputs.h"
 
 namespace blossom::minkowski {
@@ -19,30 +12,6 @@ struct SolidParameters {
   Value tolerance;  ///< null: follows the shapes' sizes
 };
 
-int facesOf(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  return faces.Extent();
-}
-
-/// Triangles of one plane, which faces with holes come as, joined; as they are where OCCT cannot.
-TopoDS_Shape withWholeFaces(const Mesh& mesh) {
-  TopoDS_Shape shape = toShape(mesh);
-  try {
-    ShapeUpgrade_UnifySameDomain unify(toShape(mesh), Standard_False, Standard_True, Standard_False);
-    unify.AllowInternalEdges(Standard_False);
-    unify.Build();
-    const TopoDS_Shape joined = unify.Shape();
-    if (joined.IsNull() || facesOf(joined) >= facesOf(shape)) return shape;
-    const double volume = signedVolume(triangulated(mesh).first), left = measure(Shape(Brep(joined))).volume.value_or(0);
-    constexpr double rounding = 1e-6;
-    if (std::abs(left - volume) <= rounding * std::abs(volume)) return joined;
-  } catch (const Standard_Failure&) {
-    return shape;
-  }
-  return shape;
-}
-
 Evaluated solidBetween(const SolidParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   const std::vector<Region> shapes = regionsOf(inputs);
   const LoftResult result =
@@ -50,7 +19,7 @@ Evaluated solidBetween(const SolidParameters& p, std::size_t maximumWork, const 
            progress);
   Evaluated out;
   out.stats["facets"] = result.facets;
-  out.shape = Brep(withWholeFaces(result.mesh));
+  out.shape = loftBrep(result.mesh, progress);
   return out;
 }
 

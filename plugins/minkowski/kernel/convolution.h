@@ -69,7 +69,8 @@ struct EdgeAtCorner {
   int sign = 1;  ///< -1 at reflex corners, where the edge counts backwards and bounds nothing
 };
 
-/// The pairs of two loops that a convolution adds up. They are those of all positive multiples of the loops, too. O(n log n + k).
+/// The pairs of two loops that a convolution adds up. They are those of all positive multiples of the loops, too. O(n log n
+/// + k).
 std::vector<EdgeAtCorner> pairsOf(const GridLoop& a, const GridLoop& b, const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

@@ -67,8 +67,7 @@ std::vector<FaceSide> withoutPairs(std::vector<FaceSide> sides) {
   }
   sides.clear();
   for (const auto& [side, count] : counts)
-    for (int k = 0; k < std::abs(count); ++k)
-      sides.push_back(count > 0 ? side : FaceSide{side.face, side.to, side.from});
+    for (int k = 0; k < std::abs(count); ++k) sides.push_back(count > 0 ? side : FaceSide{side.face, side.to, side.from});
   return sides;
 }
 

@@ -10,8 +10,8 @@ namespace blossom::minkowski {
 
 void LevelEdges::collect(int i, const LoftTime& time) {
   above_ = below_ = -1;
-  for (const LoftLevel& level : scene_.loft.levels) {
-    const int order = compare(timeOf(level), time);
+  for (const LoftTime& level : scene_.levels) {
+    const int order = compare(level, time);
     if (order <= 0) ++above_;
     if (order < 0) ++below_;
   }
@@ -116,9 +116,8 @@ void LevelEdges::line(int i, int partner, const LoftTime& time, std::vector<Loft
 
 void LevelEdges::find(int i, std::vector<LoftSide>& out, const Progress& progress) {
   const LoftFacet& facet = scene_.facet(i);
-  if (facet.from[0] != facet.to[0] && facet.firstSlab == 0) line(i, -1, timeOf(scene_.loft.levels.front()), out);
-  if (facet.from[1] != facet.to[1] && facet.lastSlab == scene_.slabs() - 1)
-    line(i, -1, timeOf(scene_.loft.levels.back()), out);
+  if (facet.from[0] != facet.to[0] && facet.firstSlab == 0) line(i, -1, scene_.levels.front(), out);
+  if (facet.from[1] != facet.to[1] && facet.lastSlab == scene_.slabs() - 1) line(i, -1, scene_.levels.back(), out);
   for (const int j : scene_.near(i)) {
     progress.check();
     if (j < i || !scene_.facet(j).mayBound || predicates_.turn(i, j) != 0 || scene_.facet(j).plane == facet.plane) continue;

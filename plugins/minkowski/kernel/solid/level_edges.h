@@ -36,8 +36,8 @@ class LevelEdges {
 
   const LoftScene& scene_;
   const LoftPredicates& predicates_;
-  int above_ = -1, below_ = -1;        ///< the slabs next to the line, -1: none
-  std::vector<int> along_;             ///< facets whose edge at this height lies on the line
+  int above_ = -1, below_ = -1;  ///< the slabs next to the line, -1: none
+  std::vector<int> along_;       ///< facets whose edge at this height lies on the line
   std::vector<PlaceOnLine> places_;
 };
 

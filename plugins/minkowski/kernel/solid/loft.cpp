@@ -53,7 +53,9 @@ LoftResult loft(const Polygons& a, const Polygons& b, double height, const Progr
   for (const auto& near : neighbours) pairs += static_cast<double>(near.size());
   effort.foresee(Effort::pairsOfEdge * pairs);
   progress.report(0.1, "Resolving the solid");
-  const std::vector<LoftSide> sides = sidesOf({facets, predicates, neighbours}, progress.part(0.1, 0.95));
+  std::vector<LoftTime> levels;
+  for (const LoftLevel& level : facets.levels) levels.push_back(timeOf(level));
+  const std::vector<LoftSide> sides = sidesOf({facets, predicates, neighbours, levels}, progress.part(0.1, 0.95));
   const double size = std::max({boxOf(a).sizes().maxCoeff(), boxOf(b).sizes().maxCoeff(), height});
   return {meshOfSides(sides, {operands.gridA, operands.gridB, height}, nearness * size, progress.part(0.95, 1)),
           facets.facets.size()};
@@ -65,7 +67,8 @@ LoftResult loft(const Region& a, const Region& b, const LoftOptions& options, co
                 "Give a height above 0.");
   Effort effort(options.maximumWork);
   const FlatteningOptions flattening{.tolerance = options.tolerance, .effort = &effort};
-  const Polygons lower = flattened(a, flattening, "shape 1", progress), upper = flattened(b, flattening, "shape 2", progress);
+  const Polygons lower = flattened(a, flattening, "shape 1", progress),
+                 upper = flattened(b, flattening, "shape 2", progress);
   return loft(lower, upper, options.height, progress, effort);
 }
 

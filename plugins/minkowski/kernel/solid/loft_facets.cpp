@@ -86,13 +86,10 @@ LoftFacet facetOf(const EdgeAtCorner& pair) {
   return facet;
 }
 
-auto placeOf(const LoftFacet& f) {
-  return std::tie(f.from[0], f.from[1], f.to[0], f.to[1], f.firstSlab, f.lastSlab);
-}
+auto placeOf(const LoftFacet& f) { return std::tie(f.from[0], f.from[1], f.to[0], f.to[1], f.firstSlab, f.lastSlab); }
 
 void joinSame(std::vector<LoftFacet>& facets) {
-  std::sort(facets.begin(), facets.end(),
-            [](const LoftFacet& a, const LoftFacet& b) { return placeOf(a) < placeOf(b); });
+  std::sort(facets.begin(), facets.end(), [](const LoftFacet& a, const LoftFacet& b) { return placeOf(a) < placeOf(b); });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < facets.size();) {
     LoftFacet sum = facets[i];
@@ -111,8 +108,8 @@ void numberPlanes(LoftFacets& loft) {
     const std::int64_t divisor = std::gcd(facet.along.x, facet.along.y);  // divides the offsets, too
     const LoftPlane plane{{facet.along.x / divisor, facet.along.y / divisor},
                           {facet.offset[0] / divisor, facet.offset[1] / divisor}};
-    const auto [place, isNew] = numbers.try_emplace({plane.along, plane.offset[0], plane.offset[1]},
-                                                    static_cast<int>(loft.planes.size()));
+    const auto [place, isNew] =
+        numbers.try_emplace({plane.along, plane.offset[0], plane.offset[1]}, static_cast<int>(loft.planes.size()));
     if (isNew) loft.planes.push_back(plane);
     facet.plane = place->second;
   }
@@ -139,7 +136,8 @@ LoftFacets loftFacets(std::span<const GridPolygon> a, std::span<const GridPolygo
   }
   joinSame(loft.facets);
   if (loft.facets.size() > maximumFacets)
-    throw Error(ErrorCode::LimitExceeded, "The solid between these shapes has more than 40,000 facets before it is resolved.",
+    throw Error(ErrorCode::LimitExceeded,
+                "The solid between these shapes has more than 40,000 facets before it is resolved.",
                 "Raise the tolerance, so that curves get fewer corners, or simplify the outlines.");
   numberPlanes(loft);
   return loft;

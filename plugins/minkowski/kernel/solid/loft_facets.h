@@ -20,10 +20,10 @@ struct LoftFacet {
   GridPoint from[2], to[2];  ///< at the bottom and at the top
   GridPoint along;           ///< with x > 0, or x = 0 and y > 0
   Wide offset[2] = {0, 0};
-  int count = 1;                 ///< what the winding number is larger on the left
-  bool mayBound = true;          ///< false when it never bounds what is inside
+  int count = 1;                    ///< what the winding number is larger on the left
+  bool mayBound = true;             ///< false when it never bounds what is inside
   int firstSlab = 0, lastSlab = 0;  ///< between which levels it counts
-  int plane = 0;                 ///< number of its plane
+  int plane = 0;                    ///< number of its plane
 };
 
 /// A plane of facets in its one form: `along` without a common divisor.

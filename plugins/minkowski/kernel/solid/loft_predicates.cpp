@@ -1,5 +1,6 @@
 #include "kernel/solid/loft_predicates.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace blossom::minkowski {
@@ -7,7 +8,9 @@ namespace {
 
 constexpr double rounding = 1e-15;  // of a few operations, relative to the sizes of what is added
 
-Wide512 wide(Wide w) { return Wide512(static_cast<std::int64_t>(w >> 64)) * (Wide512(1) << 64) + static_cast<std::uint64_t>(w); }
+Wide512 wide(Wide w) {
+  return Wide512(static_cast<std::int64_t>(w >> 64)) * (Wide512(1) << 64) + static_cast<std::uint64_t>(w);
+}
 
 int sign(const Wide512& w) { return w.sign(); }
 
@@ -46,7 +49,7 @@ LoftTime timeOf(double t) {
 }
 
 int compare(const LoftTime& a, const LoftTime& b) {
-  if (std::abs(a.t - b.t) > 4 * rounding) return a.t < b.t ? -1 : 1;
+  if (std::abs(a.t - b.t) > 8 * rounding) return a.t < b.t ? -1 : 1;
   return sign(a.second * b.first - b.second * a.first);
 }
 
@@ -57,6 +60,7 @@ LoftTime between(const LoftTime& a, const LoftTime& b) {
 
 LoftPredicates::LoftPredicates(std::span<const LoftFacet> facets) : facets_(facets) {
   rounded_.reserve(facets.size());
+  double reach = 0;
   for (const LoftFacet& f : facets) {
     Rounded r{};
     r.alongX = static_cast<double>(f.along.x);
@@ -69,7 +73,9 @@ LoftPredicates::LoftPredicates(std::span<const LoftFacet> facets) : facets_(face
       r.toY[end] = static_cast<double>(f.to[end].y);
     }
     rounded_.push_back(r);
+    for (const double* of : {r.fromX, r.fromY, r.toX, r.toY}) reach = std::max({reach, std::abs(of[0]), std::abs(of[1])});
   }
+  for (Rounded& r : rounded_) r.bound = 16 * rounding * (std::abs(r.alongX) + std::abs(r.alongY)) * reach;
 }
 
 int LoftPredicates::turn(int i, int j) const {
@@ -137,7 +143,7 @@ LoftPredicates::ExactRamp LoftPredicates::exactDistance(int i, int j) const {
   return ramp;
 }
 
-int LoftPredicates::side(int i, int k, int end, const LoftTime& time) const {
+int LoftPredicates::closeSide(int i, int k, int end, const LoftTime& time) const {
   if (const int known = sideRamp(i, k, end).signAt(time.t, 4 * rounding)) return known;
   const ExactRamp ramp = exactSide(i, k, end);
   return sign(time.first * ramp[0] + time.second * ramp[1]);

@@ -47,13 +47,20 @@ class LoftPredicates {
   /// The sign of cross(direction of i, direction of j).
   [[nodiscard]] int turn(int i, int j) const;
   /// 1 when an end (0: from, 1: to) of facet k lies to the left of the line of facet i, 0 when on it.
-  [[nodiscard]] int side(int i, int k, int end, const LoftTime&) const;
+  [[nodiscard]] int side(int i, int k, int end, const LoftTime& time) const {
+    const Rounded &line = rounded_[static_cast<std::size_t>(i)], &f = rounded_[static_cast<std::size_t>(k)];
+    const auto at = [s = 1 - time.t, t = time.t](const double* ends) { return s * ends[0] + t * ends[1]; };
+    const double v =
+        line.alongX * at(end == 0 ? f.fromY : f.toY) - line.alongY * at(end == 0 ? f.fromX : f.toX) - at(line.offset);
+    return v > line.bound ? 1 : v < -line.bound ? -1 : closeSide(i, k, end, time);
+  }
   /// The same for where the lines of i and j meet and the line of k. @pre i and j are not parallel
   [[nodiscard]] int sideOfMeeting(int i, int j, int k, const LoftTime&) const;
   /// The sign of how far an end of k lies beyond an end of m in the direction of i.
   [[nodiscard]] int ahead(int i, int k, int endOfK, int m, int endOfM, const LoftTime&) const;
 
-  /// What `side` and `sideOfMeeting` (times `turn(i, j)`) tell the sign of, and for parallel facets the distance of the lines.
+  /// What `side` and `sideOfMeeting` (times `turn(i, j)`) tell the sign of, and for parallel facets the distance of the
+  /// lines.
   [[nodiscard]] LoftRamp sideRamp(int i, int k, int end) const;
   [[nodiscard]] LoftRamp meetingRamp(int i, int j, int k) const;
   [[nodiscard]] LoftRamp distanceRamp(int i, int j) const;
@@ -71,7 +78,9 @@ class LoftPredicates {
  private:
   struct Rounded {
     double alongX, alongY, offset[2], fromX[2], fromY[2], toX[2], toY[2];
+    double bound;  ///< of the rounding of `side`, wherever the other facet is
   };
+  [[nodiscard]] int closeSide(int i, int k, int end, const LoftTime&) const;
   [[nodiscard]] Wide512 offsetAt(int i, const LoftTime&) const;
 
   std::span<const LoftFacet> facets_;

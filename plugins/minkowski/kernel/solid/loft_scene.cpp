@@ -5,8 +5,8 @@ namespace blossom::minkowski {
 int LoftScene::order(int i, const PlaceOnLine& a, const PlaceOnLine& b, const LoftTime& time) const {
   if (a.end >= 0 && b.end >= 0) return predicates.ahead(i, a.facet, a.end, b.facet, b.end, time);
   if (b.end >= 0) return -order(i, b, a, time);
-  const int side = a.end >= 0 ? predicates.side(b.facet, a.facet, a.end, time)
-                              : predicates.sideOfMeeting(i, a.facet, b.facet, time);
+  const int side =
+      a.end >= 0 ? predicates.side(b.facet, a.facet, a.end, time) : predicates.sideOfMeeting(i, a.facet, b.facet, time);
   return side * predicates.turn(b.facet, i);  // which grows along the line where that is positive
 }
 

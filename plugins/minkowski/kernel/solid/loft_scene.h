@@ -25,11 +25,12 @@ struct LoftScene {
   const LoftFacets& loft;
   const LoftPredicates& predicates;
   const std::vector<std::vector<int>>& neighbours;
+  const std::vector<LoftTime>& levels;  ///< the same as loft.levels
 
   [[nodiscard]] const LoftFacet& facet(int i) const { return loft.facets[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const std::vector<int>& near(int i) const { return neighbours[static_cast<std::size_t>(i)]; }
   [[nodiscard]] bool counts(int i, int slab) const { return facet(i).firstSlab <= slab && slab <= facet(i).lastSlab; }
-  [[nodiscard]] int slabs() const { return static_cast<int>(loft.levels.size()) - 1; }
+  [[nodiscard]] int slabs() const { return static_cast<int>(levels.size()) - 1; }
 
   /// Along the line of facet i at a height: -1 when a comes before b.
   [[nodiscard]] int order(int i, const PlaceOnLine& a, const PlaceOnLine& b, const LoftTime&) const;

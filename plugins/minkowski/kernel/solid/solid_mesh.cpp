@@ -158,7 +158,8 @@ Mesh compacted(const Mesh& mesh) {
 
 Vec3 LoftPlacement::point(const LoftPredicates::Place& place) const {
   const double t = std::ldexp(static_cast<double>(place[2]), -60);
-  const Vec2 p = bottom.unit * Vec2(std::ldexp(static_cast<double>(place[0]), -12), std::ldexp(static_cast<double>(place[1]), -12));
+  const Vec2 p =
+      bottom.unit * Vec2(std::ldexp(static_cast<double>(place[0]), -12), std::ldexp(static_cast<double>(place[1]), -12));
   const Vec2 origin = t == 0 ? bottom.origin : t == 1 ? top.origin : Vec2((1 - t) * bottom.origin + t * top.origin);
   return {origin.x() + p.x(), origin.y() + p.y(), t * height};
 }

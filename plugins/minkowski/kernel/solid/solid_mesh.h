@@ -16,8 +16,8 @@ struct LoftPlacement {
 };
 
 /// Closed polygons from the sides of the faces. Faces that lie within `tolerance` of one plane beside one another are one,
-/// and so are corners that near; a face with a hole, or that touches itself, comes as some triangles. Where the solid touches itself
-/// along an edge, that edge has four faces. O(n log n).
+/// and so are corners that near; a face with a hole, or that touches itself, comes as some triangles. Where the solid
+/// touches itself along an edge, that edge has four faces. O(n log n).
 /// @throws Error Internal when the sides do not close, Cancelled.
 Mesh meshOfSides(std::span<const LoftSide>, const LoftPlacement&, double tolerance, const Progress&);
 

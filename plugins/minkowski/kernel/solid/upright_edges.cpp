@@ -44,7 +44,7 @@ LoftPredicates::ExactRamp UprightEdges::exactRamp(const Event& event) const {
 }
 
 LoftTime UprightEdges::timeOfEvent(const Event& event) const {
-  if (event.kind == Event::Kind::Level) return timeOf(scene_.loft.levels[static_cast<std::size_t>(event.facet)]);
+  if (event.kind == Event::Kind::Level) return scene_.levels[static_cast<std::size_t>(event.facet)];
   const LoftPredicates::ExactRamp ramp = exactRamp(event);
   return timeOf(ramp[1], Wide512(-ramp[0]));
 }
@@ -91,9 +91,9 @@ std::vector<std::size_t> UprightEdges::sortedGroups(std::vector<Event>& events) 
 
 void UprightEdges::addOwnEvents() {
   events_.clear();
-  for (std::size_t level = 0; level < scene_.loft.levels.size(); ++level) {
+  for (std::size_t level = 0; level < scene_.levels.size(); ++level) {
     Event event;
-    event.t = timeOf(scene_.loft.levels[level]).t;
+    event.t = scene_.levels[level].t;
     event.error = 1e-15;
     event.facet = static_cast<int>(level);
     events_.push_back(event);
@@ -191,7 +191,8 @@ bool UprightEdges::isOurs(const std::vector<int>& on) const {
   });
 }
 
-/// Counter-clockwise, first what follows the direction of facet i, last that direction itself. Those in one direction are one.
+/// Counter-clockwise, first what follows the direction of facet i, last that direction itself. Those in one direction are
+/// one.
 std::vector<UprightEdges::Ray> UprightEdges::raysOf(const std::vector<int>& on, const LoftTime& time) const {
   std::vector<Ray> rays;
   for (const int k : on) {
@@ -233,7 +234,8 @@ void UprightEdges::emit(const std::vector<Ray>& rays, int winding, std::size_t g
     bounding.push_back({scene_.facet(ray.facet).plane, before == ray.forward, before});
   }
   if (now != winding)
-    throw Error(ErrorCode::Internal, "The facets of the solid do not close around an edge.", "Please report the two shapes.");
+    throw Error(ErrorCode::Internal, "The facets of the solid do not close around an edge.",
+                "Please report the two shapes.");
   if (bounding.empty()) return;
   if (bounding.size() == 2 && bounding[0].plane == bounding[1].plane && bounding[0].outsideLeft == bounding[1].outsideLeft)
     return;
@@ -247,8 +249,8 @@ void UprightEdges::walk(std::vector<LoftSide>& out) {
   std::optional<int> winding;  // beyond the line in the direction of facet i, to its left
   for (std::size_t g = 0; g + 2 < groups_.size(); ++g) {
     const LoftTime time = betweenEvents(events_[groups_[g]], events_[groups_[g + 1]]);
-    const auto passed = std::count_if(scene_.loft.levels.begin(), scene_.loft.levels.end(),
-                                      [&](const LoftLevel& level) { return compare(timeOf(level), time) < 0; });
+    const auto passed = std::count_if(scene_.levels.begin(), scene_.levels.end(),
+                                      [&](const LoftTime& level) { return compare(level, time) < 0; });
     const int slab = static_cast<int>(passed) - 1;
     for (std::size_t e = groups_[g]; e < groups_[g + 1] && winding; ++e)
       if (!events_[e].plain)

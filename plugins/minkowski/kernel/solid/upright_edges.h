@@ -21,7 +21,7 @@ class UprightEdges {
     double t = 0, error = 0;
     Kind kind = Kind::Level;
     int line = 0, facet = 0, end = 0;
-    int jump = 0;        ///< of the winding number upwards, where nothing but a plain crossing happens
+    int jump = 0;  ///< of the winding number upwards, where nothing but a plain crossing happens
     bool plain = false;
   };
   struct Window {

@@ -11,7 +11,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr std::size_t maximumFacets = 40'000;
+constexpr std::size_t maximumFacets = 20'000;
 
 GridPoint sizeOf(const GridLoop& loop) {
   GridPoint low = loop.front(), high = loop.front();
@@ -137,7 +137,7 @@ LoftFacets loftFacets(std::span<const GridPolygon> a, std::span<const GridPolygo
   joinSame(loft.facets);
   if (loft.facets.size() > maximumFacets)
     throw Error(ErrorCode::LimitExceeded,
-                "The solid between these shapes has more than 40,000 facets before it is resolved.",
+                "The solid between these shapes has more than 20,000 facets before it is resolved.",
                 "Raise the tolerance, so that curves get fewer corners, or simplify the outlines.");
   numberPlanes(loft);
   return loft;

@@ -12,5 +12,6 @@ FeatureType differenceFeature(std::size_t maximumWork);
 FeatureType openingFeature(std::size_t maximumWork);
 FeatureType closingFeature(std::size_t maximumWork);
 FeatureType outlineSweepFeature(std::size_t maximumWork);
+FeatureType solidFeature(std::size_t maximumWork);
 
 }  // namespace blossom::minkowski

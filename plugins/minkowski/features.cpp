@@ -7,7 +7,8 @@ namespace blossom::minkowski {
 namespace {
 
 void registerAll(Registry& registry) {
-  for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, outlineSweepFeature})
+  for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, outlineSweepFeature,
+                           solidFeature})
     registry.add(inWorkerWhenLong(make));
 }
 

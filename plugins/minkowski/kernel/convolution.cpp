@@ -114,7 +114,8 @@ class EdgePile {
 /// First: the edges are those of the first set.
 enum class Closed { First, Last };
 
-void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, EdgePile& out,
+template <class Out>
+void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, Out& out,
               const Progress& progress) {
   const auto rangeStart = [&](const GridPoint& direction) {
     return closed == Closed::First
@@ -137,6 +138,14 @@ void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>&
     }
   }
 }
+
+/// Pairs as they are.
+struct PairList {
+  std::vector<EdgeAtCorner> all;
+  void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
+    all.push_back({edge.from, edge.to, corner.at, edgeOfFirst, corner.sign});
+  }
+};
 
 /// A loop with all that pairing asks for.
 struct LoopSides {
@@ -174,7 +183,8 @@ bool hasRoom(const LoopSides& hole, const LoopSides& other) {
   return hole.size.x > other.size.x && hole.size.y > other.size.y;
 }
 
-void pairUp(const LoopSides& a, const LoopSides& b, EdgePile& edges, const Progress& progress) {
+template <class Out>
+void pairUp(const LoopSides& a, const LoopSides& b, Out& edges, const Progress& progress) {
   addPairs(a.edges, b.corners, Closed::First, edges, progress);
   addPairs(b.edges, a.corners, Closed::Last, edges, progress);
 }
@@ -286,6 +296,12 @@ std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<c
     for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);
   }
   return std::move(edges).joined();
+}
+
+std::vector<EdgeAtCorner> pairsOf(const GridLoop& a, const GridLoop& b, const Progress& progress) {
+  PairList pairs;
+  pairUp(sidesOf(a, nullptr), sidesOf(b, nullptr), pairs, progress);
+  return std::move(pairs.all);
 }
 
 }  // namespace blossom::minkowski

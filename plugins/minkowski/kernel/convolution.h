@@ -62,4 +62,15 @@ std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<c
                                      const Progress& = Progress::none(), const Effort& = Effort(),
                                      PairSources* sources = nullptr);
 
+/// An edge of one loop at a corner of another whose turn contains the edge's direction, in their own coordinates.
+struct EdgeAtCorner {
+  GridPoint from, to, corner;
+  bool edgeOfFirst = true;
+  int sign = 1;  ///< -1 at reflex corners, where the edge counts backwards and bounds nothing
+};
+
+/// The pairs of two loops that a convolution adds up. They are those of all positive multiples of the loops, too. O(n log n
+/// + k).
+std::vector<EdgeAtCorner> pairsOf(const GridLoop& a, const GridLoop& b, const Progress& = Progress::none());
+
 }  // namespace blossom::minkowski

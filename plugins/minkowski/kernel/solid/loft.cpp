@@ -1,0 +1,75 @@
+#include "kernel/solid/loft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "kernel/flattening.h"
+#include "kernel/snap_rounding.h"
+#include "kernel/snapped_operands.h"
+#include "kernel/solid/facet_neighbours.h"
+#include "kernel/solid/level_edges.h"
+#include "kernel/solid/solid_mesh.h"
+#include "kernel/solid/upright_edges.h"
+
+namespace blossom::minkowski {
+namespace {
+
+constexpr double nearness = 1e-10;  // of the size, within which corners are one
+
+/// The sides of all faces, in the order of the facets whatever the number of cores.
+std::vector<LoftSide> sidesOf(const LoftScene& scene, const Progress& progress) {
+  const std::size_t count = scene.loft.facets.size();
+  std::vector<std::vector<LoftSide>> ofFacet(count);
+  parallelFor(count, 4, progress, [&](std::size_t begin, std::size_t end) {
+    UprightEdges upright(scene);
+    LevelEdges level(scene);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!scene.loft.facets[i].mayBound) continue;
+      upright.find(static_cast<int>(i), ofFacet[i], progress);
+      level.find(static_cast<int>(i), ofFacet[i], progress);
+    }
+  });
+  std::vector<LoftSide> all;
+  for (const auto& sides : ofFacet) all.insert(all.end(), sides.begin(), sides.end());
+  return all;
+}
+
+}  // namespace
+
+LoftResult loft(const Polygons& a, const Polygons& b, double height, const Progress& progress, Effort& effort) {
+  const SnappedOperands operands = snappedTogether(a, b);
+  progress.report(0, "Pairing edges");
+  const LoftFacets facets =
+      loftFacets(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.05));
+  effort.foresee(Effort::pairsOfEdge * static_cast<double>(facets.facets.size()));
+  const LoftPredicates predicates(facets.facets);
+  const auto neighbours = facetNeighbours(facets.facets, progress.part(0.05, 0.1));
+  double pairs = 0;
+  for (const auto& near : neighbours) pairs += static_cast<double>(near.size());
+  effort.foresee(Effort::pairsOfEdge * pairs);
+  progress.report(0.1, "Resolving the solid");
+  std::vector<LoftTime> levels;
+  for (const LoftLevel& level : facets.levels) levels.push_back(timeOf(level));
+  const std::vector<LoftSide> sides = sidesOf({facets, predicates, neighbours, levels}, progress.part(0.1, 0.95));
+  const double size = std::max({boxOf(a).sizes().maxCoeff(), boxOf(b).sizes().maxCoeff(), height});
+  return {meshOfSides(sides, {operands.gridA, operands.gridB, height}, nearness * size, progress.part(0.95, 1)),
+          facets.facets.size()};
+}
+
+LoftResult loft(const Region& a, const Region& b, const LoftOptions& options, const Progress& progress) {
+  if (!(options.height > 0) || !std::isfinite(options.height))
+    throw Error(ErrorCode::InvalidParameter, fmt::format("The height of the solid is {} mm.", options.height),
+                "Give a height above 0.");
+  Effort effort(options.maximumWork);
+  const FlatteningOptions flattening{.tolerance = options.tolerance, .effort = &effort};
+  const Polygons lower = flattened(a, flattening, "shape 1", progress),
+                 upper = flattened(b, flattening, "shape 2", progress);
+  return loft(lower, upper, options.height, progress, effort);
+}
+
+}  // namespace blossom::minkowski

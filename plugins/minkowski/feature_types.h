@@ -11,5 +11,7 @@ FeatureType sumFeature(std::size_t maximumWork);
 FeatureType differenceFeature(std::size_t maximumWork);
 FeatureType openingFeature(std::size_t maximumWork);
 FeatureType closingFeature(std::size_t maximumWork);
+FeatureType repeatFeature(std::size_t maximumWork);
+FeatureType hullFeature(std::size_t maximumWork);
 
 }  // namespace blossom::minkowski

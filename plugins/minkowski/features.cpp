@@ -7,7 +7,8 @@ namespace blossom::minkowski {
 namespace {
 
 void registerAll(Registry& registry) {
-  for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature})
+  for (const auto& make :
+       {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, repeatFeature, hullFeature})
     registry.add(inWorkerWhenLong(make));
 }
 

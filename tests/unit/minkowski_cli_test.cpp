@@ -38,6 +38,19 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(opened.result("arcs"), 4.0);
   }
 
+  void copiesAndHulls() {
+    const Answer three = blossom({"region-repeat", "rectangle:4:2", "--count", "3"});
+    COMPARE_NEAR(three.result("area"), 9 * 8, 1e-9);
+    const Answer many = blossom({"region-repeat", "star:5:20:8", "--count", "100000", "--normalised"});
+    const Answer hull = blossom({"region-hull", "star:5:20:8"});
+    COMPARE_NEAR(hull.result("area"), 2.5 * 400 * std::sin(2 * pi / 5), 1e-9);
+    COMPARE_NEAR(many.result("area"), hull.result("area"), 1e-9);
+    QVERIFY(many.json["stats"]["is_hull"].get<bool>() && many.json["warnings"].size() == 1);
+    const Answer few = blossom({"region-repeat", "star:5:20:8", "--count", "10", "--normalised"});
+    QVERIFY(few.json["stats"]["hull_distance"].get<double>() < few.json["stats"]["hull_bound"].get<double>());
+    QCOMPARE(sums(few), 4);
+  }
+
   /// The ends are the control shapes, with their arcs: not polygons of them.
   void theMorphStartsAtTheFirstAndEndsAtTheLast() {
     QCOMPARE(blossom({"slot", "--length", "40", "--width", "12", "-o", "slot.dxf"}).code, 0);

@@ -33,6 +33,8 @@ class MinkowskiCliTest : public QObject {
     COMPARE_NEAR(room.result("area"), 30 * 20, 1e-9);
     const Answer rounded = blossom({"minkowski-sum", "rectangle:40:10", "circle:2", "--tolerance", "1e-4"});
     COMPARE_NEAR(rounded.result("area"), 400 + 100 * 2 + 4 * pi, 1e-9);
+    const Answer weighted = blossom({"minkowski-sum", "rectangle:4:2", "circle:3", "--weights", "2,-1"});
+    COMPARE_NEAR(weighted.result("area"), 8 * 4 + 3 * 24 + 9 * pi, 1e-9);
     const Answer opened = blossom({"region-open", "rectangle:40:10", "circle:2", "-o", "opened.dxf"});
     COMPARE_NEAR(opened.result("area"), 400 - 16 + 4 * pi, 1e-9);
     QCOMPARE(opened.result("arcs"), 4.0);

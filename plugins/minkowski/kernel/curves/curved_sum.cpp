@@ -68,8 +68,9 @@ class SampledSum {
     grid_ = operands.gridOfSum;
     sources_.first = numbersOf(a_, operands.gridA);
     sources_.second = numbersOf(b_, operands.gridB);
-    edges_ = convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort,
-                         &sources_);
+    const std::vector<GridPolygon> ofA = untangled(operands.a, progress), ofB = untangled(operands.b, progress);
+    const std::optional<ConvexCore> core = addition.inside == Inside::Positive ? coreOfSum(ofA, ofB) : std::nullopt;
+    edges_ = convolution(ofA, ofB, progress.part(0, 0.1), effort, &sources_, core ? &*core : nullptr);
     faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), addition.inside, effort);
   }
 

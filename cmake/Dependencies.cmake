@@ -13,7 +13,7 @@ set(VTK_MODULE_ENABLE_VTK_GUISupportQt NO)     # Debian builds that module on Qt
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersCore FiltersGeneral FiltersSources
-  RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation InteractionStyle InteractionWidgets IOImage)
+  RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation InteractionStyle InteractionWidgets IOImage IOOggTheora)
 find_package(Eigen3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Boost 1.74 REQUIRED COMPONENTS filesystem)

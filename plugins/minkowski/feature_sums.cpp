@@ -11,14 +11,6 @@ struct SumParameters {
   std::vector<double> weights;  ///< of a sum
 };
 
-Evaluated evaluated(RegionSumResult result) {
-  Evaluated out;
-  out.stats["sums"] = result.sums;
-  out.warnings = std::move(result.warnings);
-  out.shape = std::move(result.region);
-  return out;
-}
-
 FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std::string summary, std::string inputHelp,
                                          std::size_t mostShapes = anyNumber) {
   using P = SumParameters;
@@ -50,7 +42,7 @@ FeatureType sumFeature(std::size_t maximumWork) {
       .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
       .example("blossom minkowski-sum part.svg part.svg --weights 1,-1 -o symmetric.svg")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork, p.weights}, progress));
+        return evaluatedSum(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork, p.weights}, progress));
       });
 }
 
@@ -63,7 +55,7 @@ FeatureType differenceFeature(std::size_t maximumWork) {
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
       .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork, {}}, progress));
+        return evaluatedSum(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork, {}}, progress));
       });
 }
 
@@ -79,7 +71,7 @@ FeatureType openingFeature(std::size_t maximumWork) {
       .example("blossom region-open star:5:20:12 circle:1 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
         const std::vector<Region> shapes = regionsOf(inputs);
-        return evaluated(regionOpening(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork, {}}, progress));
+        return evaluatedSum(regionOpening(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork, {}}, progress));
       });
 }
 
@@ -94,7 +86,7 @@ FeatureType closingFeature(std::size_t maximumWork) {
       .example("blossom region-close star:5:20:12 circle:1 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
         const std::vector<Region> shapes = regionsOf(inputs);
-        return evaluated(regionClosing(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork, {}}, progress));
+        return evaluatedSum(regionClosing(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork, {}}, progress));
       });
 }
 

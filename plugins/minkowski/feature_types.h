@@ -13,5 +13,6 @@ FeatureType openingFeature(std::size_t maximumWork);
 FeatureType closingFeature(std::size_t maximumWork);
 FeatureType repeatFeature(std::size_t maximumWork);
 FeatureType hullFeature(std::size_t maximumWork);
+FeatureType outlineSweepFeature(std::size_t maximumWork);
 
 }  // namespace blossom::minkowski

@@ -7,8 +7,8 @@ namespace blossom::minkowski {
 namespace {
 
 void registerAll(Registry& registry) {
-  for (const auto& make :
-       {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, repeatFeature, hullFeature})
+  for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, outlineSweepFeature,
+                           repeatFeature, hullFeature})
     registry.add(inWorkerWhenLong(make));
 }
 

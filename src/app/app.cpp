@@ -43,6 +43,7 @@ App loadApp(const std::vector<fs::path>& pluginFolders) {
   const FormatRegistry standard = standardFormats();
   for (const Format& format : standard.formats()) registry->add(format);
   registry->add(pngFormat());
+  registry->add(ogvFormat());
   registry->add(importFeature(registry->formats()));
   registry->add(literalFeature(registry));
   App app;

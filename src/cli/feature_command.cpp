@@ -32,11 +32,20 @@ class FeatureCommand {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     parameters_ = std::make_unique<ParameterFlags>(line, *app_, type_->parameters, "", "Parameters");
     made_ = std::make_unique<FlagInputs>(line, *app_, *invocation_.app.registry, *type_);
-    formats_ = std::make_unique<FormatFlags>(line, *app_, *invocation_.app.formats, FormatFlags::Writing, type_->produces);
+    formats_ = std::make_unique<FormatFlags>(line, *app_, *invocation_.app.formats, FormatFlags::Writing, kindsGiven());
     setExamples(*app_, type_->examples);
   }
 
  private:
+  /// With the kind of sequences where frames are asked for by a parameter, or may come with an input.
+  [[nodiscard]] std::vector<ShapeKind> kindsGiven() const {
+    std::vector<ShapeKind> kinds = type_->produces;
+    const auto frames = [](const ParameterSpec& spec) { return spec.name == "frames"; };
+    const bool sequences = !type_->inputs.empty() || std::any_of(type_->parameters.begin(), type_->parameters.end(), frames);
+    if (!kinds.empty() && sequences) kinds.push_back(ShapeKind::Sequence);
+    return kinds;
+  }
+
   void declareInputs() {
     if (const ParameterSpec* file = fileParameter()) {
       app_->add_option("FILE", inputs_, file->help)->type_name("")->expected(0, -1);
@@ -138,7 +147,7 @@ class FeatureCommand {
     used.reserve(planned.size());
     for (const Output& output : planned) {
       used.push_back(output.format);
-      if (output.format && !type_->produces.empty()) refuseUnlessStorable(*output.format, type_->produces);
+      if (output.format && !canHold(*output.format, kindsGiven())) refuseUnlessStorable(*output.format, type_->produces);
     }
     formats_->refuseUnused(used);
     return planned;

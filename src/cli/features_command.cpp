@@ -21,6 +21,8 @@ Value specJson(const ParameterSpec& spec) {
   if (!spec.noneMeans.empty()) json["none_means"] = spec.noneMeans;
   if (!spec.condition.choice.empty())
     json["only_for"] = {{"parameter", spec.condition.choice}, {"values", spec.condition.values}};
+  if (!spec.filling.input.empty())
+    json["one_for_each"] = {{"input", spec.filling.input}, {"more", spec.filling.more}, {"like", spec.filling.like}};
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (!spec.fileTypes.empty()) json["file_types"] = spec.fileTypes;
   for (const ParameterSpec& field : spec.fields) json["fields"].push_back(specJson(field));

@@ -23,10 +23,6 @@ std::vector<ParameterSpec> optionsOf(const Format& format, int sides) {
   return specs;
 }
 
-bool canHold(const Format& format, const std::vector<ShapeKind>& kinds) {
-  return kinds.empty() || std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return canStore(format, kind); });
-}
-
 /// Options known well enough to be given without their format.
 struct CommonFlag {
   const char *name, *placeholder, *help;
@@ -37,6 +33,13 @@ constexpr std::array<CommonFlag, 2> commonFlags{{
 }};
 
 }  // namespace
+
+bool canHold(const Format& format, const std::vector<ShapeKind>& kinds) {
+  const bool film = format.writes == std::vector{ShapeKind::Sequence};
+  return kinds.empty() || std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) {
+           return kind == ShapeKind::Sequence ? film : canStore(format, kind);
+         });
+}
 
 FormatFlags::FormatFlags(CommandLine& line, CLI::App& app, const FormatRegistry& formats, int sides,
                          const std::vector<ShapeKind>& written) {

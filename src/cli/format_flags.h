@@ -6,6 +6,10 @@
 
 namespace blossom {
 
+/// Whether files of the format can hold shapes of one of the kinds, or of any when there are none. With ShapeKind::Sequence
+/// among them, the others may come as frames of a sequence: formats that hold nothing but sequences can hold that, too.
+bool canHold(const Format&, const std::vector<ShapeKind>& kinds);
+
 /// Options of the formats as flags: --stl.ascii, --step.schema ap242; also --chord and --post, which set the option of that
 /// name for every output.
 class FormatFlags {

@@ -76,23 +76,15 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
   return parts;
 }
 
-/// Each output as the files that a shape becomes in its format.
-std::vector<Output> expandedToFiles(const std::vector<Output>& outputs, const Shape& shape) {
-  std::vector<Output> files;
+/// What can be known before the first file is written.
+void checkFiles(const std::vector<Output>& outputs, const Shape& shape) {
   for (const Output& output : outputs) {
-    if (!output.format) {
-      files.push_back(output);
-      continue;
-    }
-    for (FileOfShape& file : filesOf(*output.format, shape, output.path, output.options)) {
-      Output each = output;
+    if (!output.format) continue;
+    for (const ShapeKind kind : kindsInFiles(*output.format, shape, output.options))
+      refuseUnlessStorable(*output.format, std::array{kind});
+    for (const FileOfShape& file : filesOf(*output.format, shape, output.path, output.options))
       if (file.path != output.path) checkPlace(file.path);
-      each.path = std::move(file.path);
-      each.shape = std::move(file.shape);
-      files.push_back(std::move(each));
-    }
   }
-  return files;
 }
 
 }  // namespace
@@ -133,20 +125,25 @@ std::vector<Output> plannedOutputs(const FormatRegistry& formats, const std::vec
 
 std::vector<Output> writeOutputs(const App& app, const std::vector<Output>& planned, const Shape& shape,
                                  const Document& document, const Progress& progress) {
-  std::vector<Output> outputs = expandedToFiles(planned, shape);
-  for (const Output& output : outputs)
-    if (output.format) refuseUnlessStorable(*output.format, std::array{output.shape->kind()});
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const double count = static_cast<double>(outputs.size());
+  checkFiles(planned, shape);
+  std::vector<Output> written;
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    const double count = static_cast<double>(planned.size());
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    if (outputs[i].format) {
-      outputs[i].report =
-          exportShape(*app.formats, *outputs[i].shape, outputs[i].path, outputs[i].options, outputs[i].chordGiven, part);
-    } else {
-      saveDocument(withFilesEmbedded(*app.registry, document), outputs[i].path, part);
+    Output output = planned[i];
+    if (!output.format) {
+      saveDocument(withFilesEmbedded(*app.registry, document), output.path, part);
+      written.push_back(std::move(output));
+      continue;
+    }
+    output.report = exportShape(*app.formats, shape, output.path, output.options, output.chordGiven, part);
+    for (FileOfShape& file : filesOf(*output.format, shape, planned[i].path, planned[i].options)) {
+      output.path = std::move(file.path);
+      written.push_back(output);
+      output.report = {};  // which tells of all of them
     }
   }
-  return outputs;
+  return written;
 }
 
 void addReports(const std::vector<Output>& written, Measures& measures, std::vector<std::string>& warnings) {

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +14,8 @@ struct Output {
   std::filesystem::path path;
   const Format* format = nullptr;
   Value options = Value::object();
-  std::optional<Shape> shape{};  ///< the shape that was written
-  bool chordGiven = false;       ///< the user has set the chord
-  ExportReport report{};         ///< set once the file is written
+  bool chordGiven = false;  ///< the user has set the chord
+  ExportReport report{};    ///< set once the file is written; of the frames of a sequence, at the first
 };
 
 /// Adds the warnings about written files, and the gouge measured in written programs to the measures.

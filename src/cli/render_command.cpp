@@ -10,6 +10,8 @@
 #include "cli/report.h"
 #include "document/edits.h"
 #include "document/shown.h"
+#include "exchange/format/frames.h"
+#include "scene/sequence_pictures.h"
 
 namespace blossom {
 namespace {
@@ -60,6 +62,7 @@ class RenderCommand {
       throw UsageError("render needs a file to draw.", "\"blossom render part.step -o part.png\" draws a part.");
     if (output_.empty()) throw UsageError("render needs a picture to write.", "Add -o and a name that ends in .png.");
     Value values = options_->values();
+    const int cells = sheetCells(values);
     if (light_) values["theme"] = "light";
     PictureOptions options;
     try {
@@ -79,9 +82,20 @@ class RenderCommand {
     std::vector<Shape> shapes;
     for (const std::string& file : files_) addShapes(file, progress.part(0, 0.5), shapes);
     const Stopwatch drawing;
-    const auto colors = renderPicture(shapes, output_, options, progress.part(0.5, 1));
+    std::optional<CurvatureRange> colors;
+    if (cells > 0)
+      renderContactSheet(onlySequence(shapes), output_, options, cells, progress.part(0.5, 1));
+    else
+      colors = renderPicture(shapes, output_, options, progress.part(0.5, 1));
     report(planned, options, colors, drawing.elapsedMs());
     return 0;
+  }
+
+  static const Sequence& onlySequence(const std::vector<Shape>& shapes) {
+    const auto* sequence = shapes.size() == 1 ? shapes.front().get<Sequence>() : nullptr;
+    if (sequence) return *sequence;
+    throw Error(ErrorCode::InvalidInput, "A contact sheet shows the frames of one sequence.",
+                "Name the feature that has frames, such as model.blossom#morph, or leave --sheet out.");
   }
 
   void report(const std::vector<Output>& planned, const PictureOptions& options, const std::optional<CurvatureRange>& colors,

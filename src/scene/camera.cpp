@@ -72,6 +72,10 @@ Turn turnOf(const std::string& view) {
               "Views are auto, iso, top, bottom, front, back, left and right.");
 }
 
+Turn turnOf(const std::string& view, const std::vector<Vec3>& seen) {
+  return turnOf(view == "auto" ? (liesFlat(seen) ? "top" : "iso") : view);
+}
+
 const std::vector<std::string>& viewNames() {
   static const std::vector<std::string> names{"auto", "iso", "top", "bottom", "front", "back", "left", "right"};
   return names;
@@ -132,17 +136,63 @@ void place(vtkCamera* camera, const Turn& turn, const Framing& framing) {
   camera->SetParallelScale(framing.parallelScale);
 }
 
-void fitCamera(vtkRenderer* renderer, const std::string& view) {
-  const std::vector<Vec3> points = visiblePoints(renderer);
-  const bool flat = liesFlat(points);
-  const Turn turn = turnOf(view == "auto" ? (flat ? "top" : "iso") : view);
+namespace {
+
+constexpr double viewAngleOfPictures = 22;  // degrees; about a portrait lens: little distortion, still depth
+
+void aim(const std::vector<Vec3>& points, vtkRenderer* renderer, const std::string& view) {
+  const Turn turn = turnOf(view, points);
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetViewAngle(22);  // about a portrait lens: little distortion, still depth
-  camera->SetParallelProjection(flat);
+  camera->SetViewAngle(viewAngleOfPictures);
+  camera->SetParallelProjection(liesFlat(points));
   const int* size = renderer->GetRenderWindow() ? renderer->GetRenderWindow()->GetSize() : nullptr;
   const double aspect = size && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.6;
   place(camera, turn, frameAll(points, turn, aspect, camera->GetViewAngle()));
+}
+
+/// What frameAll takes the largest value of, along each of these: extents, and the reach of the cone that is seen.
+void addMeasuredDirections(const Turn& turn, double aspect, std::vector<Vec3>& directions) {
+  const Vec3 right = turn.right(), up = turn.up(), back = turn.toCamera();
+  const double tangent = std::tan(toRadians(viewAngleOfPictures) / 2) * (1 - 2 * marginOfFrames);
+  for (const double sign : {1.0, -1.0}) {
+    for (const Vec3& axis : {right, up, back}) directions.emplace_back(sign * axis);
+    directions.emplace_back(back + sign * up / tangent);
+    directions.emplace_back(back + sign * right / (aspect * tangent));
+  }
+}
+
+}  // namespace
+
+std::vector<Vec3> outermostPoints(const std::vector<Vec3>& points, const std::string& view, double aspect) {
+  if (points.empty()) return {};
+  std::vector<Vec3> directions;
+  for (const double sign : {1.0, -1.0})
+    for (int axis = 0; axis < 3; ++axis) directions.emplace_back(sign * Vec3::Unit(axis));
+  if (view != "auto") addMeasuredDirections(turnOf(view), aspect, directions);
+  if (view == "auto")
+    for (const char* either : {"top", "iso"}) addMeasuredDirections(turnOf(either), aspect, directions);
+  std::vector<Vec3> outermost;
+  for (const Vec3& direction : directions)
+    outermost.push_back(*std::max_element(
+        points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return a.dot(direction) < b.dot(direction); }));
+  return outermost;
+}
+
+void fitCamera(vtkRenderer* renderer, const std::string& view) {
+  aim(visiblePoints(renderer), renderer, view);
   renderer->ResetCameraClippingRange();
+}
+
+void fitCameraTo(const std::vector<Vec3>& points, vtkRenderer* renderer, const std::string& view) {
+  aim(points, renderer, view);
+  Extent x, y, z;
+  for (const Vec3& p : points) {
+    x.add(p.x());
+    y.add(p.y());
+    z.add(p.z());
+  }
+  const double box[6] = {x.minimum, x.maximum, y.minimum, y.maximum, z.minimum, z.maximum};
+  if (!points.empty()) renderer->ResetCameraClippingRange(box);
 }
 
 }  // namespace blossom

@@ -103,16 +103,35 @@ class Accumulator {
   std::vector<std::uint16_t> sums_;
 };
 
+/// The renderer of one picture, taken out of the window with all that it put on the card.
+class OwnRenderer {
+ public:
+  explicit OwnRenderer(vtkRenderWindow& window) : window_(window) { window_.AddRenderer(renderer_); }
+  ~OwnRenderer() { window_.RemoveRenderer(renderer_); }
+  OwnRenderer(const OwnRenderer&) = delete;
+  OwnRenderer& operator=(const OwnRenderer&) = delete;
+  [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
+
+ private:
+  vtkRenderWindow& window_;
+  vtkSmartPointer<vtkRenderer> renderer_ = vtkSmartPointer<vtkRenderer>::New();
+};
+
 }  // namespace
 
-Image drawOffscreen(int width, int height, int supersampling, const std::function<void(vtkRenderer*)>& fill,
-                    const Progress& progress) {
+OffscreenDrawer::OffscreenDrawer(int width, int height, int supersampling)
+    : width_(width), height_(height), supersampling_(supersampling) {
   quietVtk();
-  const EglContext context;
   const TilePlan plan = planTiles(width * supersampling, height * supersampling);
-  const auto window = makeWindow(plan.width, plan.height);
-  auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  window->AddRenderer(renderer);
+  window_ = makeWindow(plan.width, plan.height);
+}
+
+OffscreenDrawer::~OffscreenDrawer() { window_->Finalize(); }
+
+Image OffscreenDrawer::draw(const std::function<void(vtkRenderer*)>& fill, const Progress& progress) {
+  const TilePlan plan = planTiles(width_ * supersampling_, height_ * supersampling_);
+  const OwnRenderer own(*window_);
+  vtkRenderer* renderer = own.renderer();
   fill(renderer);
   renderer->SetGradientBackground(false);
   renderer->SetBackground(0, 0, 0);
@@ -120,18 +139,21 @@ Image drawOffscreen(int width, int height, int supersampling, const std::functio
 
   vtkCamera& camera = *renderer->GetActiveCamera();
   const double angle = camera.GetViewAngle(), scale = camera.GetParallelScale();
-  Accumulator sums(width, height, supersampling);
+  Accumulator sums(width_, height_, supersampling_);
   auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
   for (int tile = 0; tile < plan.tiles * plan.tiles; ++tile) {
     progress.report(static_cast<double>(tile) / (plan.tiles * plan.tiles), "Drawing");
     aimAtTile(camera, plan, tile % plan.tiles, tile / plan.tiles, angle, scale);
-    window->Render();
-    window->GetRGBACharPixelData(0, 0, plan.width - 1, plan.height - 1, 0, pixels);
+    window_->Render();
+    window_->GetRGBACharPixelData(0, 0, plan.width - 1, plan.height - 1, 0, pixels);
     sums.add(pixels->GetPointer(0), plan, tile % plan.tiles, tile / plan.tiles);
   }
-  window->RemoveRenderer(renderer);
-  window->Finalize();
   return sums.image();
+}
+
+Image drawOffscreen(int width, int height, int supersampling, const std::function<void(vtkRenderer*)>& fill,
+                    const Progress& progress) {
+  return OffscreenDrawer(width, height, supersampling).draw(fill, progress);
 }
 
 }  // namespace blossom

@@ -34,9 +34,27 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Renders off screen. `fill` is called once to add the actors and to place the camera, with the aspect of the render window
-/// already set. The background is transparent. O(pixels).
-/// @param supersampling drawn pixels per image pixel in each direction
+/// Draws pictures of one size off screen, one after the other, in one OpenGL context: that is current on the thread that
+/// made it from construction to destruction. The background is transparent.
+class OffscreenDrawer {
+ public:
+  /// @param supersampling drawn pixels per image pixel in each direction @throws Error Internal when there is no context.
+  OffscreenDrawer(int width, int height, int supersampling);
+  ~OffscreenDrawer();
+  OffscreenDrawer(const OffscreenDrawer&) = delete;
+  OffscreenDrawer& operator=(const OffscreenDrawer&) = delete;
+
+  /// `fill` is called once to add the actors and to place the camera, with the aspect of the render window already set.
+  /// O(pixels). @throws Error Cancelled.
+  Image draw(const std::function<void(vtkRenderer*)>& fill, const Progress&);
+
+ private:
+  int width_, height_, supersampling_;
+  EglContext context_;
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+};
+
+/// One picture.
 Image drawOffscreen(int width, int height, int supersampling, const std::function<void(vtkRenderer*)>& fill,
                     const Progress&);
 

@@ -61,9 +61,19 @@ Shape shapeOf(ShapeKind kind) {
       return longProgram();
     case ShapeKind::MedialAxis:
       return made("medial-axis", {}, {rectangle(0, 0, 20, 10)}).shape;
+    case ShapeKind::Sequence:
+      return Sequence{{rectangle(0, 0, 20, 10), rectangle(0, 0, 30, 10)}, {0, 1}};
     default:
       return {};
   }
+}
+
+/// Those that put a sequence into one file.
+Value optionsFor(const Format& format, ShapeKind kind) {
+  if (kind != ShapeKind::Sequence) return Value::object();
+  if (format.id == "svg") return {{"animate", true}};
+  if (format.id == "ogv") return {{"size", "64x48"}, {"seconds", 0.2}};
+  return {{"sheet", 2}};
 }
 
 std::size_t filesIn(const fs::path& folder) {
@@ -81,7 +91,7 @@ class FullDiskTest : public QObject {
     QTest::addColumn<int>("kind");
     for (const Format& format : theApp().formats->formats())
       for (const ShapeKind kind : format.writes)
-        if (kind != ShapeKind::Sequence && format.write)
+        if (format.write)
           QTest::addRow("%s: %s", format.id.c_str(), std::string(shapeKindName(kind)).c_str())
               << QString::fromStdString(format.id) << int(kind);
   }
@@ -92,13 +102,15 @@ class FullDiskTest : public QObject {
     const Shape shape = shapeOf(static_cast<ShapeKind>(kind));
     QVERIFY(!shape.empty());
     const TemporaryFolder place;
-    const fs::path file = place.path() / ("part." + theApp().formats->find(format.toStdString())->extensions.front());
-    writeShape(*theApp().formats, shape, file);  // there is a way to write it
+    const Format& written = *theApp().formats->find(format.toStdString());
+    const fs::path file = place.path() / ("part." + written.extensions.front());
+    const Value options = optionsFor(written, shape.kind());
+    writeShape(*theApp().formats, shape, file, options);  // there is a way to write it
     QVERIFY(fs::file_size(file) > limit);
     writeAtomically(file, "old");
     {
       const FullDisk full(limit);
-      VERIFY_ERROR(writeShape(*theApp().formats, shape, file), ErrorCode::FileUnwritable);
+      VERIFY_ERROR(writeShape(*theApp().formats, shape, file, options), ErrorCode::FileUnwritable);
     }
     QCOMPARE(readFile(file), std::string("old"));
     QCOMPARE(filesIn(place.path()), std::size_t(1));

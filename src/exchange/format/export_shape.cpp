@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "exchange/format/frames.h"
 #include "exchange/format/mesh_chord.h"
 #include "exchange/format/written_check.h"
 #include "geometry/shape/bounds.h"
@@ -36,23 +38,38 @@ std::optional<std::string> boundChord(const Shape& shape, Value& options, const 
   return bounded.note.empty() ? std::nullopt : std::optional(std::move(bounded.note));
 }
 
+/// Frames of a sequence have the same to say.
+void addNew(std::vector<std::string>& warnings, std::string warning) {
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
+}
+
+void exportFile(const FormatRegistry& registry, const PlannedFiles& planned, const FileOfShape& file, bool chordGiven,
+                const Progress& progress, ExportReport& report) {
+  Value options = planned.options;
+  if (!chordGiven)
+    if (auto note = boundChord(file.shape, options, progress.part(0, 0.2))) addNew(report.warnings, std::move(*note));
+  writeFile(planned, file, options, progress.part(0.2, 0.7));
+  if (const auto check = checkWritten(registry, file.shape, file.path, progress.part(0.7, 1))) {
+    report.gouge = std::max(report.gouge.value_or(check->gouge), check->gouge);
+    for (const std::string& warning : check->warnings) addNew(report.warnings, warning);
+  }
+  if (planned.format->id == "stl")
+    if (auto note = roundingOfStl(file.shape, options)) addNew(report.warnings, std::move(*note));
+}
+
 }  // namespace
 
 ExportReport exportShape(const FormatRegistry& registry, const Shape& shape, const std::filesystem::path& path,
                          const Value& options, bool chordGiven, const Progress& progress) {
   ExportReport report;
-  const auto tell = [&](std::optional<std::string> warning) {
-    if (warning) report.warnings.push_back(std::move(*warning));
-  };
-  const Format* format = registry.find(path.extension().string());
-  Value all = format ? completed(format->writeOptions, options) : options;
-  if (!chordGiven) tell(boundChord(shape, all, progress.part(0, 0.2)));
-  writeShape(registry, shape, path, all, progress.part(0.2, 0.7));
-  if (const auto check = checkWritten(registry, shape, path, progress.part(0.7, 1))) {
-    report.gouge = check->gouge;
-    report.warnings.insert(report.warnings.end(), check->warnings.begin(), check->warnings.end());
+  const bool frames = shape.kind() == ShapeKind::Sequence;
+  const double begin = frames ? 0.2 : 0;
+  const PlannedFiles planned = plannedFiles(registry, shape, path, options, progress.part(0, begin));
+  const double count = static_cast<double>(planned.files.size());
+  for (std::size_t i = 0; i < planned.files.size(); ++i) {
+    const auto at = [&](std::size_t k) { return begin + (1 - begin) * static_cast<double>(k) / count; };
+    exportFile(registry, planned, planned.files[i], chordGiven, progress.part(at(i), at(i + 1)), report);
   }
-  if (format && format->id == "stl") tell(roundingOfStl(shape, all));
   return report;
 }
 

@@ -116,8 +116,10 @@ void refuseUnlessStorable(const Format& format, std::span<const ShapeKind> kinds
   if (std::any_of(kinds.begin(), kinds.end(), [&](ShapeKind kind) { return canStore(format, kind); })) return;
   if (kinds.size() == 1 && kinds.front() == ShapeKind::None)
     throw Error(ErrorCode::OutputNotSupported, "There is nothing to write.", "Give a shape that is not empty.");
+  const bool sequencesOnly = format.writes == std::vector{ShapeKind::Sequence};
   throw Error(ErrorCode::OutputNotSupported, fmt::format("{} files cannot hold {}.", format.title, kindNames(kinds, true)),
-              fmt::format("They can hold {}.", kindNames(format.writes, true)));
+              sequencesOnly ? "They hold sequences: set frames, as of a morph, or write one shape as a picture (PNG)."
+                            : fmt::format("They can hold {}.", kindNames(format.writes, true)));
 }
 
 void FormatRegistry::add(Format format) { formats_.push_back(std::move(format)); }
@@ -141,36 +143,45 @@ Imported readShape(const FormatRegistry& registry, const fs::path& path, const V
   return guardedRead(format, path, completed(format.readOptions, options), progress);
 }
 
-namespace {
+PlannedFiles plannedFiles(const FormatRegistry& registry, const Shape& shape, const fs::path& path, const Value& options,
+                          const Progress& progress) {
+  PlannedFiles planned;
+  planned.format = &formatFor(registry, path, false);
+  const Format& format = *planned.format;
+  planned.options = completed(format.writeOptions, options);
+  planned.files = filesOf(format, shape, path, planned.options);
+  for (const ShapeKind kind : kindsInFiles(format, shape, planned.options)) refuseUnlessStorable(format, {&kind, 1});
+  const bool framesApart = planned.files.size() != 1 || planned.files.front().path != path;
+  planned.write = framesApart && format.frameWriter ? format.frameWriter(*shape.get<Sequence>(), planned.options, progress)
+                                                    : format.write;
+  return planned;
+}
 
-/// Streams of the libraries behind some formats end a full disk with exceptions of their own, such as std::bad_cast.
-void writeOne(const Format& format, const FileOfShape& file, const Value& options, const Progress& progress) {
+// Streams of the libraries behind some formats end a full disk with exceptions of their own, such as std::bad_cast.
+void writeFile(const PlannedFiles& planned, const FileOfShape& file, const Value& options, const Progress& progress) {
   try {
-    writeAtomically(file.path, [&](const fs::path& temporary) { format.write(file.shape, temporary, options, progress); });
+    writeAtomically(file.path, [&](const fs::path& temporary) { planned.write(file.shape, temporary, options, progress); });
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
     throw Error(ErrorCode::FileUnwritable,
-                fmt::format("The file {} cannot be written as {}.", file.path.string(), format.title),
+                fmt::format("The file {} cannot be written as {}.", file.path.string(), planned.format->title),
                 "Check that the disk is not full.");
   }
 }
 
-}  // namespace
-
 void writeShape(const FormatRegistry& registry, const Shape& shape, const fs::path& path, const Value& options,
                 const Progress& progress) {
-  const Format& format = formatFor(registry, path, false);
-  const Value all = completed(format.writeOptions, options);
-  const std::vector<FileOfShape> files = filesOf(format, shape, path, all);
-  for (const ShapeKind kind : kindsInFiles(format, shape, all)) refuseUnlessStorable(format, {&kind, 1});
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const double count = static_cast<double>(files.size());
-    const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-    writeOne(format, files[i], all, part);
-  }
+  const bool frames = shape.kind() == ShapeKind::Sequence;
+  const double begin = frames ? 0.2 : 0;
+  const PlannedFiles planned = plannedFiles(registry, shape, path, options, progress.part(0, begin));
+  const Progress writing = progress.part(begin, 1);
+  const double count = static_cast<double>(planned.files.size());
+  for (std::size_t i = 0; i < planned.files.size(); ++i)
+    writeFile(planned, planned.files[i], planned.options,
+              writing.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
 }
 
 }  // namespace blossom

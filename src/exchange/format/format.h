@@ -25,15 +25,20 @@ struct Imported {
 struct Format {
   using Read = std::function<Imported(const std::filesystem::path&, const Value& options, const Progress&)>;
   using Write = std::function<void(const Shape&, const std::filesystem::path&, const Value& options, const Progress&)>;
+  /// Makes the writer of those frames of a sequence that go into a file each, such that they share a page or a camera.
+  using FrameWriter = std::function<Write(const Sequence&, const Value& options, const Progress&)>;
 
   std::string id;                       ///< "step"
   std::string title;                    ///< "STEP (AP 203, 214, 242)"
   std::vector<std::string> extensions;  ///< lower case, without dot, preferred first
   std::vector<ParameterSpec> readOptions;
   std::vector<ParameterSpec> writeOptions;
-  Read read;                      ///< empty: cannot be read
-  Write write;                    ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
-  std::vector<ShapeKind> writes;  ///< kinds the writer takes; for the message when another comes
+  Read read;                ///< empty: cannot be read
+  Write write;              ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
+  FrameWriter frameWriter;  ///< empty: `write` writes each frame as if it were alone
+  /// Whether the options put all frames of a sequence into one file; empty: always. Only where `writes` has sequences.
+  std::function<bool(const Value& options)> inOneFile;
+  std::vector<ShapeKind> writes;      ///< kinds the writer takes; for the message when another comes
   ShapeKind reads = ShapeKind::None;  ///< the kind of every shape read, where that is known before; else None
   bool zipped = false;                ///< its files are zips
 };

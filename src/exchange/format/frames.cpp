@@ -10,10 +10,7 @@ namespace {
 bool goesIntoOneFile(const Format& format, const Shape& shape, const Value& options) {
   if (shape.kind() != ShapeKind::Sequence) return true;
   if (!canStore(format, ShapeKind::Sequence)) return false;
-  const std::string flag(framesInOneFile);
-  const bool isChoice = std::any_of(format.writeOptions.begin(), format.writeOptions.end(),
-                                    [&](const ParameterSpec& spec) { return spec.name == flag; });
-  return !isChoice || options.value(flag, false);
+  return !format.inOneFile || format.inOneFile(options);
 }
 
 std::filesystem::path framePath(const std::filesystem::path& path, std::size_t number) {
@@ -40,5 +37,17 @@ std::vector<ShapeKind> kindsInFiles(const Format& format, const Shape& shape, co
     if (std::find(kinds.begin(), kinds.end(), frame.kind()) == kinds.end()) kinds.push_back(frame.kind());
   return kinds.empty() ? std::vector{ShapeKind::None} : kinds;
 }
+
+ParameterSpec sheetOption() {
+  ParameterSpec sheet = count(0, 1000);
+  sheet.name = "sheet";
+  sheet.help =
+      "Put up to so many frames of a sequence, evenly spread, beside each other into one file, each with its time; 0 is a "
+      "file for each frame.";
+  sheet.fallback = 0;
+  return sheet;
+}
+
+int sheetCells(const Value& options) { return options.value("sheet", 0); }
 
 }  // namespace blossom

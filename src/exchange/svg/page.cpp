@@ -3,13 +3,15 @@
 #include <cairo-ps.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include "core/error.h"
 #include "exchange/format/cubic_pieces.h"
 #include "exchange/format/drawn_box.h"
-#include "exchange/format/format.h"
+#include "exchange/format/frames.h"
 #include "exchange/format/mesh_options.h"
+#include "exchange/format/page_sheet.h"
 #include "geometry/planar/planar.h"
 
 namespace blossom {
@@ -55,7 +57,7 @@ void addPath(cairo_t* page, const Path& path, double tolerance) {
 }
 
 /// Neighbours of one layer and colour are one path, so that holes are holes. Closed ones are filled.
-void draw(cairo_t* page, const Curves& curves, double tolerance, const Progress& progress) {
+void drawCurves(cairo_t* page, const Curves& curves, double tolerance, const Progress& progress) {
   cairo_set_line_width(page, lineWidth);
   cairo_set_line_join(page, CAIRO_LINE_JOIN_ROUND);
   cairo_set_fill_rule(page, curves.fillRule == FillRule::EvenOdd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
@@ -80,11 +82,18 @@ Curves planar(const Shape& shape) {
 
 using MakeSurface = cairo_surface_t* (*)(cairo_write_func_t, void*, double, double);
 
-void writePage(MakeSurface make, const Shape& shape, const std::filesystem::path& file, const Value& options,
-               const Progress& progress) {
-  const Curves drawing = planar(shape);
-  const double tolerance = options.value("tolerance", 1e-2);
-  const DrawnBox box = drawnBox({drawing}, tolerance);
+void refuseFailed(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  // Cairo keeps the pages of PostScript in a temporary file until they are complete.
+  const bool onDisk = status == CAIRO_STATUS_WRITE_ERROR || status == CAIRO_STATUS_TEMP_FILE_ERROR;
+  throw Error(onDisk ? ErrorCode::FileUnwritable : ErrorCode::OutputNotSupported,
+              std::string("The page cannot be drawn: ") + cairo_status_to_string(status) + ".",
+              onDisk ? "Make room on the disk of the temporary folder." : "Write it as SVG or DXF.");
+}
+
+/// A page around a box, on which `draw` draws in mm, y upwards.
+void writePage(MakeSurface make, const DrawnBox& box, double tolerance, const std::filesystem::path& file,
+               const std::function<void(cairo_t*)>& draw) {
   const Vec2 low = box.low - Vec2(margin, margin), high = box.high + Vec2(margin, margin);
   const Vec2 size = ((high - low) * pointsPerMm).array().ceil();  // PostScript knows whole points only
   std::string content;
@@ -95,18 +104,48 @@ void writePage(MakeSurface make, const Shape& shape, const std::filesystem::path
     cairo_translate(page.get(), 0, size.y());
     cairo_scale(page.get(), pointsPerMm, -pointsPerMm);
     cairo_translate(page.get(), -low.x(), -low.y());
-    draw(page.get(), drawing, tolerance, progress);
+    draw(page.get());
     cairo_show_page(page.get());
+    refuseFailed(cairo_status(page.get()));
   }
   cairo_surface_finish(surface.get());
-  if (const cairo_status_t status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS) {
-    // Cairo keeps the pages of PostScript in a temporary file until they are complete.
-    const bool onDisk = status == CAIRO_STATUS_WRITE_ERROR || status == CAIRO_STATUS_TEMP_FILE_ERROR;
-    throw Error(onDisk ? ErrorCode::FileUnwritable : ErrorCode::OutputNotSupported,
-                std::string("The page cannot be drawn: ") + cairo_status_to_string(status) + ".",
-                onDisk ? "Make room on the disk of the temporary folder." : "Write it as SVG or DXF.");
-  }
+  refuseFailed(cairo_surface_status(surface.get()));
   writeBytes(file, content);
+}
+
+void writeDrawing(MakeSurface make, const Shape& shape, const DrawnBox* shared, const std::filesystem::path& file,
+                  const Value& options, const Progress& progress) {
+  const Curves drawing = planar(shape);
+  const double tolerance = options.value("tolerance", 1e-2);
+  writePage(make, shared ? *shared : drawnBox({drawing}, tolerance), tolerance, file,
+            [&](cairo_t* page) { drawCurves(page, drawing, tolerance, progress); });
+}
+
+void drawLabel(cairo_t* page, const Vec2& place, double height, const std::string& text) {
+  cairo_save(page);
+  cairo_translate(page, place.x(), place.y());
+  cairo_scale(page, 1, -1);
+  cairo_select_font_face(page, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(page, height);
+  cairo_set_source_rgb(page, 0, 0, 0);
+  cairo_move_to(page, 0, 0);
+  cairo_show_text(page, text.c_str());
+  cairo_restore(page);
+}
+
+void writeSheet(MakeSurface make, const Sequence& sequence, const std::filesystem::path& file, const Value& options,
+                const Progress& progress) {
+  const double tolerance = options.value("tolerance", 1e-2);
+  const PageSheet sheet = pageSheet(sequence, drawnBox(sequence, tolerance, progress), sheetCells(options));
+  writePage(make, {{0, 0}, sheet.size}, tolerance, file, [&](cairo_t* page) {
+    for (const PageSheet::Cell& cell : sheet.cells) {
+      cairo_save(page);
+      cairo_translate(page, cell.shift.x(), cell.shift.y());
+      drawCurves(page, planar(sequence.frames[cell.frame]), tolerance, progress);
+      cairo_restore(page);
+      drawLabel(page, cell.label, sheet.letterHeight, cell.text);
+    }
+  });
 }
 
 Format pageFormat(std::string id, std::string title, MakeSurface make) {
@@ -119,10 +158,22 @@ Format pageFormat(std::string id, std::string title, MakeSurface make) {
   format.extensions = {id};
   format.id = std::move(id);
   format.title = std::move(title);
-  format.writeOptions = {tolerance};
+  format.writeOptions = {tolerance, sheetOption()};
   format.write = [make](const Shape& shape, const std::filesystem::path& file, const Value& options,
-                        const Progress& progress) { writePage(make, shape, file, options, progress); };
-  format.writes = {ShapeKind::Curves, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath};
+                        const Progress& progress) {
+    const auto* sequence = shape.get<Sequence>();
+    if (sequence)
+      writeSheet(make, *sequence, file, options, progress);
+    else
+      writeDrawing(make, shape, nullptr, file, options, progress);
+  };
+  format.frameWriter = [make](const Sequence& sequence, const Value& given, const Progress& looking) -> Format::Write {
+    const DrawnBox shared = drawnBox(sequence, given.value("tolerance", 1e-2), looking);
+    return [make, shared](const Shape& frame, const std::filesystem::path& file, const Value& options,
+                          const Progress& progress) { writeDrawing(make, frame, &shared, file, options, progress); };
+  };
+  format.inOneFile = [](const Value& options) { return sheetCells(options) > 0; };
+  format.writes = {ShapeKind::Curves, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath, ShapeKind::Sequence};
   return format;
 }
 

@@ -13,7 +13,7 @@ Format svgFormat() {
   tolerance.fallback = 1e-3;
 
   ParameterSpec animate = flag();
-  animate.name = framesInOneFile;
+  animate.name = "animate";
   animate.help = "Put all frames of a sequence into one file that plays them, instead of a file each.";
   animate.fallback = false;
 
@@ -26,12 +26,21 @@ Format svgFormat() {
   format.id = "svg";
   format.title = "SVG (scalable vector graphics)";
   format.extensions = {"svg"};
-  format.writeOptions = {tolerance, animate, seconds};
+  format.writeOptions = {tolerance, animate, seconds, sheetOption()};
   format.read = [](const std::filesystem::path& path, const Value&, const Progress& progress) {
     const std::string content = readFile(path);
     return svg::readDocument(content, progress);
   };
-  format.write = svg::writeDocument;
+  format.write = [](const Shape& shape, const std::filesystem::path& file, const Value& given, const Progress& progress) {
+    svg::writeDocument(shape, file, given, progress);
+  };
+  format.frameWriter = [](const Sequence& sequence, const Value& given, const Progress& looking) -> Format::Write {
+    return [page = svg::sharedPage(sequence, given, looking)](const Shape& frame, const std::filesystem::path& file,
+                                                              const Value& options, const Progress& progress) {
+      svg::writeDocument(frame, file, options, progress, &page);
+    };
+  };
+  format.inOneFile = [](const Value& given) { return given.value("animate", false) || sheetCells(given) > 0; };
   format.writes = {ShapeKind::Curves, ShapeKind::Region, ShapeKind::MedialAxis, ShapeKind::Toolpath, ShapeKind::Sequence};
   return format;
 }

@@ -10,12 +10,14 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "exchange/format/cubic_pieces.h"
-#include "exchange/format/drawn_box.h"
 #include "exchange/format/format.h"
+#include "exchange/format/frames.h"
 #include "exchange/format/mesh_options.h"
+#include "exchange/format/page_sheet.h"
 #include "exchange/format/xml_text.h"
 #include "exchange/svg/svg_write.h"
 #include "geometry/planar/planar.h"
+#include "geometry/shape/frame_times.h"
 
 namespace blossom::svg {
 namespace {
@@ -124,18 +126,6 @@ std::string elements(const Curves& curves, PathWriter& writer, const Progress& p
   return out;
 }
 
-/// When each frame begins, as a share of one run. The last frame stays for as long as the others do on average.
-std::vector<double> beginnings(const Sequence& sequence) {
-  const std::size_t count = sequence.frames.size();
-  const bool timed = sequence.times.size() == count && sequence.times.back() > sequence.times.front();
-  const double span = timed ? sequence.times.back() - sequence.times.front() : static_cast<double>(count) - 1;
-  const double whole = count > 1 ? span * static_cast<double>(count) / (static_cast<double>(count) - 1) : 1;
-  std::vector<double> begins;
-  for (std::size_t k = 0; k < count; ++k)
-    begins.push_back((timed ? sequence.times[k] - sequence.times.front() : static_cast<double>(k)) / whole);
-  return begins;
-}
-
 /// A frame that is seen in its own time alone. Programs that know no animation see the first one, and so do readers.
 std::string frameElement(const std::string& drawn, double begin, double end, double seconds) {
   std::string values = "inline;none", times = "0;" + formatNumber(end);
@@ -173,29 +163,72 @@ std::vector<Curves> drawingsOf(const Shape& shape) {
   return drawings;
 }
 
+double toleranceOf(const Value& options) { return options.value("tolerance", 1e-3); }
+double chordOfPage(const Value& options) { return std::max(toleranceOf(options), 1e-2); }
+
+/// Coordinates of drawings are kept: only y is mirrored, within the page.
+class Page {
+ public:
+  Page(const DrawnBox& box, double tolerance)
+      : low_(box.low), size_(box.size().cwiseMax(Vec2(1e-3, 1e-3))), writer_(mirror(), tolerance) {}
+
+  [[nodiscard]] double mirror() const { return low_.y() + low_.y() + size_.y(); }
+  [[nodiscard]] PathWriter& writer() { return writer_; }
+  [[nodiscard]] std::string document(const std::string& content) const {
+    const std::string width = formatNumber(size_.x()), height = formatNumber(size_.y());
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+        "width=\"{}mm\" height=\"{}mm\" viewBox=\"{} {} {} {}\">\n{}</svg>\n",
+        width, height, formatNumber(low_.x()), formatNumber(low_.y()), width, height, content);
+  }
+
+ private:
+  Vec2 low_, size_;
+  PathWriter writer_;
+};
+
+std::string animation(const Sequence& sequence, const std::vector<Curves>& drawings, Page& page, double seconds,
+                      const Progress& progress) {
+  const std::vector<double> begins = frameBeginnings(sequence);
+  std::string out;
+  for (std::size_t k = 0; k < drawings.size(); ++k)
+    out += frameElement(elements(drawings[k], page.writer(), progress), begins[k], k + 1 < begins.size() ? begins[k + 1] : 1,
+                        seconds);
+  return out;
+}
+
+std::string contactSheet(const PageSheet& sheet, const std::vector<Curves>& drawings, Page& page, const Progress& progress) {
+  std::string out;
+  for (const PageSheet::Cell& cell : sheet.cells) {
+    out += fmt::format("<g transform=\"translate({},{})\">\n{}</g>\n", formatNumber(cell.shift.x()),
+                       formatNumber(-cell.shift.y()), elements(drawings[cell.frame], page.writer(), progress));
+    out += fmt::format("<text x=\"{}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"{}\">{}</text>\n",
+                       formatNumber(cell.label.x()), formatNumber(page.mirror() - cell.label.y()),
+                       formatNumber(sheet.letterHeight), cell.text);
+  }
+  return out;
+}
+
 }  // namespace
 
-void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress) {
-  const std::vector<Curves> drawings = drawingsOf(shape);
-  const double tolerance = options.value("tolerance", 1e-3);
-  const DrawnBox page = drawnBox(drawings, std::max(tolerance, 1e-2));
-  const Vec2 size = (page.high - page.low).cwiseMax(Vec2(1e-3, 1e-3));
-  PathWriter writer(page.low.y() + page.low.y() + size.y(), tolerance);
+DrawnBox sharedPage(const Sequence& sequence, const Value& options, const Progress& progress) {
+  return drawnBox(sequence, chordOfPage(options), progress);
+}
 
-  const std::string width = formatNumber(size.x()), height = formatNumber(size.y());
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-      "width=\"{}mm\" height=\"{}mm\" viewBox=\"{} {} {} {}\">\n",
-      width, height, formatNumber(page.low.x()), formatNumber(page.low.y()), width, height);
-  if (const auto* sequence = shape.get<Sequence>()) {
-    const std::vector<double> begins = beginnings(*sequence);
-    for (std::size_t k = 0; k < drawings.size(); ++k)
-      out += frameElement(elements(drawings[k], writer, progress), begins[k], k + 1 < begins.size() ? begins[k + 1] : 1,
-                          options.value("seconds", 2.0));
-  } else {
-    out += elements(drawings.front(), writer, progress);
+void writeDocument(const Shape& shape, const std::filesystem::path& file, const Value& options, const Progress& progress,
+                   const DrawnBox* given) {
+  const std::vector<Curves> drawings = drawingsOf(shape);
+  const double tolerance = toleranceOf(options);
+  const DrawnBox box = given ? *given : drawnBox(drawings, chordOfPage(options));
+  const auto* sequence = shape.get<Sequence>();
+  if (sequence && sheetCells(options) > 0) {
+    const PageSheet sheet = pageSheet(*sequence, box, sheetCells(options));
+    Page page({{0, 0}, sheet.size}, tolerance);
+    return writeBytes(file, page.document(contactSheet(sheet, drawings, page, progress)));
   }
-  writeBytes(file, out + "</svg>\n");
+  Page page(box, tolerance);
+  writeBytes(file, page.document(sequence ? animation(*sequence, drawings, page, options.value("seconds", 2.0), progress)
+                                          : elements(drawings.front(), page.writer(), progress)));
 }
 
 }  // namespace blossom::svg

@@ -7,7 +7,8 @@ namespace blossom::minkowski {
 namespace {
 
 struct SumParameters {
-  Value tolerance;  ///< null: follows the shapes' sizes
+  Value tolerance;              ///< null: follows the shapes' sizes
+  std::vector<double> weights;  ///< of a sum
 };
 
 FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std::string summary, std::string inputHelp,
@@ -34,10 +35,14 @@ FeatureType sumFeature(std::size_t maximumWork) {
                     "The area that one shape covers while its origin moves over the other.", "The shapes that are added.")
       .icon("minkowski-sum")
       .produces({ShapeKind::Region})
+      .parameter("weights", &SumParameters::weights, list(number()),
+                 "Factor of each shape about the origin, first to last; a negative one reflects in the origin, 0 leaves the "
+                 "shape out. Others are 1.")
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
       .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
+      .example("blossom minkowski-sum part.svg part.svg --weights 1,-1 -o symmetric.svg")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluatedSum(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork, p.weights}, progress));
       });
 }
 
@@ -50,7 +55,7 @@ FeatureType differenceFeature(std::size_t maximumWork) {
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
       .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluatedSum(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork, {}}, progress));
       });
 }
 
@@ -66,7 +71,7 @@ FeatureType openingFeature(std::size_t maximumWork) {
       .example("blossom region-open star:5:20:12 circle:1 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
         const std::vector<Region> shapes = regionsOf(inputs);
-        return evaluatedSum(regionOpening(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(regionOpening(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork, {}}, progress));
       });
 }
 
@@ -81,7 +86,7 @@ FeatureType closingFeature(std::size_t maximumWork) {
       .example("blossom region-close star:5:20:12 circle:1 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
         const std::vector<Region> shapes = regionsOf(inputs);
-        return evaluatedSum(regionClosing(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(regionClosing(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork, {}}, progress));
       });
 }
 

@@ -11,6 +11,8 @@ FeatureType sumFeature(std::size_t maximumWork);
 FeatureType differenceFeature(std::size_t maximumWork);
 FeatureType openingFeature(std::size_t maximumWork);
 FeatureType closingFeature(std::size_t maximumWork);
+FeatureType repeatFeature(std::size_t maximumWork);
+FeatureType hullFeature(std::size_t maximumWork);
 FeatureType outlineSweepFeature(std::size_t maximumWork);
 FeatureType solidFeature(std::size_t maximumWork);
 

@@ -8,7 +8,7 @@ namespace {
 
 void registerAll(Registry& registry) {
   for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, outlineSweepFeature,
-                           solidFeature})
+                           solidFeature, repeatFeature, hullFeature})
     registry.add(inWorkerWhenLong(make));
 }
 

@@ -33,9 +33,24 @@ class MinkowskiCliTest : public QObject {
     COMPARE_NEAR(room.result("area"), 30 * 20, 1e-9);
     const Answer rounded = blossom({"minkowski-sum", "rectangle:40:10", "circle:2", "--tolerance", "1e-4"});
     COMPARE_NEAR(rounded.result("area"), 400 + 100 * 2 + 4 * pi, 1e-9);
+    const Answer weighted = blossom({"minkowski-sum", "rectangle:4:2", "circle:3", "--weights", "2,-1"});
+    COMPARE_NEAR(weighted.result("area"), 8 * 4 + 3 * 24 + 9 * pi, 1e-9);
     const Answer opened = blossom({"region-open", "rectangle:40:10", "circle:2", "-o", "opened.dxf"});
     COMPARE_NEAR(opened.result("area"), 400 - 16 + 4 * pi, 1e-9);
     QCOMPARE(opened.result("arcs"), 4.0);
+  }
+
+  void copiesAndHulls() {
+    const Answer three = blossom({"region-repeat", "rectangle:4:2", "--count", "3"});
+    COMPARE_NEAR(three.result("area"), 9 * 8, 1e-9);
+    const Answer many = blossom({"region-repeat", "star:5:20:8", "--count", "100000", "--normalised"});
+    const Answer hull = blossom({"region-hull", "star:5:20:8"});
+    COMPARE_NEAR(hull.result("area"), 2.5 * 400 * std::sin(2 * pi / 5), 1e-9);
+    COMPARE_NEAR(many.result("area"), hull.result("area"), 1e-9);
+    QVERIFY(many.json["stats"]["is_hull"].get<bool>() && many.json["warnings"].size() == 1);
+    const Answer few = blossom({"region-repeat", "star:5:20:8", "--count", "10", "--normalised"});
+    QVERIFY(few.json["stats"]["hull_distance"].get<double>() < few.json["stats"]["hull_bound"].get<double>());
+    QCOMPARE(sums(few), 4);
   }
 
   /// The ends are the control shapes, with their arcs: not polygons of them.

@@ -18,13 +18,16 @@ namespace {
 template <class Operand>
 using MakeOperand = Operand (*)(const Region&, const FlatteningOptions&, const std::string& name, const Progress&);
 
+[[noreturn]] void refuseOneShape() {
+  throw Error(ErrorCode::InvalidParameter, "A Minkowski sum or difference needs two shapes.", "Give another shape.");
+}
+
 /// @param sides where the polygons of the first and of the other shapes may lie
 template <class Operand>
 std::vector<Operand> operands(std::span<const Region> regions, const RegionSumOptions& options,
                               std::pair<Approximation, Approximation> sides, MakeOperand<Operand> make, Effort& effort,
                               const Progress& progress) {
-  if (regions.size() < 2)
-    throw Error(ErrorCode::InvalidParameter, "A Minkowski sum or difference needs two shapes.", "Give another shape.");
+  if (regions.size() < 2) refuseOneShape();
   std::vector<Operand> result;
   for (std::size_t i = 0; i < regions.size(); ++i)
     result.push_back(make(regions[i],
@@ -53,6 +56,37 @@ Operand folded(const std::vector<Operand>& shapes, const Progress& progress, Eff
   return total;
 }
 
+double weightOf(const RegionSumOptions& options, std::size_t i) {
+  return i < options.weights.size() ? options.weights[i] : 1;
+}
+
+void checkWeights(std::size_t shapes, const RegionSumOptions& options) {
+  if (options.weights.size() > shapes)
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("{} weights are given for {} shapes.", options.weights.size(), shapes),
+                "Leave out those too many.");
+  for (std::size_t i = 0; i < shapes; ++i)
+    if (weightOf(options, i) != 0) return;
+  throw Error(ErrorCode::InvalidParameter, "All weights are 0: the origin alone is left, which has no area.",
+              "Give a shape a weight other than 0.");
+}
+
+/// Those with a weight other than 0, as large as it makes them.
+std::vector<SoundRegion> weighted(std::span<const Region> regions, const RegionSumOptions& options, Effort& effort,
+                                  const Progress& progress) {
+  std::vector<SoundRegion> result;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const double weight = weightOf(options, i);
+    SoundRegion shape = soundRegion(regions[i],
+                                    {.tolerance = options.tolerance,
+                                     .share = 1.0 / (static_cast<double>(regions.size()) * std::max(1.0, std::abs(weight))),
+                                     .effort = &effort},
+                                    fmt::format("shape {}", i + 1), progress);
+    if (weight != 0) result.push_back(weight == 1 ? std::move(shape) : scaled(shape, weight));
+  }
+  return result;
+}
+
 double smallestDefault(std::span<const Region> regions) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Region& region : regions) smallest = std::min(smallest, defaultTolerance(region));
@@ -62,9 +96,10 @@ double smallestDefault(std::span<const Region> regions) {
 }  // namespace
 
 RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
+  if (regions.size() < 2) refuseOneShape();
+  checkWeights(regions.size(), options);
   Effort effort(options.maximumWork);
-  const auto shapes =
-      operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
+  const std::vector<SoundRegion> shapes = weighted(regions, options, effort, progress);
   return {folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
 }
 

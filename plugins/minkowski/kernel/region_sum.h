@@ -14,6 +14,9 @@ struct RegionSumOptions {
   /// mm, between the exact result and its polygons, divided among the shapes; empty: see FlatteningOptions
   std::optional<double> tolerance{};
   std::size_t maximumWork = Effort::unlimited;  ///< see effort.h
+  /// Of a sum: factors of the shapes about the origin of the document, 1 where none is given. A negative one also turns by
+  /// 180 degrees, which reflects in the origin; 0 leaves the origin, which changes nothing.
+  std::vector<double> weights{};
 };
 
 struct RegionSumResult {
@@ -22,8 +25,8 @@ struct RegionSumResult {
   std::vector<std::string> warnings;
 };
 
-/// A + B + .. (Lee, Lee, Kim & Kim 2002, section 1): all sums of a point of each, about the origin of the document. Lines
-/// and arcs stay lines and arcs, splines become cubic splines within the tolerance.
+/// v A + w B + .. (Lee, Lee, Kim & Kim 2002, section 2.3, equation 1.4): all sums of a point of each, about the origin of
+/// the document. Lines and arcs stay lines and arcs, splines become cubic splines within the tolerance.
 /// @throws Error InvalidParameter (fewer than two), InvalidInput naming shape and place (see flattening.h), LimitExceeded,
 /// Cancelled; TooMuchWork. O((m + k) log m) for the m edges of the convolution with k crossings.
 RegionSumResult minkowskiSum(std::span<const Region>, const RegionSumOptions& = {}, const Progress& = Progress::none());

@@ -1,0 +1,85 @@
+#include "kernel/region_repeat.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.h"
+#include "kernel/curves/convex_hull.h"
+#include "kernel/flattening.h"
+#include "kernel/hull_distance.h"
+#include "kernel/repetition.h"
+
+namespace blossom::minkowski {
+namespace {
+
+constexpr std::size_t largestCount = 1'000'000'000;
+
+/// Lengths of a result as shares of those of [k]A.
+double scaleOf(const RegionRepeatOptions& options) {
+  return options.normalised ? 1 / static_cast<double>(options.count) : 1;
+}
+
+/// Of every [k]A, k >= 2, from its hull.
+double distanceOfTwo(const SoundRegion& shape, const SoundRegion& hull, double precision, Adder& add,
+                     const Progress& progress) {
+  const SoundRegion two = repeated(shape, 2, add, progress);
+  if (isConvex(two)) return 0;
+  return distanceToHull(two.region, scaled(hull, 2).region, precision, progress).atMost;
+}
+
+RegionRepeatResult hullInstead(const SoundRegion& hull, RegionRepeatResult result, const RegionRepeatOptions& options,
+                               double tolerance) {
+  result.region = options.normalised ? hull.region : scaled(hull, static_cast<double>(options.count)).region;
+  result.isHull = true;
+  result.warnings.push_back(
+      fmt::format("The hull stands for the {} copies: it is at most {:.3g} mm away, within the tolerance of {:.3g} mm.",
+                  options.count, result.hullDistance, tolerance));
+  return result;
+}
+
+}  // namespace
+
+Region regionHull(const Region& region, const std::optional<double>& tolerance, const Progress& progress) {
+  return convexHull(soundRegion(region, {.tolerance = tolerance}, "shape 1", progress), progress).region;
+}
+
+RegionRepeatResult regionRepeat(const Region& region, const RegionRepeatOptions& options, const Progress& progress) {
+  if (options.count < 1 || options.count > largestCount)
+    throw Error(ErrorCode::InvalidParameter, fmt::format("A shape cannot be added {} times.", options.count),
+                fmt::format("Give a number of 1 to {}.", largestCount));
+  Adder add(options.maximumWork);
+  const SoundRegion shape =
+      soundRegion(region, {.tolerance = options.tolerance, .effort = &add.effort()}, "shape 1", progress);
+  const SoundRegion hull = convexHull(shape, progress);
+  const double scale = scaleOf(options), tolerance = options.tolerance.value_or(defaultTolerance(region));
+  constexpr double share = 1e-4;
+  const double chord = share * circumradius(shape.region, tolerance, progress);
+  RegionRepeatResult result;
+  const bool convex = isConvex(shape);
+  result.hullBound =
+      convex ? 0 : std::numbers::sqrt2 * scale * circumradius(hull.region, std::min(chord, tolerance), progress);
+  result.hullDistance = result.hullBound;
+  if (options.count > 2 && !convex) {
+    if (result.hullDistance > tolerance)
+      result.hullDistance = std::min(result.hullBound, scale * distanceOfTwo(shape, hull, chord, add, progress));
+    result.sums = add.count();
+    if (result.hullDistance <= tolerance) return hullInstead(hull, std::move(result), options, tolerance);
+  }
+  Adder all(options.maximumWork);
+  all.plan(sumsOfRepetition(convex, options.count));
+  const SoundRegion repetition = scaled(repeated(shape, options.count, all, progress), scale);
+  result.sums = all.count();
+  const SoundRegion around = scaled(hull, scale * static_cast<double>(options.count));
+  result.hullDistance =
+      convex || isConvex(repetition)
+          ? 0
+          : distanceToHull(repetition.region, around.region, std::max(chord * scale, 1e-6 * chord / share), progress)
+                .distance;
+  result.region = repetition.region;
+  return result;
+}
+
+}  // namespace blossom::minkowski

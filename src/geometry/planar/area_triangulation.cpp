@@ -32,6 +32,7 @@ constexpr std::size_t betweenLooks = 256;
 std::vector<AreaTriangulation::Vertex_handle> insertCorners(AreaTriangulation& triangulation,
                                                             const std::vector<AreaKernel::Point_2>& corners,
                                                             const Progress& progress) {
+  if (corners.empty()) return {};  // the map below refers to the first one
   using Points = CGAL::Pointer_property_map<AreaKernel::Point_2>::const_type;
   std::vector<std::size_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0);

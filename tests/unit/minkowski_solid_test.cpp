@@ -57,13 +57,14 @@ double morphArea(const Polygons& a, const Polygons& b, double t) {
 /// Area of the section of closed triangles, by Green's formula over the pieces that they leave in the plane.
 double sectionArea(const Mesh& triangles, double z) {
   double sum = 0;
+  const Vec2 near = triangles.points.front().head<2>();  // so that places far away cost no digits
   for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
     const std::vector<Vec3> corners = facePoints(triangles, f);
     Vec2 up = Vec2::Zero(), down = Vec2::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &from = corners[k], &to = corners[(k + 1) % 3];
       if ((from.z() > z) == (to.z() > z)) continue;
-      const Vec2 at = (from + (z - from.z()) / (to.z() - from.z()) * (to - from)).head<2>();
+      const Vec2 at = (from + (z - from.z()) / (to.z() - from.z()) * (to - from)).head<2>() - near;
       (to.z() > z ? up : down) = at;
     }
     sum += cross(down, up) / 2;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -22,16 +23,21 @@ namespace {
 constexpr double nearness = 1e-10;  // of the size, within which corners are one
 
 /// The sides of all faces, in the order of the facets whatever the number of cores.
-std::vector<LoftSide> sidesOf(const LoftScene& scene, const Progress& progress) {
+std::vector<LoftSide> sidesOf(const LoftScene& scene, const Effort& effort, const Progress& progress) {
   const std::size_t count = scene.loft.facets.size();
   std::vector<std::vector<LoftSide>> ofFacet(count);
+  std::atomic<double> work = 0;
+  std::atomic<std::size_t> done = 0;
   parallelFor(count, 4, progress, [&](std::size_t begin, std::size_t end) {
     UprightEdges upright(scene);
     LevelEdges level(scene);
     for (std::size_t i = begin; i < end; ++i) {
       if (!scene.loft.facets[i].mayBound) continue;
+      const double before = upright.work();
       upright.find(static_cast<int>(i), ofFacet[i], progress);
       level.find(static_cast<int>(i), ofFacet[i], progress);
+      effort.foresee(work += upright.work() - before);
+      progress.report(static_cast<double>(++done) / static_cast<double>(count), "Resolving the solid");
     }
   });
   std::vector<LoftSide> all;
@@ -49,13 +55,9 @@ LoftResult loft(const Polygons& a, const Polygons& b, double height, const Progr
   effort.foresee(Effort::pairsOfEdge * static_cast<double>(facets.facets.size()));
   const LoftPredicates predicates(facets.facets);
   const auto neighbours = facetNeighbours(facets.facets, progress.part(0.05, 0.1));
-  double pairs = 0;
-  for (const auto& near : neighbours) pairs += static_cast<double>(near.size());
-  effort.foresee(Effort::pairsOfEdge * pairs);
-  progress.report(0.1, "Resolving the solid");
   std::vector<LoftTime> levels;
   for (const LoftLevel& level : facets.levels) levels.push_back(timeOf(level));
-  const std::vector<LoftSide> sides = sidesOf({facets, predicates, neighbours, levels}, progress.part(0.1, 0.95));
+  const std::vector<LoftSide> sides = sidesOf({facets, predicates, neighbours, levels}, effort, progress.part(0.1, 0.95));
   const double size = std::max({boxOf(a).sizes().maxCoeff(), boxOf(b).sizes().maxCoeff(), height});
   return {meshOfSides(sides, {operands.gridA, operands.gridB, height}, nearness * size, progress.part(0.95, 1)),
           facets.facets.size()};

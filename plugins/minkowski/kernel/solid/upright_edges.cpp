@@ -171,9 +171,13 @@ void UprightEdges::addCrossing(int k) {
 void UprightEdges::addOtherEvents() {
   through_.clear();
   const std::vector<int>& ofJ = scene_.near(j_);
+  work_ += static_cast<double>(scene_.near(i_).size() + ofJ.size());
   for (const int k : ofJ) nearJ_[static_cast<std::size_t>(k)] = true;
   for (const int k : scene_.near(i_))
-    if (k != j_ && nearJ_[static_cast<std::size_t>(k)]) addCrossing(k);
+    if (k != j_ && nearJ_[static_cast<std::size_t>(k)]) {
+      work_ += 10;
+      addCrossing(k);
+    }
   for (const int k : ofJ) nearJ_[static_cast<std::size_t>(k)] = false;
 }
 
@@ -260,7 +264,10 @@ void UprightEdges::walk(std::vector<LoftSide>& out) {
     if (!scene_.counts(i_, slab) || !scene_.counts(j_, slab)) continue;
     const std::vector<int> on = facetsAt(time, slab);
     if (!isOurs(on)) continue;
-    if (!winding) winding = scene_.windingBeyond(i_, {j_, -1}, time, slab);
+    if (!winding) {
+      work_ += static_cast<double>(scene_.loft.facets.size());
+      winding = scene_.windingBeyond(i_, {j_, -1}, time, slab);
+    }
     emit(raysOf(on, time), *winding, g, out);
   }
 }

@@ -14,6 +14,8 @@ class UprightEdges {
   /// Those on facet i whose other facet has a higher number; an edge of more facets belongs to the lowest two.
   /// @throws Error Internal when the facets are no cycles.
   void find(int i, std::vector<LoftSide>& out, const Progress&);
+  /// What was compared so far, in pairs of edges as Effort counts them.
+  [[nodiscard]] double work() const { return work_; }
 
  private:
   struct Event {
@@ -63,6 +65,7 @@ class UprightEdges {
   std::vector<int> through_;  ///< facets whose planes hold the line, besides i and j
   std::vector<Event> events_;
   std::vector<std::size_t> groups_;
+  double work_ = 0;
   Event low_, high_;  ///< where the common part of i and j begins and ends
 };
 

@@ -40,7 +40,7 @@ class Model {
  private:
   [[nodiscard]] Value nearest(const FeatureId& id, const Vec3& at, TopAbs_ShapeEnum type, const char* kind) const {
     const TopoDS_Shape point = BRepBuilderAPI_MakeVertex(modeling::toPoint(at)).Shape();
-    const auto parts = modeling::subShapesOf(shapes_.at(id).get<Brep>()->shape(), type);
+    const auto parts = subShapesOf(shapes_.at(id).get<Brep>()->shape(), type);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (BRepExtrema_DistShapeShape(parts[i], point).Value() < 1e-6)
         return {{"input", "shape"}, {"kind", kind}, {"index", i}};

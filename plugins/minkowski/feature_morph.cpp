@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "feature/registry.h"
 #include "feature_types.h"
-#include "geometry/planar/planar.h"
+#include "kernel/control_placement.h"
 #include "kernel/morph.h"
 #include "region_inputs.h"
 
@@ -18,24 +18,37 @@ struct MorphParameters {
   bool degreeElevate = false;
   bool areaPreserving = false;
   std::vector<Vec3> offsets;
+  std::vector<double> scales, turns;
   Value tolerance;  ///< null: follows the shapes' sizes
 };
 
-/// Where the control shapes were dragged to.
-void moveShapes(std::vector<Region>& shapes, const std::vector<Vec3>& offsets) {
-  if (offsets.size() > shapes.size())
-    throw Error(ErrorCode::InvalidParameter,
-                fmt::format("{} offsets are given for {} control shapes.", offsets.size(), shapes.size()),
+void refuseTooMany(const char* what, std::size_t given, std::size_t shapes) {
+  if (given > shapes)
+    throw Error(ErrorCode::InvalidParameter, fmt::format("{} {} are given for {} control shapes.", given, what, shapes),
                 "Leave out those too many.");
-  for (std::size_t i = 0; i < offsets.size(); ++i) {
-    if (offsets[i].z() != 0)
+}
+
+/// Where the control shapes were dragged to, as they were scaled and turned there.
+void placeShapes(std::vector<Region>& shapes, const MorphParameters& p) {
+  refuseTooMany("offsets", p.offsets.size(), shapes.size());
+  refuseTooMany("scales", p.scales.size(), shapes.size());
+  refuseTooMany("turns", p.turns.size(), shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Placement placement;
+    if (i < p.scales.size()) placement.scale = p.scales[i];
+    if (i < p.turns.size()) placement.turn = p.turns[i];
+    if (i < p.offsets.size()) placement.offset = p.offsets[i].head<2>();
+    if (i < p.offsets.size() && p.offsets[i].z() != 0)
       throw Error(ErrorCode::InvalidParameter, fmt::format("Offset {} leaves the plane of the shapes.", i + 1),
                   "Give 0 for its z.");
-    if (offsets[i].isZero()) continue;  // the very same numbers
-    Eigen::Matrix<double, 2, 3> affine;
-    affine << Eigen::Matrix2d::Identity(), offsets[i].head<2>();
-    for (Path& loop : shapes[i].loops) loop = transformed(loop, affine);
+    shapes[i] = placed(shapes[i], placement);
   }
+}
+
+ParameterSpec positiveNumber() {
+  ParameterSpec spec = number(0);
+  spec.aboveMinimum = true;
+  return spec;
 }
 
 void refuseTogether(const MorphParameters& p) {
@@ -49,7 +62,7 @@ double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
-  moveShapes(shapes, p.offsets);
+  placeShapes(shapes, p);
   const std::size_t degree = shapes.size() - 1;
   Sequence sequence;
   std::vector<std::vector<double>> arguments;
@@ -96,7 +109,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
               .asks = "a shape to morph"})
       .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
-      .parameter("blossom", &P::blossom, list(ratio()),
+      .parameter("blossom", &P::blossom, onePer(list(ratio()), "shape", -1, "t"),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
       .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
                  "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
@@ -105,14 +118,19 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "Elevate the degree by one; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
                  "Scale the result so that its area blends those of the shapes.")
-      .parameter("offsets", &P::offsets, list(displacement()),
+      .parameter("offsets", &P::offsets, onePer(list(displacement()), "shape"),
                  "Displacement of each control shape from its drawn position, first to last; others stay.")
+      .parameter("scales", &P::scales, onePer(list(positiveNumber()), "shape"),
+                 "How many times as large each control shape is as drawn, about its centre, first to last; others stay.")
+      .parameter("turns", &P::turns, onePer(list(angle()), "shape"),
+                 "Rotation of each control shape about its centre, counter-clockwise, first to last; others stay.")
       .parameter("tolerance", &P::tolerance, toleranceSpec(),
                  "Largest distance between curves and the polygons that stand for them.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
       .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
+      .example("blossom morph cat.svg dog.svg --scales 1,1.5 --turns 0,90 --t 0.5 -o turned.dxf")
       .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
       .evaluate([maximumWork](const P& p, const Inputs& inputs, const Progress& progress) {
         return morphed(p, maximumWork, inputs, progress);

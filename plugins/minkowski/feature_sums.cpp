@@ -10,14 +10,6 @@ struct SumParameters {
   Value tolerance;  ///< null: follows the shapes' sizes
 };
 
-Evaluated evaluated(RegionSumResult result) {
-  Evaluated out;
-  out.stats["sums"] = result.sums;
-  out.warnings = std::move(result.warnings);
-  out.shape = std::move(result.region);
-  return out;
-}
-
 FeatureBuilder<SumParameters> sumBuilder(std::string id, std::string title, std::string summary, std::string inputHelp,
                                          std::size_t mostShapes = anyNumber) {
   using P = SumParameters;
@@ -45,7 +37,7 @@ FeatureType sumFeature(std::size_t maximumWork) {
       .example("blossom minkowski-sum part.svg circle:2 -o grown.svg")
       .example("blossom minkowski-sum rectangle:40:10 polygon:6:5 -o sum.dxf --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(minkowskiSum(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
       });
 }
 
@@ -58,7 +50,7 @@ FeatureType differenceFeature(std::size_t maximumWork) {
       .example("blossom minkowski-difference pocket.svg circle:2 -o reach.svg")
       .example("blossom minkowski-difference rectangle:40:30 rectangle:10:10 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
-        return evaluated(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(minkowskiDifference(regionsOf(inputs), {toleranceOf(p.tolerance), maximumWork}, progress));
       });
 }
 
@@ -74,7 +66,7 @@ FeatureType openingFeature(std::size_t maximumWork) {
       .example("blossom region-open star:5:20:12 circle:1 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
         const std::vector<Region> shapes = regionsOf(inputs);
-        return evaluated(regionOpening(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(regionOpening(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
       });
 }
 
@@ -89,7 +81,7 @@ FeatureType closingFeature(std::size_t maximumWork) {
       .example("blossom region-close star:5:20:12 circle:1 --json")
       .evaluate([maximumWork](const SumParameters& p, const Inputs& inputs, const Progress& progress) {
         const std::vector<Region> shapes = regionsOf(inputs);
-        return evaluated(regionClosing(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
+        return evaluatedSum(regionClosing(shapes[0], shapes[1], {toleranceOf(p.tolerance), maximumWork}, progress));
       });
 }
 

@@ -11,5 +11,6 @@ FeatureType sumFeature(std::size_t maximumWork);
 FeatureType differenceFeature(std::size_t maximumWork);
 FeatureType openingFeature(std::size_t maximumWork);
 FeatureType closingFeature(std::size_t maximumWork);
+FeatureType outlineSweepFeature(std::size_t maximumWork);
 
 }  // namespace blossom::minkowski

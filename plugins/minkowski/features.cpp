@@ -7,7 +7,7 @@ namespace blossom::minkowski {
 namespace {
 
 void registerAll(Registry& registry) {
-  for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature})
+  for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, outlineSweepFeature})
     registry.add(inWorkerWhenLong(make));
 }
 

@@ -21,4 +21,12 @@ ParameterSpec toleranceSpec() {
                   "a 10,000th of each shape's size and a 500th of its thickness, at most 0.01 mm");
 }
 
+Evaluated evaluatedSum(RegionSumResult result) {
+  Evaluated out;
+  out.stats["sums"] = result.sums;
+  out.warnings = std::move(result.warnings);
+  out.shape = std::move(result.region);
+  return out;
+}
+
 }  // namespace blossom::minkowski

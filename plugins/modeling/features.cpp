@@ -7,4 +7,5 @@ BLOSSOM_PLUGIN(registry) {
   blossom::modeling::registerProfileFeatures(registry);
   blossom::modeling::registerSolidFeatures(registry);
   blossom::modeling::registerArrangements(registry);
+  blossom::modeling::registerSequenceFeatures(registry);
 }

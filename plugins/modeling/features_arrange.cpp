@@ -21,7 +21,7 @@ InputSpec anyInput(const char* asks) {
   return {.name = "shape",
           .help = "The shape to arrange.",
           .kinds = {ShapeKind::Brep, ShapeKind::Region, ShapeKind::Curves, ShapeKind::Curve, ShapeKind::Surface,
-                    ShapeKind::Mesh, ShapeKind::Sequence},
+                    ShapeKind::Mesh},
           .use = InputUse::Consumed,
           .asks = asks};
 }

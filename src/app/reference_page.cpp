@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
+#include "feature/acceptance.h"
 #include "geometry/shape/kind_names.h"
 
 namespace blossom {
@@ -71,6 +73,11 @@ std::string howMany(const InputSpec& spec) {
 
 std::string kindsText(const std::vector<ShapeKind>& kinds) { return kinds.empty() ? "any shape" : kindNames(kinds); }
 
+bool takesByFrames(const FeatureType& type) {
+  return std::any_of(type.inputs.begin(), type.inputs.end(),
+                     [](const InputSpec& input) { return takenByFrames(input, Sequence()); });
+}
+
 std::string referencePageName(const std::string& featureId) { return "reference/" + featureId + ".md"; }
 
 std::string referencePage(const FeatureType& type) {
@@ -82,6 +89,7 @@ std::string referencePage(const FeatureType& type) {
   for (const InputSpec& input : type.inputs)
     page +=
         fmt::format("| {} | {} | {} | {} |\n", plain(input.name), howMany(input), kindsText(input.kinds), plain(input.help));
+  if (takesByFrames(type)) page += "\nA sequence is taken frame by frame; the result is a sequence, too.\n";
   page += fmt::format("\n## Result\n\nGives {}.\n", kindsText(type.produces));
   page += "\n## Parameters\n\n";
   if (type.parameters.empty()) page += "None.\n";

@@ -14,6 +14,8 @@ std::string referencePageName(const std::string& featureId);
 
 /// "one", "2 or more", "1 to 4".
 std::string howMany(const InputSpec&);
+/// Whether an input takes sequences frame by frame (feature/acceptance.h).
+bool takesByFrames(const FeatureType&);
 /// "region or mesh", "any shape".
 std::string kindsText(const std::vector<ShapeKind>&);
 

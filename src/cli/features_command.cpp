@@ -6,6 +6,7 @@
 #include "cli/command_line.h"
 #include "cli/parameter_flags.h"
 #include "cli/report.h"
+#include "feature/acceptance.h"
 
 namespace blossom {
 namespace {
@@ -21,6 +22,8 @@ Value specJson(const ParameterSpec& spec) {
   if (!spec.noneMeans.empty()) json["none_means"] = spec.noneMeans;
   if (!spec.condition.choice.empty())
     json["only_for"] = {{"parameter", spec.condition.choice}, {"values", spec.condition.values}};
+  if (!spec.filling.input.empty())
+    json["one_for_each"] = {{"input", spec.filling.input}, {"more", spec.filling.more}, {"like", spec.filling.like}};
   if (!spec.choices.empty()) json["choices"] = spec.choices;
   if (!spec.fileTypes.empty()) json["file_types"] = spec.fileTypes;
   for (const ParameterSpec& field : spec.fields) json["fields"].push_back(specJson(field));
@@ -35,6 +38,7 @@ Value kindsJson(const std::vector<ShapeKind>& kinds) {
 
 Value inputJson(const InputSpec& spec) {
   Value json{{"name", spec.name}, {"help", spec.help}, {"kinds", kindsJson(spec.kinds)}, {"least", spec.minimum}};
+  json["sequences"] = takenByFrames(spec, Sequence()) ? "frame by frame" : "as they are";
   json["most"] = spec.maximum == anyNumber ? Value() : Value(spec.maximum);
   return json;
 }
@@ -57,6 +61,7 @@ void printType(std::ostream& out, const FeatureType& type) {
   for (const InputSpec& spec : type.inputs)
     lines.push_back({"  " + spec.name, howMany(spec), kindsText(spec.kinds), spec.help});
   if (!lines.empty()) printTable(out, {"", "", "", ""}, lines);
+  if (takesByFrames(type)) out << "\nA sequence is taken frame by frame; the result is a sequence, too.\n";
   out << "\nGives " << kindsText(type.produces) << ".\n";
   lines.clear();
   for (const ParameterSpec& spec : type.parameters)

@@ -42,6 +42,13 @@ std::optional<FeatureId> sourceOf(const Feature& feature, const FeatureType& typ
   return std::nullopt;
 }
 
+/// The first shape of the input that a part is named after; nullptr: there is none.
+const Shape* shapeOfPart(const FeatureType& type, const Inputs& arranged, const std::string& name) {
+  for (std::size_t k = 0; k < type.inputs.size(); ++k)
+    if ((name.empty() || type.inputs[k].name == name) && !arranged.of(k).empty()) return &arranged.of(k).front();
+  return nullptr;
+}
+
 class Finder {
  public:
   Finder(Construction& construction, const Progress& progress) : construction_(construction), progress_(progress) {}
@@ -83,6 +90,19 @@ bool namesParts(const std::vector<ParameterSpec>& specs, const Value& parameters
   Value copy = parameters;
   forEachPart(specs, copy, [&](const Value&) { found = true; });
   return found;
+}
+
+void refusePartsOfSequences(const FeatureType& type, const Value& parameters, const Inputs& arranged) {
+  Value copy = parameters;
+  forEachPart(type.parameters, copy, [&](const Value& part) {
+    const Shape* shape = part.is_object() ? shapeOfPart(type, arranged, part.value("input", std::string())) : nullptr;
+    if (!shape || shape->kind() != ShapeKind::Sequence) return;
+    const std::string kind = part.value("kind", std::string("part"));
+    throw Error(ErrorCode::InvalidInput,
+                fmt::format("{} names {} {} of a sequence, and each of its frames has its own.", type.title, kind,
+                            part.value("index", 0)),
+                fmt::format("Take one frame out with the command \"frame\" and pick the {} there.", kind));
+  });
 }
 
 FoundParts foundParts(const Feature& feature, const FeatureType& type, const Value& parameters, const Inputs& arranged,

@@ -24,6 +24,10 @@ struct FoundParts {
 FoundParts foundParts(const Feature&, const FeatureType&, const Value& parameters, const Inputs& arranged, Construction&,
                       const Progress&);
 
+/// A sequence has no faces, edges and vertices that could be named: each of its frames has its own.
+/// @throws Error InvalidInput when a parameter names one.
+void refusePartsOfSequences(const FeatureType&, const Value& parameters, const Inputs& arranged);
+
 /// "Edge lost: .."
 [[nodiscard]] Error lostError(const Value& part);
 

@@ -19,6 +19,14 @@ bool mayBoundRegion(const Shape& shape) {
   return shape.kind() == ShapeKind::Curves;
 }
 
+bool takesKind(const InputSpec& spec, ShapeKind kind) {
+  return spec.kinds.empty() || std::find(spec.kinds.begin(), spec.kinds.end(), kind) != spec.kinds.end();
+}
+
+bool acceptsAsOne(const InputSpec& spec, const Shape& shape) {
+  return !shape.empty() && (takesKind(spec, shape.kind()) || (takesKind(spec, ShapeKind::Region) && mayBoundRegion(shape)));
+}
+
 void checkNamedInput(const FeatureType& type, const ParameterSpec& spec, const Value& value) {
   if (spec.kind == ParameterKind::List && value.is_array())
     for (const Value& item : value) checkNamedInput(type, spec.fields.at(0), item);
@@ -44,14 +52,20 @@ void checkNamedInputs(const FeatureType& type, const Value& parameters) {
     if (const auto value = parameters.find(spec.name); value != parameters.end()) checkNamedInput(type, spec, *value);
 }
 
+bool takenByFrames(const InputSpec& spec, const Shape& shape) {
+  return shape.kind() == ShapeKind::Sequence && !takesKind(spec, ShapeKind::Sequence);
+}
+
 bool accepts(const InputSpec& spec, const Shape& shape) {
-  const auto takes = [&](ShapeKind kind) {
-    return spec.kinds.empty() || std::find(spec.kinds.begin(), spec.kinds.end(), kind) != spec.kinds.end();
-  };
-  return !shape.empty() && (takes(shape.kind()) || (takes(ShapeKind::Region) && mayBoundRegion(shape)));
+  if (!takenByFrames(spec, shape)) return acceptsAsOne(spec, shape);
+  const auto& frames = shape.get<Sequence>()->frames;
+  return !frames.empty() &&
+         std::all_of(frames.begin(), frames.end(), [&](const Shape& frame) { return acceptsAsOne(spec, frame); });
 }
 
 bool consumes(const InputSpec& spec, const Shape& shape) {
+  if (const auto* sequence = shape.get<Sequence>(); sequence && takenByFrames(spec, shape))
+    return !sequence->frames.empty() && consumes(spec, sequence->frames.front());
   const Brep* brep = shape.get<Brep>();
   const bool whole = spec.use == InputUse::Consumed || spec.use == InputUse::Edited || spec.use == InputUse::Step;
   return whole || (spec.use == InputUse::Outline && !(brep && hasSolid(*brep)));

@@ -28,6 +28,7 @@ void settle(const std::string& owner, ParameterSpec& spec, bool element = false)
   std::set<std::string> names;
   for (auto& field : spec.fields) {
     if (!field.condition.choice.empty()) broken(what, "holds a field with a condition; only whole parameters can have one");
+    if (field.filling != ListFilling()) broken(what, "holds a list that is filled; only whole parameters can be");
     settle(owner, field, spec.kind == ParameterKind::List);
     if (!names.insert(field.name).second) broken(what, fmt::format("declares the field \"{}\" twice", field.name));
   }
@@ -55,6 +56,24 @@ void checkConditions(const std::string& owner, const std::vector<ParameterSpec>&
     for (const std::string& value : condition.values)
       if (std::find(on->choices.begin(), on->choices.end(), value) == on->choices.end())
         broken(what, fmt::format("applies only for \"{}\", which \"{}\" does not offer", value, on->name));
+  }
+}
+
+/// A list is filled by the shapes of an input with values of a parameter that its items can have.
+void checkFillings(const FeatureType& type) {
+  for (const ParameterSpec& spec : type.parameters) {
+    const ListFilling& filling = spec.filling;
+    if (filling == ListFilling()) continue;
+    const std::string what = fmt::format("The parameter \"{}\" of {}", spec.name, type.id);
+    if (spec.kind != ParameterKind::List) broken(what, "has one item for each shape, but is no list");
+    const auto named = [&](const InputSpec& input) { return input.name == filling.input; };
+    if (std::none_of(type.inputs.begin(), type.inputs.end(), named))
+      broken(what, fmt::format("has one item for each shape of \"{}\", which is no input there", filling.input));
+    const auto alike = [&](const ParameterSpec& other) {
+      return other.name == filling.like && other.kind == spec.fields.at(0).kind;
+    };
+    if (!filling.like.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), alike))
+      broken(what, fmt::format("begins as \"{}\", which is no parameter of the kind of its items", filling.like));
   }
 }
 
@@ -134,6 +153,7 @@ void check(FeatureType& type) {
     if (!names.insert(spec.name).second) broken(what, fmt::format("declares the parameter \"{}\" twice", spec.name));
   }
   checkConditions(type.id, type.parameters);
+  checkFillings(type);
   checkInputByFlags(what, type, names);
   checkOpening(what, type);
   checkPlaying(what, type);

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "feature/acceptance.h"
+#include "feature/frame_by_frame.h"
 #include "geometry/occt/face_region.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/kind_names.h"
@@ -17,10 +18,22 @@ namespace {
 
 std::string acceptedKinds(const InputSpec& spec) { return spec.kinds.empty() ? "any shape" : kindNames(spec.kinds, true); }
 
+/// Of a sequence the frame that does not fit.
+std::string givenKind(const InputSpec& spec, const Shape& shape) {
+  const auto* sequence = shape.get<Sequence>();
+  if (!sequence || !takenByFrames(spec, shape)) return withArticle(shape.kind());
+  if (sequence->frames.empty()) return "a sequence without frames";
+  const auto fits = [&](const Shape& frame) { return !takenByFrames(spec, frame) && accepts(spec, frame); };
+  const auto odd = std::find_if_not(sequence->frames.begin(), sequence->frames.end(), fits);
+  const auto& frame = odd == sequence->frames.end() ? sequence->frames.back() : *odd;
+  return fmt::format("a sequence whose frame {} is {}", std::distance(sequence->frames.begin(), odd) + 1,
+                     withArticle(frame.kind()));
+}
+
 [[noreturn]] void throwNotAccepted(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
   throw Error(ErrorCode::InvalidInput,
               fmt::format("The input \"{}\" of {} takes {}; it got {}.", spec.name, type.title, acceptedKinds(spec),
-                          withArticle(shape.kind())),
+                          givenKind(spec, shape)),
               spec.help);
 }
 
@@ -32,7 +45,23 @@ void refuseUnsound(const FeatureType& type, const InputSpec& spec, const Shape& 
                 "Mend the file or the feature that it comes from.");
 }
 
+Shape converted(const FeatureType&, const InputSpec&, const Shape&);
+
+/// The sequence itself where no frame needs it.
+Shape convertedFrames(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
+  Sequence sequence = *shape.get<Sequence>();
+  bool changed = false;
+  for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
+    Shape& frame = sequence.frames[k];
+    const ShapeKind before = frame.kind();
+    frame = inFrame(sequence, k, [&] { return converted(type, spec, frame); });
+    changed = changed || frame.kind() != before;
+  }
+  return changed ? Shape(std::move(sequence)) : shape;
+}
+
 Shape converted(const FeatureType& type, const InputSpec& spec, const Shape& shape) {
+  if (takenByFrames(spec, shape)) return convertedFrames(type, spec, shape);
   const auto& kinds = spec.kinds;
   if (kinds.empty() || std::find(kinds.begin(), kinds.end(), shape.kind()) != kinds.end()) return shape;
   try {
@@ -86,7 +115,9 @@ Inputs arrangedInputs(const FeatureType& type, std::span<const Shape> given) {
     }
   }
   if (next < given.size()) throwWrongNumber(type, given.size());
-  return Inputs(std::move(bySpec));
+  Inputs arranged(std::move(bySpec));
+  checkFrames(type, arranged);
+  return arranged;
 }
 
 void checkResult(const FeatureType& type, const Shape& result) {

@@ -31,6 +31,7 @@ struct InputSpec {
   std::string help;
   std::vector<ShapeKind>
       kinds;  ///< accepted kinds; empty means any. A region input also accepts closed curves, converted by arrangedInputs.
+              ///< A sequence is taken frame by frame, unless Sequence is one of them (see frame_by_frame.h).
   std::size_t minimum = 1;
   std::size_t maximum = 1;
   InputUse use = InputUse::Kept;
@@ -127,7 +128,9 @@ struct FeatureType {
   PlayedBy playedBy = {};
   /// When a file of this kind is opened, a feature of this type with the file as its only input follows; None: never.
   ShapeKind opens = ShapeKind::None;
-  Evaluate evaluate;  ///< pure; parameters are complete and checked, inputs have an accepted kind
+  /// Pure; parameters are complete and checked, inputs have an accepted kind, sequences only where that is declared. Called
+  /// through evaluatedFeature, by which sequences are taken frame by frame.
+  Evaluate evaluate;
   /// Where the inputs lie in the result, by which its faces are traced back to theirs (see input_image.h); not set: each
   /// input where it is.
   std::function<std::vector<InputImage>(const Value& parameters, const Inputs&)> images = {};
@@ -139,8 +142,9 @@ struct FeatureType {
 
 /// Assigns the shapes to the inputs in the order of declaration: each input receives the shapes it accepts until it is full,
 /// while enough are left for the inputs after it. Closed curves are converted to a region where only regions are accepted.
+/// A sequence stands for its frames where the input takes no sequences as they are: evaluatedFeature evaluates those.
 /// @throws Error InvalidInput such as "The input \"shape\" of Morph takes a region; it got a mesh.", also for too few or too
-/// many shapes.
+/// many shapes, and for sequences that do not go together frame by frame.
 Inputs arrangedInputs(const FeatureType&, std::span<const Shape> given);
 
 /// @throws Error Internal when the result is empty or of a kind that the feature type does not declare in `produces`.

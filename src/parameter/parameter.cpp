@@ -212,4 +212,9 @@ ParameterSpec onlyFor(ParameterSpec spec, std::string choice, std::vector<std::s
   return spec;
 }
 
+ParameterSpec onePer(ParameterSpec list, std::string input, int more, std::string like) {
+  list.filling = {std::move(input), more, std::move(like)};
+  return list;
+}
+
 }  // namespace blossom

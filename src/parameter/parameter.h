@@ -38,6 +38,14 @@ struct ParameterCondition {
   friend bool operator==(const ParameterCondition&, const ParameterCondition&) = default;
 };
 
+/// How many items a list is to have, so that a form can fill it: one for each shape of an input, or some more or fewer.
+struct ListFilling {
+  std::string input;  ///< name of an input of the same feature type; empty: any number of items
+  int more = 0;       ///< items beside those; -1: none for one of the shapes
+  std::string like;   ///< name of a parameter that each item begins with the value of; empty: as items of its kind do
+  friend bool operator==(const ListFilling&, const ListFilling&) = default;
+};
+
 /// One parameter, declared once: flag, form field, document key and manual row are all derived from it.
 struct ParameterSpec {
   std::string name;  ///< "area-preserving": flag and key; with spaces, the label
@@ -55,6 +63,7 @@ struct ParameterSpec {
   bool mayBeAbsent = false;           ///< with a null fallback: the value may be left out
   std::string noneMeans;              ///< meaning of an empty list or an absent value: "all sharp edges"
   ParameterCondition condition;       ///< set by onlyFor; not for fields of records and elements of lists
+  ListFilling filling;                ///< of a List, set by onePer; not for fields of records and elements of lists
 };
 
 /// The name as users read it: "area preserving".
@@ -117,5 +126,8 @@ ParameterSpec whenNone(ParameterSpec, std::string means);
 /// Says beside which values of a choice the parameter means something: onlyFor(number(), "kind", {"helicoid"}). Forms hide
 /// it beside the others; values are accepted as before.
 ParameterSpec onlyFor(ParameterSpec, std::string choice, std::vector<std::string> values);
+/// Says how many items a list is to have: onePer(list(ratio()), "shape", -1, "t") is one for each shape after the first,
+/// beginning as t. Forms add all that are missing at once; lists of other lengths are accepted as before.
+ParameterSpec onePer(ParameterSpec list, std::string input, int more = 0, std::string like = {});
 
 }  // namespace blossom

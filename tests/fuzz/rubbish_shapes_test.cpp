@@ -267,7 +267,8 @@ class RubbishShapesTest : public QObject {
       if (first == 0) given[0] = goodShape(kind, 40);
       if (k == input) given[first] = shape;
     }
-    return type.evaluate(completed(type.parameters, Value::object()), arrangedInputs(type, given), Progress::none()).shape;
+    return evaluatedFeature(type, completed(type.parameters, Value::object()), arrangedInputs(type, given), Progress::none())
+        .shape;
   }
 
   int refused_ = 0, taken_ = 0;

@@ -98,6 +98,17 @@ FeatureType cube() {
   return type;
 }
 
+/// It takes a number for each shape after the first.
+FeatureType blend() {
+  FeatureType type = titled("test.blend", "blend", "Blend", "Something of several shapes.");
+  type.inputs = {
+      {.name = "shape", .help = "What is blended.", .kinds = {ShapeKind::Mesh}, .minimum = 2, .maximum = anyNumber}};
+  type.parameters = {declared("t", ratio(), 0.25),
+                     declared("levels", onePer(list(ratio()), "shape", -1, "t"), Value::array())};
+  type.evaluate = [](const Value&, const Inputs&, const Progress&) { return triangle(); };
+  return type;
+}
+
 /// Some of its fields are for some of its kinds.
 FeatureType kinds() {
   FeatureType type = titled("test.kinds", "kinds", "Kinds", "One of several shapes.");
@@ -123,7 +134,7 @@ void PanelFixture::setUpOnce() {
 
 void PanelFixture::openPanel() {
   auto registry = std::make_shared<Registry>();
-  registry->addAll(everything(), source(), outline(), follower(), cube(), kinds());
+  registry->addAll(everything(), source(), outline(), follower(), cube(), kinds(), blend());
   App app;
   app.registry = registry;
   app.formats = std::make_shared<FormatRegistry>();

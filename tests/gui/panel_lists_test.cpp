@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 
 #include "panel_fixture.h"
+#include "ui/controls/ratio_slider.h"
 #include "ui/fields/list_field.h"
 #include "ui/fields/list_row.h"
 #include "ui/fields/record_field.h"
@@ -24,6 +25,7 @@ class PanelListsTest : public PanelFixture {
   void recordsAreToldInShort();
   void recordsAreGroups();
   void longListsAreShownBitByBit();
+  void aListFillsItselfWithOneForEachShape();
 };
 
 void PanelListsTest::listsAreEdited() {
@@ -144,6 +146,43 @@ void PanelListsTest::longListsAreShownBitByBit() {
   Value changed = many;
   changed[before] = 5.5;
   oneStep("lengths", changed, [&] { type(lengths->rows()[before]->findChild<QLineEdit*>(), QStringLiteral("5.5")); });
+}
+
+void PanelListsTest::aListFillsItselfWithOneForEachShape() {
+  const Document sources =
+      session_->document().with(made("c", "test.source", "Nut")).with(made("d", "test.source", "Washer"));
+  session_->commit(sources.with(made("s", "test.blend", "Blended", {"a", "b"})), QStringLiteral("Blend"));
+  panel_->show(FeatureId("s"));
+  settle();
+  const auto levels = [this] { return session_->document().at("s").parameters.value("levels", Value::array()); };
+  const auto add = [this] {
+    for (auto* button : field("levels")->findChildren<QToolButton*>())
+      if (button->property("role") == QStringLiteral("add")) return button;
+    return static_cast<QToolButton*>(nullptr);
+  };
+  add()->click();
+  QCOMPARE(levels(), Value::array({0.25}));
+  QVERIFY(!add()->isEnabled());  // there are two shapes
+  Feature more = session_->document().at("s");
+  more.inputs = {"a", "b", "c", "d"};
+  more.parameters["t"] = 0.75;
+  session_->commit(session_->document().with(more), QStringLiteral("More"));
+  QVERIFY(add()->isEnabled());
+  add()->click();  // all that are missing
+  QCOMPARE(levels(), Value::array({0.25, 0.75, 0.75}));
+  QVERIFY(!add()->isEnabled());
+  // Each has a slider of its own.
+  const auto rows = static_cast<ListField*>(field("levels"))->rows();
+  QCOMPARE(rows.size(), std::size_t{3});
+  for (ListRow* row : rows) QVERIFY(row->findChild<RatioSlider*>());
+  auto* const slider = rows[1]->findChild<RatioSlider*>();
+  QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, 5));
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, 5));
+  COMPARE_NEAR(levels().at(1).get<double>(), 0.5, 0.02);
+  QCOMPARE(levels().at(0), Value(0.25));
+  emit rows[2]->removeWanted();
+  QCOMPARE(levels().size(), std::size_t{2});
+  QVERIFY(add()->isEnabled());
 }
 
 BLOSSOM_WIDGET_TEST(PanelListsTest)

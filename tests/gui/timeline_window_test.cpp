@@ -21,6 +21,7 @@ class TimelineWindowTest : public WindowFixture {
   void playingMovesOnAndPauses();
   void onionSkinShowsTheOthers();
   void theTimelineGoesWithItsSequence();
+  void aSelectedSequenceIsExtruded();
   void digitsInTheFieldOfTheTimeAreNoShortcuts();
   void theTimeOfTheMorphIsThatOfTheFrame();
 
@@ -143,6 +144,27 @@ void TimelineWindowTest::theTimelineGoesWithItsSequence() {
   session.undo();
   QTRY_VERIFY(timeline().isVisible());
   QVERIFY(window_->commands().find(QStringLiteral("timeline.play"))->action->isEnabled());
+}
+
+// The commands that take its frames take it, and what they make of it plays as it did.
+void TimelineWindowTest::aSelectedSequenceIsExtruded() {
+  const FeatureId morph = last();
+  window_->page().select(morph);
+  run("feature.modeling.extrude");
+  waitUntilComputed();
+  const FeatureId solids = last();
+  QCOMPARE(window_->page().document().at(solids).inputs, std::vector<FeatureId>{morph});
+  edit("height", "4");
+  waitUntilComputed();
+  const Shape* made = window_->session().shape(solids);
+  QVERIFY(made && made->kind() == ShapeKind::Sequence);
+  QTRY_COMPARE(playback().count(), 11);
+  window_->page().select(solids);
+  run("feature.modeling.frame");
+  waitUntilComputed();
+  edit("number", "6");
+  waitUntilComputed();
+  COMPARE_NEAR(measureOf(last(), "volume"), 4 * 15 * 15, 1e-6);
 }
 
 // Frame k of 11 is the shape at t = k / 10.

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/app.h"
+#include "feature/frame_by_frame.h"
 #include "geometry/measure/measure.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
@@ -23,7 +24,7 @@ inline const App& theApp() {
 inline Evaluated made(const char* command, const Value& parameters = Value::object(), const std::vector<Shape>& inputs = {},
                       const Progress& progress = Progress::none()) {
   const auto type = theApp().registry->at(command);
-  return type->evaluate(completed(type->parameters, parameters), arrangedInputs(*type, inputs), progress);
+  return evaluatedFeature(*type, completed(type->parameters, parameters), arrangedInputs(*type, inputs), progress);
 }
 
 /// The Error that it throws; Internal with an empty message when it throws none.

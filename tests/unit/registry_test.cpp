@@ -147,6 +147,16 @@ class RegistryTest : public QObject {
       t.parameters.push_back(onlyFor(namedWithDefault(choice({"a", "b"}), "other", "a"), "mode", {"cubic"}));
     });
     refused([](FeatureType& t) { t.parameters[5].fields[0] = onlyFor(t.parameters[5].fields[0], "mode", {"cubic"}); });
+    const auto filled = [&](const ParameterSpec& list) {
+      refused([&](FeatureType& t) {
+        t.inputs = {{"base", "", {}, 1, anyNumber}};
+        t.parameters.push_back(namedWithDefault(list, "each", Value::array()));
+      });
+    };
+    filled(onePer(list(number()), "other"));               // no input
+    filled(onePer(list(number()), "base", 0, "nothing"));  // no parameter
+    filled(onePer(list(number()), "base", 0, "mode"));     // of another kind
+    filled(onePer(number(), "base"));                      // no list
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
     const InputSpec edited{.name = "shape", .help = "", .kinds = {}, .use = InputUse::Edited};
     refused([&](FeatureType& t) { t.inputs = {edited, {"other", "", {}}}; });

@@ -38,7 +38,11 @@ constexpr std::size_t rowsAtOnce = 20;  // so that a list of thousands does not 
 }  // namespace
 
 ListField::ListField(const ParameterSpec& given, const Context& outside, QWidget* parent)
-    : ParameterField(given, outside, parent), limit_(rowsAtOnce), more_(new QPushButton), dropLine_(new QFrame(this)) {
+    : ParameterField(given, outside, parent),
+      limit_(rowsAtOnce),
+      add_(new QToolButton),
+      more_(new QPushButton),
+      dropLine_(new QFrame(this)) {
   auto* body = new QWidget;
   column_ = new QVBoxLayout(body);
   column_->setContentsMargins(0, 0, 0, 0);
@@ -50,14 +54,13 @@ ListField::ListField(const ParameterSpec& given, const Context& outside, QWidget
     limit_ += 2 * rowsAtOnce;
     fitRows();
   });
-  auto* add = new QToolButton;
-  add->setObjectName(QStringLiteral("fieldButton"));
-  add->setProperty("role", QStringLiteral("add"));
-  add->setIcon(icon(QStringLiteral("plus")));
-  add->setToolTip(tr("Add an item"));
-  add->setAccessibleName(tr("Add an item to %1").arg(registryText(label(given))));
-  connect(add, &QToolButton::clicked, this, &ListField::add);
-  setWideEditor(body, add);
+  add_->setObjectName(QStringLiteral("fieldButton"));
+  add_->setProperty("role", QStringLiteral("add"));
+  add_->setIcon(icon(QStringLiteral("plus")));
+  add_->setToolTip(given.filling.input.empty() ? tr("Add an item") : tr("Add the missing items"));
+  add_->setAccessibleName(tr("Add an item to %1").arg(registryText(label(given))));
+  connect(add_, &QToolButton::clicked, this, &ListField::add);
+  setWideEditor(body, add_);
   dropLine_->setObjectName(QStringLiteral("dropLine"));
   dropLine_->setFixedHeight(2);
   dropLine_->hide();
@@ -101,6 +104,7 @@ void ListField::fitRows() {
     rows_[i]->setValue(draft_[i]);
     rows_[i]->setEnds(i == 0, i + 1 == draft_.size());
   }
+  add_->setEnabled(!full());
   more_->setVisible(draft_.size() > count);
   more_->setText(tr("%1 more").arg(draft_.size() - count));
 }
@@ -131,10 +135,28 @@ void ListField::addRow() {
   });
 }
 
+// In a dialog there are no inputs yet, and the list may become as long as it likes.
+std::optional<std::size_t> ListField::wantedCount() const {
+  const auto shapes = context()->shapes.find(spec().filling.input);
+  if (shapes == context()->shapes.end()) return std::nullopt;
+  return static_cast<std::size_t>(std::max(0, static_cast<int>(shapes->second) + spec().filling.more));
+}
+
+bool ListField::full() const {
+  const auto wanted = wantedCount();
+  return wanted && draft_.size() >= *wanted;
+}
+
+Value ListField::newItem() const {
+  const Value like = context()->parameters.value(spec().filling.like, Value());
+  return like.is_null() ? startValue(spec().fields.at(0)) : like;
+}
+
 // What only the user can tell (a file) is asked for in the row; the list is passed on when it is given.
 void ListField::add() {
-  const Value start = startValue(spec().fields.at(0));
+  const Value start = newItem();
   draft_.push_back(start);
+  for (const std::size_t wanted = wantedCount().value_or(0); draft_.size() < wanted;) draft_.push_back(start);
   limit_ = std::max(limit_, draft_.size());
   fitRows();
   ListRow* row = rows_.back();
@@ -194,7 +216,7 @@ void ListField::showDropLine(int globalY) {
 }
 
 void ListField::addToMenu(QMenu& menu) {
-  menu.addAction(tr("Add an item"), this, &ListField::add);
+  menu.addAction(add_->toolTip(), this, &ListField::add)->setEnabled(!full());
   menu.addAction(tr("Remove all"), this, [this] { offer(Value::array()); })->setEnabled(!draft_.empty());
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 #include <QCoreApplication>
+#include <optional>
 #include <vector>
 
 #include "ui/fields/parameter_field.h"
 
 class QFrame;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace blossom::ui {
@@ -28,6 +30,10 @@ class ListField final : public ParameterField {
   void fitRows();
   void addRow();
   void add();
+  /// How many items the list is to have; empty: any number.
+  [[nodiscard]] std::optional<std::size_t> wantedCount() const;
+  [[nodiscard]] bool full() const;
+  [[nodiscard]] Value newItem() const;
   void replace(std::size_t index, const Value&, bool preview);
   void move(std::size_t from, std::size_t to);
   void remove(std::size_t index);
@@ -41,6 +47,7 @@ class ListField final : public ParameterField {
   std::size_t limit_;
   std::vector<ListRow*> rows_;
   QVBoxLayout* column_;
+  QToolButton* add_;
   QPushButton* more_;
   QFrame* dropLine_;
 };

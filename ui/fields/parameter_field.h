@@ -1,6 +1,7 @@
 #pragma once
 #include <QWidget>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,9 +30,11 @@ struct FieldContext {
     QString name;
   };
   bool picking = false;
-  std::vector<Source> sources;  ///< shapes whose faces, edges and vertices may be chosen
-  NamedNumbers names;           ///< numbers that expressions may use
-  std::vector<Value> lost;      ///< parts that the feature did not find again
+  std::vector<Source> sources;                ///< shapes whose faces, edges and vertices may be chosen
+  std::map<std::string, std::size_t> shapes;  ///< how many each input has, by its name
+  Value parameters = Value::object();         ///< of the feature: canonical, the default where one is wrong
+  NamedNumbers names;                         ///< numbers that expressions may use
+  std::vector<Value> lost;                    ///< parts that the feature did not find again
   /// What a part that was picked looks like; nothing when its shape is not known.
   std::function<std::optional<Likeness>(const Pick&)> likenessOf = [](const Pick&) { return std::nullopt; };
   /// What a field holds for which more is picked, and the part whose chip the mouse is on: marked in the view until the next

@@ -111,6 +111,9 @@ void DocumentPage::connectWidgets() {
   connect(&playback_, &Playback::moved, view_, &ViewWidget::markItems);
   const auto tellTime = [this] { properties_->setTimeline(playback_.frame(), playback_.count()); };
   connect(&playback_, &Playback::moved, this, tellTime);
+  connect(&playback_, &Playback::moved, this, [this] {
+    if (Tool* const active = tool()) active->frameMoved();
+  });
   connect(&playback_, &Playback::changed, this, tellTime);
   connect(&playback_, &Playback::changed, this, &DocumentPage::stateChanged);
   connect(properties_, &PropertyPanel::frameWanted, &playback_, &Playback::show);

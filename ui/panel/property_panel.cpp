@@ -38,6 +38,22 @@ QLabel* title(const QString& text, QWidget* parent) {
   return label;
 }
 
+/// Canonical; the default where the document holds none, or one that is wrong.
+Value shownParameters(const FeatureType& type, const Feature& feature) {
+  Value all = Value::object();
+  for (const ParameterSpec& spec : type.parameters) {
+    all[spec.name] = spec.fallback;
+    const auto given = feature.parameters.find(spec.name);
+    if (given == feature.parameters.end() || given->is_null()) continue;
+    try {
+      all[spec.name] = checked(spec, *given);
+    } catch (const Error&) {
+      continue;  // the field says what is wrong with it
+    }
+  }
+  return all;
+}
+
 /// What is of no use beside the values of other fields says nothing. An import shows the options of the format that its file
 /// has, and not those of the others.
 bool saysAnything(const ParameterSpec& spec, const FeatureType& type, const Feature& feature,
@@ -249,11 +265,15 @@ void PropertyPanel::connectField(ParameterField* field) {
 void PropertyPanel::refreshContext() {
   const InputSlots taken(session_, session_.document().at(shown_), *type_);
   std::vector<FieldContext::Source> sources;
-  for (std::size_t k = 0; k < type_->inputs.size(); ++k)
+  context_->shapes.clear();
+  for (std::size_t k = 0; k < type_->inputs.size(); ++k) {
+    context_->shapes[type_->inputs[k].name] = taken.of(k).size();
     for (const FeatureId& id : taken.of(k)) {
       const bool first = sources.empty() || sources.back().input != type_->inputs[k].name;
       if (first) sources.push_back({type_->inputs[k].name, id, qt(shownName(session_.document().at(id)))});
     }
+  }
+  context_->parameters = shownParameters(*type_, session_.document().at(shown_));
   context_->sources = std::move(sources);
   context_->names = namedNumbersOf(session_.document());
   refreshLost();

@@ -86,6 +86,8 @@ class ToolHost {
   [[nodiscard]] virtual double pixelRatio() const { return 1; }
   /// The view, for a card that floats over it (ui/tools/floating_panel.h); nullptr where there is none.
   [[nodiscard]] virtual QWidget* viewWidget() const { return nullptr; }
+  /// Which of the frames of a sequence the timeline shows.
+  [[nodiscard]] virtual int shownFrame(int /*frames*/) const { return 0; }
   /// What the tools of a kind leave to those after them while the document is open, such as a mode that keys chose: one
   /// value of each type, as it is made without arguments at first.
   template <class T>
@@ -145,6 +147,7 @@ class Tool : public QObject {
   [[nodiscard]] virtual std::optional<StandIn> standIn() const { return std::nullopt; }
   /// The document changed under the tool (undo, a new result). A tool whose feature is gone should emit finished().
   virtual void documentChanged() {}
+  virtual void frameMoved() {}  ///< the timeline shows another frame
   /// Called when the tool is ended from outside (Esc, another tool): reverts previews.
   virtual void revert() {}
 

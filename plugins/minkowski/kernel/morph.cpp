@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <optional>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "geometry/planar/planar.h"
 #include "kernel/control_centre.h"
 #include "kernel/flattening.h"
@@ -40,29 +42,36 @@ SoundRegion bottomUp(std::vector<SoundRegion> shapes, std::span<const double> t,
   return shapes.front();
 }
 
-/// The explicit form. Repetitions stay for all frames.
+/// The explicit form.
 class Expansion {
  public:
   Expansion(std::span<const SoundRegion> shapes, Adder& add) : shapes_(shapes), add_(add) {}
 
-  SoundRegion at(std::span<const double> t, const Progress& progress) {
+  /// The repetitions for an in-between, which stay for others.
+  void repeatFor(std::span<const double> t, const Progress& progress) {
+    const auto weights = weightsOf(t);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      for (const auto& [weight, count] : weights[i]) {
+        const auto [place, isNew] = repetitions_.try_emplace({i, count});
+        if (!isNew) continue;
+        place->second = repeated(shapes_[i], count, add_, progress);
+        add_.keep(place->second);
+      }
+  }
+
+  /// @pre its repetitions are there
+  [[nodiscard]] SoundRegion at(std::span<const double> t, const Progress& progress) const {
     std::optional<SoundRegion> total;
     const auto weights = weightsOf(t);
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto& [weight, count] : weights[i]) {
-        const SoundRegion term = scaled(repetition(i, count, progress), weight);
+        const SoundRegion term = scaled(repetitions_.at({i, count}), weight);
         total = total ? add_(*total, term, progress) : term;
       }
     return *total;
   }
 
  private:
-  const SoundRegion& repetition(std::size_t i, std::size_t count, const Progress& progress) {
-    const auto [place, isNew] = repetitions_.try_emplace({i, count});
-    if (isNew) place->second = repeated(shapes_[i], count, add_, progress);
-    return place->second;
-  }
-
   std::span<const SoundRegion> shapes_;
   Adder& add_;
   std::map<std::pair<std::size_t, std::size_t>, SoundRegion> repetitions_;
@@ -129,20 +138,23 @@ class Morph {
     expansion_.emplace(shapes_, add_);
   }
 
-  /// Chooses the order of evaluation when it is automatic, and counts its sums.
-  void prepare(std::span<const Arguments> arguments) {
+  /// Chooses the order of evaluation when it is automatic, counts its sums and computes what in-betweens share.
+  void prepare(std::span<const Arguments> arguments, const Progress& progress) {
     std::vector<Arguments> all;
     for (const Arguments& t : arguments) all.push_back(elevated(t));
     std::vector<bool> convex;
     for (const SoundRegion& shape : shapes_) convex.push_back(isConvex(shape));
     if (options_.evaluation == EvaluationOrder::Automatic) options_.evaluation = wayOfFewestSums(all, convex);
     add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
+    for (SoundRegion& shape : shapes_) add_.keep(shape);
+    if (options_.evaluation != EvaluationOrder::Explicit) return;
+    for (const Arguments& t : all)
+      if (!isEnd(t)) expansion_->repeatFor(t, progress);
   }
 
   /// @param progress of the whole morph
   Region at(const Arguments& t, const Progress& progress) {
-    if (std::all_of(t.begin(), t.end(), [](double level) { return level == 0; })) return regions_.front();
-    if (std::all_of(t.begin(), t.end(), [](double level) { return level == 1; })) return regions_.back();
+    if (isEnd(t)) return t.front() == 0 ? regions_.front() : regions_.back();
     SoundRegion shape = inBetween(elevated(t), progress);
     if (options_.areaPreserving) {
       const Vec2 centre = blended(centres_, t);
@@ -168,6 +180,12 @@ class Morph {
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("Control shape {} is not convex, so its repetitions are not multiples of it.", i + 1),
                     "Choose the explicit evaluation.");
+  }
+
+  /// Whether the in-between is the first or the last shape.
+  static bool isEnd(const Arguments& t) {
+    return (t.front() == 0 || t.front() == 1) &&
+           std::all_of(t.begin(), t.end(), [&](double level) { return level == t.front(); });
   }
 
   /// A'_i = i/(n+1) A_(i-1) + (1 - i/(n+1)) A_i.
@@ -229,6 +247,20 @@ void refuseUnequal(const std::vector<double>& t) {
                 "Leave out the degree elevation or the blossom parameters.");
 }
 
+/// On all cores.
+std::vector<Region> atTheSameTime(Morph& evaluation, std::span<const Arguments> arguments, const Progress& progress) {
+  std::vector<Region> regions(arguments.size());
+  const Progress each(progress.token());
+  std::atomic<std::size_t> done = 0;
+  parallelFor(arguments.size(), 1, each, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      regions[k] = evaluation.at(arguments[k], each);
+      progress.report(static_cast<double>(++done) / static_cast<double>(arguments.size()), "Adding shapes");
+    }
+  });
+  return regions;
+}
+
 }  // namespace
 
 std::vector<double> diagonal(std::size_t degree, double t) { return std::vector<double>(degree, t); }
@@ -239,11 +271,15 @@ MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<do
   if (options.degreeElevate) std::for_each(arguments.begin(), arguments.end(), refuseUnequal);
   const Progress steps = inSteps(progress);
   Morph evaluation(shapes, options, steps);
-  evaluation.prepare(arguments);
+  evaluation.prepare(arguments, steps);
   MorphResult result;
-  for (const Arguments& t : arguments) {
-    progress.check();
-    result.regions.push_back(evaluation.at(t, steps));
+  if (arguments.size() == 1 || options.maximumWork != Effort::unlimited) {
+    for (const Arguments& t : arguments) {
+      progress.check();
+      result.regions.push_back(evaluation.at(t, steps));
+    }
+  } else {
+    result.regions = atTheSameTime(evaluation, arguments, progress);
   }
   result.sums = evaluation.sums();
   result.warnings = evaluation.warnings();

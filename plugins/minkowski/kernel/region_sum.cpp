@@ -53,18 +53,6 @@ Operand folded(const std::vector<Operand>& shapes, const Progress& progress, Eff
   return total;
 }
 
-/// Lines and arcs where that is all there is, else polygons on the safe side of the curves.
-Region roomOf(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
-  Effort effort(options.maximumWork);
-  const auto shapes =
-      operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
-  if (std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& shape) { return shape.plain; }))
-    return folded<SoundRegion>(shapes, progress, effort, difference).region;
-  const auto polygons =
-      operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);
-  return toRegion(folded<Polygons>(polygons, progress, effort, difference));
-}
-
 double smallestDefault(std::span<const Region> regions) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Region& region : regions) smallest = std::min(smallest, defaultTolerance(region));
@@ -80,9 +68,21 @@ RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOpt
   return {folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
 }
 
+// Lines and arcs where that is all there is, else polygons on the safe side of the curves.
+Region roomInside(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
+  Effort effort(options.maximumWork);
+  const auto shapes =
+      operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
+  if (std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& shape) { return shape.plain; }))
+    return folded<SoundRegion>(shapes, progress, effort, difference).region;
+  const auto polygons =
+      operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);
+  return toRegion(folded<Polygons>(polygons, progress, effort, difference));
+}
+
 RegionSumResult minkowskiDifference(std::span<const Region> regions, const RegionSumOptions& options,
                                     const Progress& progress) {
-  RegionSumResult result{roomOf(regions, options, progress), regions.size() - 1, {}};
+  RegionSumResult result{roomInside(regions, options, progress), regions.size() - 1, {}};
   const bool curved = std::any_of(regions.begin(), regions.end(), hasCurves);
   const double tolerance = options.tolerance.value_or(smallestDefault(regions));
   if (result.region.loops.empty())

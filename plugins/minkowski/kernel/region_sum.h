@@ -34,6 +34,9 @@ RegionSumResult minkowskiSum(std::span<const Region>, const RegionSumOptions& = 
 RegionSumResult minkowskiDifference(std::span<const Region>, const RegionSumOptions& = {},
                                     const Progress& = Progress::none());
 
+/// A - B - .. as minkowskiDifference; empty when nothing is left.
+Region roomInside(std::span<const Region>, const RegionSumOptions&, const Progress&);
+
 /// (A - B) + B: the part of A that B covers while it stays inside. @throws as minkowskiDifference
 RegionSumResult regionOpening(const Region& a, const Region& b, const RegionSumOptions& = {},
                               const Progress& = Progress::none());

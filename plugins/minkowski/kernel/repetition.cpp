@@ -9,10 +9,33 @@
 namespace blossom::minkowski {
 
 SoundRegion Adder::operator()(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
-  effort_.expect(planned_ > count_ ? planned_ - count_ : 1);
-  const double all = static_cast<double>(std::max(planned_, count_ + 1)), done = static_cast<double>(count_);
-  ++count_;
-  return sum(a, b, progress.part(done / all, (done + 1) / all), effort_);
+  const std::size_t before = count_++;
+  if (effort_.isLimited()) effort_.expect(planned_ > before ? planned_ - before : 1);
+  const double all = static_cast<double>(std::max(planned_, before + 1)), done = static_cast<double>(before);
+  const Progress part = progress.part(done / all, (done + 1) / all);
+  const SampledPair* kept = keptPair(a, b, part);
+  if (!kept) return sum(a, b, part, effort_);
+  const SampledPair multiples = scaled(*kept, a.factor, b.factor);
+  return sum(a, b, multiples, part, effort_);
+}
+
+void Adder::keep(SoundRegion& shape) {
+  shape.factor = 1;
+  const std::scoped_lock lock(mutex_);
+  kept_.push_back(shape);
+  shape.kept = static_cast<std::uint32_t>(kept_.size());
+}
+
+/// Nothing where a shape is not kept, or where no curves are sampled.
+const SampledPair* Adder::keptPair(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
+  if (a.kept == 0 || b.kept == 0 || !(hasCurves(a.region) || hasCurves(b.region))) return nullptr;
+  const std::scoped_lock lock(mutex_);
+  const auto [place, isNew] = pairs_.try_emplace({a.kept, b.kept});
+  if (isNew) {
+    place->second = sampledPair(kept_[a.kept - 1], kept_[b.kept - 1], 1, Sampling::Chords, progress);
+    certifyClear(place->second, progress);
+  }
+  return &place->second;
 }
 
 std::size_t sumsOfRepetition(bool convex, std::size_t k) {

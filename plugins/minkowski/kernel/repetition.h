@@ -1,26 +1,41 @@
 #pragma once
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 #include "core/progress.h"
+#include "kernel/curves/sampled_pair.h"
 #include "kernel/effort.h"
 #include "kernel/sound_region.h"
 
 namespace blossom::minkowski {
 
-/// Computes Minkowski sums and counts them.
+/// Computes Minkowski sums and counts them, in several threads at once when the work is unlimited.
 class Adder {
  public:
   explicit Adder(std::size_t maximumWork = Effort::unlimited) : effort_(maximumWork) {}
 
   SoundRegion operator()(const SoundRegion& a, const SoundRegion& b, const Progress& progress);
+  /// What sums of multiples of two kept shapes have in common is computed once.
+  void keep(SoundRegion&);
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] Effort& effort() { return effort_; }
   /// Sets the total number of sums, for progress and for the estimate of the work that is left.
   void plan(std::size_t sums) { planned_ = sums; }
 
  private:
-  std::size_t planned_ = 0, count_ = 0;
+  const SampledPair* keptPair(const SoundRegion& a, const SoundRegion& b, const Progress&);
+
+  std::size_t planned_ = 0;
+  std::atomic<std::size_t> count_ = 0;
   Effort effort_;
+  std::mutex mutex_;  // of the following
+  std::vector<SoundRegion> kept_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, SampledPair> pairs_;  // the places of values stay
 };
 
 /// Number of sums that `repeated` needs.

@@ -11,8 +11,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr double pixel = 1;       // an edge is bent through vertices within it
-constexpr double clearance = 16;  // beyond it, what earlier roundings did (some units) has changed no order
+constexpr double pixel = 1;  // an edge is bent through vertices within it
 
 Vec2 asVec(const GridPoint& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -148,12 +147,12 @@ std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>& polygons) {
   return edges;
 }
 
-bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress) {
+bool isClear(const std::vector<GridPolygon>& polygons, const Progress& progress, double clearance) {
   const std::vector<CountedEdge> edges = loopEdges(polygons);
   bool clear = true;
   forEachNearPair<2>(boxesOf(edges), clearance, progress, [&](std::size_t i, std::size_t j) {
     const CountedEdge &e = edges[i], &f = edges[j];
-    const auto near = [](const GridPoint& p, const CountedEdge& edge) {
+    const auto near = [&](const GridPoint& p, const CountedEdge& edge) {
       return distance(p, edge.from, edge.to) < clearance;
     };
     if (liesAside(e, f, clearance) || liesAside(f, e, clearance)) return true;

@@ -17,8 +17,9 @@ std::vector<CountedEdge> snapRounded(std::vector<CountedEdge>, const Progress& =
 /// The edges of the loops with count 1, as joinEqual returns them.
 std::vector<CountedEdge> edgesOf(const std::vector<GridPolygon>&);
 
-/// Whether edges meet only in the corners of their own loops and are otherwise some units apart.
-bool isClear(const std::vector<GridPolygon>&, const Progress& = Progress::none());
+/// Whether edges meet only in the corners of their own loops and are otherwise farther apart than a number of units, by
+/// default what earlier roundings may have done to their order. May be false where edges are shorter than that.
+bool isClear(const std::vector<GridPolygon>&, const Progress& = Progress::none(), double units = 16);
 
 /// The loops as the convolution requires them. Rounding to the grid may make thin parts cross, and a crossing of a single
 /// unit changes the winding numbers of a whole sum. Where parts come within a few units of one another, the edges are

@@ -34,7 +34,7 @@ struct Similarity {
 };
 
 SoundRegion mapped(const SoundRegion& shape, const Similarity& map) {
-  SoundRegion image{shape.region, std::abs(map.s) * shape.tolerance};
+  SoundRegion image{shape.region, std::abs(map.s) * shape.tolerance, shape.plain};
   for (Path& loop : image.region.loops)
     for (Segment& segment : loop.segments) segment = std::visit(map, segment);
   return image;
@@ -69,7 +69,14 @@ bool hasSplines(const Region& region) {
   return anySegment(region, [](const Segment& segment) { return std::holds_alternative<Spline2>(segment); });
 }
 
-SoundRegion scaled(const SoundRegion& shape, double s) { return mapped(shape, {.s = s}); }
+SoundRegion scaled(const SoundRegion& shape, double s) {
+  SoundRegion image = mapped(shape, {.s = s});
+  if (s > 0) {
+    image.kept = shape.kept;
+    image.factor = s * shape.factor;
+  }
+  return image;
+}
 
 SoundRegion translated(const SoundRegion& shape, const Vec2& by) { return mapped(shape, {.by = by}); }
 

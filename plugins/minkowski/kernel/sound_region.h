@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "core/vector.h"
 #include "geometry/planar/region.h"
 #include "kernel/polygons.h"
@@ -11,6 +13,9 @@ struct SoundRegion {
   Region region;
   double tolerance = 0;  ///< mm between a curve and the polygons by which sums are decided
   bool plain = true;     ///< lines and arcs are all that was drawn
+  // What is computed for a shape that takes part in many sums is kept, see Adder::keep of repetition.h.
+  std::uint32_t kept = 0;  ///< number of the shape of which this is a multiple; 0: of none
+  double factor = 1;       ///< above 0, of that shape
 };
 
 /// Whether not all segments are lines.

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "app/sample_maker.h"
+#include "feature/frame_by_frame.h"
 #include "kernel/parts/placement.h"
 #include "kernel/parts/shape_parts.h"
 
@@ -27,7 +28,7 @@ class Model {
       document_ = document_.with(std::move(hidden));
     }
     shapes_[feature.id] =
-        type->evaluate(completed(type->parameters, feature.parameters), arrangedInputs(*type, shapes), {}).shape;
+        evaluatedFeature(*type, completed(type->parameters, feature.parameters), arrangedInputs(*type, shapes), {}).shape;
     document_ = document_.with(feature);
     return feature.id;
   }

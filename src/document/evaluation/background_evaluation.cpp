@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "core/stopwatch.h"
+#include "feature/frame_by_frame.h"
 
 namespace blossom {
 namespace {
 
-/// A count called `frames` makes a sequence.
-bool makesFrames(const Value& parameters) {
+/// A count called `frames` makes a sequence, and so does an input that is taken frame by frame.
+bool makesFrames(const Value& parameters, const FeatureWork* work) {
+  if (work && sequenceTakenByFrames(*work->type, work->inputs)) return true;
   const auto frames = parameters.find("frames");
   return frames != parameters.end() && frames->is_number() && frames->get<double>() > 1;
 }
@@ -26,7 +28,7 @@ BackgroundEvaluation::BackgroundEvaluation(Document document, const EvaluationSo
   for (const auto& feature : evaluation_.document().features()) {
     Place place;
     place.feature = feature;
-    weigh(place, feature->parameters);
+    weigh(place, feature->parameters, nullptr);
     places_.push_back(std::move(place));
   }
 }
@@ -68,7 +70,7 @@ bool BackgroundEvaluation::ready(const Place& place) const {
 void BackgroundEvaluation::start(Place& place, const Progress& progress) {
   place.prepared = evaluation_.prepare(*place.feature, Progress(progress.token()));
   Evaluation::Prepared& prepared = place.prepared;
-  if (prepared.work) weigh(place, prepared.work->parameters);
+  if (prepared.work) weigh(place, prepared.work->parameters, prepared.work.get());
   const Workshop::Joined joined = workshop_.join(prepared.key, generation_, showing(place, prepared.work != nullptr));
   if (joined.piece) {
     place.piece = joined.piece;
@@ -90,8 +92,9 @@ void BackgroundEvaluation::start(Place& place, const Progress& progress) {
 }
 
 /// How long it takes, as far as that is known, and which share of it is showing.
-void BackgroundEvaluation::weigh(Place& place, const Value& parameters) const {
-  place.sequence = makesFrames(parameters);
+/// @param work as soon as the inputs are known
+void BackgroundEvaluation::weigh(Place& place, const Value& parameters, const FeatureWork* work) const {
+  place.sequence = makesFrames(parameters, work);
   const double timesAsLong = show_ ? sources_.costs.expectedShowing(*place.feature, place.sequence) : 0;
   place.costMs = sources_.costs.expected(*place.feature) * (1 + timesAsLong);
   place.computingShare = 1 / (1 + timesAsLong);

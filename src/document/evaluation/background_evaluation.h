@@ -37,7 +37,7 @@ class BackgroundEvaluation {
   [[nodiscard]] bool ready(const Place&) const;
   void start(Place&, const Progress&);
   void startWork(Place&);
-  void weigh(Place&, const Value& parameters) const;
+  void weigh(Place&, const Value& parameters, const FeatureWork*) const;
   bool advance(Place&);
   void concludeWith(Place&, const std::shared_ptr<const FeatureResult>&);
   void show(Place&);

@@ -8,6 +8,7 @@
 #include "document/part_references.h"
 #include "document/storage.h"
 #include "feature/acceptance.h"
+#include "feature/frame_by_frame.h"
 
 namespace blossom {
 namespace {
@@ -94,6 +95,7 @@ std::shared_ptr<const FeatureResult> Evaluation::prepareWork(FeatureWork& work, 
   std::optional<Inputs> arranged;
   if (namesParts(work.type->parameters, named)) {
     arranged = inputsOf(feature, *work.type);
+    refusePartsOfSequences(*work.type, named, *arranged);
     FoundParts again = foundParts(feature, *work.type, named, *arranged, construction_, progress);
     named = std::move(again.now);
     prepared.parts = std::move(again.kept);
@@ -148,6 +150,7 @@ ConstructionStep Evaluation::stepOf(const FeatureId& id) const {
   const Inputs arranged = inputsOf(*feature, *type);
   for (std::size_t k = 0; k < type->inputs.size(); ++k)
     for (const Shape& shape : arranged.of(k)) step.inputs.push_back(shape);
+  if (sequenceTakenByFrames(*type, arranged)) return step;  // frames have no faces to name
   if (type->images)
     step.images = type->images(outcomes_.at(feature->id).parameters, arranged);
   else

@@ -3,6 +3,7 @@
 #include "core/stopwatch.h"
 #include "document/error_of.h"
 #include "feature/acceptance.h"
+#include "feature/frame_by_frame.h"
 #include "results/result_store.h"
 
 namespace blossom {
@@ -107,7 +108,7 @@ FeatureMade resultOf(const FeatureWork& work, const EvaluationSources& sources, 
     found = fromStore(work, sources);
     if (found) return;
     watch.emplace();
-    result->evaluated = work.type->evaluate(work.parameters, work.inputs, progress);
+    result->evaluated = evaluatedFeature(*work.type, work.parameters, work.inputs, progress);
     checkResult(*work.type, result->evaluated.shape);
     refuseInfiniteFigures(result->evaluated);
     // A file that was written meanwhile may have been read as it is now: the result is of no content that is known.

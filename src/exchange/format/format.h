@@ -33,11 +33,11 @@ struct Format {
   std::vector<std::string> extensions;  ///< lower case, without dot, preferred first
   std::vector<ParameterSpec> readOptions;
   std::vector<ParameterSpec> writeOptions;
-  Read read;                ///< empty: cannot be read
-  Write write;              ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
-  FrameWriter frameWriter;  ///< empty: `write` writes each frame as if it were alone
+  Read read;                     ///< empty: cannot be read
+  Write write;                   ///< empty: cannot be written. Writes to the path given; atomicity is writeShape's affair
+  FrameWriter frameWriter = {};  ///< empty: `write` writes each frame as if it were alone
   /// Whether the options put all frames of a sequence into one file; empty: always. Only where `writes` has sequences.
-  std::function<bool(const Value& options)> inOneFile;
+  std::function<bool(const Value& options)> inOneFile = {};
   std::vector<ShapeKind> writes;      ///< kinds the writer takes; for the message when another comes
   ShapeKind reads = ShapeKind::None;  ///< the kind of every shape read, where that is known before; else None
   bool zipped = false;                ///< its files are zips

@@ -7,6 +7,7 @@
 #include "kernel/curves/angles.h"
 #include "kernel/curves/hermite_spline.h"
 #include "kernel/curves/segment_crossing.h"
+#include "kernel/sound_region.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -276,6 +277,15 @@ std::optional<Region> fittedCurves(const std::vector<TracedPart>& parts, const G
   }
   if (segmentsCross(region, fitting.rounding, fitting.gap / 16, progress)) return std::nullopt;
   return region;
+}
+
+Region straightRegion(const std::vector<TracedPart>& parts, const Grid& grid) {
+  Polygons polygons;
+  for (const TracedPart& part : parts) {
+    Polygon& polygon = polygons.emplace_back(Polygon{part.outer.corners, {}});
+    for (const TracedLoop& hole : part.holes) polygon.holes.push_back(hole.corners);
+  }
+  return toRegion(onPlane(polygons, grid));
 }
 
 }  // namespace blossom::minkowski

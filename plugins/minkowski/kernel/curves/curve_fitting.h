@@ -26,4 +26,7 @@ struct CurveFitting {
 std::optional<Region> fittedCurves(const std::vector<TracedPart>&, const Grid&, const CurveOfEdge&, const CurveFitting&,
                                    const Progress& = Progress::none());
 
+/// Parts bounded by the sides of the rings themselves.
+Region straightRegion(const std::vector<TracedPart>&, const Grid&);
+
 }  // namespace blossom::minkowski

@@ -13,11 +13,11 @@
 #include "kernel/convolution.h"
 #include "kernel/curves/convex_sum.h"
 #include "kernel/curves/curve_fitting.h"
-#include "kernel/curves/sampled_region.h"
+#include "kernel/curves/finer_polygons.h"
+#include "kernel/curves/sampled_pair.h"
 #include "kernel/flattening.h"
-#include "kernel/nesting.h"
+#include "kernel/nested_paths.h"
 #include "kernel/polygon_sum.h"
-#include "kernel/snap_rounding.h"
 #include "kernel/snapped_operands.h"
 #include "kernel/winding/winding_faces.h"
 
@@ -30,65 +30,38 @@ CornerNumbers numbersOf(const SampledRegion& region, const Grid& grid) {
   return numbers;
 }
 
-/// The tolerance within which corners of polygons and of curves correspond: the longest chord, about which crossings of
-/// nearly tangent curves move.
-double longestChord(const SampledRegion& region) {
-  double longest = 0;
-  for (const SampledSide& side : region.sides)
-    if (side.curve) longest = std::max(longest, (side.to - side.from).norm());
-  return longest;
-}
-
-/// How far rounding moves points of a sum and the centres and radii of its arcs.
-double roundingOf(const SampledRegion& a, const SampledRegion& b, const Grid& grid) {
-  double farthest = 0;
-  for (const SampledRegion* region : {&a, &b}) {
-    for (const SampledCorner& corner : region->corners) farthest = std::max(farthest, corner.at.cwiseAbs().maxCoeff());
-    for (const BoundaryCurve& arc : region->curves)
-      farthest = std::max(farthest, arc.centre.cwiseAbs().maxCoeff() + std::abs(arc.radius));
-  }
-  return 64 * grid.unit + 32 * std::numeric_limits<double>::epsilon() * farthest;
-}
-
 /// How the polygons of two regions are added.
 struct Addition {
   Sampling sampling = Sampling::Chords;
   Inside inside = Inside::Positive;
+  const SampledPair* kept = nullptr;  ///< of both, within the tolerances
 };
 
-/// The sum of two regions by polygons within a share of the tolerances.
+/// The sum of two regions by polygons.
 class SampledSum {
  public:
-  SampledSum(const SoundRegion& a, const SoundRegion& b, double share, const Addition& addition, const Progress& progress,
-             Effort& effort)
-      : tolerance_(share * (a.tolerance + b.tolerance)) {
-    a_ = sampled(a, share, normalsOf(b, a, share), addition.sampling, progress);
-    b_ = sampled(b, share, normalsOf(a, b, share), addition.sampling, progress);
-    const SnappedOperands operands = snappedTogether(a_.polygons, b_.polygons);
+  SampledSum(SampledPair pair, double tolerance, Inside inside, const Progress& progress, Effort& effort)
+      : tolerance_(tolerance) {
+    const SnappedOperands operands = untangledTogether(pair, progress);
+    a_ = std::move(pair.a);
+    b_ = std::move(pair.b);
     grid_ = operands.gridOfSum;
     sources_.first = numbersOf(a_, operands.gridA);
     sources_.second = numbersOf(b_, operands.gridB);
-    edges_ = convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort,
-                         &sources_);
-    faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), addition.inside, effort);
+    edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_);
+    faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), inside, effort);
   }
 
   /// Nothing when the polygons are too coarse.
   [[nodiscard]] std::optional<Region> curves(const Progress& progress) const {
-    const CurveFitting fitting{
-        .rounding = roundingOf(a_, b_, grid_), .reach = 2 * (longestChord(a_) + longestChord(b_)), .gap = 4 * tolerance_};
+    const CurveFitting fitting{.rounding = std::max(roundingOf(a_, grid_), roundingOf(b_, grid_)),
+                               .reach = 2 * (longestChord(a_) + longestChord(b_)),
+                               .gap = 4 * tolerance_};
     const auto curveOf = [&](std::uint32_t edge) { return curveOfEdge(edges_[edge], fitting.rounding); };
     return fittedCurves(faces_, grid_, curveOf, fitting, progress);
   }
 
-  [[nodiscard]] Region lines() const {
-    Polygons polygons;
-    for (const TracedPart& part : faces_) {
-      Polygon& polygon = polygons.emplace_back(Polygon{part.outer.corners, {}});
-      for (const TracedLoop& hole : part.holes) polygon.holes.push_back(hole.corners);
-    }
-    return toRegion(onPlane(polygons, grid_));
-  }
+  [[nodiscard]] Region lines() const { return straightRegion(faces_, grid_); }
 
  private:
   [[nodiscard]] std::optional<TrueCurve> curveOfEdge(const CountedEdge& edge, double rounding) const {
@@ -113,25 +86,13 @@ class SampledSum {
   std::vector<TracedPart> faces_;
 };
 
-/// By polygons that become finer until the curves fit.
 Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
                  Effort& effort) {
-  constexpr int attempts = 3;
-  constexpr double finer = 1.0 / 8;
-  double share = 1, done = 0;
-  std::optional<Region> lines;
-  for (int i = 0; i < attempts; ++i, share *= finer, done = (1 + done) / 2) {
-    progress.check();
-    try {
-      const SampledSum sum(a, b, share, addition, progress.part(done, (1 + done) / 2), effort);
-      if (auto curves = sum.curves(progress)) return *std::move(curves);
-      if (!lines) lines = sum.lines();
-    } catch (const Error& error) {
-      if (!lines || error.code() != ErrorCode::LimitExceeded) throw;  // finer polygons are too many
-      break;
-    }
-  }
-  return *std::move(lines);
+  const auto attempt = [&](double share, const Progress& part) {
+    SampledPair pair = share == 1 && addition.kept ? *addition.kept : sampledPair(a, b, share, addition.sampling, part);
+    return SampledSum(std::move(pair), share * (a.tolerance + b.tolerance), addition.inside, part, effort);
+  };
+  return byFinerPolygons(attempt, progress);
 }
 
 /// When one set is as good as a point beside the other: the other, moved there.
@@ -178,28 +139,18 @@ Path framePath(const Vec2& low, const Vec2& high) {
 /// The complement of A within a frame that B, wherever it meets A, does not reach. Nothing where loops of A touch, as those
 /// of an earlier result may.
 std::optional<SoundRegion> complement(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
-  const std::vector<Loop> loopsOfA = flattenedLoops(a);
-  const Box2 boxA = boxOf(loopsOfA), boxB = boxOf(flattenedLoops(b));
+  const Box2 boxA = boxOf(flattenedLoops(a)), boxB = boxOf(flattenedLoops(b));
   const Vec2 reach = 2 * boxB.sizes() + boxA.sizes();
   std::vector<Path> paths{framePath(boxA.min() - reach, boxA.max() + reach)};
-  std::vector<Loop> loops{flatten(paths.front(), a.tolerance)};
-  for (std::size_t i = 0; i < loopsOfA.size(); ++i) {
-    paths.push_back(reversed(a.region.loops[i]));
-    loops.emplace_back(loopsOfA[i].rbegin(), loopsOfA[i].rend());
-  }
-  const auto parts = Nesting(std::move(loops), progress).parts();
-  if (!parts) return std::nullopt;
-  SoundRegion result{{}, a.tolerance};
-  for (const auto& [outer, holes] : *parts) {
-    result.region.loops.push_back(paths[outer]);
-    for (const std::size_t hole : holes) result.region.loops.push_back(paths[hole]);
-  }
-  return result;
+  for (const Path& loop : a.region.loops) paths.push_back(reversed(loop));
+  auto region = nestedPaths(paths, a.tolerance, progress);
+  if (!region) return std::nullopt;
+  return SoundRegion{*std::move(region), a.tolerance};
 }
 
-}  // namespace
-
-SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {
+/// @param kept samples of both within the tolerances, or null
+SoundRegion sumBy(const SampledPair* kept, const SoundRegion& a, const SoundRegion& b, const Progress& progress,
+                  Effort& effort) {
   progress.check();
   if (a.region.loops.empty() || b.region.loops.empty()) return {};
   const double tolerance = a.tolerance + b.tolerance;
@@ -208,7 +159,18 @@ SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& prog
   if (auto moved = sumWithPoint(a, b)) return *std::move(moved);
   if (!hasSplines(a.region) && !hasSplines(b.region) && isConvex(a) && isConvex(b))
     return {convexSum(a.region, b.region), tolerance};
-  return {fittedSum(a, b, {}, progress, effort), tolerance};
+  return {fittedSum(a, b, {.kept = kept}, progress, effort), tolerance};
+}
+
+}  // namespace
+
+SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {
+  return sumBy(nullptr, a, b, progress, effort);
+}
+
+SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const SampledPair& kept, const Progress& progress,
+                Effort& effort) {
+  return sumBy(&kept, a, b, progress, effort);
 }
 
 SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {

@@ -5,6 +5,8 @@
 
 namespace blossom::minkowski {
 
+struct SampledPair;
+
 /// A + B of curved regions: an edge moved over a corner stays what it is, an arc moved along an arc with the same normals
 /// becomes one with the sum of the radii (Lee, Lee, Kim & Kim 2002, section 3.1), and what comes of splines is a cubic
 /// spline within the tolerances. Which of them bound the sum is decided by polygons within the tolerances, whose sides know
@@ -13,6 +15,9 @@ namespace blossom::minkowski {
 /// The empty set when one of them is empty.
 /// @throws Error LimitExceeded, Cancelled; TooMuchWork. As polygon_sum.h for the polygons.
 SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress&, Effort&);
+
+/// The same with samples of both within their tolerances.
+SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const SampledPair&, const Progress&, Effort&);
 
 /// {p : p + B inside A}, regularised, of regions of lines and arcs, again of lines and arcs. Which curves bound it is
 /// decided by polygons around the complement of A and around B: room within the tolerances may be missed, none is invented.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/planar/planar.h"
@@ -305,6 +306,21 @@ std::optional<TrueCurve> curveOfPair(const SampledRegion& ofSide, std::uint32_t 
   // A hollow arc that is filled by a larger one bounds nothing but what its polygon leaves.
   if (radius <= point || (curve.radius < 0 && sum > 0)) return std::nullopt;
   return Circle{curve.centre + (arc ? moves->centre : by.at), radius};
+}
+
+double longestChord(const SampledRegion& region) {
+  double longest = 0;
+  for (const SampledSide& side : region.sides)
+    if (side.curve) longest = std::max(longest, (side.to - side.from).norm());
+  return longest;
+}
+
+double roundingOf(const SampledRegion& region, const Grid& grid) {
+  double farthest = 0;
+  for (const SampledCorner& corner : region.corners) farthest = std::max(farthest, corner.at.cwiseAbs().maxCoeff());
+  for (const BoundaryCurve& arc : region.curves)
+    farthest = std::max(farthest, arc.centre.cwiseAbs().maxCoeff() + std::abs(arc.radius));
+  return 64 * grid.unit + 32 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
 }  // namespace blossom::minkowski

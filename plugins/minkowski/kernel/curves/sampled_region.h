@@ -5,6 +5,7 @@
 
 #include "core/progress.h"
 #include "kernel/curves/true_curve.h"
+#include "kernel/grid.h"
 #include "kernel/polygons.h"
 #include "kernel/sound_region.h"
 
@@ -65,5 +66,12 @@ SampledRegion sampled(const SoundRegion&, double share, const std::vector<double
 /// 2002, section 3.1). What comes from splines is free. Nothing when that circle is smaller than `point`.
 std::optional<TrueCurve> curveOfPair(const SampledRegion& ofSide, std::uint32_t side, const SampledRegion& ofCorner,
                                      std::uint32_t corner, double point);
+
+/// Within which corners of polygons and of curves correspond: the longest chord, about which crossings of nearly tangent
+/// curves move.
+double longestChord(const SampledRegion&);
+
+/// How far rounding to a grid and that of numbers move points and the centres and radii of arcs, with room for sums of two.
+double roundingOf(const SampledRegion&, const Grid&);
 
 }  // namespace blossom::minkowski

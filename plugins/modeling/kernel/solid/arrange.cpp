@@ -234,17 +234,6 @@ Shape gatheredMeshes(const std::vector<Shape>& shapes) {
   return all;
 }
 
-Shape gatheredSequences(const std::vector<Shape>& shapes) {
-  Sequence all = *shapes.front().get<Sequence>();
-  for (std::size_t f = 0; f < all.frames.size(); ++f) {
-    std::vector<Shape> frames;
-    frames.reserve(shapes.size());
-    for (const Shape& each : shapes) frames.push_back(each.get<Sequence>()->frames.at(f));
-    all.frames[f] = gathered(frames);
-  }
-  return all;
-}
-
 }  // namespace
 
 Shape transformed(const Shape& shape, const Map& map) {
@@ -260,7 +249,6 @@ Shape gathered(const std::vector<Shape>& shapes) {
   if (allAre<Region>(shapes)) return gatheredRegions(shapes);
   if (allAre<Curves>(shapes)) return gatheredCurves(shapes);
   if (allAre<Mesh>(shapes)) return gatheredMeshes(shapes);
-  if (allAre<Sequence>(shapes)) return gatheredSequences(shapes);
   std::vector<BrepInstance> roots;
   for (const Shape& each : shapes) {
     const Brep brep = asBrep(each);

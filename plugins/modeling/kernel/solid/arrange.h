@@ -12,8 +12,8 @@ namespace blossom::modeling {
 /// @throws Error InvalidInput for a motion, Degenerate when the map is singular.
 Shape transformed(const Shape&, const Eigen::Affine3d&);
 
-/// Several shapes of one kind as one: instances of an assembly, polygons of one mesh, loops of one region, sequences frame
-/// by frame. Overlapping regions are united. Other kinds become B-reps.
+/// Several shapes of one kind as one: instances of an assembly, polygons of one mesh, loops of one region. Overlapping
+/// regions are united. Other kinds become B-reps.
 /// @throws Error InvalidInput.
 Shape gathered(const std::vector<Shape>&);
 

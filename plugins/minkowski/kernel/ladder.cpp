@@ -1,0 +1,69 @@
+#include "kernel/ladder.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "kernel/flattening.h"
+#include "kernel/repetition.h"
+
+namespace blossom::minkowski {
+namespace {
+
+void checkRungs(std::span<const Region> shapes, std::span<const double> t) {
+  if (shapes.size() < 2)
+    throw Error(ErrorCode::InvalidParameter, "A ladder needs at least two control shapes.", "Give another shape.");
+  if (t.size() + 1 != shapes.size())
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("The ladder of {} control shapes takes {} numbers; {} are given.", shapes.size(),
+                            shapes.size() - 1, t.size()),
+                "Give one number of 0 to 1 for each control shape after the first.");
+  for (const double level : t)
+    if (!(level >= 0 && level <= 1))
+      throw Error(ErrorCode::InvalidParameter, fmt::format("Every t must lie between 0 and 1; one is {}.", level));
+}
+
+std::vector<Region> regionsIn(const std::vector<SoundRegion>& shapes) {
+  std::vector<Region> regions;
+  for (const SoundRegion& shape : shapes) regions.push_back(shape.region);
+  return regions;
+}
+
+/// One shape less: each leg from a shape to the next, at t.
+std::vector<SoundRegion> nextRung(const std::vector<SoundRegion>& shapes, double t, Adder& add, const Progress& progress) {
+  std::vector<SoundRegion> rung;
+  for (std::size_t i = 0; i + 1 < shapes.size(); ++i) {
+    progress.check();
+    if (t == 0 || t == 1)
+      rung.push_back(shapes[t == 0 ? i : i + 1]);
+    else
+      rung.push_back(add(scaled(shapes[i], 1 - t), scaled(shapes[i + 1], t), progress));
+  }
+  return rung;
+}
+
+}  // namespace
+
+LadderResult ladder(std::span<const Region> shapes, std::span<const double> t, const LadderOptions& options,
+                    const Progress& progress) {
+  checkRungs(shapes, t);
+  LadderResult result;
+  result.levels.emplace_back(shapes.begin(), shapes.end());
+  Adder add(options.maximumWork);
+  add.plan(shapes.size() * (shapes.size() - 1) / 2);
+  try {
+    std::vector<SoundRegion> rung;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      rung.push_back(soundRegion(shapes[i], {.tolerance = options.tolerance, .effort = &add.effort()},
+                                 fmt::format("control shape {}", i + 1), progress));
+    for (const double level : t) {
+      rung = nextRung(rung, level, add, progress);
+      result.levels.push_back(regionsIn(rung));
+    }
+  } catch (const TooMuchWork&) {
+    result.complete = false;
+  }
+  result.sums = add.count();
+  return result;
+}
+
+}  // namespace blossom::minkowski

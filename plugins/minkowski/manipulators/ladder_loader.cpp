@@ -1,0 +1,80 @@
+#include "manipulators/ladder_loader.h"
+
+#include <exception>
+#include <utility>
+
+#include "geometry/planar/planar.h"
+#include "geometry/shape/bounds.h"
+#include "kernel/ladder.h"
+
+namespace blossom::minkowski {
+namespace {
+
+constexpr std::size_t workOfSomeSeconds = 400'000'000;  // see effort.h
+constexpr double chordOfSize = 5e-4;
+
+std::vector<std::vector<Vec3>> linesOf(const std::vector<Region>& shapes, const Progress& progress) {
+  std::vector<std::vector<Vec3>> lines;
+  for (const Region& shape : shapes) {
+    progress.check();
+    const double size = bounds(Shape(shape)).diagonal();
+    if (!(size > 0)) continue;
+    for (const Path& loop : shape.loops) {
+      std::vector<Vec3>& line = lines.emplace_back();
+      for (const Vec2& p : flatten(loop, chordOfSize * size)) line.emplace_back(p.x(), p.y(), 0);
+      line.push_back(line.front());
+    }
+  }
+  return lines;
+}
+
+/// Without the ends, which are drawn anyway.
+LadderLines linesOf(const LadderQuestion& question, const Progress& progress) {
+  const LadderResult result =
+      ladder(question.shapes, question.t, {.tolerance = question.tolerance, .maximumWork = workOfSomeSeconds}, progress);
+  LadderLines lines;
+  lines.complete = result.complete;
+  for (std::size_t r = 1; r < result.levels.size() && r + 1 < question.shapes.size(); ++r)
+    lines.levels.push_back(linesOf(result.levels[r], progress));
+  return lines;
+}
+
+}  // namespace
+
+LadderLoader::LadderLoader(Arrived arrived) : arrived_(std::move(arrived)) {}
+
+LadderLoader::~LadderLoader() { token_.cancel(); }
+
+void LadderLoader::ask(std::optional<LadderQuestion> question) {
+  if (question == asked_) return;
+  asked_ = std::move(question);
+  waiting_ = asked_.has_value();
+  if (!asked_) token_.cancel();
+  if (waiting_ && !running_) start();
+}
+
+void LadderLoader::start() {
+  waiting_ = false;
+  running_ = true;
+  token_ = {};
+  thread_.start([this, question = *asked_, token = token_] { compute(question, token); });
+}
+
+void LadderLoader::compute(const LadderQuestion& question, const CancelToken& token) {
+  std::shared_ptr<const LadderLines> lines;
+  try {
+    lines = std::make_shared<const LadderLines>(linesOf(question, Progress(token)));
+  } catch (const std::exception&) {
+    lines = nullptr;  // the morph itself says what is wrong with it
+  }
+  here_.post([this, token, lines = std::move(lines)] { finished(lines, token); });
+}
+
+void LadderLoader::finished(std::shared_ptr<const LadderLines> lines, const CancelToken& token) {
+  running_ = false;
+  if (waiting_) start();
+  const Arrived arrived = arrived_;  // who is told may end the loader
+  if (!token.cancelled()) arrived(std::move(lines));
+}
+
+}  // namespace blossom::minkowski

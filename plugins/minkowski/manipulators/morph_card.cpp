@@ -1,0 +1,45 @@
+#include "manipulators/morph_card.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace blossom::minkowski {
+
+MorphCard::MorphCard(QWidget* view)
+    : FloatingPanel(view, Place::UpperLeft),
+      figures_(new QLabel),
+      note_(new QLabel),
+      ladder_(textButton(tr("Ladder"), tr("Draw the shapes between the control shapes and this one (L)"))) {
+  setAccessibleName(tr("Morph"));
+  ladder_->setObjectName(QStringLiteral("ladder"));
+  ladder_->setAccessibleName(ladder_->text());
+  ladder_->setCheckable(true);
+  figures_->setObjectName(QStringLiteral("morphFigures"));
+  note_->setObjectName(QStringLiteral("note"));
+  for (QLabel* label : {figures_, note_}) label->hide();
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  row->addWidget(ladder_);
+  row->addWidget(figures_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 8, 10, 8);
+  column->setSpacing(4);
+  column->addLayout(row);
+  column->addWidget(note_);
+  connect(ladder_, &QToolButton::clicked, this, &MorphCard::ladderWanted);
+}
+
+void MorphCard::tell(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+  if (label->isHidden() != text.isEmpty()) label->setHidden(text.isEmpty());
+}
+
+void MorphCard::setFigures(const QString& text) { tell(figures_, text); }
+
+void MorphCard::setLadder(bool on) { ladder_->setChecked(on); }
+
+void MorphCard::setNote(const QString& text) { tell(note_, text); }
+
+}  // namespace blossom::minkowski

@@ -1,0 +1,122 @@
+// The card of the morph tool, and the ladder that it switches.
+#include <vtkProp.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "core/error.h"
+#include "feature/registry.h"
+#include "geometry/measure/measure.h"
+#include "geometry/planar/planar.h"
+#include "geometry/shape/sequence.h"
+#include "manipulators/morph_card.h"
+#include "manipulators/morph_ladder.h"
+#include "manipulators/morph_tool.h"
+#include "ui/look/text.h"
+
+namespace blossom::minkowski {
+
+void MorphTool::makeCard() {
+  QWidget* const view = host().viewWidget();
+  if (!view) return;
+  card_ = new MorphCard(view);
+  connect(card_, &MorphCard::ladderWanted, this, &MorphTool::setLadder);
+  card_->show();
+}
+
+void MorphTool::setLadder(bool on) {
+  habits_.ladder = on;
+  refreshCard();
+  emit changed();
+}
+
+void MorphTool::documentChanged() {
+  HandleTool::documentChanged();
+  refreshCard();
+}
+
+/// Control shapes that are sequences are seen as they are in the frame of the timeline.
+void MorphTool::frameMoved() {
+  if (moving_)
+    documentChanged();
+  else
+    refreshCard();
+}
+
+/// Of a sequence the frame that the timeline shows.
+const Shape& MorphTool::shapeSeen(const Shape& shape) const {
+  const Sequence* sequence = shape.get<Sequence>();
+  if (!sequence || sequence->frames.empty()) return shape;
+  const int count = static_cast<int>(sequence->frames.size());
+  return sequence->frames[static_cast<std::size_t>(std::clamp(host().shownFrame(count), 0, count - 1))];
+}
+
+/// The t of the frame that is seen when the morph makes frames itself; in a sequence that comes from its control shapes all
+/// frames have the same.
+std::optional<double> MorphTool::timeSeen(const Value& parameters) const {
+  const auto result = host().result(feature());
+  const Sequence* sequence = result && !result->error ? result->evaluated.shape.get<Sequence>() : nullptr;
+  if (!sequence || parameters.at("frames").get<int>() == 0 || sequence->times.empty()) return std::nullopt;
+  const int count = static_cast<int>(sequence->times.size());
+  return sequence->times[static_cast<std::size_t>(std::clamp(host().shownFrame(count), 0, count - 1))];
+}
+
+/// The area is computed once for each shape that is seen, however often the mouse moves.
+QString MorphTool::figures(const Region* seen) {
+  if (!seen) return {};
+  const auto result = host().result(feature());
+  if (measured_ != result || measuredRegion_ != seen) area_ = area(*seen);
+  measured_ = result;
+  measuredRegion_ = seen;
+  QStringList numbers;
+  const bool same = std::adjacent_find(levels_.begin(), levels_.end(), std::not_equal_to<>()) == levels_.end();
+  for (const double t : levels_) numbers << QString::number(t, 'g', 4);
+  if (same && !numbers.isEmpty()) numbers = QStringList(numbers.front());
+  return tr("t %1 · area %2")
+      .arg(numbers.join(QStringLiteral(", ")), ui::readable(Measure{"area", area_, MeasureUnit::Area}));
+}
+
+QString MorphTool::ladderNote(const Value& parameters) const {
+  if (!habits_.ladder) return {};
+  if (!hasLadder(parameters)) return tr("A morph with knots has no ladder.");
+  if (controls_.size() < 3) return tr("Three control shapes or more have a ladder.");
+  return ladder_ && !ladder_->complete ? tr("Some of the ladder takes too long to be drawn.") : QString();
+}
+
+void MorphTool::refreshCard() {
+  if (!host().document().contains(feature())) return;
+  const Feature& morph = host().document().at(feature());
+  Value parameters;
+  try {
+    parameters = completed(host().registry().at(morph.type)->parameters, morph.parameters);
+  } catch (const Error&) {
+    return;  // the feature tells what is wrong
+  }
+  levels_ = levelsSeen(parameters, controls_.size(), timeSeen(parameters));
+  askLadder(parameters);
+  if (!card_) return;
+  const auto result = host().result(feature());
+  card_->setFigures(figures(result && !result->error ? shapeSeen(result->evaluated.shape).get<Region>() : nullptr));
+  card_->setLadder(habits_.ladder);
+  card_->setNote(ladderNote(parameters));
+}
+
+void MorphTool::askLadder(const Value& parameters) {
+  const bool possible = controls_.size() > 2 && levels_.size() + 1 == controls_.size() && hasLadder(parameters);
+  if (!habits_.ladder || !possible) {
+    ladder_.reset();
+    return loader_.ask(std::nullopt);
+  }
+  LadderQuestion question;
+  question.t = levels_;
+  if (const Value& given = parameters.at("tolerance"); given.is_number()) question.tolerance = given.get<double>();
+  try {
+    for (std::size_t i = 0; i < controls_.size(); ++i)
+      question.shapes.push_back(placed(controls_[i].region, placements_[i]));
+  } catch (const Error&) {
+    return loader_.ask(std::nullopt);
+  }
+  loader_.ask(std::move(question));
+}
+
+}  // namespace blossom::minkowski

@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include "minkowski/kernel/curves/curved_sum.h"
+#include "minkowski/kernel/flattening.h"
+#include "minkowski/kernel/morph.h"
+#include "minkowski/kernel/repetition.h"
+#include "support/curved_regions.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::minkowski;
+
+/// What is kept of pairs of shapes changes no sum of their multiples.
+class MinkowskiKeptTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void sumsOfMultiplesOfKeptShapes();
+  void framesTogetherAreThoseAlone();
+};
+
+namespace {
+
+Region anyCurved(Random& random, double reach) {
+  return uniformInt(random, 0, 2) == 0 ? freeRegion(random, reach) : anyRounded(random, reach);
+}
+
+void compareRegions(const Region& kept, const Region& plain, double size) {
+  QCOMPARE(kept.loops.size(), plain.loops.size());
+  QVERIFY(std::abs(area(kept) - area(plain)) < 1e-9 * size * size);
+  for (std::size_t i = 0; i < kept.loops.size(); ++i) {
+    QCOMPARE(kept.loops[i].segments.size(), plain.loops[i].segments.size());
+    for (std::size_t k = 0; k < kept.loops[i].segments.size(); ++k)
+      QVERIFY((startPoint(kept.loops[i].segments[k]) - startPoint(plain.loops[i].segments[k])).norm() < 1e-7 * size);
+  }
+}
+
+}  // namespace
+
+void MinkowskiKeptTest::sumsOfMultiplesOfKeptShapes() {
+  Random random = seededRandom();
+  Effort unlimited;
+  for (int round = 0; round < 60; ++round) {
+    SoundRegion a = soundRegion(anyCurved(random, 10), {}, "a"), b = soundRegion(anyCurved(random, 10), {}, "b");
+    Adder add;
+    add.keep(a), add.keep(b);
+    for (int k = 0; k < 4; ++k) {
+      const double s = std::pow(10, uniform(random, -4, 0.5)), t = std::pow(10, uniform(random, -4, 0.5));
+      const SoundRegion kept = add(scaled(a, s), scaled(b, t), Progress::none());
+      const SoundRegion plain = sum(scaled(a, s), scaled(b, t), Progress::none(), unlimited);
+      compareRegions(kept.region, plain.region, 10 * (s + t));
+      QVERIFY(std::abs(kept.tolerance - plain.tolerance) < 1e-15);
+    }
+    QCOMPARE(add.count(), std::size_t(4));
+  }
+}
+
+void MinkowskiKeptTest::framesTogetherAreThoseAlone() {
+  Random random = seededRandom();
+  for (int round = 0; round < 8; ++round) {
+    const int degree = uniformInt(random, 1, 3);
+    std::vector<Region> shapes;
+    for (int i = 0; i <= degree; ++i) shapes.push_back(anyCurved(random, 10));
+    std::vector<std::vector<double>> times;
+    for (const double t : {0.0, 0.2, 0.55, 0.9, 1.0}) times.push_back(diagonal(static_cast<std::size_t>(degree), t));
+    const MorphOptions coarse{.evaluation = EvaluationOrder::Explicit, .tolerance = 0.05};
+    const MorphResult together = morph(shapes, times, coarse);
+    for (std::size_t k = 0; k < times.size(); ++k)
+      compareRegions(together.regions[k], morph(shapes, std::span(times).subspan(k, 1), coarse).regions.front(), 10);
+  }
+}
+
+BLOSSOM_TEST(MinkowskiKeptTest)
+#include "minkowski_kept_test.moc"

@@ -105,6 +105,7 @@ std::size_t renderContactSheet(const Sequence& sequence, const std::filesystem::
   const Sequence shown = chosenFrames(sequence, count);
   const SequenceView view = viewOf(shown, cell, progress.part(0.15, 0.3));
   Image sheet = drawCells(shown, plan, cell, view, options, progress.part(0.3, 0.95));
+  progress.report(0.95);
   finishImage(sheet, options, rangeOfBound(options.display, view.curvatureBound));
   const std::vector<std::size_t> frames = spreadFrames(sequence.frames.size(), count);
   for (std::size_t k = 0; k < count; ++k) writeTime(sheet, plan, k, frameLabel(sequence, frames[k]), lookOf(options));

@@ -83,8 +83,8 @@ double roomFor(const std::vector<Vec2>& gauges, const GridPolygon& polygon, cons
   return room;
 }
 
-constexpr double margin = 1e-5;                           // far more than rounding
-constexpr std::int64_t smallest = std::int64_t{1} << 24;  // grid units across, for the margin to be many of them
+constexpr double margin = 1e-5;                             // far more than rounding
+constexpr std::int64_t leastWidth = std::int64_t{1} << 24;  // grid units across, for the margin to be many of them
 
 /// In the interior of one part.
 GridLoop coreOf(const GridPolygon& polygon) {
@@ -151,7 +151,7 @@ std::optional<ConvexCore> coreOfSum(std::span<const GridPolygon> a, std::span<co
   for (const GridPoint& p : ofA)
     for (const GridPoint& q : ofB) sums.push_back(p + q);
   GridLoop corners = farthestPoints(sums);
-  if (corners.size() < 3 || widthOf(corners) < smallest) return std::nullopt;
+  if (corners.size() < 3 || widthOf(corners) < leastWidth) return std::nullopt;
   const std::vector<Vec2> gauges = gaugesOf(corners, meanOf(corners));
   if (gauges.empty()) return std::nullopt;
   return ConvexCore(std::move(corners));

@@ -179,8 +179,8 @@ class FarthestPoint {
   /// To the highest place near by.
   void climb() {
     if (!best_.near) return;
-    const double smallest = 1e-7 * best_.step;
-    while (best_.step > smallest) {
+    const double shortest = 1e-7 * best_.step;
+    while (best_.step > shortest) {
       const Place before = best_;
       for (int k = 0; k < 8; ++k) {
         const Vec2 place = nearestOf(hull_, before.at + before.step * unitAt(k * fullTurn / 8));

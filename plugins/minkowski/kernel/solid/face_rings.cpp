@@ -1,4 +1,5 @@
 #include "kernel/solid/face_rings.h"
+#include "kernel/solid/index.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,8 +14,6 @@
 
 namespace blossom::minkowski {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<Vec3> areasOf(std::span<const FaceSide> sides, std::span<const Vec3> points) {
   std::vector<Vec3> areas;

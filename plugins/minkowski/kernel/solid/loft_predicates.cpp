@@ -1,4 +1,5 @@
 #include "kernel/solid/loft_predicates.h"
+#include "kernel/solid/index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,6 @@ std::int64_t floorOf(Wide512 over, Wide512 under) {
 }
 
 double ratio(const Wide512& over, const Wide512& under) { return over.convert_to<double>() / under.convert_to<double>(); }
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

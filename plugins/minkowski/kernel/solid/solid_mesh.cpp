@@ -10,11 +10,10 @@
 #include "geometry/numeric/point_merge.h"
 #include "geometry/planar/area_triangulation.h"
 #include "kernel/solid/face_rings.h"
+#include "kernel/solid/index.h"
 
 namespace blossom::minkowski {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Space without the coordinate in which a plane is steepest, turned so that `normal` looks at the reader.
 class Flat {

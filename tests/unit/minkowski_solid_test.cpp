@@ -1,7 +1,9 @@
 // The solid between two regions: its sections are their morphs, decided by the planar kernel, and its surface closes.
+#include <BRepCheck_Analyzer.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/measure/measure.h"
 #include "geometry/mesh/mesh_crossing.h"
@@ -57,15 +59,16 @@ double morphArea(const Polygons& a, const Polygons& b, double t) {
 /// Area of the section of closed triangles, by Green's formula over the pieces that they leave in the plane.
 double sectionArea(const Mesh& triangles, double z) {
   double sum = 0;
-  const Vec2 near = triangles.points.front().head<2>();  // so that places far away cost no digits
+  std::optional<Vec2> near;  // so that places far away cost no digits
   for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
     const std::vector<Vec3> corners = facePoints(triangles, f);
     Vec2 up = Vec2::Zero(), down = Vec2::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &from = corners[k], &to = corners[(k + 1) % 3];
       if ((from.z() > z) == (to.z() > z)) continue;
-      const Vec2 at = (from + (z - from.z()) / (to.z() - from.z()) * (to - from)).head<2>() - near;
-      (to.z() > z ? up : down) = at;
+      const Vec2 at = (from + (z - from.z()) / (to.z() - from.z()) * (to - from)).head<2>();
+      if (!near) near = at;
+      (to.z() > z ? up : down) = at - *near;
     }
     sum += cross(down, up) / 2;
   }
@@ -83,6 +86,7 @@ void checkLoft(const Region& lower, const Region& upper, LoftResult* kept = null
   const LoftResult result = loft(lower, upper, {.height = height});
   QVERIFY(meshTopology(result.mesh).closed());
   QVERIFY(!firstCrossing(result.mesh, Progress::none()));
+  QVERIFY(BRepCheck_Analyzer(loftBrep(result.mesh).shape()).IsValid());
   const Mesh triangles = triangulated(result.mesh).first;
   const double size = std::max(boxOf(a).sizes().maxCoeff(), boxOf(b).sizes().maxCoeff());
   for (const double t : {0.01, 0.127, 0.25, 0.3301, 0.449, 0.5003, 0.617, 0.75, 0.883, 0.99})

@@ -45,7 +45,7 @@ Region together(const Region& a, const Region& b) {
 }
 
 /// A square frame about the origin.
-Region frame(double outer, double inner) {
+Region squareFrame(double outer, double inner) {
   return together(rectangleRegion({-outer, -outer}, {outer, outer}),
                   polygonRegion({{-inner, -inner}, {-inner, inner}, {inner, inner}, {inner, -inner}}));
 }
@@ -151,7 +151,7 @@ class MinkowskiSolidTest : public QObject {
   /// The hole of a frame with half-width 6 closes over a square of 4 where 6 (1 - t) = 4 t: a pyramid of height 0.6 h.
   void aHoleClosesWhereTheOtherFillsIt() {
     LoftResult result;
-    checkLoft(frame(10, 6), rectangleRegion({-4, -4}, {4, 4}), &result);
+    checkLoft(squareFrame(10, 6), rectangleRegion({-4, -4}, {4, 4}), &result);
     QCOMPARE(genus(result.mesh), 0);
     const double whole = height * (20 * 20 + 20 * 8 + 8 * 8) / 3, pyramid = 12 * 12 * 0.6 * height / 3;
     COMPARE_NEAR(volumeOf(result), whole - pyramid, 1e-8);
@@ -159,14 +159,14 @@ class MinkowskiSolidTest : public QObject {
     QCOMPARE(measured(solid, "faces"), 10.0);  // bottom and top, four sides, four of the pyramid
     COMPARE_NEAR(measured(solid, "volume"), whole - pyramid, 1e-7);
     // A hole that closes along a ridge, and the same upside down.
-    checkLoft(frame(10, 6), rectangleRegion({-4, -1}, {4, 1}));
-    checkLoft(rectangleRegion({-4, -1}, {4, 1}), frame(10, 6));
+    checkLoft(squareFrame(10, 6), rectangleRegion({-4, -1}, {4, 1}));
+    checkLoft(rectangleRegion({-4, -1}, {4, 1}), squareFrame(10, 6));
   }
   void holesAtBothEndsCloseApart() {
     LoftResult result;
-    checkLoft(frame(10, 6), frame(10, 6), &result);
+    checkLoft(squareFrame(10, 6), squareFrame(10, 6), &result);
     QCOMPARE(genus(result.mesh), 0);
-    checkLoft(together(frame(10, 6), rectangleRegion({20, -1}, {22, 1})), frame(8, 3));
+    checkLoft(together(squareFrame(10, 6), rectangleRegion({20, -1}, {22, 1})), squareFrame(8, 3));
   }
   /// The hole is as large as the other shape.
   void aTightHoleClosesHalfway() {
@@ -212,7 +212,7 @@ class MinkowskiSolidTest : public QObject {
   }
 
   void theEndsAreTheShapes() {
-    const LoftResult result = loft(frame(10, 6), starOf(5, 20, 8), {.height = 3});
+    const LoftResult result = loft(squareFrame(10, 6), starOf(5, 20, 8), {.height = 3});
     const Mesh triangles = triangulated(result.mesh).first;
     double bottom = 0, top = 0;
     for (std::size_t f = 0; f < triangles.faceCount(); ++f) {

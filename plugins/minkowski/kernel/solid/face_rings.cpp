@@ -221,4 +221,25 @@ void dropStraightCorners(std::vector<RingsOfFace>& faces, std::span<const Vec3> 
     for (CornerRing& ring : face.rings) std::erase_if(ring, [&](int v) { return dropped[slotOf(v)]; });
 }
 
+void dropBackToBack(std::vector<RingsOfFace>& faces) {
+  const auto fromLowest = [](CornerRing ring) {
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    return ring;
+  };
+  std::map<CornerRing, std::vector<CornerRing*>> places;
+  for (RingsOfFace& face : faces)
+    for (CornerRing& ring : face.rings) {
+      if (ring.empty()) continue;
+      const auto back = places.find(fromLowest({ring.rbegin(), ring.rend()}));
+      if (back == places.end() || back->second.empty()) {
+        places[fromLowest(ring)].push_back(&ring);
+        continue;
+      }
+      back->second.back()->clear();
+      back->second.pop_back();
+      ring.clear();
+    }
+  for (RingsOfFace& face : faces) std::erase_if(face.rings, [](const CornerRing& ring) { return ring.empty(); });
+}
+
 }  // namespace blossom::minkowski

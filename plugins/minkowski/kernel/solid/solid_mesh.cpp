@@ -186,6 +186,8 @@ Mesh meshOfSides(std::span<const LoftSide> sides, const LoftPlacement& placement
   joinFlat(ofFaces, mesh.points, tolerance, progress);
   std::vector<RingsOfFace> rings = ringsOf(ofFaces, mesh.points, progress);
   dropStraightCorners(rings, mesh.points, tolerance);
+  dropBackToBack(rings);
+  dropStraightCorners(rings, mesh.points, tolerance);  // those that kept slivers from being left out
   FaceMaker maker(mesh, progress);
   for (const RingsOfFace& face : rings) {
     progress.check();

@@ -53,6 +53,18 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(sums(few), 4);
   }
 
+  /// h (|A| + V(A, B) + |B|) / 3 of squares of 4 and 2 is 10 (16 + 8 + 4) / 3.
+  void solidsBetweenOutlines() {
+    const Answer box = blossom({"morph-solid", "rectangle:4:4", "rectangle:4:4", "--height", "10", "-o", "box.step"});
+    QCOMPARE(box.code, 0);
+    COMPARE_NEAR(box.result("volume"), 160, 1e-9);
+    QCOMPARE(box.result("faces"), 6.0);
+    const Answer frustum = blossom({"morph-solid", "rectangle:4:4", "rectangle:2:2", "--height", "10", "-o", "frustum.stl"});
+    COMPARE_NEAR(frustum.result("volume"), 10 * 28 / 3.0, 1e-9);
+    QVERIFY(blossom({"morph-solid", "rectangle:4:4", "rectangle:2:2", "circle:1"}).code != 0);
+    QVERIFY(blossom({"morph-solid", "rectangle:4:4", "rectangle:2:2", "--height", "0"}).code != 0);
+  }
+
   /// The ends are the control shapes, with their arcs: not polygons of them.
   void theMorphStartsAtTheFirstAndEndsAtTheLast() {
     QCOMPARE(blossom({"slot", "--length", "40", "--width", "12", "-o", "slot.dxf"}).code, 0);

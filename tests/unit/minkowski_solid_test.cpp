@@ -1,7 +1,9 @@
 // The solid between two regions: its sections are their morphs, decided by the planar kernel, and its surface closes.
+#include <BRepCheck_Analyzer.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/measure/measure.h"
 #include "geometry/mesh/mesh_crossing.h"
@@ -43,7 +45,7 @@ Region together(const Region& a, const Region& b) {
 }
 
 /// A square frame about the origin.
-Region frame(double outer, double inner) {
+Region squareFrame(double outer, double inner) {
   return together(rectangleRegion({-outer, -outer}, {outer, outer}),
                   polygonRegion({{-inner, -inner}, {-inner, inner}, {inner, inner}, {inner, -inner}}));
 }
@@ -57,15 +59,16 @@ double morphArea(const Polygons& a, const Polygons& b, double t) {
 /// Area of the section of closed triangles, by Green's formula over the pieces that they leave in the plane.
 double sectionArea(const Mesh& triangles, double z) {
   double sum = 0;
-  const Vec2 near = triangles.points.front().head<2>();  // so that places far away cost no digits
+  std::optional<Vec2> near;  // so that places far away cost no digits
   for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
     const std::vector<Vec3> corners = facePoints(triangles, f);
     Vec2 up = Vec2::Zero(), down = Vec2::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &from = corners[k], &to = corners[(k + 1) % 3];
       if ((from.z() > z) == (to.z() > z)) continue;
-      const Vec2 at = (from + (z - from.z()) / (to.z() - from.z()) * (to - from)).head<2>() - near;
-      (to.z() > z ? up : down) = at;
+      const Vec2 at = (from + (z - from.z()) / (to.z() - from.z()) * (to - from)).head<2>();
+      if (!near) near = at;
+      (to.z() > z ? up : down) = at - *near;
     }
     sum += cross(down, up) / 2;
   }
@@ -83,6 +86,7 @@ void checkLoft(const Region& lower, const Region& upper, LoftResult* kept = null
   const LoftResult result = loft(lower, upper, {.height = height});
   QVERIFY(meshTopology(result.mesh).closed());
   QVERIFY(!firstCrossing(result.mesh, Progress::none()));
+  QVERIFY(BRepCheck_Analyzer(loftBrep(result.mesh).shape()).IsValid());
   const Mesh triangles = triangulated(result.mesh).first;
   const double size = std::max(boxOf(a).sizes().maxCoeff(), boxOf(b).sizes().maxCoeff());
   for (const double t : {0.01, 0.127, 0.25, 0.3301, 0.449, 0.5003, 0.617, 0.75, 0.883, 0.99})
@@ -147,7 +151,7 @@ class MinkowskiSolidTest : public QObject {
   /// The hole of a frame with half-width 6 closes over a square of 4 where 6 (1 - t) = 4 t: a pyramid of height 0.6 h.
   void aHoleClosesWhereTheOtherFillsIt() {
     LoftResult result;
-    checkLoft(frame(10, 6), rectangleRegion({-4, -4}, {4, 4}), &result);
+    checkLoft(squareFrame(10, 6), rectangleRegion({-4, -4}, {4, 4}), &result);
     QCOMPARE(genus(result.mesh), 0);
     const double whole = height * (20 * 20 + 20 * 8 + 8 * 8) / 3, pyramid = 12 * 12 * 0.6 * height / 3;
     COMPARE_NEAR(volumeOf(result), whole - pyramid, 1e-8);
@@ -155,14 +159,14 @@ class MinkowskiSolidTest : public QObject {
     QCOMPARE(measured(solid, "faces"), 10.0);  // bottom and top, four sides, four of the pyramid
     COMPARE_NEAR(measured(solid, "volume"), whole - pyramid, 1e-7);
     // A hole that closes along a ridge, and the same upside down.
-    checkLoft(frame(10, 6), rectangleRegion({-4, -1}, {4, 1}));
-    checkLoft(rectangleRegion({-4, -1}, {4, 1}), frame(10, 6));
+    checkLoft(squareFrame(10, 6), rectangleRegion({-4, -1}, {4, 1}));
+    checkLoft(rectangleRegion({-4, -1}, {4, 1}), squareFrame(10, 6));
   }
   void holesAtBothEndsCloseApart() {
     LoftResult result;
-    checkLoft(frame(10, 6), frame(10, 6), &result);
+    checkLoft(squareFrame(10, 6), squareFrame(10, 6), &result);
     QCOMPARE(genus(result.mesh), 0);
-    checkLoft(together(frame(10, 6), rectangleRegion({20, -1}, {22, 1})), frame(8, 3));
+    checkLoft(together(squareFrame(10, 6), rectangleRegion({20, -1}, {22, 1})), squareFrame(8, 3));
   }
   /// The hole is as large as the other shape.
   void aTightHoleClosesHalfway() {
@@ -208,7 +212,7 @@ class MinkowskiSolidTest : public QObject {
   }
 
   void theEndsAreTheShapes() {
-    const LoftResult result = loft(frame(10, 6), starOf(5, 20, 8), {.height = 3});
+    const LoftResult result = loft(squareFrame(10, 6), starOf(5, 20, 8), {.height = 3});
     const Mesh triangles = triangulated(result.mesh).first;
     double bottom = 0, top = 0;
     for (std::size_t f = 0; f < triangles.faceCount(); ++f) {

@@ -1,5 +1,4 @@
 #include "kernel/solid/face_rings.h"
-#include "kernel/solid/index.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,17 +14,19 @@
 namespace blossom::minkowski {
 namespace {
 
+std::size_t slotOf(int index) { return static_cast<std::size_t>(index); }
+
 std::vector<Vec3> areasOf(std::span<const FaceSide> sides, std::span<const Vec3> points) {
   std::vector<Vec3> areas;
   std::vector<int> seen;  // a corner of each face, so that places far away cost no digits
   for (const FaceSide& side : sides) {
-    if (areas.size() <= at(side.face)) {
-      areas.resize(at(side.face) + 1, Vec3::Zero());
-      seen.resize(at(side.face) + 1, -1);
+    if (areas.size() <= slotOf(side.face)) {
+      areas.resize(slotOf(side.face) + 1, Vec3::Zero());
+      seen.resize(slotOf(side.face) + 1, -1);
     }
-    if (seen[at(side.face)] < 0) seen[at(side.face)] = side.from;
-    const Vec3& origin = points[at(seen[at(side.face)])];
-    areas[at(side.face)] += (points[at(side.from)] - origin).cross(points[at(side.to)] - origin) / 2;
+    if (seen[slotOf(side.face)] < 0) seen[slotOf(side.face)] = side.from;
+    const Vec3& origin = points[slotOf(seen[slotOf(side.face)])];
+    areas[slotOf(side.face)] += (points[slotOf(side.from)] - origin).cross(points[slotOf(side.to)] - origin) / 2;
   }
   return areas;
 }
@@ -37,20 +38,20 @@ struct FaceNeighbourhood {
   FaceNeighbourhood(std::span<const FaceSide> sides, std::size_t count) : faces(count), corners(count) {
     std::map<std::pair<int, int>, std::vector<int>> facesOfEdge;
     for (const FaceSide& side : sides) {
-      corners[at(side.face)].insert(side.from);
+      corners[slotOf(side.face)].insert(side.from);
       facesOfEdge[std::minmax({side.from, side.to})].push_back(side.face);
     }
     for (const auto& [edge, all] : facesOfEdge)
       for (const int a : all)
         for (const int b : all)
-          if (a != b) faces[at(a)].insert(b);
+          if (a != b) faces[slotOf(a)].insert(b);
   }
 };
 
 /// The largest distance of corners of a face from each other, roughly.
-double reachOf(const std::set<int>& corners, std::span<const Vec3> points) {
+double extentOfCorners(const std::set<int>& corners, std::span<const Vec3> points) {
   double reach = 0;
-  for (const int v : corners) reach = std::max(reach, (points[at(v)] - points[at(*corners.begin())]).norm());
+  for (const int v : corners) reach = std::max(reach, (points[slotOf(v)] - points[slotOf(*corners.begin())]).norm());
   return reach;
 }
 
@@ -75,31 +76,33 @@ void joinFlat(std::vector<FaceSide>& sides, std::span<const Vec3> points, double
   const FaceNeighbourhood around(sides, areas.size());
   std::vector<int> order(areas.size()), part(areas.size(), -1);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return areas[at(a)].norm() > areas[at(b)].norm(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return areas[slotOf(a)].norm() > areas[slotOf(b)].norm(); });
   for (const int seed : order) {
-    if (part[at(seed)] >= 0 || around.corners[at(seed)].empty()) continue;
+    if (part[slotOf(seed)] >= 0 || around.corners[slotOf(seed)].empty()) continue;
     progress.check();
-    part[at(seed)] = seed;
-    const Vec3 normal = areas[at(seed)].normalized(), origin = points[at(*around.corners[at(seed)].begin())];
+    part[slotOf(seed)] = seed;
+    const Vec3 normal = areas[slotOf(seed)].normalized(), origin = points[slotOf(*around.corners[slotOf(seed)].begin())];
     const auto fits = [&](int face) {
-      const std::set<int>& corners = around.corners[at(face)];
+      const std::set<int>& corners = around.corners[slotOf(face)];
       if (std::any_of(corners.begin(), corners.end(),
-                      [&](int v) { return std::abs((points[at(v)] - origin).dot(normal)) > tolerance; }))
+                      [&](int v) { return std::abs((points[slotOf(v)] - origin).dot(normal)) > tolerance; }))
         return false;
       // The normal of a sliver is chance.
-      return areas[at(face)].dot(normal) > 0 || areas[at(face)].norm() <= tolerance * reachOf(corners, points);
+      return areas[slotOf(face)].dot(normal) > 0 ||
+             areas[slotOf(face)].norm() <= tolerance * extentOfCorners(corners, points);
     };
     for (std::vector<int> open{seed}; !open.empty();) {
       const int face = open.back();
       open.pop_back();
-      for (const int next : around.faces[at(face)])
-        if (part[at(next)] < 0 && fits(next)) {
-          part[at(next)] = seed;
+      for (const int next : around.faces[slotOf(face)])
+        if (part[slotOf(next)] < 0 && fits(next)) {
+          part[slotOf(next)] = seed;
           open.push_back(next);
         }
     }
   }
-  for (FaceSide& side : sides) side.face = part[at(side.face)];
+  for (FaceSide& side : sides) side.face = part[slotOf(side.face)];
   sides = withoutPairs(std::move(sides));
 }
 
@@ -142,7 +145,7 @@ class RingTracer {
 
  private:
   double angle(int from, int to) const {
-    const Vec3 along = points_[at(to)] - points_[at(from)];
+    const Vec3 along = points_[slotOf(to)] - points_[slotOf(from)];
     return std::atan2(along.dot(y_), along.dot(x_));
   }
   /// The next corner: of several the first clockwise from where we come from, so that the face's inside stays whole.
@@ -184,7 +187,7 @@ std::vector<RingsOfFace> ringsOf(std::span<const FaceSide> given, std::span<cons
   for (auto first = sides.begin(); first != sides.end();) {
     progress.check();
     const auto last = std::find_if(first, sides.end(), [&](const FaceSide& side) { return side.face != first->face; });
-    const Vec3& normal = areas[at(first->face)];
+    const Vec3& normal = areas[slotOf(first->face)];
     faces.push_back({normal, RingTracer({first, last}, points, normal).rings()});
     first = last;
   }
@@ -197,25 +200,46 @@ void dropStraightCorners(std::vector<RingsOfFace>& faces, std::span<const Vec3> 
     for (const CornerRing& ring : face.rings)
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const int a = ring[k], b = ring[(k + 1) % ring.size()];
-        neighbours[at(a)].insert(b);
-        neighbours[at(b)].insert(a);
+        neighbours[slotOf(a)].insert(b);
+        neighbours[slotOf(b)].insert(a);
       }
   const auto straight = [&](int v) {
-    if (neighbours[at(v)].size() != 2) return false;
-    const int a = *neighbours[at(v)].begin(), b = *neighbours[at(v)].rbegin();
-    if (neighbours[at(a)].contains(b)) return false;
-    const Vec3 in = points[at(v)] - points[at(a)], out = points[at(b)] - points[at(v)];
+    if (neighbours[slotOf(v)].size() != 2) return false;
+    const int a = *neighbours[slotOf(v)].begin(), b = *neighbours[slotOf(v)].rbegin();
+    if (neighbours[slotOf(a)].contains(b)) return false;
+    const Vec3 in = points[slotOf(v)] - points[slotOf(a)], out = points[slotOf(b)] - points[slotOf(v)];
     if (in.dot(out) <= 0 || in.cross(out).norm() > tolerance * (in + out).norm()) return false;
-    neighbours[at(a)].erase(v);
-    neighbours[at(b)].erase(v);
-    neighbours[at(a)].insert(b);
-    neighbours[at(b)].insert(a);
+    neighbours[slotOf(a)].erase(v);
+    neighbours[slotOf(b)].erase(v);
+    neighbours[slotOf(a)].insert(b);
+    neighbours[slotOf(b)].insert(a);
     return true;
   };
   std::vector<bool> dropped(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) dropped[v] = straight(static_cast<int>(v));
   for (RingsOfFace& face : faces)
-    for (CornerRing& ring : face.rings) std::erase_if(ring, [&](int v) { return dropped[at(v)]; });
+    for (CornerRing& ring : face.rings) std::erase_if(ring, [&](int v) { return dropped[slotOf(v)]; });
+}
+
+void dropBackToBack(std::vector<RingsOfFace>& faces) {
+  const auto fromLowest = [](CornerRing ring) {
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    return ring;
+  };
+  std::map<CornerRing, std::vector<CornerRing*>> places;
+  for (RingsOfFace& face : faces)
+    for (CornerRing& ring : face.rings) {
+      if (ring.empty()) continue;
+      const auto back = places.find(fromLowest({ring.rbegin(), ring.rend()}));
+      if (back == places.end() || back->second.empty()) {
+        places[fromLowest(ring)].push_back(&ring);
+        continue;
+      }
+      back->second.back()->clear();
+      back->second.pop_back();
+      ring.clear();
+    }
+  for (RingsOfFace& face : faces) std::erase_if(face.rings, [](const CornerRing& ring) { return ring.empty(); });
 }
 
 }  // namespace blossom::minkowski

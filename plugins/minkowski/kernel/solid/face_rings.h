@@ -30,5 +30,7 @@ void joinFlat(std::vector<FaceSide>&, std::span<const Vec3> points, double toler
 std::vector<RingsOfFace> ringsOf(std::span<const FaceSide>, std::span<const Vec3> points, const Progress&);
 /// Leaves out corners that lie between just two others, on the straight line through them.
 void dropStraightCorners(std::vector<RingsOfFace>&, std::span<const Vec3> points, double tolerance);
+/// Removes rings that run along one another in opposite directions: what they bound has no thickness.
+void dropBackToBack(std::vector<RingsOfFace>&);
 
 }  // namespace blossom::minkowski

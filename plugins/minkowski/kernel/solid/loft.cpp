@@ -23,7 +23,7 @@ namespace {
 constexpr double nearness = 1e-10;  // of the size, within which corners are one
 
 /// The sides of all faces, in the order of the facets whatever the number of cores.
-std::vector<LoftSide> sidesOf(const LoftScene& scene, const Effort& effort, const Progress& progress) {
+std::vector<LoftSide> sidesOfFaces(const LoftScene& scene, const Effort& effort, const Progress& progress) {
   const std::size_t count = scene.loft.facets.size();
   std::vector<std::vector<LoftSide>> ofFacet(count);
   std::atomic<double> work = 0;
@@ -57,7 +57,8 @@ LoftResult loft(const Polygons& a, const Polygons& b, double height, const Progr
   const auto neighbours = facetNeighbours(facets.facets, progress.part(0.05, 0.1));
   std::vector<LoftTime> levels;
   for (const LoftLevel& level : facets.levels) levels.push_back(timeOf(level));
-  const std::vector<LoftSide> sides = sidesOf({facets, predicates, neighbours, levels}, effort, progress.part(0.1, 0.95));
+  const std::vector<LoftSide> sides =
+      sidesOfFaces({facets, predicates, neighbours, levels}, effort, progress.part(0.1, 0.95));
   const double size = std::max({boxOf(a).sizes().maxCoeff(), boxOf(b).sizes().maxCoeff(), height});
   return {meshOfSides(sides, {operands.gridA, operands.gridB, height}, nearness * size, progress.part(0.95, 1)),
           facets.facets.size()};

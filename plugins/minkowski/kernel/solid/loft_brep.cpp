@@ -14,7 +14,7 @@
 namespace blossom::minkowski {
 namespace {
 
-TopoDS_Shape joined(const TopoDS_Shape& shape) {
+TopoDS_Shape withJoinedFaces(const TopoDS_Shape& shape) {
   try {
     ShapeUpgrade_UnifySameDomain unify(shape, Standard_False, Standard_True, Standard_False);
     unify.Build();
@@ -37,7 +37,7 @@ std::optional<double> volumeOf(const Brep& solid, const Progress& progress) {
 Brep loftBrep(const Mesh& mesh, const Progress& progress) {
   Brep apart(toShape(mesh));
   progress.check();
-  const TopoDS_Shape together = joined(toShape(mesh));  // of a shape of its own, for joining changes what is shared
+  const TopoDS_Shape together = withJoinedFaces(toShape(mesh));  // of a shape of its own, for joining changes what is shared
   if (together.IsNull()) return apart;
   Brep result(together);
   const double volume = signedVolume(triangulated(mesh, progress).first);

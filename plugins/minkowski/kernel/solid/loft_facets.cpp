@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t maximumFacets = 20'000;
 
-GridPoint sizeOf(const GridLoop& loop) {
+GridPoint extentOfLoop(const GridLoop& loop) {
   GridPoint low = loop.front(), high = loop.front();
   for (const GridPoint& p : loop) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -50,9 +50,9 @@ std::vector<LoopPair> loopPairs(std::span<const GridPolygon> a, std::span<const 
     for (const GridPolygon& partB : b) {
       pairs.push_back({&partA.outer, &partB.outer, bottom, top});
       for (const GridLoop& hole : partA.holes)
-        pairs.push_back({&hole, &partB.outer, bottom, endOfRoom(sizeOf(hole), sizeOf(partB.outer))});
+        pairs.push_back({&hole, &partB.outer, bottom, endOfRoom(extentOfLoop(hole), extentOfLoop(partB.outer))});
       for (const GridLoop& hole : partB.holes) {
-        const LoftLevel mirrored = endOfRoom(sizeOf(hole), sizeOf(partA.outer));
+        const LoftLevel mirrored = endOfRoom(extentOfLoop(hole), extentOfLoop(partA.outer));
         pairs.push_back({&partA.outer, &hole, {mirrored.second, mirrored.first}, top});
       }
     }

@@ -1,5 +1,4 @@
 #include "kernel/solid/loft_predicates.h"
-#include "kernel/solid/index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +6,13 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr double rounding = 1e-15;  // of a few operations, relative to the sizes of what is added
+constexpr double roundingOfSums = 1e-15;  // of a few operations, relative to the sizes of what is added
 
 Wide512 wide(Wide w) {
   return Wide512(static_cast<std::int64_t>(w >> 64)) * (Wide512(1) << 64) + static_cast<std::uint64_t>(w);
 }
 
-int sign(const Wide512& w) { return w.sign(); }
+int signOfWide(const Wide512& w) { return w.sign(); }
 
 /// The largest integer not above the fraction.
 std::int64_t floorOf(Wide512 over, Wide512 under) {
@@ -27,6 +26,8 @@ std::int64_t floorOf(Wide512 over, Wide512 under) {
 }
 
 double ratio(const Wide512& over, const Wide512& under) { return over.convert_to<double>() / under.convert_to<double>(); }
+
+std::size_t numberOf(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
@@ -48,8 +49,8 @@ LoftTime timeOf(double t) {
 }
 
 int compare(const LoftTime& a, const LoftTime& b) {
-  if (std::abs(a.t - b.t) > 8 * rounding) return a.t < b.t ? -1 : 1;
-  return sign(a.second * b.first - b.second * a.first);
+  if (std::abs(a.t - b.t) > 8 * roundingOfSums) return a.t < b.t ? -1 : 1;
+  return signOfWide(a.second * b.first - b.second * a.first);
 }
 
 LoftTime between(const LoftTime& a, const LoftTime& b) {
@@ -74,47 +75,48 @@ LoftPredicates::LoftPredicates(std::span<const LoftFacet> facets) : facets_(face
     rounded_.push_back(r);
     for (const double* of : {r.fromX, r.fromY, r.toX, r.toY}) reach = std::max({reach, std::abs(of[0]), std::abs(of[1])});
   }
-  for (Rounded& r : rounded_) r.bound = 16 * rounding * (std::abs(r.alongX) + std::abs(r.alongY)) * reach;
+  for (Rounded& r : rounded_) r.bound = 16 * roundingOfSums * (std::abs(r.alongX) + std::abs(r.alongY)) * reach;
 }
 
 int LoftPredicates::turn(int i, int j) const {
-  const Wide w = cross(facets_[at(i)].along, facets_[at(j)].along);
+  const Wide w = cross(facets_[numberOf(i)].along, facets_[numberOf(j)].along);
   return w > 0 ? 1 : w < 0 ? -1 : 0;
 }
 
 LoftRamp LoftPredicates::sideRamp(int i, int k, int end) const {
-  const Rounded &line = rounded_[at(i)], &f = rounded_[at(k)];
+  const Rounded &line = rounded_[numberOf(i)], &f = rounded_[numberOf(k)];
   LoftRamp ramp;
   for (const std::size_t t : {0, 1}) {
     const double x = end == 0 ? f.fromX[t] : f.toX[t], y = end == 0 ? f.fromY[t] : f.toY[t];
     ramp.at[t] = line.alongX * y - line.alongY * x - line.offset[t];
-    ramp.error[t] = rounding * (std::abs(line.alongX * y) + std::abs(line.alongY * x) + std::abs(line.offset[t]));
+    ramp.error[t] = roundingOfSums * (std::abs(line.alongX * y) + std::abs(line.alongY * x) + std::abs(line.offset[t]));
   }
   return ramp;
 }
 
 LoftPredicates::ExactRamp LoftPredicates::exactSide(int i, int k, int end) const {
-  const LoftFacet &line = facets_[at(i)], &f = facets_[at(k)];
+  const LoftFacet &line = facets_[numberOf(i)], &f = facets_[numberOf(k)];
   ExactRamp ramp;
   for (const std::size_t t : {0, 1}) ramp[t] = wide(cross(line.along, end == 0 ? f.from[t] : f.to[t]) - line.offset[t]);
   return ramp;
 }
 
 LoftRamp LoftPredicates::meetingRamp(int i, int j, int k) const {
-  const LoftFacet &a = facets_[at(i)], &b = facets_[at(j)], &c = facets_[at(k)];
+  const LoftFacet &a = facets_[numberOf(i)], &b = facets_[numberOf(j)], &c = facets_[numberOf(k)];
   const double bc = static_cast<double>(cross(b.along, c.along)), ca = static_cast<double>(cross(c.along, a.along)),
                ab = static_cast<double>(cross(a.along, b.along));
   LoftRamp ramp;
   for (const std::size_t t : {0, 1}) {
-    const double x = rounded_[at(i)].offset[t] * bc, y = rounded_[at(j)].offset[t] * ca, z = rounded_[at(k)].offset[t] * ab;
+    const double x = rounded_[numberOf(i)].offset[t] * bc, y = rounded_[numberOf(j)].offset[t] * ca,
+                 z = rounded_[numberOf(k)].offset[t] * ab;
     ramp.at[t] = -(x + y + z);
-    ramp.error[t] = rounding * (std::abs(x) + std::abs(y) + std::abs(z));
+    ramp.error[t] = roundingOfSums * (std::abs(x) + std::abs(y) + std::abs(z));
   }
   return ramp;
 }
 
 LoftPredicates::ExactRamp LoftPredicates::exactMeeting(int i, int j, int k) const {
-  const LoftFacet &a = facets_[at(i)], &b = facets_[at(j)], &c = facets_[at(k)];
+  const LoftFacet &a = facets_[numberOf(i)], &b = facets_[numberOf(j)], &c = facets_[numberOf(k)];
   const Wide512 bc = wide(cross(b.along, c.along)), ca = wide(cross(c.along, a.along)), ab = wide(cross(a.along, b.along));
   ExactRamp ramp;
   for (const std::size_t t : {0, 1}) ramp[t] = -(wide(a.offset[t]) * bc + wide(b.offset[t]) * ca + wide(c.offset[t]) * ab);
@@ -122,19 +124,19 @@ LoftPredicates::ExactRamp LoftPredicates::exactMeeting(int i, int j, int k) cons
 }
 
 LoftRamp LoftPredicates::distanceRamp(int i, int j) const {
-  const Rounded &a = rounded_[at(i)], &b = rounded_[at(j)];
+  const Rounded &a = rounded_[numberOf(i)], &b = rounded_[numberOf(j)];
   const bool flat = std::abs(a.alongX) > std::abs(a.alongY);
   const double ofA = flat ? a.alongX : a.alongY, ofB = flat ? b.alongX : b.alongY;
   LoftRamp ramp;
   for (const std::size_t t : {0, 1}) {
     ramp.at[t] = ofA * b.offset[t] - ofB * a.offset[t];
-    ramp.error[t] = rounding * (std::abs(ofA * b.offset[t]) + std::abs(ofB * a.offset[t]));
+    ramp.error[t] = roundingOfSums * (std::abs(ofA * b.offset[t]) + std::abs(ofB * a.offset[t]));
   }
   return ramp;
 }
 
 LoftPredicates::ExactRamp LoftPredicates::exactDistance(int i, int j) const {
-  const LoftFacet &a = facets_[at(i)], &b = facets_[at(j)];
+  const LoftFacet &a = facets_[numberOf(i)], &b = facets_[numberOf(j)];
   const bool flat = std::abs(a.along.x) > std::abs(a.along.y);
   const Wide512 ofA = flat ? a.along.x : a.along.y, ofB = flat ? b.along.x : b.along.y;
   ExactRamp ramp;
@@ -143,28 +145,28 @@ LoftPredicates::ExactRamp LoftPredicates::exactDistance(int i, int j) const {
 }
 
 int LoftPredicates::closeSide(int i, int k, int end, const LoftTime& time) const {
-  if (const int known = sideRamp(i, k, end).signAt(time.t, 4 * rounding)) return known;
+  if (const int known = sideRamp(i, k, end).signAt(time.t, 4 * roundingOfSums)) return known;
   const ExactRamp ramp = exactSide(i, k, end);
-  return sign(time.first * ramp[0] + time.second * ramp[1]);
+  return signOfWide(time.first * ramp[0] + time.second * ramp[1]);
 }
 
 int LoftPredicates::sideOfMeeting(int i, int j, int k, const LoftTime& time) const {
   const int turned = turn(i, j);
-  if (const int known = meetingRamp(i, j, k).signAt(time.t, 4 * rounding)) return known * turned;
+  if (const int known = meetingRamp(i, j, k).signAt(time.t, 4 * roundingOfSums)) return known * turned;
   const ExactRamp ramp = exactMeeting(i, j, k);
-  return sign(time.first * ramp[0] + time.second * ramp[1]) * turned;
+  return signOfWide(time.first * ramp[0] + time.second * ramp[1]) * turned;
 }
 
 int LoftPredicates::ahead(int i, int k, int endOfK, int m, int endOfM, const LoftTime& time) const {
-  const LoftFacet &line = facets_[at(i)], &f = facets_[at(k)], &g = facets_[at(m)];
+  const LoftFacet &line = facets_[numberOf(i)], &f = facets_[numberOf(k)], &g = facets_[numberOf(m)];
   ExactRamp ramp;
   for (const std::size_t t : {0, 1})
     ramp[t] = wide(dot(line.along, (endOfK == 0 ? f.from[t] : f.to[t]) - (endOfM == 0 ? g.from[t] : g.to[t])));
-  return sign(time.first * ramp[0] + time.second * ramp[1]);
+  return signOfWide(time.first * ramp[0] + time.second * ramp[1]);
 }
 
 Wide512 LoftPredicates::offsetAt(int i, const LoftTime& time) const {
-  return time.first * wide(facets_[at(i)].offset[0]) + time.second * wide(facets_[at(i)].offset[1]);
+  return time.first * wide(facets_[numberOf(i)].offset[0]) + time.second * wide(facets_[numberOf(i)].offset[1]);
 }
 
 namespace {
@@ -178,7 +180,7 @@ Wide512 shifted(const Wide512& w) { return w * (1 << placeBits); }
 }  // namespace
 
 LoftPredicates::Place LoftPredicates::placeOfMeeting(int i, int j, const LoftTime& time) const {
-  const LoftFacet &a = facets_[at(i)], &b = facets_[at(j)];
+  const LoftFacet &a = facets_[numberOf(i)], &b = facets_[numberOf(j)];
   const Wide512 ofA = offsetAt(i, time), ofB = offsetAt(j, time);
   const Wide512 under = wide(cross(a.along, b.along)) * (time.first + time.second);
   return {floorOf(shifted(ofA * b.along.x - ofB * a.along.x), under),
@@ -186,7 +188,7 @@ LoftPredicates::Place LoftPredicates::placeOfMeeting(int i, int j, const LoftTim
 }
 
 LoftPredicates::Place LoftPredicates::placeOfEnd(int k, int end, const LoftTime& time) const {
-  const LoftFacet& f = facets_[at(k)];
+  const LoftFacet& f = facets_[numberOf(k)];
   const auto& p = end == 0 ? f.from : f.to;
   const Wide512 under = time.first + time.second;
   return {floorOf(shifted(time.first * p[0].x + time.second * p[1].x), under),

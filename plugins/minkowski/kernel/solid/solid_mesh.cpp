@@ -10,10 +10,11 @@
 #include "geometry/numeric/point_merge.h"
 #include "geometry/planar/area_triangulation.h"
 #include "kernel/solid/face_rings.h"
-#include "kernel/solid/index.h"
 
 namespace blossom::minkowski {
 namespace {
+
+std::size_t indexOf(int index) { return static_cast<std::size_t>(index); }
 
 /// Space without the coordinate in which a plane is steepest, turned so that `normal` looks at the reader.
 class Flat {
@@ -75,7 +76,7 @@ class FaceMaker {
     std::vector<const CornerRing*> holes;
   };
 
-  [[nodiscard]] const Vec3& point(int v) const { return mesh_.points[at(v)]; }
+  [[nodiscard]] const Vec3& point(int v) const { return mesh_.points[indexOf(v)]; }
   [[nodiscard]] Loop loopOf(const CornerRing& ring, const Flat& flat) const {
     Loop loop;
     for (const int v : ring) loop.push_back(flat(point(v)));
@@ -104,7 +105,7 @@ class FaceMaker {
     for (const auto& triangle : area.triangles) {
       auto& made = triangles.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2& p = area.points[at(triangle[k])];
+        const Vec2& p = area.points[indexOf(triangle[k])];
         const auto found = corners.find({p.x(), p.y()});
         if (found == corners.end()) return false;
         made[k] = found->second;
@@ -144,11 +145,11 @@ Mesh compacted(const Mesh& mesh) {
   std::vector<int> numbers(mesh.points.size(), -1);
   result.faceStarts = mesh.faceStarts;
   for (const int v : mesh.faceVertices) {
-    if (numbers[at(v)] < 0) {
-      numbers[at(v)] = static_cast<int>(result.points.size());
-      result.points.push_back(mesh.points[at(v)]);
+    if (numbers[indexOf(v)] < 0) {
+      numbers[indexOf(v)] = static_cast<int>(result.points.size());
+      result.points.push_back(mesh.points[indexOf(v)]);
     }
-    result.faceVertices.push_back(numbers[at(v)]);
+    result.faceVertices.push_back(numbers[indexOf(v)]);
   }
   return result;
 }
@@ -180,11 +181,13 @@ Mesh meshOfSides(std::span<const LoftSide> sides, const LoftPlacement& placement
     ofFaces.push_back({face, from, to});
   }
   const std::vector<int> first = mergeClosePoints(mesh.points, tolerance);
-  for (FaceSide& side : ofFaces) side = {side.face, first[at(side.from)], first[at(side.to)]};
+  for (FaceSide& side : ofFaces) side = {side.face, first[indexOf(side.from)], first[indexOf(side.to)]};
   ofFaces = withoutPairs(std::move(ofFaces));
   joinFlat(ofFaces, mesh.points, tolerance, progress);
   std::vector<RingsOfFace> rings = ringsOf(ofFaces, mesh.points, progress);
   dropStraightCorners(rings, mesh.points, tolerance);
+  dropBackToBack(rings);
+  dropStraightCorners(rings, mesh.points, tolerance);  // those that kept slivers from being left out
   FaceMaker maker(mesh, progress);
   for (const RingsOfFace& face : rings) {
     progress.check();

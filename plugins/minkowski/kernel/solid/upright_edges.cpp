@@ -11,7 +11,7 @@
 namespace blossom::minkowski {
 namespace {
 
-constexpr double slack = 1e-9;  // of t, far more than rounding
+constexpr double slackOfHeight = 1e-9;  // of t, far more than rounding
 
 }  // namespace
 
@@ -32,7 +32,7 @@ UprightEdges::Window UprightEdges::windowOf(int facet, int line) const {
   Window window{2, -1};
   for (std::size_t k = 0; k < count; ++k) {
     const double middle = (cuts[k] + cuts[k + 1]) / 2;
-    if (from.signAt(middle, slack) * to.signAt(middle, slack) > 0) continue;
+    if (from.signAt(middle, slackOfHeight) * to.signAt(middle, slackOfHeight) > 0) continue;
     window = {std::min(window.low, cuts[k]), std::max(window.high, cuts[k + 1])};
   }
   return window;
@@ -65,7 +65,7 @@ bool UprightEdges::addZero(const LoftRamp& ramp, Event event, std::vector<Event>
     event.t = timeOf(exact[1], Wide512(-exact[0])).t;
     event.error = 1e-14;
   }
-  if (event.t >= -slack && event.t <= 1 + slack) out.push_back(event);
+  if (event.t >= -slackOfHeight && event.t <= 1 + slackOfHeight) out.push_back(event);
   return false;
 }
 
@@ -76,7 +76,7 @@ int UprightEdges::compareEvents(const Event& a, const Event& b) const {
 }
 
 LoftTime UprightEdges::betweenEvents(const Event& a, const Event& b) const {
-  if (b.t - a.t > 4 * (a.error + b.error) + slack) return timeOf((a.t + b.t) / 2);
+  if (b.t - a.t > 4 * (a.error + b.error) + slackOfHeight) return timeOf((a.t + b.t) / 2);
   return between(timeOfEvent(a), timeOfEvent(b));
 }
 
@@ -119,7 +119,7 @@ bool UprightEdges::cutToCommonPart() {
   std::size_t first = events_.size(), last = 0;
   for (std::size_t g = 0; g + 2 < groups.size(); ++g) {
     const Event &low = events_[groups[g]], &high = events_[groups[g + 1]];
-    if (high.t < -slack || low.t > 1 + slack) continue;
+    if (high.t < -slackOfHeight || low.t > 1 + slackOfHeight) continue;
     const LoftTime time = betweenEvents(low, high);
     if (time.first <= 0 || time.second <= 0) continue;  // below the bottom or above the top
     if (!onFacet(i_, j_, time) || !onFacet(j_, i_, time)) continue;
@@ -151,7 +151,7 @@ void UprightEdges::addCrossing(int k) {
   } else if (events_.size() > before) {
     Event& added = events_.back();
     const int line = lineFor(k);
-    const double reach = added.error + slack;
+    const double reach = added.error + slackOfHeight;
     const int from = predicates_.sideRamp(line, k, 0).signAt(added.t, reach),
               to = predicates_.sideRamp(line, k, 1).signAt(added.t, reach);
     if (from * to > 0) {  // the line passes beside the facet
@@ -277,7 +277,7 @@ void UprightEdges::pair(int i, int j, std::vector<LoftSide>& out) {
   j_ = j;
   if (predicates_.turn(i, j) == 0) return;
   const Window ofI = windowOf(i, j), ofJ = windowOf(j, i);
-  if (std::max(ofI.low, ofJ.low) > std::min(ofI.high, ofJ.high) + slack) return;
+  if (std::max(ofI.low, ofJ.low) > std::min(ofI.high, ofJ.high) + slackOfHeight) return;
   addOwnEvents();
   if (!cutToCommonPart()) return;
   addOtherEvents();

@@ -42,7 +42,8 @@ void AppTest::init() {
 
 void AppTest::builtInTypesAndFormatsAreThere() {
   for (const char* id : {"exchange.import", "import", "blossom.literal", "literal"}) QVERIFY2(app_.registry->find(id), id);
-  for (const char* extension : {"step", "iges", "brep", "stl", "obj", "off", "ply", "3mf", "dxf", "svg", "json", "png"})
+  for (const char* extension :
+       {"step", "iges", "brep", "stl", "obj", "off", "ply", "3mf", "dxf", "svg", "json", "png", "ogv"})
     QVERIFY2(app_.formats->find(extension), extension);
 }
 

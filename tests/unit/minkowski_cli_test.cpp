@@ -106,6 +106,24 @@ class MinkowskiCliTest : public QObject {
       QVERIFY2(blossom({"morph", "rectangle:10:10", "rectangle:20:30", "--t", "0.5", "-o", file}).code == 0, file);
   }
 
+  void sequencesBecomeFilmsAndContactSheets() {
+    const QStringList morph{"morph", "rectangle:10:10", "rectangle:20:30"};
+    const QStringList frames = morph + QStringList{"--frames", "5"};
+    const Answer film = blossom(frames + QStringList{"-o", "walk.ogv", "--ogv.size", "64x48", "--ogv.seconds", "0.2"});
+    QCOMPARE(film.code, 0);
+    QCOMPARE(film.json["outputs"].size(), std::size_t{1});
+    const Answer sheet = blossom(frames + QStringList{"-o", "walk.png", "--png.size", "320x240", "--png.sheet", "3"});
+    QCOMPARE(sheet.code, 0);
+    QCOMPARE(sheet.json["outputs"].size(), std::size_t{1});
+    // A single in-between is no film, and a solid that is never a sequence is refused before it is made.
+    for (const QStringList& single : {morph, QStringList{"box"}}) {
+      const Answer refused = blossom(single + QStringList{"-o", "single.ogv"});
+      QVERIFY(refused.code != 0);
+      QCOMPARE(refused.json["error"]["code"], Value("OutputNotSupported"));
+    }
+    QVERIFY(!fs::exists(fs::path(folder_.path().toStdString()) / "single.ogv"));
+  }
+
   /// Where no helper process can start, short sums go on and long ones say so; with one they give what the kernel gives.
   void longSumsRunInTheWorkerAndShortOnesHere() {
     const QStringList small{"minkowski-sum", "star:5:20:8", "star:6:20:8"},

@@ -91,6 +91,17 @@ void refuseFailed(cairo_status_t status) {
               onDisk ? "Make room on the disk of the temporary folder." : "Write it as SVG or DXF.");
 }
 
+/// Cairo tells PostScript the box of what is painted, to which programs that place the page in another crop it: the frames
+/// of a sequence would lose the place that they share.
+void giveWholePage(std::string& postScript, const Vec2& size) {
+  const std::string whole = " 0 0 " + std::to_string(std::lround(size.x())) + " " + std::to_string(std::lround(size.y()));
+  for (const std::string comment : {"\n%%BoundingBox:", "\n%%PageBoundingBox:"})
+    for (std::size_t at = 0; (at = postScript.find(comment, at)) != std::string::npos;) {
+      at += comment.size();
+      postScript.replace(at, postScript.find('\n', at) - at, whole);
+    }
+}
+
 /// A page around a box, on which `draw` draws in mm, y upwards.
 void writePage(MakeSurface make, const DrawnBox& box, double tolerance, const std::filesystem::path& file,
                const std::function<void(cairo_t*)>& draw) {
@@ -110,6 +121,7 @@ void writePage(MakeSurface make, const DrawnBox& box, double tolerance, const st
   }
   cairo_surface_finish(surface.get());
   refuseFailed(cairo_surface_status(surface.get()));
+  if (content.starts_with("%!PS")) giveWholePage(content, size);
   writeBytes(file, content);
 }
 

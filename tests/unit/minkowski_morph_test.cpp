@@ -166,7 +166,7 @@ class MinkowskiMorphTest : public QObject {
   void aMorphOfThirtyTwoShapes() {
     std::vector<Region> shapes;
     for (int k = 0; k < 32; ++k) shapes.push_back(starRegion(3 + k % 5, 10 + k % 7, 4 + 0.1 * k));
-    const MorphResult result = morph(shapes, std::vector{diagonal(31, 0.5)});
+    const MorphResult result = morph(shapes, std::vector<std::vector<double>>{diagonal(31, 0.5)});
     QVERIFY(result.hullError > 0 && result.hullError < 0.01);
     QCOMPARE(result.regions.front().loops.size(), std::size_t{1});
     const std::vector<double> shares = sharesOf(diagonal(31, 0.5));
@@ -189,7 +189,8 @@ class MinkowskiMorphTest : public QObject {
   void hullsKeepToTheTolerance() {
     const std::vector<Region> shapes = hollows(7);
     const auto t = diagonal(6, 0.03);
-    const MorphResult coarse = morph(shapes, std::vector{t}, {.evaluation = EvaluationOrder::Explicit, .tolerance = 0.01});
+    const MorphResult coarse =
+        morph(shapes, std::vector<std::vector<double>>{t}, {.evaluation = EvaluationOrder::Explicit, .tolerance = 0.01});
     const Region fine = one(shapes, t, {.evaluation = EvaluationOrder::BottomUp});
     QVERIFY(coarse.hullError > 0 && coarse.hullError <= 0.01);
     double around = 0;

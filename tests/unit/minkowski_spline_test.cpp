@@ -70,8 +70,8 @@ class MinkowskiSplineTest : public QObject {
       const std::vector<Region> shapes = poleShapes(random, count);
       const ShapeKnots spline = uniformKnots(shapes.size(), count - 1);
       for (const double t : {0.0, 0.3, 0.5, 0.8, 1.0}) {
-        const auto bezier =
-            morph(shapes, std::vector{diagonal(shapes.size() - 1, t)}, {.evaluation = EvaluationOrder::BottomUp});
+        const auto bezier = morph(shapes, std::vector<std::vector<double>>{diagonal(shapes.size() - 1, t)},
+                                  {.evaluation = EvaluationOrder::BottomUp});
         QVERIFY(apartOf(splineAt(shapes, spline, t), bezier.regions.front()) < 1e-9);
       }
       QVERIFY(!continuityOf(spline));

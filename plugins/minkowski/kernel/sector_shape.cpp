@@ -38,24 +38,20 @@ std::vector<TurningSegment> turningSegments(const Path& convex) {
   return turning;
 }
 
-/// The parts whose normals lie between two angles, in their order.
+/// The parts whose normals lie between two angles. Three turns around the path are in the order of the normals.
 Path chainWithin(const Path& convex, double from, double to) {
-  std::vector<TurningSegment> parts;
   const std::vector<TurningSegment> all = turningSegments(convex);
+  Path chain;
   for (const double turn : {-fullTurn, 0.0, fullTurn})
     for (const TurningSegment& each : all) {
       const double low = std::max(each.from + turn, from), high = std::min(each.to + turn, to);
       if (low > high) continue;
       const auto* arc = std::get_if<Arc2>(&each.segment);
       if (!arc)
-        parts.push_back({each.segment, low, high});
+        chain.segments.push_back(each.segment);
       else if (high - low > sameAngle)
-        parts.push_back({Arc2{arc->center, arc->radius, low, high - low}, low, high});
+        chain.segments.emplace_back(Arc2{arc->center, arc->radius, low, high - low});
     }
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const TurningSegment& a, const TurningSegment& b) { return a.from < b.from; });
-  Path chain;
-  for (const TurningSegment& part : parts) chain.segments.push_back(part.segment);
   return chain;
 }
 

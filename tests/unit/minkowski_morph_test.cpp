@@ -187,8 +187,8 @@ class MinkowskiMorphTest : public QObject {
 
   /// Taking hulls within a tolerance changes no more than that.
   void hullsKeepToTheTolerance() {
-    const std::vector<Region> shapes = hollows(7);
-    const auto t = diagonal(6, 0.03);
+    const std::vector<Region> shapes = hollows(4);
+    const auto t = diagonal(3, 0.02);
     const MorphResult coarse =
         morph(shapes, std::vector<std::vector<double>>{t}, {.evaluation = EvaluationOrder::Explicit, .tolerance = 0.01});
     const Region fine = one(shapes, t, {.evaluation = EvaluationOrder::BottomUp});

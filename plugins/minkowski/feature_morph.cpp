@@ -5,6 +5,7 @@
 #include "feature_types.h"
 #include "kernel/control_placement.h"
 #include "kernel/morph.h"
+#include "morph_control.h"
 #include "region_inputs.h"
 
 namespace blossom::minkowski {
@@ -20,6 +21,9 @@ struct MorphParameters {
   std::vector<Vec3> offsets;
   std::vector<double> scales, turns;
   Value tolerance;  ///< null: follows the shapes' sizes
+  int degree = 0;   ///< 0: one less than the number of shapes
+  std::vector<double> knots;
+  std::vector<Value> sectors;
 };
 
 void refuseTooMany(const char* what, std::size_t given, std::size_t shapes) {
@@ -57,12 +61,22 @@ void refuseTogether(const MorphParameters& p) {
                 "Leave out the frames or the blossom parameters.");
 }
 
+bool isPiecewise(const MorphParameters& p, std::size_t shapes) {
+  return !p.knots.empty() || (p.degree > 0 && static_cast<std::size_t>(p.degree) + 1 != shapes);
+}
+
 double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static_cast<double>(frame) / (frames - 1); }
 
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
   placeShapes(shapes, p);
+  faceSectors(shapes, p.sectors, toleranceOf(p.tolerance), progress);
+  if (isPiecewise(p, shapes.size())) {
+    refuseBesidesKnots(!p.blossom.empty(), p.degreeElevate, p.areaPreserving);
+    return morphedBySpline(shapes, knotsFor(shapes.size(), p.degree, p.knots), p.frames, p.t,
+                           {.tolerance = toleranceOf(p.tolerance), .maximumWork = maximumWork}, progress);
+  }
   const std::size_t degree = shapes.size() - 1;
   Sequence sequence;
   std::vector<std::vector<double>> arguments;
@@ -80,9 +94,11 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
                              progress);
   Evaluated out;
   out.stats["sums"] = result.sums;
+  if (result.hullError > 0) out.stats["hull_error"] = result.hullError;
   out.stats["degree"] = degree + (p.degreeElevate ? 1 : 0);
   out.warnings = std::move(result.warnings);
   if (p.frames == 0) {
+    out.stats["influences"] = sharesOf(arguments.front());
     out.shape = std::move(result.regions.front());
     return out;
   }
@@ -126,12 +142,21 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "Rotation of each control shape about its centre, counter-clockwise, first to last; others stay.")
       .parameter("tolerance", &P::tolerance, toleranceSpec(),
                  "Largest distance between curves and the polygons that stand for them.")
+      .parameter("degree", &P::degree, count(0),
+                 "Degree of a B-spline of shapes: so many shapes and one more act at a time. 0: one less than the number of "
+                 "shapes, the Bezier morph, in which all act.")
+      .parameter("knots", &P::knots, list(number()),
+                 "Knots of the B-spline, as many as shapes and the degree and one more, the first and last as often as the "
+                 "degree and once more. None: evenly spaced.")
+      .parameter("sectors", &P::sectors, sectorsSpec(),
+                 "Directions in which each control shape acts, first to last; from equal to to: all around.")
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
       .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
       .example("blossom morph cat.svg dog.svg --scales 1,1.5 --turns 0,90 --t 0.5 -o turned.dxf")
       .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
+      .example("blossom morph a.svg b.svg c.svg d.svg --degree 2 --frames 31 -o pieces.svg")
       .evaluate([maximumWork](const P& p, const Inputs& inputs, const Progress& progress) {
         return morphed(p, maximumWork, inputs, progress);
       });

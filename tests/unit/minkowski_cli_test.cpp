@@ -65,6 +65,23 @@ class MinkowskiCliTest : public QObject {
     QVERIFY(blossom({"morph-solid", "rectangle:4:4", "rectangle:2:2", "--height", "0"}).code != 0);
   }
 
+  void splinesOfShapesAndSectors() {
+    const QStringList discs{"morph", "circle:2", "circle:4", "circle:6", "circle:3"};
+    const Answer spline = blossom(discs + QStringList{"--degree", "2", "--t", "0.25"});
+    // Knots 0 0 0 1 2 2 2 at 0.5: 1/4, 5/8, 1/8.
+    COMPARE_NEAR(spline.result("area"), pi * std::pow(2 * 0.25 + 4 * 0.625 + 6 * 0.125, 2), 1e-9);
+    QCOMPARE(spline.json["stats"]["continuity"], Value(1));
+    QCOMPARE(spline.json["stats"]["influences"], Value({0.25, 0.625, 0.125, 0.0}));
+    const Answer given = blossom(discs + QStringList{"--degree", "2", "--t", "0.25", "--knots", "0,0,0,1,2,2,2"});
+    COMPARE_NEAR(given.result("area"), spline.result("area"), 1e-12);
+    QVERIFY(blossom(discs + QStringList{"--knots", "0,0,0,1,2,2"}).code != 0);
+    QVERIFY(blossom(discs + QStringList{"--degree", "2", "--blossom", "0.1,0.2,0.3"}).code != 0);
+    // Half of the second disc: the upper one, about the first disc's centre.
+    const Answer half = blossom({"morph", "circle:2", "circle:4", "--t", "1", "--sectors", "0,0; 0,180"});
+    COMPARE_NEAR(half.result("area"), 8 * pi, 1e-9);
+    QCOMPARE(half.result("lines"), 1.0);
+  }
+
   /// The ends are the control shapes, with their arcs: not polygons of them.
   void theMorphStartsAtTheFirstAndEndsAtTheLast() {
     QCOMPARE(blossom({"slot", "--length", "40", "--width", "12", "-o", "slot.dxf"}).code, 0);

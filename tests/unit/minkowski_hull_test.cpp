@@ -128,10 +128,10 @@ class MinkowskiHullTest : public QObject {
   }
 
   void theDistanceToTheHullIsMeasured() {
-    // A slot 2 wide and 6 deep: the middle of its floor's circle is 1 from the walls, its mouth no more.
+    // A slot 2 wide and 6 deep: half-way between its walls.
     const Region slotted = polygonRegion({{0, 0}, {10, 0}, {10, 8}, {6, 8}, {6, 2}, {4, 2}, {4, 8}, {0, 8}});
     COMPARE_NEAR(distanceToHull(slotted, convexHull(slotted, 1e-3), 1e-4).distance, 1, 1e-6);
-    // Of two discs, half-way between them, on the line that touches both or on it.
+    // Of two discs, half-way along a line that touches both.
     const Region discs = together({circleRegion(2), circleRegion(2, {10, 0})});
     const HullDistance between = distanceToHull(discs, convexHull(discs, 1e-3), 1e-4);
     COMPARE_NEAR(between.distance, std::hypot(5, 2) - 2, 1e-9);

@@ -161,6 +161,44 @@ class MinkowskiMorphTest : public QObject {
     }
   }
 
+  /// 32 shapes: hulls stand for the many small copies. Support functions tell what the hull of the in-between is; the shape
+  /// itself is near it, for no single shape has a share that matters.
+  void aMorphOfThirtyTwoShapes() {
+    std::vector<Region> shapes;
+    for (int k = 0; k < 32; ++k) shapes.push_back(starRegion(3 + k % 5, 10 + k % 7, 4 + 0.1 * k));
+    const MorphResult result = morph(shapes, std::vector<std::vector<double>>{diagonal(31, 0.5)});
+    QVERIFY(result.hullError > 0 && result.hullError < 0.01);
+    QCOMPARE(result.regions.front().loops.size(), std::size_t{1});
+    const std::vector<double> shares = sharesOf(diagonal(31, 0.5));
+    for (const double angle : {0.1, 1.3, 2.9, 4.4}) {
+      const Vec2 u(std::cos(angle), std::sin(angle));
+      const auto reachOf = [&](const Region& region) {
+        double reach = -HUGE_VAL;
+        for (const Vec2& p : flatten(region.loops.front(), 1e-6)) reach = std::max(reach, p.dot(u));
+        return reach;
+      };
+      double wanted = 0;
+      for (std::size_t i = 0; i < shapes.size(); ++i) wanted += shares[i] * reachOf(shapes[i]);
+      COMPARE_NEAR(reachOf(result.regions.front()), wanted, 1e-9);
+    }
+    shapes.push_back(regular(3, 5));
+    VERIFY_ERROR(one(shapes, diagonal(32, 0.5)), ErrorCode::LimitExceeded);
+  }
+
+  /// Taking hulls within a tolerance changes no more than that.
+  void hullsKeepToTheTolerance() {
+    const std::vector<Region> shapes = hollows(4);
+    const auto t = diagonal(3, 0.02);
+    const MorphResult coarse =
+        morph(shapes, std::vector<std::vector<double>>{t}, {.evaluation = EvaluationOrder::Explicit, .tolerance = 0.01});
+    const Region fine = one(shapes, t, {.evaluation = EvaluationOrder::BottomUp});
+    QVERIFY(coarse.hullError > 0 && coarse.hullError <= 0.01);
+    double around = 0;
+    for (const Path& loop : fine.loops) around += length(loop);
+    const double more = area(coarse.regions.front()) - area(fine);
+    QVERIFY2(more > -1e-9 && more <= coarse.hullError * around, qPrintable(QString::number(more)));
+  }
+
   void theBlossomIsSymmetric() {
     const std::vector<Region> shapes = hollows(3);
     const double wanted = area(one(shapes, {0.2, 0.7}, {.evaluation = EvaluationOrder::Recursive}));

@@ -31,7 +31,7 @@ Region polygonAround(int sides, double radius) {
   return polygonRegion(points);
 }
 
-Region starOf(int spikes, double outer, double inner) {
+Region evenStar(int spikes, double outer, double inner) {
   std::vector<Vec2> points;
   for (int k = 0; k < 2 * spikes; ++k)
     points.push_back((k % 2 == 0 ? outer : inner) * Vec2(std::cos(pi * k / spikes), std::sin(pi * k / spikes)));
@@ -140,10 +140,10 @@ class MinkowskiSolidTest : public QObject {
   }
 
   void spikyPairs() {
-    checkLoft(starOf(5, 20, 8), rectangleRegion({-5, -5}, {5, 5}));
-    checkLoft(starOf(5, 20, 8), starOf(7, 15, 5));
-    checkLoft(starOf(5, 20, 8), starOf(5, 20, 8));
-    checkLoft(starOf(5, 20, 8), circleRegion(15));
+    checkLoft(evenStar(5, 20, 8), rectangleRegion({-5, -5}, {5, 5}));
+    checkLoft(evenStar(5, 20, 8), evenStar(7, 15, 5));
+    checkLoft(evenStar(5, 20, 8), evenStar(5, 20, 8));
+    checkLoft(evenStar(5, 20, 8), circleRegion(15));
     checkLoft(polygonRegion({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}),
               polygonRegion({{0, 0}, {5, 0}, {5, 4}, {4, 4}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}));
   }
@@ -207,12 +207,12 @@ class MinkowskiSolidTest : public QObject {
   }
   /// Far from the origin and of sizes far apart.
   void placesAndSizes() {
-    checkLoft(rectangleRegion({1e6, 1e6}, {1e6 + 4, 1e6 + 4}), starOf(3, 5, 2));
-    checkLoft(starOf(4, 1000, 300), starOf(3, 0.5, 0.2));
+    checkLoft(rectangleRegion({1e6, 1e6}, {1e6 + 4, 1e6 + 4}), evenStar(3, 5, 2));
+    checkLoft(evenStar(4, 1000, 300), evenStar(3, 0.5, 0.2));
   }
 
   void theEndsAreTheShapes() {
-    const LoftResult result = loft(squareFrame(10, 6), starOf(5, 20, 8), {.height = 3});
+    const LoftResult result = loft(squareFrame(10, 6), evenStar(5, 20, 8), {.height = 3});
     const Mesh triangles = triangulated(result.mesh).first;
     double bottom = 0, top = 0;
     for (std::size_t f = 0; f < triangles.faceCount(); ++f) {
@@ -224,7 +224,7 @@ class MinkowskiSolidTest : public QObject {
       if (all(3)) top += vectorArea(corners).z();
     }
     COMPARE_NEAR(bottom, -(400 - 144), 1e-9);
-    COMPARE_NEAR(top, area(starOf(5, 20, 8)), 1e-9);
+    COMPARE_NEAR(top, area(evenStar(5, 20, 8)), 1e-9);
   }
 
   void badInputIsRefused() {

@@ -39,8 +39,8 @@ std::size_t recursiveSums(std::span<const double> t) {
 }
 
 std::size_t convexSums(std::span<const double> t) {
-  const auto weights = weightsOf(t);
-  const auto shapes = std::count_if(weights.begin(), weights.end(), [](const auto& of) { return !of.empty(); });
+  const std::vector<double> shares = sharesOf(t);
+  const auto shapes = std::count_if(shares.begin(), shares.end(), [](double share) { return share > 0; });
   return static_cast<std::size_t>(shapes) - 1;
 }
 
@@ -80,6 +80,24 @@ std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t) 
   return weights;
 }
 
+std::vector<double> sharesOf(std::span<const double> t) {
+  std::vector<double> shares{1};
+  for (const double level : t) {
+    shares.push_back(0);
+    for (std::size_t i = shares.size() - 1; i > 0; --i) shares[i] = (1 - level) * shares[i] + level * shares[i - 1];
+    shares.front() *= 1 - level;
+  }
+  return shares;
+}
+
+double choicesOf(std::span<const double> t) {
+  std::map<double, std::size_t> multiplicities;
+  for (const double level : t) ++multiplicities[level];
+  double choices = 1;
+  for (const auto& [value, times] : multiplicities) choices *= static_cast<double>(times) + 1;
+  return choices;
+}
+
 std::size_t sumsNeeded(EvaluationOrder way, std::span<const Arguments> arguments, const std::vector<bool>& convex) {
   std::size_t sums = 0;
   std::set<std::pair<std::size_t, std::size_t>> repetitions;
@@ -106,9 +124,19 @@ std::size_t sumsNeeded(EvaluationOrder way, std::span<const Arguments> arguments
 }
 
 EvaluationOrder wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex) {
-  std::vector<EvaluationOrder> ways{EvaluationOrder::Explicit, EvaluationOrder::BottomUp};
+  std::vector<EvaluationOrder> ways{EvaluationOrder::BottomUp};
+  double choices = 0;
+  std::size_t levels = 0;
+  for (const Arguments& t : arguments) {
+    choices = std::max(choices, choicesOf(t));
+    levels = std::max(levels, t.size());
+  }
+  if (choices <= mostChoices) ways.insert(ways.begin(), EvaluationOrder::Explicit);
   if (std::all_of(convex.begin() + 1, convex.end() - 1, [](bool each) { return each; }))
     ways.push_back(EvaluationOrder::Convex);
+  constexpr std::size_t manyLevels = 8;
+  constexpr double fewChoices = 64;
+  if (levels > manyLevels && choices <= fewChoices && ways.size() == 2) return EvaluationOrder::Explicit;
   return *std::min_element(ways.begin(), ways.end(), [&](EvaluationOrder a, EvaluationOrder b) {
     return sumsNeeded(a, arguments, convex) < sumsNeeded(b, arguments, convex);
   });

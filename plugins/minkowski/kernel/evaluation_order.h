@@ -21,11 +21,19 @@ using Arguments = std::vector<double>;  ///< of a blossom, one for each level
 /// arguments this is one weight C(n,i) times. Weights of 0 are left out.
 std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t);
 
+/// The sum of the weights of each A_i: the shares of convex shapes, which add up to 1. O(n^2)
+std::vector<double> sharesOf(std::span<const double> t);
+
+/// How many weights the explicit form is put together from; it is left to other evaluations above `mostChoices`.
+double choicesOf(std::span<const double> t);
+constexpr double mostChoices = 1 << 16;
+
 /// Number of Minkowski sums that an evaluation needs for the in-betweens of control shapes; convex[i] says whether shape i
 /// is convex.
 std::size_t sumsNeeded(EvaluationOrder way, std::span<const Arguments> arguments, const std::vector<bool>& convex);
 
-/// The evaluation with the fewest sums; Explicit when several have equally few.
+/// The evaluation with the fewest sums; Explicit when several have equally few, and for more than eight levels when its
+/// terms are few: hulls stand for most of its repetitions then.
 EvaluationOrder wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex);
 
 }  // namespace blossom::minkowski

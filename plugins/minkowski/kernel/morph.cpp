@@ -6,19 +6,22 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/planar/planar.h"
 #include "kernel/control_centre.h"
+#include "kernel/curves/convex_hull.h"
 #include "kernel/flattening.h"
+#include "kernel/hull_distance.h"
 #include "kernel/repetition.h"
 
 namespace blossom::minkowski {
 namespace {
 
-constexpr std::size_t maximumShapes = 16;
+constexpr std::size_t maximumShapes = 32;
 
 /// (1-t) A + t B, where 0 A is the origin alone.
 SoundRegion between(const SoundRegion& a, const SoundRegion& b, double t, Adder& add, const Progress& progress) {
@@ -42,50 +45,122 @@ SoundRegion bottomUp(std::vector<SoundRegion> shapes, std::span<const double> t,
   return shapes.front();
 }
 
-/// The explicit form.
+/// The explicit form. Where copies of a shape are so many and so small that their hull is within the tolerance, it stands
+/// for them: no [k]A, k >= 2, is farther from its hull than [2]A is, and that is at most sqrt(2) R (see region_repeat.h).
 class Expansion {
  public:
-  Expansion(std::span<const SoundRegion> shapes, Adder& add) : shapes_(shapes), add_(add) {}
+  /// @param tolerance that hulls may use up in an in-between, mm
+  Expansion(std::span<const SoundRegion> shapes, double tolerance, Adder& add)
+      : shapes_(shapes), tolerance_(tolerance), add_(add), hulls_(shapes.size()) {}
 
   /// The repetitions for an in-between, which stay for others.
   void repeatFor(std::span<const double> t, const Progress& progress) {
-    const auto weights = weightsOf(t);
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      for (const auto& [weight, count] : weights[i]) {
-        const auto [place, isNew] = repetitions_.try_emplace({i, count});
-        if (!isNew) continue;
-        place->second = repeated(shapes_[i], count, add_, progress);
-        add_.keep(place->second);
-      }
+    for (const auto& [i, weight, count] : termsOf(t, progress)) {
+      const auto [place, isNew] = repetitions_.try_emplace({i, count});
+      if (!isNew) continue;
+      place->second = repeated(shapes_[i], count, add_, progress);
+      add_.keep(place->second);
+    }
   }
 
   /// @pre its repetitions are there
   [[nodiscard]] SoundRegion at(std::span<const double> t, const Progress& progress) const {
-    std::optional<SoundRegion> total;
+    std::vector<SoundRegion> terms;
+    const Arguments key(t.begin(), t.end());
+    std::map<std::size_t, double> multiples;
+    for (const auto& [i, weight, count] : hullsFor_.at(key)) multiples[i] += weight * static_cast<double>(count);
+    for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
+    for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
+    SoundRegion total = std::move(terms.front());
+    for (std::size_t k = 1; k < terms.size(); ++k) total = add_(total, terms[k], progress);
+    return total;
+  }
+
+  /// The largest distance by which hulls change an in-between, mm.
+  [[nodiscard]] double hullError() const { return hullError_; }
+
+ private:
+  struct Term {
+    std::size_t shape;
+    double weight;
+    std::size_t count;
+  };
+  struct Hull {
+    SoundRegion shape;
+    double distance;  ///< from repetitions, at most
+    bool isMeasured = false;
+  };
+
+  Hull& hullOf(std::size_t i, const Progress& progress) {
+    std::optional<Hull>& hull = hulls_[i];
+    if (!hull) {
+      hull = Hull{convexHull(shapes_[i], progress), 0};
+      hull->distance = std::numbers::sqrt2 * circumradius(hull->shape.region, tolerance_, progress);
+    }
+    return *hull;
+  }
+
+  /// What taking the hull for a term may change, mm.
+  double errorOf(const Term& term, const Progress& progress) {
+    constexpr std::size_t many = 64;  // then doubling takes longer than measuring
+    Hull& hull = hullOf(term.shape, progress);
+    if (term.weight * hull.distance > tolerance_ && term.count > many && !hull.isMeasured) {
+      const SoundRegion two = repeated(shapes_[term.shape], 2, add_, progress);
+      const double precision = 1e-3 * hull.distance;
+      const double measured = distanceToHull(two.region, scaled(hull.shape, 2).region, precision, progress).atMost;
+      hull.distance = std::min(hull.distance, measured);
+      hull.isMeasured = true;
+    }
+    return term.weight * hull.distance;
+  }
+
+  /// Those that are computed as they are.
+  const std::vector<Term>& termsOf(std::span<const double> t, const Progress& progress) {
+    const auto [place, isNew] = termsFor_.try_emplace(Arguments(t.begin(), t.end()));
+    if (!isNew) return place->second;
+    std::vector<Term>& hulls = hullsFor_[place->first];
+    std::vector<std::pair<double, Term>> byError;
     const auto weights = weightsOf(t);
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto& [weight, count] : weights[i]) {
-        const SoundRegion term = scaled(repetitions_.at({i, count}), weight);
-        total = total ? add_(*total, term, progress) : term;
+        const Term term{i, weight, count};
+        if (count == 1 || isConvex(shapes_[i]))
+          place->second.push_back(term);
+        else
+          byError.emplace_back(errorOf(term, progress), term);
       }
-    return *total;
+    std::stable_sort(byError.begin(), byError.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    double error = 0;
+    for (const auto& [more, term] : byError) {
+      if (error + more <= tolerance_) {
+        error += more;
+        hulls.push_back(term);
+      } else {
+        place->second.push_back(term);
+      }
+    }
+    hullError_ = std::max(hullError_, error);
+    std::stable_sort(place->second.begin(), place->second.end(),
+                     [](const Term& a, const Term& b) { return a.shape < b.shape; });
+    return place->second;
   }
 
- private:
   std::span<const SoundRegion> shapes_;
+  double tolerance_;
   Adder& add_;
+  std::vector<std::optional<Hull>> hulls_;
+  std::map<Arguments, std::vector<Term>> termsFor_, hullsFor_;
   std::map<std::pair<std::size_t, std::size_t>, SoundRegion> repetitions_;
+  double hullError_ = 0;
 };
 
 /// All repetitions of a shape in one, which is right for convex shapes only.
 SoundRegion convexAt(std::span<const SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
   std::optional<SoundRegion> total;
-  const auto weights = weightsOf(t);
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    double all = 0;
-    for (const auto& [weight, count] : weights[i]) all += weight * static_cast<double>(count);
-    if (!(all > 0)) continue;
-    const SoundRegion term = scaled(shapes[i], all);
+  const std::vector<double> shares = sharesOf(t);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (!(shares[i] > 0)) continue;
+    const SoundRegion term = scaled(shapes[i], shares[i]);
     total = total ? add(*total, term, progress) : term;
   }
   return *total;
@@ -135,7 +210,10 @@ class Morph {
       centres_.push_back(centroid(shape.region, shape.tolerance));
     }
     if (options.degreeElevate) elevate(progress);
-    expansion_.emplace(shapes_, add_);
+    double tolerance = HUGE_VAL;
+    for (const Region& region : regions)
+      tolerance = std::min(tolerance, options.tolerance.value_or(defaultTolerance(region)));
+    expansion_.emplace(shapes_, tolerance, add_);
   }
 
   /// Chooses the order of evaluation when it is automatic, counts its sums and computes what in-betweens share.
@@ -148,6 +226,7 @@ class Morph {
     add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
     for (SoundRegion& shape : shapes_) add_.keep(shape);
     if (options_.evaluation != EvaluationOrder::Explicit) return;
+    refuseManyTerms(all);
     for (const Arguments& t : all)
       if (!isEnd(t)) expansion_->repeatFor(t, progress);
   }
@@ -165,6 +244,7 @@ class Morph {
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
+  [[nodiscard]] double hullError() const { return expansion_->hullError(); }
   [[nodiscard]] std::vector<std::string> warnings() const {
     if (!options_.degreeElevate || std::all_of(regionsConvex_.begin(), regionsConvex_.end(), [](bool each) { return each; }))
       return {};
@@ -180,6 +260,14 @@ class Morph {
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("Control shape {} is not convex, so its repetitions are not multiples of it.", i + 1),
                     "Choose the explicit evaluation.");
+  }
+
+  static void refuseManyTerms(std::span<const Arguments> all) {
+    for (const Arguments& t : all)
+      if (choicesOf(t) > mostChoices)
+        throw Error(ErrorCode::LimitExceeded,
+                    fmt::format("The explicit form of {} different blossom numbers has too many terms.", t.size()),
+                    "Choose the bottom-up evaluation.");
   }
 
   /// Whether the in-between is the first or the last shape.
@@ -282,6 +370,7 @@ MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<do
     result.regions = atTheSameTime(evaluation, arguments, progress);
   }
   result.sums = evaluation.sums();
+  result.hullError = evaluation.hullError();
   result.warnings = evaluation.warnings();
   return result;
 }

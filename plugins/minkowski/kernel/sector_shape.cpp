@@ -1,0 +1,90 @@
+#include "kernel/sector_shape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/error.h"
+#include "geometry/planar/planar.h"
+#include "kernel/curves/angles.h"
+#include "kernel/curves/convex_hull.h"
+
+namespace blossom::minkowski {
+namespace {
+
+/// Segments of a convex path with the angles of the normals at their ends, from those of the first segment on.
+struct TurningSegment {
+  Segment segment;
+  double from = 0, to = 0;
+};
+
+std::vector<TurningSegment> turningSegments(const Path& convex) {
+  std::vector<TurningSegment> turning;
+  for (const Segment& segment : convex.segments) {
+    double normal = 0, sweep = 0;
+    if (const auto* arc = std::get_if<Arc2>(&segment)) {
+      normal = arc->start;
+      sweep = arc->sweep;
+    } else {
+      const Vec2 along = endPoint(segment) - startPoint(segment);
+      normal = std::atan2(-along.x(), along.y());
+    }
+    const double from =
+        turning.empty() ? inOneTurn(normal) : turning.back().to + std::max(0.0, turnFrom(turning.back().to, normal));
+    turning.push_back({segment, from, from + sweep});
+  }
+  return turning;
+}
+
+/// The parts whose normals lie between two angles. Three turns around the path are in the order of the normals.
+Path chainWithin(const Path& convex, double from, double to) {
+  const std::vector<TurningSegment> all = turningSegments(convex);
+  Path chain;
+  for (const double turn : {-fullTurn, 0.0, fullTurn})
+    for (const TurningSegment& each : all) {
+      const double low = std::max(each.from + turn, from), high = std::min(each.to + turn, to);
+      if (low > high) continue;
+      const auto* arc = std::get_if<Arc2>(&each.segment);
+      if (!arc)
+        chain.segments.push_back(each.segment);
+      else if (high - low > sameAngle)
+        chain.segments.emplace_back(Arc2{arc->center, arc->radius, low, high - low});
+    }
+  return chain;
+}
+
+Path polygonAround(const Path& convex, double tolerance) {
+  const std::vector<Vec2> corners = flatten(convex, tolerance);
+  Path polygon;
+  polygon.closed = true;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    polygon.segments.emplace_back(Line2{corners[i], corners[(i + 1) % corners.size()]});
+  return polygon;
+}
+
+}  // namespace
+
+SoundRegion facing(const SoundRegion& shape, const Sector& sector, const std::string& name, const Progress& progress) {
+  const SoundRegion hull = convexHull(shape, progress);
+  const double width = inOneTurn(sector.to - sector.from);
+  if (width <= sameAngle) return hull;
+  const Path& around = hull.region.loops.front();
+  const double from = inOneTurn(sector.from);
+  Path chain = chainWithin(hasSplines(hull.region) ? polygonAround(around, shape.tolerance) : around, from, from + width);
+  const bool straight =
+      chain.segments.empty() || (chain.segments.size() == 1 && std::holds_alternative<Line2>(chain.segments.front()));
+  if (straight)
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("Of {}, only a {} faces the directions from {:.4g} to {:.4g} degrees.", name,
+                            chain.segments.empty() ? "corner" : "straight side", sector.from * 360 / fullTurn,
+                            sector.to * 360 / fullTurn),
+                "Give a wider sector.");
+  chain.closed = true;
+  const Vec2 end = endPoint(chain), start = startPoint(chain);
+  if (end != start) chain.segments.emplace_back(Line2{end, start});
+  return {{{std::move(chain)}}, hull.tolerance, hull.plain};
+}
+
+}  // namespace blossom::minkowski

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "core/progress.h"
+#include "kernel/sound_region.h"
+
+namespace blossom::minkowski {
+
+/// A range of directions, counter-clockwise, radians. Equal ends: all directions.
+struct Sector {
+  double from = 0, to = 0;
+};
+
+/// The part of a shape that acts in the directions of a sector: the hull of its boundary points with normals there. It
+/// reaches as far as the shape in these directions; elsewhere it has one straight chord (edges must close), so adding it
+/// rounds the side that faces the sector and adds one straight edge on the other. Lines and arcs stay; where the hull has
+/// free-form parts it is a polygon within the tolerance. O(n log n).
+/// @throws Error InvalidParameter when a corner or a straight side is all that faces the sector.
+SoundRegion facing(const SoundRegion&, const Sector&, const std::string& name, const Progress& = Progress::none());
+
+}  // namespace blossom::minkowski

@@ -203,18 +203,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::minkowski::MorphCard</name>
+    <message>
+        <source>Ladder</source>
+        <translation>Leiter</translation>
+    </message>
+    <message>
+        <source>Draw the shapes between the control shapes and this one (L)</source>
+        <translation>Die Formen zwischen den Kontrollformen und dieser zeichnen (L)</translation>
+    </message>
+    <message>
+        <source>Morph</source>
+        <translation>Morph</translation>
+    </message>
+</context>
+<context>
     <name>blossom::minkowski::MorphTool</name>
     <message>
         <source>Move %1 in the morph</source>
         <translation>%1 im Morph verschieben</translation>
-    </message>
-    <message>
-        <source>Put %1 back where it was drawn</source>
-        <translation>%1 dorthin zurücksetzen, wo es gezeichnet wurde</translation>
-    </message>
-    <message>
-        <source>%1 is moved by %2, %3 %4 · Ctrl: no snapping · Esc takes it back</source>
-        <translation>%1 ist um %2, %3 %4 verschoben · Strg: ohne Fang · Esc nimmt es zurück</translation>
     </message>
     <message>
         <source>Drag to move %1 in the morph</source>
@@ -225,8 +232,76 @@
         <translation>Ziehen verschiebt %1 im Morph · Doppelklick setzt es zurück</translation>
     </message>
     <message>
-        <source>Drag the centre of a control shape to move it</source>
-        <translation>Die Mitte einer Kontrollform ziehen, um sie zu verschieben</translation>
+        <source>Scale %1 in the morph</source>
+        <translation>%1 im Morph skalieren</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the morph</source>
+        <translation>%1 im Morph drehen</translation>
+    </message>
+    <message>
+        <source>Put %1 back as it was drawn</source>
+        <translation>%1 so zurücksetzen, wie es gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>t %1 · area %2</source>
+        <translation>t %1 · Fläche %2</translation>
+    </message>
+    <message>
+        <source>A morph with knots has no ladder.</source>
+        <translation>Ein Morph mit Knoten hat keine Leiter.</translation>
+    </message>
+    <message>
+        <source>Three control shapes or more have a ladder.</source>
+        <translation>Eine Leiter haben drei Kontrollformen oder mehr.</translation>
+    </message>
+    <message>
+        <source>Some of the ladder takes too long to be drawn.</source>
+        <translation>Ein Teil der Leiter dauert zu lange, um gezeichnet zu werden.</translation>
+    </message>
+    <message>
+        <source>Type how many times as large · Enter takes it · Esc leaves it to the mouse</source>
+        <translation>Tippen, wievielmal so groß · Enter übernimmt · Esc überlässt es der Maus</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as large as drawn · type a number · Ctrl: no steps · Esc takes it back</source>
+        <translation>%1 ist %2-mal so groß wie gezeichnet · Zahl tippen · Strg: ohne Stufen · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Type the angle · Enter takes it · Esc leaves it to the mouse</source>
+        <translation>Winkel tippen · Enter übernimmt · Esc überlässt es der Maus</translation>
+    </message>
+    <message>
+        <source>%1 is turned by %2° · type a number · Ctrl: no steps · Esc takes it back</source>
+        <translation>%1 ist um %2° gedreht · Zahl tippen · Strg: ohne Stufen · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Type x, y · Enter takes it · Esc leaves it to the mouse</source>
+        <translation>x, y tippen · Enter übernimmt · Esc überlässt es der Maus</translation>
+    </message>
+    <message>
+        <source>%1 is moved by %2 · type x, y · Ctrl: no snapping · Esc takes it back</source>
+        <translation>%1 ist um %2 verschoben · x, y tippen · Strg: ohne Fangen · Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag to scale %1 in the morph</source>
+        <translation>Ziehen, um %1 im Morph zu skalieren</translation>
+    </message>
+    <message>
+        <source>Drag to scale %1 in the morph · double click: as large as drawn</source>
+        <translation>Ziehen, um %1 im Morph zu skalieren · Doppelklick: so groß wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drag to turn %1 in the morph</source>
+        <translation>Ziehen, um %1 im Morph zu drehen</translation>
+    </message>
+    <message>
+        <source>Drag to turn %1 in the morph · double click: as it was drawn</source>
+        <translation>Ziehen, um %1 im Morph zu drehen · Doppelklick: wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drag the number of a control shape to move it, the square or the dot on its ring to scale or turn it · L: ladder</source>
+        <translation>Die Nummer einer Kontrollform ziehen verschiebt sie, Quadrat und Punkt auf ihrem Ring skalieren und drehen sie · L: Leiter</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2483,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Remove all</source>
         <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Add the missing items</source>
+        <translation>Fehlende Einträge hinzufügen</translation>
     </message>
 </context>
 <context>

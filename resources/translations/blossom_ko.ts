@@ -203,18 +203,25 @@
     </message>
 </context>
 <context>
+    <name>blossom::minkowski::MorphCard</name>
+    <message>
+        <source>Ladder</source>
+        <translation>사다리</translation>
+    </message>
+    <message>
+        <source>Draw the shapes between the control shapes and this one (L)</source>
+        <translation>제어 도형과 이 도형 사이의 도형 그리기 (L)</translation>
+    </message>
+    <message>
+        <source>Morph</source>
+        <translation>모프</translation>
+    </message>
+</context>
+<context>
     <name>blossom::minkowski::MorphTool</name>
     <message>
         <source>Move %1 in the morph</source>
         <translation>모프에서 %1 옮기기</translation>
-    </message>
-    <message>
-        <source>Put %1 back where it was drawn</source>
-        <translation>%1 을(를) 그린 자리로 되돌리기</translation>
-    </message>
-    <message>
-        <source>%1 is moved by %2, %3 %4 · Ctrl: no snapping · Esc takes it back</source>
-        <translation>%1 이(가) %2, %3 %4 만큼 옮겨짐 · Ctrl: 스냅 끄기 · Esc로 취소</translation>
     </message>
     <message>
         <source>Drag to move %1 in the morph</source>
@@ -225,8 +232,76 @@
         <translation>끌어서 모프에서 %1 을(를) 옮기기 · 두 번 클릭하면 되돌림</translation>
     </message>
     <message>
-        <source>Drag the centre of a control shape to move it</source>
-        <translation>제어 도형의 중심을 끌어 옮기기</translation>
+        <source>Scale %1 in the morph</source>
+        <translation>모프에서 %1 크기 바꾸기</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the morph</source>
+        <translation>모프에서 %1 돌리기</translation>
+    </message>
+    <message>
+        <source>Put %1 back as it was drawn</source>
+        <translation>%1 을(를) 그린 대로 되돌리기</translation>
+    </message>
+    <message>
+        <source>t %1 · area %2</source>
+        <translation>t %1 · 넓이 %2</translation>
+    </message>
+    <message>
+        <source>A morph with knots has no ladder.</source>
+        <translation>매듭이 있는 모프에는 사다리가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Three control shapes or more have a ladder.</source>
+        <translation>사다리는 제어 도형이 셋 이상일 때 있습니다.</translation>
+    </message>
+    <message>
+        <source>Some of the ladder takes too long to be drawn.</source>
+        <translation>사다리의 일부는 그리는 데 너무 오래 걸립니다.</translation>
+    </message>
+    <message>
+        <source>Type how many times as large · Enter takes it · Esc leaves it to the mouse</source>
+        <translation>몇 배인지 입력 · Enter로 적용 · Esc로 마우스에 맡김</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as large as drawn · type a number · Ctrl: no steps · Esc takes it back</source>
+        <translation>%1 이(가) 그린 것의 %2배 · 숫자 입력 · Ctrl: 단계 끄기 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Type the angle · Enter takes it · Esc leaves it to the mouse</source>
+        <translation>각도 입력 · Enter로 적용 · Esc로 마우스에 맡김</translation>
+    </message>
+    <message>
+        <source>%1 is turned by %2° · type a number · Ctrl: no steps · Esc takes it back</source>
+        <translation>%1 이(가) %2° 돌아감 · 숫자 입력 · Ctrl: 단계 끄기 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Type x, y · Enter takes it · Esc leaves it to the mouse</source>
+        <translation>x, y 입력 · Enter로 적용 · Esc로 마우스에 맡김</translation>
+    </message>
+    <message>
+        <source>%1 is moved by %2 · type x, y · Ctrl: no snapping · Esc takes it back</source>
+        <translation>%1 이(가) %2 만큼 옮겨짐 · x, y 입력 · Ctrl: 스냅 끄기 · Esc로 취소</translation>
+    </message>
+    <message>
+        <source>Drag to scale %1 in the morph</source>
+        <translation>끌어서 모프에서 %1 크기 바꾸기</translation>
+    </message>
+    <message>
+        <source>Drag to scale %1 in the morph · double click: as large as drawn</source>
+        <translation>끌어서 모프에서 %1 크기 바꾸기 · 두 번 클릭: 그린 크기로</translation>
+    </message>
+    <message>
+        <source>Drag to turn %1 in the morph</source>
+        <translation>끌어서 모프에서 %1 돌리기</translation>
+    </message>
+    <message>
+        <source>Drag to turn %1 in the morph · double click: as it was drawn</source>
+        <translation>끌어서 모프에서 %1 돌리기 · 두 번 클릭: 그린 대로</translation>
+    </message>
+    <message>
+        <source>Drag the number of a control shape to move it, the square or the dot on its ring to scale or turn it · L: ladder</source>
+        <translation>제어 도형의 번호를 끌면 옮기고, 고리의 네모나 점을 끌면 크기를 바꾸거나 돌림 · L: 사다리</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2483,10 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Remove all</source>
         <translation>모두 제거</translation>
+    </message>
+    <message>
+        <source>Add the missing items</source>
+        <translation>빠진 항목 추가</translation>
     </message>
 </context>
 <context>

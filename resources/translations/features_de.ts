@@ -459,6 +459,10 @@
         <translation>eine Fläche zum Verknüpfen</translation>
     </message>
     <message>
+        <source>a region to follow or to sweep</source>
+        <translation>einen Bereich zum Verfolgen oder Ziehen</translation>
+    </message>
+    <message>
         <source>A region, closed curves, or a solid of which a flat face is chosen.</source>
         <translation>Eine Fläche, geschlossene Kurven oder ein Körper, von dem eine ebene Seite gewählt wird.</translation>
     </message>
@@ -477,6 +481,22 @@
     <message>
         <source>A round cylinder, or a wedge of one.</source>
         <translation>Ein runder Zylinder oder ein Keil davon.</translation>
+    </message>
+    <message>
+        <source>a sequence or a shape to join</source>
+        <translation>eine Folge oder Form zum Verbinden</translation>
+    </message>
+    <message>
+        <source>A sequence played backwards, with a slow begin or end, or in another number of frames.</source>
+        <translation>Eine Folge, rückwärts gespielt, mit langsamem Anfang oder Ende oder mit einer anderen Zahl von Bildern.</translation>
+    </message>
+    <message>
+        <source>a sequence to retime</source>
+        <translation>eine Folge, die neu getaktet wird</translation>
+    </message>
+    <message>
+        <source>a sequence to take a frame out of</source>
+        <translation>eine Folge, aus der ein Bild genommen wird</translation>
     </message>
     <message>
         <source>A shape and its mirror image in a plane.</source>
@@ -655,6 +675,10 @@
         <translation>alle scharfen Kanten</translation>
     </message>
     <message>
+        <source>along</source>
+        <translation>entlang</translation>
+    </message>
+    <message>
         <source>Along the axes x, y and z of the moving frame.</source>
         <translation>Entlang der Achsen x, y und z des bewegten Bezugssystems.</translation>
     </message>
@@ -669,6 +693,10 @@
     <message>
         <source>An ellipse, as an exact rational curve; a circle when its half-axes are equal.</source>
         <translation>Eine Ellipse als exakte rationale Kurve; bei gleichen Halbachsen ein Kreis.</translation>
+    </message>
+    <message>
+        <source>an outline of the solid</source>
+        <translation>einen Umriss des Körpers</translation>
     </message>
     <message>
         <source>an outline or solid to cut a pocket into</source>
@@ -701,6 +729,18 @@
     <message>
         <source>an outline to revolve</source>
         <translation>einen Umriss zum Rotieren</translation>
+    </message>
+    <message>
+        <source>An outline with the places filled that a shape cannot reach from outside: slots and inner corners.</source>
+        <translation>Ein Umriss, an dem gefüllt ist, was eine Form von außen nicht erreicht: Schlitze und innere Ecken.</translation>
+    </message>
+    <message>
+        <source>An outline, then the shape that moves inside it.</source>
+        <translation>Ein Umriss, dann die Form, die sich darin bewegt.</translation>
+    </message>
+    <message>
+        <source>An outline, then the shape that moves outside it, turned by 180 degrees.</source>
+        <translation>Ein Umriss, dann die Form, die sich außen bewegt, um 180 Grad gedreht.</translation>
     </message>
     <message>
         <source>anchor</source>
@@ -867,10 +907,6 @@
         <translation>Käfig</translation>
     </message>
     <message>
-        <source>deviation</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
         <source>catmull-clark</source>
         <translation>Catmull-Clark</translation>
     </message>
@@ -929,6 +965,10 @@
     <message>
         <source>Closing</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closing of an outline</source>
+        <translation>Schließen eines Umrisses</translation>
     </message>
     <message>
         <source>Colours of canvas and edges.</source>
@@ -1071,6 +1111,10 @@
         <translation>Tiefe der Tasche; unbenutzt, wenn ihr Boden gewählt ist.</translation>
     </message>
     <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
         <source>Diameter of the end mill.</source>
         <translation>Durchmesser des Fräsers.</translation>
     </message>
@@ -1167,6 +1211,10 @@
         <translation>Abstand der Spitzen vom Mittelpunkt.</translation>
     </message>
     <message>
+        <source>Distance of the second outline above the first.</source>
+        <translation>Abstand des zweiten Umrisses über dem ersten.</translation>
+    </message>
+    <message>
         <source>Distance of the surface from the centre.</source>
         <translation>Abstand der Oberfläche vom Mittelpunkt.</translation>
     </message>
@@ -1185,6 +1233,10 @@
     <message>
         <source>Duration of an animation in seconds; it repeats endlessly.</source>
         <translation>Dauer einer Animation in Sekunden; sie wiederholt sich endlos.</translation>
+    </message>
+    <message>
+        <source>Duration of the film in seconds.</source>
+        <translation>Dauer des Films in Sekunden.</translation>
     </message>
     <message>
         <source>ease</source>
@@ -1225,6 +1277,14 @@
     <message>
         <source>evaluation</source>
         <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Even: the frames are spread evenly from 0 to 1; lengths: each sequence keeps its share of the time.</source>
+        <translation>Gleichmäßig: Die Bilder sind gleichmäßig von 0 bis 1 verteilt; Längen: Jede Folge behält ihren Anteil an der Zeit.</translation>
     </message>
     <message>
         <source>exact</source>
@@ -1295,6 +1355,10 @@
         <translation>Verrundung</translation>
     </message>
     <message>
+        <source>Film (Ogg Theora)</source>
+        <translation>Film (Ogg Theora)</translation>
+    </message>
+    <message>
         <source>Fineness of the ball: 20 faces, with each subdivision four times as many.</source>
         <translation>Feinheit der Kugel: 20 Seiten, mit jeder Unterteilung viermal so viele.</translation>
     </message>
@@ -1333,6 +1397,10 @@
     <message>
         <source>four-point</source>
         <translation>Vierpunkt</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Einzelbild</translation>
     </message>
     <message>
         <source>frames</source>
@@ -1435,6 +1503,10 @@
         <translation>Helix</translation>
     </message>
     <message>
+        <source>holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
         <source>how</source>
         <translation>wie</translation>
     </message>
@@ -1453,6 +1525,14 @@
     <message>
         <source>How files of the format G-code (LinuxCNC, GRBL) are read.</source>
         <translation>Wie Dateien des Formats G-Code (LinuxCNC, GRBL) gelesen werden.</translation>
+    </message>
+    <message>
+        <source>How it gets going: in begins slowly (s^2), out ends slowly, in-out does both (smoothstep, 3 s^2 - 2 s^3).</source>
+        <translation>Wie sie in Gang kommt: „Anfang“ beginnt langsam (s^2), „Ende“ endet langsam, „beides“ tut beides (Smoothstep, 3 s^2 - 2 s^3).</translation>
+    </message>
+    <message>
+        <source>How many times as large each control shape is as drawn, about its centre, first to last; others stay.</source>
+        <translation>Wievielmal so groß jede Kontrollform ist wie gezeichnet, um ihre Mitte, von der ersten zur letzten; andere bleiben.</translation>
     </message>
     <message>
         <source>How many times the pull is repeated around the motion.</source>
@@ -1477,6 +1557,18 @@
     <message>
         <source>Import</source>
         <translation>Import</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>In place of the number: the frame whose time is nearest to this; of two the earlier one.</source>
+        <translation>Statt der Nummer: das Bild, dessen Zeit dieser am nächsten ist; von zweien das frühere.</translation>
+    </message>
+    <message>
+        <source>in-out</source>
+        <translation>beides</translation>
     </message>
     <message>
         <source>inch</source>
@@ -1543,6 +1635,10 @@
         <translation>Verbindet Seiten auf derselben Fläche und Kanten auf derselben Kurve.</translation>
     </message>
     <message>
+        <source>Join sequences</source>
+        <translation>Folgen verbinden</translation>
+    </message>
+    <message>
         <source>keep</source>
         <translation>behalten</translation>
     </message>
@@ -1583,10 +1679,6 @@
         <translation>Größte Abweichung des Weges.</translation>
     </message>
     <message>
-        <source>Largest distance between curves and the polygons that stand for them.</source>
-        <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen.</translation>
-    </message>
-    <message>
         <source>Largest distance between a curve and the cubic pieces that stand for it; places are kept to 0.002 mm.</source>
         <translation>Größter Abstand zwischen einer Kurve und den kubischen Stücken, die für sie stehen; Lagen werden auf 0,002 mm gehalten.</translation>
     </message>
@@ -1601,6 +1693,10 @@
     <message>
         <source>Largest distance between a spline and the cubic pieces that stand for it.</source>
         <translation>Größter Abstand zwischen einem Spline und den kubischen Stücken, die für ihn stehen.</translation>
+    </message>
+    <message>
+        <source>Largest distance between curves and the polygons that stand for them.</source>
+        <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen.</translation>
     </message>
     <message>
         <source>Largest distance between the shape and its picture; 0 is as fine as the picture needs.</source>
@@ -1629,6 +1725,10 @@
     <message>
         <source>leave floor</source>
         <translation>Aufmaß Boden</translation>
+    </message>
+    <message>
+        <source>Leave out the first frame of each sequence that comes after another part, as it repeats the end of that.</source>
+        <translation>Lässt das erste Bild jeder Folge nach einem anderen Teil weg, da es dessen Ende wiederholt.</translation>
     </message>
     <message>
         <source>Leave the background out.</source>
@@ -1673,6 +1773,10 @@
     <message>
         <source>Length of a plane along x.</source>
         <translation>Länge einer Ebene in x.</translation>
+    </message>
+    <message>
+        <source>lengths</source>
+        <translation>Längen</translation>
     </message>
     <message>
         <source>Less than a full turn leaves a bend.</source>
@@ -1743,6 +1847,10 @@
         <translation>Abschmelzen</translation>
     </message>
     <message>
+        <source>merge ends</source>
+        <translation>Enden verschmelzen</translation>
+    </message>
+    <message>
         <source>mesh</source>
         <translation>Netz</translation>
     </message>
@@ -1753,30 +1861,6 @@
     <message>
         <source>Minkowski</source>
         <translation>Minkowski</translation>
-    </message>
-    <message>
-        <source>Opening of an outline</source>
-        <translation>Öffnen eines Umrisses</translation>
-    </message>
-    <message>
-        <source>The part of an outline that a shape covers while it stays inside: thin parts and outer corners disappear.</source>
-        <translation>Der Teil eines Umrisses, den eine Form überdeckt, während sie darin bleibt: dünne Teile und äußere Ecken verschwinden.</translation>
-    </message>
-    <message>
-        <source>An outline, then the shape that moves inside it.</source>
-        <translation>Ein Umriss, dann die Form, die sich darin bewegt.</translation>
-    </message>
-    <message>
-        <source>Closing of an outline</source>
-        <translation>Schließen eines Umrisses</translation>
-    </message>
-    <message>
-        <source>An outline with the places filled that a shape cannot reach from outside: slots and inner corners.</source>
-        <translation>Ein Umriss, an dem gefüllt ist, was eine Form von außen nicht erreicht: Schlitze und innere Ecken.</translation>
-    </message>
-    <message>
-        <source>An outline, then the shape that moves outside it, turned by 180 degrees.</source>
-        <translation>Ein Umriss, dann die Form, die sich außen bewegt, um 180 Grad gedreht.</translation>
     </message>
     <message>
         <source>Minkowski difference</source>
@@ -1815,6 +1899,10 @@
         <translation>Morph</translation>
     </message>
     <message>
+        <source>Morph as solid</source>
+        <translation>Morph als Körper</translation>
+    </message>
+    <message>
         <source>Morphology</source>
         <translation>Morphologie</translation>
     </message>
@@ -1851,8 +1939,16 @@
         <translation>Normale der Spiegelebene.</translation>
     </message>
     <message>
+        <source>number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
         <source>Number of copies in a row, including the original.</source>
         <translation>Zahl der Kopien in einer Reihe, mit dem Original.</translation>
+    </message>
+    <message>
+        <source>Number of frames, at even times, each the nearest one there is: none is computed anew. 0 keeps the frames and moves their times.</source>
+        <translation>Zahl der Bilder zu gleichmäßigen Zeiten, jedes das nächste vorhandene: Keines wird neu berechnet. 0 behält die Bilder und verschiebt ihre Zeiten.</translation>
     </message>
     <message>
         <source>Number of points along drawn targets.</source>
@@ -1907,8 +2003,16 @@
         <translation>Eine Zahl für jede Kontrollform nach der ersten, statt t; alle gleich bedeuten sie t.</translation>
     </message>
     <message>
+        <source>One shape out of a sequence.</source>
+        <translation>Eine Form aus einer Folge.</translation>
+    </message>
+    <message>
         <source>Opening</source>
         <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Opening of an outline</source>
+        <translation>Öffnen eines Umrisses</translation>
     </message>
     <message>
         <source>operation</source>
@@ -1921,6 +2025,10 @@
     <message>
         <source>origin</source>
         <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>Ende</translation>
     </message>
     <message>
         <source>outer</source>
@@ -1959,12 +2067,20 @@
         <translation>Teil des Weges, von 0 (vor den Änderungen) bis 1 (nach der letzten).</translation>
     </message>
     <message>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
         <source>path</source>
         <translation>Pfad</translation>
     </message>
     <message>
         <source>Pattern</source>
         <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Pictures per second.</source>
+        <translation>Bilder pro Sekunde.</translation>
     </message>
     <message>
         <source>pins</source>
@@ -2017,6 +2133,10 @@
     <message>
         <source>plane</source>
         <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Play it backwards.</source>
+        <translation>Spielt sie rückwärts.</translation>
     </message>
     <message>
         <source>plunge</source>
@@ -2107,6 +2227,10 @@
         <translation>Setzt den Ursprung der Zeichnung auf den Anfang des Pfades, senkrecht dazu; aus: führt sie von dort, wo sie liegt.</translation>
     </message>
     <message>
+        <source>Put up to so many frames of a sequence, evenly spread, beside each other into one file, each with its time; 0 is a file for each frame.</source>
+        <translation>Stellt bis zu so viele Bilder einer Folge, gleichmäßig verteilt, nebeneinander in eine Datei, jedes mit seiner Zeit; 0 ergibt eine Datei je Bild.</translation>
+    </message>
+    <message>
         <source>quadratic</source>
         <translation>quadratisch</translation>
     </message>
@@ -2175,6 +2299,10 @@
         <translation>Rampenwinkel</translation>
     </message>
     <message>
+        <source>rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
         <source>Read what the tool draws in the plane, or every move of it; auto: the moves when the program turns the spindle or names a tool and moves in z.</source>
         <translation>Liest, was das Werkzeug in der Ebene zeichnet, oder jede Bewegung; automatisch: die Bewegungen, wenn das Programm die Spindel dreht oder ein Werkzeug nennt und sich in z bewegt.</translation>
     </message>
@@ -2211,6 +2339,14 @@
         <translation>Widerstand der Kontrollpunkte gegen das Verschieben, größer bei geringem Einfluss; 0 ist die kürzeste Bewegung, die am besten passt.</translation>
     </message>
     <message>
+        <source>Retime sequence</source>
+        <translation>Folge neu takten</translation>
+    </message>
+    <message>
+        <source>reverse</source>
+        <translation>rückwärts</translation>
+    </message>
+    <message>
         <source>Revolutions per minute; 0: the program does not start the spindle.</source>
         <translation>Umdrehungen pro Minute; 0: das Programm startet die Spindel nicht.</translation>
     </message>
@@ -2245,6 +2381,10 @@
     <message>
         <source>Rotation about the axis.</source>
         <translation>Drehung um die Achse.</translation>
+    </message>
+    <message>
+        <source>Rotation of each control shape about its centre, counter-clockwise, first to last; others stay.</source>
+        <translation>Drehung jeder Kontrollform um ihre Mitte gegen den Uhrzeigersinn, von der ersten zur letzten; andere bleiben.</translation>
     </message>
     <message>
         <source>round</source>
@@ -2287,6 +2427,10 @@
         <translation>Skaliert das Ergebnis so, dass seine Fläche zwischen denen der Formen überblendet.</translation>
     </message>
     <message>
+        <source>scales</source>
+        <translation>Maßstäbe</translation>
+    </message>
+    <message>
         <source>scaling</source>
         <translation>Skalierung</translation>
     </message>
@@ -2325,6 +2469,14 @@
     <message>
         <source>segments</source>
         <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Sequences and single shapes, one after the other.</source>
+        <translation>Folgen und einzelne Formen, eine nach der anderen.</translation>
+    </message>
+    <message>
+        <source>Sequences, and single shapes, each of which is one frame.</source>
+        <translation>Folgen und einzelne Formen, von denen jede ein Bild ist.</translation>
     </message>
     <message>
         <source>set</source>
@@ -2551,6 +2703,10 @@
         <translation>Sweep entlang</translation>
     </message>
     <message>
+        <source>Sweep along an outline</source>
+        <translation>Entlang eines Umrisses ziehen</translation>
+    </message>
+    <message>
         <source>Sweeps a program&apos;s tool along its moves and measures gouge and residue.</source>
         <translation>Führt das Werkzeug eines Programms auf dessen Wegen und misst, was verletzt wird und was stehen bleibt.</translation>
     </message>
@@ -2585,6 +2741,10 @@
     <message>
         <source>The angle that the copies divide.</source>
         <translation>Der Winkel, den sich die Kopien teilen.</translation>
+    </message>
+    <message>
+        <source>The area that a shape covers while its origin runs along the boundary of another.</source>
+        <translation>Die Fläche, die eine Form überstreicht, während ihr Ursprung am Rand einer anderen entlangläuft.</translation>
     </message>
     <message>
         <source>The area that one shape covers while its origin moves over the other.</source>
@@ -2671,6 +2831,10 @@
         <translation>Die Form und ihre Maße.</translation>
     </message>
     <message>
+        <source>the frame of that number</source>
+        <translation>das Bild mit der Nummer</translation>
+    </message>
+    <message>
         <source>The height of zero: the stock&apos;s top or bottom.</source>
         <translation>Die Höhe des Nullpunkts: Ober- oder Unterseite des Rohteils.</translation>
     </message>
@@ -2695,12 +2859,20 @@
         <translation>Die Bewegung, die bearbeitet wird; zuvor gelten die Änderungen ihrer Datei.</translation>
     </message>
     <message>
+        <source>The outline at the bottom, then the one at the top.</source>
+        <translation>Der untere Umriss, dann der obere.</translation>
+    </message>
+    <message>
         <source>The outline that is moved.</source>
         <translation>Der Umriss, der bewegt wird.</translation>
     </message>
     <message>
         <source>The part of a solid that a shape covers while it stays inside: thin walls and outer edges disappear.</source>
         <translation>Der Teil eines Körpers, den eine Form überdeckt, während sie darin bleibt: Dünne Wände und äußere Kanten verschwinden.</translation>
+    </message>
+    <message>
+        <source>The part of an outline that a shape covers while it stays inside: thin parts and outer corners disappear.</source>
+        <translation>Der Teil eines Umrisses, den eine Form überdeckt, während sie darin bleibt: dünne Teile und äußere Ecken verschwinden.</translation>
     </message>
     <message>
         <source>the part that it cuts</source>
@@ -2735,6 +2907,14 @@
         <translation>Die Segmente, eines nach dem anderen.</translation>
     </message>
     <message>
+        <source>The sequence that the shape is taken out of.</source>
+        <translation>Die Folge, aus der die Form genommen wird.</translation>
+    </message>
+    <message>
+        <source>The sequence to play another way.</source>
+        <translation>Die Folge, die anders gespielt wird.</translation>
+    </message>
+    <message>
         <source>The shape that has to fit inside.</source>
         <translation>Die Form, die hineinpassen muss.</translation>
     </message>
@@ -2757,6 +2937,10 @@
     <message>
         <source>The shape to arrange.</source>
         <translation>Die Form, die angeordnet wird.</translation>
+    </message>
+    <message>
+        <source>The shape whose boundary is followed, then the one that is swept.</source>
+        <translation>Die Form, deren Rand verfolgt wird, dann die, die gezogen wird.</translation>
     </message>
     <message>
         <source>The shape: a tube is a bent one, a sheet an arched one.</source>
@@ -2785,6 +2969,10 @@
     <message>
         <source>The solid that is changed.</source>
         <translation>Der Körper, der verändert wird.</translation>
+    </message>
+    <message>
+        <source>The solid whose section at every height is the morph of two outlines, with planar faces.</source>
+        <translation>Der Körper, dessen Schnitt in jeder Höhe der Morph zweier Umrisse ist, mit ebenen Flächen.</translation>
     </message>
     <message>
         <source>The space that one solid covers while its origin moves over the other.</source>
@@ -2821,6 +3009,14 @@
     <message>
         <source>through</source>
         <translation>durch</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Zeiten</translation>
     </message>
     <message>
         <source>to</source>
@@ -3037,6 +3233,14 @@
     <message>
         <source>Which control points may move: support, paper, or rings:N for the support grown by N rings.</source>
         <translation>Welche Kontrollpunkte sich bewegen dürfen: support, paper oder rings:N für den um N Ringe gewachsenen Träger.</translation>
+    </message>
+    <message>
+        <source>Which frame, counted from 1.</source>
+        <translation>Welches Bild, gezählt ab 1.</translation>
+    </message>
+    <message>
+        <source>Which loops of the boundary are followed.</source>
+        <translation>Welche Schleifen des Randes verfolgt werden.</translation>
     </message>
     <message>
         <source>Which point of the profile follows the path: the middle of its area or the origin.</source>

@@ -77,7 +77,8 @@ class MinkowskiCliTest : public QObject {
     QVERIFY(blossom(discs + QStringList{"--knots", "0,0,0,1,2,2"}).code != 0);
     QVERIFY(blossom(discs + QStringList{"--degree", "2", "--blossom", "0.1,0.2,0.3"}).code != 0);
     // Half of the second disc: the upper one, about the first disc's centre.
-    const Answer half = blossom({"morph", "circle:2", "circle:4", "--t", "1", "--sectors", "0,0; 0,180"});
+    const Answer half = blossom(
+        {"morph", "circle:2", "circle:4", "--t", "1", "--sectors", R"([{"from": 0, "to": 0}, {"from": 0, "to": 180}])"});
     COMPARE_NEAR(half.result("area"), 8 * pi, 1e-9);
     QCOMPARE(half.result("lines"), 1.0);
   }

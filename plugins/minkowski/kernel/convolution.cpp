@@ -70,52 +70,15 @@ std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop, const CornerNum
   return edges;
 }
 
-/// The ends of edges that were left out, each as often as edges end there.
-class LooseEnds {
- public:
-  void add(const GridPoint& at, int count) {
-    ends_.emplace_back(at, count);
-    if (ends_.size() >= full_) {
-      join();
-      full_ = std::max(full_, 2 * ends_.size());
-    }
-  }
-  const std::vector<std::pair<GridPoint, int>>& joined() {
-    join();
-    return ends_;
-  }
-
- private:
-  void join() {
-    std::sort(ends_.begin(), ends_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < ends_.size();) {
-      auto sum = ends_[i];
-      for (++i; i < ends_.size() && ends_[i].first == sum.first; ++i) sum.second += ends_[i].second;
-      if (sum.second != 0) ends_[kept++] = sum;
-    }
-    ends_.resize(kept);
-  }
-
-  std::vector<std::pair<GridPoint, int>> ends_;
-  std::size_t full_ = 100'000;
-};
-
 /// Edges that are joined when they become too many: those of a lattice are few.
 class EdgePile {
  public:
-  EdgePile(const Effort& effort, PairSources* sources, const ConvexCore* core, const Progress& progress)
-      : effort_(effort), sources_(sources), core_(core), progress_(progress) {}
+  EdgePile(const Effort& effort, PairSources* sources, const Progress& progress)
+      : effort_(effort), sources_(sources), progress_(progress) {}
 
   /// An edge of the first or the second set moved by a corner of the other.
   void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
     CountedEdge moved{edge.from + corner.at, edge.to + corner.at, corner.sign, corner.sign > 0};
-    if (core_ && core_->contains(moved.from) && core_->contains(moved.to)) {
-      loose_.add(moved.from, moved.count);
-      loose_.add(moved.to, -moved.count);
-      ++leftOut_;
-      return;
-    }
     if (corner.sign > 0 && edge.number != CornerNumbers::unknown && corner.number != CornerNumbers::unknown) {
       moved.source = static_cast<std::uint32_t>(sources_->all.size());
       sources_->all.push_back({edge.number, corner.number, edgeOfFirst});
@@ -134,27 +97,14 @@ class EdgePile {
     full_ = std::max(full_, 2 * edges_.size());
   }
   std::vector<CountedEdge> joined() && {
-    if (leftOut_ > 0) closeThroughCore();
     joinEqual(edges_, progress_);
     effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
     return std::move(edges_);
   }
 
  private:
-  /// An edge that was left out changes the winding number by one at most.
-  void closeThroughCore() {
-    for (const auto& [at, count] : loose_.joined())
-      if (at != core_->centre()) edges_.push_back({at, core_->centre(), count, 0});
-    const GridLoop& corners = core_->corners();
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      edges_.push_back({corners[i], corners[(i + 1) % corners.size()], leftOut_ + 1, 0});
-  }
-
   const Effort& effort_;
   PairSources* sources_;
-  const ConvexCore* core_;
-  LooseEnds loose_;
-  int leftOut_ = 0;
   const Progress& progress_;
   std::vector<CountedEdge> edges_;
   std::size_t full_ = 100'000;
@@ -337,11 +287,10 @@ void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {
 }
 
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
-                                     const Progress& progress, const Effort& effort, PairSources* sources,
-                                     const ConvexCore* core) {
+                                     const Progress& progress, const Effort& effort, PairSources* sources) {
   const std::vector<PartSides> partsA = partsOf(a, sources ? &sources->first : nullptr, progress),
                                partsB = partsOf(b, sources ? &sources->second : nullptr, progress);
-  EdgePile edges(effort, sources, core, progress);
+  EdgePile edges(effort, sources, progress);
   for (std::size_t i = 0; i < partsA.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(partsA.size()), "Pairing edges");
     for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/convex_core.h"
 #include "kernel/effort.h"
 #include "kernel/grid.h"
 
@@ -57,14 +56,11 @@ struct PairSources {
 /// enter are removed first (Baram, Fogel, Halperin, Hemmer & Morr 2018, "fill up"), because the intersection of A and x - B
 /// could otherwise have a hole, which counts -1. Edges at reflex vertices never bound. The result is as joinEqual returns
 /// it. O(n log n + k) for k pairs: the edges of a loop are sorted by direction once.
-/// @param core in the interior of A + B: edges in it are left out and their loops closed through its centre, around which
-/// its sides wind often enough. Then only winding numbers outside of it are those of the convolution; those inside are
-/// positive.
 /// @param sources when given, edges that may bound and come from numbered edges and corners name them
 /// @throws Error LimitExceeded above three million edges; Cancelled; TooMuchWork.
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
                                      const Progress& = Progress::none(), const Effort& = Effort(),
-                                     PairSources* sources = nullptr, const ConvexCore* core = nullptr);
+                                     PairSources* sources = nullptr);
 
 /// An edge of one loop at a corner of another whose turn contains the edge's direction, in their own coordinates.
 struct EdgeAtCorner {

@@ -56,9 +56,8 @@ bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() <
 Loop reversed(const Loop& loop) { return {loop.rbegin(), loop.rend()}; }
 
 Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
-  const std::vector<GridPolygon> a = untangled(operands.a, progress), b = untangled(operands.b, progress);
-  const std::optional<ConvexCore> core = rule == Inside::Positive ? coreOfSum(a, b) : std::nullopt;
-  const std::vector<CountedEdge> edges = convolution(a, b, progress.part(0, 0.1), effort, nullptr, core ? &*core : nullptr);
+  const std::vector<CountedEdge> edges =
+      convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort);
   return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.gridOfSum);
 }
 

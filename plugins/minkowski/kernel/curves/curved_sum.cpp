@@ -48,8 +48,7 @@ class SampledSum {
     grid_ = operands.gridOfSum;
     sources_.first = numbersOf(a_, operands.gridA);
     sources_.second = numbersOf(b_, operands.gridB);
-    const std::optional<ConvexCore> core = inside == Inside::Positive ? coreOfSum(operands.a, operands.b) : std::nullopt;
-    edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_, core ? &*core : nullptr);
+    edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_);
     faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), inside, effort);
   }
 

@@ -499,6 +499,10 @@
         <translation>eine Folge, aus der ein Bild genommen wird</translation>
     </message>
     <message>
+        <source>A shape added to itself several times, which fills towards its convex hull.</source>
+        <translation>Eine Form, mehrmals zu sich selbst addiert; sie füllt sich zu ihrer konvexen Hülle hin.</translation>
+    </message>
+    <message>
         <source>A shape and its mirror image in a plane.</source>
         <translation>Eine Form und ihr Spiegelbild an einer Ebene.</translation>
     </message>
@@ -521,6 +525,10 @@
     <message>
         <source>a shape to change it with</source>
         <translation>eine Form, mit der er verändert wird</translation>
+    </message>
+    <message>
+        <source>a shape to enclose</source>
+        <translation>eine Form zum Umschließen</translation>
     </message>
     <message>
         <source>a shape to mirror</source>
@@ -1019,6 +1027,10 @@
         <translation>konvex</translation>
     </message>
     <message>
+        <source>Convex hull</source>
+        <translation>Konvexe Hülle</translation>
+    </message>
+    <message>
         <source>Copies of a shape in rows or round an axis.</source>
         <translation>Kopien einer Form in Reihen oder um eine Achse.</translation>
     </message>
@@ -1075,8 +1087,16 @@
         <translation>Verformen</translation>
     </message>
     <message>
+        <source>degree</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
         <source>degree elevate</source>
         <translation>Grad erhöhen</translation>
+    </message>
+    <message>
+        <source>Degree of a B-spline of shapes: so many shapes and one more act at a time. 0: one less than the number of shapes, the Bezier morph, in which all act.</source>
+        <translation>Grad eines B-Splines von Formen: So viele Formen und eine mehr wirken zugleich. 0: einer weniger als Formen, der Bézier-Morph, in dem alle wirken.</translation>
     </message>
     <message>
         <source>Degree of the curve, or of the surface from line to line.</source>
@@ -1155,6 +1175,10 @@
         <translation>Richtung; 0,0,0: senkrecht zum Umriss.</translation>
     </message>
     <message>
+        <source>Directions in which each control shape acts, first to last; from equal to to: all around.</source>
+        <translation>Richtungen, in denen jede Kontrollform wirkt, von der ersten zur letzten; „von“ gleich „bis“: rundum.</translation>
+    </message>
+    <message>
         <source>Displacement of each control shape from its drawn position, first to last; others stay.</source>
         <translation>Verschiebung jeder Kontrollform von der gezeichneten Stelle, von der ersten bis zur letzten; andere bleiben.</translation>
     </message>
@@ -1221,6 +1245,10 @@
     <message>
         <source>Distance of the tube&apos;s middle from the axis.</source>
         <translation>Abstand der Rohrmitte von der Achse.</translation>
+    </message>
+    <message>
+        <source>Divide by the count: the result lies between the shape and its convex hull, the nearer to the hull the more copies there are.</source>
+        <translation>Durch die Anzahl geteilt: Das Ergebnis liegt zwischen der Form und ihrer konvexen Hülle, umso näher an der Hülle, je mehr Kopien es sind.</translation>
     </message>
     <message>
         <source>Draw the feature edges.</source>
@@ -1315,6 +1343,10 @@
         <translation>So nahe Seiten gelten als berührend; 0: nur solche, die sich berühren.</translation>
     </message>
     <message>
+        <source>Factor of each shape about the origin, first to last; a negative one reflects in the origin, 0 leaves the shape out. Others are 1.</source>
+        <translation>Faktor jeder Form um den Ursprung, von der ersten zur letzten; ein negativer spiegelt am Ursprung, 0 lässt die Form weg. Andere sind 1.</translation>
+    </message>
+    <message>
         <source>Factor on the distance from letter to letter.</source>
         <translation>Faktor für den Abstand von Buchstabe zu Buchstabe.</translation>
     </message>
@@ -1355,10 +1387,6 @@
         <translation>Verrundung</translation>
     </message>
     <message>
-        <source>Film (Ogg Theora)</source>
-        <translation>Film (Ogg Theora)</translation>
-    </message>
-    <message>
         <source>Fineness of the ball: 20 faces, with each subdivision four times as many.</source>
         <translation>Feinheit der Kugel: 20 Seiten, mit jeder Unterteilung viermal so viele.</translation>
     </message>
@@ -1369,6 +1397,10 @@
     <message>
         <source>finish</source>
         <translation>Schlichtaufmaß</translation>
+    </message>
+    <message>
+        <source>First direction of the sector, counter-clockwise from +x.</source>
+        <translation>Erste Richtung des Sektors, gegen den Uhrzeigersinn ab +x.</translation>
     </message>
     <message>
         <source>First half-axis.</source>
@@ -1531,6 +1563,10 @@
         <translation>Wie sie in Gang kommt: „Anfang“ beginnt langsam (s^2), „Ende“ endet langsam, „beides“ tut beides (Smoothstep, 3 s^2 - 2 s^3).</translation>
     </message>
     <message>
+        <source>How many copies are added.</source>
+        <translation>Wie viele Kopien addiert werden.</translation>
+    </message>
+    <message>
         <source>How many times as large each control shape is as drawn, about its centre, first to last; others stay.</source>
         <translation>Wievielmal so groß jede Kontrollform ist wie gezeichnet, um ihre Mitte, von der ersten zur letzten; andere bleiben.</translation>
     </message>
@@ -1651,6 +1687,14 @@
         <translation>Art</translation>
     </message>
     <message>
+        <source>knots</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Knots of the B-spline, as many as shapes and the degree and one more, the first and last as often as the degree and once more. None: evenly spaced.</source>
+        <translation>Knoten des B-Splines, so viele wie Formen und der Grad und einer mehr, der erste und der letzte so oft wie der Grad und einmal mehr. Keine: gleichmäßig verteilt.</translation>
+    </message>
+    <message>
         <source>Knots to insert in u; one that is repeated lets a pull crease.</source>
         <translation>Knoten, die in u eingefügt werden; ein wiederholter erlaubt einem Zug einen Knick.</translation>
     </message>
@@ -1699,6 +1743,14 @@
         <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen.</translation>
     </message>
     <message>
+        <source>Largest distance between curves and the polygons that stand for them. Once the convex hull is within it, the hull is the result.</source>
+        <translation>Größter Abstand zwischen Kurven und den Polygonen, die für sie stehen. Sobald die konvexe Hülle darin liegt, ist sie das Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Largest distance between free-form curves and the splines that stand for them.</source>
+        <translation>Größter Abstand zwischen Freiformkurven und den Splines, die für sie stehen.</translation>
+    </message>
+    <message>
         <source>Largest distance between the shape and its picture; 0 is as fine as the picture needs.</source>
         <translation>Größter Abstand zwischen der Form und ihrem Bild; 0 ist so fein, wie das Bild es braucht.</translation>
     </message>
@@ -1717,6 +1769,10 @@
     <message>
         <source>Largest number of searches for closest points.</source>
         <translation>Größte Zahl der Suchen nach nächsten Punkten.</translation>
+    </message>
+    <message>
+        <source>Last direction.</source>
+        <translation>Letzte Richtung.</translation>
     </message>
     <message>
         <source>leave</source>
@@ -1937,6 +1993,10 @@
     <message>
         <source>Normal of the mirror plane.</source>
         <translation>Normale der Spiegelebene.</translation>
+    </message>
+    <message>
+        <source>normalised</source>
+        <translation>normiert</translation>
     </message>
     <message>
         <source>number</source>
@@ -2331,6 +2391,10 @@
         <translation>Wiederholt ihn gespiegelt, mit umgekehrtem u.</translation>
     </message>
     <message>
+        <source>Repeated sum</source>
+        <translation>Wiederholte Summe</translation>
+    </message>
+    <message>
         <source>Residue narrower than this does not count; a deeper gouge is a warning.</source>
         <translation>Schmalere Reste zählen nicht; eine tiefere Verletzung ist eine Warnung.</translation>
     </message>
@@ -2467,8 +2531,16 @@
         <translation>Querschnitte</translation>
     </message>
     <message>
+        <source>sectors</source>
+        <translation>Sektoren</translation>
+    </message>
+    <message>
         <source>segments</source>
         <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>sequence</source>
+        <translation>Folge</translation>
     </message>
     <message>
         <source>Sequences and single shapes, one after the other.</source>
@@ -2919,6 +2991,10 @@
         <translation>Die Form, die hineinpassen muss.</translation>
     </message>
     <message>
+        <source>The shape that is added to itself.</source>
+        <translation>Die Form, die zu sich selbst addiert wird.</translation>
+    </message>
+    <message>
         <source>The shape that moves inside the solid.</source>
         <translation>Die Form, die sich im Körper bewegt.</translation>
     </message>
@@ -2939,6 +3015,10 @@
         <translation>Die Form, die angeordnet wird.</translation>
     </message>
     <message>
+        <source>The shape to enclose, of one or several parts.</source>
+        <translation>Die Form, die umschlossen wird, aus einem oder mehreren Teilen.</translation>
+    </message>
+    <message>
         <source>The shape whose boundary is followed, then the one that is swept.</source>
         <translation>Die Form, deren Rand verfolgt wird, dann die, die gezogen wird.</translation>
     </message>
@@ -2957,6 +3037,10 @@
     <message>
         <source>The side of the tool with the material: climb cuts from thick to thin chips.</source>
         <translation>Die Seite des Werkzeugs mit dem Material: Gleichlauf schneidet vom dicken zum dünnen Span.</translation>
+    </message>
+    <message>
+        <source>The smallest convex outline around a shape; its arcs stay arcs, and lines touch them.</source>
+        <translation>Der kleinste konvexe Umriss um eine Form; Bögen bleiben Bögen, Geraden berühren sie.</translation>
     </message>
     <message>
         <source>The solid at t = 0.</source>

@@ -54,6 +54,10 @@ void writePlot(const Shape& shape, const std::filesystem::path& file, const Valu
 Format example::plotterFormat() {
   ParameterSpec unit = positiveLength();
   unit.name = "unit", unit.help = "Length of a unit of the plotter.", unit.fallback = 0.025;
-  return {
-      "hpgl", "Pen plotter (HPGL)", {"plt"}, {unit}, {unit}, readPlot, writePlot, {ShapeKind::Region, ShapeKind::Curves}};
+  Format format;
+  format.id = "hpgl", format.title = "Pen plotter (HPGL)", format.extensions = {"plt"};
+  format.readOptions = format.writeOptions = {unit};
+  format.read = readPlot, format.write = writePlot;
+  format.writes = {ShapeKind::Region, ShapeKind::Curves};
+  return format;
 }

@@ -53,7 +53,7 @@ FeatureId MinkowskiHandlesTest::morphIn(Workbench& bench, const Vec2& place) {
   const FeatureId a = bench.add("modeling.rectangle", {{"width", 20}, {"height", 10}});
   const FeatureId b = bench.add("modeling.rectangle", {{"width", 8}, {"height", 16}, {"centre", {place.x(), place.y(), 0}}});
   Feature morph{
-      bench.document().freshId("morph"), "minkowski.morph", "Morph", {a, b}, {{"t", 1}}, true, false, Value::object()};
+      bench.document().freshId("morph"), "minkowski.morph", "Morph", {{"t", 1}}, {a, b}, true, false, Value::object()};
   const FeatureId id = morph.id;
   bench.commit(bench.document().with(std::move(morph)), {});
   return id;

@@ -209,7 +209,7 @@ class MinkowskiCliTest : public QObject {
       QVERIFY2(!type->examples.empty(), type->id.c_str());
       QVERIFY2(fs::exists(sourceFolder() / "resources/icons" / (type->icon + ".svg")), type->id.c_str());
     }
-    QCOMPARE(found, 5);
+    QCOMPARE(found, 9);
   }
 
   void theSamplesHoldTheirMorphs() {

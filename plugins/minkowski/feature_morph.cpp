@@ -3,8 +3,8 @@
 #include "core/error.h"
 #include "feature/registry.h"
 #include "feature_types.h"
-#include "kernel/control_placement.h"
-#include "kernel/morph.h"
+#include "kernel/morph/control_placement.h"
+#include "kernel/morph/morph.h"
 #include "morph_control.h"
 #include "region_inputs.h"
 

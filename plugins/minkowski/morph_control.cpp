@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "kernel/flattening.h"
-#include "kernel/sector_shape.h"
+#include "kernel/morph/sector_shape.h"
 
 namespace blossom::minkowski {
 namespace {

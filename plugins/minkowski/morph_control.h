@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "feature/feature_type.h"
-#include "kernel/shape_spline.h"
+#include "kernel/morph/shape_spline.h"
 
 /// What the morph does with knots and sectors.
 namespace blossom::minkowski {

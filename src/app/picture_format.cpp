@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "exchange/format/frames.h"
-#include "scene/film.h"
+#include "scene/film/film.h"
 #include "scene/sequence_pictures.h"
 
 namespace blossom {

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "geometry/planar/planar.h"
-#include "minkowski/kernel/morph.h"
+#include "minkowski/kernel/morph/morph.h"
 #include "minkowski/kernel/polygons.h"
 #include "minkowski/kernel/sound_region.h"
 #include "support/exchange.h"

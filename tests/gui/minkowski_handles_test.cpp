@@ -1,6 +1,6 @@
 #include <QApplication>
 
-#include "minkowski/kernel/control_centre.h"
+#include "minkowski/kernel/morph/control_centre.h"
 #include "outline_bench.h"
 #include "support/test_main.h"
 

@@ -1,8 +1,8 @@
 #include <Eigen/LU>
 
 #include "minkowski/kernel/flattening.h"
+#include "minkowski/kernel/morph/repetition.h"
 #include "minkowski/kernel/polygon_sum.h"
-#include "minkowski/kernel/repetition.h"
 #include "support/boundary_distance.h"
 #include "support/random.h"
 #include "support/regions.h"

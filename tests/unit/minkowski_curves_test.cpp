@@ -1,6 +1,6 @@
 #include "minkowski/kernel/curves/curved_sum.h"
 #include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/morph.h"
+#include "minkowski/kernel/morph/morph.h"
 #include "minkowski/kernel/polygon_sum.h"
 #include "minkowski/kernel/region_sum.h"
 #include "support/curved_regions.h"

@@ -2,8 +2,8 @@
 
 #include "minkowski/kernel/curves/curved_sum.h"
 #include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/morph.h"
-#include "minkowski/kernel/repetition.h"
+#include "minkowski/kernel/morph/morph.h"
+#include "minkowski/kernel/morph/repetition.h"
 #include "support/curved_regions.h"
 #include "support/support.h"
 

@@ -1,6 +1,6 @@
-#include "minkowski/kernel/ladder.h"
+#include "minkowski/kernel/morph/ladder.h"
 
-#include "minkowski/kernel/morph.h"
+#include "minkowski/kernel/morph/morph.h"
 #include "support/regions.h"
 #include "support/support.h"
 

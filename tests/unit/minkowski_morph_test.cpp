@@ -1,4 +1,4 @@
-#include "minkowski/kernel/morph.h"
+#include "minkowski/kernel/morph/morph.h"
 #include "support/regions.h"
 #include "support/support.h"
 

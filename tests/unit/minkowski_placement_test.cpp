@@ -1,8 +1,8 @@
 #include <QTemporaryDir>
 
 #include "geometry/planar/planar.h"
-#include "minkowski/kernel/control_centre.h"
-#include "minkowski/kernel/control_placement.h"
+#include "minkowski/kernel/morph/control_centre.h"
+#include "minkowski/kernel/morph/control_placement.h"
 #include "support/command_line.h"
 #include "support/regions.h"
 #include "support/support.h"

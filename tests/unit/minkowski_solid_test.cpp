@@ -38,7 +38,7 @@ Region evenStar(int spikes, double outer, double inner) {
   return polygonRegion(points);
 }
 
-Region together(const Region& a, const Region& b) {
+Region withLoopsOf(const Region& a, const Region& b) {
   Region both = a;
   both.loops.insert(both.loops.end(), b.loops.begin(), b.loops.end());
   return both;
@@ -46,8 +46,8 @@ Region together(const Region& a, const Region& b) {
 
 /// A square frame about the origin.
 Region squareFrame(double outer, double inner) {
-  return together(rectangleRegion({-outer, -outer}, {outer, outer}),
-                  polygonRegion({{-inner, -inner}, {-inner, inner}, {inner, inner}, {inner, -inner}}));
+  return withLoopsOf(rectangleRegion({-outer, -outer}, {outer, outer}),
+                     polygonRegion({{-inner, -inner}, {-inner, inner}, {inner, inner}, {inner, -inner}}));
 }
 
 Polygons polygonsOf(const Region& region) { return flattened(region, {}, "shape"); }
@@ -166,18 +166,18 @@ class MinkowskiSolidTest : public QObject {
     LoftResult result;
     checkLoft(squareFrame(10, 6), squareFrame(10, 6), &result);
     QCOMPARE(genus(result.mesh), 0);
-    checkLoft(together(squareFrame(10, 6), rectangleRegion({20, -1}, {22, 1})), squareFrame(8, 3));
+    checkLoft(withLoopsOf(squareFrame(10, 6), rectangleRegion({20, -1}, {22, 1})), squareFrame(8, 3));
   }
   /// The hole is as large as the other shape.
   void aTightHoleClosesHalfway() {
     LoftResult result;
-    checkLoft(together(rectangleRegion({-2, -2}, {3, 3}), polygonRegion({{0, 0}, {0, 1}, {1, 1}, {1, 0}})),
+    checkLoft(withLoopsOf(rectangleRegion({-2, -2}, {3, 3}), polygonRegion({{0, 0}, {0, 1}, {1, 1}, {1, 0}})),
               rectangleRegion({0, 0}, {1, 1}), &result);
     COMPARE_NEAR(volumeOf(result), height * (25 + 5 + 1) / 3 - 0.5 * height / 3, 1e-9);
   }
   void partsJoinOnTheirWay() {
-    const Region two = together(rectangleRegion({-10, -2}, {-6, 2}), rectangleRegion({6, -2}, {10, 2}));
-    const Region across = together(rectangleRegion({-2, -10}, {2, -6}), rectangleRegion({-2, 6}, {2, 10}));
+    const Region two = withLoopsOf(rectangleRegion({-10, -2}, {-6, 2}), rectangleRegion({6, -2}, {10, 2}));
+    const Region across = withLoopsOf(rectangleRegion({-2, -10}, {2, -6}), rectangleRegion({-2, 6}, {2, 10}));
     LoftResult joined, ring;
     checkLoft(two, rectangleRegion({-3, -3}, {3, 3}), &joined);
     QCOMPARE(genus(joined.mesh), 0);

@@ -8,7 +8,7 @@
 
 #include "app/picture_format.h"
 #include "core/file.h"
-#include "scene/film.h"
+#include "scene/film/film.h"
 #include "scene/sequence_pictures.h"
 #include "support/exchange.h"
 #include "support/regions.h"

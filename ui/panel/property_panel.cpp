@@ -17,6 +17,7 @@
 #include "ui/panel/input_editor.h"
 #include "ui/panel/input_slots.h"
 #include "ui/panel/result_table.h"
+#include "ui/panel/shown_parameters.h"
 #include "ui/plugin/tool.h"
 #include "ui/session/session.h"
 #include "ui/thread/refreshes.h"
@@ -36,22 +37,6 @@ QLabel* title(const QString& text, QWidget* parent) {
   QLabel* label = styled(text, "sectionTitle", parent);
   label->setMinimumHeight(20);
   return label;
-}
-
-/// Canonical; the default where the document holds none, or one that is wrong.
-Value shownParameters(const FeatureType& type, const Feature& feature) {
-  Value all = Value::object();
-  for (const ParameterSpec& spec : type.parameters) {
-    all[spec.name] = spec.fallback;
-    const auto given = feature.parameters.find(spec.name);
-    if (given == feature.parameters.end() || given->is_null()) continue;
-    try {
-      all[spec.name] = checked(spec, *given);
-    } catch (const Error&) {
-      continue;  // the field says what is wrong with it
-    }
-  }
-  return all;
 }
 
 /// What is of no use beside the values of other fields says nothing. An import shows the options of the format that its file

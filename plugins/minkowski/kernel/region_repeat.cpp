@@ -10,7 +10,7 @@
 #include "kernel/curves/convex_hull.h"
 #include "kernel/flattening.h"
 #include "kernel/hull_distance.h"
-#include "kernel/repetition.h"
+#include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
-#include "kernel/ladder.h"
+#include "kernel/morph/ladder.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "feature/registry.h"
 #include "geometry/shape/sequence.h"
-#include "kernel/control_centre.h"
+#include "kernel/morph/control_centre.h"
 #include "manipulators/morph_card.h"
 #include "manipulators/morph_ladder.h"
 #include "manipulators/placement_values.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/planar/region.h"
-#include "kernel/control_placement.h"
+#include "kernel/morph/control_placement.h"
 #include "manipulators/ladder_loader.h"
 #include "parameter/parameter.h"
 #include "ui/tools/handle_tool.h"

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/control_placement.h"
+#include "kernel/morph/control_placement.h"
 #include "parameter/value.h"
 
 namespace blossom::minkowski {

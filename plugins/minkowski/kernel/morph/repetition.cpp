@@ -1,4 +1,4 @@
-#include "kernel/repetition.h"
+#include "kernel/morph/repetition.h"
 
 #include <algorithm>
 #include <bit>

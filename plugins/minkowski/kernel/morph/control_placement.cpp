@@ -1,4 +1,4 @@
-#include "kernel/control_placement.h"
+#include "kernel/morph/control_placement.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
-#include "kernel/control_centre.h"
+#include "kernel/morph/control_centre.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/control_centre.h"
+#include "kernel/morph/control_centre.h"
 
 #include <cmath>
 #include <vector>

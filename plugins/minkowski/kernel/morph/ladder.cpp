@@ -1,10 +1,10 @@
-#include "kernel/ladder.h"
+#include "kernel/morph/ladder.h"
 
 #include <fmt/format.h>
 
 #include "core/error.h"
 #include "kernel/flattening.h"
-#include "kernel/repetition.h"
+#include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
 namespace {

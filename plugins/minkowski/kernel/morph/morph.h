@@ -8,7 +8,7 @@
 #include "core/progress.h"
 #include "geometry/planar/region.h"
 #include "kernel/effort.h"
-#include "kernel/evaluation_order.h"
+#include "kernel/morph/evaluation_order.h"
 
 namespace blossom::minkowski {
 

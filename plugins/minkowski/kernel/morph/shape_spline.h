@@ -6,7 +6,7 @@
 
 #include "core/progress.h"
 #include "geometry/planar/region.h"
-#include "kernel/morph.h"
+#include "kernel/morph/morph.h"
 
 namespace blossom::minkowski {
 

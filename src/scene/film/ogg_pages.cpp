@@ -1,5 +1,5 @@
 // Pages: RFC 3533. The identification header of Theora: Theora Specification, section 6.2.
-#include "scene/ogg_pages.h"
+#include "scene/film/ogg_pages.h"
 
 #include <algorithm>
 #include <array>

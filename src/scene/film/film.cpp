@@ -1,4 +1,4 @@
-#include "scene/film.h"
+#include "scene/film/film.h"
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "geometry/shape/frame_times.h"
-#include "scene/ogg_pages.h"
+#include "scene/film/ogg_pages.h"
 #include "scene/picture_drawing.h"
 #include "scene/picture_image.h"
 

@@ -1,4 +1,4 @@
-#include "kernel/sector_shape.h"
+#include "kernel/morph/sector_shape.h"
 
 #include <fmt/format.h>
 

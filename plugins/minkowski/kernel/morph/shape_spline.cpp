@@ -1,13 +1,13 @@
-#include "kernel/shape_spline.h"
+#include "kernel/morph/shape_spline.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/error.h"
-#include "kernel/evaluation_order.h"
 #include "kernel/flattening.h"
-#include "kernel/repetition.h"
+#include "kernel/morph/evaluation_order.h"
+#include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
 namespace {

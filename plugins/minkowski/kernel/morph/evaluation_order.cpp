@@ -1,11 +1,11 @@
-#include "kernel/evaluation_order.h"
+#include "kernel/morph/evaluation_order.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
-#include "kernel/repetition.h"
+#include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/morph.h"
+#include "kernel/morph/morph.h"
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/planar/planar.h"
-#include "kernel/control_centre.h"
 #include "kernel/curves/convex_hull.h"
 #include "kernel/flattening.h"
 #include "kernel/hull_distance.h"
-#include "kernel/repetition.h"
+#include "kernel/morph/control_centre.h"
+#include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -68,11 +68,11 @@ Region sweptAlongAll(const Region& a, const Region& b, const RegionSumOptions& o
 
 RegionSumResult outlineSweep(const Region& a, const Region& b, Boundary boundary, const RegionSumOptions& options,
                              const Progress& progress) {
-  const double tolerance = toleranceFor(a, b, options);
   const FlatteningOptions same{.tolerance = options.tolerance};
-  const std::vector<Region> followed =
-      bounded(soundRegion(a, same, "shape 1", progress).region, boundary, tolerance, progress);
-  const std::vector<Region> parts = partsOfSound(soundRegion(b, same, "shape 2", progress).region);
+  const Region soundA = soundRegion(a, same, "shape 1", progress).region,
+               soundB = soundRegion(b, same, "shape 2", progress).region;
+  const double tolerance = toleranceFor(soundA, soundB, options);
+  const std::vector<Region> followed = bounded(soundA, boundary, tolerance, progress), parts = partsOfSound(soundB);
   RegionSumResult result;
   std::vector<SoundRegion> sweeps;
   const auto all = static_cast<double>(followed.size() * parts.size());

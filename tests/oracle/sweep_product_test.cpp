@@ -1,6 +1,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <QElapsedTimer>
 #include <algorithm>
+#include <atomic>
+#include <optional>
+#include <thread>
 #include <vector>
 
 #include "geometry/bspline/bspline.h"
@@ -197,6 +201,40 @@ class SweepProductTest : public QObject {
       VERIFY_ERROR(sweep::productSurface(motion, {}, asked), ErrorCode::Cancelled);
       QCOMPARE(reports, k + 1);
     }
+  }
+
+  /// From another thread at moments spread over all of it: memory stays whole wherever the work is left. Ended the program
+  /// while the rows of the matrix were a braced list.
+  void anyMomentIsGoodToCancel() {
+    const Motion motion = sweep::primitiveMotion({.rows = 8, .columns = 32}).motion;
+    QElapsedTimer timer;
+    timer.start();
+    (void)sweep::productSurface(motion, {});
+    const qint64 whole = timer.nsecsElapsed();
+    constexpr int moments = 400;
+    int cancelled = 0;
+    for (int k = 0; k < moments; ++k) {
+      const CancelToken token;
+      std::atomic<bool> begun = false;
+      std::thread canceller([&] {
+        while (!begun) std::this_thread::yield();
+        QElapsedTimer since;
+        since.start();
+        while (since.nsecsElapsed() < whole * k / moments) std::this_thread::yield();
+        token.cancel();
+      });
+      begun = true;
+      std::optional<ErrorCode> code;
+      try {
+        (void)sweep::productSurface(motion, {}, Progress(token));
+      } catch (const Error& error) {
+        code = error.code();
+      }
+      canceller.join();
+      QVERIFY(!code || code == ErrorCode::Cancelled);
+      cancelled += code ? 1 : 0;
+    }
+    QVERIFY(cancelled > 0);
   }
 };
 

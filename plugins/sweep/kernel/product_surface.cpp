@@ -60,9 +60,19 @@ Surface multiply(const Motion& motion, const Progress& progress) {
     PatchPolynomial result = multiplied(a, b, 2);
     return std::move(result.addProduct(c, d, 2 * sign, progress));
   };
-  const PatchPolynomial rows[3][3] = {{sum(ww, xx, 1, yy, -1, zz, -1), twice(x, y, -1, w, z), twice(x, z, 1, w, y)},
-                                      {twice(x, y, 1, w, z), sum(ww, xx, -1, yy, 1, zz, -1), twice(y, z, -1, w, x)},
-                                      {twice(x, z, -1, w, y), twice(y, z, 1, w, x), sum(ww, xx, -1, yy, -1, zz, 1)}};
+  // Made one by one: GCC 12 destroys parts of a braced list of arrays twice when one of them throws, as cancelling does.
+  const auto row = [](PatchPolynomial first, PatchPolynomial second, PatchPolynomial third) {
+    std::vector<PatchPolynomial> all;
+    all.reserve(3);
+    all.push_back(std::move(first));
+    all.push_back(std::move(second));
+    all.push_back(std::move(third));
+    return all;
+  };
+  std::vector<std::vector<PatchPolynomial>> rows;
+  rows.push_back(row(sum(ww, xx, 1, yy, -1, zz, -1), twice(x, y, -1, w, z), twice(x, z, 1, w, y)));
+  rows.push_back(row(twice(x, y, 1, w, z), sum(ww, xx, -1, yy, 1, zz, -1), twice(y, z, -1, w, x)));
+  rows.push_back(row(twice(x, z, -1, w, y), twice(y, z, 1, w, x), sum(ww, xx, -1, yy, -1, zz, 1)));
   const PatchPolynomial dsw = multiplied(sum(ww, xx, 1, yy, 1, zz, 1), sw);
   progress.report(0.35, sweeping);
   const PatchPolynomial* const scales[3] = {&sx, &sy, &sz};

@@ -33,10 +33,7 @@ std::vector<SoundRegion> nextRung(const std::vector<SoundRegion>& shapes, double
   std::vector<SoundRegion> rung;
   for (std::size_t i = 0; i + 1 < shapes.size(); ++i) {
     progress.check();
-    if (t == 0 || t == 1)
-      rung.push_back(shapes[t == 0 ? i : i + 1]);
-    else
-      rung.push_back(add(scaled(shapes[i], 1 - t), scaled(shapes[i + 1], t), progress));
+    rung.push_back(between(shapes[i], shapes[i + 1], t, add, progress));
   }
   return rung;
 }

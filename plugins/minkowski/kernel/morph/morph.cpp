@@ -23,13 +23,6 @@ namespace {
 
 constexpr std::size_t maximumShapes = 32;
 
-/// (1-t) A + t B, where 0 A is the origin alone.
-SoundRegion between(const SoundRegion& a, const SoundRegion& b, double t, Adder& add, const Progress& progress) {
-  if (t == 0) return a;
-  if (t == 1) return b;
-  return add(scaled(a, 1 - t), scaled(b, t), progress);
-}
-
 SoundRegion recursive(std::span<const SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
   if (t.empty()) return shapes.front();
   const auto earlier = t.first(t.size() - 1);

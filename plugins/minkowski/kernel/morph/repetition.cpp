@@ -38,6 +38,12 @@ const SampledPair* Adder::keptPair(const SoundRegion& a, const SoundRegion& b, c
   return &place->second;
 }
 
+SoundRegion between(const SoundRegion& a, const SoundRegion& b, double t, Adder& add, const Progress& progress) {
+  if (t == 0) return a;
+  if (t == 1) return b;
+  return add(scaled(a, 1 - t), scaled(b, t), progress);
+}
+
 std::size_t sumsOfRepetition(bool convex, std::size_t k) {
   return convex || k == 1 ? 0 : static_cast<std::size_t>(std::bit_width(k) - 1 + std::popcount(k) - 1);
 }

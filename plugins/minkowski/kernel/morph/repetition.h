@@ -38,6 +38,9 @@ class Adder {
   std::map<std::pair<std::uint32_t, std::uint32_t>, SampledPair> pairs_;  // the places of values stay
 };
 
+/// (1-t) A + t B, where 0 A is the origin alone: no sum at t = 0 and t = 1. @pre 0 <= t <= 1
+SoundRegion between(const SoundRegion& a, const SoundRegion& b, double t, Adder&, const Progress&);
+
 /// Number of sums that `repeated` needs.
 std::size_t sumsOfRepetition(bool convex, std::size_t k);
 /// [k]A, the sum of k copies of A: k A without a sum when A is convex, else by doubling in floor(log2 k) + popcount(k) - 1

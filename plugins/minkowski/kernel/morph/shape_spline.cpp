@@ -91,11 +91,8 @@ class SplineMorph {
     std::vector<SoundRegion> row(shapes_.begin() + static_cast<std::ptrdiff_t>(first),
                                  shapes_.begin() + static_cast<std::ptrdiff_t>(span.last + 1));
     for (std::size_t level = 1; level < row.size(); ++level)
-      for (std::size_t k = row.size() - 1; k >= level; --k) {
-        const double share = shareOf(spline_, span.u, first + k, level);
-        if (share == 1) continue;
-        row[k] = share == 0 ? row[k - 1] : add_(scaled(row[k - 1], 1 - share), scaled(row[k], share), progress);
-      }
+      for (std::size_t k = row.size() - 1; k >= level; --k)
+        row[k] = between(row[k - 1], row[k], shareOf(spline_, span.u, first + k, level), add_, progress);
     return row.back();
   }
 

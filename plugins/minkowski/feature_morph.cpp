@@ -94,7 +94,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
                              progress);
   Evaluated out;
   out.stats["sums"] = result.sums;
-  if (result.hullError > 0) out.stats["hull_error"] = result.hullError;
+  if (result.deviation > 0) out.stats["deviation"] = result.deviation;
   out.stats["degree"] = degree + (p.degreeElevate ? 1 : 0);
   out.warnings = std::move(result.warnings);
   if (p.frames == 0) {

@@ -167,7 +167,7 @@ class MinkowskiMorphTest : public QObject {
     std::vector<Region> shapes;
     for (int k = 0; k < 32; ++k) shapes.push_back(starRegion(3 + k % 5, 10 + k % 7, 4 + 0.1 * k));
     const MorphResult result = morph(shapes, std::vector<std::vector<double>>{diagonal(31, 0.5)});
-    QVERIFY(result.hullError > 0 && result.hullError < 0.01);
+    QVERIFY(result.deviation > 0 && result.deviation < 0.01);
     QCOMPARE(result.regions.front().loops.size(), std::size_t{1});
     const std::vector<double> shares = sharesOf(diagonal(31, 0.5));
     for (const double angle : {0.1, 1.3, 2.9, 4.4}) {
@@ -192,11 +192,11 @@ class MinkowskiMorphTest : public QObject {
     const MorphResult coarse =
         morph(shapes, std::vector<std::vector<double>>{t}, {.evaluation = EvaluationOrder::Explicit, .tolerance = 0.01});
     const Region fine = one(shapes, t, {.evaluation = EvaluationOrder::BottomUp});
-    QVERIFY(coarse.hullError > 0 && coarse.hullError <= 0.01);
+    QVERIFY(coarse.deviation > 0 && coarse.deviation <= 0.01);
     double around = 0;
     for (const Path& loop : fine.loops) around += length(loop);
     const double more = area(coarse.regions.front()) - area(fine);
-    QVERIFY2(more > -1e-9 && more <= coarse.hullError * around, qPrintable(QString::number(more)));
+    QVERIFY2(more > -1e-9 && more <= coarse.deviation * around, qPrintable(QString::number(more)));
   }
 
   void theBlossomIsSymmetric() {

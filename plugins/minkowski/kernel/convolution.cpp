@@ -1,10 +1,12 @@
 #include "kernel/convolution.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "kernel/winding/left_out_edges.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -73,12 +75,14 @@ std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop, const CornerNum
 /// Edges that are joined when they become too many: those of a lattice are few.
 class EdgePile {
  public:
-  EdgePile(const Effort& effort, PairSources* sources, const Progress& progress)
-      : effort_(effort), sources_(sources), progress_(progress) {}
+  /// @param leftOut takes edges that are not needed; or null
+  EdgePile(const Effort& effort, PairSources* sources, LeftOutEdges* leftOut, const Progress& progress)
+      : effort_(effort), sources_(sources), leftOut_(leftOut), progress_(progress) {}
 
   /// An edge of the first or the second set moved by a corner of the other.
   void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
     CountedEdge moved{edge.from + corner.at, edge.to + corner.at, corner.sign, corner.sign > 0};
+    if (leftOut_ && leftOut_->take(moved)) return;
     if (corner.sign > 0 && edge.number != CornerNumbers::unknown && corner.number != CornerNumbers::unknown) {
       moved.source = static_cast<std::uint32_t>(sources_->all.size());
       sources_->all.push_back({edge.number, corner.number, edgeOfFirst});
@@ -97,6 +101,10 @@ class EdgePile {
     full_ = std::max(full_, 2 * edges_.size());
   }
   std::vector<CountedEdge> joined() && {
+    if (leftOut_) {
+      const std::vector<CountedEdge> closings = leftOut_->closings();
+      edges_.insert(edges_.end(), closings.begin(), closings.end());
+    }
     joinEqual(edges_, progress_);
     effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
     return std::move(edges_);
@@ -105,6 +113,7 @@ class EdgePile {
  private:
   const Effort& effort_;
   PairSources* sources_;
+  LeftOutEdges* leftOut_;
   const Progress& progress_;
   std::vector<CountedEdge> edges_;
   std::size_t full_ = 100'000;
@@ -287,10 +296,13 @@ void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {
 }
 
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
-                                     const Progress& progress, const Effort& effort, PairSources* sources) {
+                                     const Progress& progress, const Effort& effort, PairSources* sources,
+                                     const CertainInside* inside) {
   const std::vector<PartSides> partsA = partsOf(a, sources ? &sources->first : nullptr, progress),
                                partsB = partsOf(b, sources ? &sources->second : nullptr, progress);
-  EdgePile edges(effort, sources, progress);
+  std::optional<LeftOutEdges> leftOut;
+  if (inside) leftOut.emplace(*inside);
+  EdgePile edges(effort, sources, leftOut ? &*leftOut : nullptr, progress);
   for (std::size_t i = 0; i < partsA.size(); ++i) {
     progress.report(static_cast<double>(i) / static_cast<double>(partsA.size()), "Pairing edges");
     for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);

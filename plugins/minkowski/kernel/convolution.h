@@ -10,6 +10,8 @@
 
 namespace blossom::minkowski {
 
+class CertainInside;
+
 /// A straight edge with multiplicity `count`; a negative one counts edges in the opposite direction.
 struct CountedEdge {
   GridPoint from, to;
@@ -57,10 +59,11 @@ struct PairSources {
 /// could otherwise have a hole, which counts -1. Edges at reflex vertices never bound. The result is as joinEqual returns
 /// it. O(n log n + k) for k pairs: the edges of a loop are sorted by direction once.
 /// @param sources when given, edges that may bound and come from numbered edges and corners name them
+/// @param inside of the sum: when given, the edges that lie there are left out, and winding numbers there are just positive
 /// @throws Error LimitExceeded above three million edges; Cancelled; TooMuchWork.
 std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
                                      const Progress& = Progress::none(), const Effort& = Effort(),
-                                     PairSources* sources = nullptr);
+                                     PairSources* sources = nullptr, const CertainInside* inside = nullptr);
 
 /// An edge of one loop at a corner of another whose turn contains the edge's direction, in their own coordinates.
 struct EdgeAtCorner {

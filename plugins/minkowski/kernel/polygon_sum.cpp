@@ -1,12 +1,14 @@
 #include "kernel/polygon_sum.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "kernel/convolution.h"
 #include "kernel/grid.h"
 #include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/snapped_operands.h"
+#include "kernel/winding/certain_inside.h"
 #include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
@@ -56,8 +58,11 @@ bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() <
 Loop reversed(const Loop& loop) { return {loop.rbegin(), loop.rend()}; }
 
 Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
+  const std::vector<GridPolygon> a = untangled(operands.a, progress), b = untangled(operands.b, progress);
+  std::optional<CertainInside> inside;
+  if (rule == Inside::Positive) inside = certainInside(a, b, Progress(progress.token()));
   const std::vector<CountedEdge> edges =
-      convolution(untangled(operands.a, progress), untangled(operands.b, progress), progress.part(0, 0.1), effort);
+      convolution(a, b, progress.part(0, 0.1), effort, nullptr, inside ? &*inside : nullptr);
   return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.gridOfSum);
 }
 

@@ -19,6 +19,7 @@
 #include "kernel/nested_paths.h"
 #include "kernel/polygon_sum.h"
 #include "kernel/snapped_operands.h"
+#include "kernel/winding/certain_inside.h"
 #include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
@@ -48,7 +49,9 @@ class SampledSum {
     grid_ = operands.gridOfSum;
     sources_.first = numbersOf(a_, operands.gridA);
     sources_.second = numbersOf(b_, operands.gridB);
-    edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_);
+    std::optional<CertainInside> certain;
+    if (inside == Inside::Positive) certain = certainInside(operands.a, operands.b, Progress(progress.token()));
+    edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_, certain ? &*certain : nullptr);
     faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), inside, effort);
   }
 

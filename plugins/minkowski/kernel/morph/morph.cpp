@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <optional>
 
@@ -17,29 +18,42 @@
 #include "kernel/hull_distance.h"
 #include "kernel/morph/control_centre.h"
 #include "kernel/morph/repetition.h"
+#include "kernel/morph/thinning.h"
 
 namespace blossom::minkowski {
 namespace {
 
 constexpr std::size_t maximumShapes = 32;
 
-SoundRegion recursive(std::span<const SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+SoundRegion recursive(std::span<const SoundRegion> shapes, std::span<const double> t, Adder& add, Thinning& thin,
+                      const Progress& progress) {
   if (t.empty()) return shapes.front();
   const auto earlier = t.first(t.size() - 1);
-  return between(recursive(shapes.first(shapes.size() - 1), earlier, add, progress),
-                 recursive(shapes.subspan(1), earlier, add, progress), t.back(), add, progress);
+  const SoundRegion first = thin(recursive(shapes.first(shapes.size() - 1), earlier, add, thin, progress), progress);
+  const SoundRegion second = thin(recursive(shapes.subspan(1), earlier, add, thin, progress), progress);
+  return between(first, second, t.back(), add, progress);
 }
 
-SoundRegion bottomUp(std::vector<SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {
+SoundRegion bottomUp(std::vector<SoundRegion> shapes, std::span<const double> t, Adder& add, Thinning& thin,
+                     const Progress& progress) {
   for (const double level : t) {
-    for (std::size_t i = 0; i + 1 < shapes.size(); ++i) shapes[i] = between(shapes[i], shapes[i + 1], level, add, progress);
+    for (std::size_t i = 0; i + 1 < shapes.size(); ++i) {
+      shapes[i] = between(shapes[i], shapes[i + 1], level, add, progress);
+      if (shapes.size() > 2) shapes[i] = thin(std::move(shapes[i]), progress);
+    }
     shapes.pop_back();
   }
   return shapes.front();
 }
 
-/// The explicit form. Where copies of a shape are so many and so small that their hull is within the tolerance, it stands
-/// for them: no [k]A, k >= 2, is farther from its hull than [2]A is, and that is at most sqrt(2) R (see region_repeat.h).
+struct InBetween {
+  SoundRegion shape;
+  double deviation = 0;  ///< mm, at most, from the exact shape of the control shapes
+};
+
+/// The explicit form. Where a shape or its copies are so small that their hull is within the tolerance, it stands for them:
+/// A is at most R from its hull, the circumradius, and no [k]A, k >= 2, is farther than [2]A is, at most sqrt(2) R (see
+/// region_repeat.h).
 class Expansion {
  public:
   /// @param tolerance that hulls may use up in an in-between, mm
@@ -57,20 +71,27 @@ class Expansion {
   }
 
   /// @pre its repetitions are there
-  [[nodiscard]] SoundRegion at(std::span<const double> t, const Progress& progress) const {
+  [[nodiscard]] InBetween at(std::span<const double> t, const Progress& progress) const {
     std::vector<SoundRegion> terms;
     const Arguments key(t.begin(), t.end());
     std::map<std::size_t, double> multiples;
     for (const auto& [i, weight, count] : hullsFor_.at(key)) multiples[i] += weight * static_cast<double>(count);
     for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
     for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
+    double deviation = errorOfHulls_.at(key);
     SoundRegion total = std::move(terms.front());
-    for (std::size_t k = 1; k < terms.size(); ++k) total = add_(total, terms[k], progress);
-    return total;
+    for (std::size_t k = 1; k < terms.size(); ++k) {
+      total = add_(total, terms[k], progress);
+      // What earlier sums did not need is left for the later ones, which have the most corners. One sum alone stays as it
+      // is.
+      if (terms.size() > 2) {
+        Thinning thin((tolerance_ - deviation) / std::min<double>(2, static_cast<double>(terms.size() - k)));
+        total = thin(std::move(total), progress);
+        deviation += thin.deepest();
+      }
+    }
+    return {std::move(total), deviation};
   }
-
-  /// The largest distance by which hulls change an in-between, mm.
-  [[nodiscard]] double hullError() const { return hullError_; }
 
  private:
   struct Term {
@@ -80,15 +101,17 @@ class Expansion {
   };
   struct Hull {
     SoundRegion shape;
-    double distance;  ///< from repetitions, at most
+    double ofOne = 0;     ///< distance of the shape from it, at most
+    double distance = 0;  ///< from repetitions, at most
     bool isMeasured = false;
   };
 
   Hull& hullOf(std::size_t i, const Progress& progress) {
     std::optional<Hull>& hull = hulls_[i];
     if (!hull) {
-      hull = Hull{convexHull(shapes_[i], progress), 0};
-      hull->distance = std::numbers::sqrt2 * circumradius(hull->shape.region, tolerance_, progress);
+      hull = Hull{convexHull(shapes_[i], progress)};
+      hull->ofOne = circumradius(hull->shape.region, tolerance_, progress);
+      hull->distance = std::numbers::sqrt2 * hull->ofOne;
     }
     return *hull;
   }
@@ -97,6 +120,7 @@ class Expansion {
   double errorOf(const Term& term, const Progress& progress) {
     constexpr std::size_t many = 64;  // then doubling takes longer than measuring
     Hull& hull = hullOf(term.shape, progress);
+    if (term.count == 1) return term.weight * hull.ofOne;
     if (term.weight * hull.distance > tolerance_ && term.count > many && !hull.isMeasured) {
       const SoundRegion two = repeated(shapes_[term.shape], 2, add_, progress);
       const double precision = 1e-3 * hull.distance;
@@ -117,7 +141,7 @@ class Expansion {
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto& [weight, count] : weights[i]) {
         const Term term{i, weight, count};
-        if (count == 1 || isConvex(shapes_[i]))
+        if (isConvex(shapes_[i]))
           place->second.push_back(term);
         else
           byError.emplace_back(errorOf(term, progress), term);
@@ -132,7 +156,7 @@ class Expansion {
         place->second.push_back(term);
       }
     }
-    hullError_ = std::max(hullError_, error);
+    errorOfHulls_[place->first] = error;
     std::stable_sort(place->second.begin(), place->second.end(),
                      [](const Term& a, const Term& b) { return a.shape < b.shape; });
     return place->second;
@@ -144,7 +168,7 @@ class Expansion {
   std::vector<std::optional<Hull>> hulls_;
   std::map<Arguments, std::vector<Term>> termsFor_, hullsFor_;
   std::map<std::pair<std::size_t, std::size_t>, SoundRegion> repetitions_;
-  double hullError_ = 0;
+  std::map<Arguments, double> errorOfHulls_;
 };
 
 /// All repetitions of a shape in one, which is right for convex shapes only.
@@ -203,10 +227,9 @@ class Morph {
       centres_.push_back(centroid(shape.region, shape.tolerance));
     }
     if (options.degreeElevate) elevate(progress);
-    double tolerance = HUGE_VAL;
     for (const Region& region : regions)
-      tolerance = std::min(tolerance, options.tolerance.value_or(defaultTolerance(region)));
-    expansion_.emplace(shapes_, tolerance, add_);
+      tolerance_ = std::min(tolerance_, options.tolerance.value_or(defaultTolerance(region)));
+    expansion_.emplace(shapes_, tolerance_, add_);
   }
 
   /// Chooses the order of evaluation when it is automatic, counts its sums and computes what in-betweens share.
@@ -227,17 +250,20 @@ class Morph {
   /// @param progress of the whole morph
   Region at(const Arguments& t, const Progress& progress) {
     if (isEnd(t)) return t.front() == 0 ? regions_.front() : regions_.back();
-    SoundRegion shape = inBetween(elevated(t), progress);
+    auto [shape, deviation] = inBetween(elevated(t), progress);
     if (options_.areaPreserving) {
       const Vec2 centre = blended(centres_, t);
       const double factor = std::sqrt(blended(areas_, t) / area(shape.region));
       shape = translated(scaled(translated(shape, -centre), factor), centre);
+      deviation *= factor;
     }
+    const std::scoped_lock lock(mutex_);
+    deviation_ = std::max(deviation_, deviation);
     return std::move(shape.region);
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
-  [[nodiscard]] double hullError() const { return expansion_->hullError(); }
+  [[nodiscard]] double deviation() const { return deviation_; }
   [[nodiscard]] std::vector<std::string> warnings() const {
     if (!options_.degreeElevate || std::all_of(regionsConvex_.begin(), regionsConvex_.end(), [](bool each) { return each; }))
       return {};
@@ -285,14 +311,20 @@ class Morph {
     return shapes_.size() == regions_.size() ? t : diagonal(shapes_.size() - 1, t.front());
   }
 
-  SoundRegion inBetween(const Arguments& t, const Progress& progress) {
+  InBetween inBetween(const Arguments& t, const Progress& progress) {
+    const auto levels = static_cast<double>(t.size());  // of which each fills dents once
+    Thinning thin(tolerance_ / levels);
     switch (options_.evaluation) {
-      case EvaluationOrder::Recursive:
-        return recursive(shapes_, t, add_, progress);
-      case EvaluationOrder::BottomUp:
-        return bottomUp(shapes_, t, add_, progress);
+      case EvaluationOrder::Recursive: {
+        SoundRegion shape = recursive(shapes_, t, add_, thin, progress);
+        return {std::move(shape), levels * thin.deepest()};
+      }
+      case EvaluationOrder::BottomUp: {
+        SoundRegion shape = bottomUp(shapes_, t, add_, thin, progress);
+        return {std::move(shape), levels * thin.deepest()};
+      }
       case EvaluationOrder::Convex:
-        return convexAt(shapes_, t, add_, progress);
+        return {convexAt(shapes_, t, add_, progress), 0};
       case EvaluationOrder::Automatic:  // chosen when it is prepared
       case EvaluationOrder::Explicit:
         break;
@@ -304,10 +336,13 @@ class Morph {
   MorphOptions options_;
   Adder add_;
   std::vector<SoundRegion> shapes_;
+  double tolerance_ = HUGE_VAL;
   std::vector<bool> regionsConvex_;
   std::vector<double> areas_;
   std::vector<Vec2> centres_;
   std::optional<Expansion> expansion_;
+  std::mutex mutex_;
+  double deviation_ = 0;  ///< the largest of all in-betweens
 };
 
 /// Progress is reported in steps of a fiftieth, because the sums of many frames report too often.
@@ -363,7 +398,7 @@ MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<do
     result.regions = atTheSameTime(evaluation, arguments, progress);
   }
   result.sums = evaluation.sums();
-  result.hullError = evaluation.hullError();
+  result.deviation = evaluation.deviation();
   result.warnings = evaluation.warnings();
   return result;
 }

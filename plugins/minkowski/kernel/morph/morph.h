@@ -23,7 +23,7 @@ struct MorphOptions {
 struct MorphResult {
   std::vector<Region> regions;        ///< one per argument; outer loops counter-clockwise
   std::size_t sums = 0;               ///< Minkowski sums computed
-  double hullError = 0;               ///< mm, by which an in-between may differ because hulls stand for many small copies
+  double deviation = 0;               ///< mm, by which an in-between may differ: hulls, filled dents; at most the tolerance
   std::vector<std::string> warnings;  ///< full sentences
 };
 

@@ -116,7 +116,7 @@ void WindingCells::forEachCellNear(const CountedEdge& edge, Visit visit) const {
 
 void WindingCells::listEdges(std::span<const CountedEdge> edges, WindingRule rule, const Progress& progress) {
   const std::size_t cells = static_cast<std::size_t>(columns_.cells()) * static_cast<std::size_t>(rows_.cells());
-  std::vector<int> changes(cells, 0);
+  std::vector<std::int64_t> changes(cells, 0);
   firsts_.assign(cells + 1, 0);
   for (const CountedEdge& edge : edges) {
     progress.check();
@@ -128,7 +128,7 @@ void WindingCells::listEdges(std::span<const CountedEdge> edges, WindingRule rul
   for (int column = 0; column < columns_.cells(); ++column)
     for (int row = 0; row < rows_.cells(); ++row) {
       const Cell cell{column, row};
-      const int winding = windingBelow(column, row), change = changes[index(cell)];
+      const std::int64_t winding = windingBelow(column, row), change = changes[index(cell)];
       const bool in = winding - change > rule.high || winding + change < rule.low;
       const bool out = winding - change >= rule.low && winding + change <= rule.high;
       if (in || out) firsts_[index(cell) + 1] = 0;

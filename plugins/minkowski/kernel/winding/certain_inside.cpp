@@ -1,0 +1,254 @@
+#include "kernel/winding/certain_inside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/parallel.h"
+#include "kernel/winding/full_cells.h"
+
+namespace blossom::minkowski {
+namespace {
+
+using Word = BitRaster::Word;
+constexpr int bitsOfWord = BitRaster::wordBits;
+
+struct SetSize {
+  GridPoint low, high;
+  std::size_t corners = 0;
+  double perimeter = 0;  ///< by the larger coordinate of each side
+  std::int64_t longest = 0;
+
+  void add(const GridLoop& loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const GridPoint &p = loop[i], &q = loop[(i + 1) % loop.size()];
+      if (corners++ == 0) low = high = p;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      const std::int64_t length = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
+      longest = std::max(longest, length);
+      perimeter += static_cast<double>(length);
+    }
+  }
+  [[nodiscard]] GridPoint extent() const { return high - low; }
+};
+
+SetSize sizeOf(std::span<const GridPolygon> polygons) {
+  SetSize size;
+  for (const GridPolygon& polygon : polygons) {
+    size.add(polygon.outer);
+    for (const GridLoop& hole : polygon.holes) size.add(hole);
+  }
+  return size;
+}
+
+constexpr int mostCells = 8192;  // along a side
+constexpr int fewestCells = 64;
+
+/// The smallest cells whose marking takes a small part of the time of the pairs.
+std::optional<int> shiftFor(const SetSize& still, const SetSize& moving, const CertainInsideOptions& options) {
+  const double pairs = static_cast<double>(still.corners) * static_cast<double>(moving.corners);
+  if (pairs < options.fewestPairs) return std::nullopt;
+  const GridPoint extent = still.extent() + moving.extent();
+  const auto side = static_cast<double>(std::max(extent.x, extent.y));
+  int shift = std::max(static_cast<int>(std::ceil(std::log2(side / mostCells))), 4);
+  const auto work = [&](int s) {
+    const double size = std::ldexp(1.0, s), rows = static_cast<double>(extent.y) / size;
+    const double stamps =
+        std::min(moving.perimeter / size + static_cast<double>(moving.corners), 8 * moving.perimeter / size);
+    constexpr double openWords = 6;  // of a row that is almost wholly inside
+    return openWords * rows * stamps;
+  };
+  while (work(shift) > options.wordsOfPair * pairs) ++shift;
+  if (side < std::ldexp(fewestCells, shift)) return std::nullopt;
+  return shift;
+}
+
+/// For each cell whether it and its neighbours to the right, above and at both are true.
+BitRaster blocks(const BitRaster& full) {
+  BitRaster result(full.columns(), full.rows());
+  for (int r = 0; r + 1 < full.rows(); ++r)
+    for (int w = 0; w < full.words(); ++w) {
+      const auto pairsOfRow = [&](const Word* row) {
+        const Word next = w + 1 < full.words() ? row[w + 1] : 0;
+        return row[w] & (row[w] >> 1 | next << (bitsOfWord - 1));
+      };
+      result.row(r)[w] = pairsOfRow(full.row(r)) & pairsOfRow(full.row(r + 1));
+    }
+  return result;
+}
+
+/// A row of the union of a raster at many places, as long as something of it is open.
+void uniteRow(const BitRaster& raster, const std::vector<BoundaryCell>& places, int r, BitRaster& result) {
+  constexpr std::size_t turns = 16;  // by which each part of the boundary is soon met
+  std::vector<int> open(static_cast<std::size_t>(result.words()));
+  std::iota(open.begin(), open.end(), 0);
+  Word* const row = result.row(r);
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    for (std::size_t i = turn; i < places.size(); i += turns) {
+      const int from = r - places[i].row - 1;
+      if (from < 0 || from >= raster.rows()) continue;
+      const Word* const source = raster.row(from);
+      const int whole = (places[i].column + 1) / bitsOfWord, bits = (places[i].column + 1) % bitsOfWord;
+      for (const int w : open) {
+        const int s = w - whole;
+        if (s < 0 || s > raster.words()) continue;
+        const Word here = s < raster.words() ? source[s] : 0, before = s > 0 ? source[s - 1] : 0;
+        row[w] |= bits == 0 ? here : here << bits | before >> (bitsOfWord - bits);
+      }
+    }
+    std::erase_if(open, [&](int w) { return row[w] == ~Word{0}; });
+  }
+}
+
+/// Parts of runs that touch, also at corners.
+class RunParts {
+ public:
+  explicit RunParts(const std::vector<BitRun>& runs) : part_(runs.size()) {
+    std::iota(part_.begin(), part_.end(), std::size_t{0});
+    std::size_t below = 0, row = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (runs[i].row != runs[row].row) {
+        below = runs[i].row == runs[row].row + 1 ? row : i;
+        row = i;
+      }
+      for (std::size_t k = below; k < row; ++k)
+        if (runs[k].first <= runs[i].last && runs[i].first <= runs[k].last) part_[of(k)] = of(i);
+    }
+  }
+  std::size_t of(std::size_t i) {
+    while (part_[i] != i) i = part_[i] = part_[part_[i]];
+    return i;
+  }
+
+ private:
+  std::vector<std::size_t> part_;
+};
+
+BitRaster complementOf(const BitRaster& cells) {
+  BitRaster rest(cells.columns(), cells.rows());
+  for (int r = 0; r < cells.rows(); ++r) {
+    std::transform(cells.row(r), cells.row(r) + cells.words(), rest.row(r), [](Word w) { return ~w; });
+    rest.set(r, cells.columns(), cells.words() * bitsOfWord, false);
+  }
+  return rest;
+}
+
+/// Opens every hole to the outside along a row.
+void openHoles(BitRaster& cells) {
+  const std::vector<BitRun> gaps = runsOf(complementOf(cells));
+  RunParts parts(gaps);
+  std::vector<bool> reachesOut(gaps.size(), false);
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (gaps[i].row == 0 || gaps[i].row == cells.rows() - 1 || gaps[i].first == 0 || gaps[i].last == cells.columns())
+      reachesOut[parts.of(i)] = true;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (reachesOut[parts.of(i)]) continue;
+    reachesOut[parts.of(i)] = true;
+    const bool leftIsNear = gaps[i].first < cells.columns() - gaps[i].last;
+    cells.set(gaps[i].row, leftIsNear ? 0 : gaps[i].first, leftIsNear ? gaps[i].last : cells.columns(), false);
+  }
+}
+
+}  // namespace
+
+bool CertainInside::contains(const GridPoint& p, const GridPoint& q) const {
+  const CellFrame frame{low_, shift_};
+  const auto [left, right] = std::minmax({frame.column(p.x), frame.column(q.x)});
+  const auto [below, above] = std::minmax({frame.row(p.y), frame.row(q.y)});
+  return cells_.all(left, right, below, above);
+}
+
+bool CertainInside::isDeep(const GridPoint& p) const {
+  const CellFrame frame{low_, shift_};
+  return deep_.at(frame.column(p.x), frame.row(p.y));
+}
+
+std::size_t CertainInside::runAt(const GridPoint& p) const {
+  const CellFrame frame{low_, shift_};
+  const int column = frame.column(p.x);
+  const auto& row = runsOfRow_[static_cast<std::size_t>(frame.row(p.y))];
+  const auto after =
+      std::upper_bound(row.begin(), row.end(), column, [&](int c, std::uint32_t run) { return c < runs_[run].first; });
+  return *(after - 1);
+}
+
+GridPoint CertainInside::corner(int column, int row) const {
+  return low_ + GridPoint{std::int64_t{column} << shift_, std::int64_t{row} << shift_};
+}
+
+GridPoint CertainInside::middle(int column, int row) const {
+  const std::int64_t half = std::int64_t{1} << (shift_ - 1);
+  return corner(column, row) + GridPoint{half, half};
+}
+
+// Breadth first from one run of each part, over runs that have columns in common.
+void CertainInside::makeRuns() {
+  const std::vector<BitRun> all = runsOf(cells_);
+  std::vector<std::pair<std::size_t, std::size_t>> rows(static_cast<std::size_t>(cells_.rows()), {0, 0});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto& [first, last] = rows[static_cast<std::size_t>(all[i].row)];
+    if (first == last) first = i;
+    last = i + 1;
+  }
+  constexpr auto unseen = ~std::uint32_t{0};
+  std::vector<std::uint32_t> place(all.size(), unseen);  // in runs_
+  std::vector<std::size_t> source;                       // the other way round
+  const auto visit = [&](std::size_t i, int parent, int door) {
+    place[i] = static_cast<std::uint32_t>(runs_.size());
+    runs_.push_back({all[i].row, all[i].first, all[i].last, parent, door});
+    source.push_back(i);
+  };
+  for (std::size_t start = 0; start < all.size(); ++start) {
+    if (place[start] != unseen) continue;
+    std::size_t next = runs_.size();
+    visit(start, -1, (all[start].first + all[start].last) / 2);
+    for (; next < runs_.size(); ++next)
+      for (const int row : {runs_[next].row - 1, runs_[next].row + 1}) {
+        if (row < 0 || row >= cells_.rows()) continue;
+        const auto [first, last] = rows[static_cast<std::size_t>(row)];
+        for (std::size_t k = first; k < last; ++k) {
+          const int left = std::max(all[k].first, runs_[next].first), right = std::min(all[k].last, runs_[next].last);
+          if (left < right && place[k] == unseen) visit(k, static_cast<int>(next), (left + right) / 2);
+        }
+      }
+  }
+  runsOfRow_.resize(static_cast<std::size_t>(cells_.rows()));
+  for (std::size_t i = 0; i < all.size(); ++i) runsOfRow_[static_cast<std::size_t>(all[i].row)].push_back(place[i]);
+}
+
+std::optional<CertainInside> certainInside(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
+                                           const Progress& progress, const CertainInsideOptions& options) {
+  SetSize still = sizeOf(a), moving = sizeOf(b);
+  if (still.corners == 0 || moving.corners == 0) return std::nullopt;
+  const auto larger = [](const SetSize& size) {
+    return static_cast<double>(size.extent().x) * static_cast<double>(size.extent().y);
+  };
+  if (larger(moving) > larger(still)) {
+    std::swap(still, moving);
+    std::swap(a, b);
+  }
+  const std::optional<int> shift = shiftFor(still, moving, options);
+  if (!shift) return std::nullopt;
+  const auto cellsAlong = [&](std::int64_t length) { return static_cast<int>(length >> *shift) + 2; };
+  const GridPoint stillExtent = still.extent(), movingExtent = moving.extent();
+  const BitRaster full = blocks(fullCells(a, {still.low, *shift}, cellsAlong(stillExtent.x), cellsAlong(stillExtent.y)));
+  const std::vector<BoundaryCell> places = boundaryCells(b, {moving.low, *shift});
+  CertainInside inside;
+  inside.low_ = still.low + moving.low;
+  inside.shift_ = *shift;
+  inside.cells_ = BitRaster(cellsAlong(stillExtent.x) + cellsAlong(movingExtent.x),
+                            cellsAlong(stillExtent.y) + cellsAlong(movingExtent.y));
+  parallelFor(static_cast<std::size_t>(inside.cells_.rows()), 16, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) uniteRow(full, places, static_cast<int>(r), inside.cells_);
+  });
+  openHoles(inside.cells_);
+  const auto longest =
+      static_cast<int>(std::min<std::int64_t>(std::max(still.longest, moving.longest) >> *shift, mostCells));
+  inside.deep_ = eroded(inside.cells_, longest + 1);
+  inside.makeRuns();
+  if (inside.runs_.empty()) return std::nullopt;
+  return inside;
+}
+
+}  // namespace blossom::minkowski

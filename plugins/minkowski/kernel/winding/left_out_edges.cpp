@@ -1,0 +1,114 @@
+#include "kernel/winding/left_out_edges.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/error.h"
+
+namespace blossom::minkowski {
+
+LeftOutEdges::LeftOutEdges(const CertainInside& inside)
+    : inside_(inside), heights_(static_cast<std::size_t>(inside.cells().rows()) + 1, 0) {}
+
+bool LeftOutEdges::take(const CountedEdge& edge) {
+  if (!inside_.contains(edge.from, edge.to)) return false;
+  any_ = true;
+  countHeights(edge);
+  addEnd(edge.from, edge.count);
+  addEnd(edge.to, -edge.count);
+  return true;
+}
+
+void LeftOutEdges::countHeights(const CountedEdge& edge) {
+  const auto [low, high] = std::minmax(edge.from.y, edge.to.y);
+  heights_[static_cast<std::size_t>(inside_.rowOf(low))] += std::abs(edge.count);
+  heights_[static_cast<std::size_t>(inside_.rowOf(high)) + 1] -= std::abs(edge.count);
+}
+
+void LeftOutEdges::addEnd(const GridPoint& at, int count) {
+  if (inside_.isDeep(at)) return;  // all edges there are left out, and as many begin as end
+  ends_.emplace_back(at, count);
+  if (ends_.size() < full_) return;
+  joinEnds();
+  full_ = std::max(full_, 2 * ends_.size());
+}
+
+void LeftOutEdges::joinEnds() {
+  std::sort(ends_.begin(), ends_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < ends_.size();) {
+    auto sum = ends_[i];
+    for (++i; i < ends_.size() && ends_[i].first == sum.first; ++i) sum.second += ends_[i].second;
+    if (sum.second != 0) ends_[kept++] = sum;
+  }
+  ends_.resize(kept);
+}
+
+// From each end along its run to the door to the next one, and so on to the first run of the part.
+std::vector<CountedEdge> LeftOutEdges::paths() {
+  joinEnds();
+  const auto runs = inside_.runs();
+  std::vector<CountedEdge> edges;
+  std::vector<int> flow(runs.size(), 0);
+  const auto add = [&](const GridPoint& from, const GridPoint& to, int count) {
+    if (count == 0 || from == to) return;
+    edges.push_back({from, to, count, 0});
+    countHeights(edges.back());
+  };
+  for (const auto& [at, count] : ends_) {
+    const std::size_t run = inside_.runAt(at);
+    add(at, inside_.middle(runs[run].door, runs[run].row), count);
+    flow[run] += count;
+  }
+  for (std::size_t i = runs.size(); i-- > 0;) {
+    if (runs[i].parent < 0) continue;  // all that begins in a part ends in it
+    const auto parent = static_cast<std::size_t>(runs[i].parent);
+    const GridPoint beside = inside_.middle(runs[i].door, runs[parent].row);
+    add(inside_.middle(runs[i].door, runs[i].row), beside, flow[i]);
+    add(beside, inside_.middle(runs[parent].door, runs[parent].row), flow[i]);
+    flow[parent] += flow[i];
+  }
+  return edges;
+}
+
+// A level ray meets no more edges than pass its height, and each changes the winding number by one.
+int LeftOutEdges::largestChange() const {
+  std::int64_t passing = 0, most = 0;
+  for (const std::int64_t more : heights_) most = std::max(most, passing += more);
+  constexpr std::int64_t limit = std::int64_t{1}
+                                 << 29;  // a winding number is that of the loops and what changes beside them
+  if (most > limit)
+    throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than a hundred million edges.",
+                "Raise the tolerance, so that curves get fewer corners.");
+  return static_cast<int>(most);
+}
+
+void LeftOutEdges::addLoops(int times, std::vector<CountedEdge>& edges) const {
+  for (const CertainInside::Run& run : inside_.runs()) {
+    edges.push_back({inside_.corner(run.first, run.row + 1), inside_.corner(run.first, run.row), times, 0});
+    edges.push_back({inside_.corner(run.last, run.row), inside_.corner(run.last, run.row + 1), times, 0});
+  }
+  const BitRaster& cells = inside_.cells();
+  const auto addBorders = [&](int row, int beside, int way) {
+    BitRaster only(cells.columns(), 1);
+    for (int w = 0; w < cells.words(); ++w)
+      only.row(0)[w] = cells.row(row)[w] & ~(beside >= 0 && beside < cells.rows() ? cells.row(beside)[w] : 0);
+    for (const BitRun& run : runsOf(only)) {
+      const int border = std::max(row, beside);
+      edges.push_back({inside_.corner(run.first, border), inside_.corner(run.last, border), way * times, 0});
+    }
+  };
+  for (int row = 0; row < cells.rows(); ++row) {
+    addBorders(row, row - 1, 1);
+    addBorders(row, row + 1, -1);
+  }
+}
+
+std::vector<CountedEdge> LeftOutEdges::closings() {
+  if (!any_) return {};
+  std::vector<CountedEdge> edges = paths();
+  addLoops(largestChange() + 1, edges);
+  return edges;
+}
+
+}  // namespace blossom::minkowski

@@ -148,7 +148,7 @@ class MinkowskiThinRoomTest : public QObject {
   }
 
   void roomForASegmentAsLongAsTheShape() {
-    const PlanarSet tool{{}, {Path{{Line2{{0, 0}, {6, 0}}}}}};
+    const PlanarSet tool{{}, {Path{{Line2{{0, 0}, {6, 0}}}, false, {}, {}}}};
     const SetSumResult room = keptDifference({rectangleRegion({0, 0}, {6, 3})}, tool);
     QVERIFY(room.set.area.loops.empty());
     COMPARE_NEAR(lengthOfAll(room.set.curves), 3, 1e-8);

@@ -103,12 +103,13 @@ RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOpt
   return {folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
 }
 
-// Lines and arcs where that is all there is, else polygons on the safe side of the curves.
+// Polygons on the safe side of curves that touching loops have made lines.
 Region roomInside(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
   Effort effort(options.maximumWork);
   const auto shapes =
       operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
-  if (std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& shape) { return shape.plain; }))
+  const auto asDrawn = [](const SoundRegion& shape) { return shape.plain || hasSplines(shape.region); };
+  if (std::all_of(shapes.begin(), shapes.end(), asDrawn))
     return folded<SoundRegion>(shapes, progress, effort, difference).region;
   const auto polygons =
       operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);

@@ -212,8 +212,9 @@ class RingFitter {
     const auto add = [&](std::size_t side, const FreePoint& end) {
       if (!end.isOnCurve) return;
       const Vec2 along = alongRun(run, side, end.normal);
-      const bool beforeEnd = side + 2 < run.sides.size() || (to - end.at).dot(along) > fitting_.rounding;
-      if (beforeEnd && (end.at - points.back().at).dot(along) > fitting_.rounding) points.push_back({end.at, along});
+      const Vec2 place = end.at + fitting_.away * unitAt(end.normal);
+      const bool beforeEnd = side + 2 < run.sides.size() || (to - place).dot(along) > fitting_.rounding;
+      if (beforeEnd && (place - points.back().at).dot(along) > fitting_.rounding) points.push_back({place, along});
     };
     for (std::size_t i = 0; i < run.sides.size(); ++i) {
       const FreeSide& side = run.sides[i];
@@ -222,7 +223,7 @@ class RingFitter {
       if (i + 1 < run.sides.size()) add(i, forward ? side.to : side.from);
     }
     points.push_back({to, directionAt(run, run.sides.size() - 1, run.corners.back())});
-    return splineThrough(points, fitting_.gap / 16);
+    return splineThrough(points, splineShare * fitting_.gap);
   }
 
   /// Along side i, where the normal has an angle.
@@ -275,7 +276,7 @@ std::optional<Region> fittedCurves(const std::vector<TracedPart>& parts, const G
     for (const TracedLoop& hole : part.holes)
       if (!add(hole)) return std::nullopt;
   }
-  if (segmentsCross(region, fitting.rounding, fitting.gap / 16, progress)) return std::nullopt;
+  if (segmentsCross(region, fitting.rounding, splineShare * fitting.gap, progress)) return std::nullopt;
   return region;
 }
 

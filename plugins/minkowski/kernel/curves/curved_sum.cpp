@@ -27,13 +27,13 @@ struct Addition {
   const SampledPair* kept = nullptr;  ///< of both, within the tolerances
 };
 
-Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
-                 Effort& effort) {
+FinerResult fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
+                      Effort& effort) {
   const auto attempt = [&](double share, const Progress& part) {
     SampledPair pair = share == 1 && addition.kept ? *addition.kept : sampledPair(a, b, share, addition.sampling, part);
     return SampledSum(std::move(pair), share * (a.tolerance + b.tolerance), addition.inside, part, effort);
   };
-  return byFinerPolygons(attempt, progress);
+  return fittedByFinerPolygons(attempt, progress);
 }
 
 /// When one set is as good as a point beside the other: the other, moved there.
@@ -70,7 +70,7 @@ SoundRegion sumBy(const SampledPair* kept, const SoundRegion& a, const SoundRegi
   if (auto moved = sumWithPoint(a, b)) return *std::move(moved);
   if (!hasSplines(a.region) && !hasSplines(b.region) && isConvex(a) && isConvex(b))
     return {convexSum(a.region, b.region), tolerance};
-  return {fittedSum(a, b, {.kept = kept}, progress, effort), tolerance};
+  return {fittedSum(a, b, {.kept = kept}, progress, effort).region, tolerance};
 }
 
 }  // namespace
@@ -90,14 +90,16 @@ SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progres
   const double tolerance = a.tolerance + b.tolerance;
   if (!hasCurves(a.region) && !hasCurves(b.region))
     return {toRegion(difference(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
-  const Addition leftOut{Sampling::Around, Inside::Hollow};
-  if (const auto around = complement(a, extentOf(b).sizes(), progress))
-    return {fittedSum(*around, scaled(b, -1), leftOut, progress, effort), tolerance};
+  const bool free = hasSplines(a.region) || hasSplines(b.region);
+  if (const auto around = complement(a, extentOf(b).sizes(), progress)) {
+    const Addition leftOut{free ? Sampling::Chords : Sampling::Around, Inside::Hollow};
+    FinerResult room = fittedSum(*around, scaled(b, -1), leftOut, progress, effort);
+    if (room.fitted || !free) return {std::move(room.region), tolerance, !free};
+  }
   // By polygons on the safe side, whose loops may touch.
-  return {toRegion(difference(flattened(a.region, {.side = Approximation::Inside, .effort = &effort}, "shape 1", progress),
-                              flattened(b.region, {.side = Approximation::Outside, .effort = &effort}, "shape 2", progress),
-                              progress, effort)),
-          tolerance};
+  const Polygons inside = flattened(a.region, {.side = Approximation::Inside, .effort = &effort}, "shape 1", progress),
+                 outside = flattened(b.region, {.side = Approximation::Outside, .effort = &effort}, "shape 2", progress);
+  return {toRegion(difference(inside, outside, progress, effort)), tolerance, !free};
 }
 
 }  // namespace blossom::minkowski

@@ -20,7 +20,7 @@ CornerNumbers numbersOf(const SampledRegion& region, const Grid& grid) {
 }  // namespace
 
 SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const Progress& progress, Effort& effort)
-    : tolerance_(tolerance) {
+    : tolerance_(tolerance), inside_(inside) {
   const SnappedOperands operands = untangledTogether(pair, progress);
   a_ = std::move(pair.a);
   b_ = std::move(pair.b);
@@ -34,7 +34,8 @@ SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const 
 std::optional<Region> SampledSum::curves(const Progress& progress) const {
   const CurveFitting fitting{.rounding = std::max(roundingOf(a_, grid_), roundingOf(b_, grid_)),
                              .reach = 2 * (longestChord(a_) + longestChord(b_)),
-                             .gap = 4 * tolerance_};
+                             .gap = 4 * tolerance_,
+                             .away = inside_ == Inside::Hollow ? 4 * splineShare * tolerance_ : 0};
   const auto curveOf = [&](std::uint32_t edge) { return curveOfEdge(edges_[edge], fitting.rounding); };
   return fittedCurves(faces_, grid_, curveOf, fitting, progress);
 }

@@ -412,7 +412,8 @@ class MinkowskiCurvesTest : public QObject {
             double nearest = INFINITY;
             for (std::size_t j = 0; j < rim.size(); ++j)
               nearest = std::min(nearest, distanceToSide(points[i], rim[j], rim[(j + 1) % rim.size()]));
-            QVERIFY2(nearest >= r - tolerance, qPrintable(QString::number(r - nearest)));
+            const bool atEnd = 10 * i < points.size() || 10 * i > 9 * points.size();
+            QVERIFY2(nearest >= r - (atEnd ? tolerance : 5e-5), qPrintable(QString::number(r - nearest)));
           }
         }
     }

@@ -285,6 +285,13 @@ class MinkowskiOpenTest : public QObject {
     VERIFY_ERROR(setDifference(std::vector{areaSet(circleRegion(1)), PlanarSet()}), ErrorCode::InvalidInput);
   }
 
+  void whatNearlyClosesIsTold() {
+    const PlanarSet gap = curveSet(polyline({{0, 0}, {10, 0}, {10, 10}, {0, 0.1}}));
+    const SetSumResult sum = setSumOf(areaSet(circleRegion(1)), gap);
+    QVERIFY(sum.warnings.size() == 1 && sum.warnings.front().starts_with("Shape 2 is open at (0, 0.1)"));
+    QVERIFY(setSumOf(areaSet(circleRegion(1)), segmentSet({0, 0}, {1, 0})).warnings.empty());
+  }
+
   void weightsOfCurves() {
     const RegionSumOptions options{.weights = {2, -1}};
     const SetSumResult sum = setSum(std::vector{segmentSet({0, 0}, {3, 0}), segmentSet({1, 1}, {1, 5})}, options);

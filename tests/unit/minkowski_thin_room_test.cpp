@@ -52,6 +52,41 @@ struct LatticeRoom {
   }
 };
 
+bool turnsLeft(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(Vec2(b - a), Vec2(c - a)) > 0; }
+
+bool sidesCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return turnsLeft(a, b, c) != turnsLeft(a, b, d) && turnsLeft(c, d, a) != turnsLeft(c, d, b);
+}
+
+bool liesWithin(const std::vector<Vec2>& outline, std::vector<Vec2> tool, const Vec2& at) {
+  const Vec2 centre = (tool[0] + tool[1] + tool[2]) / 3;
+  for (Vec2& p : tool) p = at + centre + (1 - 1e-6) * (p - centre);
+  if (windingNumber(polygonPath(outline), tool.front()) == 0) return false;
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    for (std::size_t j = 0; j < tool.size(); ++j)
+      if (sidesCross(outline[i], outline[(i + 1) % outline.size()], tool[j], tool[(j + 1) % tool.size()])) return false;
+  return true;
+}
+
+/// 0 inside of the area.
+double distanceToSet(const PlanarSet& set, const Vec2& p) {
+  double nearest = INFINITY;
+  int winding = 0;
+  const auto toPath = [&](const Path& path) {
+    for (const Segment& segment : path.segments) {
+      const Vec2 from = startPoint(segment), along = endPoint(segment) - from;
+      const double t = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (from + t * along - p).norm());
+    }
+  };
+  for (const Path& loop : set.area.loops) toPath(loop);
+  for (const Path& curve : set.curves) toPath(curve);
+  for (const Vec2& point : set.points) nearest = std::min(nearest, (point - p).norm());
+  if (nearest < 1e-6) return nearest;
+  for (const Path& loop : set.area.loops) winding += windingNumber(loop, p);
+  return winding > 0 ? 0 : nearest;
+}
+
 }  // namespace
 
 /// Room without width: where a shape fits exactly.
@@ -119,6 +154,53 @@ class MinkowskiThinRoomTest : public QObject {
       corners += exact.cornersAlone;
     }
     QVERIFY(sides > 50 && corners > 20);
+  }
+
+  /// A convex shape cancels out: what it sweeps along a segment leaves it the segment.
+  void sweptAlongASegmentAndBack() {
+    Random random = seededRandom();
+    for (int k = 0; k < 60; ++k) {
+      const auto corner = [&](int reach) {
+        return Vec2(uniformInt(random, -reach, reach), uniformInt(random, -reach, reach));
+      };
+      const Vec2 a = corner(9), b = corner(9), c = corner(9), from = corner(20), to = corner(20);
+      if (std::abs(cross(Vec2(b - a), Vec2(c - a))) < 1 || from == to) continue;
+      const bool left = cross(Vec2(b - a), Vec2(c - a)) > 0;
+      const PlanarSet triangle{polygonRegion({a, left ? b : c, left ? c : b})};
+      const PlanarSet segment{{}, {Path{{Line2{from, to}}, false, {}, {}}}};
+      const SetSumResult swept = setSum(std::vector{triangle, segment});
+      const SetSumResult room = keptDifference(swept.set, triangle);
+      QVERIFY(room.set.area.loops.empty() && room.set.points.empty());
+      QCOMPARE(room.set.curves.size(), std::size_t{1});
+      const Vec2 start = startPoint(room.set.curves.front()), end = endPoint(room.set.curves.front());
+      QVERIFY(std::min((start - from).norm() + (end - to).norm(), (start - to).norm() + (end - from).norm()) < 1e-7);
+    }
+  }
+
+  /// p + B in A for all lattice points p, decided for a B made smaller by a millionth, which then touches nothing.
+  void latticePolygons() {
+    Random random = seededRandom();
+    int inside = 0;
+    for (int k = 0; k < 60; ++k) {
+      std::vector<Vec2> outline = spikyPoints(random, {0, 0}, 14, uniformInt(random, 4, 9));
+      for (Vec2& p : outline) p = p.array().round();
+      std::vector<Vec2> tool{{0, 0}};
+      tool.emplace_back(uniformInt(random, 1, 4), uniformInt(random, -2, 0));
+      tool.emplace_back(uniformInt(random, -1, 2), uniformInt(random, 1, 4));
+      SetSumResult room;
+      try {
+        room = keptDifference({polygonRegion(outline)}, {polygonRegion(tool)});
+      } catch (const Error&) {
+        continue;  // rounded, the outline crosses itself
+      }
+      for (int x = -14; x <= 14; ++x)
+        for (int y = -14; y <= 14; ++y) {
+          const bool fits = liesWithin(outline, tool, Vec2(x, y));
+          inside += fits ? 1 : 0;
+          QCOMPARE(distanceToSet(room.set, Vec2(x, y)) < 1e-6, fits);
+        }
+    }
+    QVERIFY(inside > 500);
   }
 
   /// A slot of the width of a cutter: what its centre runs along.

@@ -72,6 +72,22 @@ std::optional<std::size_t> emptySummand(std::span<const PlanarSet> sets, const R
   return std::nullopt;
 }
 
+/// Curves that nearly close are told, for they may have been meant as outlines.
+std::vector<std::string> nearlyClosed(std::span<const PlanarSet> sets) {
+  constexpr double nearly = 0.02;  // of the length
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (const Path& curve : sets[i].curves) {
+      const Vec2 end = endPoint(curve);
+      const double gap = (startPoint(curve) - end).norm();
+      if (gap > 0 && curve.segments.size() > 1 && gap <= nearly * length(curve))
+        warnings.push_back(
+            fmt::format("Shape {} is open at {}, by a gap of {:.3g} mm: it is taken as a curve, without the area inside.",
+                        i + 1, at(end), gap));
+    }
+  return warnings;
+}
+
 PlanarSet asPlanarSet(const SoundSet& set) { return {set.area.region, set.curves, set.points}; }
 
 void checkFirst(const PlanarSet& first, SetSumResult& result) {
@@ -103,7 +119,7 @@ SetSumResult setSum(std::span<const PlanarSet> sets, const RegionSumOptions& opt
     if (next.empty()) refuseSumWithoutArea(total, summands[i]);
     total = std::move(next);
   }
-  return {asPlanarSet(total), summands.size() - 1};
+  return {asPlanarSet(total), summands.size() - 1, nearlyClosed(sets)};
 }
 
 namespace {
@@ -117,7 +133,7 @@ SetSumResult regularDifference(std::span<const PlanarSet> sets, const RegionSumO
                   fmt::format("Shape {} is empty: it fits everywhere, so the difference is the whole plane.", i + 1),
                   "Give a shape that has to fit inside.");
   if (sets.front().empty()) return {{}, 0, {"Shape 1 is empty, and so is the difference."}};
-  SetSumResult result;
+  SetSumResult result{{}, 0, nearlyClosed(sets)};
   checkFirst(sets.front(), result);
   Effort effort(options.maximumWork);
   const FlatteningOptions flattening{

@@ -100,7 +100,7 @@ class MinkowskiThinRoomTest : public QObject {
       const SetSumResult room = keptDifference({square}, {rectangleRegion({-1, -1}, {1, 1})});
       QVERIFY(room.set.area.loops.empty() && room.set.curves.empty() && room.warnings.empty());
       QCOMPARE(room.set.points.size(), std::size_t{1});
-      COMPARE_NEAR((room.set.points.front() - by - Vec2(1, 1)).norm(), 0, 1e-9);
+      COMPARE_NEAR((room.set.points.front() - by - Vec2(1, 1)).norm(), 0, 1e-11 + 1e-15 * by.norm());
       QVERIFY(setDifference(std::vector<PlanarSet>{{square}, {rectangleRegion({-1, -1}, {1, 1})}}).set.empty());
     }
     const Region triangle = polygonRegion({{0.3, 0.1}, {4, 1}, {2, 5.5}});
@@ -119,10 +119,10 @@ class MinkowskiThinRoomTest : public QObject {
                                                {turnedBy(rectangleRegion({0, 0}, {shorter, width}), turn, {0, 0})});
       QVERIFY(room.set.area.loops.empty() && room.set.points.empty());
       QCOMPARE(room.set.curves.size(), std::size_t{1});
-      COMPARE_NEAR(lengthOfAll(room.set.curves), length - shorter, 1e-7);
+      COMPARE_NEAR(lengthOfAll(room.set.curves), length - shorter, 1e-8);  // turned sides are parallel but for rounding
       const Vec2 from = startPoint(room.set.curves.front()), to = endPoint(room.set.curves.front());
       const Vec2 end = by + (length - shorter) * Vec2(std::cos(turn), std::sin(turn));
-      QVERIFY(std::min((from - by).norm() + (to - end).norm(), (to - by).norm() + (from - end).norm()) < 1e-7);
+      QVERIFY(std::min((from - by).norm() + (to - end).norm(), (to - by).norm() + (from - end).norm()) < 1e-8);
     }
   }
 
@@ -148,7 +148,7 @@ class MinkowskiThinRoomTest : public QObject {
       const LatticeRoom exact(a, b);
       const SetSumResult room = keptDifference({cellRegion(a)}, {cellRegion(b)});
       COMPARE_NEAR(area(room.set.area), exact.squares, 1e-8);
-      COMPARE_NEAR(lengthOfAll(room.set.curves), exact.sidesAlone, 1e-7);
+      COMPARE_NEAR(lengthOfAll(room.set.curves), exact.sidesAlone, 1e-9);
       QCOMPARE(static_cast<int>(room.set.points.size()), exact.cornersAlone);
       sides += exact.sidesAlone;
       corners += exact.cornersAlone;
@@ -173,7 +173,7 @@ class MinkowskiThinRoomTest : public QObject {
       QVERIFY(room.set.area.loops.empty() && room.set.points.empty());
       QCOMPARE(room.set.curves.size(), std::size_t{1});
       const Vec2 start = startPoint(room.set.curves.front()), end = endPoint(room.set.curves.front());
-      QVERIFY(std::min((start - from).norm() + (end - to).norm(), (start - to).norm() + (end - from).norm()) < 1e-7);
+      QVERIFY(std::min((start - from).norm() + (end - to).norm(), (start - to).norm() + (end - from).norm()) < 1e-9);
     }
   }
 

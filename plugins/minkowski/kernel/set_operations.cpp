@@ -182,6 +182,24 @@ Polygons grownBy(const Polygons& polygons, double slack, const Progress& progres
   return sum(polygons, {{{{-slack, -slack}, {slack, -slack}, {slack, slack}, {-slack, slack}}, {}}}, progress, effort);
 }
 
+/// Corners of the wider room lie off those of the room by multiples of the slack, so twice the slack tells how far.
+ThinRoom withoutSlack(ThinRoom once, const ThinRoom& twice, double slack) {
+  std::vector<Vec2> places = twice.points;
+  for (const Path& curve : twice.curves)
+    for (const Segment& segment : curve.segments) places.insert(places.end(), {startPoint(segment), endPoint(segment)});
+  const auto move = [&](Vec2& p) {
+    constexpr double reach = 32;  // times the slack
+    const auto nearer = [&](const Vec2& q, const Vec2& r) { return (q - p).squaredNorm() < (r - p).squaredNorm(); };
+    const auto nearest = std::min_element(places.begin(), places.end(), nearer);
+    if (nearest != places.end() && (*nearest - p).norm() <= reach * slack) p -= *nearest - p;
+  };
+  for (Vec2& point : once.points) move(point);
+  for (Path& curve : once.curves)
+    for (Segment& segment : curve.segments)
+      if (auto* line = std::get_if<Line2>(&segment)) move(line->from), move(line->to);
+  return once;
+}
+
 /// What `regular` leaves out because it has no width.
 void addThinRoom(std::span<const PlanarSet> sets, const RegionSumOptions& options, SetSumResult& regular,
                  const Progress& progress) {
@@ -192,10 +210,13 @@ void addThinRoom(std::span<const PlanarSet> sets, const RegionSumOptions& option
   const SoundSet a = drawnByLines({sets[0].area}, flattening, shapeName(0), progress),
                  b = drawnByLines(sets[1], flattening, shapeName(1), progress);
   const double slack = slackFor(a, b, curved);
-  const SoundRegion grown{toRegion(grownBy(toPolygons(a.area), slack, progress.part(0, 0.3), effort)), a.tolerance};
-  const Polygons loose = toPolygons(difference(grown, b, progress.part(0.3, 0.9), effort));
-  ThinRoom thin = thinParts(loose, regular.set.area, slack, progress);
+  const auto found = [&](double by, const Progress& part) {
+    const SoundRegion grown{toRegion(grownBy(toPolygons(a.area), by, part.part(0, 0.3), effort)), a.tolerance};
+    return thinParts(toPolygons(difference(grown, b, part.part(0.3, 0.9), effort)), regular.set.area, by, part);
+  };
+  ThinRoom thin = found(slack, progress.part(0, 0.5));
   if (thin.curves.empty() && thin.points.empty()) return;
+  if (!curved) thin = withoutSlack(thin, found(2 * slack, progress.part(0.5, 1)), slack);
   if (regular.set.empty()) regular.warnings.clear();  // which said that nothing is left
   regular.set.curves = std::move(thin.curves);
   regular.set.points = std::move(thin.points);

@@ -21,7 +21,8 @@ struct SetSumResult {
 SetSumResult setSum(std::span<const PlanarSet>, const RegionSumOptions& = {}, const Progress& = Progress::none());
 
 /// As minkowskiDifference, with sets as what has to fit inside; with `keepDegenerate` of two sets also the room without
-/// width, where B fits exactly: of polygons to within 2^-36 of their size, else within the tolerance, which a warning tells.
+/// width, where B fits exactly: of polygons to within 2^-36 of their size, told to rounding, else within the tolerance,
+/// which a warning tells.
 /// @throws as minkowskiDifference; InvalidInput where the first set has no area or another one is empty; InvalidParameter
 /// for `keepDegenerate` of more than two
 SetSumResult setDifference(std::span<const PlanarSet>, const RegionSumOptions& = {}, const Progress& = Progress::none());

@@ -27,13 +27,13 @@ struct Addition {
   const SampledPair* kept = nullptr;  ///< of both, within the tolerances
 };
 
-FinerResult fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
-                      Effort& effort) {
+Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& addition, const Progress& progress,
+                 Effort& effort) {
   const auto attempt = [&](double share, const Progress& part) {
     SampledPair pair = share == 1 && addition.kept ? *addition.kept : sampledPair(a, b, share, addition.sampling, part);
     return SampledSum(std::move(pair), share * (a.tolerance + b.tolerance), addition.inside, part, effort);
   };
-  return fittedByFinerPolygons(attempt, progress);
+  return byFinerPolygons(attempt, progress);
 }
 
 /// When one set is as good as a point beside the other: the other, moved there.
@@ -70,7 +70,17 @@ SoundRegion sumBy(const SampledPair* kept, const SoundRegion& a, const SoundRegi
   if (auto moved = sumWithPoint(a, b)) return *std::move(moved);
   if (!hasSplines(a.region) && !hasSplines(b.region) && isConvex(a) && isConvex(b))
     return {convexSum(a.region, b.region), tolerance};
-  return {fittedSum(a, b, {.kept = kept}, progress, effort).region, tolerance};
+  return {fittedSum(a, b, {.kept = kept}, progress, effort), tolerance};
+}
+
+/// What the sum of free-form regions leaves out, as splines. Nothing where they do not follow the polygons: finer ones would
+/// hardly help, for what has corners is at fault.
+std::optional<Region> smoothRoom(SoundRegion around, SoundRegion turned, const Progress& progress, Effort& effort) {
+  constexpr double ofPolygons = 0.25;  // splines leave the polygons by up to twice their tolerance
+  around.tolerance *= ofPolygons;
+  turned.tolerance *= ofPolygons;
+  SampledPair pair = sampledPair(around, turned, 1, Sampling::Chords, progress);
+  return SampledSum(std::move(pair), around.tolerance + turned.tolerance, Inside::Hollow, progress, effort).curves(progress);
 }
 
 }  // namespace
@@ -92,13 +102,17 @@ SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progres
     return {toRegion(difference(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
   const bool free = hasSplines(a.region) || hasSplines(b.region);
   if (const auto around = complement(a, extentOf(b).sizes(), progress)) {
-    const Addition leftOut{free ? Sampling::Chords : Sampling::Around, Inside::Hollow};
-    FinerResult room = fittedSum(*around, scaled(b, -1), leftOut, progress, effort);
-    if (room.fitted || !free) return {std::move(room.region), tolerance, !free};
+    const SoundRegion turned = scaled(b, -1);
+    if (!free) return {fittedSum(*around, turned, {Sampling::Around, Inside::Hollow}, progress, effort), tolerance};
+    if (auto room = smoothRoom(*around, turned, progress, effort)) return {*std::move(room), tolerance, false};
   }
   // By polygons on the safe side, whose loops may touch.
-  const Polygons inside = flattened(a.region, {.side = Approximation::Inside, .effort = &effort}, "shape 1", progress),
-                 outside = flattened(b.region, {.side = Approximation::Outside, .effort = &effort}, "shape 2", progress);
+  const auto polygonsOf = [&](const SoundRegion& shape, Approximation side, const char* name) {
+    const double within = std::min(shape.tolerance, defaultTolerance(shape.region));
+    return flattened(shape.region, {.tolerance = within, .side = side, .effort = &effort}, name, progress);
+  };
+  const Polygons inside = polygonsOf(a, Approximation::Inside, "shape 1"),
+                 outside = polygonsOf(b, Approximation::Outside, "shape 2");
   return {toRegion(difference(inside, outside, progress, effort)), tolerance, !free};
 }
 

@@ -10,13 +10,8 @@ namespace blossom::minkowski {
 
 /// The result of an operation decided by polygons, which become finer until curves fit: `attempt(share, progress)`, with the
 /// share of the tolerances, returns what has `curves(progress)`, which may fail, and `lines()`, the last resort.
-struct FinerResult {
-  Region region;
-  bool fitted = true;  ///< false: the lines of the coarsest attempt
-};
-
 template <class Attempt>
-FinerResult fittedByFinerPolygons(Attempt attempt, const Progress& progress) {
+Region byFinerPolygons(Attempt attempt, const Progress& progress) {
   constexpr int attempts = 3;
   constexpr double finer = 1.0 / 8;
   double share = 1, done = 0;
@@ -25,19 +20,14 @@ FinerResult fittedByFinerPolygons(Attempt attempt, const Progress& progress) {
     progress.check();
     try {
       const auto result = attempt(share, progress.part(done, (1 + done) / 2));
-      if (auto curves = result.curves(progress)) return {*std::move(curves)};
+      if (auto curves = result.curves(progress)) return *std::move(curves);
       if (!lines) lines = result.lines();
     } catch (const Error& error) {
       if (!lines || error.code() != ErrorCode::LimitExceeded) throw;  // finer polygons are too many
       break;
     }
   }
-  return {*std::move(lines), false};
-}
-
-template <class Attempt>
-Region byFinerPolygons(Attempt attempt, const Progress& progress) {
-  return fittedByFinerPolygons(attempt, progress).region;
+  return *std::move(lines);
 }
 
 }  // namespace blossom::minkowski

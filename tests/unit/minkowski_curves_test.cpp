@@ -391,7 +391,7 @@ class MinkowskiCurvesTest : public QObject {
   /// enough from the outline.
   void roomInFreeFormOutlines() {
     Random random = seededRandom();
-    int splines = 0, rooms = 0, smooth = 0, all = 0, within = 0;
+    int rooms = 0, smooth = 0, all = 0, within = 0;
     for (int k = 0; k < 12; ++k) {
       const Region outline = freeRegion(random, 10);
       const double r = uniform(random, 0.3, 1.5), tolerance = 1e-3;
@@ -403,11 +403,11 @@ class MinkowskiCurvesTest : public QObject {
       ++rooms;
       const double fine = area(roomByPolygons(outline, r));
       COMPARE_NEAR(area(room), fine, 4 * tolerance * wayAround(room));
-      smooth += segmentCountOf(room) < 60 ? 1 : 0;  // polygons have some hundred
+      smooth += hasSplines(room) && segmentCountOf(room) < 60 ? 1 : 0;  // polygons have some hundred
+      if (rooms > 3) continue;                                          // measuring takes long
       const std::vector<Vec2> rim = flatten(outline.loops.front(), 1e-5);
       for (const Path& loop : room.loops)
         for (const Segment& segment : loop.segments) {
-          splines += std::holds_alternative<Spline2>(segment) ? 1 : 0;
           const std::vector<Vec2> points = flatten(segment, 1e-3);
           for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 20) {
             double nearest = INFINITY;
@@ -419,7 +419,7 @@ class MinkowskiCurvesTest : public QObject {
           }
         }
     }
-    QVERIFY(rooms > 5 && smooth > rooms / 4 && splines >= smooth);
+    QVERIFY(rooms > 5 && smooth > rooms / 4);
     QVERIFY(within > 0.97 * all);  // near corners alone it is on the outer side at all
   }
 };

@@ -1,6 +1,61 @@
 #include "region_inputs.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "core/tolerance.h"
+#include "geometry/planar/planar.h"
+
 namespace blossom::minkowski {
+namespace {
+
+/// A line without length stands for a point; anything else so short is dirt, as in toRegion.
+PlanarSet setOfDrawing(const Curves& drawing) {
+  PlanarSet set;
+  Curves closed{{}, drawing.fillRule};
+  for (Path& path : joined(drawing).paths) {
+    if (path.segments.empty()) continue;
+    if (path.closed)
+      closed.paths.push_back(std::move(path));
+    else if (length(path) == 0)
+      set.points.push_back(startPoint(path));
+    else if (length(path) > Tolerance{}.joining)
+      set.curves.push_back(std::move(path));
+  }
+  if (!closed.paths.empty() || set.empty()) set.area = toRegion(closed);
+  return set;
+}
+
+PlanarSet setOfCurve(const Curve& curve) {
+  for (const Vec4& pole : curve.poles)
+    if (std::abs(pole.z()) > Tolerance{}.confusion * pole.w())
+      throw Error(ErrorCode::InvalidInput,
+                  fmt::format("The curve is not in the plane z = 0: a pole lies {:.3g} mm above it.", pole.z() / pole.w()),
+                  "Move or turn it into that plane.");
+  Path path;
+  path.segments.emplace_back(toSpline(curve));
+  path.closed = (startPoint(path) - endPoint(path)).norm() <= Tolerance{}.joining;
+  return setOfDrawing({{std::move(path)}, FillRule::EvenOdd});
+}
+
+PlanarSet setOf(const Shape& shape) {
+  if (const auto* region = shape.get<Region>()) return {*region};
+  if (const auto* drawing = shape.get<Curves>()) return setOfDrawing(*drawing);
+  if (const auto* curve = shape.get<Curve>()) return setOfCurve(*curve);
+  throwWrongKind(shape);
+}
+
+}  // namespace
+
+std::vector<PlanarSet> setsOf(const Inputs& inputs) {
+  std::vector<PlanarSet> sets;
+  for (const Shape& shape : inputs.of(0)) sets.push_back(setOf(shape));
+  return sets;
+}
 
 std::vector<Region> regionsOf(const Inputs& inputs) {
   std::vector<Region> regions;
@@ -19,6 +74,25 @@ std::optional<double> toleranceOf(const Value& given) {
 ParameterSpec toleranceSpec() {
   return whenNone(optional(positiveLength()),
                   "a 10,000th of each shape's size and a 500th of its thickness, at most 0.01 mm");
+}
+
+Evaluated evaluatedSet(SetSumResult result) {
+  PlanarSet& set = result.set;
+  Evaluated out;
+  out.stats["sums"] = result.sums;
+  out.stats["empty"] = set.empty();
+  out.warnings = std::move(result.warnings);
+  if (set.curves.empty() && set.points.empty()) {
+    out.shape = std::move(set.area);
+    return out;
+  }
+  out.stats["open_curves"] = set.curves.size();
+  out.stats["points"] = set.points.size();
+  Curves drawing = toCurves(set.area);
+  drawing.paths.insert(drawing.paths.end(), set.curves.begin(), set.curves.end());
+  for (const Vec2& point : set.points) drawing.paths.push_back({{Line2{point, point}}, false, {}, {}});
+  out.shape = std::move(drawing);
+  return out;
 }
 
 Evaluated evaluatedSum(RegionSumResult result) {

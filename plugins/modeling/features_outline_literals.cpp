@@ -59,6 +59,8 @@ LiteralForm measured(std::string name, std::string syntax, std::string summary, 
   return form;
 }
 
+Shape pointDrawing(const Vec2& at) { return Curves{{Path{{Line2{at, at}}, false, {}, {}}}, FillRule::EvenOdd}; }
+
 LiteralForm textLiteral() {
   return {"text", "text:WORDS", "A text 10 mm high in the standard font.",
           [](std::string_view words) -> Shape {
@@ -83,6 +85,10 @@ void addOutlineLiterals(Registry& registry) {
   }));
   registry.add(measured("rectangle", "rectangle:WIDTH:HEIGHT", "A rectangle about the origin.", 2,
                         [=](const M& m) { return rectangle(m.length(0), m.length(1), 0, origin, 0); }));
+  registry.add(
+      measured("point", "point:X:Y", "A point of the plane, a line without length in a drawing.", 2, [](const M& m) {
+        return pointDrawing({m.length(0), m.length(1)});
+      }));
   registry.add(textLiteral());
 }
 

@@ -28,7 +28,7 @@ refuses() { # what, the command's words
 : >"$out/refusals.txt"
 for file in empty.svg cut-off.svg open.svg bow-tie.svg noise.step empty.off missing.svg; do
   for words in "morph $file circle:5" "morph circle:5 $file" "minkowski-sum $file circle:5" "minkowski-difference $file circle:5"; do
-    refuses "$words" $words -o out.svg
+    [ "$words" = "minkowski-sum open.svg circle:5" ] || refuses "$words" $words -o out.svg  # open curves can be added
   done
   for words in "offset $file --distance 1" "medial-axis $file"; do refuses "$words" $words -o out.dxf; done
   refuses "pocket $file" pocket "$file" --tool-diameter 1 --depth 1 -o out.ngc

@@ -146,13 +146,8 @@ class MinkowskiMembershipTest : public QObject {
     int wrong = 0, asked = 0;
     for (int pair = 0; pair < 40; ++pair) {
       const Region a = randomRegion(random, 10), b = randomRegion(random, 0.4);
-      Region room;
-      try {
-        room = minkowski::minkowskiDifference(std::vector{a, b}).region;
-      } catch (const Error& error) {
-        QCOMPARE(error.code(), ErrorCode::Degenerate);
-        continue;
-      }
+      const Region room = minkowski::minkowskiDifference(std::vector{a, b}).region;
+      if (room.loops.empty()) continue;
       const Rings ringsA = ringsOf(a), ringsB = ringsOf(b), ringsRoom = ringsOf(room);
       for (int k = 2; k < 150; ++k) {
         Vec2 x = probe(random, ringsRoom, ringsA, ringsB, k);

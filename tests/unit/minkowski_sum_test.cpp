@@ -146,7 +146,7 @@ class MinkowskiSumTest : public QObject {
         }
       COMPARE_NEAR(area(sumOf(cellRegion(a), cellRegion(b))), static_cast<double>(sum.size()), 1e-8);
       if (difference.empty())
-        VERIFY_ERROR(differenceOf(cellRegion(a), cellRegion(b)), ErrorCode::Degenerate);
+        QVERIFY(differenceOf(cellRegion(a), cellRegion(b)).loops.empty());
       else
         COMPARE_NEAR(area(differenceOf(cellRegion(a), cellRegion(b))), static_cast<double>(difference.size()), 1e-8);
     }
@@ -283,10 +283,10 @@ class MinkowskiSumTest : public QObject {
 
   /// No room is told where there is none, and hardly any is lost.
   void roomIsNeverOverstated() {
-    VERIFY_ERROR(differenceOf(rectangleRegion({-5, -5}, {5, 5}), circleRegion(5)), ErrorCode::Degenerate);
-    VERIFY_ERROR(differenceOf(rectangleRegion({1, 1}, {11, 11}), circleRegion(5, {3, 2})), ErrorCode::Degenerate);
-    VERIFY_ERROR(differenceOf(rectangleRegion({-5, -4}, {5, 4}), ellipseRegion(5, 4)), ErrorCode::Degenerate);
-    VERIFY_ERROR(differenceOf(circleRegion(5), circleRegion(5)), ErrorCode::Degenerate);
+    QVERIFY(differenceOf(rectangleRegion({-5, -5}, {5, 5}), circleRegion(5)).loops.empty());
+    QVERIFY(differenceOf(rectangleRegion({1, 1}, {11, 11}), circleRegion(5, {3, 2})).loops.empty());
+    QVERIFY(differenceOf(rectangleRegion({-5, -4}, {5, 4}), ellipseRegion(5, 4)).loops.empty());
+    QVERIFY(differenceOf(circleRegion(5), circleRegion(5)).loops.empty());
     const auto isWithin = [](const Region& room, double exact, double perimeter, double tolerance) {
       const double made = area(room);
       return made <= exact * (1 + 1e-12) && made >= exact - perimeter * tolerance;
@@ -417,7 +417,7 @@ class MinkowskiSumTest : public QObject {
                  ErrorCode::InvalidInput);
     VERIFY_ERROR(minkowskiSum(std::vector{square}), ErrorCode::InvalidParameter);
     VERIFY_ERROR(minkowskiSum(std::vector{square, circleRegion(1e6)}, {.tolerance = 1e-9}), ErrorCode::LimitExceeded);
-    VERIFY_ERROR(differenceOf(square, rectangleRegion({0, 0}, {2, 2})), ErrorCode::Degenerate);
+    QVERIFY(differenceOf(square, rectangleRegion({0, 0}, {2, 2})).loops.empty());
   }
 
   void workCanBeCancelledInTheMiddle() {

@@ -33,15 +33,33 @@ struct Corner {
   std::uint32_t number = CornerNumbers::unknown;
 };
 
-/// @param numbers none when nobody asks what edges come from
-std::vector<Corner> cornersOf(const GridLoop& loop, const CornerNumbers* numbers) {
+/// A loop and how its corners and edges are numbered.
+struct NumberedLoop {
+  const GridLoop& loop;
+  const CornerNumbers* numbers = nullptr;  ///< none when nobody asks what edges come from
+  std::span<const std::uint32_t> cornerNumbers{}, sideNumbers{};
+
+  [[nodiscard]] std::uint32_t ofCorner(std::size_t i) const {
+    if (!numbers) return CornerNumbers::unknown;
+    return cornerNumbers.empty() ? numbers->of(loop[i]) : cornerNumbers[i];
+  }
+  [[nodiscard]] std::uint32_t ofEdge(std::size_t i) const {
+    if (!numbers) return CornerNumbers::unknown;
+    return sideNumbers.empty() ? numbers->ofEdge(loop[i], loop[(i + 1) % loop.size()]) : sideNumbers[i];
+  }
+};
+
+std::vector<Corner> cornersOf(const NumberedLoop& numbered) {
+  const GridLoop& loop = numbered.loop;
   std::vector<Corner> corners;
   corners.reserve(loop.size());
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
     const GridPoint in = loop[i] - loop[(i + n - 1) % n], out = loop[(i + 1) % n] - loop[i];
-    if (cross(in, out) > 0)
-      corners.push_back({loop[i], in, out, 1, numbers ? numbers->of(loop[i]) : CornerNumbers::unknown});
+    const Wide turn = cross(in, out);
+    // A turn by half a turn is the end of a curve, one of no direction a point.
+    if (turn > 0 || (turn == 0 && dot(in, out) <= 0))
+      corners.push_back({loop[i], in, out, 1, numbered.ofCorner(i)});
     else
       corners.push_back({loop[i], out, in, -1});
   }
@@ -60,13 +78,12 @@ struct DirectedEdge {
   [[nodiscard]] GridPoint direction() const { return to - from; }
 };
 
-std::vector<DirectedEdge> edgesByDirection(const GridLoop& loop, const CornerNumbers* numbers) {
+std::vector<DirectedEdge> edgesByDirection(const NumberedLoop& numbered) {
+  const GridLoop& loop = numbered.loop;
   std::vector<DirectedEdge> edges;
+  if (loop.size() == 1) return edges;
   edges.reserve(loop.size());
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const GridPoint &from = loop[i], &to = loop[(i + 1) % loop.size()];
-    edges.push_back({from, to, numbers ? numbers->ofEdge(from, to) : CornerNumbers::unknown});
-  }
+  for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()], numbered.ofEdge(i)});
   std::sort(edges.begin(), edges.end(),
             [](const DirectedEdge& a, const DirectedEdge& b) { return before(a.direction(), b.direction()); });
   return edges;
@@ -138,6 +155,10 @@ void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>&
     const auto pair = [&](auto first, auto last) {
       for (; first != last; ++first) out.add(*first, corner, closed == Closed::First);
     };
+    if (corner.first == corner.last) {  // a point
+      pair(edges.begin(), edges.end());
+      continue;
+    }
     const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
     if (before(corner.first, corner.last)) {
       pair(first, last);
@@ -163,9 +184,9 @@ struct LoopSides {
   GridPoint size;
 };
 
-LoopSides sidesOf(const GridLoop& loop, const CornerNumbers* numbers) {
-  const Extent extent = extentOf(loop);
-  return {edgesByDirection(loop, numbers), cornersOf(loop, numbers), extent.high - extent.low};
+LoopSides sidesOf(const NumberedLoop& loop) {
+  const Extent extent = extentOf(loop.loop);
+  return {edgesByDirection(loop), cornersOf(loop), extent.high - extent.low};
 }
 
 struct PartSides {
@@ -178,10 +199,11 @@ std::vector<PartSides> partsOf(std::span<const GridPolygon> polygons, const Corn
   std::vector<PartSides> parts;
   parts.reserve(polygons.size());
   for (const GridPolygon& polygon : polygons) {
-    PartSides& part = parts.emplace_back(PartSides{sidesOf(polygon.outer, numbers), {}});
+    const NumberedLoop outer{polygon.outer, numbers, polygon.cornerNumbers, polygon.sideNumbers};
+    PartSides& part = parts.emplace_back(PartSides{sidesOf(outer), {}});
     for (const GridLoop& hole : polygon.holes) {
       progress.check();
-      part.holes.push_back(sidesOf(hole, numbers));
+      part.holes.push_back(sidesOf({hole, numbers}));
     }
   }
   return parts;
@@ -312,7 +334,7 @@ std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<c
 
 std::vector<EdgeAtCorner> pairsOf(const GridLoop& a, const GridLoop& b, const Progress& progress) {
   PairList pairs;
-  pairUp(sidesOf(a, nullptr), sidesOf(b, nullptr), pairs, progress);
+  pairUp(sidesOf({a}), sidesOf({b}), pairs, progress);
   return std::move(pairs.all);
 }
 

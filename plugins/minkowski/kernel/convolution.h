@@ -56,8 +56,9 @@ struct PairSources {
 /// positive exactly inside A + B. An edge is paired with every vertex of the other set whose turn contains the edge's
 /// direction (convex +, reflex -), parallel edges once (Guibas, Ramshaw & Stolfi 1983). Holes that the other part cannot
 /// enter are removed first (Baram, Fogel, Halperin, Hemmer & Morr 2018, "fill up"), because the intersection of A and x - B
-/// could otherwise have a hole, which counts -1. Edges at reflex vertices never bound. The result is as joinEqual returns
-/// it. O(n log n + k) for k pairs: the edges of a loop are sorted by direction once.
+/// could otherwise have a hole, which counts -1. Edges at reflex vertices never bound. Curves, as loops there and back, turn
+/// by half a turn at their ends, and a point takes all edges: where a set is a curve, the components are counted along it.
+/// The result is as joinEqual returns it. O(n log n + k) for k pairs: the edges of a loop are sorted by direction once.
 /// @param sources when given, edges that may bound and come from numbered edges and corners name them
 /// @param inside of the sum: when given, the edges that lie there are left out, and winding numbers there are just positive
 /// @throws Error LimitExceeded above three million edges; Cancelled; TooMuchWork.

@@ -14,13 +14,13 @@
 #include "geometry/planar/planar.h"
 #include "kernel/bounding_polyline.h"
 #include "kernel/nesting.h"
+#include "kernel/refusal.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
 namespace {
 
-constexpr double farthest = 1e9;  // mm
 constexpr std::size_t maximumCorners = 200'000;
 constexpr double largestTolerance = 0.01;         // mm, where none is given
 constexpr double automaticShare = 1e-4;           // of the shape's size
@@ -29,40 +29,16 @@ constexpr double coarsestShare = 0.05;            // a circle becomes a heptagon
 constexpr double coarsestShareOfThickness = 0.1;  // the same for a circle
 constexpr double farTooMany = 4e6;                // by the estimate, which is generous
 
-std::string at(const Vec2& p) { return fmt::format("({:.6g}, {:.6g})", p.x(), p.y()); }
-
-[[noreturn]] void refuse(ErrorCode code, const std::string& name, const std::string& what, const std::string& remedy) {
-  std::string sentence = fmt::format("{} {}", name, what);
-  sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
-  throw Error(code, sentence, remedy);
-}
-
-/// Every number of a segment, before anything is computed from them.
-bool isFinite(const Segment& segment) {
-  if (const auto* line = std::get_if<Line2>(&segment)) return line->from.allFinite() && line->to.allFinite();
-  if (const auto* arc = std::get_if<Arc2>(&segment))
-    return arc->center.allFinite() && std::isfinite(arc->radius) && std::isfinite(arc->start) && std::isfinite(arc->sweep);
-  const auto& spline = std::get<Spline2>(segment);
-  return std::all_of(spline.poles.begin(), spline.poles.end(), [](const Vec3& pole) { return pole.allFinite(); }) &&
-         std::all_of(spline.knots.begin(), spline.knots.end(), [](double knot) { return std::isfinite(knot); });
-}
-
 void checkLoop(const Path& path, std::size_t number, const std::string& name) {
   if (path.segments.empty())
     refuse(ErrorCode::InvalidInput, name, fmt::format("has an empty loop, number {}.", number), "Remove the loop.");
-  for (std::size_t i = 0; i < path.segments.size(); ++i)
-    if (!isFinite(path.segments[i]))
-      refuse(ErrorCode::InvalidInput, name,
-             fmt::format("has coordinates that are not numbers, in segment {} of loop {}.", i + 1, number),
-             "Draw that segment anew, or repair the file.");
+  refuseWhatIsNoNumber(path, fmt::format("loop {}", number), name);
   for (std::size_t i = 0; i < path.segments.size(); ++i) {
     const Vec2 from = endPoint(path.segments[i]), to = startPoint(path.segments[(i + 1) % path.segments.size()]);
     if ((from - to).norm() > Tolerance{}.joining)
       refuse(ErrorCode::InvalidInput, name, fmt::format("is open: a gap of {:.3g} mm at {}.", (from - to).norm(), at(from)),
              "Close the gap in the drawing; a sum needs an area.");
-    if (from.cwiseAbs().maxCoeff() > farthest)
-      refuse(ErrorCode::LimitExceeded, name, fmt::format("reaches {}, farther than 1e9 mm from the origin.", at(from)),
-             "Check the unit of the drawing, or move it to the origin.");
+    refuseFarAway(from, name);
   }
 }
 

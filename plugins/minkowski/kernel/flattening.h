@@ -7,6 +7,7 @@
 #include "kernel/effort.h"
 #include "kernel/polygons.h"
 #include "kernel/sound_region.h"
+#include "kernel/sound_set.h"
 
 namespace blossom::minkowski {
 
@@ -40,5 +41,9 @@ Polygons flattened(const Region&, const FlatteningOptions&, const std::string& n
 /// The same checks, but curves stay. Where loops touch each other or themselves, curves become lines. @throws as flattened
 SoundRegion soundRegion(const Region&, const FlatteningOptions&, const std::string& name,
                         const Progress& = Progress::none());
+
+/// The same of an area with curves and points, for the curves what does not need an area. Curves that are shorter than
+/// 1e-7 mm are points. The empty set stays empty. @throws as flattened; InvalidInput where a curve has a gap
+SoundSet soundSet(const PlanarSet&, const FlatteningOptions&, const std::string& name, const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

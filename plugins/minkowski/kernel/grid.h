@@ -24,10 +24,12 @@ inline Wide dot(const GridPoint& a, const GridPoint& b) { return Wide(a.x) * b.x
 
 using GridLoop = std::vector<GridPoint>;
 
-/// As Polygon, but consecutive edges are never collinear.
+/// As Polygon, but consecutive edges are never collinear. A curve without area is an outer loop there and back, whose
+/// points but the ends come twice, and so carry their numbers; a point is one of one corner.
 struct GridPolygon {
   GridLoop outer;
   std::vector<GridLoop> holes;
+  std::vector<std::uint32_t> cornerNumbers{}, sideNumbers{};  ///< of the outer loop; empty: to be found by place
   friend bool operator==(const GridPolygon&, const GridPolygon&) = default;
 };
 

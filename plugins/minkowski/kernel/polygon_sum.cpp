@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "kernel/complement.h"
 #include "kernel/convolution.h"
 #include "kernel/grid.h"
-#include "kernel/nesting.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/snapped_operands.h"
 #include "kernel/winding/certain_inside.h"
@@ -55,8 +55,6 @@ Loop mergedByAngle(const GridLoop& first, const GridLoop& second) {
 
 bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
 
-Loop reversed(const Loop& loop) { return {loop.rbegin(), loop.rend()}; }
-
 Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
   const std::vector<GridPolygon> a = untangled(operands.a, progress), b = untangled(operands.b, progress);
   std::optional<CertainInside> inside;
@@ -64,19 +62,6 @@ Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress
   const std::vector<CountedEdge> edges =
       convolution(a, b, progress.part(0, 0.1), effort, nullptr, inside ? &*inside : nullptr);
   return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.gridOfSum);
-}
-
-/// The complement of A within a frame that B, wherever it meets A, does not reach.
-Polygons complement(const Polygons& a, const Polygons& b, const Progress& progress) {
-  const Box2 boxA = boxOf(a), boxB = boxOf(b);
-  const Vec2 reach = 2 * boxB.sizes() + boxA.sizes();
-  const Vec2 low = boxA.min() - reach, high = boxA.max() + reach;
-  std::vector<Loop> loops{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
-  for (const Polygon& polygon : a) {
-    loops.push_back(reversed(polygon.outer));
-    for (const Loop& hole : polygon.holes) loops.push_back(reversed(hole));
-  }
-  return Nesting(std::move(loops), progress).polygons(progress);
 }
 
 }  // namespace
@@ -99,7 +84,8 @@ Polygons difference(const Polygons& a, const Polygons& b, const Progress& progre
   progress.check();
   if (a.empty()) return {};
   // What the sum leaves out is read off its winding numbers, where loops that touch lie in one another as they do.
-  Polygons room = facesOfSum(snappedTogether(complement(a, b, progress), scaled(b, -1)), Inside::Hollow, progress, effort);
+  Polygons room = facesOfSum(snappedTogether(complement(a, boxOf(b).sizes(), progress), scaled(b, -1)), Inside::Hollow,
+                             progress, effort);
   for (auto& [outer, holes] : room)
     std::rotate(outer.begin(), std::min_element(outer.begin(), outer.end(), fartherLeft), outer.end());
   return room;

@@ -60,17 +60,6 @@ double weightOf(const RegionSumOptions& options, std::size_t i) {
   return i < options.weights.size() ? options.weights[i] : 1;
 }
 
-void checkWeights(std::size_t shapes, const RegionSumOptions& options) {
-  if (options.weights.size() > shapes)
-    throw Error(ErrorCode::InvalidParameter,
-                fmt::format("{} weights are given for {} shapes.", options.weights.size(), shapes),
-                "Leave out those too many.");
-  for (std::size_t i = 0; i < shapes; ++i)
-    if (weightOf(options, i) != 0) return;
-  throw Error(ErrorCode::InvalidParameter, "All weights are 0: the origin alone is left, which has no area.",
-              "Give a shape a weight other than 0.");
-}
-
 /// Those with a weight other than 0, as large as it makes them.
 std::vector<SoundRegion> weighted(std::span<const Region> regions, const RegionSumOptions& options, Effort& effort,
                                   const Progress& progress) {
@@ -95,20 +84,32 @@ double smallestDefault(std::span<const Region> regions) {
 
 }  // namespace
 
+void checkSummands(std::size_t shapes, const RegionSumOptions& options) {
+  if (shapes < 2) refuseOneShape();
+  if (options.weights.size() > shapes)
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("{} weights are given for {} shapes.", options.weights.size(), shapes),
+                "Leave out those too many.");
+  for (std::size_t i = 0; i < shapes; ++i)
+    if (weightOf(options, i) != 0) return;
+  throw Error(ErrorCode::InvalidParameter, "All weights are 0: the origin alone is left, which has no area.",
+              "Give a shape a weight other than 0.");
+}
+
 RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
-  if (regions.size() < 2) refuseOneShape();
-  checkWeights(regions.size(), options);
+  checkSummands(regions.size(), options);
   Effort effort(options.maximumWork);
   const std::vector<SoundRegion> shapes = weighted(regions, options, effort, progress);
   return {folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
 }
 
-// Lines and arcs where that is all there is, else polygons on the safe side of the curves.
+// Polygons on the safe side of curves that touching loops have made lines.
 Region roomInside(std::span<const Region> regions, const RegionSumOptions& options, const Progress& progress) {
   Effort effort(options.maximumWork);
   const auto shapes =
       operands<SoundRegion>(regions, options, {Approximation::Either, Approximation::Either}, soundRegion, effort, progress);
-  if (std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& shape) { return shape.plain; }))
+  const auto asDrawn = [](const SoundRegion& shape) { return shape.plain || hasSplines(shape.region); };
+  if (std::all_of(shapes.begin(), shapes.end(), asDrawn))
     return folded<SoundRegion>(shapes, progress, effort, difference).region;
   const auto polygons =
       operands<Polygons>(regions, options, {Approximation::Inside, Approximation::Outside}, flattened, effort, progress);
@@ -120,11 +121,10 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
   RegionSumResult result{roomInside(regions, options, progress), regions.size() - 1, {}};
   const bool curved = std::any_of(regions.begin(), regions.end(), hasCurves);
   const double tolerance = options.tolerance.value_or(smallestDefault(regions));
-  if (result.region.loops.empty())
-    throw Error(ErrorCode::Degenerate,
-                curved ? fmt::format("Nothing is left: within {:.2g} mm, shape 1 has no room for the other.", tolerance)
-                       : "Nothing is left: shape 1 has no room for the other.",
-                "Make shape 1 larger, or what is taken away smaller.");
+  if (result.region.loops.empty()) {
+    result.warnings.push_back(nothingLeft(curved ? std::optional(tolerance) : std::nullopt));
+    return result;
+  }
   constexpr double wide = 50;
   if (curved && thicknessOf(result.region) < wide * tolerance)
     result.warnings.push_back(
@@ -134,8 +134,15 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
   return result;
 }
 
+std::string nothingLeft(std::optional<double> toleranceOfCurves) {
+  return fmt::format(
+      "Nothing is left: {}shape 1 has no room for the other. Make shape 1 larger, or what is taken away smaller.",
+      toleranceOfCurves ? fmt::format("within {:.2g} mm, ", *toleranceOfCurves) : std::string());
+}
+
 RegionSumResult regionOpening(const Region& a, const Region& b, const RegionSumOptions& options, const Progress& progress) {
   const RegionSumResult room = minkowskiDifference(std::vector{a, b}, options, progress.part(0, 0.5));
+  if (room.region.loops.empty()) return room;
   RegionSumResult result = minkowskiSum(std::vector{room.region, b}, options, progress.part(0.5, 1));
   result.sums += room.sums;
   result.warnings = room.warnings;

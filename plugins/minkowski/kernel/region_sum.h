@@ -17,6 +17,8 @@ struct RegionSumOptions {
   /// Of a sum: factors of the shapes about the origin of the document, 1 where none is given. A negative one also turns by
   /// 180 degrees, which reflects in the origin; 0 leaves the origin, which changes nothing.
   std::vector<double> weights{};
+  /// Of a difference of sets, see set_operations.h: the room without width comes along, as curves and points.
+  bool keepDegenerate = false;
 };
 
 struct RegionSumResult {
@@ -32,15 +34,22 @@ struct RegionSumResult {
 RegionSumResult minkowskiSum(std::span<const Region>, const RegionSumOptions& = {}, const Progress& = Progress::none());
 
 /// A - B - ..: the points p with p + B inside A (erosion), regularised. A is approximated from inside and the others from
-/// outside, so that the result is never too large; where it is hardly wider than the tolerance, a warning says so. @throws
-/// as minkowskiSum; Degenerate when nothing is left.
+/// outside, so that the result is never too large; where it is hardly wider than the tolerance, a warning says so. Where
+/// nothing is left the result is empty, and a warning says that. @throws as minkowskiSum
 RegionSumResult minkowskiDifference(std::span<const Region>, const RegionSumOptions& = {},
                                     const Progress& = Progress::none());
+
+/// @throws Error InvalidParameter for fewer than two shapes, more weights than shapes, or weights that are all 0
+void checkSummands(std::size_t shapes, const RegionSumOptions&);
 
 /// A - B - .. as minkowskiDifference; empty when nothing is left.
 Region roomInside(std::span<const Region>, const RegionSumOptions&, const Progress&);
 
-/// (A - B) + B: the part of A that B covers while it stays inside. @throws as minkowskiDifference
+/// What is said of a difference that is empty, "Nothing is left: ..".
+std::string nothingLeft(std::optional<double> toleranceOfCurves);
+
+/// (A - B) + B: the part of A that B covers while it stays inside; empty, with a warning, where it stays inside nowhere.
+/// @throws as minkowskiDifference
 RegionSumResult regionOpening(const Region& a, const Region& b, const RegionSumOptions& = {},
                               const Progress& = Progress::none());
 

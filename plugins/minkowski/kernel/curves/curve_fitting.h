@@ -14,10 +14,15 @@ namespace blossom::minkowski {
 /// A side of a ring of polygons: the curve it stands for, nothing where that is smaller than the rounding.
 using CurveOfEdge = std::function<std::optional<TrueCurve>(std::uint32_t edge)>;
 
+constexpr double splineShare = 1.0 / 16;  ///< of the gap: how far splines may stray from the points that they pass
+
 struct CurveFitting {
   double rounding = 0;  ///< mm within which points are one
   double reach = 0;     ///< mm from a corner of the polygons to the same corner on the curves, at most
   double gap = 0;       ///< mm between the ends of curves that miss each other, at most; they are joined by a line
+  /// mm by which free-form curves are moved away from the material, along their normals; above 0 they are also held to the
+  /// corners of the polygons, which they may leave by half of the gap
+  double away = 0;
 };
 
 /// Parts bounded by the curves that the sides of rings stand for: sides of one curve become one segment, and where the curve

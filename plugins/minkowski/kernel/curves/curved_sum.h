@@ -19,8 +19,10 @@ SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress&, Eff
 /// The same with samples of both within their tolerances.
 SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const SampledPair&, const Progress&, Effort&);
 
-/// {p : p + B inside A}, regularised, of regions of lines and arcs, again of lines and arcs. Which curves bound it is
+/// {p : p + B inside A}, regularised. Of regions of lines and arcs it has lines and arcs again; which of them bound it is
 /// decided by polygons around the complement of A and around B: room within the tolerances may be missed, none is invented.
+/// What comes of splines is a cubic spline within the tolerances, on the inner side of the true boundary but near corners;
+/// where none fits, polygons on the safe side are taken.
 /// @pre B is not empty. @throws as sum
 SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progress&, Effort&);
 

@@ -15,13 +15,15 @@ struct SampledPair {
 /// @param share of the tolerances
 SampledPair sampledPair(const SoundRegion& a, const SoundRegion& b, double share, Sampling, const Progress&);
 
+SampledPair sampledPair(const SoundSet& a, const SoundSet& b, double share, Sampling, const Progress&);
+
 /// Finds out what is clear, in O(n log n): for pairs that are kept.
 void certifyClear(SampledPair&, const Progress&);
 
 /// The same pair as sampledPair makes of the multiples, for cuts depend on directions alone. @pre s > 0, t > 0
 SampledPair scaled(const SampledPair&, double s, double t);
 
-/// Both on the grids of their sum, as the convolution requires them.
+/// Both on the grids of their sum, as the convolution requires them, curves and points there and back.
 SnappedOperands untangledTogether(const SampledPair&, const Progress&);
 
 }  // namespace blossom::minkowski

@@ -70,7 +70,51 @@ class RegionSampler {
     return std::move(out_);
   }
 
+  SampledRegion run(const SoundSet& set, const Progress& progress) {
+    for (const Path& loop : set.area.region.loops) add(loop);
+    for (const Path& curve : set.curves) {
+      progress.check();
+      addThereAndBack(curve);
+    }
+    for (const Vec2& point : set.points) {
+      out_.thin.push_back({static_cast<std::uint32_t>(out_.corners.size()), 0});
+      addCorner(point);
+      out_.sides.push_back({point, point});
+    }
+    return std::move(out_);
+  }
+
  private:
+  /// Both ways by the same points.
+  void addThereAndBack(const Path& curve) {
+    sampling_ = Sampling::Chords;
+    const std::size_t first = out_.corners.size();
+    for (const Segment& segment : curve.segments) std::visit([&](const auto& each) { addSides(each); }, segment);
+    const std::size_t sides = out_.corners.size() - first;
+    for (auto segment = curve.segments.rbegin(); segment != curve.segments.rend(); ++segment)
+      std::visit([&](const auto& each) { addBack(each); }, *segment);
+    for (std::size_t i = 0; i < sides; ++i)
+      out_.corners[first + sides + i].at = i == 0 ? endPoint(curve) : out_.corners[first + sides - i].at;
+    close(first);
+    out_.thin.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(sides)});
+  }
+
+  void addBack(const Line2& line) { addSides(Line2{line.to, line.from}); }
+
+  void addBack(const Arc2& arc) {
+    const Arc2 back{arc.center, arc.radius, arc.start + arc.sweep, -arc.sweep};
+    std::vector<double> angles = arcs_.anglesOf(arc);
+    std::reverse(angles.begin(), angles.end());
+    addArc(back, angles);
+  }
+
+  void addBack(const Spline2& spline) {
+    std::vector<CurveSample> samples = samplesOf(spline, tolerance_, normals_);
+    std::reverse(samples.begin(), samples.end());
+    for (CurveSample& sample : samples) sample.normal = inOneTurn(sample.normal + std::numbers::pi);
+    addSamples(samples);
+  }
+
   void add(const Path& path) {
     const std::size_t first = out_.corners.size();
     for (const Segment& segment : path.segments) std::visit([&](const auto& each) { addSides(each); }, segment);
@@ -89,9 +133,10 @@ class RegionSampler {
     out_.sides.push_back({});
   }
 
-  void addSides(const Arc2& arc) {
+  void addSides(const Arc2& arc) { addArc(arc, arcs_.anglesOf(arc)); }
+
+  void addArc(const Arc2& arc, const std::vector<double>& angles) {
     out_.curves.push_back({false, arc.center, arc.sweep > 0 ? arc.radius : -arc.radius});
-    const std::vector<double> angles = arcs_.anglesOf(arc);
     if (sampling_ == Sampling::Around && arc.sweep > 0)
       addTangents(arc, angles);
     else
@@ -99,8 +144,9 @@ class RegionSampler {
     if (arc.sweep > 0) ends_.emplace_back(out_.corners.size() - 1, normalAt(arc, angles.back()));
   }
 
-  void addSides(const Spline2& spline) {
-    const std::vector<CurveSample> samples = samplesOf(spline, tolerance_, normals_);
+  void addSides(const Spline2& spline) { addSamples(samplesOf(spline, tolerance_, normals_)); }
+
+  void addSamples(const std::vector<CurveSample>& samples) {
     if (samples.size() < 2) return;
     out_.curves.push_back({true});
     const auto turnsLeft = [&](std::size_t i) { return turnFrom(samples[i].normal, samples[i + 1].normal) > 0; };
@@ -281,6 +327,27 @@ std::vector<double> normalsOf(const SoundRegion& shape, const SoundRegion& other
   constexpr double mostCuts = 20'000;
   if (turnsOf(other.region) * static_cast<double>(all.size()) <= mostCuts) return all;
   return {0, fullTurn / 4, fullTurn / 2, 3 * fullTurn / 4};
+}
+
+std::vector<double> normalsOf(const SoundSet& shape, const SoundSet& other, double share) {
+  const auto all = [](const SoundSet& set) {
+    SoundRegion curves{set.area.region, set.tolerance};
+    curves.region.loops.insert(curves.region.loops.end(), set.curves.begin(), set.curves.end());
+    return curves;
+  };
+  std::vector<double> normals = normalsOf(all(shape), all(other), share);
+  const std::size_t oneWay = normals.size();
+  for (std::size_t i = 0; i < oneWay; ++i) normals.push_back(inOneTurn(normals[i] + std::numbers::pi));
+  std::sort(normals.begin(), normals.end());
+  const auto same = [](double p, double q) { return q - p <= sameAngle; };
+  normals.erase(std::unique(normals.begin(), normals.end(), same), normals.end());
+  while (normals.size() > 1 && same(normals.back(), normals.front() + fullTurn)) normals.pop_back();
+  return normals;
+}
+
+SampledRegion sampled(const SoundSet& set, double share, const std::vector<double>& normals, Sampling sampling,
+                      const Progress& progress) {
+  return RegionSampler(normals, share * set.tolerance, sampling).run(set, progress);
 }
 
 SampledRegion sampled(const SoundRegion& shape, double share, const std::vector<double>& normals, Sampling sampling,

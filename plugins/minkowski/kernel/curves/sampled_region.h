@@ -8,6 +8,7 @@
 #include "kernel/grid.h"
 #include "kernel/polygons.h"
 #include "kernel/sound_region.h"
+#include "kernel/sound_set.h"
 
 namespace blossom::minkowski {
 
@@ -34,9 +35,16 @@ struct SampledCorner {
   double normalBefore = 0, normalAfter = 0;        ///< angles of the outward normals of the curves there
 };
 
+/// The corners of an open curve there and back, so many sides each way; the first one is its start, and the one after
+/// `sides` others its end. Without sides: a point.
+struct ThereAndBack {
+  std::uint32_t first = 0, sides = 0;
+};
+
 /// A region as polygons whose corners lie on it. Number i is a corner and the side that begins there.
 struct SampledRegion {
   Polygons polygons;
+  std::vector<ThereAndBack> thin{};  ///< curves and points beside the region, whose corners come last
   std::vector<SampledCorner> corners;
   std::vector<SampledSide> sides;
   std::vector<BoundaryCurve> curves;
@@ -54,11 +62,16 @@ enum class Sampling {
   Around,  ///< never inside of the region: sides that touch arcs with the material inside, chords of the others
 };
 
-/// Polygons within a share of the tolerance. Curves are cut at the normals, so that each chord of an arc belongs to one set
-/// of curves of the other region with the same normals, and arcs between them in a power of two of equal parts, so that
-/// chords of arcs with the same normals tend to be parallel. @pre without splines, or Sampling::Chords
+/// Polygons within a share of the tolerance, and curves and points if there are any. Curves are cut at the normals, so that
+/// each chord of an arc belongs to one set of curves of the other region with the same normals, and arcs between them in a
+/// power of two of equal parts, so that chords of arcs with the same normals tend to be parallel. @pre without splines, or
+/// Sampling::Chords
 SampledRegion sampled(const SoundRegion&, double share, const std::vector<double>& normals, Sampling,
                       const Progress& = Progress::none());
+SampledRegion sampled(const SoundSet&, double share, const std::vector<double>& normals, Sampling, const Progress&);
+
+/// The normals of both, each with its opposite, which curves have on their two sides.
+std::vector<double> normalsOf(const SoundSet&, const SoundSet& other, double share);
 
 /// The curve on which x + y lies for points x of a side and those of another region at a convex corner whose turn contains
 /// the direction of the side: a side moved by the corner or, where the corner stands for an arc, by the arc's point with the

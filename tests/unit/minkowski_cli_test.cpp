@@ -65,6 +65,35 @@ class MinkowskiCliTest : public QObject {
     QVERIFY(blossom({"morph-solid", "rectangle:4:4", "rectangle:2:2", "--height", "0"}).code != 0);
   }
 
+  /// Squares of side 4 and 2: matched vertices and sums give squares, distance fields round their corners.
+  void waysToMorphAreCompared() {
+    const Answer table = blossom({"morph-compare", "rectangle:4:4", "rectangle:2:2", "--steps", "3", "-o", "compared.dxf"});
+    QCOMPARE(table.code, 0);
+    const Value& stats = table.json["stats"];
+    QCOMPARE(stats["times"], Value({0.0, 0.5, 1.0}));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double square = std::pow(4.0 - static_cast<double>(k), 2);
+      COMPARE_NEAR(stats["area_by_vertices"][k].get<double>(), square, 1e-9);
+      COMPARE_NEAR(stats["area_by_sums"][k].get<double>(), square, 1e-9);
+      COMPARE_NEAR(stats["area_by_fields"][k].get<double>(), square, 0.02 * square);
+    }
+    QCOMPARE(stats["crossings_by_vertices"], Value({0, 0, 0}));
+    QCOMPARE(table.json["result"]["kind"], Value("curves"));
+    QCOMPARE(table.json["result"]["curves"], Value(9));
+    QVERIFY(table.json.value("warnings", Value::array()).empty());
+    const Answer frames = blossom({"morph-compare", "rectangle:4:4", "circle:2", "--frames", "4", "--resolution", "40"});
+    QCOMPARE(frames.json["result"]["kind"], Value("sequence"));
+    QCOMPARE(frames.json["result"]["frames"], Value(4));
+    QVERIFY(blossom({"morph-compare", "rectangle:4:4", "circle:2", "circle:3"}).code != 0);
+    // Nothing matches the vertices of a ring: two rows are left.
+    QCOMPARE(blossom({"boolean", "circle:9", "circle:4", "--operation", "difference", "-o", "ring.dxf"}).code, 0);
+    const Answer ring = blossom({"morph-compare", "ring.dxf", "circle:5", "--steps", "2"});
+    QCOMPARE(ring.code, 0);
+    QVERIFY(!ring.json["stats"].contains("area_by_vertices"));
+    QCOMPARE(ring.json["warnings"].size(), std::size_t{1});
+    QCOMPARE(ring.json["result"]["curves"], Value(6));
+  }
+
   void splinesOfShapesAndSectors() {
     const QStringList discs{"morph", "circle:2", "circle:4", "circle:6", "circle:3"};
     const Answer spline = blossom(discs + QStringList{"--degree", "2", "--t", "0.25"});
@@ -209,7 +238,7 @@ class MinkowskiCliTest : public QObject {
       QVERIFY2(!type->examples.empty(), type->id.c_str());
       QVERIFY2(fs::exists(sourceFolder() / "resources/icons" / (type->icon + ".svg")), type->id.c_str());
     }
-    QCOMPARE(found, 9);
+    QCOMPARE(found, 10);
   }
 
   void theSamplesHoldTheirMorphs() {

@@ -240,7 +240,6 @@ void MinkowskiControlWindowTest::influencesAreDrawnOnDemand() {
   QTRY_VERIFY(chart() && chart()->isVisible());  // it stays on
   QTRY_COMPARE(chart()->property("curves").toList().size(), 3);
   QTRY_COMPARE(chart()->property("cursor").toDouble(), 0.5);
-  QTest::qWait(0);
   // Half way the second shape has its peak, in its colour.
   QPointF peak;
   QVERIFY(QMetaObject::invokeMethod(chart(), "pixelOf", Q_RETURN_ARG(QPointF, peak), Q_ARG(QPointF, QPointF(0.5, 0.5))));
@@ -284,7 +283,7 @@ void MinkowskiControlWindowTest::curvesOfInfluenceAreTheBasis() {
     }
   }
   set("degree", 3);  // three shapes have none: the feature tells, and no chart lies
-  QTRY_VERIFY(!chart()->isVisible());
+  QTRY_VERIFY(!chart() || !chart()->isVisible());
 }
 
 /// Kept where BLOSSOM_PICTURES says, to be looked at: a ladder of three levels, with a ring.

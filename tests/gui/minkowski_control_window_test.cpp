@@ -27,7 +27,7 @@ class MinkowskiControlWindowTest : public WindowFixture {
   void theLadderIsDrawnOnDemand();
   void influencesAreDrawnOnDemand();
   void curvesOfInfluenceAreTheBasis();
-  void picturesOfTheLadder();
+  void picturesOfTheCard();
 
  private:
   void dragPixels(const QPoint& from, const QPoint& to);
@@ -39,6 +39,7 @@ class MinkowskiControlWindowTest : public WindowFixture {
   [[nodiscard]] QToolButton* ladder() const { return window_->view().findChild<QToolButton*>(QStringLiteral("ladder")); }
   [[nodiscard]] std::size_t drawn() const { return window_->page().tool()->props().size(); }
   void takeThird();
+  void keepPictures(const char* name);
   [[nodiscard]] QWidget* chart() const { return window_->view().findChild<QWidget*>(QStringLiteral("influenceChart")); }
   void switchInfluences() const {
     QTest::mouseClick(window_->view().findChild<QToolButton*>(QStringLiteral("influences")), Qt::LeftButton);
@@ -286,8 +287,20 @@ void MinkowskiControlWindowTest::curvesOfInfluenceAreTheBasis() {
   QTRY_VERIFY(!chart() || !chart()->isVisible());
 }
 
-/// Kept where BLOSSOM_PICTURES says, to be looked at: a ladder of three levels, with a ring.
-void MinkowskiControlWindowTest::picturesOfTheLadder() {
+/// Kept where BLOSSOM_PICTURES says, to be looked at, in both themes.
+void MinkowskiControlWindowTest::keepPictures(const char* name) {
+  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
+  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+    ThemeManager::instance().apply(choice);
+    QVERIFY(!canvas().isNull());  // at rest
+    const char* const theme = choice == ThemeChoice::Light ? "light" : "dark";
+    const QString file = QStringLiteral("%1-%2.png").arg(QLatin1String(name), QLatin1String(theme));
+    if (!folder.isEmpty()) QVERIFY(window_->grab().save(QDir(folder).filePath(file)));
+  }
+}
+
+/// A ladder of three levels, then the influences of four control shapes.
+void MinkowskiControlWindowTest::picturesOfTheCard() {
   window_->resize(1280, 800);
   openAndWait(QString::fromStdString(test::sample("triangle-to-star.blossom").string()));
   morph_ = last();
@@ -299,13 +312,11 @@ void MinkowskiControlWindowTest::picturesOfTheLadder() {
   const std::size_t without = drawn();
   QTest::mouseClick(ladder(), Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(drawn() >= without + 4, 300000);  // two levels between four shapes and the result
-  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
-  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
-    ThemeManager::instance().apply(choice);
-    QVERIFY(!canvas().isNull());  // at rest
-    const char* const name = choice == ThemeChoice::Light ? "ladder-light.png" : "ladder-dark.png";
-    if (!folder.isEmpty()) QVERIFY(window_->grab().save(QDir(folder).filePath(QLatin1String(name))));
-  }
+  keepPictures("ladder");
+  QTest::mouseClick(ladder(), Qt::LeftButton);
+  switchInfluences();
+  QTRY_VERIFY(chart()->isVisible());
+  keepPictures("influences");
 }
 
 BLOSSOM_WINDOW_TEST(MinkowskiControlWindowTest)

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <QFile>
 #include <QTemporaryDir>
+#include <map>
 
 #include "exchange/format/format.h"
 #include "geometry/planar/planar.h"
@@ -15,6 +18,19 @@ namespace {
 int sums(const Answer& answer) { return answer.json["stats"]["sums"].get<int>(); }
 
 double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
+
+/// What `info` tells of the features of a document.
+class SampleResults {
+ public:
+  explicit SampleResults(const Value& info) {
+    for (const Value& feature : info.at("features")) byId_[feature.at("id").get<std::string>()] = feature;
+  }
+  [[nodiscard]] Value of(const std::string& id) const { return byId_.at(id); }
+  [[nodiscard]] double area(const std::string& id) const { return of(id)["result"]["area"].get<double>(); }
+
+ private:
+  std::map<std::string, Value> byId_;
+};
 
 }  // namespace
 
@@ -253,39 +269,33 @@ class MinkowskiCliTest : public QObject {
 
   /// The figures of the paper by its number, and what each is to show.
   void theSamplesShowTheFiguresOfThePaper() {
-    // 1: A + A is 2 A for the triangle; B + B is more for the star, and no more than its hull.
-    const char* const doubled = "figure-1-doubled-star.blossom";
-    COMPARE_NEAR(areaInSample(doubled, "region-repeat-1"), areaInSample(doubled, "transform-1"), 1e-9);
-    QVERIFY(areaInSample(doubled, "region-repeat-2") > 1.3 * areaInSample(doubled, "transform-5"));
+    // 1: A + A is 2 A for the triangle; B + B is more for the star.
+    const SampleResults doubled(inSample("figure-1-doubled-star.blossom"));
+    COMPARE_NEAR(doubled.area("region-repeat-1"), doubled.area("transform-1"), 1e-9);
+    QVERIFY(doubled.area("region-repeat-2") > 1.3 * doubled.area("transform-5"));
     // 2: fuller with every copy, and inside the hull.
-    const char* const fuller = "figure-2-towards-the-hull.blossom";
-    const double hull = areaInSample(fuller, "region-hull-1");
+    const SampleResults fuller(inSample("figure-2-towards-the-hull.blossom"));
     double before = 0;
     for (int n = 1; n <= 10; ++n) {
-      const double now = areaInSample(fuller, fmt::format("region-repeat-{}", n).c_str());
-      QVERIFY(now > before && now < hull);
+      const double now = fuller.area(fmt::format("region-repeat-{}", n));
+      QVERIFY(now > before && now < fuller.area("region-hull-1"));
       before = now;
     }
-    // 3: flower, outer sweep and hole sweep have one hole each, as their union, which is the sum, has.
-    const char* const flower = "figure-3-flower-and-butterfly.blossom";
-    const double sum = areaInSample(flower, "minkowski-sum-1");
-    for (const char* part : {"boolean-2", "outline-sweep-1", "outline-sweep-2"}) {
-      const Answer answer = inSample(flower, part);
-      QCOMPARE(answer.result("holes"), 1.0);
-      QVERIFY(answer.result("area") < sum);
+    // 3: flower, outer sweep, hole sweep and the sum have one hole each, and the sum is the largest.
+    const SampleResults flower(inSample("figure-3-flower-and-butterfly.blossom"));
+    for (const char* part : {"boolean-2", "outline-sweep-1", "outline-sweep-2", "minkowski-sum-1"}) {
+      QCOMPARE(flower.of(part)["result"]["holes"], Value(1));
+      QVERIFY(flower.area(part) <= flower.area("minkowski-sum-1"));
     }
-    QCOMPARE(inSample(flower, "minkowski-sum-1").result("holes"), 1.0);
     // 4 to 6: sequences.
-    const struct {
-      const char* name;
-      int morphs;
-    } sequences[] = {{"figure-4-triangle-to-square.blossom", 1},
-                     {"figure-5-five-pairs.blossom", 5},
-                     {"figure-6-rounded-by-a-circle.blossom", 4}};
-    for (const auto& each : sequences)
-      for (int k = 1; k <= each.morphs; ++k)
-        QCOMPARE(inSample(each.name, fmt::format("morph-{}", k).c_str()).json["result"]["frames"], Value(25));
-    QCOMPARE(inSample("figure-6-rounded-by-a-circle.blossom", "morph-4").json["stats"]["degree"], Value(2));
+    const std::pair<const char*, int> sequences[] = {{"figure-4-triangle-to-square.blossom", 1},
+                                                     {"figure-5-five-pairs.blossom", 5},
+                                                     {"figure-6-rounded-by-a-circle.blossom", 4}};
+    for (const auto& [name, morphs] : sequences) {
+      const SampleResults results(inSample(name));
+      for (int k = 1; k <= morphs; ++k) QCOMPARE(results.of(fmt::format("morph-{}", k))["result"]["frames"], Value(25));
+      if (morphs == 4) QCOMPARE(results.of("morph-4")["stats"]["degree"], Value(2));
+    }
   }
 
   /// Two icons that nobody here drew: every in-between has an area between nothing and the sum of both boxes, and the ends
@@ -306,12 +316,7 @@ class MinkowskiCliTest : public QObject {
   }
 
  private:
-  /// A feature of a sample.
-  Answer inSample(const char* name, const char* feature) const {
-    return blossom({"info", samplePath(name) + QLatin1Char('#') + QLatin1String(feature)});
-  }
-  double areaInSample(const char* name, const char* feature) const { return inSample(name, feature).result("area"); }
-
+  Value inSample(const char* name) const { return blossom({"info", samplePath(name)}).json; }
   static QString samplePath(const char* name) { return QString::fromStdString(sample(name).string()); }
 
   Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }

@@ -15,5 +15,6 @@ FeatureType repeatFeature(std::size_t maximumWork);
 FeatureType hullFeature(std::size_t maximumWork);
 FeatureType outlineSweepFeature(std::size_t maximumWork);
 FeatureType solidFeature(std::size_t maximumWork);
+FeatureType comparisonFeature(std::size_t maximumWork);
 
 }  // namespace blossom::minkowski

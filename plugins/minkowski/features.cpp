@@ -8,7 +8,7 @@ namespace {
 
 void registerAll(Registry& registry) {
   for (const auto& make : {morphFeature, sumFeature, differenceFeature, openingFeature, closingFeature, outlineSweepFeature,
-                           solidFeature, repeatFeature, hullFeature})
+                           solidFeature, repeatFeature, hullFeature, comparisonFeature})
     registry.add(inWorkerWhenLong(make));
 }
 

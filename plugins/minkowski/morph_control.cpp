@@ -23,13 +23,6 @@ double radiansOf(const Value& sector, const char* name) { return sector.value(na
 
 }  // namespace
 
-ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots) {
-  if (degree == 0 && knots.size() > shapes + 1) degree = static_cast<int>(knots.size() - shapes) - 1;
-  const ShapeKnots spline = knots.empty() ? uniformKnots(shapes, degree) : ShapeKnots{degree, knots};
-  checkKnots(spline, shapes);
-  return spline;
-}
-
 void refuseBesidesKnots(bool blossom, bool degreeElevate, bool areaPreserving) {
   if (!blossom && !degreeElevate && !areaPreserving) return;
   throw Error(ErrorCode::InvalidParameter,

@@ -8,8 +8,6 @@
 /// What the morph does with knots and sectors.
 namespace blossom::minkowski {
 
-/// @param degree 0: one less than the number of shapes; with knots: what they tell
-ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots);
 /// @throws Error InvalidParameter for what a B-spline of shapes has no place for.
 void refuseBesidesKnots(bool blossom, bool degreeElevate, bool areaPreserving);
 /// A sequence of frames, or at 0 frames the in-between at t.

@@ -25,7 +25,9 @@ class MinkowskiControlWindowTest : public WindowFixture {
   void theCardTellsWhatIsSeen();
   void aSequenceIsTakenWhereItIsSeen();
   void theLadderIsDrawnOnDemand();
-  void picturesOfTheLadder();
+  void influencesAreDrawnOnDemand();
+  void curvesOfInfluenceAreTheBasis();
+  void picturesOfTheCard();
 
  private:
   void dragPixels(const QPoint& from, const QPoint& to);
@@ -36,8 +38,41 @@ class MinkowskiControlWindowTest : public WindowFixture {
   [[nodiscard]] QLabel* figures() const { return window_->view().findChild<QLabel*>(QStringLiteral("morphFigures")); }
   [[nodiscard]] QToolButton* ladder() const { return window_->view().findChild<QToolButton*>(QStringLiteral("ladder")); }
   [[nodiscard]] std::size_t drawn() const { return window_->page().tool()->props().size(); }
+  void takeThird();
+  void keepPictures(const char* name);
+  [[nodiscard]] QWidget* chart() const { return window_->view().findChild<QWidget*>(QStringLiteral("influenceChart")); }
+  void switchInfluences() const {
+    QTest::mouseClick(window_->view().findChild<QToolButton*>(QStringLiteral("influences")), Qt::LeftButton);
+  }
   FeatureId first_, morph_;
 };
+
+namespace {
+
+double bernstein(int n, int i, double t) {
+  double value = 1;
+  for (int k = 0; k < i; ++k) value *= t * (n - k) / (k + 1);
+  return value * std::pow(1 - t, n - i);
+}
+
+/// Of three shapes with knots 0 0 1 2 2: each rises and falls in straight lines.
+double hat(int i, double t) { return std::max(0.0, 1 - std::abs(2 * t - i)); }
+
+/// The colour nearest to a wanted one around a point of a widget, as the largest difference of a channel.
+int offColor(QWidget& widget, const QPointF& at, const QColor& wanted) {
+  const QImage image = widget.grab().toImage();
+  const QPoint middle = (at * image.devicePixelRatio()).toPoint();
+  int least = 255;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y) {
+      const QColor color = image.pixelColor(middle + QPoint(x, y));
+      least = std::min(least, std::max({std::abs(color.red() - wanted.red()), std::abs(color.green() - wanted.green()),
+                                        std::abs(color.blue() - wanted.blue())}));
+    }
+  return least;
+}
+
+}  // namespace
 
 /// A square of side 20 about the origin and one of side 30 about (100, 0), seen from above; the morph is the second.
 void MinkowskiControlWindowTest::init() {
@@ -162,12 +197,8 @@ void MinkowskiControlWindowTest::aSequenceIsTakenWhereItIsSeen() {
   COMPARE_NEAR(given("offsets")[0][1].get<double>(), 50, near);
 }
 
-void MinkowskiControlWindowTest::theLadderIsDrawnOnDemand() {
-  window_->view().setFocus();
-  QTest::keyClick(&window_->view(), Qt::Key_L);
-  QVERIFY(ladder()->isChecked());
-  auto* const note = ladder()->parentWidget()->findChild<QLabel*>(QStringLiteral("note"));
-  QTRY_VERIFY(note && note->text().contains(QStringLiteral("Three control shapes")));
+/// A circle as the last shape, at t = 0.5.
+void MinkowskiControlWindowTest::takeThird() {
   const FeatureId third = add("modeling.circle", {{"radius", 12}, {"centre", {50, 60, 0}}});
   Feature morph = window_->page().document().at(morph_);
   morph.inputs.push_back(third);
@@ -176,6 +207,15 @@ void MinkowskiControlWindowTest::theLadderIsDrawnOnDemand() {
   window_->session().commit(std::move(document), QStringLiteral("Three"));
   waitUntilComputed();
   window_->tree().select(morph_);
+}
+
+void MinkowskiControlWindowTest::theLadderIsDrawnOnDemand() {
+  window_->view().setFocus();
+  QTest::keyClick(&window_->view(), Qt::Key_L);
+  QVERIFY(ladder()->isChecked());
+  auto* const note = ladder()->parentWidget()->findChild<QLabel*>(QStringLiteral("note"));
+  QTRY_VERIFY(note && note->text().contains(QStringLiteral("Three control shapes")));
+  takeThird();
   QTRY_VERIFY(ladder() && ladder()->isChecked());  // it stays on
   const auto click = [this] { QTest::mouseClick(ladder(), Qt::LeftButton); };
   click();
@@ -190,8 +230,77 @@ void MinkowskiControlWindowTest::theLadderIsDrawnOnDemand() {
   QCOMPARE(drawn(), without);
 }
 
-/// Kept where BLOSSOM_PICTURES says, to be looked at: a ladder of three levels, with a ring.
-void MinkowskiControlWindowTest::picturesOfTheLadder() {
+void MinkowskiControlWindowTest::influencesAreDrawnOnDemand() {
+  QTRY_VERIFY(chart());
+  QVERIFY(!chart()->isVisible());
+  switchInfluences();
+  QTRY_VERIFY(chart()->isVisible());
+  QCOMPARE(chart()->property("curves").toList().size(), 2);
+  QCOMPARE(chart()->property("cursor").toDouble(), 1.0);
+  takeThird();
+  QTRY_VERIFY(chart() && chart()->isVisible());  // it stays on
+  QTRY_COMPARE(chart()->property("curves").toList().size(), 3);
+  QTRY_COMPARE(chart()->property("cursor").toDouble(), 0.5);
+  // Half way the second shape has its peak, in its colour.
+  QPointF peak;
+  QVERIFY(QMetaObject::invokeMethod(chart(), "pixelOf", Q_RETURN_ARG(QPointF, peak), Q_ARG(QPointF, QPointF(0.5, 0.5))));
+  QVERIFY(offColor(*chart(), peak, chart()->property("colors").toList().at(1).value<QColor>()) < 24);
+  set("frames", 5);
+  window_->page().playback().show(3);
+  QTRY_COMPARE(chart()->property("cursor").toDouble(), 0.75);
+  set("frames", 0);
+  set("blossom", Value::parse("[0.2,0.7]"));
+  QTRY_VERIFY(!chart()->property("cursor").isValid());
+  const QVariantList shares = chart()->property("shares").toList();
+  COMPARE_NEAR(shares.at(0).toDouble(), 0.8 * 0.3, 1e-12);
+  COMPARE_NEAR(shares.at(1).toDouble(), 0.2 * 0.3 + 0.8 * 0.7, 1e-12);
+  COMPARE_NEAR(shares.at(2).toDouble(), 0.2 * 0.7, 1e-12);
+  switchInfluences();
+  QTRY_VERIFY(!chart()->isVisible());
+}
+
+/// B_i^n(t) of the Bezier morph, hat functions of degree 1; the line stands at t with the shares of that t.
+void MinkowskiControlWindowTest::curvesOfInfluenceAreTheBasis() {
+  takeThird();
+  QTRY_VERIFY(chart());
+  switchInfluences();
+  QTRY_VERIFY(chart()->isVisible());
+  for (const int degree : {0, 1}) {
+    set("degree", degree);
+    const auto basis = [&](int i, double t) { return degree == 0 ? bernstein(2, i, t) : hat(i, t); };
+    for (const double seen : {0.125, 0.5, 0.8}) {
+      set("t", seen);
+      QTRY_COMPARE(chart()->property("cursor").toDouble(), seen);
+      const QVariantList curves = chart()->property("curves").toList(), shares = chart()->property("shares").toList();
+      QCOMPARE(curves.size(), 3);
+      QCOMPARE(shares.size(), 3);
+      for (int i = 0; i < 3; ++i) {
+        const auto curve = curves.at(i).value<QPolygonF>();
+        QVERIFY(curve.size() > 100);
+        QVERIFY(curve.front().x() == 0 && curve.back().x() == 1);
+        for (const QPointF& value : curve) COMPARE_NEAR(value.y(), basis(i, value.x()), 1e-12);
+        COMPARE_NEAR(shares.at(i).toDouble(), basis(i, seen), 1e-12);
+      }
+    }
+  }
+  set("degree", 3);  // three shapes have none: the feature tells, and no chart lies
+  QTRY_VERIFY(!chart() || !chart()->isVisible());
+}
+
+/// Kept where BLOSSOM_PICTURES says, to be looked at, in both themes.
+void MinkowskiControlWindowTest::keepPictures(const char* name) {
+  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
+  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+    ThemeManager::instance().apply(choice);
+    QVERIFY(!canvas().isNull());  // at rest
+    const char* const theme = choice == ThemeChoice::Light ? "light" : "dark";
+    const QString file = QStringLiteral("%1-%2.png").arg(QLatin1String(name), QLatin1String(theme));
+    if (!folder.isEmpty()) QVERIFY(window_->grab().save(QDir(folder).filePath(file)));
+  }
+}
+
+/// A ladder of three levels, then the influences of four control shapes.
+void MinkowskiControlWindowTest::picturesOfTheCard() {
   window_->resize(1280, 800);
   openAndWait(QString::fromStdString(test::sample("triangle-to-star.blossom").string()));
   morph_ = last();
@@ -203,13 +312,11 @@ void MinkowskiControlWindowTest::picturesOfTheLadder() {
   const std::size_t without = drawn();
   QTest::mouseClick(ladder(), Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(drawn() >= without + 4, 300000);  // two levels between four shapes and the result
-  const QString folder = qEnvironmentVariable("BLOSSOM_PICTURES");
-  for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
-    ThemeManager::instance().apply(choice);
-    QVERIFY(!canvas().isNull());  // at rest
-    const char* const name = choice == ThemeChoice::Light ? "ladder-light.png" : "ladder-dark.png";
-    if (!folder.isEmpty()) QVERIFY(window_->grab().save(QDir(folder).filePath(QLatin1String(name))));
-  }
+  keepPictures("ladder");
+  QTest::mouseClick(ladder(), Qt::LeftButton);
+  switchInfluences();
+  QTRY_VERIFY(chart()->isVisible());
+  keepPictures("influences");
 }
 
 BLOSSOM_WINDOW_TEST(MinkowskiControlWindowTest)

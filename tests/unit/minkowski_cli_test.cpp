@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <QFile>
 #include <QTemporaryDir>
+#include <map>
 
 #include "exchange/format/format.h"
 #include "geometry/planar/planar.h"
@@ -15,6 +18,19 @@ namespace {
 int sums(const Answer& answer) { return answer.json["stats"]["sums"].get<int>(); }
 
 double areaInFile(const fs::path& file) { return area(toRegion(*readShape(*theApp().formats, file).shape.get<Curves>())); }
+
+/// What `info` tells of the features of a document.
+class SampleResults {
+ public:
+  explicit SampleResults(const Value& info) {
+    for (const Value& feature : info.at("features")) byId_[feature.at("id").get<std::string>()] = feature;
+  }
+  [[nodiscard]] Value of(const std::string& id) const { return byId_.at(id); }
+  [[nodiscard]] double area(const std::string& id) const { return of(id)["result"]["area"].get<double>(); }
+
+ private:
+  std::map<std::string, Value> byId_;
+};
 
 }  // namespace
 
@@ -63,6 +79,35 @@ class MinkowskiCliTest : public QObject {
     COMPARE_NEAR(frustum.result("volume"), 10 * 28 / 3.0, 1e-9);
     QVERIFY(blossom({"morph-solid", "rectangle:4:4", "rectangle:2:2", "circle:1"}).code != 0);
     QVERIFY(blossom({"morph-solid", "rectangle:4:4", "rectangle:2:2", "--height", "0"}).code != 0);
+  }
+
+  /// Squares of side 4 and 2: matched vertices and sums give squares, distance fields round their corners.
+  void waysToMorphAreCompared() {
+    const Answer table = blossom({"morph-compare", "rectangle:4:4", "rectangle:2:2", "--steps", "3", "-o", "compared.dxf"});
+    QCOMPARE(table.code, 0);
+    const Value& stats = table.json["stats"];
+    QCOMPARE(stats["times"], Value({0.0, 0.5, 1.0}));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double square = std::pow(4.0 - static_cast<double>(k), 2);
+      COMPARE_NEAR(stats["area_by_vertices"][k].get<double>(), square, 1e-9);
+      COMPARE_NEAR(stats["area_by_sums"][k].get<double>(), square, 1e-9);
+      COMPARE_NEAR(stats["area_by_fields"][k].get<double>(), square, 0.02 * square);
+    }
+    QCOMPARE(stats["crossings_by_vertices"], Value({0, 0, 0}));
+    QCOMPARE(table.json["result"]["kind"], Value("curves"));
+    QCOMPARE(table.json["result"]["curves"], Value(9));
+    QVERIFY(table.json.value("warnings", Value::array()).empty());
+    const Answer frames = blossom({"morph-compare", "rectangle:4:4", "circle:2", "--frames", "4", "--resolution", "40"});
+    QCOMPARE(frames.json["result"]["kind"], Value("sequence"));
+    QCOMPARE(frames.json["result"]["frames"], Value(4));
+    QVERIFY(blossom({"morph-compare", "rectangle:4:4", "circle:2", "circle:3"}).code != 0);
+    // Nothing matches the vertices of a ring: two rows are left.
+    QCOMPARE(blossom({"boolean", "circle:9", "circle:4", "--operation", "difference", "-o", "ring.dxf"}).code, 0);
+    const Answer ring = blossom({"morph-compare", "ring.dxf", "circle:5", "--steps", "2"});
+    QCOMPARE(ring.code, 0);
+    QVERIFY(!ring.json["stats"].contains("area_by_vertices"));
+    QCOMPARE(ring.json["warnings"].size(), std::size_t{1});
+    QCOMPARE(ring.json["result"]["curves"], Value(6));
   }
 
   void splinesOfShapesAndSectors() {
@@ -247,7 +292,7 @@ class MinkowskiCliTest : public QObject {
       QVERIFY2(!type->examples.empty(), type->id.c_str());
       QVERIFY2(fs::exists(sourceFolder() / "resources/icons" / (type->icon + ".svg")), type->id.c_str());
     }
-    QCOMPARE(found, 9);
+    QCOMPARE(found, 10);
   }
 
   void theSamplesHoldTheirMorphs() {
@@ -258,6 +303,37 @@ class MinkowskiCliTest : public QObject {
     const Answer cut = blossom({"info", samplePath("cutter-room.blossom")});
     QCOMPARE(cut.json["result"]["kind"], Value("region"));
     QCOMPARE(cut.result("holes"), 1.0);
+  }
+
+  /// The figures of the paper by its number, and what each is to show.
+  void theSamplesShowTheFiguresOfThePaper() {
+    // 1: A + A is 2 A for the triangle; B + B is more for the star.
+    const SampleResults doubled(inSample("figure-1-doubled-star.blossom"));
+    COMPARE_NEAR(doubled.area("region-repeat-1"), doubled.area("transform-1"), 1e-9);
+    QVERIFY(doubled.area("region-repeat-2") > 1.3 * doubled.area("transform-5"));
+    // 2: fuller with every copy, and inside the hull.
+    const SampleResults fuller(inSample("figure-2-towards-the-hull.blossom"));
+    double before = 0;
+    for (int n = 1; n <= 10; ++n) {
+      const double now = fuller.area(fmt::format("region-repeat-{}", n));
+      QVERIFY(now > before && now < fuller.area("region-hull-1"));
+      before = now;
+    }
+    // 3: flower, outer sweep, hole sweep and the sum have one hole each, and the sum is the largest.
+    const SampleResults flower(inSample("figure-3-flower-and-butterfly.blossom"));
+    for (const char* part : {"boolean-2", "outline-sweep-1", "outline-sweep-2", "minkowski-sum-1"}) {
+      QCOMPARE(flower.of(part)["result"]["holes"], Value(1));
+      QVERIFY(flower.area(part) <= flower.area("minkowski-sum-1"));
+    }
+    // 4 to 6: sequences.
+    const std::pair<const char*, int> sequences[] = {{"figure-4-triangle-to-square.blossom", 1},
+                                                     {"figure-5-five-pairs.blossom", 5},
+                                                     {"figure-6-rounded-by-a-circle.blossom", 4}};
+    for (const auto& [name, morphs] : sequences) {
+      const SampleResults results(inSample(name));
+      for (int k = 1; k <= morphs; ++k) QCOMPARE(results.of(fmt::format("morph-{}", k))["result"]["frames"], Value(25));
+      if (morphs == 4) QCOMPARE(results.of("morph-4")["stats"]["degree"], Value(2));
+    }
   }
 
   /// Two icons that nobody here drew: every in-between has an area between nothing and the sum of both boxes, and the ends
@@ -278,6 +354,7 @@ class MinkowskiCliTest : public QObject {
   }
 
  private:
+  Value inSample(const char* name) const { return blossom({"info", samplePath(name)}).json; }
   static QString samplePath(const char* name) { return QString::fromStdString(sample(name).string()); }
 
   Answer blossom(const QStringList& arguments) const { return answerOf(folder_.path(), arguments); }

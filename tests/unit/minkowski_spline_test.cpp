@@ -1,5 +1,6 @@
 #include "minkowski/kernel/curves/convex_hull.h"
 #include "minkowski/kernel/flattening.h"
+#include "minkowski/kernel/morph/influence_curves.h"
 #include "minkowski/kernel/morph/sector_shape.h"
 #include "minkowski/kernel/morph/shape_spline.h"
 #include "support/boundary_distance.h"
@@ -155,6 +156,27 @@ class MinkowskiSplineTest : public QObject {
     const std::vector<double> bernstein = sharesOf(diagonal(3, 0.25)), same = influences(uniformKnots(4, 3), 0.25);
     for (std::size_t i = 0; i < 4; ++i) COMPARE_NEAR(bernstein[i], same[i], 1e-15);
     COMPARE_NEAR(sharesOf(std::vector{0.2, 0.7})[1], 0.2 * 0.3 + 0.8 * 0.7, 1e-15);
+  }
+
+  /// What is drawn of them, with a sample at every knot, and the knots that parameters of a morph mean.
+  void influenceCurvesAreTheBasisFunctions() {
+    const std::vector<ShapeKnots> all{knotsFor(4, 0, {}), knotsFor(6, 2, {}), knotsFor(6, 0, {0, 0, 0, 1, 1, 2, 3, 3, 3})};
+    QCOMPARE(all.front().degree, 3);
+    QCOMPARE(all.back().degree, 2);
+    for (const ShapeKnots& spline : all) {
+      const InfluenceCurves curves = influenceCurves(spline, 30);
+      QVERIFY(curves.times.front() == 0 && curves.times.back() == 1);
+      QVERIFY(std::is_sorted(curves.times.begin(), curves.times.end()));
+      for (const double knot : spline.knots) {
+        const auto near = std::lower_bound(curves.times.begin(), curves.times.end(), knot / spline.knots.back() - 1e-15);
+        QVERIFY(near != curves.times.end() && *near <= knot / spline.knots.back() + 1e-15);
+      }
+      for (std::size_t k = 0; k + 1 < curves.times.size(); ++k)
+        for (std::size_t i = 0; i < curves.shares.size(); ++i)
+          COMPARE_NEAR(curves.shares[i][k], basisOf(spline.knots, i, spline.degree, curves.times[k] * spline.knots.back()),
+                       1e-12);
+      QCOMPARE(curves.shares.back().back(), 1.0);
+    }
   }
 
   void unsuitableKnotsAreRefused() {

@@ -5,30 +5,40 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "manipulators/influence_chart.h"
+
 namespace blossom::minkowski {
 
 MorphCard::MorphCard(QWidget* view)
     : FloatingPanel(view, Place::UpperLeft),
       figures_(new QLabel),
       note_(new QLabel),
-      ladder_(textButton(tr("Ladder"), tr("Draw the shapes between the control shapes and this one (L)"))) {
+      ladder_(textButton(tr("Ladder"), tr("Draw the shapes between the control shapes and this one (L)"))),
+      influences_(textButton(tr("Influence"), tr("Draw how much each control shape counts over t"))),
+      chart_(new InfluenceChart) {
   setAccessibleName(tr("Morph"));
   ladder_->setObjectName(QStringLiteral("ladder"));
   ladder_->setAccessibleName(ladder_->text());
-  ladder_->setCheckable(true);
+  influences_->setObjectName(QStringLiteral("influences"));
+  influences_->setAccessibleName(influences_->text());
+  for (QToolButton* button : {ladder_, influences_}) button->setCheckable(true);
+  chart_->hide();
   figures_->setObjectName(QStringLiteral("morphFigures"));
   note_->setObjectName(QStringLiteral("note"));
   for (QLabel* label : {figures_, note_}) label->hide();
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   row->addWidget(ladder_);
+  row->addWidget(influences_);
   row->addWidget(figures_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 8);
   column->setSpacing(4);
   column->addLayout(row);
+  column->addWidget(chart_, 0, Qt::AlignLeft);
   column->addWidget(note_);
   connect(ladder_, &QToolButton::clicked, this, &MorphCard::ladderWanted);
+  connect(influences_, &QToolButton::clicked, this, &MorphCard::influencesWanted);
 }
 
 void MorphCard::tell(QLabel* label, const QString& text) {
@@ -39,6 +49,11 @@ void MorphCard::tell(QLabel* label, const QString& text) {
 void MorphCard::setFigures(const QString& text) { tell(figures_, text); }
 
 void MorphCard::setLadder(bool on) { ladder_->setChecked(on); }
+
+void MorphCard::setInfluences(bool on, bool possible) {
+  influences_->setChecked(on);
+  if (chart_->isHidden() == possible) chart_->setHidden(!possible);
+}
 
 void MorphCard::setNote(const QString& text) { tell(note_, text); }
 

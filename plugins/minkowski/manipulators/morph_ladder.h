@@ -11,7 +11,8 @@ namespace blossom::minkowski {
 
 /// What the tools of all morphs of a document have in common.
 struct MorphHabits {
-  bool ladder = false;  ///< it is drawn
+  bool ladder = false;      ///< it is drawn
+  bool influences = false;  ///< so are they, on the card
 };
 
 /// The numbers by which the in-between that is seen is blended, one for each level: those of the blossom, or all t.

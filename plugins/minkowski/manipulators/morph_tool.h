@@ -91,6 +91,7 @@ class MorphTool final : public ui::HandleTool {
   void refreshCard();
   void setLadder(bool on);
   void askLadder(const Value& parameters);
+  void showInfluences(const Value& parameters);
   [[nodiscard]] const Shape& shapeSeen(const Shape&) const;
   [[nodiscard]] std::optional<double> timeSeen(const Value& parameters) const;
   [[nodiscard]] QString figures(const Region*);

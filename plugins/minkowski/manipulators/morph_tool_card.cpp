@@ -9,6 +9,8 @@
 #include "geometry/measure/measure.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/sequence.h"
+#include "kernel/morph/shape_spline.h"
+#include "manipulators/influence_chart.h"
 #include "manipulators/morph_card.h"
 #include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
@@ -21,6 +23,10 @@ void MorphTool::makeCard() {
   if (!view) return;
   card_ = new MorphCard(view);
   connect(card_, &MorphCard::ladderWanted, this, &MorphTool::setLadder);
+  connect(card_, &MorphCard::influencesWanted, this, [this](bool on) {
+    habits_.influences = on;
+    refreshCard();
+  });
   card_->show();
 }
 
@@ -99,6 +105,21 @@ void MorphTool::refreshCard() {
   card_->setFigures(figures(result && !result->error ? shapeSeen(result->evaluated.shape).get<Region>() : nullptr));
   card_->setLadder(habits_.ladder);
   card_->setNote(ladderNote(parameters));
+  showInfluences(parameters);
+}
+
+/// Nothing is drawn of knots that cannot be, which the feature tells.
+void MorphTool::showInfluences(const Value& parameters) {
+  bool possible = habits_.influences && controls_.size() > 1;
+  try {
+    if (possible)
+      card_->chart().setMorph(
+          knotsFor(controls_.size(), parameters.at("degree").get<int>(), parameters.at("knots").get<std::vector<double>>()),
+          levels_);
+  } catch (const Error&) {
+    possible = false;
+  }
+  card_->setInfluences(habits_.influences, possible);
 }
 
 void MorphTool::askLadder(const Value& parameters) {

@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
+#include "manipulators/control_colors.h"
 #include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
 #include "ui/tools/view_props.h"
@@ -168,7 +169,7 @@ std::vector<vtkSmartPointer<vtkProp>> MorphTool::props() const {
     const bool lit = hovered() == numberOf(i, Grip::Move);
     const Color& color = lit ? look.made : look.control;
     props.push_back(ui::pointsProp({polygon[i]}, color, (lit ? 2.4 : 2) * dotPixels * pixel));
-    ui::LabelLook card = ui::labelLook(look, color, pixel);
+    ui::LabelLook card = ui::labelLook(look, lit ? look.made : controlColor(look, i), pixel);
     card.shift = QPointF(badgeShift(i, millimetresPerPixel()), 0);
     props.push_back(ui::labelProp(QString::number(i + 1), polygon[i], card));
   }

@@ -1,4 +1,5 @@
 #include "app/sample_maker.h"
+#include "paper_figures.h"
 
 namespace {
 
@@ -62,5 +63,11 @@ int main(int argc, char** argv) {
     saveDocument(triangleToStar(app), folder / "triangle-to-star.blossom");
     saveDocument(phiToFlower(app), folder / "phi-to-flower.blossom");
     saveDocument(cutterRoom(app), folder / "cutter-room.blossom");
+    saveDocument(samples::figure1(app), folder / "figure-1-doubled-star.blossom");
+    saveDocument(samples::figure2(app), folder / "figure-2-towards-the-hull.blossom");
+    saveDocument(samples::figure3(app), folder / "figure-3-flower-and-butterfly.blossom");
+    saveDocument(samples::figure4(app), folder / "figure-4-triangle-to-square.blossom");
+    saveDocument(samples::figure5(app), folder / "figure-5-five-pairs.blossom");
+    saveDocument(samples::figure6(app), folder / "figure-6-rounded-by-a-circle.blossom");
   });
 }

@@ -112,6 +112,14 @@ ShapeKnots uniformKnots(std::size_t shapes, int degree) {
   return spline;
 }
 
+ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots) {
+  if (degree == 0 && knots.size() > shapes + 1) degree = static_cast<int>(knots.size() - shapes) - 1;
+  if (degree == 0 && knots.empty()) degree = static_cast<int>(shapes) - 1;
+  const ShapeKnots spline = knots.empty() ? uniformKnots(shapes, degree) : ShapeKnots{degree, knots};
+  checkKnots(spline, shapes);
+  return spline;
+}
+
 void checkKnots(const ShapeKnots& spline, std::size_t shapes) {
   if (spline.degree < 1 || static_cast<std::size_t>(spline.degree) >= shapes)
     refuseKnots(fmt::format("{} control shapes cannot have the degree {}.", shapes, spline.degree),

@@ -14,11 +14,16 @@ namespace blossom::minkowski {
 struct ShapeKnots {
   int degree = 1;
   std::vector<double> knots;  ///< as many as shapes and the degree and one more; the first and last degree + 1 are equal
+  friend bool operator==(const ShapeKnots&, const ShapeKnots&) = default;
 };
 
 /// Evenly spaced knots, with the ends as often as needed for the spline to begin at the first shape and end at the last.
 /// With one shape more than the degree it is the Bézier morph.
 ShapeKnots uniformKnots(std::size_t shapes, int degree);
+
+/// The knots of a morph of these parameters: those given, which tell the degree where that is 0; else evenly spaced ones of
+/// the degree, which is one less than the number of shapes where it is 0. @throws as checkKnots
+ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots);
 
 /// @throws Error InvalidParameter: a degree below 1 or above shapes - 1, a wrong number of knots, knots that fall, ends that
 /// are not as often there as they must be, a knot inside more often than the degree.

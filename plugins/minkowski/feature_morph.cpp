@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "feature/registry.h"
 #include "feature_types.h"
+#include "kernel/morph/blossom_path.h"
 #include "kernel/morph/control_placement.h"
 #include "kernel/morph/morph.h"
 #include "morph_control.h"
@@ -15,6 +16,7 @@ struct MorphParameters {
   double t = 0.5;
   int frames = 0;
   std::vector<double> blossom;
+  std::vector<Arguments> path;
   EvaluationOrder evaluation = EvaluationOrder::Automatic;
   bool degreeElevate = false;
   bool areaPreserving = false;
@@ -58,33 +60,43 @@ ParameterSpec positiveNumber() {
 void refuseTogether(const MorphParameters& p) {
   if (p.frames > 0 && !p.blossom.empty())
     throw Error(ErrorCode::InvalidParameter, "Blossom parameters give one shape, not a sequence of frames.",
-                "Leave out the frames or the blossom parameters.");
+                "Leave out the frames or the blossom parameters, or let a path lead through them.");
+  if (!p.path.empty() && !p.blossom.empty())
+    throw Error(ErrorCode::InvalidParameter, "Both a path and blossom parameters are given.", "Leave out one of them.");
 }
 
 bool isPiecewise(const MorphParameters& p, std::size_t shapes) {
   return !p.knots.empty() || (p.degree > 0 && static_cast<std::size_t>(p.degree) + 1 != shapes);
 }
 
-double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static_cast<double>(frame) / (frames - 1); }
+/// Of each frame; at 0 frames of the one in-between.
+std::vector<double> timesOf(const MorphParameters& p) {
+  if (p.frames < 2) return {p.t};
+  std::vector<double> times;
+  for (int k = 0; k < p.frames; ++k) times.push_back(static_cast<double>(k) / (p.frames - 1));
+  return times;
+}
+
+Arguments argumentsAt(const MorphParameters& p, std::size_t degree, double t) {
+  if (!p.path.empty()) return pointOfPath(p.path, t);
+  return p.blossom.empty() ? diagonal(degree, t) : p.blossom;
+}
 
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
   placeShapes(shapes, p);
   faceSectors(shapes, p.sectors, toleranceOf(p.tolerance), progress);
+  const std::vector<double> times = timesOf(p);
   if (isPiecewise(p, shapes.size())) {
-    refuseBesidesKnots(!p.blossom.empty(), p.degreeElevate, p.areaPreserving);
-    return morphedBySpline(shapes, knotsFor(shapes.size(), p.degree, p.knots), p.frames, p.t,
+    refuseBesidesKnots(!p.blossom.empty() || !p.path.empty(), p.degreeElevate, p.areaPreserving);
+    return morphedBySpline(shapes, knotsFor(shapes.size(), p.degree, p.knots), p.frames > 0, times,
                            {.tolerance = toleranceOf(p.tolerance), .maximumWork = maximumWork}, progress);
   }
+  checkPath(p.path, shapes.size());
   const std::size_t degree = shapes.size() - 1;
-  Sequence sequence;
-  std::vector<std::vector<double>> arguments;
-  for (int k = 0; k < p.frames; ++k) {
-    sequence.times.push_back(timeOf(k, p.frames, p.t));
-    arguments.push_back(diagonal(degree, sequence.times.back()));
-  }
-  if (p.frames == 0) arguments.push_back(p.blossom.empty() ? diagonal(degree, p.t) : p.blossom);
+  std::vector<Arguments> arguments;
+  for (const double t : times) arguments.push_back(argumentsAt(p, degree, t));
   MorphResult result = morph(shapes, arguments,
                              {.evaluation = p.evaluation,
                               .degreeElevate = p.degreeElevate,
@@ -102,8 +114,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
     out.shape = std::move(result.regions.front());
     return out;
   }
-  for (Region& region : result.regions) sequence.frames.emplace_back(std::move(region));
-  out.shape = std::move(sequence);
+  out.shape = sequenceOf(std::move(result.regions), times);
   return out;
 }
 
@@ -127,6 +138,8 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("blossom", &P::blossom, onePer(list(ratio()), "shape", -1, "t"),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
+      .parameter("path", &P::path, list(onePer(list(ratio()), "shape", -1, "t")),
+                 "Points of blossom numbers that the morph runs through, as long from each to the next. None: t alone.")
       .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
                  "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
                  "convex requires convex control shapes between the ends.")
@@ -156,6 +169,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
       .example("blossom morph cat.svg dog.svg --scales 1,1.5 --turns 0,90 --t 0.5 -o turned.dxf")
       .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
+      .example("blossom morph a.svg b.svg c.svg --path \"0,0; 0.2,0.9; 1,1\" --frames 25 -o path.svg")
       .example("blossom morph a.svg b.svg c.svg d.svg --degree 2 --frames 31 -o pieces.svg")
       .evaluate([maximumWork](const P& p, const Inputs& inputs, const Progress& progress) {
         return morphed(p, maximumWork, inputs, progress);

@@ -11,10 +11,12 @@ namespace blossom::minkowski {
 /// @param degree 0: one less than the number of shapes; with knots: what they tell
 ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots);
 /// @throws Error InvalidParameter for what a B-spline of shapes has no place for.
-void refuseBesidesKnots(bool blossom, bool degreeElevate, bool areaPreserving);
-/// A sequence of frames, or at 0 frames the in-between at t.
-Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots&, int frames, double t, const MorphOptions&,
-                          const Progress&);
+void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate, bool areaPreserving);
+/// @param times one for each region
+Shape sequenceOf(std::vector<Region>, std::vector<double> times);
+/// A sequence of a frame for each of the times, or the in-between at the only one.
+Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots&, bool frames, const std::vector<double>& times,
+                          const MorphOptions&, const Progress&);
 
 ParameterSpec sectorsSpec();
 /// Puts in place of shapes what of them faces their sectors.

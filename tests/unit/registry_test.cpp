@@ -157,6 +157,9 @@ class RegistryTest : public QObject {
     filled(onePer(list(number()), "base", 0, "nothing"));  // no parameter
     filled(onePer(list(number()), "base", 0, "mode"));     // of another kind
     filled(onePer(number(), "base"));                      // no list
+    filled(list(onePer(list(number()), "other")));         // items of it
+    filled(list(list(onePer(list(number()), "base"))));    // items of items
+    filled(record({namedWithDefault(onePer(list(number()), "base"), "inner", Value::array())}));
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
     const InputSpec edited{.name = "shape", .help = "", .kinds = {}, .use = InputUse::Edited};
     refused([&](FeatureType& t) { t.inputs = {edited, {"other", "", {}}}; });

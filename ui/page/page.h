@@ -101,6 +101,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] double pixelRatio() const override;
   [[nodiscard]] QWidget* viewWidget() const override;
   [[nodiscard]] int shownFrame(int frames) const override { return playback_.frameOf(frames); }
+  void showOtherFrames(bool on) override;
   void preview(Document document) override { session_.preview(std::move(document)); }
   void endPreview() override { session_.endPreview(); }
   void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }

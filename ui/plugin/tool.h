@@ -88,6 +88,8 @@ class ToolHost {
   [[nodiscard]] virtual QWidget* viewWidget() const { return nullptr; }
   /// Which of the frames of a sequence the timeline shows.
   [[nodiscard]] virtual int shownFrame(int /*frames*/) const { return 0; }
+  /// Shows the other frames of sequences faintly, whatever the timeline asks for; until it is taken back.
+  virtual void showOtherFrames(bool /*on*/) {}
   /// What the tools of a kind leave to those after them while the document is open, such as a mode that keys chose: one
   /// value of each type, as it is made without arguments at first.
   template <class T>

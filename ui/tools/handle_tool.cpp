@@ -65,7 +65,7 @@ void HandleTool::revert() {
 void HandleTool::letGo() {
   putBack();
   held_.reset();
-  if (std::exchange(previewing_, false)) host().endPreview();
+  endPreview();
   if (std::exchange(outdated_, false)) documentChanged();
 }
 
@@ -98,6 +98,10 @@ void HandleTool::preview(Document document) {
   previewing_ = true;
   expected_ = document;
   host().preview(std::move(document));
+}
+
+void HandleTool::endPreview() {
+  if (std::exchange(previewing_, false)) host().endPreview();
 }
 
 void HandleTool::commit(Document document, const QString& what) {

@@ -33,6 +33,8 @@ class HandleTool : public Tool {
 
   /// Shows the result of the drag so far; ended by the base class when the drag is placed or cancelled.
   void preview(Document);
+  /// Takes it back where nothing is held: what a card over the view previews.
+  void endPreview();
   /// Commits one step of undo and loads the handles afterwards.
   void commit(Document, const QString& what);
   void noteScale(const ToolEvent& event) { millimetresPerPixel_ = event.millimetresPerPixel; }

@@ -5,30 +5,41 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "manipulators/path_pad.h"
+
 namespace blossom::minkowski {
 
 MorphCard::MorphCard(QWidget* view)
     : FloatingPanel(view, Place::UpperLeft),
       figures_(new QLabel),
       note_(new QLabel),
-      ladder_(textButton(tr("Ladder"), tr("Draw the shapes between the control shapes and this one (L)"))) {
+      ladder_(textButton(tr("Ladder"), tr("Draw the shapes between the control shapes and this one (L)"))),
+      path_(textButton(tr("Path"), tr("Draw the way of the sequence through the blossom"))),
+      pad_(new PathPad) {
   setAccessibleName(tr("Morph"));
   ladder_->setObjectName(QStringLiteral("ladder"));
-  ladder_->setAccessibleName(ladder_->text());
-  ladder_->setCheckable(true);
+  path_->setObjectName(QStringLiteral("path"));
+  for (QToolButton* button : {ladder_, path_}) {
+    button->setAccessibleName(button->text());
+    button->setCheckable(true);
+  }
+  pad_->hide();
   figures_->setObjectName(QStringLiteral("morphFigures"));
   note_->setObjectName(QStringLiteral("note"));
   for (QLabel* label : {figures_, note_}) label->hide();
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
   row->addWidget(ladder_);
+  row->addWidget(path_);
   row->addWidget(figures_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 8);
   column->setSpacing(4);
   column->addLayout(row);
+  column->addWidget(pad_);
   column->addWidget(note_);
   connect(ladder_, &QToolButton::clicked, this, &MorphCard::ladderWanted);
+  connect(path_, &QToolButton::clicked, this, &MorphCard::pathWanted);
 }
 
 void MorphCard::tell(QLabel* label, const QString& text) {
@@ -39,6 +50,11 @@ void MorphCard::tell(QLabel* label, const QString& text) {
 void MorphCard::setFigures(const QString& text) { tell(figures_, text); }
 
 void MorphCard::setLadder(bool on) { ladder_->setChecked(on); }
+
+void MorphCard::setPath(bool open, bool possible) {
+  path_->setChecked(open);
+  if (pad_->isHidden() == (open && possible)) pad_->setVisible(open && possible);
+}
 
 void MorphCard::setNote(const QString& text) { tell(note_, text); }
 

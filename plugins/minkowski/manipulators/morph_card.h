@@ -6,7 +6,10 @@ class QToolButton;
 
 namespace blossom::minkowski {
 
-/// The card over the view while a morph is selected: t and area of the shape that is seen, and the switch of the ladder.
+class PathPad;
+
+/// The card over the view while a morph is selected: t and area of the shape that is seen, the switch of the ladder, and the
+/// pad of the path.
 class MorphCard final : public ui::FloatingPanel {
   Q_OBJECT
  public:
@@ -14,16 +17,20 @@ class MorphCard final : public ui::FloatingPanel {
 
   void setFigures(const QString&);  ///< empty: there are none
   void setLadder(bool on);
-  void setNote(const QString&);  ///< about the ladder; empty: none
+  void setPath(bool open, bool possible);
+  void setNote(const QString&);  ///< about ladder and path; empty: none
+  [[nodiscard]] PathPad& pad() { return *pad_; }
 
  signals:
   void ladderWanted(bool on);
+  void pathWanted(bool open);
 
  private:
   static void tell(QLabel*, const QString&);
 
   QLabel *figures_, *note_;
-  QToolButton* ladder_;
+  QToolButton *ladder_, *path_;
+  PathPad* pad_;
 };
 
 }  // namespace blossom::minkowski

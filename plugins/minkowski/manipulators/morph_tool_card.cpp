@@ -10,7 +10,6 @@
 #include "geometry/planar/planar.h"
 #include "geometry/shape/sequence.h"
 #include "manipulators/morph_card.h"
-#include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
 #include "ui/look/text.h"
 
@@ -21,11 +20,13 @@ void MorphTool::makeCard() {
   if (!view) return;
   card_ = new MorphCard(view);
   connect(card_, &MorphCard::ladderWanted, this, &MorphTool::setLadder);
+  connectPad();
   card_->show();
 }
 
 void MorphTool::setLadder(bool on) {
   habits_.ladder = on;
+  if (!on) legShown_.reset();
   refreshCard();
   emit changed();
 }
@@ -77,9 +78,11 @@ QString MorphTool::figures(const Region* seen) {
 }
 
 QString MorphTool::ladderNote(const Value& parameters) const {
+  if (habits_.path && !hasPath(parameters)) return tr("A morph with a degree or knots has no path.");
   if (!habits_.ladder) return {};
   if (!hasLadder(parameters)) return tr("A morph with knots has no ladder.");
   if (controls_.size() < 3) return tr("Three control shapes or more have a ladder.");
+  if (const QString leg = legNote(); !leg.isEmpty()) return leg;
   return ladder_ && !ladder_->complete ? tr("Some of the ladder takes too long to be drawn.") : QString();
 }
 
@@ -98,6 +101,7 @@ void MorphTool::refreshCard() {
   const auto result = host().result(feature());
   card_->setFigures(figures(result && !result->error ? shapeSeen(result->evaluated.shape).get<Region>() : nullptr));
   card_->setLadder(habits_.ladder);
+  refreshPad(parameters);
   card_->setNote(ladderNote(parameters));
 }
 
@@ -105,6 +109,7 @@ void MorphTool::askLadder(const Value& parameters) {
   const bool possible = controls_.size() > 2 && levels_.size() + 1 == controls_.size() && hasLadder(parameters);
   if (!habits_.ladder || !possible) {
     ladder_.reset();
+    forgetLostLeg();
     return loader_.ask(std::nullopt);
   }
   LadderQuestion question;

@@ -37,22 +37,22 @@ void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate, bool areaPreserv
               "Leave them out, or the degree and the knots.");
 }
 
-Shape sequenceOf(std::vector<Region> regions, std::vector<double> times) {
+Shape sequenceOf(std::vector<Region> regions, std::vector<double> places) {
   Sequence sequence;
-  sequence.times = std::move(times);
+  sequence.times = std::move(places);
   for (Region& region : regions) sequence.frames.emplace_back(std::move(region));
   return Shape(std::move(sequence));
 }
 
-Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots& spline, bool frames,
-                          const std::vector<double>& times, const MorphOptions& options, const Progress& progress) {
+Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots& spline, const std::vector<double>& times,
+                          const std::vector<double>& places, const MorphOptions& options, const Progress& progress) {
   MorphResult result = splineMorph(shapes, spline, times, options, progress);
   Evaluated out;
   out.stats["sums"] = result.sums;
   out.stats["degree"] = spline.degree;
   if (const auto continuity = continuityOf(spline)) out.stats["continuity"] = *continuity;
-  if (!frames) out.stats["influences"] = influences(spline, times.front());
-  out.shape = frames ? sequenceOf(std::move(result.regions), times) : Shape(std::move(result.regions.front()));
+  if (places.empty()) out.stats["influences"] = influences(spline, times.front());
+  out.shape = places.empty() ? Shape(std::move(result.regions.front())) : sequenceOf(std::move(result.regions), places);
   return out;
 }
 

@@ -12,11 +12,12 @@ namespace blossom::minkowski {
 ShapeKnots knotsFor(std::size_t shapes, int degree, const std::vector<double>& knots);
 /// @throws Error InvalidParameter for what a B-spline of shapes has no place for.
 void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate, bool areaPreserving);
-/// @param times one for each region
-Shape sequenceOf(std::vector<Region>, std::vector<double> times);
+/// @param places when each region is seen
+Shape sequenceOf(std::vector<Region>, std::vector<double> places);
 /// A sequence of a frame for each of the times, or the in-between at the only one.
-Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots&, bool frames, const std::vector<double>& times,
-                          const MorphOptions&, const Progress&);
+/// @param places when each frame is seen; empty: a single in-between
+Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots&, const std::vector<double>& times,
+                          const std::vector<double>& places, const MorphOptions&, const Progress&);
 
 ParameterSpec sectorsSpec();
 /// Puts in place of shapes what of them faces their sectors.

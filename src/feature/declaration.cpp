@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "feature/frame_keys.h"
 
 namespace blossom::declaration {
 namespace {
@@ -107,6 +108,9 @@ void checkPlaying(const std::string& what, const FeatureType& type) {
   };
   if (std::none_of(type.parameters.begin(), type.parameters.end(), counts) || played.frames < 2)
     broken(what, fmt::format("cannot play by \"{}\": it must be a count, set to 2 or more", played.parameter));
+  const auto holdsKeys = [&](const ParameterSpec& spec) { return spec.name == played.keys && isFrameKeys(spec); };
+  if (!played.keys.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), holdsKeys))
+    broken(what, fmt::format("has no keys \"{}\" for the timeline", played.keys));
 }
 
 /// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.

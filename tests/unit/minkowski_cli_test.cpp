@@ -109,6 +109,21 @@ class MinkowskiCliTest : public QObject {
     }
   }
 
+  /// Squares of 10 and 20: at t the side is 10 + 10 t.
+  void keysTellTheTimesOfFrames() {
+    const QStringList morph{"morph", "rectangle:10:10", "rectangle:20:20", "--frames", "5", "--keys"};
+    const QString keys =
+        R"([{"frame": 2, "t": 0.2, "ease": "in"}, {"frame": 4, "t": 1}, {"frame": 5, "t": 0.5, "ease": "hold"}])";
+    QCOMPARE(blossom(morph + QStringList{keys, "-o", "keyed.svg"}).code, 0);
+    const std::array<double, 5> times{0.2, 0.2, 0.2 + 0.8 * 0.25, 1, 0.5};
+    for (std::size_t k = 0; k < times.size(); ++k)
+      COMPARE_NEAR(areaInFile(fs::path(folder_.path().toStdString()) / fmt::format("keyed-{:04}.svg", k + 1)),
+                   std::pow(10 + 10 * times[k], 2), 1e-6);
+    const Answer twice = blossom(morph + QStringList{R"([{"frame": 2, "t": 0.2}, {"frame": 2, "t": 0.3}])"});
+    QVERIFY(twice.code != 0);
+    QCOMPARE(twice.json["error"]["code"], Value("InvalidParameter"));
+  }
+
   /// The ends are the control shapes, with their arcs: not polygons of them.
   void theMorphStartsAtTheFirstAndEndsAtTheLast() {
     QCOMPARE(blossom({"slot", "--length", "40", "--width", "12", "-o", "slot.dxf"}).code, 0);

@@ -55,6 +55,7 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
   connectNotes();
   connectStudies();
   connectWidgets();
+  connectKeys();
   view_->setLook(look_);
   view_->setZebra(preferredZebra());
 }
@@ -179,6 +180,7 @@ void DocumentPage::refreshTimeline() {
   playback_.setCount(count);
   playback_.setOffered(count < 2 && offeredSequence());
   timeline_->setVisible(playback_.playable());
+  refreshKeys();
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {

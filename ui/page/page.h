@@ -131,6 +131,23 @@ class DocumentPage : public QObject, public ToolHost {
   void refreshTimeline();
   [[nodiscard]] std::optional<Feature> offeredSequence() const;
   void makeSequence();
+
+  // Keys of the timeline.
+  struct KeyedSequence {
+    FeatureId feature;
+    std::string parameter;  ///< that holds the keys
+    Value keys;
+    int frames = 0;
+  };
+  [[nodiscard]] std::optional<KeyedSequence> keyedSequence() const;
+  [[nodiscard]] Document withKeys(const KeyedSequence&, const Value& keys) const;
+  void connectKeys();
+  void refreshKeys();
+  void moveKey(int key, int frame, bool placed);
+  void setKey(int frame);
+  void removeKey(int key);
+  void removeKeyAt(int frame);
+
   void followViews(const std::set<FeatureId>&);
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayNow();
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/error.h"
+#include "feature/frame_keys.h"
 #include "manipulators/path_points.h"
 
 namespace blossom::minkowski {
@@ -21,6 +23,18 @@ void blendNeighbours(std::vector<Vec2>& points, double t) {
 }
 
 }  // namespace
+
+double timeOfFrame(const Value& parameters, int frame, int frames) {
+  const double place = frames < 2 ? 0 : static_cast<double>(frame) / (frames - 1);
+  const double plain = frames < 2 ? parameters.at("t").get<double>() : place;
+  const Value& keys = parameters.at("keys");
+  if (keys.empty()) return plain;
+  try {
+    return keyedTime(frameKeysOf(keys), place, frames);
+  } catch (const Error&) {
+    return plain;  // the morph tells what is wrong with them
+  }
+}
 
 std::vector<double> levelsSeen(const Value& parameters, std::size_t shapes, std::optional<double> seen) {
   const std::size_t degree = shapes > 0 ? shapes - 1 : 0;

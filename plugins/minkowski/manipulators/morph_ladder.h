@@ -23,6 +23,9 @@ struct LadderLeg {
   friend bool operator==(const LadderLeg&, const LadderLeg&) = default;
 };
 
+/// t of a frame of the morph, counted from 0, as its keys have it.
+double timeOfFrame(const Value& parameters, int frame, int frames);
+
 /// The numbers by which the in-between that is seen is blended, one for each level: those of the blossom or of the path, or
 /// all t.
 /// @param parameters of the morph, complete

@@ -53,13 +53,13 @@ const Shape& MorphTool::shapeSeen(const Shape& shape) const {
 }
 
 /// The t of the frame that is seen when the morph makes frames itself; in a sequence that comes from its control shapes all
-/// frames have the same.
+/// frames have the same. As many frames count as the document asks for: while something is dragged there may be fewer.
 std::optional<double> MorphTool::timeSeen(const Value& parameters) const {
   const auto result = host().result(feature());
-  const Sequence* sequence = result && !result->error ? result->evaluated.shape.get<Sequence>() : nullptr;
-  if (!sequence || parameters.at("frames").get<int>() == 0 || sequence->times.empty()) return std::nullopt;
-  const int count = static_cast<int>(sequence->times.size());
-  return sequence->times[static_cast<std::size_t>(std::clamp(host().shownFrame(count), 0, count - 1))];
+  const bool sequence = result && !result->error && result->evaluated.shape.get<Sequence>();
+  const int count = parameters.at("frames").get<int>();
+  if (!sequence || count == 0) return std::nullopt;
+  return timeOfFrame(parameters, std::clamp(host().shownFrame(count), 0, count - 1), count);
 }
 
 /// The area is computed once for each shape that is seen, however often the mouse moves.

@@ -249,7 +249,7 @@ void MorphTool::follow(const Placement& to) {
   Placement& now = placements_[handleOf(*held()).shape];
   if (now == to) return;
   now = to;
-  preview(with(placements_));
+  preview(with(placements_), [this](const Document& exact) { return coarser(exact); });
 }
 
 void MorphTool::place() {

@@ -81,6 +81,8 @@ class MorphTool final : public ui::HandleTool {
   [[nodiscard]] Placement dragged(const Handle&, const ui::ToolEvent&, const Vec2& at) const;
   void follow(const Placement&);
   [[nodiscard]] Document with(const std::vector<Placement>&) const;
+  [[nodiscard]] Document coarser(const Document&) const;
+  [[nodiscard]] double coarseTolerance() const;
 
   // Numbers that are typed.
   bool typingKey(const QKeyEvent&);

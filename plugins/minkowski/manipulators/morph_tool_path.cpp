@@ -54,7 +54,7 @@ void MorphTool::previewPath() {
   if (!drawingPath_) load();
   drawingPath_ = true;
   host().showOtherFrames(true);
-  preview(with(card_->pad().path()));
+  preview(with(card_->pad().path()), [this](const Document& exact) { return coarser(exact); });
 }
 
 void MorphTool::keepPath() {

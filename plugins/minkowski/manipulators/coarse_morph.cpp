@@ -13,15 +13,15 @@ Value coarseParameters(Value parameters, double tolerance) {
   return parameters;
 }
 
-Value fewerFrames(Value parameters, int seen, int place) {
+Value fewerFrames(Value parameters, int count, int seen, int place) {
   const int frames = parameters.at("frames").get<int>();
   Value keys = Value::array();
-  for (int k = 0; k < coarseFrames; ++k) {
-    const double even = static_cast<double>(k) * (frames - 1) / (coarseFrames - 1);
+  for (int k = 0; k < count; ++k) {
+    const double even = static_cast<double>(k) * (frames - 1) / (count - 1);
     const int frame = k == place ? seen : static_cast<int>(std::lround(even));
     keys.push_back({{"frame", k + 1}, {"t", timeOfFrame(parameters, frame, frames)}, {"ease", "linear"}});
   }
-  parameters["frames"] = coarseFrames;
+  parameters["frames"] = count;
   parameters["keys"] = std::move(keys);
   return parameters;
 }

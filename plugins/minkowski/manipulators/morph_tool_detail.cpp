@@ -21,6 +21,7 @@ double MorphTool::coarseTolerance() const {
 
 /// Frames that others take stay as many as they are, for these may take those of another sequence beside them.
 Document MorphTool::coarser(const Document& exact) const {
+  const int most = drawingPath_ ? ghostFrames : fewFrames;
   Feature morph = exact.at(feature());
   const auto& features = exact.features();
   const bool taken = std::any_of(features.begin(), features.end(), [&](const auto& other) {
@@ -29,8 +30,8 @@ Document MorphTool::coarser(const Document& exact) const {
   const Value parameters = completed(host().registry().at(morph.type)->parameters, morph.parameters);
   morph.parameters = coarseParameters(parameters, coarseTolerance());
   const int frames = parameters.at("frames").get<int>();
-  if (frames > coarseFrames && !taken)
-    morph.parameters = fewerFrames(morph.parameters, host().shownFrame(frames), host().shownFrame(coarseFrames));
+  if (frames > most && !taken)
+    morph.parameters = fewerFrames(morph.parameters, most, host().shownFrame(frames), host().shownFrame(most));
   return exact.with(std::move(morph));
 }
 

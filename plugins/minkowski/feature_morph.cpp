@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "feature/frame_keys.h"
 #include "feature/registry.h"
 #include "feature_types.h"
+#include "kernel/morph/blossom_path.h"
 #include "kernel/morph/control_placement.h"
 #include "kernel/morph/morph.h"
 #include "morph_control.h"
@@ -14,7 +16,9 @@ namespace {
 struct MorphParameters {
   double t = 0.5;
   int frames = 0;
+  std::vector<Value> keys;
   std::vector<double> blossom;
+  std::vector<Arguments> path;
   EvaluationOrder evaluation = EvaluationOrder::Automatic;
   bool degreeElevate = false;
   bool areaPreserving = false;
@@ -58,33 +62,54 @@ ParameterSpec positiveNumber() {
 void refuseTogether(const MorphParameters& p) {
   if (p.frames > 0 && !p.blossom.empty())
     throw Error(ErrorCode::InvalidParameter, "Blossom parameters give one shape, not a sequence of frames.",
-                "Leave out the frames or the blossom parameters.");
+                "Leave out the frames or the blossom parameters, or let a path lead through them.");
+  if (!p.path.empty() && !p.blossom.empty())
+    throw Error(ErrorCode::InvalidParameter, "Both a path and blossom parameters are given.", "Leave out one of them.");
 }
 
 bool isPiecewise(const MorphParameters& p, std::size_t shapes) {
   return !p.knots.empty() || (p.degree > 0 && static_cast<std::size_t>(p.degree) + 1 != shapes);
 }
 
-double timeOf(int frame, int frames, double t) { return frames == 1 ? t : static_cast<double>(frame) / (frames - 1); }
+/// When each frame is seen: evenly from 0 to 1; at 0 frames the one in-between.
+std::vector<double> placesOf(const MorphParameters& p) {
+  if (p.frames < 2) return {p.t};
+  std::vector<double> places;
+  for (int k = 0; k < p.frames; ++k) places.push_back(static_cast<double>(k) / (p.frames - 1));
+  return places;
+}
+
+/// t of each frame, which keys may tell.
+std::vector<double> timesOf(const MorphParameters& p, const std::vector<double>& places) {
+  if (p.frames == 0 || p.keys.empty()) return places;
+  const std::vector<FrameKey> keys = frameKeysOf(p.keys);
+  if (p.frames == 1) return {keyedTime(keys, 0, 1)};
+  std::vector<double> times;
+  for (const double place : places) times.push_back(keyedTime(keys, place, p.frames));
+  return times;
+}
+
+Arguments argumentsAt(const MorphParameters& p, std::size_t degree, double t) {
+  if (!p.path.empty()) return pointOfPath(p.path, t);
+  return p.blossom.empty() ? diagonal(degree, t) : p.blossom;
+}
 
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
   placeShapes(shapes, p);
   faceSectors(shapes, p.sectors, toleranceOf(p.tolerance), progress);
+  const std::vector<double> places = placesOf(p), times = timesOf(p, places);
   if (isPiecewise(p, shapes.size())) {
-    refuseBesidesKnots(!p.blossom.empty(), p.degreeElevate, p.areaPreserving);
-    return morphedBySpline(shapes, knotsFor(shapes.size(), p.degree, p.knots), p.frames, p.t,
+    refuseBesidesKnots(!p.blossom.empty() || !p.path.empty(), p.degreeElevate, p.areaPreserving);
+    return morphedBySpline(shapes, knotsFor(shapes.size(), p.degree, p.knots), times,
+                           p.frames > 0 ? places : std::vector<double>(),
                            {.tolerance = toleranceOf(p.tolerance), .maximumWork = maximumWork}, progress);
   }
+  checkPath(p.path, shapes.size());
   const std::size_t degree = shapes.size() - 1;
-  Sequence sequence;
-  std::vector<std::vector<double>> arguments;
-  for (int k = 0; k < p.frames; ++k) {
-    sequence.times.push_back(timeOf(k, p.frames, p.t));
-    arguments.push_back(diagonal(degree, sequence.times.back()));
-  }
-  if (p.frames == 0) arguments.push_back(p.blossom.empty() ? diagonal(degree, p.t) : p.blossom);
+  std::vector<Arguments> arguments;
+  for (const double t : times) arguments.push_back(argumentsAt(p, degree, t));
   MorphResult result = morph(shapes, arguments,
                              {.evaluation = p.evaluation,
                               .degreeElevate = p.degreeElevate,
@@ -102,8 +127,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
     out.shape = std::move(result.regions.front());
     return out;
   }
-  for (Region& region : result.regions) sequence.frames.emplace_back(std::move(region));
-  out.shape = std::move(sequence);
+  out.shape = sequenceOf(std::move(result.regions), places);
   return out;
 }
 
@@ -115,7 +139,7 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .command("morph")
       .icon("morph")
       .produces({ShapeKind::Region})
-      .playedBy({.parameter = "frames"})
+      .playedBy({.parameter = "frames", .keys = "keys"})
       .input({.name = "shape",
               .help = "Control shapes, first to last.",
               .kinds = {ShapeKind::Region},
@@ -125,8 +149,11 @@ FeatureType morphFeature(std::size_t maximumWork) {
               .asks = "a shape to morph"})
       .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
       .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
+      .parameter("keys", &P::keys, frameKeys(), "Frames at which t is given, and how it goes on from there.")
       .parameter("blossom", &P::blossom, onePer(list(ratio()), "shape", -1, "t"),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
+      .parameter("path", &P::path, list(onePer(list(ratio()), "shape", -1, "t")),
+                 "Points of blossom numbers that the morph runs through, as long from each to the next. None: t alone.")
       .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
                  "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
                  "convex requires convex control shapes between the ends.")
@@ -153,9 +180,14 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .example("blossom morph star:5:20:8 circle:15 --t 0.3 -o between.svg")
       .example("blossom morph cat.svg dog.svg --frames 25 -o frame.svg")
       .example("blossom morph cat.svg dog.svg --frames 49 --svg.animate -o walk.svg")
+      .example(
+          "blossom morph cat.svg dog.svg --frames 49 --keys '[{\"frame\": 1, \"t\": 0, \"ease\": \"in-out\"}, {\"frame\": "
+          "25, "
+          "\"t\": 1}, {\"frame\": 49, \"t\": 0}]' -o there-and-back.ogv")
       .example("blossom morph cat.svg dog.svg --offsets \"-40,0,0; 40,0,0\" --t 0.5 -o moved.dxf")
       .example("blossom morph cat.svg dog.svg --scales 1,1.5 --turns 0,90 --t 0.5 -o turned.dxf")
       .example("blossom morph a.svg b.svg c.svg --blossom 0.2,0.7 --json")
+      .example("blossom morph a.svg b.svg c.svg --path \"0,0; 0.2,0.9; 1,1\" --frames 25 -o path.svg")
       .example("blossom morph a.svg b.svg c.svg d.svg --degree 2 --frames 31 -o pieces.svg")
       .evaluate([maximumWork](const P& p, const Inputs& inputs, const Progress& progress) {
         return morphed(p, maximumWork, inputs, progress);

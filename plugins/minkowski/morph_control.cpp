@@ -23,30 +23,29 @@ double radiansOf(const Value& sector, const char* name) { return sector.value(na
 
 }  // namespace
 
-void refuseBesidesKnots(bool blossom, bool degreeElevate, bool areaPreserving) {
-  if (!blossom && !degreeElevate && !areaPreserving) return;
+void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate, bool areaPreserving) {
+  if (!blossomOrPath && !degreeElevate && !areaPreserving) return;
   throw Error(ErrorCode::InvalidParameter,
-              "A B-spline of shapes takes no blossom parameters, degree elevation or preserved areas.",
+              "A B-spline of shapes takes no blossom parameters, path, degree elevation or preserved areas.",
               "Leave them out, or the degree and the knots.");
 }
 
-Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots& spline, int frames, double t,
-                          const MorphOptions& options, const Progress& progress) {
+Shape sequenceOf(std::vector<Region> regions, std::vector<double> places) {
   Sequence sequence;
-  for (int k = 0; k < frames; ++k) sequence.times.push_back(frames == 1 ? t : static_cast<double>(k) / (frames - 1));
-  const std::vector<double> times = frames == 0 ? std::vector{t} : sequence.times;
+  sequence.times = std::move(places);
+  for (Region& region : regions) sequence.frames.emplace_back(std::move(region));
+  return Shape(std::move(sequence));
+}
+
+Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots& spline, const std::vector<double>& times,
+                          const std::vector<double>& places, const MorphOptions& options, const Progress& progress) {
   MorphResult result = splineMorph(shapes, spline, times, options, progress);
   Evaluated out;
   out.stats["sums"] = result.sums;
   out.stats["degree"] = spline.degree;
   if (const auto continuity = continuityOf(spline)) out.stats["continuity"] = *continuity;
-  if (frames == 0) {
-    out.stats["influences"] = influences(spline, t);
-    out.shape = std::move(result.regions.front());
-    return out;
-  }
-  for (Region& region : result.regions) sequence.frames.emplace_back(std::move(region));
-  out.shape = std::move(sequence);
+  if (places.empty()) out.stats["influences"] = influences(spline, times.front());
+  out.shape = places.empty() ? Shape(std::move(result.regions.front())) : sequenceOf(std::move(result.regions), places);
   return out;
 }
 

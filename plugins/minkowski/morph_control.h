@@ -9,10 +9,13 @@
 namespace blossom::minkowski {
 
 /// @throws Error InvalidParameter for what a B-spline of shapes has no place for.
-void refuseBesidesKnots(bool blossom, bool degreeElevate, bool areaPreserving);
-/// A sequence of frames, or at 0 frames the in-between at t.
-Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots&, int frames, double t, const MorphOptions&,
-                          const Progress&);
+void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate, bool areaPreserving);
+/// @param places when each region is seen
+Shape sequenceOf(std::vector<Region>, std::vector<double> places);
+/// A sequence of a frame for each of the times, or the in-between at the only one.
+/// @param places when each frame is seen; empty: a single in-between
+Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots&, const std::vector<double>& times,
+                          const std::vector<double>& places, const MorphOptions&, const Progress&);
 
 ParameterSpec sectorsSpec();
 /// Puts in place of shapes what of them faces their sectors.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "feature/frame_keys.h"
 
 namespace blossom::declaration {
 namespace {
@@ -16,6 +17,13 @@ bool isReserved(const std::string& name) {
   constexpr std::array<std::string_view, 8> common{"allow-files", "help",    "json",    "output",
                                                    "progress",    "salvage", "threads", "version"};
   return std::find(common.begin(), common.end(), name) != common.end() || name.starts_with("no-");
+}
+
+/// What is filled is a whole parameter, or each item of one.
+void refuseInnerFilling(const std::string& what, const ParameterSpec& spec, const ParameterSpec& field, bool element) {
+  const bool items = spec.kind == ParameterKind::List && !element;
+  if (field.filling != ListFilling() && !items)
+    broken(what, "holds a list that is filled; only whole parameters and the items of one can be");
 }
 
 /// Checks a declaration and brings its default into canonical form.
@@ -28,7 +36,7 @@ void settle(const std::string& owner, ParameterSpec& spec, bool element = false)
   std::set<std::string> names;
   for (auto& field : spec.fields) {
     if (!field.condition.choice.empty()) broken(what, "holds a field with a condition; only whole parameters can have one");
-    if (field.filling != ListFilling()) broken(what, "holds a list that is filled; only whole parameters can be");
+    refuseInnerFilling(what, spec, field, element);
     settle(owner, field, spec.kind == ParameterKind::List);
     if (!names.insert(field.name).second) broken(what, fmt::format("declares the field \"{}\" twice", field.name));
   }
@@ -60,20 +68,25 @@ void checkConditions(const std::string& owner, const std::vector<ParameterSpec>&
 }
 
 /// A list is filled by the shapes of an input with values of a parameter that its items can have.
+void checkFilling(const FeatureType& type, const std::string& what, const ParameterSpec& spec) {
+  const ListFilling& filling = spec.filling;
+  if (filling == ListFilling()) return;
+  if (spec.kind != ParameterKind::List) broken(what, "has one item for each shape, but is no list");
+  const auto named = [&](const InputSpec& input) { return input.name == filling.input; };
+  if (std::none_of(type.inputs.begin(), type.inputs.end(), named))
+    broken(what, fmt::format("has one item for each shape of \"{}\", which is no input there", filling.input));
+  const auto alike = [&](const ParameterSpec& other) {
+    return other.name == filling.like && other.kind == spec.fields.at(0).kind;
+  };
+  if (!filling.like.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), alike))
+    broken(what, fmt::format("begins as \"{}\", which is no parameter of the kind of its items", filling.like));
+}
+
 void checkFillings(const FeatureType& type) {
   for (const ParameterSpec& spec : type.parameters) {
-    const ListFilling& filling = spec.filling;
-    if (filling == ListFilling()) continue;
     const std::string what = fmt::format("The parameter \"{}\" of {}", spec.name, type.id);
-    if (spec.kind != ParameterKind::List) broken(what, "has one item for each shape, but is no list");
-    const auto named = [&](const InputSpec& input) { return input.name == filling.input; };
-    if (std::none_of(type.inputs.begin(), type.inputs.end(), named))
-      broken(what, fmt::format("has one item for each shape of \"{}\", which is no input there", filling.input));
-    const auto alike = [&](const ParameterSpec& other) {
-      return other.name == filling.like && other.kind == spec.fields.at(0).kind;
-    };
-    if (!filling.like.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), alike))
-      broken(what, fmt::format("begins as \"{}\", which is no parameter of the kind of its items", filling.like));
+    checkFilling(type, what, spec);
+    if (spec.kind == ParameterKind::List) checkFilling(type, what, spec.fields.at(0));
   }
 }
 
@@ -95,6 +108,9 @@ void checkPlaying(const std::string& what, const FeatureType& type) {
   };
   if (std::none_of(type.parameters.begin(), type.parameters.end(), counts) || played.frames < 2)
     broken(what, fmt::format("cannot play by \"{}\": it must be a count, set to 2 or more", played.parameter));
+  const auto holdsKeys = [&](const ParameterSpec& spec) { return spec.name == played.keys && isFrameKeys(spec); };
+  if (!played.keys.empty() && std::none_of(type.parameters.begin(), type.parameters.end(), holdsKeys))
+    broken(what, fmt::format("has no keys \"{}\" for the timeline", played.keys));
 }
 
 /// A file of its kind is opened by an import followed by the type with its defaults, so nothing else may be needed.

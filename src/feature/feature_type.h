@@ -99,6 +99,7 @@ struct InputByFlags {
 struct PlayedBy {
   std::string parameter;  ///< a count: how many shapes the sequence has; empty: the feature never makes one
   int frames = 25;        ///< as many as Play asks for
+  std::string keys = {};  ///< a list as frameKeys() declares it (frame_keys.h); empty: the timeline shows no keys
 };
 
 /// Another word by which users look for a feature type.

@@ -63,7 +63,7 @@ struct ParameterSpec {
   bool mayBeAbsent = false;           ///< with a null fallback: the value may be left out
   std::string noneMeans;              ///< meaning of an empty list or an absent value: "all sharp edges"
   ParameterCondition condition;       ///< set by onlyFor; not for fields of records and elements of lists
-  ListFilling filling;                ///< of a List, set by onePer; not for fields of records and elements of lists
+  ListFilling filling;                ///< of a List, set by onePer: of a whole parameter, or of each item of one
 };
 
 /// The name as users read it: "area preserving".

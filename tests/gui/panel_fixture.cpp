@@ -104,7 +104,8 @@ FeatureType blend() {
   type.inputs = {
       {.name = "shape", .help = "What is blended.", .kinds = {ShapeKind::Mesh}, .minimum = 2, .maximum = anyNumber}};
   type.parameters = {declared("t", ratio(), 0.25),
-                     declared("levels", onePer(list(ratio()), "shape", -1, "t"), Value::array())};
+                     declared("levels", onePer(list(ratio()), "shape", -1, "t"), Value::array()),
+                     declared("path", list(onePer(list(ratio()), "shape", -1, "t")), Value::array())};
   type.evaluate = [](const Value&, const Inputs&, const Progress&) { return triangle(); };
   return type;
 }

@@ -26,6 +26,7 @@ class PanelListsTest : public PanelFixture {
   void recordsAreGroups();
   void longListsAreShownBitByBit();
   void aListFillsItselfWithOneForEachShape();
+  void itemsOfAListFillThemselves();
 };
 
 void PanelListsTest::listsAreEdited() {
@@ -183,6 +184,37 @@ void PanelListsTest::aListFillsItselfWithOneForEachShape() {
   emit rows[2]->removeWanted();
   QCOMPARE(levels().size(), std::size_t{2});
   QVERIFY(add()->isEnabled());
+}
+
+/// Each item is a list with a number for each shape after the first.
+void PanelListsTest::itemsOfAListFillThemselves() {
+  const Document sources = session_->document().with(made("c", "test.source", "Nut"));
+  session_->commit(sources.with(made("s", "test.blend", "Blended", {"a", "b", "c"})), QStringLiteral("Blend"));
+  panel_->show(FeatureId("s"));
+  settle();
+  const auto path = [this] { return session_->document().at("s").parameters.value("path", Value::array()); };
+  auto* const list = static_cast<ListField*>(field("path"));
+  const auto add = [](const ListField* to) {
+    for (auto* button : to->findChildren<QToolButton*>())
+      if (button->property("role") == QStringLiteral("add") && button->toolTip() == QStringLiteral("Add an item"))
+        return button;
+    return static_cast<QToolButton*>(nullptr);
+  };
+  add(list)->click();
+  QCOMPARE(path(), Value::parse("[[0.25,0.25]]"));
+  add(list)->click();
+  QCOMPARE(path(), Value::parse("[[0.25,0.25],[0.25,0.25]]"));
+  auto* const second = dynamic_cast<ListField*>(list->rows()[1]->field());
+  QVERIFY(second && second->rows().size() == 2);
+  auto* const slider = second->rows()[0]->findChild<RatioSlider*>();
+  QVERIFY(slider);
+  QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, 5));
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, 5));
+  COMPARE_NEAR(path().at(1).at(0).get<double>(), 0.5, 0.02);
+  QCOMPARE(path().at(1).at(1), Value(0.25));
+  QCOMPARE(path().at(0), Value::parse("[0.25,0.25]"));
+  emit list->rows()[0]->removeWanted();
+  QCOMPARE(path().size(), std::size_t{1});
 }
 
 BLOSSOM_WIDGET_TEST(PanelListsTest)

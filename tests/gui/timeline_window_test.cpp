@@ -3,6 +3,8 @@
 #include <QToolButton>
 
 #include "document/edits.h"
+#include "ui/timeline/key_marks.h"
+#include "ui/tree/document_tree.h"
 #include "window_fixture.h"
 
 using namespace blossom;
@@ -24,6 +26,7 @@ class TimelineWindowTest : public WindowFixture {
   void aSelectedSequenceIsExtruded();
   void digitsInTheFieldOfTheTimeAreNoShortcuts();
   void theTimeOfTheMorphIsThatOfTheFrame();
+  void keysAreSetAndDragged();
 
  private:
   [[nodiscard]] QString square(const char* name, int side) const {
@@ -38,6 +41,11 @@ class TimelineWindowTest : public WindowFixture {
   }
   [[nodiscard]] QWidget& timeline() const { return *window_->findChild<QWidget*>(QStringLiteral("timeline")); }
   [[nodiscard]] QSlider& slider() const { return *timeline().findChild<QSlider*>(); }
+  [[nodiscard]] KeyMarks& marks() const { return *timeline().findChild<KeyMarks*>(); }
+  [[nodiscard]] QToolButton& keyButton() const { return *timeline().findChild<QToolButton*>(QStringLiteral("keyframe")); }
+  [[nodiscard]] Value keys() const {
+    return window_->session().document().at(last()).parameters.value("keys", Value::array());
+  }
   [[nodiscard]] Playback& playback() const { return window_->page().playback(); }
   [[nodiscard]] double shownWidth() const {
     const Bounds box = window_->view().extent();
@@ -226,6 +234,68 @@ void TimelineWindowTest::theTimeOfTheMorphIsThatOfTheFrame() {
   waitUntilComputed();
   QCOMPARE(window_->session().document().at(last()).parameters.at("t"), Value(0.3));
   COMPARE_NEAR(shownWidth(), 13, 1e-6);
+}
+
+/// At frame k of 11 the square has side 10 + 10 t.
+void TimelineWindowTest::keysAreSetAndDragged() {
+  const FeatureId morph = last();
+  window_->tree().select(morph);
+  QTRY_VERIFY(marks().isVisible() && keyButton().isVisible());
+  QVERIFY(marks().frames().empty());
+  // The first key brings those of the ends: nothing moves.
+  slider().setValue(4);
+  QTest::mouseClick(&keyButton(), Qt::LeftButton);
+  waitUntilComputed();
+  QVERIFY(keyButton().isChecked());
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 5, 11}));
+  COMPARE_NEAR(keys()[1].at("t").get<double>(), 0.4, 1e-12);
+  COMPARE_NEAR(shownWidth(), 14, 1e-6);
+  // It is dragged: the same shape comes later.
+  const QPoint from = marks().placeOf(5), to = marks().placeOf(9);
+  test::moveMouse(&marks(), from);
+  QTest::mousePress(&marks(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 4; ++i) test::moveMouse(&marks(), from + (to - from) * i / 4);
+  waitUntilComputed();
+  COMPARE_NEAR(shownWidth(), 12, 1e-6);  // previewed
+  QTest::mouseRelease(&marks(), Qt::LeftButton, {}, to);
+  waitUntilComputed();
+  QCOMPARE(keys()[1].at("frame"), Value(9));
+  for (const auto& [frame, side] : std::vector<std::pair<int, double>>{{8, 14}, {4, 12}, {9, 17}, {10, 20}}) {
+    slider().setValue(frame);
+    COMPARE_NEAR(shownWidth(), side, 1e-6);
+  }
+  window_->session().undo();
+  waitUntilComputed();
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 5, 11}));
+  // Esc gives a drag up; past its neighbours it does not go.
+  QTest::mousePress(&marks(), Qt::LeftButton, {}, from);
+  test::moveMouse(&marks(), marks().placeOf(11) + QPoint(30, 0));
+  QCOMPARE(keys()[1].at("frame"), Value(10));
+  QTest::keyClick(&marks(), Qt::Key_Escape);
+  QTest::mouseRelease(&marks(), Qt::LeftButton, {}, from);
+  waitUntilComputed();
+  QCOMPARE(keys()[1].at("frame"), Value(5));
+  // A click shows its frame; a double click beside sets one, Delete takes it out again.
+  QTest::mouseClick(&marks(), Qt::LeftButton, {}, marks().placeOf(5));
+  QCOMPARE(playback().frame(), 4);
+  QTest::mouseDClick(&marks(), Qt::LeftButton, {}, marks().placeOf(8));
+  waitUntilComputed();
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 5, 8, 11}));
+  QTest::mouseClick(&marks(), Qt::LeftButton, {}, marks().placeOf(8));
+  QTest::keyClick(&marks(), Qt::Key_Left);
+  waitUntilComputed();
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 5, 7, 11}));
+  QTest::keyClick(&marks(), Qt::Key_Delete);
+  waitUntilComputed();
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 5, 11}));
+  QVERIFY(window_->session().document().contains(morph));
+  slider().setValue(4);
+  QTest::mouseClick(&keyButton(), Qt::LeftButton);
+  waitUntilComputed();
+  QCOMPARE(marks().frames(), (std::vector<int>{1, 11}));
+  // They belong to the sequence that is selected.
+  window_->tree().select(window_->session().document().features().front()->id);
+  QTRY_VERIFY(!marks().isVisible());
 }
 
 BLOSSOM_WINDOW_TEST(TimelineWindowTest)

@@ -128,6 +128,47 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(half.result("lines"), 1.0);
   }
 
+  /// Radii are blended as numbers are: r (1-t1)(1-t2) + s (t1 + t2 - 2 t1 t2) + q t1 t2.
+  void aPathLeadsThroughTheBlossom() {
+    const QStringList discs{"morph", "circle:2", "circle:8", "circle:3", "--path", "0,0; 0.2,0.9; 1,1"};
+    const auto areaAt = [](double t1, double t2) {
+      return pi * std::pow(2 * (1 - t1) * (1 - t2) + 8 * (t1 + t2 - 2 * t1 * t2) + 3 * t1 * t2, 2);
+    };
+    COMPARE_NEAR(blossom(discs + QStringList{"--t", "0.25"}).result("area"), areaAt(0.1, 0.45), 1e-9);
+    COMPARE_NEAR(blossom(discs + QStringList{"--t", "0.5"}).result("area"), areaAt(0.2, 0.9), 1e-9);
+    COMPARE_NEAR(blossom(discs + QStringList{"--t", "0.75"}).result("area"), areaAt(0.6, 0.95), 1e-9);
+    QCOMPARE(blossom(discs + QStringList{"--frames", "5", "-o", "path.svg"}).code, 0);
+    const std::array<std::array<double, 2>, 5> passed{{{0, 0}, {0.1, 0.45}, {0.2, 0.9}, {0.6, 0.95}, {1, 1}}};
+    for (std::size_t k = 0; k < passed.size(); ++k)
+      COMPARE_NEAR(areaInFile(fs::path(folder_.path().toStdString()) / fmt::format("path-{:04}.svg", k + 1)),
+                   areaAt(passed[k][0], passed[k][1]), 1e-6);
+    // As JSON, and at one point, which stays there.
+    const QStringList there{"morph", "circle:2", "circle:8", "circle:3", "--path", "[[0.2,0.9]]", "--t", "0.7"};
+    COMPARE_NEAR(blossom(there).result("area"), areaAt(0.2, 0.9), 1e-9);
+    for (const QStringList& wrong :
+         {QStringList{"--path", "0,0; 1"}, QStringList{"--path", "0,0; 1,1.5"},
+          QStringList{"--path", "0,0; 1,1", "--blossom", "0.1,0.2"}, QStringList{"--path", "0,0; 1,1", "--degree", "1"}}) {
+      const Answer refused = blossom(QStringList{"morph", "circle:2", "circle:8", "circle:3"} + wrong);
+      QVERIFY(refused.code != 0);
+      QCOMPARE(refused.json["error"]["code"], Value("InvalidParameter"));
+    }
+  }
+
+  /// Squares of 10 and 20: at t the side is 10 + 10 t.
+  void keysTellTheTimesOfFrames() {
+    const QStringList morph{"morph", "rectangle:10:10", "rectangle:20:20", "--frames", "5", "--keys"};
+    const QString keys =
+        R"([{"frame": 2, "t": 0.2, "ease": "in"}, {"frame": 4, "t": 1}, {"frame": 5, "t": 0.5, "ease": "hold"}])";
+    QCOMPARE(blossom(morph + QStringList{keys, "-o", "keyed.svg"}).code, 0);
+    const std::array<double, 5> times{0.2, 0.2, 0.2 + 0.8 * 0.25, 1, 0.5};
+    for (std::size_t k = 0; k < times.size(); ++k)
+      COMPARE_NEAR(areaInFile(fs::path(folder_.path().toStdString()) / fmt::format("keyed-{:04}.svg", k + 1)),
+                   std::pow(10 + 10 * times[k], 2), 1e-6);
+    const Answer twice = blossom(morph + QStringList{R"([{"frame": 2, "t": 0.2}, {"frame": 2, "t": 0.3}])"});
+    QVERIFY(twice.code != 0);
+    QCOMPARE(twice.json["error"]["code"], Value("InvalidParameter"));
+  }
+
   /// The ends are the control shapes, with their arcs: not polygons of them.
   void theMorphStartsAtTheFirstAndEndsAtTheLast() {
     QCOMPARE(blossom({"slot", "--length", "40", "--width", "12", "-o", "slot.dxf"}).code, 0);

@@ -5,6 +5,7 @@
 #include <gp_Pln.hxx>
 
 #include "feature/acceptance.h"
+#include "feature/frame_keys.h"
 #include "geometry/planar/planar.h"
 #include "support/support.h"
 
@@ -157,6 +158,9 @@ class RegistryTest : public QObject {
     filled(onePer(list(number()), "base", 0, "nothing"));  // no parameter
     filled(onePer(list(number()), "base", 0, "mode"));     // of another kind
     filled(onePer(number(), "base"));                      // no list
+    filled(list(onePer(list(number()), "other")));         // items of it
+    filled(list(list(onePer(list(number()), "base"))));    // items of items
+    filled(record({namedWithDefault(onePer(list(number()), "base"), "inner", Value::array())}));
     refused([](FeatureType& t) { t.inputs.push_back({"shape", "", {}, 2, 1}); });
     const InputSpec edited{.name = "shape", .help = "", .kinds = {}, .use = InputUse::Edited};
     refused([&](FeatureType& t) { t.inputs = {edited, {"other", "", {}}}; });
@@ -281,6 +285,15 @@ class RegistryTest : public QObject {
     VERIFY_ERROR(registry.add(player("t", 25)), ErrorCode::PluginBroken);
     VERIFY_ERROR(registry.add(player("copies", 1)), ErrorCode::PluginBroken);
     registry.add(player("copies", 25));
+    // Keys are a list as the timeline reads it.
+    FeatureType keyed = player("copies", 25);
+    keyed.id = "test.keyed";
+    keyed.command = "keyed";
+    keyed.playedBy.keys = "widths";
+    VERIFY_ERROR(registry.add(keyed), ErrorCode::PluginBroken);
+    keyed.playedBy.keys = "keys";
+    keyed.parameters.push_back(namedWithDefault(frameKeys(), "keys", Value::array()));
+    registry.add(keyed);
   }
 
   void aDeclarationIsReplacedInItsPlace() {

@@ -23,6 +23,17 @@ void GrooveSlider::follow(int x) {
       QStyle::sliderValueFromPosition(minimum(), maximum(), along, groove.width() - handle, option.upsideDown));
 }
 
+double GrooveSlider::pixelAt(double way) const {
+  const QRect groove = part(QStyle::SC_SliderGroove);
+  const int handle = part(QStyle::SC_SliderHandle).width();
+  return groove.left() + handle / 2.0 + way * (groove.width() - handle);
+}
+
+double GrooveSlider::wayAt(double pixel) const {
+  const double first = pixelAt(0), last = pixelAt(1);
+  return last > first ? (pixel - first) / (last - first) : 0;
+}
+
 void GrooveSlider::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
   const QPoint at = event->position().toPoint();

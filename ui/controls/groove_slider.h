@@ -1,5 +1,6 @@
 #pragma once
 #include <QSlider>
+#include <QStyle>
 
 namespace blossom::ui {
 
@@ -8,6 +9,9 @@ class GrooveSlider final : public QSlider {
   Q_OBJECT
  public:
   explicit GrooveSlider(QWidget* parent = nullptr);
+  /// The middle of the handle where it stands so far along its way, in pixels from the left, and how far along that is.
+  [[nodiscard]] double pixelAt(double way) const;
+  [[nodiscard]] double wayAt(double pixel) const;
 
  protected:
   void mousePressEvent(QMouseEvent*) override;

@@ -136,27 +136,37 @@ void ListField::addRow() {
 }
 
 // In a dialog there are no inputs yet, and the list may become as long as it likes.
-std::optional<std::size_t> ListField::wantedCount() const {
-  const auto shapes = context()->shapes.find(spec().filling.input);
+std::optional<std::size_t> ListField::wantedCount(const ParameterSpec& list) const {
+  const auto shapes = context()->shapes.find(list.filling.input);
   if (shapes == context()->shapes.end()) return std::nullopt;
-  return static_cast<std::size_t>(std::max(0, static_cast<int>(shapes->second) + spec().filling.more));
+  return static_cast<std::size_t>(std::max(0, static_cast<int>(shapes->second) + list.filling.more));
 }
 
 bool ListField::full() const {
-  const auto wanted = wantedCount();
+  const auto wanted = wantedCount(spec());
   return wanted && draft_.size() >= *wanted;
 }
 
+Value ListField::newItemOf(const ParameterSpec& list) const {
+  const Value like = context()->parameters.value(list.filling.like, Value());
+  return like.is_null() ? startValue(list.fields.at(0)) : like;
+}
+
+/// A list with items for shapes, as an item of this one, comes with all of them.
 Value ListField::newItem() const {
-  const Value like = context()->parameters.value(spec().filling.like, Value());
-  return like.is_null() ? startValue(spec().fields.at(0)) : like;
+  const ParameterSpec& item = spec().fields.at(0);
+  const auto count = item.kind == ParameterKind::List ? wantedCount(item) : std::nullopt;
+  if (!count) return newItemOf(spec());
+  Value filled = Value::array();
+  while (filled.size() < *count) filled.push_back(newItemOf(item));
+  return filled;
 }
 
 // What only the user can tell (a file) is asked for in the row; the list is passed on when it is given.
 void ListField::add() {
   const Value start = newItem();
   draft_.push_back(start);
-  for (const std::size_t wanted = wantedCount().value_or(0); draft_.size() < wanted;) draft_.push_back(start);
+  for (const std::size_t wanted = wantedCount(spec()).value_or(0); draft_.size() < wanted;) draft_.push_back(start);
   limit_ = std::max(limit_, draft_.size());
   fitRows();
   ListRow* row = rows_.back();

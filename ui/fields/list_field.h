@@ -30,9 +30,10 @@ class ListField final : public ParameterField {
   void fitRows();
   void addRow();
   void add();
-  /// How many items the list is to have; empty: any number.
-  [[nodiscard]] std::optional<std::size_t> wantedCount() const;
+  /// How many items a list is to have; empty: any number.
+  [[nodiscard]] std::optional<std::size_t> wantedCount(const ParameterSpec& list) const;
   [[nodiscard]] bool full() const;
+  [[nodiscard]] Value newItemOf(const ParameterSpec& list) const;
   [[nodiscard]] Value newItem() const;
   void replace(std::size_t index, const Value&, bool preview);
   void move(std::size_t from, std::size_t to);

@@ -55,6 +55,7 @@ DocumentPage::DocumentPage(App app, const ManipulatorRegistry& manipulators, QOb
   connectNotes();
   connectStudies();
   connectWidgets();
+  connectKeys();
   view_->setLook(look_);
   view_->setZebra(preferredZebra());
 }
@@ -174,11 +175,15 @@ void DocumentPage::endQuestion() {
 
 bool DocumentPage::measuring() const { return dynamic_cast<MeasureTool*>(tools_->started()) != nullptr; }
 
+/// While something coarser is shown, which may have fewer frames, the timeline stays where it is.
 void DocumentPage::refreshTimeline() {
   const int count = static_cast<int>(scene_.frames());
-  playback_.setCount(count);
-  playback_.setOffered(count < 2 && offeredSequence());
+  if (!session_.coarse()) {
+    playback_.setCount(count);
+    playback_.setOffered(count < 2 && offeredSequence());
+  }
   timeline_->setVisible(playback_.playable());
+  refreshKeys();
 }
 
 std::vector<vtkSmartPointer<vtkProp>> DocumentPage::overlayNow() {

@@ -101,7 +101,11 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] double pixelRatio() const override;
   [[nodiscard]] QWidget* viewWidget() const override;
   [[nodiscard]] int shownFrame(int frames) const override { return playback_.frameOf(frames); }
+  void showOtherFrames(bool on) override;
   void preview(Document document) override { session_.preview(std::move(document)); }
+  void previewCoarsely(Document document, Document coarser) override {
+    session_.preview(std::move(document), std::move(coarser));
+  }
   void endPreview() override { session_.endPreview(); }
   void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }
 
@@ -130,6 +134,23 @@ class DocumentPage : public QObject, public ToolHost {
   void refreshTimeline();
   [[nodiscard]] std::optional<Feature> offeredSequence() const;
   void makeSequence();
+
+  // Keys of the timeline.
+  struct KeyedSequence {
+    FeatureId feature;
+    std::string parameter;  ///< that holds the keys
+    Value keys;
+    int frames = 0;
+  };
+  [[nodiscard]] std::optional<KeyedSequence> keyedSequence() const;
+  [[nodiscard]] Document withKeys(const KeyedSequence&, const Value& keys) const;
+  void connectKeys();
+  void refreshKeys();
+  void moveKey(int key, int frame, bool placed);
+  void setKey(int frame);
+  void removeKey(int key);
+  void removeKeyAt(int frame);
+
   void followViews(const std::set<FeatureId>&);
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayNow();
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> overlayOfSelected();

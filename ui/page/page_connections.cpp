@@ -54,6 +54,7 @@ void DocumentPage::connectSession() {
     emit workEnded(evaluationKey);
     if (firstLook_.pending() && tree_->selected().empty()) selectLast();
     if (firstLook_.pending()) tree_->scrollToTop();
+    refreshTimeline();
     view_->markItems();
     view_->markOverlay();
     lookAtFirstShapes();

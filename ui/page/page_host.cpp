@@ -65,6 +65,11 @@ std::shared_ptr<const FeatureResult> DocumentPage::result(const FeatureId& id) c
 
 LengthUnit DocumentPage::lengthUnit() const { return ui::lengthUnit(); }
 
+void DocumentPage::showOtherFrames(bool on) {
+  scene_.showSkins(on);
+  view_->markOverlay();
+}
+
 double DocumentPage::gridSpacing() const { return view_->gridSpacing(); }
 double DocumentPage::pixelRatio() const { return view_->devicePixelRatioF(); }
 QWidget* DocumentPage::viewWidget() const { return view_; }

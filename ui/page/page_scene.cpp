@@ -138,7 +138,7 @@ std::vector<Vec3> PageScene::reach() const {
 
 PageScene::Props PageScene::skins(const Look& look, double pixelRatio) const {
   Props all;
-  if (!playback_.onionSkin()) return all;
+  if (!playback_.onionSkin() && !skinsWanted_) return all;
   for (const auto& view : sequences()) {
     const auto skins = onionSkin(*view->frames, look, pixelRatio);
     all.insert(all.end(), skins.begin(), skins.end());

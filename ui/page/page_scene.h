@@ -44,7 +44,8 @@ class PageScene {
   [[nodiscard]] std::size_t frames() const;
   /// Corners of the boxes around frames of the sequences that are shown, so that they stay in sight when they are played.
   [[nodiscard]] std::vector<Vec3> reach() const;
-  /// The other frames of sequences, faintly, when the timeline asks for them.
+  void showSkins(bool on) { skinsWanted_ = on; }
+  /// The other frames of sequences, faintly, when the timeline or a tool asks for them.
   [[nodiscard]] Props skins(const Look&, double pixelRatio) const;
   /// What the plugin draws over a feature with a result. @throws whatever the plugin throws.
   [[nodiscard]] Props overlayOf(const FeatureId&, const Look&, double pixelRatio) const;
@@ -64,6 +65,7 @@ class PageScene {
 
   std::optional<Choice> choice_;
   StudyOf studyOf_;
+  bool skinsWanted_ = false;  ///< by a tool
   const Session& session_;
   const Playback& playback_;
   const ManipulatorRegistry& manipulators_;

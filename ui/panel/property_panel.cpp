@@ -330,7 +330,7 @@ void PropertyPanel::followViews(const std::set<FeatureId>& features) {
 /// False when the field shows no time of a frame.
 bool PropertyPanel::refreshTime(ParameterField& field) {
   const auto now = time_.shownBy(field, session_.view(shown_).get());
-  if (now && !field.editing() && field.value() != Value(*now)) field.setValue(*now);
+  if (now && !session_.coarse() && !field.editing() && field.value() != Value(*now)) field.setValue(*now);
   return now.has_value();
 }
 

@@ -88,6 +88,8 @@ class ToolHost {
   [[nodiscard]] virtual QWidget* viewWidget() const { return nullptr; }
   /// Which of the frames of a sequence the timeline shows.
   [[nodiscard]] virtual int shownFrame(int /*frames*/) const { return 0; }
+  /// Shows the other frames of sequences faintly, whatever the timeline asks for; until it is taken back.
+  virtual void showOtherFrames(bool /*on*/) {}
   /// What the tools of a kind leave to those after them while the document is open, such as a mode that keys chose: one
   /// value of each type, as it is made without arguments at first.
   template <class T>
@@ -98,6 +100,9 @@ class ToolHost {
   }
   /// Shows a document without recording it; ended by the next commit or by endPreview.
   virtual void preview(Document) = 0;
+  /// The same with the results of a coarser document, whose sequences may have fewer frames: everything but the shapes is
+  /// that of the first one.
+  virtual void previewCoarsely(Document document, Document /*coarser*/) { preview(std::move(document)); }
   virtual void endPreview() = 0;
   /// One step of undo.
   virtual void commit(Document, const QString& what) = 0;

@@ -79,9 +79,9 @@ void Session::commit(Document document, const QString& what) {
   tellWithheld();
 }
 
-void Session::preview(Document document) {
+void Session::preview(Document document, std::optional<Document> coarser) {
   history_.preview(std::move(document));
-  changed();
+  changed(std::move(coarser));
 }
 
 void Session::endPreview() {
@@ -112,8 +112,10 @@ void Session::redo() {
   changed();
 }
 
-void Session::changed() {
+void Session::changed(std::optional<Document> coarser) {
   ++edits_;
+  coarser_ = std::move(coarser);
+  coarse_ = coarse_ || coarser_;
   dropOldViews();
   emit documentChanged();
   evaluate();
@@ -146,7 +148,7 @@ void Session::evaluate() {
     });
   };
   evaluator_.evaluateInBackground(
-      document(),
+      coarser_.value_or(document()),
       [this, here](double fraction, const std::string& stage) {
         here([this, fraction, text = qt(stage)] { emit evaluationProgressed(fraction, text); });
       },
@@ -162,7 +164,8 @@ void Session::evaluate() {
         for (const auto& [id, result] : results)
           if (!result->parts.empty()) parts.emplace(id, result->parts);
         here([this, parts = std::move(parts)] {
-          keepParts(parts);
+          coarse_ = coarser_.has_value();
+          if (!coarse_) keepParts(parts);
           evaluating_ = false;
           patience_.stop();
           tellViews();
@@ -283,6 +286,7 @@ void Session::replace(Document document, const std::filesystem::path& file, cons
   safety_.clear();
   views_.clear();
   untold_.clear();
+  coarse_ = false;
   file_ = file;
   emit opened();
   changed();

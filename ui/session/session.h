@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -42,6 +43,8 @@ class Session : public QObject {
   /// The newest shape of a feature that is drawn; nullptr when there is none.
   [[nodiscard]] const Shape* shape(const FeatureId&) const;
   [[nodiscard]] bool evaluating() const { return evaluating_; }
+  /// Results may be those of a coarser document that was previewed in place of this one.
+  [[nodiscard]] bool coarse() const { return coarse_; }
   /// Its result is being computed, and that takes more than a moment.
   [[nodiscard]] bool awaited(const FeatureId&) const;
   /// What is shown of it is that of an older document: it is awaited, or computing was cancelled before it.
@@ -56,7 +59,8 @@ class Session : public QObject {
   [[nodiscard]] bool fromSample() const { return sample_ && file_.empty(); }
 
   void commit(Document, const QString& what);
-  void preview(Document);
+  /// @param coarser computed in its place: it has the same features, and nothing of it is kept
+  void preview(Document, std::optional<Document> coarser = {});
   void endPreview();
   [[nodiscard]] bool previewing() const { return &history_.current() != &history_.committed(); }
   /// Its unsaved steps are not wanted: their safety copy goes. One that ends without it can be recovered.
@@ -116,7 +120,7 @@ class Session : public QObject {
   void evaluate();
   void keepWaiting();
   void keepParts(const std::map<FeatureId, Value>&);
-  void changed();
+  void changed(std::optional<Document> coarser = {});
   void tellWithheld();
   void replace(Document, const std::filesystem::path& file, const QString& name);
   /// False, and told, when the user began something here while the file was read.
@@ -137,6 +141,8 @@ class Session : public QObject {
   std::set<FeatureId> arrived_;                  // of the last evaluation
   std::set<FeatureId> untold_;                   // of those that arrived
   QTimer telling_;                               // of them, in the next turn of the event loop
+  std::optional<Document> coarser_;              // computed in place of the document
+  bool coarse_ = false;                          // something of it may be shown
   bool cut_ = false;                             // the last evaluation was cancelled
   std::set<FeatureId> late_;                     // awaited since before the evaluation under way
   QTimer patience_;                              // what is computed at once is not said to be awaited

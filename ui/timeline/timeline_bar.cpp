@@ -5,10 +5,14 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "ui/controls/groove_slider.h"
 #include "ui/look/icons.h"
 #include "ui/look/theme.h"
+#include "ui/timeline/key_marks.h"
 #include "ui/timeline/playback.h"
 
 namespace blossom::ui {
@@ -39,7 +43,9 @@ TimelineBar::TimelineBar(Playback& playback, QWidget* parent)
       last_(barButton(QStringLiteral("last"), tr("Last frame"))),
       loop_(barButton(QStringLiteral("loop"), tr("Begin anew at the end"), true)),
       onion_(barButton(QStringLiteral("onion-skin"), tr("Onion skin: show the other frames faintly"), true)),
+      key_(barButton(QStringLiteral("keyframe"), tr("Key at this frame"), true)),
       slider_(new GrooveSlider),
+      marks_(new KeyMarks(*slider_)),
       frame_(new QLabel),
       pace_(new QComboBox) {
   setObjectName(QStringLiteral("timeline"));
@@ -60,7 +66,11 @@ void TimelineBar::build() {
   for (QToolButton* button : {first_, back_, play_, forward_, last_}) row->addWidget(button);
   row->addSpacing(8);
   slider_->setAccessibleName(tr("Frame"));
-  row->addWidget(slider_, 1);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(0);
+  column->addWidget(marks_);
+  column->addWidget(slider_);
+  row->addLayout(column, 1);
   row->addSpacing(8);
   frame_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(frame_);
@@ -70,6 +80,7 @@ void TimelineBar::build() {
   pace_->setToolTip(tr("How fast it plays"));
   row->addWidget(pace_);
   row->addSpacing(4);
+  row->addWidget(key_);
   row->addWidget(loop_);
   row->addWidget(onion_);
 }
@@ -82,6 +93,12 @@ void TimelineBar::connectButtons() {
   connect(play_, &QToolButton::clicked, this, [this] { playback_.setPlaying(!playback_.playing()); });
   connect(loop_, &QToolButton::toggled, &playback_, &Playback::setLooping);
   connect(onion_, &QToolButton::toggled, &playback_, &Playback::setOnionSkin);
+  connect(key_, &QToolButton::clicked, this, [this](bool on) {
+    if (on)
+      emit keyWanted(keyFrame());
+    else
+      emit keyUnwanted(keyFrame());
+  });
   connect(slider_, &QSlider::valueChanged, this, [this](int frame) {
     playback_.setPlaying(false);  // who scrubs wants to look
     playback_.show(frame);
@@ -91,7 +108,8 @@ void TimelineBar::connectButtons() {
 }
 
 void TimelineBar::refresh() {
-  for (QToolButton* button : {first_, back_, forward_, last_, loop_, onion_}) button->setIcon(icon(button->objectName()));
+  for (QToolButton* button : {first_, back_, forward_, last_, loop_, onion_, key_})
+    button->setIcon(icon(button->objectName()));
   play_->setIcon(icon(playback_.playing() ? QStringLiteral("pause") : QStringLiteral("play")));
   const bool frames = playback_.count() > 1;
   for (QWidget* each : std::initializer_list<QWidget*>{first_, back_, forward_, last_, loop_, onion_, slider_, pace_})
@@ -110,7 +128,22 @@ void TimelineBar::refresh() {
   tellFrame();
 }
 
+void TimelineBar::setKeys(std::optional<TimelineKeys> keys) {
+  keys_ = std::move(keys);
+  if (keys_) marks_->setKeys(keys_->frames, keys_->count);
+  refreshKeys();
+}
+
+int TimelineBar::keyFrame() const { return playback_.frameOf(keys_ ? keys_->count : 1) + 1; }
+
+void TimelineBar::refreshKeys() {
+  marks_->setVisible(keys_.has_value());
+  key_->setVisible(keys_.has_value());
+  key_->setChecked(keys_ && std::find(keys_->frames.begin(), keys_->frames.end(), keyFrame()) != keys_->frames.end());
+}
+
 void TimelineBar::tellFrame() {
+  refreshKeys();
   const QSignalBlocker quiet(slider_);
   slider_->setValue(playback_.frame());
   frame_->setText(playback_.count() > 1 ? tr("%1 of %2").arg(playback_.frame() + 1).arg(playback_.count()) : QString());

@@ -15,7 +15,11 @@ bool sameFeatures(const Document& a, const Document& b) { return std::ranges::eq
 
 // Until the mouse tells better: grid lines are some twenty pixels apart.
 HandleTool::HandleTool(ToolHost& toolHost, FeatureId feature)
-    : Tool(toolHost), feature_(std::move(feature)), millimetresPerPixel_(toolHost.gridSpacing() / 20) {}
+    : Tool(toolHost),
+      feature_(std::move(feature)),
+      millimetresPerPixel_(toolHost.gridSpacing() / 20),
+      detail_([this](const Document& document, std::optional<Document> coarser) { send(document, std::move(coarser)); },
+              [this] { return host().result(feature_); }) {}
 
 bool HandleTool::press(const ToolEvent& event) {
   noteScale(event);
@@ -65,12 +69,13 @@ void HandleTool::revert() {
 void HandleTool::letGo() {
   putBack();
   held_.reset();
-  if (std::exchange(previewing_, false)) host().endPreview();
+  endPreview();
   if (std::exchange(outdated_, false)) documentChanged();
 }
 
 void HandleTool::documentChanged() {
   if (committing_) return;
+  detail_.resultsChanged();
   if (held_) {
     loadLater();  // most often it is the preview itself
     if (!sameFeatures(host().document(), expected_)) letGo();
@@ -94,15 +99,28 @@ bool HandleTool::loaded() {
   }
 }
 
-void HandleTool::preview(Document document) {
+void HandleTool::preview(Document document, const DragDetail::Coarser& coarser) {
   previewing_ = true;
+  detail_.show(std::move(document), coarser);
+}
+
+void HandleTool::send(const Document& document, std::optional<Document> coarser) {
   expected_ = document;
-  host().preview(std::move(document));
+  if (coarser)
+    host().previewCoarsely(document, *std::move(coarser));
+  else
+    host().preview(document);
+}
+
+void HandleTool::endPreview() {
+  detail_.end();
+  if (std::exchange(previewing_, false)) host().endPreview();
 }
 
 void HandleTool::commit(Document document, const QString& what) {
   previewing_ = false;  // ended by the commit
-  committing_ = true;   // the host tells of the change before it returns
+  detail_.end();
+  committing_ = true;  // the host tells of the change before it returns
   host().commit(std::move(document), what);
   committing_ = false;
   expected_ = host().document();

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "ui/plugin/tool.h"
+#include "ui/tools/drag_detail.h"
 
 namespace blossom::ui {
 
@@ -9,8 +10,15 @@ namespace blossom::ui {
 /// Only events on the handles are accepted; all others move the camera.
 class HandleTool : public Tool {
   Q_OBJECT
+  Q_PROPERTY(double frameBudget READ frameBudget WRITE setFrameBudget)
+  Q_PROPERTY(int coarsePreviews READ coarsePreviews)
  public:
   HandleTool(ToolHost&, FeatureId);
+
+  /// ms that a result may take during a drag; a coarser one follows the hand where it takes longer.
+  [[nodiscard]] double frameBudget() const { return detail_.budget(); }
+  void setFrameBudget(double milliseconds) { detail_.setBudget(milliseconds); }
+  [[nodiscard]] int coarsePreviews() const { return detail_.coarseSent(); }  ///< computed so far
 
   bool press(const ToolEvent&) override;
   bool move(const ToolEvent&) override;
@@ -31,8 +39,11 @@ class HandleTool : public Tool {
   /// Ends a drag. After a commit the handles are loaded again; otherwise restores their positions.
   virtual void putBack() = 0;
 
-  /// Shows the result of the drag so far; ended by the base class when the drag is placed or cancelled.
-  void preview(Document);
+  /// Shows the result of the drag so far; ended by the base class when the drag is placed or cancelled. Where that takes
+  /// longer than the frame budget, what `coarser` makes of the document is computed in its place until the hand rests.
+  void preview(Document, const DragDetail::Coarser& coarser = {});
+  /// Takes it back where nothing is held: what a card over the view previews.
+  void endPreview();
   /// Commits one step of undo and loads the handles afterwards.
   void commit(Document, const QString& what);
   void noteScale(const ToolEvent& event) { millimetresPerPixel_ = event.millimetresPerPixel; }
@@ -48,6 +59,7 @@ class HandleTool : public Tool {
  private:
   void letGo();
   bool loaded();
+  void send(const Document&, std::optional<Document> coarser);
 
   FeatureId feature_;
   std::optional<std::size_t> hovered_, held_;
@@ -55,6 +67,7 @@ class HandleTool : public Tool {
   bool outdated_ = false;  ///< the document changed while a handle was held
   Document expected_;      ///< during a drag: the document as this tool left it, to detect other changes
   double millimetresPerPixel_;
+  DragDetail detail_;
 };
 
 }  // namespace blossom::ui

@@ -13,19 +13,17 @@ namespace {
 constexpr std::size_t workOfSomeSeconds = 400'000'000;  // see effort.h
 constexpr double chordOfSize = 5e-4;
 
-std::vector<std::vector<Vec3>> linesOf(const std::vector<Region>& shapes, const Progress& progress) {
-  std::vector<std::vector<Vec3>> lines;
-  for (const Region& shape : shapes) {
-    progress.check();
-    const double size = bounds(Shape(shape)).diagonal();
-    if (!(size > 0)) continue;
-    for (const Path& loop : shape.loops) {
-      std::vector<Vec3>& line = lines.emplace_back();
-      for (const Vec2& p : flatten(loop, chordOfSize * size)) line.emplace_back(p.x(), p.y(), 0);
-      line.push_back(line.front());
-    }
+LadderShape drawnShape(const Region& shape) {
+  LadderShape drawn;
+  const double size = bounds(Shape(shape)).diagonal();
+  if (!(size > 0)) return drawn;
+  drawn.area = area(shape);
+  for (const Path& loop : shape.loops) {
+    std::vector<Vec3>& line = drawn.lines.emplace_back();
+    for (const Vec2& p : flatten(loop, chordOfSize * size)) line.emplace_back(p.x(), p.y(), 0);
+    line.push_back(line.front());
   }
-  return lines;
+  return drawn;
 }
 
 /// Without the ends, which are drawn anyway.
@@ -34,8 +32,13 @@ LadderLines linesOf(const LadderQuestion& question, const Progress& progress) {
       ladder(question.shapes, question.t, {.tolerance = question.tolerance, .maximumWork = workOfSomeSeconds}, progress);
   LadderLines lines;
   lines.complete = result.complete;
-  for (std::size_t r = 1; r < result.levels.size() && r + 1 < question.shapes.size(); ++r)
-    lines.levels.push_back(linesOf(result.levels[r], progress));
+  for (std::size_t r = 1; r < result.levels.size() && r + 1 < question.shapes.size(); ++r) {
+    std::vector<LadderShape>& level = lines.levels.emplace_back();
+    for (const Region& shape : result.levels[r]) {
+      progress.check();
+      level.push_back(drawnShape(shape));
+    }
+  }
   return lines;
 }
 

@@ -19,10 +19,16 @@ struct LadderQuestion {
   friend bool operator==(const LadderQuestion&, const LadderQuestion&) = default;
 };
 
-/// The shapes between the control shapes and the result, as lines.
+/// A shape between the control shapes and the result.
+struct LadderShape {
+  std::vector<std::vector<Vec3>> lines;
+  double area = 0;  ///< mm^2
+};
+
+/// The shapes between the control shapes and the result.
 struct LadderLines {
-  std::vector<std::vector<std::vector<Vec3>>> levels;  ///< of the levels 1 to n-1 of de Casteljau's algorithm
-  bool complete = true;                                ///< no level took too much work
+  std::vector<std::vector<LadderShape>> levels;  ///< the levels 1 to n-1 of de Casteljau's algorithm
+  bool complete = true;                          ///< no level took too much work
 };
 
 /// Computes ladders on a thread of its own. One is computed at a time and the newest question waits: during a drag ladders

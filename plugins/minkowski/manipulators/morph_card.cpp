@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "manipulators/influence_chart.h"
+#include "manipulators/path_pad.h"
 
 namespace blossom::minkowski {
 
@@ -15,14 +16,19 @@ MorphCard::MorphCard(QWidget* view)
       note_(new QLabel),
       ladder_(textButton(tr("Ladder"), tr("Draw the shapes between the control shapes and this one (L)"))),
       influences_(textButton(tr("Influence"), tr("Draw how much each control shape counts over t"))),
-      chart_(new InfluenceChart) {
+      path_(textButton(tr("Path"), tr("Draw the way of the sequence through the blossom"))),
+      chart_(new InfluenceChart),
+      pad_(new PathPad) {
   setAccessibleName(tr("Morph"));
   ladder_->setObjectName(QStringLiteral("ladder"));
-  ladder_->setAccessibleName(ladder_->text());
   influences_->setObjectName(QStringLiteral("influences"));
-  influences_->setAccessibleName(influences_->text());
-  for (QToolButton* button : {ladder_, influences_}) button->setCheckable(true);
+  path_->setObjectName(QStringLiteral("path"));
+  for (QToolButton* button : {ladder_, influences_, path_}) {
+    button->setAccessibleName(button->text());
+    button->setCheckable(true);
+  }
   chart_->hide();
+  pad_->hide();
   figures_->setObjectName(QStringLiteral("morphFigures"));
   note_->setObjectName(QStringLiteral("note"));
   for (QLabel* label : {figures_, note_}) label->hide();
@@ -30,15 +36,18 @@ MorphCard::MorphCard(QWidget* view)
   row->setSpacing(10);
   row->addWidget(ladder_);
   row->addWidget(influences_);
+  row->addWidget(path_);
   row->addWidget(figures_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 8);
   column->setSpacing(4);
   column->addLayout(row);
   column->addWidget(chart_, 0, Qt::AlignLeft);
+  column->addWidget(pad_);
   column->addWidget(note_);
   connect(ladder_, &QToolButton::clicked, this, &MorphCard::ladderWanted);
   connect(influences_, &QToolButton::clicked, this, &MorphCard::influencesWanted);
+  connect(path_, &QToolButton::clicked, this, &MorphCard::pathWanted);
 }
 
 void MorphCard::tell(QLabel* label, const QString& text) {
@@ -53,6 +62,11 @@ void MorphCard::setLadder(bool on) { ladder_->setChecked(on); }
 void MorphCard::setInfluences(bool on, bool possible) {
   influences_->setChecked(on);
   if (chart_->isHidden() == possible) chart_->setHidden(!possible);
+}
+
+void MorphCard::setPath(bool open, bool possible) {
+  path_->setChecked(open);
+  if (pad_->isHidden() == (open && possible)) pad_->setVisible(open && possible);
 }
 
 void MorphCard::setNote(const QString& text) { tell(note_, text); }

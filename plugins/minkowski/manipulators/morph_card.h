@@ -7,9 +7,10 @@ class QToolButton;
 namespace blossom::minkowski {
 
 class InfluenceChart;
+class PathPad;
 
-/// The card over the view while a morph is selected: t and area of the shape that is seen, the switch of the ladder, and the
-/// influences of the control shapes when they are wanted.
+/// The card over the view while a morph is selected: t and area of the shape that is seen, the switch of the ladder, the
+/// influences of the control shapes when they are wanted, and the pad of the path.
 class MorphCard final : public ui::FloatingPanel {
   Q_OBJECT
  public:
@@ -17,20 +18,24 @@ class MorphCard final : public ui::FloatingPanel {
 
   void setFigures(const QString&);  ///< empty: there are none
   void setLadder(bool on);
-  void setNote(const QString&);                ///< about the ladder; empty: none
   void setInfluences(bool on, bool possible);  ///< on: wanted; possible: the chart shows some
   [[nodiscard]] InfluenceChart& chart() const { return *chart_; }
+  void setPath(bool open, bool possible);
+  [[nodiscard]] PathPad& pad() { return *pad_; }
+  void setNote(const QString&);  ///< about ladder and path; empty: none
 
  signals:
   void ladderWanted(bool on);
   void influencesWanted(bool on);
+  void pathWanted(bool open);
 
  private:
   static void tell(QLabel*, const QString&);
 
   QLabel *figures_, *note_;
-  QToolButton *ladder_, *influences_;
+  QToolButton *ladder_, *influences_, *path_;
   InfluenceChart* chart_;
+  PathPad* pad_;
 };
 
 }  // namespace blossom::minkowski

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/error.h"
 #include "feature/registry.h"
 #include "geometry/shape/sequence.h"
 #include "kernel/morph/control_centre.h"
 #include "manipulators/morph_card.h"
-#include "manipulators/morph_ladder.h"
 #include "manipulators/placement_values.h"
 #include "parameter/written.h"
 #include "ui/tools/view_props.h"
@@ -44,6 +44,7 @@ MorphTool::MorphTool(ui::ToolHost& toolHost, FeatureId feature)
       habits_(toolHost.kept<MorphHabits>()),
       loader_([this](std::shared_ptr<const LadderLines> lines) {
         ladder_ = std::move(lines);
+        forgetLostLeg();
         refreshCard();
         emit changed();
       }) {
@@ -171,9 +172,22 @@ void MorphTool::showRingOf(std::optional<std::size_t> shape) {
 bool MorphTool::press(const ui::ToolEvent& event) {
   const bool taken = HandleTool::press(event);
   if (event.button != Qt::LeftButton) return taken;
+  if (const auto leg = taken ? std::nullopt : legUnder(event)) {
+    legPressed_ = true;
+    legShown_ = legShown_ == leg ? std::nullopt : leg;
+    refreshCard();
+    emit changed();
+    return true;
+  }
   chosen_ = held() ? std::optional(handleOf(*held()).shape) : std::nullopt;
   showRingOf(chosen_);
   return taken;
+}
+
+/// A click on a leg is no click on the shape behind it.
+bool MorphTool::release(const ui::ToolEvent& event) {
+  if (event.button == Qt::LeftButton && std::exchange(legPressed_, false)) return true;
+  return HandleTool::release(event);
 }
 
 bool MorphTool::move(const ui::ToolEvent& event) {
@@ -181,7 +195,10 @@ bool MorphTool::move(const ui::ToolEvent& event) {
   if (held()) return taken;
   const auto near = hovered() ? std::optional(handleOf(*hovered()).shape) : shapeNear(event);
   showRingOf(near ? near : chosen_);
-  return taken;
+  const auto leg = hovered() ? std::nullopt : legUnder(event);
+  if (leg != legHovered_) emit changed();
+  legHovered_ = leg;
+  return taken || leg.has_value();
 }
 
 bool MorphTool::take(std::size_t handle, const ui::ToolEvent& event) {
@@ -232,7 +249,7 @@ void MorphTool::follow(const Placement& to) {
   Placement& now = placements_[handleOf(*held()).shape];
   if (now == to) return;
   now = to;
-  preview(with(placements_));
+  preview(with(placements_), [this](const Document& exact) { return coarser(exact); });
 }
 
 void MorphTool::place() {

@@ -7,6 +7,7 @@
 #include "geometry/planar/region.h"
 #include "kernel/morph/control_placement.h"
 #include "manipulators/ladder_loader.h"
+#include "manipulators/morph_ladder.h"
 #include "parameter/parameter.h"
 #include "ui/tools/handle_tool.h"
 #include "ui/tools/typed_text.h"
@@ -14,13 +15,14 @@
 namespace blossom::minkowski {
 
 class MorphCard;
-struct MorphHabits;
+class PathPoints;
 
 /// The control shapes of a morph where they stand in it. The dot at the centre of each, and its number, move it; a ring
 /// around the one that the mouse is near or that was clicked last holds a square that scales it and a dot that turns it. A
 /// drag sets the parameters `offsets`, `scales` and `turns`: the document is previewed meanwhile, numbers can be typed
-/// instead, and the whole drag is one step of undo. A card tells t and area of what is seen and switches the ladder of de
-/// Casteljau, which is computed in the background.
+/// instead, and the whole drag is one step of undo. A card tells t and area of what is seen, holds the pad on which the path
+/// through the blossom is drawn, and switches the ladder of de Casteljau, which is computed in the background; a click on
+/// one of its legs shows the shape there.
 class MorphTool final : public ui::HandleTool {
   Q_OBJECT
  public:
@@ -30,11 +32,13 @@ class MorphTool final : public ui::HandleTool {
   [[nodiscard]] QString hint() const override;
   bool press(const ui::ToolEvent&) override;
   bool move(const ui::ToolEvent&) override;
+  bool release(const ui::ToolEvent&) override;
   bool doubleClick(const ui::ToolEvent&) override;
   bool key(const QKeyEvent&) override;
   void keysLost() override;
   void documentChanged() override;
   void frameMoved() override;
+  void revert() override;
   [[nodiscard]] bool entering() const override { return typing_; }
   [[nodiscard]] std::vector<vtkSmartPointer<vtkProp>> props() const override;
 
@@ -77,6 +81,8 @@ class MorphTool final : public ui::HandleTool {
   [[nodiscard]] Placement dragged(const Handle&, const ui::ToolEvent&, const Vec2& at) const;
   void follow(const Placement&);
   [[nodiscard]] Document with(const std::vector<Placement>&) const;
+  [[nodiscard]] Document coarser(const Document&) const;
+  [[nodiscard]] double coarseTolerance() const;
 
   // Numbers that are typed.
   bool typingKey(const QKeyEvent&);
@@ -97,12 +103,30 @@ class MorphTool final : public ui::HandleTool {
   [[nodiscard]] QString figures(const Region*);
   [[nodiscard]] QString ladderNote(const Value& parameters) const;
 
+  // A leg of the ladder.
+  [[nodiscard]] std::vector<Vec2> centres() const;
+  [[nodiscard]] std::optional<LadderLeg> legUnder(const ui::ToolEvent&) const;
+  [[nodiscard]] const LadderShape* shapeOn(const LadderLeg&) const;
+  [[nodiscard]] QString legNote() const;
+  void forgetLostLeg();
+
+  // The path through the blossom.
+  void connectPad();
+  void setPathOpen(bool open);
+  [[nodiscard]] bool hasPath(const Value& parameters) const;
+  void refreshPad(const Value& parameters);
+  void previewPath();
+  void keepPath();
+  void putPathBack();
+  [[nodiscard]] Document with(const PathPoints&) const;
+
   // What is said and drawn.
   [[nodiscard]] QString heldHint(const Handle&) const;
   [[nodiscard]] QString hoverHint(const Handle&) const;
   [[nodiscard]] QString valueText(const Handle&) const;
   [[nodiscard]] QString offsetText(const Vec2&) const;
   void drawLadder(std::vector<vtkSmartPointer<vtkProp>>&) const;
+  void drawLeg(std::vector<vtkSmartPointer<vtkProp>>&) const;
   void drawShapes(std::vector<vtkSmartPointer<vtkProp>>&) const;
   void drawRing(std::vector<vtkSmartPointer<vtkProp>>&, std::size_t shape) const;
 
@@ -127,6 +151,9 @@ class MorphTool final : public ui::HandleTool {
   const Region* measuredRegion_ = nullptr;  ///< of it
   double area_ = 0;                         ///< mm^2, of that
   std::shared_ptr<const LadderLines> ladder_;
+  std::optional<LadderLeg> legHovered_, legShown_;
+  bool legPressed_ = false;
+  bool drawingPath_ = false;  ///< it is previewed
   LadderLoader loader_;
 };
 

@@ -12,7 +12,6 @@
 #include "kernel/morph/shape_spline.h"
 #include "manipulators/influence_chart.h"
 #include "manipulators/morph_card.h"
-#include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
 #include "ui/look/text.h"
 
@@ -27,11 +26,13 @@ void MorphTool::makeCard() {
     habits_.influences = on;
     refreshCard();
   });
+  connectPad();
   card_->show();
 }
 
 void MorphTool::setLadder(bool on) {
   habits_.ladder = on;
+  if (!on) legShown_.reset();
   refreshCard();
   emit changed();
 }
@@ -58,13 +59,13 @@ const Shape& MorphTool::shapeSeen(const Shape& shape) const {
 }
 
 /// The t of the frame that is seen when the morph makes frames itself; in a sequence that comes from its control shapes all
-/// frames have the same.
+/// frames have the same. As many frames count as the document asks for: while something is dragged there may be fewer.
 std::optional<double> MorphTool::timeSeen(const Value& parameters) const {
   const auto result = host().result(feature());
-  const Sequence* sequence = result && !result->error ? result->evaluated.shape.get<Sequence>() : nullptr;
-  if (!sequence || parameters.at("frames").get<int>() == 0 || sequence->times.empty()) return std::nullopt;
-  const int count = static_cast<int>(sequence->times.size());
-  return sequence->times[static_cast<std::size_t>(std::clamp(host().shownFrame(count), 0, count - 1))];
+  const bool sequence = result && !result->error && result->evaluated.shape.get<Sequence>();
+  const int count = parameters.at("frames").get<int>();
+  if (!sequence || count == 0) return std::nullopt;
+  return timeOfFrame(parameters, std::clamp(host().shownFrame(count), 0, count - 1), count);
 }
 
 /// The area is computed once for each shape that is seen, however often the mouse moves.
@@ -83,9 +84,11 @@ QString MorphTool::figures(const Region* seen) {
 }
 
 QString MorphTool::ladderNote(const Value& parameters) const {
+  if (habits_.path && !hasPath(parameters)) return tr("A morph with a degree or knots has no path.");
   if (!habits_.ladder) return {};
   if (!hasLadder(parameters)) return tr("A morph with knots has no ladder.");
   if (controls_.size() < 3) return tr("Three control shapes or more have a ladder.");
+  if (const QString leg = legNote(); !leg.isEmpty()) return leg;
   return ladder_ && !ladder_->complete ? tr("Some of the ladder takes too long to be drawn.") : QString();
 }
 
@@ -104,6 +107,7 @@ void MorphTool::refreshCard() {
   const auto result = host().result(feature());
   card_->setFigures(figures(result && !result->error ? shapeSeen(result->evaluated.shape).get<Region>() : nullptr));
   card_->setLadder(habits_.ladder);
+  refreshPad(parameters);
   card_->setNote(ladderNote(parameters));
   showInfluences(parameters);
 }
@@ -126,6 +130,7 @@ void MorphTool::askLadder(const Value& parameters) {
   const bool possible = controls_.size() > 2 && levels_.size() + 1 == controls_.size() && hasLadder(parameters);
   if (!habits_.ladder || !possible) {
     ladder_.reset();
+    forgetLostLeg();
     return loader_.ask(std::nullopt);
   }
   LadderQuestion question;

@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 
 #include "core/error.h"
-#include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
 
 namespace blossom::minkowski {

@@ -10,7 +10,6 @@
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
 #include "manipulators/control_colors.h"
-#include "manipulators/morph_ladder.h"
 #include "manipulators/morph_tool.h"
 #include "ui/tools/view_props.h"
 
@@ -97,6 +96,9 @@ QString MorphTool::hint() const {
   if (!refusal_.isEmpty()) return refusal_;
   if (held()) return heldHint(handleOf(*held()));
   if (hovered()) return hoverHint(handleOf(*hovered()));
+  if (legHovered_)
+    return legHovered_ == legShown_ ? tr("Click to show the whole ladder again")
+                                    : tr("Click to show the shape on this leg of the ladder");
   return tr(
       "Drag the number of a control shape to move it, the square or the dot on its ring to scale or turn it · L: ladder");
 }
@@ -108,15 +110,17 @@ void MorphTool::drawLadder(std::vector<vtkSmartPointer<vtkProp>>& props) const {
   const Look& look = host().look();
   const auto ghost = [&](std::size_t level) {
     const Color color = mixed(look.control, look.made, static_cast<double>(level + 1) / std::max(count, 1.0));
-    return mixed(color, look.backgroundBottom, 0.4);
+    return mixed(color, look.backgroundBottom, legShown_ ? 0.75 : 0.4);
   };
-  for (std::size_t r = 0; r < ladder_->levels.size(); ++r)
-    props.push_back(ui::linesProp(ladder_->levels[r], ghost(r), pixel));
-  std::vector<Vec2> centres;
-  for (std::size_t i = 0; i < controls_.size(); ++i) centres.push_back(centreOf(i));
-  const auto polygons = ladderOfPoints(std::move(centres), levels_);
+  for (std::size_t r = 0; r < ladder_->levels.size(); ++r) {
+    std::vector<std::vector<Vec3>> lines;
+    for (const LadderShape& shape : ladder_->levels[r]) lines.insert(lines.end(), shape.lines.begin(), shape.lines.end());
+    props.push_back(ui::linesProp(lines, ghost(r), pixel));
+  }
+  const auto polygons = ladderOfPoints(centres(), levels_);
   for (std::size_t r = 0; r < std::min(polygons.size(), ladder_->levels.size()); ++r)
     props.push_back(ui::linesProp({polygons[r]}, ghost(r), 0.75 * pixel));
+  drawLeg(props);
 }
 
 void MorphTool::drawShapes(std::vector<vtkSmartPointer<vtkProp>>& props) const {

@@ -2,24 +2,12 @@
 #include <span>
 #include <vector>
 
+#include "core/ease.h"
 #include "geometry/shape/shape.h"
 
 /// Frames of sequences in time. The frames themselves are shared, never computed. A sequence without a time for each frame
 /// counts as evenly spread from 0 to 1.
 namespace blossom::modeling {
-
-/// How the way through a sequence grows with the time s, both from 0 to 1.
-enum class Ease {
-  Linear,  ///< s
-  In,      ///< s^2: it begins slowly
-  Out,     ///< 1 - (1-s)^2: it ends slowly
-  InOut    ///< 3 s^2 - 2 s^3, the smoothstep: both
-};
-
-/// The way done at a time, which is taken into 0..1.
-double easedWay(Ease, double time);
-/// Its inverse, in closed form.
-double easedTime(Ease, double way);
 
 /// One time for each frame.
 std::vector<double> frameTimes(const Sequence&);

@@ -1,0 +1,61 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "document/document.h"
+#include "document/evaluator.h"
+
+namespace blossom::ui {
+
+/// What is shown while something is dragged: the document itself as long as its results come within the frame budget, else
+/// results of a coarser one, until the hand rests. One coarse document is computed at a time and the newest waits: the shape
+/// goes on to follow, however long one takes.
+class DragDetail final : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr double frameBudget = 33;  ///< ms
+  static constexpr int restMs = 100;         ///< after the last movement
+
+  using Coarser = std::function<Document(const Document&)>;
+  /// Shows a document; with the results of the second one, if there is one.
+  using Send = std::function<void(const Document&, std::optional<Document> coarser)>;
+  using Newest = std::function<std::shared_ptr<const FeatureResult>()>;  ///< result of what is dragged
+
+  DragDetail(Send, Newest);
+
+  /// @param coarser not set: there is none
+  void show(Document, const Coarser& coarser);
+  /// Call it whenever a result may have come.
+  void resultsChanged();
+  /// The drag is over: nothing is shown any more.
+  void end();
+
+  [[nodiscard]] double budget() const { return budget_; }
+  void setBudget(double milliseconds) { budget_ = milliseconds; }
+  [[nodiscard]] int coarseSent() const { return coarseSent_; }  ///< how often a coarser document was computed
+
+ private:
+  enum class Sent { Nothing, Whole, Coarse };
+
+  void look();
+  void send(bool coarse);
+
+  Send send_;
+  Newest newest_;
+  double budget_ = frameBudget;
+  bool slow_ = false;
+  std::optional<Document> wanted_;
+  Coarser coarser_;
+  bool unsent_ = false;  ///< `wanted_` is newer than what was sent
+  Sent underWay_ = Sent::Nothing;
+  std::shared_ptr<const FeatureResult> before_;  ///< the newest when it was sent
+  QElapsedTimer since_;
+  QTimer rest_;
+  int coarseSent_ = 0;
+};
+
+}  // namespace blossom::ui

@@ -289,8 +289,9 @@ class MinkowskiCliTest : public QObject {
   void curvesAndPointsAreAdded() {
     QFile file(folder_.filePath("hook.svg"));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='20mm' viewBox='0 0 20 20'>"
-               "<path fill='none' stroke='black' d='M0 0H20'/></svg>");
+    file.write(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='20mm' viewBox='0 0 20 20'>"
+        "<path fill='none' stroke='black' d='M0 0H20'/></svg>");
     file.close();
     const Answer stadium = blossom({"minkowski-sum", "hook.svg", "circle:2", "-o", "stadium.dxf"});
     COMPARE_NEAR(stadium.result("area"), 80 + 4 * pi, 1e-9);
@@ -308,7 +309,8 @@ class MinkowskiCliTest : public QObject {
 
   /// Nothing is a shape: what is made of it says so.
   void nothingIsLeft() {
-    const Answer none = blossom({"minkowski-difference", "rectangle:4:3", "circle:5", "-o", "none.svg", "-o", "none.blossom"});
+    const Answer none =
+        blossom({"minkowski-difference", "rectangle:4:3", "circle:5", "-o", "none.svg", "-o", "none.blossom"});
     QCOMPARE(none.code, 0);
     QCOMPARE(none.result("area"), 0.0);
     QVERIFY(none.json["stats"]["empty"].get<bool>() && none.json["warnings"].size() == 1);

@@ -64,18 +64,6 @@ Region moved(const Region& region, const Vec2& by, double turn) {
   return image;
 }
 
-Region roomByPolygons(const Region& outline, double r) {
-  Effort unlimited;
-  const Polygons a = flattened(outline, {.tolerance = 1e-4}, "a"), b = flattened(circleRegion(r), {.tolerance = 1e-4}, "b");
-  return minkowski::toRegion(difference(a, b, Progress::none(), unlimited));
-}
-
-double distanceToSide(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 along = to - from;
-  const double t = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (from + t * along - p).norm();
-}
-
 }  // namespace
 
 /// Lines and arcs stay lines and arcs.
@@ -385,42 +373,6 @@ class MinkowskiCurvesTest : public QObject {
     const SoundRegion room = difference(plate, disc, Progress::none(), unlimited);
     const double outside = 39 * 19, lens = 2 * (6.25 * std::acos(2 / 2.5) - 2 * 1.5);
     COMPARE_NEAR(area(room.region), outside - 2 * pi * 6.25 + lens, 0.05);
-  }
-
-  /// Smooth room where the outline bends less than the disc: few splines, near what fine polygons give, and every point far
-  /// enough from the outline.
-  void roomInFreeFormOutlines() {
-    Random random = seededRandom();
-    int rooms = 0, smooth = 0, all = 0, within = 0;
-    for (int k = 0; k < 12; ++k) {
-      const Region outline = freeRegion(random, 10);
-      const double r = uniform(random, 0.3, 1.5), tolerance = 1e-3;
-      const auto roomWithin = [&](double t) {
-        return minkowskiDifference(std::vector<Region>{outline, circleRegion(r)}, {.tolerance = t}).region;
-      };
-      const Region room = roomWithin(tolerance);
-      if (room.loops.empty()) continue;
-      ++rooms;
-      const double fine = area(roomByPolygons(outline, r));
-      COMPARE_NEAR(area(room), fine, 4 * tolerance * wayAround(room));
-      smooth += hasSplines(room) && segmentCountOf(room) < 60 ? 1 : 0;  // polygons have some hundred
-      if (rooms > 3) continue;                                          // measuring takes long
-      const std::vector<Vec2> rim = flatten(outline.loops.front(), 1e-5);
-      for (const Path& loop : room.loops)
-        for (const Segment& segment : loop.segments) {
-          const std::vector<Vec2> points = flatten(segment, 1e-3);
-          for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 20) {
-            double nearest = INFINITY;
-            for (std::size_t j = 0; j < rim.size(); ++j)
-              nearest = std::min(nearest, distanceToSide(points[i], rim[j], rim[(j + 1) % rim.size()]));
-            QVERIFY2(nearest >= r - tolerance, qPrintable(QString::number(r - nearest)));
-            within += nearest >= r - tolerance / 20 ? 1 : 0;
-            ++all;
-          }
-        }
-    }
-    QVERIFY(rooms > 5 && smooth > rooms / 4);
-    QVERIFY(within > 0.97 * all);  // near corners alone it is on the outer side at all
   }
 };
 

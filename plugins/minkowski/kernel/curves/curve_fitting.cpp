@@ -222,9 +222,8 @@ class RingFitter {
     const auto add = [&](std::size_t side, const FreePoint& end) {
       if (!end.isOnCurve) return;
       const Vec2 along = alongRun(run, side, end.normal);
-      const Vec2 place = end.at + fitting_.away * unitAt(end.normal);
-      const bool beforeEnd = side + 2 < run.sides.size() || (to - place).dot(along) > fitting_.rounding;
-      if (beforeEnd && (place - points.back().at).dot(along) > fitting_.rounding) points.push_back({place, along});
+      const bool beforeEnd = side + 2 < run.sides.size() || (to - end.at).dot(along) > fitting_.rounding;
+      if (beforeEnd && (end.at - points.back().at).dot(along) > fitting_.rounding) points.push_back({end.at, along});
     };
     for (std::size_t i = 0; i < run.sides.size(); ++i) {
       const FreeSide& side = run.sides[i];
@@ -238,7 +237,6 @@ class RingFitter {
 
   /// Whether a spline stays near the corners of its run: hollow sides that cross make corners that no spline follows.
   [[nodiscard]] bool followsCorners(const Run& run, const Segment& spline) const {
-    if (fitting_.away == 0) return true;
     const std::vector<Vec2> points = flatten(spline, splineShare * fitting_.gap);
     std::size_t at = 0;
     for (const Vec2& corner : run.corners) {

@@ -20,9 +20,6 @@ struct CurveFitting {
   double rounding = 0;  ///< mm within which points are one
   double reach = 0;     ///< mm from a corner of the polygons to the same corner on the curves, at most
   double gap = 0;       ///< mm between the ends of curves that miss each other, at most; they are joined by a line
-  /// mm by which free-form curves are moved away from the material, along their normals; above 0 they are also held to the
-  /// corners of the polygons, which they may leave by half of the gap
-  double away = 0;
 };
 
 /// Parts bounded by the curves that the sides of rings stand for: sides of one curve become one segment, and where the curve

@@ -73,16 +73,6 @@ SoundRegion sumBy(const SampledPair* kept, const SoundRegion& a, const SoundRegi
   return {fittedSum(a, b, {.kept = kept}, progress, effort), tolerance};
 }
 
-/// What the sum of free-form regions leaves out, as splines. Nothing where they do not follow the polygons: finer ones would
-/// hardly help, for what has corners is at fault.
-std::optional<Region> smoothRoom(SoundRegion around, SoundRegion turned, const Progress& progress, Effort& effort) {
-  constexpr double ofPolygons = 0.25;  // splines leave the polygons by up to twice their tolerance
-  around.tolerance *= ofPolygons;
-  turned.tolerance *= ofPolygons;
-  SampledPair pair = sampledPair(around, turned, 1, Sampling::Chords, progress);
-  return SampledSum(std::move(pair), around.tolerance + turned.tolerance, Inside::Hollow, progress, effort).curves(progress);
-}
-
 }  // namespace
 
 SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {
@@ -101,11 +91,9 @@ SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progres
   if (!hasCurves(a.region) && !hasCurves(b.region))
     return {toRegion(difference(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
   const bool free = hasSplines(a.region) || hasSplines(b.region);
-  if (const auto around = complement(a, extentOf(b).sizes(), progress)) {
-    const SoundRegion turned = scaled(b, -1);
-    if (!free) return {fittedSum(*around, turned, {Sampling::Around, Inside::Hollow}, progress, effort), tolerance};
-    if (auto room = smoothRoom(*around, turned, progress, effort)) return {*std::move(room), tolerance, false};
-  }
+  if (!free)
+    if (const auto around = complement(a, extentOf(b).sizes(), progress))
+      return {fittedSum(*around, scaled(b, -1), {Sampling::Around, Inside::Hollow}, progress, effort), tolerance};
   // By polygons on the safe side, whose loops may touch.
   const auto polygonsOf = [&](const SoundRegion& shape, Approximation side, const char* name) {
     const double within = std::min(shape.tolerance, defaultTolerance(shape.region));

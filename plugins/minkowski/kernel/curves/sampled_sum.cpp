@@ -22,7 +22,7 @@ CornerNumbers numbersOf(const SampledRegion& region, const Grid& grid) {
 }  // namespace
 
 SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const Progress& progress, Effort& effort)
-    : tolerance_(tolerance), inside_(inside) {
+    : tolerance_(tolerance) {
   const SnappedOperands operands = untangledTogether(pair, progress);
   a_ = std::move(pair.a);
   b_ = std::move(pair.b);
@@ -38,8 +38,7 @@ SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const 
 std::optional<Region> SampledSum::curves(const Progress& progress) const {
   const CurveFitting fitting{.rounding = std::max(roundingOf(a_, grid_), roundingOf(b_, grid_)),
                              .reach = 2 * (longestChord(a_) + longestChord(b_)),
-                             .gap = 4 * tolerance_,
-                             .away = inside_ == Inside::Hollow ? 4 * splineShare * tolerance_ : 0};
+                             .gap = 4 * tolerance_};
   const auto curveOf = [&](std::uint32_t edge) { return curveOfEdge(edges_[edge], fitting.rounding); };
   return fittedCurves(faces_, grid_, curveOf, fitting, progress);
 }

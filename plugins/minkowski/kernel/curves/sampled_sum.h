@@ -27,7 +27,6 @@ class SampledSum {
   [[nodiscard]] std::optional<TrueCurve> curveOfEdge(const CountedEdge&, double rounding) const;
 
   double tolerance_;
-  Inside inside_;  ///< what is left out of a sum is never drawn too large
   SampledRegion a_, b_;
   Grid grid_;
   PairSources sources_;

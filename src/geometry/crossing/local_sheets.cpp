@@ -42,12 +42,13 @@ class Ball {
       return along.squaredNorm() > longest * longest ||
              along.cross(middle - p).squaredNorm() > off * off * along.squaredNorm();
     };
-    DivisionMemory memory;
-    for (int round = 0; round < rounds && triangles.size() < many; ++round) {
+    const auto wanted = [&](const Triangle3& t) { return reaches(t); };
+    TriangleDivision division(points, triangles, sheets_, tooLong);
+    for (int round = 0; round < rounds && division.count() < many; ++round) {
       progress.check();
-      std::erase_if(triangles, [&](const SheetTriangle& t) { return !reaches(at(t)); });
-      if (!divideOnce(points, triangles, sheets_, tooLong, memory)) return;
+      if (!division.divideOnce(wanted)) break;
     }
+    triangles = division.triangles(wanted);
   }
 
   [[nodiscard]] Triangle3 at(const SheetTriangle& t) const {

@@ -19,8 +19,9 @@ SheetPatch patchOf(const SheetTriangle& t) {
 
 class Divider {
  public:
-  Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong, DivisionMemory& memory)
-      : points_(points), sheets_(sheets), tooLong_(tooLong), memory_(memory) {}
+  Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong, DivisionMemory& memory,
+          double fine = 0)
+      : points_(points), sheets_(sheets), tooLong_(tooLong), memory_(memory), fine_(fine) {}
 
   /// The middles of a patch's sides, to be asked for all patches before any is divided.
   void look(const SheetPatch& p) {
@@ -167,7 +168,7 @@ class Divider {
   }
 
   void look(const SideOf& s) {
-    if (memory_.isShort(keyOf(s))) return;
+    if (isShort(s)) return;
     const auto [found, isNew] = sides_.try_emplace(keyOf(s));
     Side& side = found->second;
     if (!isNew && side.face == s.face) return;
@@ -200,7 +201,7 @@ class Divider {
 
   /// The middle of a side, one point for all its patches.
   int middleOf(const SideOf& s) {
-    if (memory_.isShort(keyOf(s))) return undivided;
+    if (isShort(s)) return undivided;
     Side& side = sides_.at(keyOf(s));
     if (side.isKnown) return side.middle;
     side.isKnown = true;
@@ -215,18 +216,22 @@ class Divider {
 
   /// Of a diagonal, which is no side of anything else.
   [[nodiscard]] bool isLong(const SideOf& s) const {
-    if (memory_.isShort(keyOf(s))) return false;
+    if (isShort(s)) return false;
     if (tooLong_(pointAt(s.from), pointAt(s.to), placeOfMiddle(s, sideOn(s)))) return true;
     memory_.setShort(keyOf(s));
     return false;
   }
 
+  [[nodiscard]] bool isShort(const SideOf& s) const {
+    return (pointAt(s.to) - pointAt(s.from)).squaredNorm() <= fine_ * fine_ || memory_.isShort(keyOf(s));
+  }
   [[nodiscard]] const Vec3& pointAt(int k) const { return points_[static_cast<std::size_t>(k)]; }
 
   std::vector<Vec3>& points_;
   const SmoothSheets& sheets_;
   const SideJudge& tooLong_;
   DivisionMemory& memory_;
+  double fine_;
   std::unordered_map<std::uint64_t, Side> sides_;
 };
 
@@ -252,8 +257,8 @@ std::vector<SheetTriangle> SheetPatch::triangles() const {
 }
 
 TriangleDivision::TriangleDivision(std::vector<Vec3>& points, const std::vector<SheetTriangle>& triangles,
-                                   const SmoothSheets& sheets, SideJudge tooLong)
-    : points_(points), sheets_(sheets), tooLong_(std::move(tooLong)) {
+                                   const SmoothSheets& sheets, SideJudge tooLong, double fine)
+    : points_(points), sheets_(sheets), tooLong_(std::move(tooLong)), fine_(fine) {
   open_.reserve(triangles.size());
   for (const SheetTriangle& t : triangles) open_.push_back(patchOf(t));
 }
@@ -265,7 +270,7 @@ bool TriangleDivision::isWanted(const SheetPatch& p, const Wanted& wanted) const
 
 bool TriangleDivision::divideOnce(const Wanted& wanted) {
   std::erase_if(open_, [&](const SheetPatch& p) { return !isWanted(p, wanted); });
-  Divider divider(points_, sheets_, tooLong_, memory_);
+  Divider divider(points_, sheets_, tooLong_, memory_, fine_);
   for (const SheetPatch& p : open_) divider.look(p);
   std::vector<SheetPatch> made;
   made.reserve(2 * open_.size());

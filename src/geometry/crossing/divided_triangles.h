@@ -60,7 +60,9 @@ class TriangleDivision {
   using Wanted = std::function<bool(const std::array<Vec3, 3>&)>;
 
   /// Middles are appended to `points`, which must outlive this.
-  TriangleDivision(std::vector<Vec3>& points, const std::vector<SheetTriangle>&, const SmoothSheets&, SideJudge);
+  /// @param fine mm: sides up to that length are left as they are without a look at the faces, which takes most of the time
+  TriangleDivision(std::vector<Vec3>& points, const std::vector<SheetTriangle>&, const SmoothSheets&, SideJudge,
+                   double fine = 0);
 
   /// One round over what is wanted and not finished; the rest of it is dropped. @returns whether there was any to divide.
   /// About O(n) for n unfinished ones.
@@ -74,6 +76,7 @@ class TriangleDivision {
   std::vector<Vec3>& points_;
   const SmoothSheets& sheets_;
   SideJudge tooLong_;
+  double fine_;
   DivisionMemory memory_;
   std::vector<SheetPatch> open_, finished_;
 };

@@ -42,8 +42,9 @@ class Ball {
     });
   }
 
-  /// Halves the sides that are longer than `longest` or farther than `off` from the smooth face, as often as it takes.
-  void divide(double longest, double off, const Progress& progress) {
+  /// Halves the sides that are longer than `longest` or farther than `off` from the smooth face, as often as it takes; those
+  /// up to `fine` are not looked at.
+  void divide(double longest, double off, double fine, const Progress& progress) {
     constexpr int rounds = 14;
     constexpr std::size_t many = 20000;
     const auto tooLong = [&](const Vec3& p, const Vec3& q, const Vec3& middle) {
@@ -52,7 +53,7 @@ class Ball {
              along.cross(middle - p).squaredNorm() > off * off * along.squaredNorm();
     };
     const auto wanted = [&](const Triangle3& t) { return reaches(t); };
-    TriangleDivision division(points, triangles, sheets_, tooLong);
+    TriangleDivision division(points, triangles, sheets_, tooLong, fine);
     for (int round = 0; round < rounds && division.count() < many; ++round) {
       progress.check();
       if (!division.divideOnce(wanted)) break;
@@ -257,10 +258,11 @@ Vec3 smoothNormal(const SmoothSheets& smooth, const SheetTriangle& onFace, const
 /// @param near mm, how far the steps may end off that point  @returns nothing when they go astray
 std::optional<double> projectedHeight(const SmoothSheets& smooth, const SheetTriangle& onFace, const Triangle3& t,
                                       const Vec3& foot, const Vec3& p, double near) {
-  constexpr int steps = 5;
+  constexpr int steps = 8;
   constexpr double arrived = 1e-3, damping = 1e-9;
   Vec2 at = parametersBeside(onFace, t, foot, 0.02);
   SurfaceFrame frame = smooth.frame(onFace.face, at);
+  double share = 1;  // of the step that the tangent plane suggests; less where the face bends more than that tells
   for (int step = 0; step < steps; ++step) {
     const Vec3 d = p - frame.point;
     const double uu = frame.du.squaredNorm(), uv = frame.du.dot(frame.dv), vv = frame.dv.squaredNorm();
@@ -268,10 +270,15 @@ std::optional<double> projectedHeight(const SmoothSheets& smooth, const SheetTri
     if (!(whole > 0)) break;
     const double x = frame.du.dot(d), y = frame.dv.dot(d);
     const Vec2 move((b * x - uv * y) / whole, (a * y - uv * x) / whole);
-    const double length = (move.x() * frame.du + move.y() * frame.dv).norm();
-    if (length <= arrived * near) break;
-    at += move;
-    frame = smooth.frame(onFace.face, at);
+    if ((move.x() * frame.du + move.y() * frame.dv).norm() <= arrived * near) break;
+    const SurfaceFrame next = smooth.frame(onFace.face, at + share * move);
+    if (!((p - next.point).squaredNorm() < d.squaredNorm())) {
+      share /= 4;
+      continue;
+    }
+    at += share * move;
+    frame = next;
+    share = 1;
   }
   const Vec3 d = p - frame.point;
   if (!d.allFinite() || (frame.point - foot).norm() > near) return {};
@@ -405,7 +412,7 @@ const SheetSurroundings::Divided& SheetSurroundings::around(const Vec3& middle, 
   for (const std::unique_ptr<Divided>& each : divided_)
     if (each->radius == radius && each->off == off && (each->middle - middle).norm() <= same * radius) return *each;
   Ball ball(mesh_, smooth_, middle, radius);
-  ball.divide(radius / 4, off, progress);
+  ball.divide(radius / 4, off, 0, progress);
   auto made = std::make_unique<Divided>(std::move(ball), middle, radius, off);
   if (divided_.size() == most) divided_.erase(divided_.begin());
   return *divided_.emplace_back(std::move(made));
@@ -425,7 +432,11 @@ bool SheetSurroundings::hangTogether(const SheetMeeting& meeting, double radius)
 SheetSurroundings::Sketch SheetSurroundings::sketchAt(const SheetMeeting& meeting, double radius,
                                                       const Progress& progress) const {
   Ball ball(mesh_, smooth_, meeting.point, radius);
-  ball.divide(radius / 4, radius / 16, progress);
+  // Many triangles lie close enough one beside the other, be they long.
+  constexpr std::size_t many = 2000;
+  const double longest = ball.triangles.size() < many ? radius / 4 : radius / 2;
+  const double off = radius / 16;
+  ball.divide(longest, off, mesh_.chord <= off ? longest : 0, progress);
   const Sheets sheets(ball);
   const double slack = mesh_.chord + radius / 16;
   const auto first = sheets.triangleAt(meeting.first, meeting.point, slack),

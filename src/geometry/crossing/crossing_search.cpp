@@ -119,6 +119,7 @@ class Examiner {
       if (!result.deepest || *depth > result.deepest->depth)
         result.deepest = SurfaceCrossing{meeting->point, meeting->first, meeting->second, *depth};
     }
+    result.divided = around_.trianglesDivided();
     return result;
   }
 

@@ -413,6 +413,7 @@ const SheetSurroundings::Divided& SheetSurroundings::around(const Vec3& middle, 
     if (each->radius == radius && each->off == off && (each->middle - middle).norm() <= same * radius) return *each;
   Ball ball(mesh_, smooth_, middle, radius);
   ball.divide(radius / 4, off, 0, progress);
+  trianglesDivided_ += ball.triangles.size();
   auto made = std::make_unique<Divided>(std::move(ball), middle, radius, off);
   if (divided_.size() == most) divided_.erase(divided_.begin());
   return *divided_.emplace_back(std::move(made));
@@ -429,14 +430,14 @@ bool SheetSurroundings::hangTogether(const SheetMeeting& meeting, double radius)
   return first && second && sheets.sheetOf(*first) == sheets.sheetOf(*second);
 }
 
-SheetSurroundings::Sketch SheetSurroundings::sketchAt(const SheetMeeting& meeting, double radius,
-                                                      const Progress& progress) const {
+SheetSurroundings::Sketch SheetSurroundings::sketchAt(const SheetMeeting& meeting, double radius, const Progress& progress) {
   Ball ball(mesh_, smooth_, meeting.point, radius);
   // Many triangles lie close enough one beside the other, be they long.
   constexpr std::size_t many = 2000;
   const double longest = ball.triangles.size() < many ? radius / 4 : radius / 2;
   const double off = radius / 16;
   ball.divide(longest, off, mesh_.chord <= off ? longest : 0, progress);
+  trianglesDivided_ += ball.triangles.size();
   const Sheets sheets(ball);
   const double slack = mesh_.chord + radius / 16;
   const auto first = sheets.triangleAt(meeting.first, meeting.point, slack),

@@ -42,7 +42,10 @@ class SheetSurroundings {
     double lesser = 0;               ///< mm, no sheet reaches farther on both sides of the other
     double least = 0, greatest = 0;  ///< mm, how far either leaves the other: the sheet that leaves it less, and more
   };
-  Sketch sketchAt(const SheetMeeting&, double radius, const Progress&) const;
+  Sketch sketchAt(const SheetMeeting&, double radius, const Progress&);
+
+  /// Triangles of all balls so far.
+  [[nodiscard]] std::size_t trianglesDivided() const { return trianglesDivided_; }
 
  private:
   struct Divided;
@@ -51,6 +54,7 @@ class SheetSurroundings {
   const SheetMesh& mesh_;
   const SmoothSheets& smooth_;
   std::vector<std::unique_ptr<Divided>> divided_;  ///< the latest last
+  std::size_t trianglesDivided_ = 0;
 };
 
 }  // namespace blossom

@@ -40,8 +40,8 @@ class DivisionMemory {
   std::unordered_set<Key> short_;  ///< sides that are not too long
 };
 
-/// A triangle, or a strip of two: four corners, the sides from the first to the second and from the third to the fourth of
-/// which were halves of longer ones. Its diagonal runs from the first corner to the third.
+/// A triangle, or a strip of two between halves of long sides: four corners in order. The diagonal of a strip runs from its
+/// first corner to the third.
 struct SheetPatch {
   std::array<int, 4> corners{};
   std::array<Vec2, 4> at;  ///< parameters of the corners on the face

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "geometry/crossing/local_sheets.h"
 
@@ -47,6 +49,47 @@ double longestSide(const std::array<Vec3, 3>& t) {
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
 }
 
+/// Balls around a meeting of tangent sheets, each twice as wide as the one before, as long as the sheets are two in them.
+class TangentBalls {
+ public:
+  TangentBalls(SheetSurroundings& around, const SheetMeeting& meeting, double first, double widest, const Progress& progress)
+      : around_(around), meeting_(meeting), first_(first), progress_(progress) {
+    while (radius(count_) <= widest && !around.hangTogether(meeting, radius(count_))) ++count_;
+    sketches_.resize(count_);
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] double radius(std::size_t k) const { return std::ldexp(first_, static_cast<int>(k)); }
+  const SheetSurroundings::Sketch& sketch(std::size_t k) {
+    if (!sketches_[k]) sketches_[k] = around_.sketchAt(meeting_, radius(k), progress_);
+    return *sketches_[k];
+  }
+
+  /// The first ball in which the sheets leave one another. What keeps within `together` in a ball does so in narrower ones,
+  /// so that few of them need be looked at.
+  std::size_t firstParted(double together) {
+    const auto isTogether = [&](std::size_t k) { return sketch(k).apart && sketch(k).greatest <= together; };
+    std::size_t low = 0, high = count_;  // below `low` together, from `high` on perhaps not
+    for (std::size_t k = count_; low < high; k = (low + high) / 2) {
+      if (k == count_) k = count_ - 1;
+      (isTogether(k) ? low = k + 1 : high = k);
+    }
+    togetherAtFirst_ = low > 0;
+    return low;
+  }
+  /// Asked after firstParted.
+  [[nodiscard]] bool partAtOnce() const { return !togetherAtFirst_; }
+
+ private:
+  SheetSurroundings& around_;
+  const SheetMeeting& meeting_;
+  double first_;
+  const Progress& progress_;
+  std::size_t count_ = 0;
+  std::vector<std::optional<SheetSurroundings::Sketch>> sketches_;
+  bool togetherAtFirst_ = false;
+};
+
 class Examiner {
  public:
   Examiner(const SheetMesh& mesh, const SmoothSheets& sheets, const CrossingOptions& o, const Progress& progress)
@@ -76,6 +119,7 @@ class Examiner {
       if (!result.deepest || *depth > result.deepest->depth)
         result.deepest = SurfaceCrossing{meeting->point, meeting->first, meeting->second, *depth};
     }
+    result.divided = around_.trianglesDivided();
     return result;
   }
 
@@ -84,8 +128,14 @@ class Examiner {
     const SheetTriangle &a = mesh_.triangles[pair.first], &b = mesh_.triangles[pair.second];
     const auto atA = mesh_.at(a), atB = mesh_.at(b);
     const double reach = 2 * (longestSide(atA) + longestSide(atB));
-    return meet(sheets_, {a.face, parametersAt(a, atA, pair.place)}, {b.face, parametersAt(b, atB, pair.place)}, reach,
-                mesh_.size);
+    auto meeting = meet(sheets_, {a.face, parametersAt(a, atA, pair.place)}, {b.face, parametersAt(b, atB, pair.place)},
+                        reach, mesh_.size);
+    if (!meeting) return {};
+    // Beyond a seam another surface goes on.
+    const auto inside = [&](const SheetPlace& p) { return SheetPlace{p.face, sheets_.withinDomain(p.face, p.at)}; };
+    const SheetPlace first = inside(meeting->first), second = inside(meeting->second);
+    if (first.at == meeting->first.at && second.at == meeting->second.at) return meeting;
+    return meet(sheets_, first, second, reach, mesh_.size);
   }
 
   /// Of one face, too: neighbours whose triangles touch because a corner of one lies on a side of the other.
@@ -93,7 +143,7 @@ class Examiner {
     constexpr double same = 1e-6;  // of the size
     if (meeting.first.face != meeting.second.face) return false;
     const SurfaceFrame frame = sheets_.frame(meeting.first.face, meeting.first.at);
-    const Vec2 apart = (meeting.second.at - meeting.first.at).cwiseAbs();
+    const Vec2 apart = sheets_.apart(meeting.first.face, meeting.first.at, meeting.second.at);
     return apart.x() * frame.du.norm() + apart.y() * frame.dv.norm() <= same * mesh_.size;
   }
 
@@ -137,18 +187,25 @@ class Examiner {
   /// part has one of them on one side only. Wider ones may hold parts of it that come round the border of the other.
   [[nodiscard]] std::optional<double> depthOfTangent(const SheetMeeting& meeting) {
     const double needed = neededReach * depth_;
+    TangentBalls balls(around_, meeting, 2 * depth_, shareOfSize * mesh_.size, progress_);
+    if (balls.count() == 0) return {};
     std::optional<double> found;
-    double radius = 2 * depth_;
-    for (int worse = 0; radius <= shareOfSize * mesh_.size && worse < 2; radius *= 2) {
+    int worse = 0;
+    for (std::size_t k = balls.firstParted(0.5 * clearOfError * leastOff * depth_); k < balls.count() && worse < 2; ++k) {
+      const double radius = balls.radius(k), through = clearOfError * offIn(radius), before = found.value_or(0);
+      const auto& sketch = balls.sketch(k);
+      if (before <= 0 && sketch.apart && sketch.lesser < 0.5 * through) {
+        found = 0;
+        if (sketch.least >= 2 * needed) break;
+        continue;
+      }
       const Passage passage = passageIn(meeting, radius);
       if (!passage.apart) break;
-      const bool through = passage.lesser >= clearOfError * offIn(radius) && passage.greater >= needed;
-      const double before = found.value_or(0);
-      found = through ? std::max(before, passage.lesser) : before;
+      found = passage.lesser >= through && passage.greater >= needed ? std::max(before, passage.lesser) : before;
       if (before > 0 && *found <= before) ++worse;
       if (*found >= deepEnough * depth_ || (*found <= 0 && passage.greater >= 2 * needed)) break;
     }
-    return found;
+    return found || !balls.partAtOnce() ? std::optional(found.value_or(0)) : found;
   }
 
   const SheetMesh& mesh_;

@@ -13,42 +13,26 @@ namespace {
 
 constexpr int undivided = -1;  // a side that is not halved
 
+SheetPatch patchOf(const SheetTriangle& t) {
+  return {{t.corners[0], t.corners[1], t.corners[2], 0}, {t.at[0], t.at[1], t.at[2], Vec2(0, 0)}, t.face, 3};
+}
+
 class Divider {
  public:
-  Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong, DivisionMemory& memory)
-      : points_(points), sheets_(sheets), tooLong_(tooLong), memory_(memory) {}
+  Divider(std::vector<Vec3>& points, const SmoothSheets& sheets, const SideJudge& tooLong, DivisionMemory& memory,
+          double fine = 0)
+      : points_(points), sheets_(sheets), tooLong_(tooLong), memory_(memory), fine_(fine) {}
 
-  /// The middles of a triangle's sides, to be asked for all triangles before any is divided.
-  void look(const SheetTriangle& t) {
-    for (std::size_t k = 0; k < 3; ++k) look(t, k);
+  /// The middles of a patch's sides, to be asked for all patches before any is divided.
+  void look(const SheetPatch& p) {
+    for (std::size_t k = 0; k < p.count; ++k) look(sideOf(p, k, (k + 1) % p.count));
   }
 
-  bool divide(const SheetTriangle& t, std::vector<SheetTriangle>& made) {
-    const std::array<int, 3> middle{middleOf(t, 0), middleOf(t, 1), middleOf(t, 2)};
-    const auto count = 3 - std::count(middle.begin(), middle.end(), undivided);
-    if (count == 0) {
-      made.push_back(t);
-      return false;
-    }
-    // Round the triangle, corners and middles.
-    std::vector<Corner> round;
-    for (std::size_t k = 0; k < 3; ++k) {
-      round.push_back({t.corners[k], t.at[k], false});
-      if (middle[k] != undivided) round.push_back({middle[k], endsOf(t, k).middle(), true});
-    }
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-      const Corner &x = round[a % round.size()], &y = round[b % round.size()], &z = round[c % round.size()];
-      made.push_back({{x.point, y.point, z.point}, {x.at, y.at, z.at}, t.face});
-    };
-    if (count == 3) {
-      add(5, 0, 1), add(1, 2, 3), add(3, 4, 5), add(1, 3, 5);
-      return true;
-    }
-    // A fan from a middle, across the corner between two of them.
-    std::size_t from = 0;
-    while (!round[from].isMiddle || (count == 2 && !round[(from + 2) % round.size()].isMiddle)) ++from;
-    for (std::size_t k = 1; k + 1 < round.size(); ++k) add(from, from + k, from + k + 1);
-    return true;
+  /// @returns whether the patch was divided; else it is finished
+  bool divide(const SheetPatch& p, std::vector<SheetPatch>& made) {
+    std::array<int, 4> middle{undivided, undivided, undivided, undivided};
+    for (std::size_t k = 0; k < p.count; ++k) middle[k] = middleOf(sideOf(p, k, (k + 1) % p.count));
+    return p.count == 3 ? divideTriangle(p, {middle[0], middle[1], middle[2]}, made) : divideStrip(p, middle, made);
   }
 
  private:
@@ -57,6 +41,84 @@ class Divider {
     Vec2 at;
     bool isMiddle = false;
   };
+
+  /// One side of a patch.
+  struct SideOf {
+    int face, from, to;
+    Vec2 atFrom, atTo;
+  };
+  static SideOf sideOf(const SheetPatch& p, std::size_t from, std::size_t to) {
+    return {p.face, p.corners[from], p.corners[to], p.at[from], p.at[to]};
+  }
+
+  bool divideTriangle(const SheetPatch& t, const std::array<int, 3>& middle, std::vector<SheetPatch>& made) {
+    const auto count = 3 - std::count(middle.begin(), middle.end(), undivided);
+    if (count == 0) return false;
+    // Round the triangle, corners and middles.
+    std::vector<Corner> round;
+    for (std::size_t k = 0; k < 3; ++k) {
+      round.push_back({t.corners[k], t.at[k], false});
+      if (middle[k] != undivided) round.push_back({middle[k], endsOf(sideOf(t, k, (k + 1) % 3)).middle(), true});
+    }
+    const auto corner = [&](std::size_t k) -> const Corner& { return round[k % round.size()]; };
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const Corner &x = corner(a), &y = corner(b), &z = corner(c);
+      made.push_back({{x.point, y.point, z.point, 0}, {x.at, y.at, z.at, Vec2(0, 0)}, t.face, 3});
+    };
+    if (count == 3) {
+      add(5, 0, 1), add(1, 2, 3), add(3, 4, 5), add(1, 3, 5);
+      return true;
+    }
+    // Across the corner between two middles; a fan from a single one.
+    std::size_t from = 0;
+    while (!round[from].isMiddle || (count == 2 && !corner(from + 2).isMiddle)) ++from;
+    add(from, from + 1, from + 2);
+    if (count == 1)
+      add(from, from + 2, from + 3);
+    else
+      addStrip(t.face, {corner(from), corner(from + 2), corner(from + 3), corner(from + 4)}, made);
+    return true;
+  }
+
+  bool divideStrip(const SheetPatch& p, const std::array<int, 4>& middle, std::vector<SheetPatch>& made) {
+    const auto count = 4 - std::count(middle.begin(), middle.end(), undivided);
+    const auto one = p.triangles();
+    if (count == 0) {
+      if (!isLong(sideOf(p, 0, 2))) return false;
+      for (const SheetTriangle& t : one) made.push_back(patchOf(t));
+      return true;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (count != 2 || middle[k] == undivided || middle[k + 2] == undivided) continue;
+      const std::array<std::size_t, 4> round{k, k + 1, (k + 2) % 4, (k + 3) % 4};
+      const auto corner = [&](std::size_t i) { return Corner{p.corners[round[i]], p.at[round[i]], false}; };
+      const auto middleAfter = [&](std::size_t i) {
+        return Corner{middle[round[i]], endsOf(sideOf(p, round[i], round[(i + 1) % 4])).middle(), true};
+      };
+      const Corner first = middleAfter(0), second = middleAfter(2);
+      addStrip(p.face, {corner(0), first, second, corner(3)}, made);
+      addStrip(p.face, {first, corner(1), corner(2), second}, made);
+      return true;
+    }
+    // Two triangles over the diagonal, which nothing halves in this round.
+    const auto half = [&](const SheetTriangle& t, int first, int second, int third) {
+      if (!divideTriangle(patchOf(t), {first, second, third}, made)) made.push_back(patchOf(t));
+    };
+    half(one[0], middle[0], middle[1], undivided);
+    half(one[1], undivided, middle[2], middle[3]);
+    return true;
+  }
+
+  /// Along the shorter diagonal.
+  void addStrip(int face, const std::array<Corner, 4>& c, std::vector<SheetPatch>& made) const {
+    const auto at = [&](std::size_t k) -> const Vec3& { return points_[static_cast<std::size_t>(c[k].point)]; };
+    const std::size_t turn = (at(3) - at(1)).squaredNorm() <= (at(2) - at(0)).squaredNorm() ? 1 : 0;
+    SheetPatch strip;
+    strip.face = face;
+    strip.count = 4;
+    for (std::size_t k = 0; k < 4; ++k) strip.corners[k] = c[(k + turn) % 4].point, strip.at[k] = c[(k + turn) % 4].at;
+    made.push_back(strip);
+  }
 
   /// A side that is halved, or not yet known to be.
   struct Side {
@@ -77,10 +139,10 @@ class Divider {
 
   /// At a pole, where a row of the face is one point, the parameter along that row means nothing: the one of the other end
   /// counts, so that the middle does not turn aside and fold its triangles.
-  [[nodiscard]] Ends endsOf(const SheetTriangle& t, std::size_t k) const {
+  [[nodiscard]] Ends endsOf(const SideOf& side) const {
     constexpr double still = 1e-6;  // of the speed at the other end
-    Ends ends{t.at[k], t.at[(k + 1) % 3]};
-    const SurfaceFrame a = frame(t.face, ends.from), b = frame(t.face, ends.to);
+    Ends ends{side.atFrom, side.atTo};
+    const SurfaceFrame a = frame(side.face, ends.from), b = frame(side.face, ends.to);
     const auto carryOver = [&](double fromSpeed, double toSpeed, Eigen::Index which) {
       if (fromSpeed <= still * toSpeed) ends.from[which] = ends.to[which];
       if (toSpeed <= still * fromSpeed) ends.to[which] = ends.from[which];
@@ -90,26 +152,29 @@ class Divider {
     return ends;
   }
 
-  static DivisionMemory::Key keyOf(const SheetTriangle& t, std::size_t k) {
-    const std::size_t l = (k + 1) % 3;
-    const auto low = static_cast<std::uint64_t>(std::min(t.corners[k], t.corners[l])),
-               high = static_cast<std::uint64_t>(std::max(t.corners[k], t.corners[l]));
+  static DivisionMemory::Key keyOf(const SideOf& side) {
+    const auto low = static_cast<std::uint64_t>(std::min(side.from, side.to)),
+               high = static_cast<std::uint64_t>(std::max(side.from, side.to));
     return low << 32U | high;
   }
 
-  void look(const SheetTriangle& t, std::size_t k) {
-    if (memory_.isShort(keyOf(t, k))) return;
-    const auto [found, isNew] = sides_.try_emplace(keyOf(t, k));
-    Side& side = found->second;
-    if (!isNew && side.face == t.face) return;
-    const Ends ends = endsOf(t, k);
+  /// Corners on a border may lie off this face: their middle belongs to the neighbouring face, and only its parameters lie
+  /// on this one. So the face tells how far a middle is from its chord, not where it is: a flat face stays flat.
+  [[nodiscard]] Side sideOn(const SideOf& s) const {
+    const Ends ends = endsOf(s);
+    const auto onFace = [&](const Vec2& parameters) { return frame(s.face, parameters).point; };
     const Vec2 at = ends.middle();
-    // Corners on a border may lie off this face: their middle belongs to the neighbouring face, and only its parameters lie
-    // on this one. So the face tells how far a middle is from its chord, not where it is: a flat face stays flat.
-    const auto onFace = [&](const Vec2& parameters) { return frame(t.face, parameters).point; };
-    const Vec3 bulge = onFace(at) - (onFace(ends.from) + onFace(ends.to)) / 2;
-    side = isNew ? Side{t.face, at, bulge, false, undivided}
-                 : Side{t.face, at, bulgeOfBoth(side, {t.face, at, bulge, false, undivided}), false, undivided};
+    return {s.face, at, onFace(at) - (onFace(ends.from) + onFace(ends.to)) / 2, false, undivided};
+  }
+
+  void look(const SideOf& s) {
+    if (isShort(s)) return;
+    const auto [found, isNew] = sides_.try_emplace(keyOf(s));
+    Side& side = found->second;
+    if (!isNew && side.face == s.face) return;
+    Side here = sideOn(s);
+    if (!isNew) here.bulge = bulgeOfBoth(side, here);
+    side = here;
   }
 
   [[nodiscard]] Vec3 normalAt(const Side& side) const {
@@ -127,29 +192,46 @@ class Divider {
     return (x - cosine * y) / square * n + (y - cosine * x) / square * m;
   }
 
-  /// The middle of the side from corner k to the next, one point for all its triangles.
-  int middleOf(const SheetTriangle& t, std::size_t k) {
-    if (memory_.isShort(keyOf(t, k))) return undivided;
-    Side& side = sides_.at(keyOf(t, k));
+  [[nodiscard]] Vec3 placeOfMiddle(const SideOf& s, const Side& side) const {
+    const Vec3 &p = pointAt(s.from), &q = pointAt(s.to);
+    const Vec3 middle = (p + q) / 2 + side.bulge;
+    // Where the parameters say little, as beside a pole, the chord is safer.
+    return (middle - (p + q) / 2).norm() < (p - q).norm() / 2 ? middle : Vec3((p + q) / 2);
+  }
+
+  /// The middle of a side, one point for all its patches.
+  int middleOf(const SideOf& s) {
+    if (isShort(s)) return undivided;
+    Side& side = sides_.at(keyOf(s));
     if (side.isKnown) return side.middle;
     side.isKnown = true;
-    const Vec3 p = points_[static_cast<std::size_t>(t.corners[k])],
-               q = points_[static_cast<std::size_t>(t.corners[(k + 1) % 3])];
-    Vec3 middle = (p + q) / 2 + side.bulge;
-    // Where the parameters say little, as beside a pole, the chord is safer.
-    if (!((middle - (p + q) / 2).norm() < (p - q).norm() / 2)) middle = (p + q) / 2;
-    if (!tooLong_(p, q, middle)) {
-      memory_.setShort(keyOf(t, k));
+    const Vec3 middle = placeOfMiddle(s, side);
+    if (!tooLong_(pointAt(s.from), pointAt(s.to), middle)) {
+      memory_.setShort(keyOf(s));
       return undivided;
     }
     points_.push_back(middle);
     return side.middle = static_cast<int>(points_.size()) - 1;
   }
 
+  /// Of a diagonal, which is no side of anything else.
+  [[nodiscard]] bool isLong(const SideOf& s) const {
+    if (isShort(s)) return false;
+    if (tooLong_(pointAt(s.from), pointAt(s.to), placeOfMiddle(s, sideOn(s)))) return true;
+    memory_.setShort(keyOf(s));
+    return false;
+  }
+
+  [[nodiscard]] bool isShort(const SideOf& s) const {
+    return (pointAt(s.to) - pointAt(s.from)).squaredNorm() <= fine_ * fine_ || memory_.isShort(keyOf(s));
+  }
+  [[nodiscard]] const Vec3& pointAt(int k) const { return points_[static_cast<std::size_t>(k)]; }
+
   std::vector<Vec3>& points_;
   const SmoothSheets& sheets_;
   const SideJudge& tooLong_;
   DivisionMemory& memory_;
+  double fine_;
   std::unordered_map<std::uint64_t, Side> sides_;
 };
 
@@ -168,15 +250,63 @@ const SurfaceFrame& DivisionMemory::frame(const SmoothSheets& sheets, int face, 
   return found->second;
 }
 
+std::vector<SheetTriangle> SheetPatch::triangles() const {
+  std::vector<SheetTriangle> result{{{corners[0], corners[1], corners[2]}, {at[0], at[1], at[2]}, face}};
+  if (count == 4) result.push_back({{corners[0], corners[2], corners[3]}, {at[0], at[2], at[3]}, face});
+  return result;
+}
+
+TriangleDivision::TriangleDivision(std::vector<Vec3>& points, const std::vector<SheetTriangle>& triangles,
+                                   const SmoothSheets& sheets, SideJudge tooLong, double fine)
+    : points_(points), sheets_(sheets), tooLong_(std::move(tooLong)), fine_(fine) {
+  open_.reserve(triangles.size());
+  for (const SheetTriangle& t : triangles) open_.push_back(patchOf(t));
+}
+
+bool TriangleDivision::isWanted(const SheetPatch& p, const Wanted& wanted) const {
+  const auto at = [&](std::size_t k) -> const Vec3& { return points_[static_cast<std::size_t>(p.corners[k])]; };
+  return wanted({at(0), at(1), at(2)}) || (p.count == 4 && wanted({at(0), at(2), at(3)}));
+}
+
+bool TriangleDivision::divideOnce(const Wanted& wanted) {
+  std::erase_if(open_, [&](const SheetPatch& p) { return !isWanted(p, wanted); });
+  Divider divider(points_, sheets_, tooLong_, memory_, fine_);
+  for (const SheetPatch& p : open_) divider.look(p);
+  std::vector<SheetPatch> made;
+  made.reserve(2 * open_.size());
+  for (const SheetPatch& p : open_)
+    if (!divider.divide(p, made)) finished_.push_back(p);
+  open_ = std::move(made);
+  return !open_.empty();
+}
+
+std::vector<SheetTriangle> TriangleDivision::triangles(const Wanted& wanted) const {
+  std::vector<SheetTriangle> result;
+  result.reserve(2 * count());
+  for (const auto* patches : {&finished_, &open_})
+    for (const SheetPatch& p : *patches)
+      for (const SheetTriangle& t : p.triangles())
+        if (isWanted(patchOf(t), wanted)) result.push_back(t);
+  return result;
+}
+
 bool divideOnce(std::vector<Vec3>& points, std::vector<SheetTriangle>& triangles, const SmoothSheets& sheets,
                 const SideJudge& tooLong, DivisionMemory& memory) {
   Divider divider(points, sheets, tooLong, memory);
-  std::vector<SheetTriangle> made;
-  made.reserve(2 * triangles.size());
+  for (const SheetTriangle& t : triangles) divider.look(patchOf(t));
+  std::vector<SheetTriangle> divided;
+  divided.reserve(2 * triangles.size());
   bool any = false;
-  for (const SheetTriangle& t : triangles) divider.look(t);
-  for (const SheetTriangle& t : triangles) any |= divider.divide(t, made);
-  triangles = std::move(made);
+  std::vector<SheetPatch> made;
+  for (const SheetTriangle& t : triangles) {
+    made.clear();
+    const bool isDivided = divider.divide(patchOf(t), made);
+    any |= isDivided;
+    if (!isDivided) divided.push_back(t);
+    for (const SheetPatch& p : made)
+      for (const SheetTriangle& part : p.triangles()) divided.push_back(part);
+  }
+  triangles = std::move(divided);
   return any;
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
@@ -36,6 +38,47 @@ class DivisionMemory {
   };
   std::unordered_map<Place, SurfaceFrame, HashOfPlace> frames_;
   std::unordered_set<Key> short_;  ///< sides that are not too long
+};
+
+/// A triangle, or a strip of two between halves of long sides: four corners in order. The diagonal of a strip runs from its
+/// first corner to the third.
+struct SheetPatch {
+  std::array<int, 4> corners{};
+  std::array<Vec2, 4> at;  ///< parameters of the corners on the face
+  int face = 0;
+  std::size_t count = 3;  ///< of its corners
+
+  [[nodiscard]] std::vector<SheetTriangle> triangles() const;
+};
+
+/// Triangles whose sides are halved on the smooth faces, round by round, until none is judged too long. What lies between
+/// two halves of long sides stays a strip that is halved across: as triangles, which would be halved along their diagonals
+/// as well, three would take the place of each where two are enough, in every round.
+class TriangleDivision {
+ public:
+  /// Whether a triangle matters.
+  using Wanted = std::function<bool(const std::array<Vec3, 3>&)>;
+
+  /// Middles are appended to `points`, which must outlive this.
+  /// @param fine mm: sides up to that length are left as they are without a look at the faces, which takes most of the time
+  TriangleDivision(std::vector<Vec3>& points, const std::vector<SheetTriangle>&, const SmoothSheets&, SideJudge,
+                   double fine = 0);
+
+  /// One round over what is wanted and not finished; the rest of it is dropped. @returns whether there was any to divide.
+  /// About O(n) for n unfinished ones.
+  bool divideOnce(const Wanted&);
+  [[nodiscard]] std::size_t count() const { return open_.size() + finished_.size(); }
+  [[nodiscard]] std::vector<SheetTriangle> triangles(const Wanted&) const;
+
+ private:
+  [[nodiscard]] bool isWanted(const SheetPatch&, const Wanted&) const;
+
+  std::vector<Vec3>& points_;
+  const SmoothSheets& sheets_;
+  SideJudge tooLong_;
+  double fine_;
+  DivisionMemory memory_;
+  std::vector<SheetPatch> open_, finished_;
 };
 
 /// Halves once the sides of triangles that are judged too long, on the smooth face; a side that two triangles share is

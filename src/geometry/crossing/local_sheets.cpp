@@ -33,8 +33,18 @@ class Ball {
     }
   }
 
-  /// Halves the sides that are longer than `longest` or farther than `off` from the smooth face, as often as it takes.
-  void divide(double longest, double off, const Progress& progress) {
+  /// Leaves what lies within a part of the ball with all its corners.
+  void keepWhole(double share) {
+    const double within = share * radius_;
+    std::erase_if(triangles, [&](const SheetTriangle& t) {
+      const Triangle3 corners = at(t);
+      return std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) { return (p - middle_).norm() > within; });
+    });
+  }
+
+  /// Halves the sides that are longer than `longest` or farther than `off` from the smooth face, as often as it takes; those
+  /// up to `fine` are not looked at.
+  void divide(double longest, double off, double fine, const Progress& progress) {
     constexpr int rounds = 14;
     constexpr std::size_t many = 20000;
     const auto tooLong = [&](const Vec3& p, const Vec3& q, const Vec3& middle) {
@@ -42,12 +52,13 @@ class Ball {
       return along.squaredNorm() > longest * longest ||
              along.cross(middle - p).squaredNorm() > off * off * along.squaredNorm();
     };
-    DivisionMemory memory;
-    for (int round = 0; round < rounds && triangles.size() < many; ++round) {
+    const auto wanted = [&](const Triangle3& t) { return reaches(t); };
+    TriangleDivision division(points, triangles, sheets_, tooLong, fine);
+    for (int round = 0; round < rounds && division.count() < many; ++round) {
       progress.check();
-      std::erase_if(triangles, [&](const SheetTriangle& t) { return !reaches(at(t)); });
-      if (!divideOnce(points, triangles, sheets_, tooLong, memory)) return;
+      if (!division.divideOnce(wanted)) break;
     }
+    triangles = division.triangles(wanted);
   }
 
   [[nodiscard]] Triangle3 at(const SheetTriangle& t) const {
@@ -211,23 +222,68 @@ bool isOnRim(const Triangle3& t, const std::array<bool, 3>& rim, const Vec3& foo
   return false;
 }
 
-/// The unit normal of the smooth face beside a point of a triangle, towards the side the triangle is seen from.
-Vec3 smoothNormal(const SmoothSheets& smooth, const SheetTriangle& onFace, const Triangle3& t, const Vec3& foot) {
-  constexpr double inwards = 0.1;  // off sides and corners, where the face may have no normal, or another one
+/// Parameters beside a point of a triangle, drawn towards its middle by a share: off sides and corners, where the face may
+/// have no normal, or another one.
+Vec2 parametersBeside(const SheetTriangle& onFace, const Triangle3& t, const Vec3& foot, double inwards) {
   const Vec3 ownNormal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double whole = ownNormal.squaredNorm();
-  Vec2 at = inwards * (onFace.at[0] + onFace.at[1] + onFace.at[2]) / 3;
-  for (std::size_t i = 0; i < 3 && whole > 0; ++i) {
+  const Vec2 middle = (onFace.at[0] + onFace.at[1] + onFace.at[2]) / 3;
+  if (!(whole > 0)) return middle;
+  Vec2 at = inwards * middle;
+  for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 &a = t[(i + 1) % 3], &b = t[(i + 2) % 3];
     at += (1 - inwards) * (b - a).cross(foot - a).dot(ownNormal) / whole * onFace.at[i];
   }
-  const SurfaceFrame frame = smooth.frame(onFace.face, at);
+  return at;
+}
+
+/// The unit normal of a face, towards the side its triangle is seen from.
+Vec3 normalTowards(const SurfaceFrame& frame, const SheetTriangle& onFace, const Triangle3& t) {
+  const Vec3 ownNormal = (t[1] - t[0]).cross(t[2] - t[0]);
   const Vec2 first = onFace.at[1] - onFace.at[0], second = onFace.at[2] - onFace.at[0];
   const double turn = first.x() * second.y() - first.y() * second.x();
   const Vec3 normal = frame.du.cross(frame.dv);
   const double length = normal.norm(), scale = std::max(frame.du.squaredNorm(), frame.dv.squaredNorm());
-  if (!(whole > 0) || turn == 0 || !(length > 1e-9 * scale)) return ownNormal.normalized();
+  if (!(ownNormal.squaredNorm() > 0) || turn == 0 || !(length > 1e-9 * scale)) return ownNormal.normalized();
   return std::copysign(1 / length, turn) * normal;
+}
+
+/// The unit normal of the smooth face beside a point of a triangle.
+Vec3 smoothNormal(const SmoothSheets& smooth, const SheetTriangle& onFace, const Triangle3& t, const Vec3& foot) {
+  constexpr double inwards = 0.1;
+  return normalTowards(smooth.frame(onFace.face, parametersBeside(onFace, t, foot, inwards)), onFace, t);
+}
+
+/// The height of a point over the smooth face whose nearest point is looked for from a point of a triangle on.
+/// @param near mm, how far the steps may end off that point  @returns nothing when they go astray
+std::optional<double> projectedHeight(const SmoothSheets& smooth, const SheetTriangle& onFace, const Triangle3& t,
+                                      const Vec3& foot, const Vec3& p, double near) {
+  constexpr int steps = 8;
+  constexpr double arrived = 1e-3, damping = 1e-9;
+  Vec2 at = parametersBeside(onFace, t, foot, 0.02);
+  SurfaceFrame frame = smooth.frame(onFace.face, at);
+  double share = 1;  // of the step that the tangent plane suggests; less where the face bends more than that tells
+  for (int step = 0; step < steps; ++step) {
+    const Vec3 d = p - frame.point;
+    const double uu = frame.du.squaredNorm(), uv = frame.du.dot(frame.dv), vv = frame.dv.squaredNorm();
+    const double a = uu * (1 + damping), b = vv * (1 + damping), whole = a * b - uv * uv;
+    if (!(whole > 0)) break;
+    const double x = frame.du.dot(d), y = frame.dv.dot(d);
+    const Vec2 move((b * x - uv * y) / whole, (a * y - uv * x) / whole);
+    if ((move.x() * frame.du + move.y() * frame.dv).norm() <= arrived * near) break;
+    const SurfaceFrame next = smooth.frame(onFace.face, at + share * move);
+    if (!((p - next.point).squaredNorm() < d.squaredNorm())) {
+      share /= 4;
+      continue;
+    }
+    at += share * move;
+    frame = next;
+    share = 1;
+  }
+  const Vec3 d = p - frame.point;
+  if (!d.allFinite() || (frame.point - foot).norm() > near) return {};
+  const double height = d.dot(normalTowards(frame, onFace, t));
+  return std::copysign(std::min(std::abs(height), d.norm()), height);
 }
 
 /// Distances of points from a sheet, with the side that they lie on; 0 where the nearest point of the sheet is on its rim.
@@ -269,6 +325,17 @@ class SheetSides {
     return std::copysign(std::min(std::abs(height), std::sqrt(least_)), height);
   }
 
+  /// The same over the nearest point of the smooth face itself; nothing where that is not found.
+  [[nodiscard]] std::optional<double> heightByProjection(const SmoothSheets& smooth, const Vec3& p, double near) const {
+    std::optional<double> best;
+    for (const auto& [k, foot] : nearest_) {
+      const auto height = projectedHeight(smooth, sheet_.onFace[k], sheet_.triangles[k], foot, p, near);
+      if (!height) return {};
+      if (!best || std::abs(*height) > std::abs(*best)) best = height;
+    }
+    return best;
+  }
+
  private:
   /// Of the triangles around the nearest point the one that is seen most from the front tells the side.
   template <class HeightOver>
@@ -283,6 +350,27 @@ class SheetSides {
   double least_ = 0;                                   ///< squared distance of the last point
   std::vector<std::pair<std::size_t, Vec3>> nearest_;  ///< triangles, and their points
 };
+
+/// How far points reach on either side of a sheet, at most.
+struct Reach {
+  double lesser = 0, greater = 0;
+};
+Reach sketchedReach(const std::vector<Vec3>& points, const LocalSheet& sheet, const SmoothSheets& smooth, double radius,
+                    const Progress& progress) {
+  constexpr std::size_t enough = 400;
+  const std::size_t stride = points.size() / enough + 1;
+  SheetSides sides(sheet);
+  double above = 0, below = 0;
+  for (std::size_t k = 0; k < points.size(); k += stride) {
+    progress.check();
+    const double d = sides.distance(points[k]);
+    if (d == 0) continue;
+    const auto height = sides.heightByProjection(smooth, points[k], radius / 2);
+    above = std::max(above, height ? *height : radius);
+    below = std::max(below, height ? -*height : radius);
+  }
+  return {std::min(above, below), std::max(above, below)};
+}
 
 /// How far points reach on either side of a sheet.
 Passage reachThrough(const std::vector<Vec3>& points, const LocalSheet& sheet, const SmoothSheets& smooth,
@@ -324,13 +412,46 @@ const SheetSurroundings::Divided& SheetSurroundings::around(const Vec3& middle, 
   for (const std::unique_ptr<Divided>& each : divided_)
     if (each->radius == radius && each->off == off && (each->middle - middle).norm() <= same * radius) return *each;
   Ball ball(mesh_, smooth_, middle, radius);
-  ball.divide(radius / 4, off, progress);
+  ball.divide(radius / 4, off, 0, progress);
+  trianglesDivided_ += ball.triangles.size();
   auto made = std::make_unique<Divided>(std::move(ball), middle, radius, off);
   if (divided_.size() == most) divided_.erase(divided_.begin());
   return *divided_.emplace_back(std::move(made));
 }
 
+bool SheetSurroundings::hangTogether(const SheetMeeting& meeting, double radius) const {
+  constexpr double inside = 0.98;  // of the radius: middles of sides may lie a little farther out than their ends
+  Ball ball(mesh_, smooth_, meeting.point, radius);
+  ball.keepWhole(inside);
+  const Sheets sheets(ball);
+  const double slack = mesh_.chord + radius / 16;
+  const auto first = sheets.triangleAt(meeting.first, meeting.point, slack),
+             second = sheets.triangleAt(meeting.second, meeting.point, slack);
+  return first && second && sheets.sheetOf(*first) == sheets.sheetOf(*second);
+}
+
+SheetSurroundings::Sketch SheetSurroundings::sketchAt(const SheetMeeting& meeting, double radius, const Progress& progress) {
+  Ball ball(mesh_, smooth_, meeting.point, radius);
+  // Many triangles lie close enough one beside the other, be they long.
+  constexpr std::size_t many = 2000;
+  const double longest = ball.triangles.size() < many ? radius / 4 : radius / 2;
+  const double off = radius / 16;
+  ball.divide(longest, off, mesh_.chord <= off ? longest : 0, progress);
+  trianglesDivided_ += ball.triangles.size();
+  const Sheets sheets(ball);
+  const double slack = mesh_.chord + radius / 16;
+  const auto first = sheets.triangleAt(meeting.first, meeting.point, slack),
+             second = sheets.triangleAt(meeting.second, meeting.point, slack);
+  if (!first || !second || sheets.sheetOf(*first) == sheets.sheetOf(*second)) return {};
+  const LocalSheet a = sheets.sheet(sheets.sheetOf(*first), meeting.point, radius),
+                   b = sheets.sheet(sheets.sheetOf(*second), meeting.point, radius);
+  const Reach ofA = sketchedReach(a.points, b, smooth_, radius, progress),
+              ofB = sketchedReach(b.points, a, smooth_, radius, progress);
+  return {true, std::max(ofA.lesser, ofB.lesser), std::min(ofA.greater, ofB.greater), std::max(ofA.greater, ofB.greater)};
+}
+
 Passage SheetSurroundings::passageAt(const SheetMeeting& meeting, double radius, double off, const Progress& progress) {
+  if (hangTogether(meeting, radius)) return {};
   const Divided& here = around(meeting.point, radius, off, progress);
   const double slack = radius / 16;
   const auto first = here.sheets.triangleAt(meeting.first, meeting.point, slack),

@@ -32,6 +32,21 @@ class SheetSurroundings {
   /// O(n log n) in the triangles of the ball. @throws Error Cancelled
   Passage passageAt(const SheetMeeting&, double radius, double off, const Progress&);
 
+  /// Whether the triangles of the mesh that lie in the ball join both sheets, so that they are one in any division of it.
+  [[nodiscard]] bool hangTogether(const SheetMeeting&, double radius) const;
+
+  /// Bounds of a passage without dividing triangles until they are near to the faces: heights over these are found by
+  /// projection. For most meetings of sheets that do not pass through one another that is enough.
+  struct Sketch {
+    bool apart = false;
+    double lesser = 0;               ///< mm, no sheet reaches farther on both sides of the other
+    double least = 0, greatest = 0;  ///< mm, how far either leaves the other: the sheet that leaves it less, and more
+  };
+  Sketch sketchAt(const SheetMeeting&, double radius, const Progress&);
+
+  /// Triangles of all balls so far.
+  [[nodiscard]] std::size_t trianglesDivided() const { return trianglesDivided_; }
+
  private:
   struct Divided;
   const Divided& around(const Vec3& middle, double radius, double off, const Progress&);
@@ -39,6 +54,7 @@ class SheetSurroundings {
   const SheetMesh& mesh_;
   const SmoothSheets& smooth_;
   std::vector<std::unique_ptr<Divided>> divided_;  ///< the latest last
+  std::size_t trianglesDivided_ = 0;
 };
 
 }  // namespace blossom

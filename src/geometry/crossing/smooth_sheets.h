@@ -1,6 +1,7 @@
 #pragma once
 #include <BRepAdaptor_Surface.hxx>
 #include <TopoDS_Shape.hxx>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -12,15 +13,27 @@ namespace blossom {
 /// The smooth faces that a SheetMesh stands for, evaluated by their numbers.
 class SmoothSheets {
  public:
-  explicit SmoothSheets(const Surface& surface) : surface_(&surface) {}
+  explicit SmoothSheets(const Surface&);
   explicit SmoothSheets(const TopoDS_Shape&);
 
   /// Point and first derivatives, mm and mm per unit of the parameters. The surface goes on beyond the border of a face.
   [[nodiscard]] SurfaceFrame frame(int face, const Vec2& at) const;
 
+  /// The same place of a face that is closed, with parameters inside its domain: beyond it, what goes on is another surface,
+  /// or the same one run through again. Periodic faces are run through again everywhere and stay as they are.
+  [[nodiscard]] Vec2 withinDomain(int face, const Vec2& at) const;
+  /// How far apart parameters are, either way the short way round where the face is closed.
+  [[nodiscard]] Vec2 apart(int face, const Vec2& a, const Vec2& b) const;
+
  private:
-  const Surface* surface_ = nullptr;        ///< or the faces
-  std::vector<BRepAdaptor_Surface> faces_;  ///< in the order of TopExp::MapShapes
+  /// Of a face in one direction.
+  struct Closure {
+    bool isClosed = false, isPeriodic = false;
+    double from = 0, to = 0;
+  };
+  std::vector<std::array<Closure, 2>> closures_;  ///< of each face, in u and in v
+  const Surface* surface_ = nullptr;              ///< or the faces
+  std::vector<BRepAdaptor_Surface> faces_;        ///< in the order of TopExp::MapShapes
 };
 
 /// A place on one sheet.

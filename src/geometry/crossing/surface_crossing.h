@@ -25,6 +25,7 @@ struct CrossingResult {
   std::optional<SurfaceCrossing> deepest;              ///< of the places that were examined; nothing when there is none
   double size = 0;                                     ///< mm, diagonal of the box around the shape
   std::size_t triangles = 0, pairs = 0, meetings = 0;  ///< searched, found to meet, and confirmed on the smooth surface
+  std::size_t divided = 0;  ///< triangles that were made or taken around the meetings, which is most of the work there
 };
 
 /// Whether a smooth surface crosses itself. Its triangles, within two fifths of the depth, are searched for pairs that meet

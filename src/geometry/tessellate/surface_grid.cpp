@@ -64,10 +64,10 @@ class GridEvaluator {
     // The row's own curve in v and its derivative by u.
     std::vector<Vec4> value(countV, Vec4::Zero()), slope(countV, Vec4::Zero());
     for (std::size_t k = 0; k < orderU; ++k) {
-      for (std::size_t j = 0; j < countV; ++j) {
-        value[j] += basis[k] * surface_.pole(first + k, j);
-        slope[j] += basis[orderU + k] * surface_.pole(first + k, j);
-      }
+      const Vec4* poles = &surface_.pole(first + k, 0);
+      for (std::size_t j = 0; j < countV; ++j) value[j] += basis[k] * poles[j];
+      if (!grid_.normals.empty())
+        for (std::size_t j = 0; j < countV; ++j) slope[j] += basis[orderU + k] * poles[j];
     }
     for (std::size_t j = 0; j < grid_.v.size(); ++j)
       grid_.normals.empty() ? placePoint(i, j, value) : placePointAndNormal(i, j, value, slope);

@@ -203,6 +203,13 @@
     </message>
 </context>
 <context>
+    <name>blossom::minkowski::InfluenceChart</name>
+    <message>
+        <source>Influence of each control shape over t</source>
+        <translation>Einfluss jeder Kontrollform über t</translation>
+    </message>
+</context>
+<context>
     <name>blossom::minkowski::MorphCard</name>
     <message>
         <source>Ladder</source>
@@ -215,6 +222,22 @@
     <message>
         <source>Morph</source>
         <translation>Morph</translation>
+    </message>
+    <message>
+        <source>Influence</source>
+        <translation>Einfluss</translation>
+    </message>
+    <message>
+        <source>Draw how much each control shape counts over t</source>
+        <translation>Zeichnen, wie viel jede Kontrollform über t zählt</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Draw the way of the sequence through the blossom</source>
+        <translation>Den Weg der Sequenz durch die Blossom zeichnen</translation>
     </message>
 </context>
 <context>
@@ -302,6 +325,37 @@
     <message>
         <source>Drag the number of a control shape to move it, the square or the dot on its ring to scale or turn it · L: ladder</source>
         <translation>Die Nummer einer Kontrollform ziehen verschiebt sie, Quadrat und Punkt auf ihrem Ring skalieren und drehen sie · L: Leiter</translation>
+    </message>
+    <message>
+        <source>A morph with a degree or knots has no path.</source>
+        <translation>Ein Morph mit Grad oder Knoten hat keinen Weg.</translation>
+    </message>
+    <message>
+        <source>Level %1, leg %2: t %3 · area %4</source>
+        <translation>Stufe %1, Schenkel %2: t %3 · Fläche %4</translation>
+    </message>
+    <message>
+        <source>Draw the path of the morph</source>
+        <translation>Weg des Morphs zeichnen</translation>
+    </message>
+    <message>
+        <source>Click to show the whole ladder again</source>
+        <translation>Klicken zeigt wieder die ganze Leiter</translation>
+    </message>
+    <message>
+        <source>Click to show the shape on this leg of the ladder</source>
+        <translation>Klicken zeigt die Form auf diesem Schenkel der Leiter</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::minkowski::PathPad</name>
+    <message>
+        <source>Path through the blossom</source>
+        <translation>Weg durch die Blossom</translation>
+    </message>
+    <message>
+        <source>Drag a point; double-click to put one in, Delete or a right click to take one out</source>
+        <translation>Punkt ziehen; Doppelklick fügt einen ein, Entf oder Rechtsklick nimmt einen heraus</translation>
     </message>
 </context>
 <context>
@@ -1765,6 +1819,18 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Looking at the surfaces</source>
         <translation>Flächen untersuchen</translation>
     </message>
+    <message>
+        <source>Move a key of %1</source>
+        <translation>Schlüssel von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Set a key of %1</source>
+        <translation>Schlüssel von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Remove a key of %1</source>
+        <translation>Schlüssel von %1 entfernen</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentTabs</name>
@@ -2453,6 +2519,17 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Nothing is being computed, read or written.</source>
         <translation>Nichts wird berechnet, gelesen oder geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::KeyMarks</name>
+    <message>
+        <source>Keys</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Drag a key to another frame; double-click to set one, Delete or a right click to remove one</source>
+        <translation>Schlüssel zu einem anderen Bild ziehen; Doppelklick setzt einen, Entf oder Rechtsklick entfernt einen</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3930,10 @@ Seitwärts ziehen ändert ihn.</translation>
     <message>
         <source>Play: makes a sequence of frames first</source>
         <translation>Abspielen: macht zuerst eine Folge von Bildern</translation>
+    </message>
+    <message>
+        <source>Key at this frame</source>
+        <translation>Schlüssel bei diesem Bild</translation>
     </message>
 </context>
 <context>

@@ -203,6 +203,13 @@
     </message>
 </context>
 <context>
+    <name>blossom::minkowski::InfluenceChart</name>
+    <message>
+        <source>Influence of each control shape over t</source>
+        <translation>t에 따른 각 제어 도형의 영향</translation>
+    </message>
+</context>
+<context>
     <name>blossom::minkowski::MorphCard</name>
     <message>
         <source>Ladder</source>
@@ -215,6 +222,22 @@
     <message>
         <source>Morph</source>
         <translation>모프</translation>
+    </message>
+    <message>
+        <source>Influence</source>
+        <translation>영향</translation>
+    </message>
+    <message>
+        <source>Draw how much each control shape counts over t</source>
+        <translation>t에 따른 각 제어 도형의 비중 그리기</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>경로</translation>
+    </message>
+    <message>
+        <source>Draw the way of the sequence through the blossom</source>
+        <translation>블로섬을 지나는 시퀀스의 경로 그리기</translation>
     </message>
 </context>
 <context>
@@ -302,6 +325,37 @@
     <message>
         <source>Drag the number of a control shape to move it, the square or the dot on its ring to scale or turn it · L: ladder</source>
         <translation>제어 도형의 번호를 끌면 옮기고, 고리의 네모나 점을 끌면 크기를 바꾸거나 돌림 · L: 사다리</translation>
+    </message>
+    <message>
+        <source>A morph with a degree or knots has no path.</source>
+        <translation>차수나 매듭이 있는 모프에는 경로가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Level %1, leg %2: t %3 · area %4</source>
+        <translation>단계 %1, 변 %2: t %3 · 면적 %4</translation>
+    </message>
+    <message>
+        <source>Draw the path of the morph</source>
+        <translation>모프의 경로 그리기</translation>
+    </message>
+    <message>
+        <source>Click to show the whole ladder again</source>
+        <translation>클릭하면 사다리 전체를 다시 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>Click to show the shape on this leg of the ladder</source>
+        <translation>클릭하면 사다리의 이 변에 있는 도형을 보여 줍니다</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::minkowski::PathPad</name>
+    <message>
+        <source>Path through the blossom</source>
+        <translation>블로섬을 지나는 경로</translation>
+    </message>
+    <message>
+        <source>Drag a point; double-click to put one in, Delete or a right click to take one out</source>
+        <translation>점을 끕니다. 두 번 클릭하면 넣고, Delete나 오른쪽 클릭으로 뺍니다</translation>
     </message>
 </context>
 <context>
@@ -1765,6 +1819,18 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
         <source>Looking at the surfaces</source>
         <translation>곡면 살펴보는 중</translation>
     </message>
+    <message>
+        <source>Move a key of %1</source>
+        <translation>%1의 키 옮기기</translation>
+    </message>
+    <message>
+        <source>Set a key of %1</source>
+        <translation>%1의 키 설정</translation>
+    </message>
+    <message>
+        <source>Remove a key of %1</source>
+        <translation>%1의 키 지우기</translation>
+    </message>
 </context>
 <context>
     <name>blossom::ui::DocumentTabs</name>
@@ -2453,6 +2519,17 @@ GNU 일반 공중 사용 허가서 3판 이상을 따르는 자유 소프트웨�
     <message>
         <source>Nothing is being computed, read or written.</source>
         <translation>계산하거나 읽거나 쓰는 것이 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>blossom::ui::KeyMarks</name>
+    <message>
+        <source>Keys</source>
+        <translation>키프레임</translation>
+    </message>
+    <message>
+        <source>Drag a key to another frame; double-click to set one, Delete or a right click to remove one</source>
+        <translation>키를 다른 프레임으로 끕니다. 두 번 클릭하면 추가하고, Delete나 오른쪽 클릭으로 지웁니다</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3930,10 @@ Drag sideways to change it.</source>
     <message>
         <source>Play: makes a sequence of frames first</source>
         <translation>재생: 먼저 프레임 시퀀스를 만듭니다</translation>
+    </message>
+    <message>
+        <source>Key at this frame</source>
+        <translation>이 프레임의 키</translation>
     </message>
 </context>
 <context>

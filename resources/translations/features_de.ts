@@ -311,6 +311,38 @@
         <source>sequence</source>
         <translation>Folge</translation>
     </message>
+    <message>
+        <source>Times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>Area by vertices</source>
+        <translation>Fläche über Ecken</translation>
+    </message>
+    <message>
+        <source>Area by fields</source>
+        <translation>Fläche über Felder</translation>
+    </message>
+    <message>
+        <source>Area by sums</source>
+        <translation>Fläche über Summen</translation>
+    </message>
+    <message>
+        <source>Time by vertices</source>
+        <translation>Zeit über Ecken</translation>
+    </message>
+    <message>
+        <source>Time by fields</source>
+        <translation>Zeit über Felder</translation>
+    </message>
+    <message>
+        <source>Time by sums</source>
+        <translation>Zeit über Summen</translation>
+    </message>
+    <message>
+        <source>Crossings by vertices</source>
+        <translation>Kreuzungen über Ecken</translation>
+    </message>
 </context>
 <context>
     <name>Registry</name>
@@ -435,6 +467,10 @@
         <translation>Ein Punkt in der Spiegelebene.</translation>
     </message>
     <message>
+        <source>A point of the plane, a line without length in a drawing.</source>
+        <translation>Ein Punkt der Ebene, in einer Zeichnung eine Linie ohne Länge.</translation>
+    </message>
+    <message>
         <source>A point that an arc passes; points that a spline passes on its way.</source>
         <translation>Ein Punkt, durch den ein Bogen geht; Punkte, durch die ein Spline auf seinem Weg geht.</translation>
     </message>
@@ -469,6 +505,14 @@
     <message>
         <source>A region, curves or a flat face.</source>
         <translation>Eine Fläche, Kurven oder eine ebene Seite.</translation>
+    </message>
+    <message>
+        <source>a region, curves or a point to add</source>
+        <translation>eine Fläche, Kurven oder einen Punkt zum Addieren</translation>
+    </message>
+    <message>
+        <source>a region, or what has to fit inside</source>
+        <translation>eine Fläche oder was hineinpassen muss</translation>
     </message>
     <message>
         <source>A regular polygon.</source>
@@ -547,12 +591,12 @@
         <translation>eine Form zum Wiederholen</translation>
     </message>
     <message>
-        <source>A shape written down in one word, such as ball:5:3.</source>
-        <translation>Eine Form in einem Wort, etwa ball:5:3.</translation>
+        <source>A shape with an area, then what has to fit inside: an outline, open curves or points.</source>
+        <translation>Eine Form mit Fläche, dann was hineinpassen muss: ein Umriss, offene Kurven oder Punkte.</translation>
     </message>
     <message>
-        <source>A shape, then the shape that has to fit inside.</source>
-        <translation>Eine Form, dann die Form, die hineinpassen muss.</translation>
+        <source>A shape written down in one word, such as ball:5:3.</source>
+        <translation>Eine Form in einem Wort, etwa ball:5:3.</translation>
     </message>
     <message>
         <source>A slot with round ends, as a cutter leaves it.</source>
@@ -921,6 +965,10 @@
     <message>
         <source>cells</source>
         <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells of the distance fields along the longer side of the shapes.</source>
+        <translation>Zellen der Abstandsfelder entlang der längeren Seite der Formen.</translation>
     </message>
     <message>
         <source>center</source>
@@ -1315,6 +1363,10 @@
         <translation>Gleichmäßig: Die Bilder sind gleichmäßig von 0 bis 1 verteilt; Längen: Jede Folge behält ihren Anteil an der Zeit.</translation>
     </message>
     <message>
+        <source>evenly from 0 to 1</source>
+        <translation>gleichmäßig von 0 bis 1</translation>
+    </message>
+    <message>
         <source>exact</source>
         <translation>exakt</translation>
     </message>
@@ -1435,8 +1487,20 @@
         <translation>Einzelbild</translation>
     </message>
     <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frame of the sequence, counted from 1.</source>
+        <translation>Bild der Sequenz, ab 1 gezählt.</translation>
+    </message>
+    <message>
         <source>frames</source>
         <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Frames at which t is given, and how it goes on from there.</source>
+        <translation>Bilder, bei denen t gegeben ist, und wie es von dort weitergeht.</translation>
     </message>
     <message>
         <source>free</source>
@@ -1535,6 +1599,10 @@
         <translation>Helix</translation>
     </message>
     <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
         <source>holes</source>
         <translation>Löcher</translation>
     </message>
@@ -1563,8 +1631,16 @@
         <translation>Wie sie in Gang kommt: „Anfang“ beginnt langsam (s^2), „Ende“ endet langsam, „beides“ tut beides (Smoothstep, 3 s^2 - 2 s^3).</translation>
     </message>
     <message>
+        <source>How it goes on to the next key: in begins slowly, out ends slowly, hold stays.</source>
+        <translation>Wie es zum nächsten Schlüssel weitergeht: in beginnt langsam, out endet langsam, hold bleibt.</translation>
+    </message>
+    <message>
         <source>How many copies are added.</source>
         <translation>Wie viele Kopien addiert werden.</translation>
+    </message>
+    <message>
+        <source>How many in-betweens of each way are in the picture, from t = 0 to 1.</source>
+        <translation>Wie viele Zwischenformen jedes Verfahrens im Bild sind, von t = 0 bis 1.</translation>
     </message>
     <message>
         <source>How many times as large each control shape is as drawn, about its centre, first to last; others stay.</source>
@@ -1679,8 +1755,20 @@
         <translation>behalten</translation>
     </message>
     <message>
+        <source>keep degenerate</source>
+        <translation>Platz ohne Breite behalten</translation>
+    </message>
+    <message>
+        <source>Keep room without width, where the shape just fits: curves and points, which make the result a drawing.</source>
+        <translation>Platz ohne Breite behalten, wo die Form gerade hineinpasst: Kurven und Punkte, die das Ergebnis zu einer Zeichnung machen.</translation>
+    </message>
+    <message>
         <source>Keep the original beside its image.</source>
         <translation>Behält das Original neben seinem Bild.</translation>
+    </message>
+    <message>
+        <source>keys</source>
+        <translation>Schlüsselbilder</translation>
     </message>
     <message>
         <source>kind</source>
@@ -1963,6 +2051,10 @@
         <translation>Morphologie</translation>
     </message>
     <message>
+        <source>Morphs compared</source>
+        <translation>Morphs im Vergleich</translation>
+    </message>
+    <message>
         <source>motion</source>
         <translation>Bewegung</translation>
     </message>
@@ -2005,6 +2097,10 @@
     <message>
         <source>Number of copies in a row, including the original.</source>
         <translation>Zahl der Kopien in einer Reihe, mit dem Original.</translation>
+    </message>
+    <message>
+        <source>Number of frames of a sequence, each with the three ways side by side; 0 makes one picture with a row for each way.</source>
+        <translation>Anzahl der Bilder einer Folge, jedes mit den drei Verfahren nebeneinander; 0 ergibt ein Bild mit einer Zeile je Verfahren.</translation>
     </message>
     <message>
         <source>Number of frames, at even times, each the nearest one there is: none is computed anew. 0 keeps the frames and moves their times.</source>
@@ -2223,6 +2319,10 @@
         <translation>Punkte</translation>
     </message>
     <message>
+        <source>Points of blossom numbers that the morph runs through, as long from each to the next. None: t alone.</source>
+        <translation>Punkte aus Blossom-Zahlen, durch die der Morph läuft, von jedem zum nächsten gleich lange. Keine: t allein.</translation>
+    </message>
+    <message>
         <source>pole</source>
         <translation>Pol</translation>
     </message>
@@ -2401,6 +2501,10 @@
     <message>
         <source>Resistance of control points to being moved, larger for those with little influence; 0 means the shortest movement that fits best.</source>
         <translation>Widerstand der Kontrollpunkte gegen das Verschieben, größer bei geringem Einfluss; 0 ist die kürzeste Bewegung, die am besten passt.</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>Auflösung</translation>
     </message>
     <message>
         <source>Retime sequence</source>
@@ -2707,6 +2811,10 @@
         <translation>seitliche Zustellung</translation>
     </message>
     <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
         <source>stock margin</source>
         <translation>Rohteilzugabe</translation>
     </message>
@@ -2785,6 +2893,10 @@
     <message>
         <source>t</source>
         <translation>t</translation>
+    </message>
+    <message>
+        <source>t of that frame.</source>
+        <translation>t dieses Bildes.</translation>
     </message>
     <message>
         <source>tangent</source>
@@ -2885,6 +2997,10 @@
     <message>
         <source>The file to read.</source>
         <translation>Die Datei, die gelesen wird.</translation>
+    </message>
+    <message>
+        <source>The first shape and the last.</source>
+        <translation>Die erste und die letzte Form.</translation>
     </message>
     <message>
         <source>The fixed point of rotation and scaling.</source>
@@ -3027,8 +3143,8 @@
         <translation>Die Form: Ein Rohr ist gebogen, eine Bogenfläche gewölbt.</translation>
     </message>
     <message>
-        <source>The shapes that are added.</source>
-        <translation>Die Formen, die addiert werden.</translation>
+        <source>The shapes that are added: outlines, open curves, along which the others are swept, and points.</source>
+        <translation>Die Formen, die addiert werden: Umrisse, offene Kurven, an denen die anderen entlanggeführt werden, und Punkte.</translation>
     </message>
     <message>
         <source>The share of the second solid at times t, when control is curve; linear between them.</source>
@@ -3189,6 +3305,10 @@
     <message>
         <source>Twist</source>
         <translation>Verdrehen</translation>
+    </message>
+    <message>
+        <source>Two shapes morphed by matched vertices, by distance fields and by Minkowski sums, one beside the other.</source>
+        <translation>Zwei Formen, gemorpht über zugeordnete Ecken, über Abstandsfelder und über Minkowski-Summen, nebeneinander.</translation>
     </message>
     <message>
         <source>u</source>

@@ -120,6 +120,19 @@ class SweepPlaceTest : public QObject {
     QVERIFY2(10 * all.off <= all.rays, qPrintable(QStringLiteral("%1 of %2").arg(all.off).arg(all.rays)));
   }
 
+  /// Rays that meet the grid in corners of its cells, and run within their sides.
+  void aRayThroughACornerOfCellsHits() {
+    const Motion motion = readMotionOf("cylinder.json");
+    const LiveGrid grid = gridOf(motion, 64);
+    const PlaceFinder finder(grid);
+    for (const double u : grid.us())
+      for (const double v : grid.vs()) {
+        const Vec3 x = evaluate(motion, u, v).point, out = Vec3(x.x(), x.y(), 0).normalized();
+        const auto found = finder.find({x + 50 * out, -out});
+        QVERIFY2(found && std::abs(found->distance - 50) < 1e-6, qPrintable(QStringLiteral("%1 %2").arg(u).arg(v)));
+      }
+  }
+
   /// The parameters themselves, on a cylinder of radius 10 about z where they are known by the angle.
   void aPlaceAcrossTheSeamIsFound() {
     const Motion motion = readMotionOf("cylinder.json");

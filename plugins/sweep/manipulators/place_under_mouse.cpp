@@ -14,20 +14,24 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where a ray enters a box; infinity when it misses.
+/// Where a ray enters a box; infinity when it misses. One that runs within a side of the box, or through an edge of it, does
+/// not miss it.
 double enter(const Ray& ray, const FloatBox& box) {
   double from = 0, to = infinite;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    const double inverse = 1 / ray.direction[axis];
-    double a = (static_cast<double>(box.low[k]) - ray.origin[axis]) * inverse,
-           b = (static_cast<double>(box.high[k]) - ray.origin[axis]) * inverse;
-    if (a > b) std::swap(a, b);
-    // Comparisons with NaN, of a ray within a side of the box, leave the limits as they are.
-    if (a > from) from = a;
-    if (b < to) to = b;
+    const double low = static_cast<double>(box.low[k]) - ray.origin[axis],
+                 high = static_cast<double>(box.high[k]) - ray.origin[axis], along = ray.direction[axis];
+    if (along == 0) {
+      if (low > 0 || high < 0) return infinite;
+      continue;
+    }
+    const auto [near, far] = std::minmax({low / along, high / along});
+    from = std::max(from, near);
+    to = std::min(to, far);
   }
-  return from <= to ? from : infinite;
+  constexpr double rounding = 1e-12;
+  return from <= to * (1 + rounding) ? from : infinite;
 }
 
 /// Barycentric coordinates of b and c, and the distance; nothing when the ray misses the triangle (Möller and Trumbore).

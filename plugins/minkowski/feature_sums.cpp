@@ -1,6 +1,6 @@
 #include "feature/registry.h"
 #include "feature_types.h"
-#include "kernel/set_operations.h"
+#include "kernel/sets/set_operations.h"
 #include "region_inputs.h"
 
 namespace blossom::minkowski {

@@ -6,7 +6,7 @@
 #include "feature/registry.h"
 #include "geometry/planar/region.h"
 #include "kernel/region_sum.h"
-#include "kernel/set_operations.h"
+#include "kernel/sets/set_operations.h"
 
 namespace blossom::minkowski {
 

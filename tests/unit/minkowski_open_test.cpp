@@ -1,5 +1,5 @@
 #include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/set_operations.h"
+#include "minkowski/kernel/sets/set_operations.h"
 #include "support/curved_regions.h"
 #include "support/random.h"
 #include "support/regions.h"

@@ -1,6 +1,6 @@
 #include <set>
 
-#include "minkowski/kernel/set_operations.h"
+#include "minkowski/kernel/sets/set_operations.h"
 #include "support/random.h"
 #include "support/regions.h"
 #include "support/support.h"

@@ -6,8 +6,8 @@
 #include "geometry/planar/region.h"
 #include "kernel/effort.h"
 #include "kernel/polygons.h"
+#include "kernel/sets/sound_set.h"
 #include "kernel/sound_region.h"
-#include "kernel/sound_set.h"
 
 namespace blossom::minkowski {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "kernel/complement.h"
 #include "kernel/convolution.h"
 #include "kernel/grid.h"
+#include "kernel/sets/complement.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/snapped_operands.h"
 #include "kernel/winding/certain_inside.h"

@@ -21,4 +21,7 @@ inline double inOneTurn(double angle) {
   return inside < 0 ? inside + fullTurn : inside;
 }
 
+/// Angle of the outward normal where an arc has the angle phi: away from its centre when it turns left, else towards it.
+inline double normalAt(const Arc2& arc, double phi) { return arc.sweep > 0 ? phi : phi + std::numbers::pi; }
+
 }  // namespace blossom::minkowski

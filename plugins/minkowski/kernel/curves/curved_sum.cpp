@@ -10,12 +10,12 @@
 #include "core/error.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/planar_bezier.h"
-#include "kernel/complement.h"
 #include "kernel/curves/convex_sum.h"
 #include "kernel/curves/finer_polygons.h"
 #include "kernel/curves/sampled_sum.h"
 #include "kernel/flattening.h"
 #include "kernel/polygon_sum.h"
+#include "kernel/sets/complement.h"
 
 namespace blossom::minkowski {
 namespace {

@@ -7,8 +7,8 @@
 #include "kernel/curves/true_curve.h"
 #include "kernel/grid.h"
 #include "kernel/polygons.h"
+#include "kernel/sets/sound_set.h"
 #include "kernel/sound_region.h"
-#include "kernel/sound_set.h"
 
 namespace blossom::minkowski {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/complement.h"
 #include "kernel/curves/curved_sum.h"
 #include "kernel/curves/finer_polygons.h"
 #include "kernel/curves/sampled_sum.h"
 #include "kernel/flattening.h"
+#include "kernel/sets/complement.h"
 
 namespace blossom::minkowski {
 namespace {

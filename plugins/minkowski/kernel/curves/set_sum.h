@@ -1,7 +1,7 @@
 #pragma once
 #include "core/progress.h"
 #include "kernel/effort.h"
-#include "kernel/sound_set.h"
+#include "kernel/sets/sound_set.h"
 
 namespace blossom::minkowski {
 

@@ -7,16 +7,14 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
-#include <numbers>
 #include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/planar/planar.h"
-#include "kernel/curves/convex_hull.h"
 #include "kernel/flattening.h"
-#include "kernel/hull_distance.h"
 #include "kernel/morph/control_centre.h"
+#include "kernel/morph/expansion.h"
 #include "kernel/morph/repetition.h"
 #include "kernel/morph/thinning.h"
 
@@ -45,131 +43,6 @@ SoundRegion bottomUp(std::vector<SoundRegion> shapes, std::span<const double> t,
   }
   return shapes.front();
 }
-
-struct InBetween {
-  SoundRegion shape;
-  double deviation = 0;  ///< mm, at most, from the exact shape of the control shapes
-};
-
-/// The explicit form. Where a shape or its copies are so small that their hull is within the tolerance, it stands for them:
-/// A is at most R from its hull, the circumradius, and no [k]A, k >= 2, is farther than [2]A is, at most sqrt(2) R (see
-/// region_repeat.h).
-class Expansion {
- public:
-  /// @param tolerance that hulls may use up in an in-between, mm
-  Expansion(std::span<const SoundRegion> shapes, double tolerance, Adder& add)
-      : shapes_(shapes), tolerance_(tolerance), add_(add), hulls_(shapes.size()) {}
-
-  /// The repetitions for an in-between, which stay for others.
-  void repeatFor(std::span<const double> t, const Progress& progress) {
-    for (const auto& [i, weight, count] : termsOf(t, progress)) {
-      const auto [place, isNew] = repetitions_.try_emplace({i, count});
-      if (!isNew) continue;
-      place->second = repeated(shapes_[i], count, add_, progress);
-      add_.keep(place->second);
-    }
-  }
-
-  /// @pre its repetitions are there
-  [[nodiscard]] InBetween at(std::span<const double> t, const Progress& progress) const {
-    std::vector<SoundRegion> terms;
-    const Arguments key(t.begin(), t.end());
-    std::map<std::size_t, double> multiples;
-    for (const auto& [i, weight, count] : hullsFor_.at(key)) multiples[i] += weight * static_cast<double>(count);
-    for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
-    for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
-    double deviation = errorOfHulls_.at(key);
-    SoundRegion total = std::move(terms.front());
-    for (std::size_t k = 1; k < terms.size(); ++k) {
-      total = add_(total, terms[k], progress);
-      // What earlier sums did not need is left for the later ones, which have the most corners. One sum alone stays as it
-      // is.
-      if (terms.size() > 2) {
-        Thinning thin((tolerance_ - deviation) / std::min<double>(2, static_cast<double>(terms.size() - k)));
-        total = thin(std::move(total), progress);
-        deviation += thin.deepest();
-      }
-    }
-    return {std::move(total), deviation};
-  }
-
- private:
-  struct Term {
-    std::size_t shape;
-    double weight;
-    std::size_t count;
-  };
-  struct Hull {
-    SoundRegion shape;
-    double ofOne = 0;     ///< distance of the shape from it, at most
-    double distance = 0;  ///< from repetitions, at most
-    bool isMeasured = false;
-  };
-
-  Hull& hullOf(std::size_t i, const Progress& progress) {
-    std::optional<Hull>& hull = hulls_[i];
-    if (!hull) {
-      hull = Hull{convexHull(shapes_[i], progress)};
-      hull->ofOne = circumradius(hull->shape.region, tolerance_, progress);
-      hull->distance = std::numbers::sqrt2 * hull->ofOne;
-    }
-    return *hull;
-  }
-
-  /// What taking the hull for a term may change, mm.
-  double errorOf(const Term& term, const Progress& progress) {
-    constexpr std::size_t many = 64;  // then doubling takes longer than measuring
-    Hull& hull = hullOf(term.shape, progress);
-    if (term.count == 1) return term.weight * hull.ofOne;
-    if (term.weight * hull.distance > tolerance_ && term.count > many && !hull.isMeasured) {
-      const SoundRegion two = repeated(shapes_[term.shape], 2, add_, progress);
-      const double precision = 1e-3 * hull.distance;
-      const double measured = distanceToHull(two.region, scaled(hull.shape, 2).region, precision, progress).atMost;
-      hull.distance = std::min(hull.distance, measured);
-      hull.isMeasured = true;
-    }
-    return term.weight * hull.distance;
-  }
-
-  /// Those that are computed as they are.
-  const std::vector<Term>& termsOf(std::span<const double> t, const Progress& progress) {
-    const auto [place, isNew] = termsFor_.try_emplace(Arguments(t.begin(), t.end()));
-    if (!isNew) return place->second;
-    std::vector<Term>& hulls = hullsFor_[place->first];
-    std::vector<std::pair<double, Term>> byError;
-    const auto weights = weightsOf(t);
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      for (const auto& [weight, count] : weights[i]) {
-        const Term term{i, weight, count};
-        if (isConvex(shapes_[i]))
-          place->second.push_back(term);
-        else
-          byError.emplace_back(errorOf(term, progress), term);
-      }
-    std::stable_sort(byError.begin(), byError.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    double error = 0;
-    for (const auto& [more, term] : byError) {
-      if (error + more <= tolerance_) {
-        error += more;
-        hulls.push_back(term);
-      } else {
-        place->second.push_back(term);
-      }
-    }
-    errorOfHulls_[place->first] = error;
-    std::stable_sort(place->second.begin(), place->second.end(),
-                     [](const Term& a, const Term& b) { return a.shape < b.shape; });
-    return place->second;
-  }
-
-  std::span<const SoundRegion> shapes_;
-  double tolerance_;
-  Adder& add_;
-  std::vector<std::optional<Hull>> hulls_;
-  std::map<Arguments, std::vector<Term>> termsFor_, hullsFor_;
-  std::map<std::pair<std::size_t, std::size_t>, SoundRegion> repetitions_;
-  std::map<Arguments, double> errorOfHulls_;
-};
 
 /// All repetitions of a shape in one, which is right for convex shapes only.
 SoundRegion convexAt(std::span<const SoundRegion> shapes, std::span<const double> t, Adder& add, const Progress& progress) {

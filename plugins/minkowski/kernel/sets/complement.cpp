@@ -1,4 +1,4 @@
-#include "kernel/complement.h"
+#include "kernel/sets/complement.h"
 
 #include <utility>
 

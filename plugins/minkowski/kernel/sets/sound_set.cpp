@@ -1,4 +1,4 @@
-#include "kernel/sound_set.h"
+#include "kernel/sets/sound_set.h"
 
 #include <cmath>
 

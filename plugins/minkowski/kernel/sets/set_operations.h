@@ -5,7 +5,7 @@
 
 #include "core/progress.h"
 #include "kernel/region_sum.h"
-#include "kernel/sound_set.h"
+#include "kernel/sets/sound_set.h"
 
 namespace blossom::minkowski {
 

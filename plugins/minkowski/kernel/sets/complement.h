@@ -4,8 +4,8 @@
 #include "core/progress.h"
 #include "geometry/numeric/boxes.h"
 #include "kernel/polygons.h"
+#include "kernel/sets/sound_set.h"
 #include "kernel/sound_region.h"
-#include "kernel/sound_set.h"
 
 namespace blossom::minkowski {
 

@@ -1,4 +1,4 @@
-#include "kernel/set_operations.h"
+#include "kernel/sets/set_operations.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
-#include "kernel/complement.h"
 #include "kernel/curves/set_sum.h"
 #include "kernel/flattening.h"
 #include "kernel/polygon_sum.h"
 #include "kernel/refusal.h"
-#include "kernel/thin_room.h"
+#include "kernel/sets/complement.h"
+#include "kernel/sets/thin_room.h"
 
 namespace blossom::minkowski {
 namespace {

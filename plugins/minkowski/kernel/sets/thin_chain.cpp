@@ -1,4 +1,4 @@
-#include "kernel/thin_chain.h"
+#include "kernel/sets/thin_chain.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "kernel/thin_room.h"
+#include "kernel/sets/thin_room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "geometry/numeric/box_tree.h"
 #include "geometry/numeric/union_find.h"
 #include "geometry/planar/planar.h"
-#include "kernel/thin_chain.h"
+#include "kernel/sets/thin_chain.h"
 
 namespace blossom::minkowski {
 namespace {

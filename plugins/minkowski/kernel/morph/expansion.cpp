@@ -1,0 +1,97 @@
+#include "kernel/morph/expansion.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "kernel/curves/convex_hull.h"
+#include "kernel/hull_distance.h"
+#include "kernel/morph/thinning.h"
+
+namespace blossom::minkowski {
+
+void Expansion::repeatFor(std::span<const double> t, const Progress& progress) {
+  for (const auto& [i, weight, count] : termsOf(t, progress)) {
+    const auto [place, isNew] = repetitions_.try_emplace({i, count});
+    if (!isNew) continue;
+    place->second = repeated(shapes_[i], count, add_, progress);
+    add_.keep(place->second);
+  }
+}
+
+InBetween Expansion::at(std::span<const double> t, const Progress& progress) const {
+  std::vector<SoundRegion> terms;
+  const Arguments key(t.begin(), t.end());
+  std::map<std::size_t, double> multiples;
+  for (const auto& [i, weight, count] : hullsFor_.at(key)) multiples[i] += weight * static_cast<double>(count);
+  for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
+  for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
+  double deviation = errorOfHulls_.at(key);
+  SoundRegion total = std::move(terms.front());
+  for (std::size_t k = 1; k < terms.size(); ++k) {
+    total = add_(total, terms[k], progress);
+    // What earlier sums did not need is left for the later ones, which have the most corners. One sum alone stays as it
+    // is.
+    if (terms.size() > 2) {
+      Thinning thin((tolerance_ - deviation) / std::min<double>(2, static_cast<double>(terms.size() - k)));
+      total = thin(std::move(total), progress);
+      deviation += thin.deepest();
+    }
+  }
+  return {std::move(total), deviation};
+}
+
+Expansion::Hull& Expansion::hullOf(std::size_t i, const Progress& progress) {
+  std::optional<Hull>& hull = hulls_[i];
+  if (!hull) {
+    hull = Hull{convexHull(shapes_[i], progress)};
+    hull->ofOne = circumradius(hull->shape.region, tolerance_, progress);
+    hull->distance = std::numbers::sqrt2 * hull->ofOne;
+  }
+  return *hull;
+}
+
+double Expansion::errorOf(const Term& term, const Progress& progress) {
+  constexpr std::size_t many = 64;  // then doubling takes longer than measuring
+  Hull& hull = hullOf(term.shape, progress);
+  if (term.count == 1) return term.weight * hull.ofOne;
+  if (term.weight * hull.distance > tolerance_ && term.count > many && !hull.isMeasured) {
+    const SoundRegion two = repeated(shapes_[term.shape], 2, add_, progress);
+    const double precision = 1e-3 * hull.distance;
+    const double measured = distanceToHull(two.region, scaled(hull.shape, 2).region, precision, progress).atMost;
+    hull.distance = std::min(hull.distance, measured);
+    hull.isMeasured = true;
+  }
+  return term.weight * hull.distance;
+}
+
+const std::vector<Expansion::Term>& Expansion::termsOf(std::span<const double> t, const Progress& progress) {
+  const auto [place, isNew] = termsFor_.try_emplace(Arguments(t.begin(), t.end()));
+  if (!isNew) return place->second;
+  std::vector<Term>& hulls = hullsFor_[place->first];
+  std::vector<std::pair<double, Term>> byError;
+  const auto weights = weightsOf(t);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    for (const auto& [weight, count] : weights[i]) {
+      const Term term{i, weight, count};
+      if (isConvex(shapes_[i]))
+        place->second.push_back(term);
+      else
+        byError.emplace_back(errorOf(term, progress), term);
+    }
+  std::stable_sort(byError.begin(), byError.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  double error = 0;
+  for (const auto& [more, term] : byError) {
+    if (error + more <= tolerance_) {
+      error += more;
+      hulls.push_back(term);
+    } else {
+      place->second.push_back(term);
+    }
+  }
+  errorOfHulls_[place->first] = error;
+  std::stable_sort(place->second.begin(), place->second.end(),
+                   [](const Term& a, const Term& b) { return a.shape < b.shape; });
+  return place->second;
+}
+
+}  // namespace blossom::minkowski

@@ -93,7 +93,7 @@ class FrameKeysTest : public QObject {
     const Value three = canonical({keyValue(1, 0), keyValue(4, 0.3), keyValue(9, 1)});
     QCOMPARE(withKeyAt(three, 4, 9), three);
     QCOMPARE(withKeyAt(canonical({keyValue(1, 0, "hold"), keyValue(9, 1)}), 4, 9)[1],
-             canonical({keyValue(4, 0, "hold")})[0]);
+             canonical(Value::array({keyValue(4, 0, "hold")}))[0]);
   }
 
   void keysDoNotPassOneAnother() {

@@ -242,7 +242,7 @@ class RingFitter {
     for (const Vec2& corner : run.corners) {
       std::size_t tried = 0;
       for (; tried + 1 < points.size(); ++tried, at = at + 2 < points.size() ? at + 1 : 0)
-        if (distanceToLine(corner, points[at], points[at + 1]) <= fitting_.gap / 2) break;
+        if (distanceToLine(corner, points[at], points[at + 1]) <= fitting_.gap) break;
       if (tried + 1 >= points.size()) return false;
     }
     return true;

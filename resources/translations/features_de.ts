@@ -467,10 +467,6 @@
         <translation>Ein Punkt in der Spiegelebene.</translation>
     </message>
     <message>
-        <source>A point of the plane, a line without length in a drawing.</source>
-        <translation>Ein Punkt der Ebene, in einer Zeichnung eine Linie ohne Länge.</translation>
-    </message>
-    <message>
         <source>A point that an arc passes; points that a spline passes on its way.</source>
         <translation>Ein Punkt, durch den ein Bogen geht; Punkte, durch die ein Spline auf seinem Weg geht.</translation>
     </message>

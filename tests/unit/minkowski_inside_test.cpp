@@ -108,7 +108,7 @@ class MinkowskiInsideTest : public QObject {
       if (round % 2 == 1) std::swap(a, b);
       const Operands on = onGrid(a, b);
       const std::vector<CountedEdge> all = convolution(on.a, on.b);
-      const auto inside = certainInside(on.a, on.b, Progress::none(), everything);
+      const auto inside = certainInside(on.a, on.b, Progress::none(), Effort(), everything);
       QVERIFY(inside.has_value());
       const std::vector<CountedEdge> some = convolution(on.a, on.b, Progress::none(), Effort(), nullptr, &*inside);
       const auto bounding = [](const std::vector<CountedEdge>& edges) {
@@ -129,7 +129,7 @@ class MinkowskiInsideTest : public QObject {
     for (int round = 0; round < 12; ++round) {
       const Operands on = onGrid(plate(random, 30, round % 3, 4), Polygons{{circleLoop(1 + round % 5, 11), {}}});
       const Polygons sum = windingFaces(convolution(on.a, on.b));
-      const auto inside = certainInside(on.a, on.b, Progress::none(), everything);
+      const auto inside = certainInside(on.a, on.b, Progress::none(), Effort(), everything);
       QVERIFY(inside.has_value());
       double covered = 0;
       for (const CertainInside::Run& run : inside->runs()) {

@@ -140,9 +140,10 @@ class EdgePile {
 /// First: the edges are those of the first set.
 enum class Closed { First, Last };
 
-template <class Out>
-void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, Out& out,
-              const Progress& progress) {
+/// Calls pair(first, last) for ranges of edges that a corner is paired with.
+template <class Pair>
+void forEachRange(const std::vector<DirectedEdge>& edges, const Corner& corner, Closed closed, Pair pair) {
+  if (corner.first == corner.last) return pair(edges.begin(), edges.end());  // a point
   const auto rangeStart = [&](const GridPoint& direction) {
     return closed == Closed::First
                ? std::lower_bound(edges.begin(), edges.end(), direction,
@@ -150,22 +151,20 @@ void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>&
                : std::upper_bound(edges.begin(), edges.end(), direction,
                                   [](const GridPoint& d, const DirectedEdge& e) { return before(d, e.direction()); });
   };
+  const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
+  if (before(corner.first, corner.last)) return pair(first, last);
+  pair(first, edges.end());  // past +x
+  pair(edges.begin(), last);
+}
+
+template <class Out>
+void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, Out& out,
+              const Progress& progress) {
   for (const Corner& corner : corners) {
     progress.check();
-    const auto pair = [&](auto first, auto last) {
+    forEachRange(edges, corner, closed, [&](auto first, auto last) {
       for (; first != last; ++first) out.add(*first, corner, closed == Closed::First);
-    };
-    if (corner.first == corner.last) {  // a point
-      pair(edges.begin(), edges.end());
-      continue;
-    }
-    const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
-    if (before(corner.first, corner.last)) {
-      pair(first, last);
-    } else {  // past +x
-      pair(first, edges.end());
-      pair(edges.begin(), last);
-    }
+    });
   }
 }
 
@@ -176,6 +175,20 @@ struct PairList {
     all.push_back({edge.from, edge.to, corner.at, edgeOfFirst, corner.sign});
   }
 };
+
+/// How many there are.
+struct PairTally {
+  double count = 0;
+};
+
+void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, PairTally& tally,
+              const Progress& progress) {
+  for (const Corner& corner : corners) {
+    progress.check();
+    forEachRange(edges, corner, closed,
+                 [&](auto first, auto last) { tally.count += static_cast<double>(std::distance(first, last)); });
+  }
+}
 
 /// A loop with all that pairing asks for.
 struct LoopSides {
@@ -220,7 +233,8 @@ void pairUp(const LoopSides& a, const LoopSides& b, Out& edges, const Progress& 
   addPairs(b.edges, a.corners, Closed::Last, edges, progress);
 }
 
-void pairUp(const PartSides& a, const PartSides& b, EdgePile& edges, const Progress& progress) {
+template <class Out>
+void pairUp(const PartSides& a, const PartSides& b, Out& edges, const Progress& progress) {
   pairUp(a.outer, b.outer, edges, progress);
   for (const LoopSides& hole : b.holes)
     if (hasRoom(hole, a.outer)) pairUp(a.outer, hole, edges, progress);
@@ -330,6 +344,14 @@ std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<c
     for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);
   }
   return std::move(edges).joined();
+}
+
+double pairCount(std::span<const GridPolygon> a, std::span<const GridPolygon> b, const Progress& progress) {
+  const std::vector<PartSides> partsA = partsOf(a, nullptr, progress), partsB = partsOf(b, nullptr, progress);
+  PairTally tally;
+  for (const PartSides& partA : partsA)
+    for (const PartSides& partB : partsB) pairUp(partA, partB, tally, progress);
+  return tally.count;
 }
 
 std::vector<EdgeAtCorner> pairsOf(const GridLoop& a, const GridLoop& b, const Progress& progress) {

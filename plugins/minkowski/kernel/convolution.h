@@ -66,6 +66,9 @@ std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<c
                                      const Progress& = Progress::none(), const Effort& = Effort(),
                                      PairSources* sources = nullptr, const CertainInside* inside = nullptr);
 
+/// Number of edges of the convolution before equal ones are joined, found without making them. O((n + m) log(n + m))
+double pairCount(std::span<const GridPolygon> a, std::span<const GridPolygon> b, const Progress& = Progress::none());
+
 /// An edge of one loop at a corner of another whose turn contains the edge's direction, in their own coordinates.
 struct EdgeAtCorner {
   GridPoint from, to, corner;

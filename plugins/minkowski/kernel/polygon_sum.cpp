@@ -58,7 +58,7 @@ bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() <
 Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
   const std::vector<GridPolygon> a = untangled(operands.a, progress), b = untangled(operands.b, progress);
   std::optional<CertainInside> inside;
-  if (rule == Inside::Positive) inside = certainInside(a, b, Progress(progress.token()));
+  if (rule == Inside::Positive) inside = certainInside(a, b, Progress(progress.token()), effort);
   const std::vector<CountedEdge> edges =
       convolution(a, b, progress.part(0, 0.1), effort, nullptr, inside ? &*inside : nullptr);
   return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.gridOfSum);

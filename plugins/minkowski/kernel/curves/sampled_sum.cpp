@@ -30,7 +30,7 @@ SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const 
   sources_.first = numbersOf(a_, operands.gridA);
   sources_.second = numbersOf(b_, operands.gridB);
   std::optional<CertainInside> certain;
-  if (inside == Inside::Positive) certain = certainInside(operands.a, operands.b, Progress(progress.token()));
+  if (inside == Inside::Positive) certain = certainInside(operands.a, operands.b, Progress(progress.token()), effort);
   edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_, certain ? &*certain : nullptr);
   faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), inside, effort);
 }

@@ -27,8 +27,12 @@ SoundRegion recursive(std::span<const SoundRegion> shapes, std::span<const doubl
                       const Progress& progress) {
   if (t.empty()) return shapes.front();
   const auto earlier = t.first(t.size() - 1);
-  const SoundRegion first = thin(recursive(shapes.first(shapes.size() - 1), earlier, add, thin, progress), progress);
-  const SoundRegion second = thin(recursive(shapes.subspan(1), earlier, add, thin, progress), progress);
+  SoundRegion first = recursive(shapes.first(shapes.size() - 1), earlier, add, thin, progress);
+  SoundRegion second = recursive(shapes.subspan(1), earlier, add, thin, progress);
+  if (!earlier.empty()) {  // the control shapes themselves stay as they are
+    first = thin(std::move(first), progress);
+    second = thin(std::move(second), progress);
+  }
   return between(first, second, t.back(), add, progress);
 }
 
@@ -67,6 +71,20 @@ T blended(std::vector<T> values, std::span<const double> t) {
 }
 
 std::string nameOf(std::size_t i) { return fmt::format("control shape {}", i + 1); }
+
+double lengthOf(const Region& region) {
+  double sum = 0;
+  for (const Path& loop : region.loops) sum += length(loop);
+  return sum;
+}
+
+/// The largest distance of a corner from a point.
+double reachFrom(const Vec2& point, const Region& region) {
+  double reach = 0;
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) reach = std::max(reach, (startPoint(segment) - point).norm());
+  return reach;
+}
 
 void check(std::span<const Region> shapes, std::span<const Arguments> arguments) {
   if (shapes.size() < 2)
@@ -126,9 +144,12 @@ class Morph {
     auto [shape, deviation] = inBetween(elevated(t), progress);
     if (options_.areaPreserving) {
       const Vec2 centre = blended(centres_, t);
-      const double factor = std::sqrt(blended(areas_, t) / area(shape.region));
+      const double wanted = blended(areas_, t), area = blossom::area(shape.region), factor = std::sqrt(wanted / area);
       shape = translated(scaled(translated(shape, -centre), factor), centre);
-      deviation *= factor;
+      // The area is right within what lies along the boundary, and so is the factor.
+      const double least = area - deviation * lengthOf(shape.region) / factor;
+      const double more = least > 0 ? std::sqrt(wanted / least) - factor : factor;
+      deviation = deviation * factor + more / factor * reachFrom(centre, shape.region);
     }
     const std::scoped_lock lock(mutex_);
     deviation_ = std::max(deviation_, deviation);

@@ -14,16 +14,18 @@ namespace blossom::minkowski {
 
 struct MorphOptions {
   EvaluationOrder evaluation = EvaluationOrder::Automatic;
-  bool degreeElevate = false;         ///< elevate the degree by one; the morph does not change when all shapes are convex
-  bool areaPreserving = false;        ///< scale about the centre, so that the areas of the control shapes are blended
-  std::optional<double> tolerance{};  ///< mm, between curves and their polygons; empty: see FlatteningOptions
+  bool degreeElevate = false;   ///< elevate the degree by one; the morph does not change when all shapes are convex
+  bool areaPreserving = false;  ///< scale about the centre, so that the areas of the control shapes are blended
+  /// mm, between curves and their polygons; empty: see FlatteningOptions. Of shapes without curves so much may be left out
+  /// at high degrees, before the scaling that preserves areas.
+  std::optional<double> tolerance{};
   std::size_t maximumWork = Effort::unlimited;  ///< see effort.h
 };
 
 struct MorphResult {
   std::vector<Region> regions;        ///< one per argument; outer loops counter-clockwise
   std::size_t sums = 0;               ///< Minkowski sums computed
-  double deviation = 0;               ///< mm, by which an in-between may differ: hulls, filled dents; at most the tolerance
+  double deviation = 0;               ///< mm, by which an in-between may differ: hulls, filled dents; see the tolerance
   std::vector<std::string> warnings;  ///< full sentences
 };
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/error.h"
 #include "core/parallel.h"
+#include "kernel/convolution.h"
 #include "kernel/winding/full_cells.h"
 
 namespace blossom::minkowski {
@@ -17,6 +19,7 @@ struct SetSize {
   GridPoint low, high;
   std::size_t corners = 0;
   double perimeter = 0;  ///< by the larger coordinate of each side
+  double area = 0;       ///< twice
   std::int64_t longest = 0;
 
   void add(const GridLoop& loop) {
@@ -28,6 +31,7 @@ struct SetSize {
       const std::int64_t length = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
       longest = std::max(longest, length);
       perimeter += static_cast<double>(length);
+      area += static_cast<double>(cross(p, q));
     }
   }
   [[nodiscard]] GridPoint extent() const { return high - low; }
@@ -46,18 +50,19 @@ constexpr int mostCells = 8192;  // along a side
 constexpr int fewestCells = 64;
 
 /// The smallest cells whose marking takes a small part of the time of the pairs.
-std::optional<int> shiftFor(const SetSize& still, const SetSize& moving, const CertainInsideOptions& options) {
-  const double pairs = static_cast<double>(still.corners) * static_cast<double>(moving.corners);
-  if (pairs < options.fewestPairs) return std::nullopt;
+std::optional<int> shiftFor(const SetSize& still, const SetSize& moving, double pairs, const CertainInsideOptions& options) {
   const GridPoint extent = still.extent() + moving.extent();
   const auto side = static_cast<double>(std::max(extent.x, extent.y));
-  int shift = std::max(static_cast<int>(std::ceil(std::log2(side / mostCells))), 4);
+  constexpr int smallest = 4;  // several times the rounding of what is computed with cells
+  if (side < std::ldexp(fewestCells, smallest)) return std::nullopt;
+  int shift = std::max(static_cast<int>(std::ceil(std::log2(side / mostCells))), smallest);
   const auto work = [&](int s) {
-    const double size = std::ldexp(1.0, s), rows = static_cast<double>(extent.y) / size;
-    const double stamps =
-        std::min(moving.perimeter / size + static_cast<double>(moving.corners), 8 * moving.perimeter / size);
+    const double size = std::ldexp(1.0, s), rows = std::max(static_cast<double>(extent.y) / size, 16.0);
+    const double along = moving.perimeter / size;
+    const double stamps = std::min(along + static_cast<double>(moving.corners), 8 * along);
     constexpr double openWords = 6;  // of a row that is almost wholly inside
-    return openWords * rows * stamps;
+    constexpr double crossing = 16;  // of a row by a side
+    return openWords * rows * stamps + crossing * (still.perimeter / size + along);
   };
   while (work(shift) > options.wordsOfPair * pairs) ++shift;
   if (side < std::ldexp(fewestCells, shift)) return std::nullopt;
@@ -78,23 +83,45 @@ BitRaster blocks(const BitRaster& full) {
   return result;
 }
 
-/// A row of the union of a raster at many places, as long as something of it is open.
-void uniteRow(const BitRaster& raster, const std::vector<BoundaryCell>& places, int r, BitRaster& result) {
+/// The words of each row that are not 0: [first, last).
+std::vector<std::pair<int, int>> usedWords(const BitRaster& raster) {
+  std::vector<std::pair<int, int>> used;
+  for (int r = 0; r < raster.rows(); ++r) {
+    const Word *const row = raster.row(r), *const end = row + raster.words();
+    const auto isUsed = [](Word w) { return w != 0; };
+    const Word* const first = std::find_if(row, end, isUsed);
+    const Word* last = end;
+    while (last > first && !isUsed(last[-1])) --last;
+    used.emplace_back(static_cast<int>(first - row), static_cast<int>(last - row));
+  }
+  return used;
+}
+
+/// A raster at many places.
+struct Stamps {
+  const BitRaster& raster;
+  const std::vector<std::pair<int, int>>& used;  ///< words
+  const std::vector<BoundaryCell>& places;
+};
+
+/// A row of the union, as long as something of it is open.
+void uniteRow(const Stamps& stamps, int r, BitRaster& result) {
+  const auto& [raster, used, places] = stamps;
   constexpr std::size_t turns = 16;  // by which each part of the boundary is soon met
   std::vector<int> open(static_cast<std::size_t>(result.words()));
   std::iota(open.begin(), open.end(), 0);
   Word* const row = result.row(r);
-  for (std::size_t turn = 0; turn < turns; ++turn) {
+  for (std::size_t turn = 0; turn < turns && !open.empty(); ++turn) {
     for (std::size_t i = turn; i < places.size(); i += turns) {
       const int from = r - places[i].row - 1;
       if (from < 0 || from >= raster.rows()) continue;
+      const auto [first, last] = used[static_cast<std::size_t>(from)];
       const Word* const source = raster.row(from);
       const int whole = (places[i].column + 1) / bitsOfWord, bits = (places[i].column + 1) % bitsOfWord;
-      for (const int w : open) {
-        const int s = w - whole;
-        if (s < 0 || s > raster.words()) continue;
+      for (auto w = std::lower_bound(open.begin(), open.end(), first + whole); w != open.end() && *w <= last + whole; ++w) {
+        const int s = *w - whole;
         const Word here = s < raster.words() ? source[s] : 0, before = s > 0 ? source[s - 1] : 0;
-        row[w] |= bits == 0 ? here : here << bits | before >> (bitsOfWord - bits);
+        row[*w] |= bits == 0 ? here : here << bits | before >> (bitsOfWord - bits);
       }
     }
     std::erase_if(open, [&](int w) { return row[w] == ~Word{0}; });
@@ -112,8 +139,8 @@ class RunParts {
         below = runs[i].row == runs[row].row + 1 ? row : i;
         row = i;
       }
-      for (std::size_t k = below; k < row; ++k)
-        if (runs[k].first <= runs[i].last && runs[i].first <= runs[k].last) part_[of(k)] = of(i);
+      while (below < row && runs[below].last < runs[i].first) ++below;
+      for (std::size_t k = below; k < row && runs[k].first <= runs[i].last; ++k) part_[of(k)] = of(i);
     }
   }
   std::size_t of(std::size_t i) {
@@ -193,11 +220,9 @@ void CertainInside::makeRuns() {
   }
   constexpr auto unseen = ~std::uint32_t{0};
   std::vector<std::uint32_t> place(all.size(), unseen);  // in runs_
-  std::vector<std::size_t> source;                       // the other way round
   const auto visit = [&](std::size_t i, int parent, int door) {
     place[i] = static_cast<std::uint32_t>(runs_.size());
     runs_.push_back({all[i].row, all[i].first, all[i].last, parent, door});
-    source.push_back(i);
   };
   for (std::size_t start = 0; start < all.size(); ++start) {
     if (place[start] != unseen) continue;
@@ -207,9 +232,12 @@ void CertainInside::makeRuns() {
       for (const int row : {runs_[next].row - 1, runs_[next].row + 1}) {
         if (row < 0 || row >= cells_.rows()) continue;
         const auto [first, last] = rows[static_cast<std::size_t>(row)];
-        for (std::size_t k = first; k < last; ++k) {
+        const auto beside = std::partition_point(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                                 all.begin() + static_cast<std::ptrdiff_t>(last),
+                                                 [&](const BitRun& run) { return run.last <= runs_[next].first; });
+        for (auto k = static_cast<std::size_t>(beside - all.begin()); k < last && all[k].first < runs_[next].last; ++k) {
           const int left = std::max(all[k].first, runs_[next].first), right = std::min(all[k].last, runs_[next].last);
-          if (left < right && place[k] == unseen) visit(k, static_cast<int>(next), (left + right) / 2);
+          if (place[k] == unseen) visit(k, static_cast<int>(next), (left + right) / 2);
         }
       }
   }
@@ -218,17 +246,24 @@ void CertainInside::makeRuns() {
 }
 
 std::optional<CertainInside> certainInside(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
-                                           const Progress& progress, const CertainInsideOptions& options) {
+                                           const Progress& progress, const Effort& effort,
+                                           const CertainInsideOptions& options) {
   SetSize still = sizeOf(a), moving = sizeOf(b);
-  if (still.corners == 0 || moving.corners == 0) return std::nullopt;
-  const auto larger = [](const SetSize& size) {
-    return static_cast<double>(size.extent().x) * static_cast<double>(size.extent().y);
-  };
-  if (larger(moving) > larger(still)) {
+  if (2 * static_cast<double>(still.corners) * static_cast<double>(moving.corners) < options.fewestPairs)
+    return std::nullopt;
+  const double pairs = pairCount(a, b, progress);
+  if (pairs < options.fewestPairs) return std::nullopt;
+  constexpr double mostPairs = 2e9;
+  if (pairs > mostPairs)
+    throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than two thousand million edges.",
+                "Raise the tolerance, so that curves get fewer corners.");
+  constexpr double workOfPair = 2;  // of an edge that is left out
+  effort.foresee(workOfPair * pairs);
+  if (moving.area > still.area) {
     std::swap(still, moving);
     std::swap(a, b);
   }
-  const std::optional<int> shift = shiftFor(still, moving, options);
+  const std::optional<int> shift = shiftFor(still, moving, pairs, options);
   if (!shift) return std::nullopt;
   const auto cellsAlong = [&](std::int64_t length) { return static_cast<int>(length >> *shift) + 2; };
   const GridPoint stillExtent = still.extent(), movingExtent = moving.extent();
@@ -239,9 +274,11 @@ std::optional<CertainInside> certainInside(std::span<const GridPolygon> a, std::
   inside.shift_ = *shift;
   inside.cells_ = BitRaster(cellsAlong(stillExtent.x) + cellsAlong(movingExtent.x),
                             cellsAlong(stillExtent.y) + cellsAlong(movingExtent.y));
+  const std::vector<std::pair<int, int>> used = usedWords(full);
   parallelFor(static_cast<std::size_t>(inside.cells_.rows()), 16, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) uniteRow(full, places, static_cast<int>(r), inside.cells_);
+    for (std::size_t r = begin; r < end; ++r) uniteRow({full, used, places}, static_cast<int>(r), inside.cells_);
   });
+  progress.check();
   openHoles(inside.cells_);
   const auto longest =
       static_cast<int>(std::min<std::int64_t>(std::max(still.longest, moving.longest) >> *shift, mostCells));

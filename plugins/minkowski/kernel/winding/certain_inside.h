@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "kernel/effort.h"
 #include "kernel/grid.h"
 #include "kernel/winding/bit_raster.h"
 
 namespace blossom::minkowski {
 
 struct CertainInsideOptions {
-  double fewestPairs = 100'000;  ///< of corners; the boundary of a sum of fewer is found as quickly without
-  double wordsOfPair = 16;       ///< 64 cells each that may be marked for a pair of corners
+  double fewestPairs = 100'000;  ///< of an edge and a corner; the boundary of a sum of fewer is found as quickly without
+  double wordsOfPair = 16;       ///< 64 cells each that may be marked for a pair
 };
 
 /// Square cells of which every point certainly lies in the interior of A + B: cells that are wholly inside A, moved by
@@ -43,7 +44,7 @@ class CertainInside {
 
  private:
   friend std::optional<CertainInside> certainInside(std::span<const GridPolygon>, std::span<const GridPolygon>,
-                                                    const Progress&, const CertainInsideOptions&);
+                                                    const Progress&, const Effort&, const CertainInsideOptions&);
   void makeRuns();
 
   GridPoint low_;
@@ -53,10 +54,10 @@ class CertainInside {
   std::vector<std::vector<std::uint32_t>> runsOfRow_;  ///< from left to right
 };
 
-/// Nothing where A and B have so few corners that it is not worth the time. The cells are as small as is worth for the
-/// number of pairs of corners. About as much work as a tenth of the pairs, on all cores.
-/// @throws Error Cancelled
+/// Nothing where A and B have so few pairs of edges and corners that it is not worth the time. The cells are as small as is
+/// worth for the number of pairs. About as much work as a tenth of the pairs, on all cores.
+/// @throws Error Cancelled; LimitExceeded above two thousand million pairs; TooMuchWork
 std::optional<CertainInside> certainInside(std::span<const GridPolygon> a, std::span<const GridPolygon> b, const Progress&,
-                                           const CertainInsideOptions& = {});
+                                           const Effort& = Effort(), const CertainInsideOptions& = {});
 
 }  // namespace blossom::minkowski

@@ -14,7 +14,8 @@ struct CellFrame {
   [[nodiscard]] int row(std::int64_t y) const { return static_cast<int>((y - low.y) >> shift); }
 };
 
-/// The cells that lie wholly inside a set and more than two units from its boundary. O(n + cells)
+/// The cells that lie wholly inside a set and more than two units from its boundary. O(n + cells + s log s) for
+/// s rows and columns that sides pass.
 /// @pre all corners lie within the columns and rows of the raster
 BitRaster fullCells(std::span<const GridPolygon>, const CellFrame&, int columns, int rows);
 

@@ -30,6 +30,10 @@ void LeftOutEdges::addEnd(const GridPoint& at, int count) {
   ends_.emplace_back(at, count);
   if (ends_.size() < full_) return;
   joinEnds();
+  constexpr std::size_t most = 20'000'000;
+  if (ends_.size() > most)
+    throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than twenty million edges near its boundary.",
+                "Raise the tolerance, so that curves get fewer corners.");
   full_ = std::max(full_, 2 * ends_.size());
 }
 
@@ -83,11 +87,36 @@ int LeftOutEdges::largestChange() const {
   return static_cast<int>(most);
 }
 
+// Left and right ends of runs, as far as they lie above one another.
+void LeftOutEdges::addUpright(int times, std::vector<CountedEdge>& edges) const {
+  const BitRaster& cells = inside_.cells();
+  const std::vector<BitRun> runs = runsOf(cells);
+  constexpr int none = -1;
+  const auto addEnds = [&](int BitRun::*end, bool up) {
+    std::vector<int> since(static_cast<std::size_t>(cells.columns()) + 1, none);  // the row where a border begins
+    std::vector<int> open, now;
+    std::size_t next = 0;
+    for (int row = 0; row <= cells.rows(); ++row) {
+      now.clear();
+      for (; next < runs.size() && runs[next].row == row; ++next) now.push_back(runs[next].*end);
+      for (const int column : open) {
+        if (std::binary_search(now.begin(), now.end(), column)) continue;
+        int& begin = since[static_cast<std::size_t>(column)];
+        const GridPoint low = inside_.corner(column, begin), high = inside_.corner(column, row);
+        edges.push_back({up ? low : high, up ? high : low, times, 0});
+        begin = none;
+      }
+      for (const int column : now)
+        if (int& begin = since[static_cast<std::size_t>(column)]; begin == none) begin = row;
+      std::swap(open, now);
+    }
+  };
+  addEnds(&BitRun::first, false);
+  addEnds(&BitRun::last, true);
+}
+
 void LeftOutEdges::addLoops(int times, std::vector<CountedEdge>& edges) const {
-  for (const CertainInside::Run& run : inside_.runs()) {
-    edges.push_back({inside_.corner(run.first, run.row + 1), inside_.corner(run.first, run.row), times, 0});
-    edges.push_back({inside_.corner(run.last, run.row), inside_.corner(run.last, run.row + 1), times, 0});
-  }
+  addUpright(times, edges);
   const BitRaster& cells = inside_.cells();
   const auto addBorders = [&](int row, int beside, int way) {
     BitRaster only(cells.columns(), 1);

@@ -28,6 +28,7 @@ class LeftOutEdges {
   std::vector<CountedEdge> paths();
   [[nodiscard]] int largestChange() const;
   void addLoops(int times, std::vector<CountedEdge>&) const;
+  void addUpright(int times, std::vector<CountedEdge>&) const;
 
   const CertainInside& inside_;
   std::vector<std::pair<GridPoint, int>> ends_;  ///< each as often as edges begin there, less those that end there

@@ -40,12 +40,6 @@ double sweepAbout(const Vec2& centre, const std::vector<Vec2>& corners) {
   return sweep;
 }
 
-double distanceToLine(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 along = to - from;
-  const double length = along.squaredNorm(), t = length > 0 ? std::clamp((p - from).dot(along) / length, 0.0, 1.0) : 0;
-  return (from + t * along - p).norm();
-}
-
 double angleOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 class RingFitter {
@@ -63,7 +57,6 @@ class RingFitter {
       Path path;
       path.closed = true;
       const std::optional<std::size_t> backward = addSegments(path);
-      if (astray_) return std::nullopt;
       if (!backward) return path;
       if (lengthOf(runs_[*backward].corners) > fitting_.reach) return std::nullopt;
       remove(*backward);
@@ -148,8 +141,7 @@ class RingFitter {
   [[nodiscard]] std::optional<Path> wholeFreeCurve() const {
     const Run& run = runs_.front();
     if ((run.corners.front() - run.corners.back()).norm() > fitting_.gap) return std::nullopt;
-    Path path{{splineOf(run, run.corners.front(), run.corners.front())}, true, {}, {}};
-    return followsCorners(run, path.segments.front()) ? std::optional(std::move(path)) : std::nullopt;
+    return Path{{splineOf(run, run.corners.front(), run.corners.front())}, true, {}, {}};
   }
 
   bool makeJunctions() {
@@ -185,8 +177,7 @@ class RingFitter {
   [[nodiscard]] double touching() const { return 4 * fitting_.rounding; }
 
   /// The number of a run that would go backward, if there is one.
-  std::optional<std::size_t> addSegments(Path& path) {
-    astray_ = false;
+  std::optional<std::size_t> addSegments(Path& path) const {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const Vec2 &from = junctions_[(i + runs_.size() - 1) % runs_.size()].begin, &to = junctions_[i].end;
       if (!addSegment(runs_[i], from, to, path)) return i;
@@ -196,7 +187,7 @@ class RingFitter {
     return std::nullopt;
   }
 
-  [[nodiscard]] bool addSegment(const Run& run, const Vec2& from, const Vec2& to, Path& path) {
+  [[nodiscard]] bool addSegment(const Run& run, const Vec2& from, const Vec2& to, Path& path) const {
     if ((to - from).norm() <= fitting_.rounding && lengthOf(run.corners) <= fitting_.reach) return false;
     if (std::holds_alternative<StraightCurve>(run.curve)) {
       path.segments.emplace_back(Line2{from, to});
@@ -204,7 +195,6 @@ class RingFitter {
     }
     if (isFree(run.curve)) {
       path.segments.emplace_back(splineOf(run, from, to));
-      astray_ = astray_ || !followsCorners(run, path.segments.back());
       return true;
     }
     const auto& circle = std::get<Circle>(run.curve);
@@ -232,20 +222,7 @@ class RingFitter {
       if (i + 1 < run.sides.size()) add(i, forward ? side.to : side.from);
     }
     points.push_back({to, directionAt(run, run.sides.size() - 1, run.corners.back())});
-    return splineThrough(points, splineShare * fitting_.gap);
-  }
-
-  /// Whether a spline stays near the corners of its run: hollow sides that cross make corners that no spline follows.
-  [[nodiscard]] bool followsCorners(const Run& run, const Segment& spline) const {
-    const std::vector<Vec2> points = flatten(spline, splineShare * fitting_.gap);
-    std::size_t at = 0;
-    for (const Vec2& corner : run.corners) {
-      std::size_t tried = 0;
-      for (; tried + 1 < points.size(); ++tried, at = at + 2 < points.size() ? at + 1 : 0)
-        if (distanceToLine(corner, points[at], points[at + 1]) <= fitting_.gap) break;
-      if (tried + 1 >= points.size()) return false;
-    }
-    return true;
+    return splineThrough(points, fitting_.gap / 16);
   }
 
   /// Along side i, where the normal has an angle.
@@ -267,7 +244,6 @@ class RingFitter {
   CurveFitting fitting_;
   std::vector<Run> runs_;
   std::vector<Junction> junctions_;  ///< of each run and the next one
-  bool astray_ = false;              ///< a spline of the last segments leaves its corners
 };
 
 /// Whether curves enclose about what the corners of their polygon do.
@@ -299,7 +275,7 @@ std::optional<Region> fittedCurves(const std::vector<TracedPart>& parts, const G
     for (const TracedLoop& hole : part.holes)
       if (!add(hole)) return std::nullopt;
   }
-  if (segmentsCross(region, fitting.rounding, splineShare * fitting.gap, progress)) return std::nullopt;
+  if (segmentsCross(region, fitting.rounding, fitting.gap / 16, progress)) return std::nullopt;
   return region;
 }
 

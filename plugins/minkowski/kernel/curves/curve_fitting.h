@@ -14,8 +14,6 @@ namespace blossom::minkowski {
 /// A side of a ring of polygons: the curve it stands for, nothing where that is smaller than the rounding.
 using CurveOfEdge = std::function<std::optional<TrueCurve>(std::uint32_t edge)>;
 
-constexpr double splineShare = 1.0 / 16;  ///< of the gap: how far splines may stray from the points that they pass
-
 struct CurveFitting {
   double rounding = 0;  ///< mm within which points are one
   double reach = 0;     ///< mm from a corner of the polygons to the same corner on the curves, at most

@@ -80,6 +80,10 @@ Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress) {
   return sum(a, b, progress, unlimited);
 }
 
+Polygons grownBy(const Polygons& polygons, double by, const Progress& progress, Effort& effort) {
+  return sum(polygons, {{{{-by, -by}, {by, -by}, {by, by}, {-by, by}}, {}}}, progress, effort);
+}
+
 Polygons difference(const Polygons& a, const Polygons& b, const Progress& progress, Effort& effort) {
   progress.check();
   if (a.empty()) return {};

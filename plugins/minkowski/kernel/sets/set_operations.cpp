@@ -178,10 +178,6 @@ double slackFor(const SoundSet& a, const SoundSet& b, bool curved) {
   return std::ldexp((boxA.sizes() + boxB.sizes()).maxCoeff(), -36) + std::ldexp(reach, -44);
 }
 
-Polygons grownBy(const Polygons& polygons, double slack, const Progress& progress, Effort& effort) {
-  return sum(polygons, {{{{-slack, -slack}, {slack, -slack}, {slack, slack}, {-slack, slack}}, {}}}, progress, effort);
-}
-
 /// Corners of the wider room lie off those of the room by multiples of the slack, so twice the slack tells how far.
 ThinRoom withoutSlack(ThinRoom once, const ThinRoom& twice, double slack) {
   std::vector<Vec2> places = twice.points;
@@ -212,7 +208,7 @@ void addThinRoom(std::span<const PlanarSet> sets, const RegionSumOptions& option
   const double slack = slackFor(a, b, curved);
   const auto found = [&](double by, const Progress& part) {
     const SoundRegion grown{toRegion(grownBy(toPolygons(a.area), by, part.part(0, 0.3), effort)), a.tolerance};
-    return thinParts(toPolygons(difference(grown, b, part.part(0.3, 0.9), effort)), regular.set.area, by, part);
+    return thinParts(toPolygons(difference(grown, b, part.part(0.3, 0.9), effort)), regular.set.area, {by, curved}, part);
   };
   ThinRoom thin = found(slack, progress.part(0, 0.5));
   if (thin.curves.empty() && thin.points.empty()) return;
@@ -251,6 +247,7 @@ SetSumResult setClosing(const PlanarSet& a, const PlanarSet& b, const RegionSumO
   const SetSumResult grown = setSum(std::vector{a, b}, options, progress.part(0, 0.5));
   SetSumResult result = setDifference(std::vector{grown.set, b}, options, progress.part(0.5, 1));
   result.sums += grown.sums;
+  result.warnings.insert(result.warnings.begin(), grown.warnings.begin(), grown.warnings.end());
   return result;
 }
 

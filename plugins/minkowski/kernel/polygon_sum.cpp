@@ -53,8 +53,6 @@ Loop mergedByAngle(const GridLoop& first, const GridLoop& second) {
   return sum;
 }
 
-bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
-
 Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
   const std::vector<GridPolygon> a = untangled(operands.a, progress), b = untangled(operands.b, progress);
   std::optional<CertainInside> inside;

@@ -139,6 +139,10 @@ SetSumResult regularDifference(std::span<const PlanarSet> sets, const RegionSumO
   const FlatteningOptions flattening{
       .tolerance = options.tolerance, .share = 1 / static_cast<double>(sets.size()), .effort = &effort};
   SoundRegion room = soundRegion(sets.front().area, flattening, shapeName(0), progress);
+  if (!room.plain && !hasSplines(room.region))  // touching loops have made lines of curves, on either side
+    room = {
+        toRegion(polygonsBeside({sets.front().area, room.tolerance}, Approximation::Inside, shapeName(0), progress, effort)),
+        room.tolerance, false};
   const auto count = static_cast<double>(sets.size() - 1);
   for (std::size_t i = 1; i < sets.size() && !room.region.loops.empty(); ++i) {
     const auto before = static_cast<double>(i - 1);

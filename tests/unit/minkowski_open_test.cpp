@@ -319,6 +319,8 @@ class MinkowskiOpenTest : public QObject {
     const SetSumResult sum = setSumOf(areaSet(circleRegion(1)), gap);
     QVERIFY(sum.warnings.size() == 1 && sum.warnings.front().starts_with("Shape 2 is open at (0, 0.1)"));
     QVERIFY(setSumOf(areaSet(circleRegion(1)), segmentSet({0, 0}, {1, 0})).warnings.empty());
+    QCOMPARE(setClosing(areaSet(circleRegion(1)), gap).warnings, sum.warnings);
+    QCOMPARE(setOpening(areaSet(circleRegion(30)), gap).warnings, sum.warnings);
   }
 
   void weightsOfCurves() {

@@ -238,20 +238,31 @@ SetSumResult setDifference(std::span<const PlanarSet> sets, const RegionSumOptio
   return result;
 }
 
+namespace {
+
+/// What the first of two steps took and warned of, unless the second one says the same.
+void addFirst(const SetSumResult& first, SetSumResult& second) {
+  second.sums += first.sums;
+  std::vector<std::string> warnings = first.warnings;
+  for (std::string& warning : second.warnings)
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
+  second.warnings = std::move(warnings);
+}
+
+}  // namespace
+
 SetSumResult setOpening(const PlanarSet& a, const PlanarSet& b, const RegionSumOptions& options, const Progress& progress) {
   SetSumResult room = setDifference(std::vector{a, b}, options, progress.part(0, 0.5));
   if (room.set.empty()) return room;
   SetSumResult result = setSum(std::vector{room.set, b}, options, progress.part(0.5, 1));
-  result.sums += room.sums;
-  result.warnings.insert(result.warnings.begin(), room.warnings.begin(), room.warnings.end());
+  addFirst(room, result);
   return result;
 }
 
 SetSumResult setClosing(const PlanarSet& a, const PlanarSet& b, const RegionSumOptions& options, const Progress& progress) {
   const SetSumResult grown = setSum(std::vector{a, b}, options, progress.part(0, 0.5));
   SetSumResult result = setDifference(std::vector{grown.set, b}, options, progress.part(0.5, 1));
-  result.sums += grown.sums;
-  result.warnings.insert(result.warnings.begin(), grown.warnings.begin(), grown.warnings.end());
+  addFirst(grown, result);
   return result;
 }
 

@@ -9,20 +9,44 @@
 #include "core/error.h"
 #include "core/tolerance.h"
 #include "geometry/planar/planar.h"
+#include "kernel/polygons.h"
 
 namespace blossom::minkowski {
 namespace {
 
+bool isPoint(const Path& path) { return !path.segments.empty() && length(path) == 0; }
+
+/// Lines without length, each place once. They are taken out of the drawing, whose ends they would join.
+std::vector<Vec2> pointsTakenFrom(Curves& drawing) {
+  std::vector<Vec2> points;
+  for (const Path& path : drawing.paths)
+    if (isPoint(path)) points.push_back(startPoint(path));
+  std::erase_if(drawing.paths, isPoint);
+  std::sort(points.begin(), points.end(), fartherLeft);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// What lies at the end of a line or curve is dirt, not a point.
+void dropPointsAtEnds(const std::vector<Path>& paths, std::vector<Vec2>& points) {
+  for (const Path& path : paths)
+    for (const Segment& segment : path.segments)
+      for (const Vec2& end : {startPoint(segment), endPoint(segment)}) {
+        const auto [first, last] = std::equal_range(points.begin(), points.end(), end, fartherLeft);
+        points.erase(first, last);
+      }
+}
+
 /// A line without length stands for a point; anything else so short is dirt, as in toRegion.
-PlanarSet setOfDrawing(const Curves& drawing) {
+PlanarSet setOfDrawing(Curves drawing) {
   PlanarSet set;
+  set.points = pointsTakenFrom(drawing);
+  dropPointsAtEnds(drawing.paths, set.points);
   Curves closed{{}, drawing.fillRule};
   for (Path& path : joined(drawing).paths) {
     if (path.segments.empty()) continue;
     if (path.closed)
       closed.paths.push_back(std::move(path));
-    else if (length(path) == 0)
-      set.points.push_back(startPoint(path));
     else if (length(path) > Tolerance{}.joining)
       set.curves.push_back(std::move(path));
   }
@@ -86,7 +110,8 @@ Evaluated evaluatedSet(SetSumResult result) {
     out.shape = std::move(set.area);
     return out;
   }
-  out.stats["open_curves"] = set.curves.size();
+  out.stats["open_curves"] =
+      std::count_if(set.curves.begin(), set.curves.end(), [](const Path& curve) { return !curve.closed; });
   out.stats["points"] = set.points.size();
   Curves drawing = toCurves(set.area);
   drawing.paths.insert(drawing.paths.end(), set.curves.begin(), set.curves.end());

@@ -56,6 +56,18 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(opened.result("arcs"), 4.0);
   }
 
+  void pointsAtOnePlaceAreOne() {
+    QFile file(folder_.filePath("twice.svg"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' viewBox='0 0 9 9'>"
+        "<path d='M5 5L5 5'/><path d='M5 5L5 5'/></svg>");
+    file.close();
+    const Answer sum = blossom({"minkowski-sum", "rectangle:4:3", "twice.svg"});
+    QCOMPARE(sum.code, 0);
+    COMPARE_NEAR(sum.result("area"), 12, 1e-9);
+  }
+
   void copiesAndHulls() {
     const Answer three = blossom({"region-repeat", "rectangle:4:2", "--count", "3"});
     COMPARE_NEAR(three.result("area"), 9 * 8, 1e-9);

@@ -232,6 +232,35 @@ class MinkowskiOpenTest : public QObject {
     VERIFY_ERROR(setDifference(std::vector{segmentSet({0, 0}, {3, 0}), areaSet(circleRegion(1))}), ErrorCode::InvalidInput);
   }
 
+  /// However coarse, a difference is never too large.
+  void roomInFreeFormOutlines() {
+    Random random = seededRandom();
+    for (int k = 0; k < 12; ++k) {
+      const Region outline = k == 0 ? ellipseRegion(9, 4) : freeRegion(random, 10);
+      Path arc;
+      arc.segments.emplace_back(Arc2{{0, 0}, 1, uniform(random, 0, 6), uniform(random, 1, 4)});
+      Path spline;
+      spline.segments.emplace_back(ellipticArc({0, 0}, {1.5, 0}, 0.5, 0, 2.5));
+      for (const PlanarSet& tool : {curveSet(arc), curveSet(spline), segmentSet({0, 0}, randomVector(random, 1.5))}) {
+        const auto roomWithin = [&](double tolerance) {
+          return area(setDifference(std::vector{areaSet(outline), tool}, {.tolerance = tolerance}).set.area);
+        };
+        const double fine = roomWithin(1e-4);
+        for (const double coarse : {0.02, 0.005, 0.001}) {
+          const double room = roomWithin(coarse);
+          QVERIFY(room <= fine * (1 + 1e-12));
+          QVERIFY(room >= 0.95 * fine - 1);
+        }
+      }
+    }
+  }
+
+  void roomForAPointIsTheShapeMoved() {
+    const Region outline = ellipseRegion(9, 4), room = roomFor(outline, pointSet({{2, 1}}));
+    COMPARE_NEAR(area(room), area(outline), 1e-12);
+    COMPARE_NEAR((startPoint(room.loops.front()) - startPoint(outline.loops.front()) - Vec2(-2, -1)).norm(), 0, 1e-12);
+  }
+
   /// p + P inside A, decided without any difference.
   void roomForPolylines() {
     Random random = seededRandom();
@@ -290,6 +319,8 @@ class MinkowskiOpenTest : public QObject {
     const SetSumResult sum = setSumOf(areaSet(circleRegion(1)), gap);
     QVERIFY(sum.warnings.size() == 1 && sum.warnings.front().starts_with("Shape 2 is open at (0, 0.1)"));
     QVERIFY(setSumOf(areaSet(circleRegion(1)), segmentSet({0, 0}, {1, 0})).warnings.empty());
+    QCOMPARE(setClosing(areaSet(circleRegion(1)), gap).warnings, sum.warnings);
+    QCOMPARE(setOpening(areaSet(circleRegion(30)), gap).warnings, sum.warnings);
   }
 
   void weightsOfCurves() {

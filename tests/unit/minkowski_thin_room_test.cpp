@@ -217,6 +217,48 @@ class MinkowskiThinRoomTest : public QObject {
     }
   }
 
+  /// The corners of a square and of a hexagon lie on circles, and so may points on their sides.
+  void ringsOfStraightCorridors() {
+    const auto ringOf = [](const std::vector<Vec2>& corners, double inner) {
+      Region ring = polygonRegion(corners);
+      std::vector<Vec2> hole;
+      for (const Vec2& p : corners) hole.push_back(inner * p);
+      ring.loops.push_back(reversed(polygonPath(hole)));
+      return ring;
+    };
+    std::vector<Vec2> hexagon;
+    for (int k = 0; k < 6; ++k) hexagon.push_back(10 * Vec2(std::cos(pi * k / 3), std::sin(pi * k / 3)));
+    std::vector<Vec2> sixth;  // fits the corridor between hexagons of 10 and 6: one of 2
+    for (const Vec2& p : hexagon) sixth.push_back(0.2 * p);
+    const std::vector<Vec2> square{{-10, -10}, {10, -10}, {10, 10}, {-10, 10}};
+    const std::pair<PlanarSet, PlanarSet> cases[] = {
+        {{ringOf(square, 0.5)}, {rectangleRegion({-2.5, -2.5}, {2.5, 2.5})}},
+        {{ringOf(hexagon, 0.6)}, {polygonRegion(sixth)}},
+    };
+    const double lengths[] = {4 * 15, 6 * 8};
+    for (int k = 0; k < 2; ++k) {
+      const auto& [ring, tool] = cases[k];
+      const SetSumResult room = keptDifference(ring, tool);
+      QVERIFY(room.set.area.loops.empty() && room.set.points.empty());
+      QCOMPARE(room.set.curves.size(), std::size_t{1});
+      const Path& curve = room.set.curves.front();
+      QVERIFY(curve.closed);
+      for (const Segment& segment : curve.segments) QVERIFY(std::holds_alternative<Line2>(segment));
+      COMPARE_NEAR(length(curve), lengths[k], 1e-8);
+      COMPARE_NEAR(area(setOpening(ring, tool, {.keepDegenerate = true}).set.area), area(ring.area), 1e-6);
+    }
+  }
+
+  /// The disc has some width in the corners, and none along the sides between.
+  void aSquareRingForADisc() {
+    Region ring = rectangleRegion({0, 0}, {20, 20});
+    ring.loops.push_back(reversed(rectanglePath({5, 5}, {15, 15})));
+    const SetSumResult room = keptDifference({ring}, {circleRegion(2.5)});
+    COMPARE_NEAR(area(room.set.area), (4 - pi) * 2.5 * 2.5, 0.05);
+    QCOMPARE(room.set.curves.size(), std::size_t{4});
+    COMPARE_NEAR(lengthOfAll(room.set.curves), 4 * 10, 1);
+  }
+
   void aRingForADisc() {
     Region ring = circleRegion(12, {1, 2});
     ring.loops.push_back(reversed(circleRegion(8, {1, 2}).loops.front()));

@@ -291,6 +291,12 @@ Polygons flattened(const Region& region, const FlatteningOptions& options, const
   return flattenedBeside(region, checked.tolerance, options.side, progress);
 }
 
+Polygons polygonsBeside(const SoundRegion& shape, Approximation side, const std::string& name, const Progress& progress,
+                        Effort& effort) {
+  const double within = std::min(shape.tolerance, defaultTolerance(shape.region));
+  return flattened(shape.region, {.tolerance = within, .side = side, .effort = &effort}, name, progress);
+}
+
 SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
                         const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);

@@ -38,6 +38,9 @@ double thicknessOf(const Region&);
 /// LimitExceeded beyond 1e9 mm or 200,000 corners. Cancelled; TooMuchWork. O(n log n) for well-distributed edges.
 Polygons flattened(const Region&, const FlatteningOptions&, const std::string& name, const Progress& = Progress::none());
 
+/// Of a region that was checked before, within its tolerance or the default one, if that is smaller. @throws as flattened
+Polygons polygonsBeside(const SoundRegion&, Approximation, const std::string& name, const Progress&, Effort&);
+
 /// The same checks, but curves stay. Where loops touch each other or themselves, curves become lines. @throws as flattened
 SoundRegion soundRegion(const Region&, const FlatteningOptions&, const std::string& name,
                         const Progress& = Progress::none());

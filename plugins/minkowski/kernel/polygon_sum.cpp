@@ -53,8 +53,6 @@ Loop mergedByAngle(const GridLoop& first, const GridLoop& second) {
   return sum;
 }
 
-bool fartherLeft(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
-
 Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
   const std::vector<GridPolygon> a = untangled(operands.a, progress), b = untangled(operands.b, progress);
   std::optional<CertainInside> inside;
@@ -78,6 +76,10 @@ Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress, Eff
 Polygons sum(const Polygons& a, const Polygons& b, const Progress& progress) {
   Effort unlimited;
   return sum(a, b, progress, unlimited);
+}
+
+Polygons grownBy(const Polygons& polygons, double by, const Progress& progress, Effort& effort) {
+  return sum(polygons, {{{{-by, -by}, {by, -by}, {by, by}, {-by, by}}, {}}}, progress, effort);
 }
 
 Polygons difference(const Polygons& a, const Polygons& b, const Progress& progress, Effort& effort) {

@@ -15,6 +15,9 @@ namespace blossom::minkowski {
 Polygons sum(const Polygons& a, const Polygons& b, const Progress&, Effort& effort);
 Polygons sum(const Polygons& a, const Polygons& b, const Progress& = Progress::none());
 
+/// With a square of that half width about the origin: larger by at least as much on all sides. @throws as sum
+Polygons grownBy(const Polygons&, double by, const Progress&, Effort& effort);
+
 /// {p : p + B inside A} = complement of (complement of A) + (-B), regularised: parts that collapse to lines and points are
 /// left out, and the result may be empty. @pre B is not empty. @throws as sum.
 Polygons difference(const Polygons& a, const Polygons& b, const Progress&, Effort& effort);

@@ -19,6 +19,9 @@ struct Polygon {
 /// A planar set bounded by straight edges, the operand and result of sums. No polygons: the empty set.
 using Polygons = std::vector<Polygon>;
 
+/// The order of points from left to right, those above one another upwards.
+inline bool fartherLeft(const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); }
+
 /// Area to the left of a loop, negative when clockwise.
 double signedArea(const Loop&);
 double perimeter(const Loop&);

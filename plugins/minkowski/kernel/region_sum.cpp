@@ -140,20 +140,4 @@ std::string nothingLeft(std::optional<double> toleranceOfCurves) {
       toleranceOfCurves ? fmt::format("within {:.2g} mm, ", *toleranceOfCurves) : std::string());
 }
 
-RegionSumResult regionOpening(const Region& a, const Region& b, const RegionSumOptions& options, const Progress& progress) {
-  const RegionSumResult room = minkowskiDifference(std::vector{a, b}, options, progress.part(0, 0.5));
-  if (room.region.loops.empty()) return room;
-  RegionSumResult result = minkowskiSum(std::vector{room.region, b}, options, progress.part(0.5, 1));
-  result.sums += room.sums;
-  result.warnings = room.warnings;
-  return result;
-}
-
-RegionSumResult regionClosing(const Region& a, const Region& b, const RegionSumOptions& options, const Progress& progress) {
-  const RegionSumResult grown = minkowskiSum(std::vector{a, b}, options, progress.part(0, 0.5));
-  RegionSumResult result = minkowskiDifference(std::vector{grown.region, b}, options, progress.part(0.5, 1));
-  result.sums += grown.sums;
-  return result;
-}
-
 }  // namespace blossom::minkowski

@@ -48,13 +48,4 @@ Region roomInside(std::span<const Region>, const RegionSumOptions&, const Progre
 /// What is said of a difference that is empty, "Nothing is left: ..".
 std::string nothingLeft(std::optional<double> toleranceOfCurves);
 
-/// (A - B) + B: the part of A that B covers while it stays inside; empty, with a warning, where it stays inside nowhere.
-/// @throws as minkowskiDifference
-RegionSumResult regionOpening(const Region& a, const Region& b, const RegionSumOptions& = {},
-                              const Progress& = Progress::none());
-
-/// (A + B) - B: A with the places filled that -B cannot reach from outside. @throws as minkowskiSum
-RegionSumResult regionClosing(const Region& a, const Region& b, const RegionSumOptions& = {},
-                              const Progress& = Progress::none());
-
 }  // namespace blossom::minkowski

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/planar/planar.h"
+#include "geometry/planar/planar_bezier.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -92,6 +93,24 @@ bool isConvex(const SoundRegion& shape) {
     if (turn < -rounding || (turn <= rounding && in.dot(out) < 0)) return false;  // also a cusp
   }
   return true;
+}
+
+void extendLoosely(Box2& box, const Segment& segment) {
+  box.extend(startPoint(segment));
+  box.extend(endPoint(segment));
+  if (const auto* arc = std::get_if<Arc2>(&segment)) {
+    box.extend(Vec2(arc->center + Vec2::Constant(arc->radius)));
+    box.extend(Vec2(arc->center - Vec2::Constant(arc->radius)));
+  }
+  if (const auto* spline = std::get_if<Spline2>(&segment))
+    for (const Vec3& pole : spline->poles) box.extend(euclidean(pole));
+}
+
+Box2 looseBox(const std::vector<Path>& paths) {
+  Box2 box;
+  for (const Path& path : paths)
+    for (const Segment& segment : path.segments) extendLoosely(box, segment);
+  return box;
 }
 
 Polygons toPolygons(const SoundRegion& shape) {

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "core/vector.h"
+#include "geometry/numeric/boxes.h"
 #include "geometry/planar/region.h"
 #include "kernel/polygons.h"
 
@@ -26,6 +28,10 @@ SoundRegion scaled(const SoundRegion&, double s);
 SoundRegion translated(const SoundRegion&, const Vec2& by);
 /// Whether there is one part, without holes, without a concave arc and without a right turn beyond rounding (1e-9 radians).
 bool isConvex(const SoundRegion&);
+
+/// Around segments: the circles of arcs and the poles of splines lie in it.
+void extendLoosely(Box2&, const Segment&);
+Box2 looseBox(const std::vector<Path>&);
 
 /// The polygons of a region of lines. @pre no curves
 Polygons toPolygons(const SoundRegion&);

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
 #include "geometry/planar/planar.h"
-#include "geometry/planar/planar_bezier.h"
 #include "kernel/curves/convex_sum.h"
 #include "kernel/curves/finer_polygons.h"
 #include "kernel/curves/sampled_sum.h"
@@ -38,22 +35,8 @@ Region fittedSum(const SoundRegion& a, const SoundRegion& b, const Addition& add
 
 /// When one set is as good as a point beside the other: the other, moved there.
 std::optional<SoundRegion> sumWithPoint(const SoundRegion& a, const SoundRegion& b) {
-  const auto boxOfShape = [](const SoundRegion& shape) {
-    Box2 box;
-    for (const Path& loop : shape.region.loops)
-      for (const Segment& segment : loop.segments) {
-        box.extend(startPoint(segment));
-        if (const auto* arc = std::get_if<Arc2>(&segment)) {
-          box.extend(Vec2(arc->center + Vec2::Constant(arc->radius)));
-          box.extend(Vec2(arc->center - Vec2::Constant(arc->radius)));
-        }
-        if (const auto* spline = std::get_if<Spline2>(&segment))
-          for (const Vec3& pole : spline->poles) box.extend(euclidean(pole));
-      }
-    return box;
-  };
   constexpr double point = 3e-12;
-  const Box2 boxA = boxOfShape(a), boxB = boxOfShape(b);
+  const Box2 boxA = looseBox(a.region.loops), boxB = looseBox(b.region.loops);
   if (boxB.sizes().norm() <= point * boxA.sizes().norm()) return translated(a, boxB.center());
   if (boxA.sizes().norm() <= point * boxB.sizes().norm()) return translated(b, boxA.center());
   return std::nullopt;
@@ -95,12 +78,8 @@ SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progres
     if (const auto around = complement(a, extentOf(b).sizes(), progress))
       return {fittedSum(*around, scaled(b, -1), {Sampling::Around, Inside::Hollow}, progress, effort), tolerance};
   // By polygons on the safe side, whose loops may touch.
-  const auto polygonsOf = [&](const SoundRegion& shape, Approximation side, const char* name) {
-    const double within = std::min(shape.tolerance, defaultTolerance(shape.region));
-    return flattened(shape.region, {.tolerance = within, .side = side, .effort = &effort}, name, progress);
-  };
-  const Polygons inside = polygonsOf(a, Approximation::Inside, "shape 1"),
-                 outside = polygonsOf(b, Approximation::Outside, "shape 2");
+  const Polygons inside = polygonsBeside(a, Approximation::Inside, "shape 1", progress, effort),
+                 outside = polygonsBeside(b, Approximation::Outside, "shape 2", progress, effort);
   return {toRegion(difference(inside, outside, progress, effort)), tolerance, !free};
 }
 

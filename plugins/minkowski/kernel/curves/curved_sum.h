@@ -21,8 +21,7 @@ SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const SampledPair&, 
 
 /// {p : p + B inside A}, regularised. Of regions of lines and arcs it has lines and arcs again; which of them bound it is
 /// decided by polygons around the complement of A and around B: room within the tolerances may be missed, none is invented.
-/// What comes of splines is a cubic spline within the tolerances, on the inner side of the true boundary but near corners;
-/// where none fits, polygons on the safe side are taken.
+/// Where there are splines, or loops of A touch, it is of straight lines on the safe side.
 /// @pre B is not empty. @throws as sum
 SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progress&, Effort&);
 

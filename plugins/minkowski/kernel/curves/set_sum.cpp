@@ -7,6 +7,7 @@
 #include "kernel/curves/finer_polygons.h"
 #include "kernel/curves/sampled_sum.h"
 #include "kernel/flattening.h"
+#include "kernel/polygon_sum.h"
 #include "kernel/sets/complement.h"
 
 namespace blossom::minkowski {
@@ -28,16 +29,21 @@ void addCopies(const SoundSet& set, const std::vector<Vec2>& points, SoundSet& o
     out.curves.insert(out.curves.end(), copy.curves.begin(), copy.curves.end());
     out.points.insert(out.points.end(), copy.points.begin(), copy.points.end());
   }
-  const auto before = [](const Vec2& p, const Vec2& q) { return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y(); };
-  std::sort(out.points.begin(), out.points.end(), before);
+  std::sort(out.points.begin(), out.points.end(), fartherLeft);
   out.points.erase(std::unique(out.points.begin(), out.points.end()), out.points.end());
 }
 
-/// Where its loops touch, as those of an earlier result may: by polygons.
-SoundRegion complementOf(const SoundRegion& a, const Vec2& size, const Progress& progress, Effort& effort) {
-  if (auto around = complement(a, size, progress)) return *std::move(around);
-  const Polygons inside = flattened(a.region, {.side = Approximation::Inside, .effort = &effort}, "shape 1", progress);
-  return {toRegion(complement(inside, size, progress)), a.tolerance};
+/// By lines on the safe side: the curves of B run within its tolerance of their chords, so the complement is grown by that.
+SoundRegion differenceByLines(const SoundRegion& a, const SoundSet& b, const Progress& progress, Effort& effort) {
+  const Polygons inside = polygonsBeside(a, Approximation::Inside, "shape 1", progress, effort);
+  if (inside.empty()) return {};
+  Polygons around = complement(inside, extentOf(b).sizes(), progress);
+  if (isCurved(b)) around = grownBy(around, b.tolerance, progress.part(0, 0.3), effort);
+  const SoundSet outside{{toRegion(around), a.tolerance}, {}, {}, a.tolerance};
+  const SampledPair pair = sampledPair(outside, scaled(b, -1), 1, Sampling::Chords, progress);
+  const double tolerance = a.tolerance + b.tolerance;
+  return {SampledSum(pair, tolerance, Inside::Hollow, progress.part(0.3, 1), effort).lines(), tolerance,
+          !isFreeForm(b) && !hasSplines(a.region)};
 }
 
 }  // namespace
@@ -63,12 +69,16 @@ SoundSet sum(const SoundSet& a, const SoundSet& b, const Progress& progress, Eff
 
 SoundRegion difference(const SoundRegion& a, const SoundSet& b, const Progress& progress, Effort& effort) {
   progress.check();
+  if (a.region.loops.empty()) return {};
   if (b.isArea()) return difference(a, b.area, progress, effort);
-  const double tolerance = a.tolerance + b.tolerance;
-  const SoundSet around{complementOf(a, extentOf(b).sizes(), progress, effort), {}, {}, a.tolerance};
-  const bool free = isFreeForm(around) || isFreeForm(b);
-  const Sampling sampling = free ? Sampling::Chords : Sampling::Around;
-  return {sweptArea(around, scaled(b, -1), sampling, Inside::Hollow, progress, effort), tolerance};
+  if (b.isPoints() && b.points.size() == 1) return translated(a, -b.points.front());
+  if (!isFreeForm(b) && !hasSplines(a.region))
+    if (auto around = complement(a, extentOf(b).sizes(), progress)) {
+      const SoundSet outside{*std::move(around), {}, {}, a.tolerance};
+      return {sweptArea(outside, scaled(b, -1), Sampling::Around, Inside::Hollow, progress, effort),
+              a.tolerance + b.tolerance};
+    }
+  return differenceByLines(a, b, progress, effort);
 }
 
 }  // namespace blossom::minkowski

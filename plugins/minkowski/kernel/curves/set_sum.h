@@ -12,7 +12,9 @@ namespace blossom::minkowski {
 /// @throws Error LimitExceeded, Cancelled; TooMuchWork.
 SoundSet sum(const SoundSet& a, const SoundSet& b, const Progress&, Effort&);
 
-/// {p : p + B inside the area of A}, regularised. @pre neither is empty. @throws as sum
+/// {p : p + B inside the area of A}, regularised; never too large. Of lines and arcs it has lines and arcs again; where
+/// there are splines, straight lines on the safe side, unless B is one point, which moves A. @pre B is not empty. @throws as
+/// sum
 SoundRegion difference(const SoundRegion& a, const SoundSet& b, const Progress&, Effort&);
 
 }  // namespace blossom::minkowski

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "core/tolerance.h"
-#include "geometry/numeric/boxes.h"
 #include "geometry/planar/planar.h"
-#include "geometry/planar/planar_bezier.h"
 #include "kernel/flattening.h"
 #include "kernel/refusal.h"
 
@@ -15,24 +13,6 @@ namespace {
 
 constexpr double coarsestOfCurve = 0.05;  // share of its size
 constexpr double mostPoints = 1e5;        // of all curves, when they are drawn as polygons
-
-void extendBy(Box2& box, const Segment& segment) {
-  box.extend(startPoint(segment));
-  box.extend(endPoint(segment));
-  if (const auto* arc = std::get_if<Arc2>(&segment)) {
-    box.extend(Vec2(arc->center + Vec2::Constant(arc->radius)));
-    box.extend(Vec2(arc->center - Vec2::Constant(arc->radius)));
-  }
-  if (const auto* spline = std::get_if<Spline2>(&segment))
-    for (const Vec3& pole : spline->poles) box.extend(euclidean(pole));
-}
-
-Box2 boxOfCurves(const std::vector<Path>& curves) {
-  Box2 box;
-  for (const Path& curve : curves)
-    for (const Segment& segment : curve.segments) extendBy(box, segment);
-  return box;
-}
 
 void checkCurve(const Path& curve, std::size_t number, const std::string& name) {
   if (curve.segments.empty())
@@ -57,7 +37,7 @@ bool isStraight(const Path& curve) {
 
 double toleranceOfCurves(const std::vector<Path>& curves, const FlatteningOptions& options, const std::string& name) {
   constexpr double largest = 0.01, shareOfSize = 1e-4;
-  const Box2 box = boxOfCurves(curves);
+  const Box2 box = looseBox(curves);
   const double size = box.sizes().maxCoeff();
   const bool straight = std::all_of(curves.begin(), curves.end(), isStraight);
   const double tolerance =
@@ -78,7 +58,7 @@ void refuseTooFine(const std::vector<Path>& curves, double tolerance, const std:
       ++sides;
       if (std::holds_alternative<Line2>(segment)) continue;
       Box2 box;
-      extendBy(box, segment);
+      extendLoosely(box, segment);
       sides += std::sqrt(box.sizes().norm() / tolerance);
     }
   if (sides > mostPoints)

@@ -139,6 +139,10 @@ SetSumResult regularDifference(std::span<const PlanarSet> sets, const RegionSumO
   const FlatteningOptions flattening{
       .tolerance = options.tolerance, .share = 1 / static_cast<double>(sets.size()), .effort = &effort};
   SoundRegion room = soundRegion(sets.front().area, flattening, shapeName(0), progress);
+  if (!room.plain && !hasSplines(room.region))  // touching loops have made lines of curves, on either side
+    room = {
+        toRegion(polygonsBeside({sets.front().area, room.tolerance}, Approximation::Inside, shapeName(0), progress, effort)),
+        room.tolerance, false};
   const auto count = static_cast<double>(sets.size() - 1);
   for (std::size_t i = 1; i < sets.size() && !room.region.loops.empty(); ++i) {
     const auto before = static_cast<double>(i - 1);
@@ -178,10 +182,6 @@ double slackFor(const SoundSet& a, const SoundSet& b, bool curved) {
   return std::ldexp((boxA.sizes() + boxB.sizes()).maxCoeff(), -36) + std::ldexp(reach, -44);
 }
 
-Polygons grownBy(const Polygons& polygons, double slack, const Progress& progress, Effort& effort) {
-  return sum(polygons, {{{{-slack, -slack}, {slack, -slack}, {slack, slack}, {-slack, slack}}, {}}}, progress, effort);
-}
-
 /// Corners of the wider room lie off those of the room by multiples of the slack, so twice the slack tells how far.
 ThinRoom withoutSlack(ThinRoom once, const ThinRoom& twice, double slack) {
   std::vector<Vec2> places = twice.points;
@@ -212,7 +212,7 @@ void addThinRoom(std::span<const PlanarSet> sets, const RegionSumOptions& option
   const double slack = slackFor(a, b, curved);
   const auto found = [&](double by, const Progress& part) {
     const SoundRegion grown{toRegion(grownBy(toPolygons(a.area), by, part.part(0, 0.3), effort)), a.tolerance};
-    return thinParts(toPolygons(difference(grown, b, part.part(0.3, 0.9), effort)), regular.set.area, by, part);
+    return thinParts(toPolygons(difference(grown, b, part.part(0.3, 0.9), effort)), regular.set.area, {by, curved}, part);
   };
   ThinRoom thin = found(slack, progress.part(0, 0.5));
   if (thin.curves.empty() && thin.points.empty()) return;
@@ -238,19 +238,31 @@ SetSumResult setDifference(std::span<const PlanarSet> sets, const RegionSumOptio
   return result;
 }
 
+namespace {
+
+/// What the first of two steps took and warned of, unless the second one says the same.
+void addFirst(const SetSumResult& first, SetSumResult& second) {
+  second.sums += first.sums;
+  std::vector<std::string> warnings = first.warnings;
+  for (std::string& warning : second.warnings)
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
+  second.warnings = std::move(warnings);
+}
+
+}  // namespace
+
 SetSumResult setOpening(const PlanarSet& a, const PlanarSet& b, const RegionSumOptions& options, const Progress& progress) {
   SetSumResult room = setDifference(std::vector{a, b}, options, progress.part(0, 0.5));
   if (room.set.empty()) return room;
   SetSumResult result = setSum(std::vector{room.set, b}, options, progress.part(0.5, 1));
-  result.sums += room.sums;
-  result.warnings.insert(result.warnings.begin(), room.warnings.begin(), room.warnings.end());
+  addFirst(room, result);
   return result;
 }
 
 SetSumResult setClosing(const PlanarSet& a, const PlanarSet& b, const RegionSumOptions& options, const Progress& progress) {
   const SetSumResult grown = setSum(std::vector{a, b}, options, progress.part(0, 0.5));
   SetSumResult result = setDifference(std::vector{grown.set, b}, options, progress.part(0.5, 1));
-  result.sums += grown.sums;
+  addFirst(grown, result);
   return result;
 }
 

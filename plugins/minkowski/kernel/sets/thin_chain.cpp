@@ -25,7 +25,8 @@ struct FittedCircle {
   double radius;
 };
 
-/// By least squares of the squared radius (Kasa 1976), about the first point; nothing when a point is off.
+/// By least squares of the squared radius (Kasa 1976), about the first point; nothing when a point is off, or the middle of
+/// a chord, as those of a square with points on its sides are.
 std::optional<FittedCircle> circleThrough(Points points, double within) {
   if (points.size() < 5) return std::nullopt;
   Eigen::MatrixX3d equations(static_cast<Eigen::Index>(points.size()), 3);
@@ -39,8 +40,9 @@ std::optional<FittedCircle> circleThrough(Points points, double within) {
   const Vec2 centre = points.front() + solution.head<2>();
   const double radius = std::sqrt(solution.z() + solution.head<2>().squaredNorm());
   if (!std::isfinite(radius) || !(radius > within)) return std::nullopt;
-  for (const Vec2& p : points)
-    if (std::abs((p - centre).norm() - radius) > within) return std::nullopt;
+  const auto isOff = [&](const Vec2& p) { return std::abs((p - centre).norm() - radius) > within; };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (isOff(points[i]) || (i > 0 && isOff((points[i - 1] + points[i]) / 2))) return std::nullopt;
   return FittedCircle{centre, radius};
 }
 
@@ -68,36 +70,53 @@ FittedCircle throughEnds(const FittedCircle& circle, const Vec2& from, const Vec
   return {centre, (from - centre).norm()};
 }
 
-Segment segmentAlong(Points points, double within) {
-  if (!liesOnLine(points, within))
-    if (const auto circle = circleThrough(points, within))
+Segment segmentAlong(Points points, const ChainFit& fit) {
+  if (fit.curved && !liesOnLine(points, fit.within))
+    if (const auto circle = circleThrough(points, fit.within))
       return arcAlong(throughEnds(*circle, points.front(), points.back()), points);
   return Line2{points.front(), points.back()};
 }
 
-bool isOneSegment(Points points, double within) {
-  return points.size() == 2 || liesOnLine(points, within) || circleThrough(points, within);
+/// How many points from the first one on fit, found by steps that double and then halve; 0 when not even `least` do.
+template <class Fits>
+std::size_t longestStart(Points points, std::size_t least, Fits fits) {
+  if (points.size() < least || !fits(points.first(least))) return 0;
+  std::size_t good = least, bad = points.size() + 1;
+  for (std::size_t step = 1; good + 1 < bad;) {
+    const std::size_t next = bad <= points.size() ? good + (bad - good) / 2 : std::min(good + step, points.size());
+    (fits(points.first(next)) ? good : bad) = next;
+    step *= 2;
+  }
+  return good;
+}
+
+/// How many points one line or arc passes.
+std::size_t pointsOfSegment(Points points, const ChainFit& fit) {
+  constexpr std::size_t ofLine = 3, ofCircle = 5;
+  const auto onLine = [&](Points some) { return liesOnLine(some, fit.within); };
+  const auto onCircle = [&](Points some) { return circleThrough(some, fit.within).has_value(); };
+  const std::size_t line = longestStart(points, ofLine, onLine);
+  return std::max({std::size_t{2}, line, fit.curved ? longestStart(points, ofCircle, onCircle) : 0});
 }
 
 }  // namespace
 
-Path fittedChain(const std::vector<Vec2>& points, bool isRing, double within) {
+Path fittedChain(const std::vector<Vec2>& points, bool isRing, const ChainFit& fit, const Progress& progress) {
   Path path;
   path.closed = isRing;
   const Points all(points);
-  if (isRing)
-    if (const auto circle = circleThrough(all, within)) {
+  if (isRing && fit.curved)
+    if (const auto circle = circleThrough(all, fit.within)) {
       Arc2 arc = arcAlong(*circle, all);
       arc.sweep = arc.sweep > 0 ? 2 * std::numbers::pi : -2 * std::numbers::pi;
       path.segments.emplace_back(arc);
       return path;
     }
   for (std::size_t first = 0; first + 1 < points.size();) {
-    std::size_t last = first + 1;
-    for (std::size_t next = last + 1; next < points.size(); ++next)
-      if (isOneSegment(all.subspan(first, next - first + 1), within)) last = next;
-    path.segments.push_back(segmentAlong(all.subspan(first, last - first + 1), within));
-    first = last;
+    progress.check();
+    const std::size_t count = pointsOfSegment(all.subspan(first), fit);
+    path.segments.push_back(segmentAlong(all.subspan(first, count), fit));
+    first += count - 1;
   }
   return path;
 }

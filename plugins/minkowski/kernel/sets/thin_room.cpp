@@ -181,8 +181,12 @@ double lengthAlong(const std::vector<Vec2>& points) {
 
 class ThinFinder {
  public:
-  ThinFinder(const Polygons& loose, const Region& room, double slack, const Progress& progress)
-      : slack_(slack), progress_(progress), knots_(loose, weldedWithin * slack, progress), room_(room, slack) {}
+  ThinFinder(const Polygons& loose, const Region& room, const Widening& by, const Progress& progress)
+      : slack_(by.slack),
+        curved_(by.curved),
+        progress_(progress),
+        knots_(loose, weldedWithin * by.slack, progress),
+        room_(room, by.slack) {}
 
   ThinRoom run() {
     std::vector<Link> both;
@@ -220,10 +224,11 @@ class ThinFinder {
     if (length <= pointWithin * slack_)
       addPoint((points.front() + points.back()) / 2);
     else
-      out_.curves.push_back(fittedChain(points, chain.front() == chain.back(), insideWithin * slack_));
+      out_.curves.push_back(fittedChain(points, chain.front() == chain.back(), {insideWithin * slack_, curved_}, progress_));
   }
 
   double slack_;
+  bool curved_;
   const Progress& progress_;
   Knots knots_;
   RoomPlaces room_;
@@ -232,9 +237,9 @@ class ThinFinder {
 
 }  // namespace
 
-ThinRoom thinParts(const Polygons& loose, const Region& room, double slack, const Progress& progress) {
+ThinRoom thinParts(const Polygons& loose, const Region& room, const Widening& by, const Progress& progress) {
   if (loose.empty()) return {};
-  return ThinFinder(loose, room, slack, progress).run();
+  return ThinFinder(loose, room, by, progress).run();
 }
 
 }  // namespace blossom::minkowski

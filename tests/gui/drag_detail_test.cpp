@@ -107,9 +107,8 @@ void DragDetailTest::oneThatCannotBeMadeChangesNothing() {
   sink.detail.setBudget(-1);
   sink.show(1);
   sink.now += 1;
-  QVERIFY_EXCEPTION_THROWN(
-      sink.detail.show(documentOf(2), [](const Document&) -> Document { throw std::runtime_error("none"); }),
-      std::runtime_error);
+  const DragDetail::Coarser none = [](const Document&) -> Document { throw std::runtime_error("none"); };
+  QVERIFY_THROWS_EXCEPTION(std::runtime_error, sink.detail.show(documentOf(2), none));
   QCOMPARE(sink.sent, (std::vector<int>{1}));
   QCOMPARE(sink.detail.coarseSent(), 0);
   sink.show(3);

@@ -1,6 +1,7 @@
 #include "ui/tools/drag_detail.h"
 
 #include <QtTest>
+#include <stdexcept>
 
 #include "support/test_main.h"
 
@@ -26,8 +27,9 @@ struct Sink {
                       sent.push_back(numberIn(coarser ? *coarser : document));
                       shown = numberIn(document);
                     },
-                    [this] { return newest; }};
+                    [this] { return newest; }, [this] { return now; }};
   int shown = 0;
+  double now = 0;  ///< ms
 
   void show(int number) {
     detail.show(documentOf(number), [](const Document& exact) { return documentOf(numberIn(exact) + 100); });
@@ -40,12 +42,15 @@ struct Sink {
 
 }  // namespace
 
-/// Budgets that nothing keeps, or everything does: no time is measured here.
+/// Budgets that nothing keeps, or everything does, and a clock that is set: no time is measured here.
 class DragDetailTest : public QObject {
   Q_OBJECT
  private slots:
   void whatIsQuickIsShownAsItIs();
   void whatIsSlowIsCoarseUntilTheHandRests();
+  void whatIsNeverAnsweredIsSlow();
+  void whatWasAnsweredIsAwaitedAnew();
+  void oneThatCannotBeMadeChangesNothing();
   void oneCoarseDocumentAtATime();
   void whatHasNoCoarserOneIsShownAsItIs();
   void nothingComesAfterTheEnd();
@@ -77,6 +82,37 @@ void DragDetailTest::whatIsSlowIsCoarseUntilTheHandRests() {
   sink.answer();  // quick enough after all
   sink.show(4);
   QCOMPARE(sink.sent.back(), 4);
+}
+
+/// Each movement cancels what the one before it asked for.
+void DragDetailTest::whatIsNeverAnsweredIsSlow() {
+  Sink sink;
+  for (int k = 1; k <= 6; ++k, sink.now += 10) sink.show(k);
+  QCOMPARE(sink.sent, (std::vector<int>{1, 2, 3, 4, 105}));  // 40 ms after the first
+  QCOMPARE(sink.detail.coarseSent(), 1);
+}
+
+void DragDetailTest::whatWasAnsweredIsAwaitedAnew() {
+  Sink sink;
+  for (int k = 1; k <= 20; ++k, sink.now += 10) {
+    sink.show(k);
+    if (k % 3 == 0) sink.answer();
+  }
+  QCOMPARE(sink.detail.coarseSent(), 0);
+  QCOMPARE(sink.sent.size(), std::size_t{20});
+}
+
+void DragDetailTest::oneThatCannotBeMadeChangesNothing() {
+  Sink sink;
+  sink.detail.setBudget(-1);
+  sink.show(1);
+  sink.now += 1;
+  const DragDetail::Coarser none = [](const Document&) -> Document { throw std::runtime_error("none"); };
+  QVERIFY_THROWS_EXCEPTION(std::runtime_error, sink.detail.show(documentOf(2), none));
+  QCOMPARE(sink.sent, (std::vector<int>{1}));
+  QCOMPARE(sink.detail.coarseSent(), 0);
+  sink.show(3);
+  QCOMPARE(sink.sent, (std::vector<int>{1, 103}));
 }
 
 void DragDetailTest::oneCoarseDocumentAtATime() {

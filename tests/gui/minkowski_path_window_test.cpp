@@ -21,10 +21,13 @@ class MinkowskiPathWindowTest : public WindowFixture {
   void cleanup() { window_.reset(); }
 
   void aPathIsDrawnOnThePad();
+  void whatIsUndoneMeanwhileEndsTheDrag();
+  void draggedBackThereIsNoSequence();
   void theOtherFramesAreSeenMeanwhile();
   void ofMoreShapesThereAreCurves();
   void knotsLeaveNoRoomForAPath();
   void aClickOnALegShowsItsShape();
+  void aLegOfShapesThatAreGoneIsForgotten();
   void picturesOfThePad();
 
  private:
@@ -130,6 +133,44 @@ void MinkowskiPathWindowTest::aPathIsDrawnOnThePad() {
   waitUntilComputed();
   QVERIFY(path().empty());
   QCOMPARE(window_->page().document().contains(morph_), true);
+  // Once more there is nothing to take out, and not the morph either.
+  QTest::keyClick(pad(), Qt::Key_Delete);
+  QCOMPARE(window_->page().document().contains(morph_), true);
+}
+
+void MinkowskiPathWindowTest::whatIsUndoneMeanwhileEndsTheDrag() {
+  openPad();
+  const QPoint low = spot(0), high = spot(1);
+  QTest::mouseDClick(pad(), Qt::LeftButton, {}, QPoint(low.x(), high.y()) + QPoint(20, 20));
+  waitUntilComputed();
+  const QPoint at = spot(1);
+  QTest::mousePress(pad(), Qt::LeftButton, {}, at);
+  test::moveMouse(pad(), at + QPoint(20, 20));
+  QVERIFY(window_->session().previewing());
+  window_->session().undo();
+  QVERIFY(path().empty());
+  QVERIFY(!window_->session().previewing());
+  test::moveMouse(pad(), at + QPoint(30, 20));
+  QTest::mouseRelease(pad(), Qt::LeftButton, {}, at + QPoint(30, 20));
+  waitUntilComputed();
+  QVERIFY(path().empty());
+  QVERIFY(!window_->session().previewing());
+  QCOMPARE(spot(1), high);  // the pad shows what is there
+}
+
+void MinkowskiPathWindowTest::draggedBackThereIsNoSequence() {
+  openPad();
+  const std::size_t steps = window_->session().history().step();
+  const QPoint at = spot(0);
+  QTest::mousePress(pad(), Qt::LeftButton, {}, at);
+  test::moveMouse(pad(), at + QPoint(30, 0));
+  QCOMPARE(parameters().at("frames"), Value(25));
+  waitUntilComputed();
+  test::moveMouse(pad(), at);
+  QTRY_COMPARE(parameters().value("frames", Value(0)), Value(0));
+  QTest::mouseRelease(pad(), Qt::LeftButton, {}, at);
+  waitUntilComputed();
+  QCOMPARE(window_->session().history().step(), steps);
 }
 
 void MinkowskiPathWindowTest::theOtherFramesAreSeenMeanwhile() {
@@ -202,6 +243,28 @@ void MinkowskiPathWindowTest::aClickOnALegShowsItsShape() {
   QTRY_VERIFY(note().startsWith(QStringLiteral("Level 1, leg 2: t 0.5")));
   clickAt({75, 52.5, 0});
   QTRY_VERIFY(note().isEmpty());
+}
+
+/// The ladder of four shapes is drawn when only three are left.
+void MinkowskiPathWindowTest::aLegOfShapesThatAreGoneIsForgotten() {
+  const FeatureId fourth = add("modeling.circle", {{"radius", 15}, {"centre", {180, 70, 0}}});
+  const Feature three = window_->page().document().at(morph_);
+  Feature four = three;
+  four.inputs.push_back(fourth);
+  window_->session().commit(window_->page().document().without(morph_).with(four), QStringLiteral("Four"));
+  waitUntilComputed();
+  window_->tree().select(morph_);
+  QTRY_VERIFY(button("ladder"));
+  QTest::mouseClick(button("ladder"), Qt::LeftButton);
+  const auto drawn = [this] { return window_->page().tool()->props().size(); };
+  QTRY_VERIFY_WITH_TIMEOUT(drawn() >= 15, 60000);
+  clickAt({135, 17.5, 0});
+  QTRY_VERIFY(note().startsWith(QStringLiteral("Level 1, leg 3")));
+  window_->session().commit(window_->page().document().with(three), QStringLiteral("Three"));
+  QVERIFY(drawn() > 0);
+  QVERIFY(!note().startsWith(QStringLiteral("Level")));
+  waitUntilComputed();
+  QVERIFY(drawn() > 0);
 }
 
 /// Kept where BLOSSOM_PICTURES says, to be looked at.

@@ -293,9 +293,30 @@ void TimelineWindowTest::keysAreSetAndDragged() {
   QTest::mouseClick(&keyButton(), Qt::LeftButton);
   waitUntilComputed();
   QCOMPARE(marks().frames(), (std::vector<int>{1, 11}));
+  // Without a key that is chosen, Delete takes nothing; a key where there is one already is no step.
+  const std::size_t steps = window_->session().history().step();
+  QTest::mouseClick(&marks(), Qt::LeftButton, {}, marks().placeOf(6));
+  QTest::keyClick(&marks(), Qt::Key_Delete);
+  QVERIFY(window_->session().document().contains(morph));
+  emit marks().added(11);
+  QCOMPARE(window_->session().history().step(), steps);
+  // A drag ends with what is undone meanwhile, and when the marks are hidden.
+  QTest::mousePress(&marks(), Qt::LeftButton, {}, marks().placeOf(1));
+  test::moveMouse(&marks(), marks().placeOf(3));
+  QCOMPARE(keys()[0].at("frame"), Value(3));
+  window_->session().undo();
+  const Value undone = keys();
+  test::moveMouse(&marks(), marks().placeOf(4));
+  QTest::mouseRelease(&marks(), Qt::LeftButton, {}, marks().placeOf(4));
+  QCOMPARE(keys(), undone);
+  QTest::mousePress(&marks(), Qt::LeftButton, {}, marks().placeOf(1));
+  test::moveMouse(&marks(), marks().placeOf(3));
+  QVERIFY(window_->session().previewing());
   // They belong to the sequence that is selected.
   window_->tree().select(window_->session().document().features().front()->id);
   QTRY_VERIFY(!marks().isVisible());
+  QVERIFY(!window_->session().previewing());
+  QCOMPARE(keys(), undone);
 }
 
 BLOSSOM_WINDOW_TEST(TimelineWindowTest)

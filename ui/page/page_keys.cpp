@@ -59,8 +59,9 @@ void DocumentPage::setKey(int frame) {
   const auto keyed = keyedSequence();
   if (!keyed) return;
   try {
-    commit(withKeys(*keyed, withKeyAt(keyed->keys, frame, keyed->frames)),
-           tr("Set a key of %1").arg(qt(shownName(document().at(keyed->feature)))));
+    const Value keys = withKeyAt(keyed->keys, frame, keyed->frames);
+    if (keys == keyed->keys) return;  // there is one
+    commit(withKeys(*keyed, keys), tr("Set a key of %1").arg(qt(shownName(document().at(keyed->feature)))));
   } catch (const Error& error) {
     showError(error);  // two keys at one frame
   }

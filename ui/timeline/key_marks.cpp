@@ -29,7 +29,7 @@ KeyMarks::KeyMarks(const GrooveSlider& slider, QWidget* parent) : QWidget(parent
 }
 
 void KeyMarks::setKeys(std::vector<int> frames, int count) {
-  if (held_ && frames.size() != frames_.size()) held_.reset();
+  if (held_ && (frames.size() != frames_.size() || frames[*held_] != frames_[*held_])) held_.reset();  // not by this drag
   frames_ = std::move(frames);
   count_ = count;
   if (chosen_ && *chosen_ >= frames_.size()) chosen_.reset();
@@ -115,25 +115,38 @@ void KeyMarks::leaveEvent(QEvent*) {
   update();
 }
 
-/// Keys that the window would take for its own commands first.
+/// No button is released over what is not seen.
+void KeyMarks::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  chosen_.reset();
+  under_.reset();
+  if (held_) giveUp();
+}
+
+void KeyMarks::giveUp() {
+  frames_[*std::exchange(held_, std::nullopt)] = heldFrom_;
+  update();
+  emit reverted();
+}
+
+/// Keys that the window would take for its own commands first; Delete always, for it must not take the selected feature
+/// where no key is left that was chosen.
 bool KeyMarks::event(QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QWidget::event(event);
   const int key = static_cast<QKeyEvent*>(event)->key();
-  const bool edits = key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Left || key == Qt::Key_Right;
-  if ((!chosen_ || !edits) && (!held_ || key != Qt::Key_Escape)) return QWidget::event(event);
+  const bool removes = key == Qt::Key_Delete || key == Qt::Key_Backspace;
+  const bool edits = removes || (chosen_ && (key == Qt::Key_Left || key == Qt::Key_Right));
+  if (!edits && (!held_ || key != Qt::Key_Escape)) return QWidget::event(event);
   event->accept();
   return true;
 }
 
 void KeyMarks::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
-  if (held_ && key == Qt::Key_Escape) {
-    frames_[*std::exchange(held_, std::nullopt)] = heldFrom_;
-    update();
-    return emit reverted();
-  }
+  if (held_ && key == Qt::Key_Escape) return giveUp();
   const int by = key == Qt::Key_Left ? -1 : key == Qt::Key_Right ? 1 : 0;
   const bool removes = key == Qt::Key_Delete || key == Qt::Key_Backspace;
+  if (removes && (held_ || !chosen_)) return;
   if (held_ || !chosen_ || (by == 0 && !removes)) return QWidget::keyPressEvent(event);
   const int number = static_cast<int>(*chosen_);
   if (removes) return emit removed(number);

@@ -38,10 +38,12 @@ class KeyMarks final : public QWidget {
   void mouseReleaseEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent*) override;
   void leaveEvent(QEvent*) override;
+  void hideEvent(QHideEvent*) override;
   bool event(QEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
 
  private:
+  void giveUp();
   [[nodiscard]] double pixelOf(int frame) const;
   [[nodiscard]] int frameAt(double pixel) const;
   [[nodiscard]] std::optional<std::size_t> keyAt(double pixel) const;

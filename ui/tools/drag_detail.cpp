@@ -1,5 +1,6 @@
 #include "ui/tools/drag_detail.h"
 
+#include <chrono>
 #include <utility>
 
 namespace blossom::ui {
@@ -13,9 +14,14 @@ double millisecondsOf(const FeatureResult& result) {
   return result.kernelMs + (worker.is_number() ? worker.get<double>() : 0);
 }
 
+double machineTime() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace
 
-DragDetail::DragDetail(Send sender, Newest newest) : send_(std::move(sender)), newest_(std::move(newest)) {
+DragDetail::DragDetail(Send sender, Newest newest, Clock clock)
+    : send_(std::move(sender)), newest_(std::move(newest)), clock_(clock ? std::move(clock) : Clock(machineTime)) {
   rest_.setSingleShot(true);
   rest_.setInterval(restMs);
   connect(&rest_, &QTimer::timeout, this, [this] {
@@ -41,7 +47,7 @@ void DragDetail::look() {
   if (underWay_ == Sent::Nothing) return;
   const auto now = newest_();
   const bool arrived = now && now != before_;
-  const double took = arrived ? millisecondsOf(*now) : static_cast<double>(since_.nsecsElapsed()) / 1e6;
+  const double took = arrived ? millisecondsOf(*now) : clock_() - since_;
   if (underWay_ == Sent::Whole && (arrived || took > budget_)) slow_ = took > budget_;
   if (arrived) underWay_ = Sent::Nothing;
 }
@@ -52,15 +58,19 @@ void DragDetail::resultsChanged() {
   if (coarse && underWay_ == Sent::Nothing && unsent_ && wanted_) send(true);
 }
 
-// Whoever is sent to may answer at once.
+// Whoever is sent to may answer at once. A coarser document that cannot be made leaves everything as it was. Whole ones that
+// follow each other quickly cancel each other: what counts is how long nothing has come.
 void DragDetail::send(bool coarse) {
+  const Document document = *wanted_;
+  std::optional<Document> coarser;
+  if (coarse) coarser = coarser_(document);
+  const bool stillAwaited = !coarse && underWay_ == Sent::Whole;
   underWay_ = coarse ? Sent::Coarse : Sent::Whole;
   unsent_ = false;
   before_ = newest_();
-  since_.start();
+  if (!stillAwaited) since_ = clock_();
   if (coarse) ++coarseSent_;
-  const Document document = *wanted_;
-  send_(document, coarse ? std::optional(coarser_(document)) : std::nullopt);
+  send_(document, std::move(coarser));
 }
 
 void DragDetail::end() {

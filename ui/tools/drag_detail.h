@@ -1,5 +1,4 @@
 #pragma once
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <functional>
@@ -25,7 +24,10 @@ class DragDetail final : public QObject {
   using Send = std::function<void(const Document&, std::optional<Document> coarser)>;
   using Newest = std::function<std::shared_ptr<const FeatureResult>()>;  ///< result of what is dragged
 
-  DragDetail(Send, Newest);
+  using Clock = std::function<double()>;  ///< ms since some moment
+
+  /// @param clock not set: that of the machine
+  DragDetail(Send, Newest, Clock clock = {});
 
   /// @param coarser not set: there is none
   void show(Document, const Coarser& coarser);
@@ -53,7 +55,8 @@ class DragDetail final : public QObject {
   bool unsent_ = false;  ///< `wanted_` is newer than what was sent
   Sent underWay_ = Sent::Nothing;
   std::shared_ptr<const FeatureResult> before_;  ///< the newest when it was sent
-  QElapsedTimer since_;
+  Clock clock_;
+  double since_ = 0;  ///< when the first was sent of those that are awaited
   QTimer rest_;
   int coarseSent_ = 0;
 };

@@ -73,8 +73,17 @@ void HandleTool::letGo() {
   if (std::exchange(outdated_, false)) documentChanged();
 }
 
+/// Nothing of the preview may be sent any more, now or when the hand rests: it would put back what was undone.
+void HandleTool::giveUp() {
+  loadLater();
+  revert();
+  endPreview();
+  if (std::exchange(outdated_, false)) documentChanged();
+}
+
 void HandleTool::documentChanged() {
   if (committing_) return;
+  if (previewing_ && !sameFeatures(host().document(), expected_)) return giveUp();
   detail_.resultsChanged();
   if (held_) {
     loadLater();  // most often it is the preview itself

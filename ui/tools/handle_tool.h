@@ -58,6 +58,7 @@ class HandleTool : public Tool {
 
  private:
   void letGo();
+  void giveUp();
   bool loaded();
   void send(const Document&, std::optional<Document> coarser);
 

@@ -55,8 +55,10 @@ MorphTool::MorphTool(ui::ToolHost& toolHost, FeatureId feature)
 
 MorphTool::~MorphTool() { delete card_; }
 
+/// While a path is drawn the document is the preview of it, which may have frames that the path asks for: the next preview
+/// is made of what was there before.
 void MorphTool::load() {
-  base_ = host().document();
+  if (!drawingPath_) base_ = host().document();
   const Feature& morph = base_.at(feature());
   const auto type = host().registry().at(morph.type);
   controls_.clear();

@@ -109,10 +109,12 @@ class MorphTool final : public ui::HandleTool {
   [[nodiscard]] const LadderShape* shapeOn(const LadderLeg&) const;
   [[nodiscard]] QString legNote() const;
   void forgetLostLeg();
+  void forgetOldLadder();
 
   // The path through the blossom.
   void connectPad();
   void setPathOpen(bool open);
+  [[nodiscard]] bool shapesKnown() const;
   [[nodiscard]] bool hasPath(const Value& parameters) const;
   void refreshPad(const Value& parameters);
   void previewPath();
@@ -130,7 +132,7 @@ class MorphTool final : public ui::HandleTool {
   void drawShapes(std::vector<vtkSmartPointer<vtkProp>>&) const;
   void drawRing(std::vector<vtkSmartPointer<vtkProp>>&, std::size_t shape) const;
 
-  Document base_;  ///< the document that a drag starts from
+  Document base_;  ///< the document that a drag starts from, on the pad as well
   std::vector<Control> controls_;
   bool moving_ = false;                ///< some of them are sequences
   std::vector<Placement> placements_;  ///< one for each control shape

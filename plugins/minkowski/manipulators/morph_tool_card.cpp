@@ -84,7 +84,7 @@ QString MorphTool::figures(const Region* seen) {
 }
 
 QString MorphTool::ladderNote(const Value& parameters) const {
-  if (habits_.path && !hasPath(parameters)) return tr("A morph with a degree or knots has no path.");
+  if (habits_.path && shapesKnown() && !hasPath(parameters)) return tr("A morph with a degree or knots has no path.");
   if (!habits_.ladder) return {};
   if (!hasLadder(parameters)) return tr("A morph with knots has no ladder.");
   if (controls_.size() < 3) return tr("Three control shapes or more have a ladder.");
@@ -127,6 +127,7 @@ void MorphTool::showInfluences(const Value& parameters) {
 }
 
 void MorphTool::askLadder(const Value& parameters) {
+  forgetOldLadder();
   const bool possible = controls_.size() > 2 && levels_.size() + 1 == controls_.size() && hasLadder(parameters);
   if (!habits_.ladder || !possible) {
     ladder_.reset();
@@ -140,6 +141,8 @@ void MorphTool::askLadder(const Value& parameters) {
     for (std::size_t i = 0; i < controls_.size(); ++i)
       question.shapes.push_back(placed(controls_[i].region, placements_[i]));
   } catch (const Error&) {
+    ladder_.reset();
+    forgetLostLeg();
     return loader_.ask(std::nullopt);
   }
   loader_.ask(std::move(question));

@@ -1,6 +1,8 @@
 // The legs of the ladder: each is a linear morph of its own, whose in-between can be shown.
 #include <vtkProp.h>
 
+#include <algorithm>
+
 #include "manipulators/morph_tool.h"
 #include "ui/look/text.h"
 #include "ui/tools/view_props.h"
@@ -28,10 +30,19 @@ std::optional<LadderLeg> MorphTool::legUnder(const ui::ToolEvent& event) const {
   return leg && shapeOn(*leg) ? leg : std::nullopt;
 }
 
+/// The ladder arrives later than the shapes and numbers of the document, which may have become fewer or more meanwhile: a
+/// leg counts only where both have it.
 const LadderShape* MorphTool::shapeOn(const LadderLeg& leg) const {
-  if (!ladder_ || leg.level > ladder_->levels.size()) return nullptr;
+  if (!ladder_ || leg.level > std::min(levels_.size(), ladder_->levels.size())) return nullptr;
+  if (leg.level + leg.index >= controls_.size()) return nullptr;
   const std::vector<LadderShape>& level = ladder_->levels[leg.level - 1];
   return leg.index < level.size() ? &level[leg.index] : nullptr;
+}
+
+/// Of another number of shapes it tells nothing about these.
+void MorphTool::forgetOldLadder() {
+  if (ladder_ && !ladder_->levels.empty() && ladder_->levels.front().size() + 1 != controls_.size()) ladder_.reset();
+  forgetLostLeg();
 }
 
 void MorphTool::forgetLostLeg() {

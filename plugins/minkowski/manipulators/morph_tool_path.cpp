@@ -1,6 +1,8 @@
 // The path through the blossom, drawn on the pad of the card.
 #include <vtkProp.h>
 
+#include <utility>
+
 #include "feature/registry.h"
 #include "manipulators/morph_card.h"
 #include "manipulators/morph_tool.h"
@@ -22,17 +24,23 @@ void MorphTool::setPathOpen(bool open) {
   refreshCard();
 }
 
+/// All of them: with fewer, a point of the path would seem to have other arguments.
+bool MorphTool::shapesKnown() const { return controls_.size() == host().document().at(feature()).inputs.size(); }
+
 /// A B-spline of shapes takes no path: as many shapes as the degree and one more make no such thing.
 bool MorphTool::hasPath(const Value& parameters) const {
   const auto degree = parameters.at("degree").get<std::size_t>();
-  return controls_.size() > 1 && parameters.at("knots").empty() && (degree == 0 || degree + 1 == controls_.size());
+  return shapesKnown() && controls_.size() > 1 && parameters.at("knots").empty() &&
+         (degree == 0 || degree + 1 == controls_.size());
 }
 
 void MorphTool::refreshPad(const Value& parameters) {
   const bool possible = hasPath(parameters);
   card_->setPath(habits_.path, possible);
   if (!possible) return;
-  card_->pad().setPath(PathPoints(parameters.at("path"), controls_.size() - 1));
+  const PathPoints path(parameters.at("path"), controls_.size() - 1);
+  if (!drawingPath_ && path != card_->pad().path()) card_->pad().cancel();  // taken hold of, but not moved yet
+  card_->pad().setPath(path);
   card_->pad().setPlace(placeSeen(parameters, timeSeen(parameters)));
 }
 
@@ -59,10 +67,11 @@ void MorphTool::previewPath() {
 
 void MorphTool::keepPath() {
   if (!drawingPath_) load();
-  const PathPoints path = card_->pad().path();
+  Document drawn = with(card_->pad().path());
+  if (drawn.at(feature()) == base_.at(feature())) return putPathBack();
   drawingPath_ = false;
   host().showOtherFrames(false);
-  commit(with(path), tr("Draw the path of the morph"));
+  commit(std::move(drawn), tr("Draw the path of the morph"));
 }
 
 void MorphTool::putPathBack() {
@@ -71,7 +80,9 @@ void MorphTool::putPathBack() {
   endPreview();
 }
 
+/// Also of a path that is being drawn when the document changes otherwise, or the morph goes.
 void MorphTool::revert() {
+  if (card_) card_->pad().cancel();
   if (drawingPath_) putPathBack();
   HandleTool::revert();
 }

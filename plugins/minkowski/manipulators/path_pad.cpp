@@ -42,6 +42,8 @@ void PathPad::setPath(const PathPoints& path) {
   };
   if (isGone(chosen_)) chosen_.reset();
   if (isGone(under_)) under_.reset();
+  if (square() && chosen_) chosen_->argument = 0;
+  if (square() && under_) under_->argument = 0;
   update();
 }
 
@@ -132,9 +134,14 @@ void PathPad::removeChosen() {
   emit changed();
 }
 
-void PathPad::giveUp() {
+void PathPad::cancel() {
+  if (!dragging()) return;
   path_ = *std::exchange(before_, std::nullopt);
   update();
+}
+
+void PathPad::giveUp() {
+  cancel();
   emit reverted();
 }
 
@@ -174,12 +181,13 @@ void PathPad::leaveEvent(QEvent*) {
   update();
 }
 
-/// Keys that the window would take for its own commands first.
+/// Keys that the window would take for its own commands first; Delete always, for it must not take the morph where no point
+/// is left that was chosen.
 bool PathPad::event(QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QWidget::event(event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   const bool arrow = key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
-  const bool edits = chosen_ && (arrow || key == Qt::Key_Delete || key == Qt::Key_Backspace);
+  const bool edits = (chosen_ && arrow) || key == Qt::Key_Delete || key == Qt::Key_Backspace;
   if (!edits && (key != Qt::Key_Escape || !dragging())) return QWidget::event(event);
   event->accept();
   return true;

@@ -22,6 +22,8 @@ class PathPad final : public QWidget {
   /// Not while a point is dragged.
   void setPath(const PathPoints&);
   void setPlace(std::optional<double> u);  ///< where the morph is seen
+  /// Ends a drag and says nothing: for who shows the path no more.
+  void cancel();
   [[nodiscard]] bool dragging() const { return before_.has_value(); }
   [[nodiscard]] const PathPoints& path() const { return path_; }
   /// Where a number of a point stands, in pixels: with two arguments the whole point.

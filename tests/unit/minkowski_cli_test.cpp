@@ -56,12 +56,6 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(opened.result("arcs"), 4.0);
   }
 
-  void pointsAtOnePlaceAreOne() {
-    const Answer sum = blossom({"minkowski-sum", "rectangle:4:3", "M5 5L5 5 M5 5L5 5"});
-    QCOMPARE(sum.code, 0);
-    COMPARE_NEAR(sum.result("area"), 12, 1e-9);
-  }
-
   void copiesAndHulls() {
     const Answer three = blossom({"region-repeat", "rectangle:4:2", "--count", "3"});
     COMPARE_NEAR(three.result("area"), 9 * 8, 1e-9);

@@ -103,9 +103,7 @@ class DocumentPage : public QObject, public ToolHost {
   [[nodiscard]] int shownFrame(int frames) const override { return playback_.frameOf(frames); }
   void showOtherFrames(bool on) override;
   void preview(Document document) override { session_.preview(std::move(document)); }
-  void previewCoarsely(Document document, Document coarser) override {
-    session_.preview(std::move(document), std::move(coarser));
-  }
+  void previewCoarsely(const Document& document, const Document& coarser) override { session_.preview(document, coarser); }
   void endPreview() override { session_.endPreview(); }
   void commit(Document document, const QString& what) override { session_.commit(std::move(document), what); }
 

@@ -102,7 +102,7 @@ class ToolHost {
   virtual void preview(Document) = 0;
   /// The same with the results of a coarser document, whose sequences may have fewer frames: everything but the shapes is
   /// that of the first one.
-  virtual void previewCoarsely(Document document, Document /*coarser*/) { preview(std::move(document)); }
+  virtual void previewCoarsely(const Document& document, const Document& /*coarser*/) { preview(document); }
   virtual void endPreview() = 0;
   /// One step of undo.
   virtual void commit(Document, const QString& what) = 0;

@@ -84,7 +84,9 @@ void HandleTool::giveUp() {
 void HandleTool::documentChanged() {
   if (committing_) return;
   if (previewing_ && !sameFeatures(host().document(), expected_)) return giveUp();
-  detail_.resultsChanged();
+  // What is sent next is not shown in the turn of what has come: the window is refreshed once a turn.
+  QMetaObject::invokeMethod(
+      this, [this] { detail_.resultsChanged(); }, Qt::QueuedConnection);
   if (held_) {
     loadLater();  // most often it is the preview itself
     if (!sameFeatures(host().document(), expected_)) letGo();

@@ -43,7 +43,7 @@ MorphCard::MorphCard(QWidget* view)
   column->setSpacing(4);
   column->addLayout(row);
   column->addWidget(chart_, 0, Qt::AlignLeft);
-  column->addWidget(pad_);
+  column->addWidget(pad_, 0, Qt::AlignLeft);
   column->addWidget(note_);
   connect(ladder_, &QToolButton::clicked, this, &MorphCard::ladderWanted);
   connect(influences_, &QToolButton::clicked, this, &MorphCard::influencesWanted);

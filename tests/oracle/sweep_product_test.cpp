@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -207,10 +208,13 @@ class SweepProductTest : public QObject {
   /// while the rows of the matrix were a braced list.
   void anyMomentIsGoodToCancel() {
     const Motion motion = sweep::primitiveMotion({.rows = 8, .columns = 32}).motion;
-    QElapsedTimer timer;
-    timer.start();
-    (void)sweep::productSurface(motion, {});
-    const qint64 whole = timer.nsecsElapsed();
+    qint64 whole = std::numeric_limits<qint64>::max();
+    for (int k = 0; k < 5; ++k) {  // the first one is slower
+      QElapsedTimer timer;
+      timer.start();
+      (void)sweep::productSurface(motion, {});
+      whole = std::min(whole, timer.nsecsElapsed());
+    }
     constexpr int moments = 400;
     int cancelled = 0;
     for (int k = 0; k < moments; ++k) {
@@ -224,13 +228,14 @@ class SweepProductTest : public QObject {
         token.cancel();
       });
       begun = true;
+      if (k == 0) canceller.join();  // on a busy machine it may be late for all others
       std::optional<ErrorCode> code;
       try {
         (void)sweep::productSurface(motion, {}, Progress(token));
       } catch (const Error& error) {
         code = error.code();
       }
-      canceller.join();
+      if (canceller.joinable()) canceller.join();
       QVERIFY(!code || code == ErrorCode::Cancelled);
       cancelled += code ? 1 : 0;
     }

@@ -154,9 +154,10 @@ FeatureType morphFeature(std::size_t maximumWork) {
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
       .parameter("path", &P::path, list(onePer(list(ratio()), "shape", -1, "t")),
                  "Points of blossom numbers that the morph runs through, as long from each to the next. None: t alone.")
-      .parameter("evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
-                 "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; "
-                 "convex requires convex control shapes between the ends.")
+      .parameter(
+          "evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
+          "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums, and explicit for "
+          "more than four shapes; convex requires convex control shapes between the ends.")
       .parameter("degree-elevate", &P::degreeElevate, flag(),
                  "Elevate the degree by one; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),

@@ -1651,8 +1651,8 @@
         <translation>Wie oft die Verdrehung um die Bewegung herum wiederholt wird.</translation>
     </message>
     <message>
-        <source>How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums; convex requires convex control shapes between the ends.</source>
-        <translation>Wie die Zwischenformen berechnet werden; die Form ist dieselbe. Automatisch wählt die wenigsten Summen; konvex verlangt konvexe Kontrollformen zwischen den Enden.</translation>
+        <source>How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums, and explicit for more than four shapes; convex requires convex control shapes between the ends.</source>
+        <translation>Wie die Zwischenformen berechnet werden; die Form ist dieselbe. Automatisch wählt die wenigsten Summen, bei mehr als vier Formen explizit; konvex verlangt konvexe Kontrollformen zwischen den Enden.</translation>
     </message>
     <message>
         <source>How the tool gets down into the material.</source>

@@ -133,6 +133,23 @@ class SweepPlaceTest : public QObject {
       }
   }
 
+  /// The same with rays that miss the corner by what rounding may move them.
+  void aRayBesideACornerByRoundingHits() {
+    const Motion motion = readMotionOf("cylinder.json");
+    const LiveGrid grid = gridOf(motion, 64);
+    const PlaceFinder finder(grid);
+    std::mt19937_64 random = seededRandom();
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const double u : grid.us())
+      for (int k = 0; k < 40; ++k) {
+        const Vec3 x = evaluate(motion, u, grid.vs()[20]).point, out = Vec3(x.x(), x.y(), 0).normalized();
+        const Vec3 off = 2e-14 * Vec3(unit(random), unit(random), unit(random));
+        const Vec3 turn = 2e-16 * Vec3(unit(random), unit(random), unit(random));
+        const auto found = finder.find({x + 50 * out + off, turn - out});
+        QVERIFY2(found && std::abs(found->distance - 50) < 1e-6, qPrintable(QStringLiteral("%1 %2").arg(u).arg(k)));
+      }
+  }
+
   /// The parameters themselves, on a cylinder of radius 10 about z where they are known by the angle.
   void aPlaceAcrossTheSeamIsFound() {
     const Motion motion = readMotionOf("cylinder.json");

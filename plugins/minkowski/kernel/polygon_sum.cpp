@@ -1,14 +1,13 @@
 #include "kernel/polygon_sum.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "kernel/convolution.h"
+#include "kernel/edges_of_sum.h"
 #include "kernel/grid.h"
 #include "kernel/sets/complement.h"
 #include "kernel/snap_rounding.h"
 #include "kernel/snapped_operands.h"
-#include "kernel/winding/certain_inside.h"
 #include "kernel/winding/winding_faces.h"
 
 namespace blossom::minkowski {
@@ -55,10 +54,9 @@ Loop mergedByAngle(const GridLoop& first, const GridLoop& second) {
 
 Polygons facesOfSum(const SnappedOperands& operands, Inside rule, const Progress& progress, Effort& effort) {
   const std::vector<GridPolygon> a = untangled(operands.a, progress), b = untangled(operands.b, progress);
-  std::optional<CertainInside> inside;
-  if (rule == Inside::Positive) inside = certainInside(a, b, Progress(progress.token()), effort);
+  const Progress pairing = progress.part(0, 0.1);
   const std::vector<CountedEdge> edges =
-      convolution(a, b, progress.part(0, 0.1), effort, nullptr, inside ? &*inside : nullptr);
+      rule == Inside::Positive ? edgesOfSum(a, b, pairing, effort) : convolution(a, b, pairing, effort);
   return onPlane(windingFaces(edges, progress.part(0.1, 1), rule, effort), operands.gridOfSum);
 }
 

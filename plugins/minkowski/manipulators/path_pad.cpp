@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/look/screen_distance.h"
+
 namespace blossom::minkowski {
 namespace {
 
@@ -14,14 +16,6 @@ constexpr QMarginsF fieldMargins(22, 14, 14, 22);      // for the names of the a
 constexpr double coarseStep = 0.01, fineStep = 0.001;  // the latter with Ctrl
 
 double roundedTo(double value, double step) { return std::clamp(std::round(value / step) / std::round(1 / step), 0.0, 1.0); }
-
-double distanceToWay(const QPointF& p, const QPointF& a, const QPointF& b) {
-  const QPointF way = b - a, to = p - a;
-  const double length = QPointF::dotProduct(way, way);
-  const double part = length > 0 ? std::clamp(QPointF::dotProduct(to, way) / length, 0.0, 1.0) : 0;
-  const QPointF apart = to - part * way;
-  return std::hypot(apart.x(), apart.y());
-}
 
 }  // namespace
 
@@ -97,7 +91,7 @@ std::size_t PathPad::wayNear(const QPointF& pixels) const {
   std::size_t best = 0;
   double nearest = HUGE_VAL;
   for (std::size_t k = 0; k + 1 < path_.points().size(); ++k) {
-    const double distance = square() ? distanceToWay(pixels, pixelsOf(Spot{k, 0}), pixelsOf(Spot{k + 1, 0}))
+    const double distance = square() ? ui::distanceToSegment(pixels, pixelsOf(Spot{k, 0}), pixelsOf(Spot{k + 1, 0}))
                                      : std::abs(pixels.x() - (pixelsOf(Spot{k, 0}) + pixelsOf(Spot{k + 1, 0})).x() / 2);
     if (distance >= nearest) continue;
     nearest = distance;

@@ -14,24 +14,29 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where a ray enters a box; infinity when it misses. One that runs within a side of the box, or through an edge of it, does
-/// not miss it.
+/// Where a ray enters a box; infinity when it misses. One that runs within a side of the box or through an edge of it, to
+/// rounding, does not miss it: it may pass exactly where two boxes meet.
 double enter(const Ray& ray, const FloatBox& box) {
-  double from = 0, to = infinite;
+  Vec3 low, high;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    const double low = static_cast<double>(box.low[k]) - ray.origin[axis],
-                 high = static_cast<double>(box.high[k]) - ray.origin[axis], along = ray.direction[axis];
+    low[axis] = static_cast<double>(box.low[k]) - ray.origin[axis];
+    high[axis] = static_cast<double>(box.high[k]) - ray.origin[axis];
+  }
+  constexpr double rounding = 1e-12;  // of the distances, a thousand times that of what is computed here
+  const double rim = rounding * std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  double from = 0, to = infinite;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double along = ray.direction[axis];
     if (along == 0) {
-      if (low > 0 || high < 0) return infinite;
+      if (low[axis] > rim || high[axis] < -rim) return infinite;
       continue;
     }
-    const auto [near, far] = std::minmax({low / along, high / along});
+    const auto [near, far] = std::minmax({(low[axis] - rim) / along, (high[axis] + rim) / along});
     from = std::max(from, near);
     to = std::min(to, far);
   }
-  constexpr double rounding = 1e-12;
-  return from <= to * (1 + rounding) ? from : infinite;
+  return from <= to ? from : infinite;
 }
 
 /// Barycentric coordinates of b and c, and the distance; nothing when the ray misses the triangle (Möller and Trumbore).

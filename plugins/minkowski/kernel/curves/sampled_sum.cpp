@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "kernel/curves/curve_fitting.h"
+#include "kernel/edges_of_sum.h"
 #include "kernel/snapped_operands.h"
-#include "kernel/winding/certain_inside.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -29,9 +29,9 @@ SampledSum::SampledSum(SampledPair pair, double tolerance, Inside inside, const 
   grid_ = operands.gridOfSum;
   sources_.first = numbersOf(a_, operands.gridA);
   sources_.second = numbersOf(b_, operands.gridB);
-  std::optional<CertainInside> certain;
-  if (inside == Inside::Positive) certain = certainInside(operands.a, operands.b, Progress(progress.token()), effort);
-  edges_ = convolution(operands.a, operands.b, progress.part(0, 0.1), effort, &sources_, certain ? &*certain : nullptr);
+  const Progress pairing = progress.part(0, 0.1);
+  edges_ = inside == Inside::Positive ? edgesOfSum(operands.a, operands.b, pairing, effort, &sources_)
+                                      : convolution(operands.a, operands.b, pairing, effort, &sources_);
   faces_ = tracedFaces(edges_, progress.part(0.1, 0.9), inside, effort);
 }
 

@@ -123,7 +123,7 @@ std::size_t sumsNeeded(EvaluationOrder way, std::span<const Arguments> arguments
   return sums;
 }
 
-EvaluationOrder wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex) {
+EvaluationOrder quickestWay(std::span<const Arguments> arguments, const std::vector<bool>& convex) {
   std::vector<EvaluationOrder> ways{EvaluationOrder::BottomUp};
   double choices = 0;
   std::size_t levels = 0;
@@ -134,7 +134,7 @@ EvaluationOrder wayOfFewestSums(std::span<const Arguments> arguments, const std:
   if (choices <= mostChoices) ways.insert(ways.begin(), EvaluationOrder::Explicit);
   if (std::all_of(convex.begin() + 1, convex.end() - 1, [](bool each) { return each; }))
     ways.push_back(EvaluationOrder::Convex);
-  constexpr std::size_t manyLevels = 8;
+  constexpr std::size_t manyLevels = 3;
   constexpr double fewChoices = 64;
   if (levels > manyLevels && choices <= fewChoices && ways.size() == 2) return EvaluationOrder::Explicit;
   return *std::min_element(ways.begin(), ways.end(), [&](EvaluationOrder a, EvaluationOrder b) {

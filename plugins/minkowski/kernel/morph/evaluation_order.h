@@ -8,7 +8,7 @@ namespace blossom::minkowski {
 
 /// Order of computation of an in-between shape; the result is the same up to rounding.
 enum class EvaluationOrder {
-  Automatic,  ///< the one below with the fewest sums
+  Automatic,  ///< one of those below, see quickestWay
   Recursive,  ///< C_i^r = (1-t) C_i^(r-1) + t C_(i+1)^(r-1), recursively: 2^n - 1 sums
   BottomUp,   ///< the same, every intermediate shape once: n (n+1) / 2 sums
   Explicit,   ///< sum of t^i (1-t)^(n-i) [C(n,i)] A_i: n sums, and the repetitions [k]A once for all frames
@@ -32,8 +32,8 @@ constexpr double mostChoices = 1 << 16;
 /// is convex.
 std::size_t sumsNeeded(EvaluationOrder way, std::span<const Arguments> arguments, const std::vector<bool>& convex);
 
-/// The evaluation with the fewest sums; Explicit when several have equally few, and for more than eight levels when its
-/// terms are few: hulls stand for most of its repetitions then.
-EvaluationOrder wayOfFewestSums(std::span<const Arguments> arguments, const std::vector<bool>& convex);
+/// The evaluation with the fewest sums; Explicit when several have equally few, and for more than three levels when its
+/// terms are few: its repetitions have few corners, where the in-betweens of in-betweens have very many.
+EvaluationOrder quickestWay(std::span<const Arguments> arguments, const std::vector<bool>& convex);
 
 }  // namespace blossom::minkowski

@@ -2,12 +2,36 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 #include "kernel/curves/convex_hull.h"
 #include "kernel/hull_distance.h"
 #include "kernel/morph/thinning.h"
 
 namespace blossom::minkowski {
+namespace {
+
+std::size_t cornersOf(const SoundRegion& shape) {
+  std::size_t corners = 0;
+  for (const Path& loop : shape.region.loops) corners += loop.segments.size();
+  return corners;
+}
+
+/// Whether so many corners may meet that the sums take long, and dents are filled (see thinning.h).
+bool makeVeryManyCorners(const std::vector<SoundRegion>& terms) {
+  constexpr double veryMany = 1e9;
+  if (std::any_of(terms.begin(), terms.end(), [](const SoundRegion& term) { return hasCurves(term.region); })) return false;
+  const auto times = [](double product, const SoundRegion& term) { return product * static_cast<double>(cornersOf(term)); };
+  return std::accumulate(terms.begin(), terms.end(), 1.0, times) > veryMany;
+}
+
+/// So the dents of small shapes are filled before larger ones multiply them.
+void smallestFirst(std::vector<SoundRegion>& terms) {
+  const auto size = [](const SoundRegion& term) { return looseBox(term.region.loops).sizes().norm(); };
+  std::stable_sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+}
+
+}  // namespace
 
 void Expansion::repeatFor(std::span<const double> t, const Progress& progress) {
   for (const auto& [i, weight, count] : termsOf(t, progress)) {
@@ -26,16 +50,17 @@ InBetween Expansion::at(std::span<const double> t, const Progress& progress) con
   for (const auto& [i, multiple] : multiples) terms.push_back(scaled(hulls_[i]->shape, multiple));
   for (const auto& [i, weight, count] : termsFor_.at(key)) terms.push_back(scaled(repetitions_.at({i, count}), weight));
   double deviation = errorOfHulls_.at(key);
+  const bool many = makeVeryManyCorners(terms);
+  if (many) smallestFirst(terms);
   SoundRegion total = std::move(terms.front());
   for (std::size_t k = 1; k < terms.size(); ++k) {
     total = add_(total, terms[k], progress);
-    // What earlier sums did not need is left for the later ones, which have the most corners. One sum alone stays as it
-    // is.
-    if (terms.size() > 2) {
-      Thinning thin((tolerance_ - deviation) / std::min<double>(2, static_cast<double>(terms.size() - k)));
-      total = thin(std::move(total), progress);
-      deviation += thin.deepest();
-    }
+    if (terms.size() <= 2) continue;  // one sum alone stays as it is
+    // Half is left for the sums to come, which have the most corners, if not the smallest shapes came first.
+    const bool isLast = k + 1 == terms.size();
+    Thinning thin((tolerance_ - deviation) / (many || isLast ? 1 : 2));
+    total = thin(std::move(total), progress);
+    deviation += thin.deepest();
   }
   return {std::move(total), deviation};
 }

@@ -129,7 +129,7 @@ class Morph {
     for (const Arguments& t : arguments) all.push_back(elevated(t));
     std::vector<bool> convex;
     for (const SoundRegion& shape : shapes_) convex.push_back(isConvex(shape));
-    if (options_.evaluation == EvaluationOrder::Automatic) options_.evaluation = wayOfFewestSums(all, convex);
+    if (options_.evaluation == EvaluationOrder::Automatic) options_.evaluation = quickestWay(all, convex);
     add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
     for (SoundRegion& shape : shapes_) add_.keep(shape);
     if (options_.evaluation != EvaluationOrder::Explicit) return;

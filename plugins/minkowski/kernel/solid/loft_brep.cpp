@@ -1,30 +1,16 @@
 #include "kernel/solid/loft_brep.h"
 
-#include <ShapeUpgrade_UnifySameDomain.hxx>
-#include <Standard_Failure.hxx>
-#include <Standard_OutOfMemory.hxx>
 #include <cmath>
 #include <optional>
 #include <variant>
 
 #include "geometry/measure/measure.h"
 #include "geometry/mesh/mesh_topology.h"
+#include "geometry/occt/joined_faces.h"
 #include "geometry/occt/occt.h"
 
 namespace blossom::minkowski {
 namespace {
-
-TopoDS_Shape withJoinedFaces(const TopoDS_Shape& shape) {
-  try {
-    ShapeUpgrade_UnifySameDomain unify(shape, Standard_False, Standard_True, Standard_False);
-    unify.Build();
-    return unify.Shape();
-  } catch (const Standard_OutOfMemory&) {
-    throw;
-  } catch (const Standard_Failure&) {
-    return {};
-  }
-}
 
 std::optional<double> volumeOf(const Brep& solid, const Progress& progress) {
   for (const Measure& each : measure(Shape(solid), progress).values)
@@ -37,7 +23,8 @@ std::optional<double> volumeOf(const Brep& solid, const Progress& progress) {
 Brep loftBrep(const Mesh& mesh, const Progress& progress) {
   Brep apart(toShape(mesh));
   progress.check();
-  const TopoDS_Shape together = withJoinedFaces(toShape(mesh));  // of a shape of its own, for joining changes what is shared
+  // Of a shape of its own, for joining changes what is shared.
+  const TopoDS_Shape together = withJoinedFaces(toShape(mesh), JoinedEdges::Stay);
   if (together.IsNull()) return apart;
   Brep result(together);
   const double volume = signedVolume(triangulated(mesh, progress).first);

@@ -49,7 +49,7 @@ SetSize sizeOf(std::span<const GridPolygon> polygons) {
 constexpr int mostCells = 8192;  // along a side
 constexpr int fewestCells = 64;
 
-/// The smallest cells whose marking takes a small part of the time of the pairs.
+/// The smallest cells whose marking takes no longer than the pairs do.
 std::optional<int> shiftFor(const SetSize& still, const SetSize& moving, double pairs, const CertainInsideOptions& options) {
   const GridPoint extent = still.extent() + moving.extent();
   const auto side = static_cast<double>(std::max(extent.x, extent.y));
@@ -64,7 +64,9 @@ std::optional<int> shiftFor(const SetSize& still, const SetSize& moving, double 
     constexpr double crossing = 16;  // of a row by a side
     return openWords * rows * stamps + crossing * (still.perimeter / size + along);
   };
-  while (work(shift) > options.wordsOfPair * pairs) ++shift;
+  constexpr double mostCrossings = 3e7;  // some hundred megabytes
+  const auto crossings = [&](int s) { return std::ldexp(still.perimeter + moving.perimeter, -s); };
+  while (work(shift) > options.wordsOfPair * pairs || crossings(shift) > mostCrossings) ++shift;
   if (side < std::ldexp(fewestCells, shift)) return std::nullopt;
   return shift;
 }
@@ -97,7 +99,7 @@ std::vector<std::pair<int, int>> usedWords(const BitRaster& raster) {
   return used;
 }
 
-/// A raster at many places.
+/// A raster at many places, which are sorted by rows.
 struct Stamps {
   const BitRaster& raster;
   const std::vector<std::pair<int, int>>& used;  ///< words
@@ -108,17 +110,22 @@ struct Stamps {
 void uniteRow(const Stamps& stamps, int r, BitRaster& result) {
   const auto& [raster, used, places] = stamps;
   constexpr std::size_t turns = 16;  // by which each part of the boundary is soon met
-  std::vector<int> open(static_cast<std::size_t>(result.words()));
-  std::iota(open.begin(), open.end(), 0);
   Word* const row = result.row(r);
+  std::vector<int> open;
+  for (int w = 0; w < result.words(); ++w)
+    if (row[w] != ~Word{0}) open.push_back(w);
+  const auto placeOf = [&](int firstRow) {
+    const auto before = [&](const BoundaryCell& cell) { return cell.row < firstRow; };
+    return static_cast<std::size_t>(std::partition_point(places.begin(), places.end(), before) - places.begin());
+  };
+  const std::size_t first = placeOf(r - raster.rows()), last = placeOf(r);
   for (std::size_t turn = 0; turn < turns && !open.empty(); ++turn) {
-    for (std::size_t i = turn; i < places.size(); i += turns) {
+    for (std::size_t i = first + turn; i < last; i += turns) {
       const int from = r - places[i].row - 1;
-      if (from < 0 || from >= raster.rows()) continue;
-      const auto [first, last] = used[static_cast<std::size_t>(from)];
+      const auto [begin, end] = used[static_cast<std::size_t>(from)];
       const Word* const source = raster.row(from);
       const int whole = (places[i].column + 1) / bitsOfWord, bits = (places[i].column + 1) % bitsOfWord;
-      for (auto w = std::lower_bound(open.begin(), open.end(), first + whole); w != open.end() && *w <= last + whole; ++w) {
+      for (auto w = std::lower_bound(open.begin(), open.end(), begin + whole); w != open.end() && *w <= end + whole; ++w) {
         const int s = *w - whole;
         const Word here = s < raster.words() ? source[s] : 0, before = s > 0 ? source[s - 1] : 0;
         row[*w] |= bits == 0 ? here : here << bits | before >> (bitsOfWord - bits);
@@ -126,6 +133,31 @@ void uniteRow(const Stamps& stamps, int r, BitRaster& result) {
     }
     std::erase_if(open, [&](int w) { return row[w] == ~Word{0}; });
   }
+}
+
+/// Marks what the full cells cover when they are moved to all places.
+void unite(const BitRaster& full, const std::vector<BoundaryCell>& places, const Progress& progress, BitRaster& result) {
+  const std::vector<std::pair<int, int>> used = usedWords(full);
+  parallelFor(static_cast<std::size_t>(result.rows()), 16, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) uniteRow({full, used, places}, static_cast<int>(r), result);
+  });
+  progress.check();
+}
+
+/// Cells along a boundary, a quarter of the raster's size apart and no more of them than can be stamped with so many words.
+std::vector<BoundaryCell> placesFor(const BitRaster& stamp, std::span<const GridPolygon> polygons, const CellFrame& frame,
+                                    double words) {
+  std::vector<BoundaryCell> places =
+      boundaryCells(polygons, frame, std::max(std::min(stamp.columns(), stamp.rows()) / 4.0, 1.0));
+  constexpr double search = 10;  // words, of a row of the stamp at a place
+  const double work = static_cast<double>(places.size()) * stamp.rows() * (stamp.words() + search);
+  auto step = static_cast<std::size_t>(std::ceil(work / words));
+  if (step <= 1) return places;
+  step |= 1;  // of two places in every row not always the same one
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < places.size(); i += step) places[kept++] = places[i];
+  places.resize(kept);
+  return places;
 }
 
 /// Parts of runs that touch, also at corners.
@@ -140,15 +172,22 @@ class RunParts {
         row = i;
       }
       while (below < row && runs[below].last < runs[i].first) ++below;
-      for (std::size_t k = below; k < row && runs[k].first <= runs[i].last; ++k) part_[of(k)] = of(i);
+      for (std::size_t k = below; k < row && runs[k].first <= runs[i].last; ++k) join(k, i);
     }
   }
+  /// Whether they were two.
+  bool join(std::size_t i, std::size_t k) {
+    const std::size_t one = of(i), other = of(k);
+    part_[one] = other;
+    return one != other;
+  }
+
+ private:
   std::size_t of(std::size_t i) {
     while (part_[i] != i) i = part_[i] = part_[part_[i]];
     return i;
   }
 
- private:
   std::vector<std::size_t> part_;
 };
 
@@ -161,20 +200,24 @@ BitRaster complementOf(const BitRaster& cells) {
   return rest;
 }
 
-/// Opens every hole to the outside along a row.
+/// Opens every hole by the shortest cuts along rows that leave none closed. Every row begins outside, so cuts to the left
+/// lead there, over other holes perhaps. @pre no cell of the first column is inside
 void openHoles(BitRaster& cells) {
   const std::vector<BitRun> gaps = runsOf(complementOf(cells));
   RunParts parts(gaps);
-  std::vector<bool> reachesOut(gaps.size(), false);
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (gaps[i].row == 0 || gaps[i].row == cells.rows() - 1 || gaps[i].first == 0 || gaps[i].last == cells.columns())
-      reachesOut[parts.of(i)] = true;
+  std::optional<std::size_t> outside;
+  std::vector<std::size_t> cuts;  // each to the left of a gap
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    if (reachesOut[parts.of(i)]) continue;
-    reachesOut[parts.of(i)] = true;
-    const bool leftIsNear = gaps[i].first < cells.columns() - gaps[i].last;
-    cells.set(gaps[i].row, leftIsNear ? 0 : gaps[i].first, leftIsNear ? gaps[i].last : cells.columns(), false);
+    if (gaps[i].row == 0 || gaps[i].row == cells.rows() - 1 || gaps[i].first == 0 || gaps[i].last == cells.columns()) {
+      if (outside) parts.join(i, *outside);
+      outside = i;
+    }
+    if (i > 0 && gaps[i - 1].row == gaps[i].row) cuts.push_back(i);
   }
+  const auto length = [&](std::size_t i) { return gaps[i].first - gaps[i - 1].last; };
+  std::stable_sort(cuts.begin(), cuts.end(), [&](std::size_t i, std::size_t k) { return length(i) < length(k); });
+  for (const std::size_t i : cuts)
+    if (parts.join(i, i - 1)) cells.set(gaps[i].row, gaps[i - 1].last, gaps[i].first, false);
 }
 
 }  // namespace
@@ -267,22 +310,27 @@ std::optional<CertainInside> certainInside(std::span<const GridPolygon> a, std::
   if (!shift) return std::nullopt;
   const auto cellsAlong = [&](std::int64_t length) { return static_cast<int>(length >> *shift) + 2; };
   const GridPoint stillExtent = still.extent(), movingExtent = moving.extent();
-  const BitRaster full = blocks(fullCells(a, {still.low, *shift}, cellsAlong(stillExtent.x), cellsAlong(stillExtent.y)));
-  const std::vector<BoundaryCell> places = boundaryCells(b, {moving.low, *shift});
+  const CellFrame ofStill{still.low, *shift}, ofMoving{moving.low, *shift};
+  const auto full = [&](std::span<const GridPolygon> set, const CellFrame& frame, const GridPoint& extent) {
+    return blocks(fullCells(set, frame, cellsAlong(extent.x), cellsAlong(extent.y)));
+  };
   CertainInside inside;
   inside.low_ = still.low + moving.low;
   inside.shift_ = *shift;
+  inside.pairs_ = pairs;
   inside.cells_ = BitRaster(cellsAlong(stillExtent.x) + cellsAlong(movingExtent.x),
                             cellsAlong(stillExtent.y) + cellsAlong(movingExtent.y));
-  const std::vector<std::pair<int, int>> used = usedWords(full);
-  parallelFor(static_cast<std::size_t>(inside.cells_.rows()), 16, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) uniteRow({full, used, places}, static_cast<int>(r), inside.cells_);
-  });
-  progress.check();
+  unite(full(a, ofStill, stillExtent), boundaryCells(b, ofMoving), progress, inside.cells_);
+  // Parts of A thinner than a cell have no full ones: there, those of B reach farther.
+  const BitRaster core = full(b, ofMoving, movingExtent);
+  constexpr double share = 0.25;
+  unite(core, placesFor(core, a, ofStill, share * options.wordsOfPair * pairs), progress, inside.cells_);
   openHoles(inside.cells_);
+  progress.check();
   const auto longest =
       static_cast<int>(std::min<std::int64_t>(std::max(still.longest, moving.longest) >> *shift, mostCells));
   inside.deep_ = eroded(inside.cells_, longest + 1);
+  progress.check();
   inside.makeRuns();
   if (inside.runs_.empty()) return std::nullopt;
   return inside;

@@ -11,12 +11,13 @@
 namespace blossom::minkowski {
 
 struct CertainInsideOptions {
-  double fewestPairs = 100'000;  ///< of an edge and a corner; the boundary of a sum of fewer is found as quickly without
-  double wordsOfPair = 16;       ///< 64 cells each that may be marked for a pair
+  double fewestPairs = 4'000;  ///< of an edge and a corner; the boundary of a sum of fewer is found as quickly without
+  double wordsOfPair = 64;     ///< 64 cells each that may be marked for a pair
 };
 
-/// Square cells of which every point certainly lies in the interior of A + B: cells that are wholly inside A, moved by
-/// points of the boundary of B. Together they have no hole, so that a closed path through them winds around nothing else.
+/// Square cells of which every point certainly lies in the interior of A + B: cells that are wholly inside one of them,
+/// moved by points of the boundary of the other. Together they have no hole, so that a closed path through them winds around
+/// nothing else.
 class CertainInside {
  public:
   /// A run of cells, and the run beside it towards the first run of their part.
@@ -41,6 +42,8 @@ class CertainInside {
   [[nodiscard]] GridPoint middle(int column, int row) const;
   [[nodiscard]] GridPoint corner(int column, int row) const;
   [[nodiscard]] const BitRaster& cells() const { return cells_; }
+  /// Edges of the whole convolution before equal ones are joined.
+  [[nodiscard]] double pairs() const { return pairs_; }
 
  private:
   friend std::optional<CertainInside> certainInside(std::span<const GridPolygon>, std::span<const GridPolygon>,
@@ -49,13 +52,14 @@ class CertainInside {
 
   GridPoint low_;
   int shift_ = 0;  ///< a cell is 2^shift units wide
+  double pairs_ = 0;
   BitRaster cells_, deep_;
   std::vector<Run> runs_;
   std::vector<std::vector<std::uint32_t>> runsOfRow_;  ///< from left to right
 };
 
 /// Nothing where A and B have so few pairs of edges and corners that it is not worth the time. The cells are as small as is
-/// worth for the number of pairs. About as much work as a tenth of the pairs, on all cores.
+/// worth for the number of pairs. About as much work as that of the pairs, on all cores.
 /// @throws Error Cancelled; LimitExceeded above two thousand million pairs; TooMuchWork
 std::optional<CertainInside> certainInside(std::span<const GridPolygon> a, std::span<const GridPolygon> b, const Progress&,
                                            const Effort& = Effort(), const CertainInsideOptions& = {});

@@ -97,15 +97,15 @@ BitRaster fullCells(std::span<const GridPolygon> polygons, const CellFrame& fram
   return cells;
 }
 
-std::vector<BoundaryCell> boundaryCells(std::span<const GridPolygon> polygons, const CellFrame& frame) {
+std::vector<BoundaryCell> boundaryCells(std::span<const GridPolygon> polygons, const CellFrame& frame, double spacing) {
   std::vector<BoundaryCell> cells;
-  const auto size = static_cast<double>(std::int64_t{1} << frame.shift);
+  const double apart = spacing * std::ldexp(1.0, frame.shift);
   forEachSide(polygons, [&](const GridPoint& p, const GridPoint& q) {
     const double width = static_cast<double>(q.x - p.x), height = static_cast<double>(q.y - p.y);
-    const double steps = std::ceil(std::max(std::abs(width), std::abs(height)) / size);
+    const double steps = std::ceil(std::max(std::abs(width), std::abs(height)) / apart);
     for (double i = 0; i < std::max(steps, 1.0); ++i) {
       const double share = i / std::max(steps, 1.0);
-      cells.push_back({frame.column(p.x + std::llround(share * width)), frame.row(p.y + std::llround(share * height))});
+      cells.push_back({frame.row(p.y + std::llround(share * height)), frame.column(p.x + std::llround(share * width))});
     }
   });
   std::sort(cells.begin(), cells.end());

@@ -21,11 +21,12 @@ BitRaster fullCells(std::span<const GridPolygon>, const CellFrame&, int columns,
 
 /// A cell that contains a point of a boundary, give or take a unit.
 struct BoundaryCell {
-  int column, row;
+  int row, column;
   friend auto operator<=>(const BoundaryCell&, const BoundaryCell&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// Cells along all loops, sorted, each once: those of the corners, and of points at most a cell apart between them.
-std::vector<BoundaryCell> boundaryCells(std::span<const GridPolygon>, const CellFrame&);
+/// Cells along all loops, sorted by rows, each once: those of the corners, and of points between them that are at most so
+/// many cells apart.
+std::vector<BoundaryCell> boundaryCells(std::span<const GridPolygon>, const CellFrame&, double spacing = 1);
 
 }  // namespace blossom::minkowski

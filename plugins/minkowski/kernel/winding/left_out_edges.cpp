@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
+#include <numeric>
 
 #include "core/error.h"
 
@@ -48,29 +50,55 @@ void LeftOutEdges::joinEnds() {
   ends_.resize(kept);
 }
 
-// From each end along its run to the door to the next one, and so on to the first run of the part.
+/// From end to end towards the door, from both sides: short edges instead of a long one for each. All ends lie in one run.
+/// Where very many ends have one sign, what flows along would add up to more than is left out: each goes its own way there.
+void LeftOutEdges::addAlong(std::vector<End>& ends, const GridPoint& door, std::vector<CountedEdge>& edges) {
+  const auto isBefore = [](const End& a, const End& b) { return a.first < b.first; };
+  std::sort(ends.begin(), ends.end(), isBefore);
+  const auto middle = std::lower_bound(ends.begin(), ends.end(), End{door, 0}, isBefore);
+  std::vector<CountedEdge> chain;
+  std::int64_t flowing = 0;
+  const auto addChain = [&](auto from, auto to) {
+    int flow = 0;
+    for (; from != to; ++from) {
+      flow += from->second;
+      flowing += std::abs(flow);
+      chain.push_back({from->first, std::next(from) == to ? door : std::next(from)->first, flow, 0});
+    }
+  };
+  addChain(ends.begin(), middle);
+  addChain(ends.rbegin(), std::make_reverse_iterator(middle));
+  constexpr std::int64_t veryMuch = 1 << 16;
+  if (flowing > veryMuch) {
+    chain.clear();
+    for (const auto& [at, count] : ends) chain.push_back({at, door, count, 0});
+  }
+  for (const CountedEdge& edge : chain) addPath(edge, edges);
+}
+
+void LeftOutEdges::addPath(const CountedEdge& edge, std::vector<CountedEdge>& edges) {
+  if (edge.count == 0 || edge.from == edge.to) return;
+  edges.push_back(edge);
+  countHeights(edge);
+}
+
+// Along each run to the door to the next one, and so on to the first run of the part.
 std::vector<CountedEdge> LeftOutEdges::paths() {
   joinEnds();
   const auto runs = inside_.runs();
+  std::vector<std::vector<End>> endsOf(runs.size());
+  for (const End& end : ends_) endsOf[inside_.runAt(end.first)].push_back(end);
   std::vector<CountedEdge> edges;
-  std::vector<int> flow(runs.size(), 0);
-  const auto add = [&](const GridPoint& from, const GridPoint& to, int count) {
-    if (count == 0 || from == to) return;
-    edges.push_back({from, to, count, 0});
-    countHeights(edges.back());
-  };
-  for (const auto& [at, count] : ends_) {
-    const std::size_t run = inside_.runAt(at);
-    add(at, inside_.middle(runs[run].door, runs[run].row), count);
-    flow[run] += count;
-  }
   for (std::size_t i = runs.size(); i-- > 0;) {
-    if (runs[i].parent < 0) continue;  // all that begins in a part ends in it
+    const GridPoint door = inside_.middle(runs[i].door, runs[i].row);
+    addAlong(endsOf[i], door, edges);
+    const int flow =
+        std::accumulate(endsOf[i].begin(), endsOf[i].end(), 0, [](int sum, const End& e) { return sum + e.second; });
+    if (flow == 0 || runs[i].parent < 0) continue;  // all that begins in a part ends in it
     const auto parent = static_cast<std::size_t>(runs[i].parent);
     const GridPoint beside = inside_.middle(runs[i].door, runs[parent].row);
-    add(inside_.middle(runs[i].door, runs[i].row), beside, flow[i]);
-    add(beside, inside_.middle(runs[parent].door, runs[parent].row), flow[i]);
-    flow[parent] += flow[i];
+    addPath({door, beside, flow, 0}, edges);
+    endsOf[parent].emplace_back(beside, flow);
   }
   return edges;
 }
@@ -82,7 +110,7 @@ int LeftOutEdges::largestChange() const {
   constexpr std::int64_t limit = std::int64_t{1}
                                  << 29;  // a winding number is that of the loops and what changes beside them
   if (most > limit)
-    throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than a hundred million edges.",
+    throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has too many edges at one height.",
                 "Raise the tolerance, so that curves get fewer corners.");
   return static_cast<int>(most);
 }

@@ -22,16 +22,20 @@ class LeftOutEdges {
   std::vector<CountedEdge> closings();
 
  private:
+  using End = std::pair<GridPoint, int>;  ///< as often as edges begin there, less those that end there
+
   void countHeights(const CountedEdge&);
   void addEnd(const GridPoint& at, int count);
   void joinEnds();
   std::vector<CountedEdge> paths();
+  void addAlong(std::vector<End>&, const GridPoint& door, std::vector<CountedEdge>&);
+  void addPath(const CountedEdge&, std::vector<CountedEdge>&);
   [[nodiscard]] int largestChange() const;
   void addLoops(int times, std::vector<CountedEdge>&) const;
   void addUpright(int times, std::vector<CountedEdge>&) const;
 
   const CertainInside& inside_;
-  std::vector<std::pair<GridPoint, int>> ends_;  ///< each as often as edges begin there, less those that end there
+  std::vector<End> ends_;
   std::size_t full_ = 200'000;
   std::vector<std::int64_t> heights_;  ///< for each row: more edges than pass the row before
   bool any_ = false;

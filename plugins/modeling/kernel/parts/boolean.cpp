@@ -6,13 +6,11 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
-#include <ShapeUpgrade_UnifySameDomain.hxx>
-#include <Standard_Failure.hxx>
-#include <Standard_OutOfMemory.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <memory>
 
 #include "core/error.h"
+#include "geometry/occt/joined_faces.h"
 #include "geometry/occt/occt_progress.h"
 #include "geometry/shape/compound.h"
 #include "kernel/parts/finished_solid.h"
@@ -91,21 +89,6 @@ class Combiner {
     return solids_ ? finishedSolid(compoundOf(parts), complaint()) : finishedSheet(compoundOf(parts), complaint());
   }
 
-  /// Null where OCCT fails, as it does at some seams of rings. Of a copy: joining, and the mending after it, change edges
-  /// that the given shape shares even where they fail.
-  [[nodiscard]] TopoDS_Shape simplified(const TopoDS_Shape& shape) const {
-    const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape).Shape();
-    try {
-      ShapeUpgrade_UnifySameDomain unify(copy, Standard_True, Standard_True, Standard_False);
-      unify.Build();
-      return unify.Shape();
-    } catch (const Standard_OutOfMemory&) {
-      throw;
-    } catch (const Standard_Failure&) {
-      return {};
-    }
-  }
-
  private:
   [[nodiscard]] Complaint complaint() const {
     return {
@@ -157,7 +140,8 @@ BooleanResult combine(const std::vector<TopoDS_Shape>& shapes, const BooleanOpti
         result.shape = combiner.finished(combined(combiner, shapes, o.operation, progress.part(0, 0.85)));
         if (!o.simplify) return result;
         progress.report(0.9, "Joining faces");
-        const TopoDS_Shape simple = combiner.simplified(result.shape);
+        // Of a copy: joining, and the mending after it, change edges that the given shape shares even where they fail.
+        const TopoDS_Shape simple = withJoinedFaces(BRepBuilderAPI_Copy(result.shape).Shape(), JoinedEdges::Join);
         // Joining is a convenience: where it spoils the shape, the shape stays as it was.
         if (!simple.IsNull() && (!solids || isGoodSolid(simple)))
           result.shape = combiner.finished(simple);

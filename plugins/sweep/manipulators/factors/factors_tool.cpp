@@ -10,6 +10,7 @@
 #include "kernel/begin/motion_knots.h"
 #include "manipulators/factors/factor_amounts.h"
 #include "manipulators/factors/factors_panel.h"
+#include "ui/look/screen_distance.h"
 #include "ui/look/text.h"
 
 namespace blossom::sweep {
@@ -17,14 +18,6 @@ namespace blossom::sweep {
 namespace {
 
 constexpr double poleGrip = 9, axisGrip = 6, axisReach = 64;  // on the screen
-
-double distanceTo(const QPointF& p, const QPointF& a, const QPointF& b) {
-  const QPointF along = b - a, from = p - a;
-  const double square = QPointF::dotProduct(along, along);
-  const double share = square > 0 ? std::clamp(QPointF::dotProduct(from, along) / square, 0.0, 1.0) : 0;
-  const QPointF off = from - share * along;
-  return std::hypot(off.x(), off.y());
-}
 
 }  // namespace
 
@@ -116,7 +109,7 @@ std::optional<std::size_t> FactorsTool::handleUnder(const ui::ToolEvent& event) 
   least = axisGrip;
   for (int k = 0; k < 3; ++k) {
     const auto from = host().onScreen(*origin), to = host().onScreen(*origin + axisLength() * Vec3::Unit(k));
-    if (from && to) offer(all.size() + static_cast<std::size_t>(k), distanceTo(event.at, *from, *to));
+    if (from && to) offer(all.size() + static_cast<std::size_t>(k), ui::distanceToSegment(event.at, *from, *to));
   }
   return nearest;
 }

@@ -30,11 +30,10 @@ FeatureType heldType(const std::shared_ptr<Held>& held) {
   type.evaluate = [held](const Value& values, const Inputs&, const Progress& progress) {
     ++held->begun;
     progress.report(0.5);
-    while (!held->letGo) {
-      if (progress.cancelled()) ++held->cancelled;
-      progress.check();
-      std::this_thread::yield();
-    }
+    while (!held->letGo && !progress.cancelled()) std::this_thread::yield();
+    // Asked once: a cancellation between two questions would be counted by none of them.
+    if (!held->letGo) ++held->cancelled;
+    progress.check();
     const double s = values.at("size").get<double>();
     Mesh mesh;
     mesh.points = {Vec3::Zero(), s * Vec3::UnitX(), s * Vec3::UnitY()};

@@ -1,22 +1,15 @@
 // What is edited while a long computation runs, through the real window.
-#include <atomic>
-#include <thread>
-
+#include "support/gate.h"
 #include "ui/jobs/jobs_list.h"
 #include "window_fixture.h"
 
 using namespace blossom;
 using namespace blossom::ui;
+using test::Gate;
 
 namespace {
 
-/// Computes until it is let go.
-struct Held {
-  std::atomic<bool> letGo = false;
-  std::atomic<int> begun = 0, cancelled = 0;
-};
-
-FeatureType heldType(const std::shared_ptr<Held>& held) {
+FeatureType heldType(const std::shared_ptr<Gate>& held) {
   FeatureType type;
   type.id = "test.held";
   type.command = "held";
@@ -28,12 +21,8 @@ FeatureType heldType(const std::shared_ptr<Held>& held) {
   size.fallback = 10.0;
   type.parameters = {size};
   type.evaluate = [held](const Value& values, const Inputs&, const Progress& progress) {
-    ++held->begun;
     progress.report(0.5);
-    while (!held->letGo && !progress.cancelled()) std::this_thread::yield();
-    // Asked once: a cancellation between two questions would be counted by none of them.
-    if (!held->letGo) ++held->cancelled;
-    progress.check();
+    held->pass(progress);
     const double s = values.at("size").get<double>();
     Mesh mesh;
     mesh.points = {Vec3::Zero(), s * Vec3::UnitX(), s * Vec3::UnitY()};
@@ -61,7 +50,7 @@ class UndisturbedWindowTest : public WindowFixture {
  private slots:
   void initTestCase() { setUpOnce(); }
   void cleanup() {
-    held_->letGo = true;
+    held_->open = true;
     window_.reset();
   }
   void aBoxIsShownWhileAnotherFeatureIsComputed();
@@ -69,12 +58,12 @@ class UndisturbedWindowTest : public WindowFixture {
 
  private:
   void begin();
-  std::shared_ptr<Held> held_;
+  std::shared_ptr<Gate> held_;
 };
 
 /// A window whose document computes one feature that is held.
 void UndisturbedWindowTest::begin() {
-  held_ = std::make_shared<Held>();
+  held_ = std::make_shared<Gate>();
   App app = loadApp({test::buildFolder() / "lib/blossom/plugins"});
   auto registry = std::make_shared<Registry>(*app.registry);
   registry->add(heldType(held_));
@@ -84,7 +73,7 @@ void UndisturbedWindowTest::begin() {
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
   run("file.new");
   window_->session().commit(Document().with(feature("test.held", "held")), QStringLiteral("Begin"));
-  QTRY_COMPARE(held_->begun.load(), 1);
+  QTRY_COMPARE(held_->entered.load(), 1);
 }
 
 void UndisturbedWindowTest::aBoxIsShownWhileAnotherFeatureIsComputed() {
@@ -103,7 +92,7 @@ void UndisturbedWindowTest::aBoxIsShownWhileAnotherFeatureIsComputed() {
   QCOMPARE(jobs->rowCount(), rows);  // it goes on in its row
   QCOMPARE(jobs->running(), 1);
   QTRY_VERIFY(fraction() > 0.1);
-  QCOMPARE(held_->begun.load(), 1);
+  QCOMPARE(held_->entered.load(), 1);
   QCOMPARE(held_->cancelled.load(), 0);
 
   // The cross ends all of it; what was ready stays.
@@ -111,10 +100,10 @@ void UndisturbedWindowTest::aBoxIsShownWhileAnotherFeatureIsComputed() {
   QVERIFY(!session.evaluating());
   QTRY_COMPARE(held_->cancelled.load(), 1);
   QVERIFY(session.view("box") && session.cancelled("held"));
-  held_->letGo = true;
+  held_->open = true;
   session.compute();
   QTRY_VERIFY(session.view("held") && !session.evaluating());
-  QCOMPARE(held_->begun.load(), 2);
+  QCOMPARE(held_->entered.load(), 2);
   session.abandon();
 }
 
@@ -124,7 +113,7 @@ void UndisturbedWindowTest::theWindowClosesWhileItComputes() {
   session.commit(session.document().with(feature("modeling.box", "box")), QStringLiteral("Add Box"));
   session.abandon();
   window_.reset();
-  QCOMPARE(held_->cancelled.load(), held_->begun.load());
+  QCOMPARE(held_->cancelled.load(), held_->entered.load());
 }
 
 BLOSSOM_WINDOW_TEST(UndisturbedWindowTest)

@@ -6,34 +6,17 @@
 
 #include "document/evaluation/costs.h"
 #include "document/evaluator.h"
+#include "support/gate.h"
 #include "support/support.h"
 
 using namespace blossom;
+using test::Gate;
 
 namespace {
 
 void waitFor(const std::function<bool()>& reached) {
   while (!reached()) std::this_thread::yield();
 }
-
-/// Lets nobody pass until it is opened; who waits can be cancelled.
-struct Gate {
-  std::atomic<bool> open = false;
-  std::atomic<int> entered = 0, cancelled = 0;
-
-  void pass(const Progress& progress) {
-    ++entered;
-    try {
-      while (!open) {
-        progress.check();
-        std::this_thread::yield();
-      }
-    } catch (const Error&) {
-      ++cancelled;
-      throw;
-    }
-  }
-};
 
 struct Number {
   double value = 0;

@@ -43,6 +43,7 @@ FeatureId WindowFixture::add(const char* type, const Value& parameters, std::vec
   feature.inputs = std::move(inputs);
   window_->session().commit(document.with(feature), QStringLiteral("Add"));
   waitUntilComputed();
+  QCoreApplication::sendPostedEvents();  // the first feature is selected, the panel filled in a turn of its own
   return feature.id;
 }
 

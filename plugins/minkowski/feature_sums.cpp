@@ -1,9 +1,12 @@
 #include "feature/registry.h"
 #include "feature_types.h"
-#include "kernel/sets/set_operations.h"
+#include "geometry/planar/sums/set_operations.h"
 #include "region_inputs.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 struct SumParameters {

@@ -1,9 +1,11 @@
 #include "long_sums.h"
 
+#include "geometry/planar/polygons/effort.h"
 #include "isolate/in_worker.h"
-#include "kernel/effort.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 namespace {
 

@@ -5,10 +5,13 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "kernel/flattening.h"
+#include "geometry/planar/sums/flattening.h"
 #include "kernel/morph/sector_shape.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 ParameterSpec angleNamed(std::string name, std::string help) {

@@ -9,9 +9,12 @@
 #include "core/error.h"
 #include "core/tolerance.h"
 #include "geometry/planar/planar.h"
-#include "kernel/polygons.h"
+#include "geometry/planar/polygons/polygons.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 bool isPoint(const Path& path) { return !path.segments.empty() && length(path) == 0; }

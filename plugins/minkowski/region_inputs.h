@@ -5,10 +5,12 @@
 #include "feature/feature_type.h"
 #include "feature/registry.h"
 #include "geometry/planar/region.h"
-#include "kernel/region_sum.h"
-#include "kernel/sets/set_operations.h"
+#include "geometry/planar/sums/region_sum.h"
+#include "geometry/planar/sums/set_operations.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// The regions of the first input.
 std::vector<Region> regionsOf(const Inputs&);

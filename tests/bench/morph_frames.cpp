@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "geometry/planar/planar.h"
+#include "geometry/planar/polygons/polygons.h"
+#include "geometry/planar/polygons/sound_region.h"
 #include "minkowski/kernel/morph/morph.h"
-#include "minkowski/kernel/polygons.h"
-#include "minkowski/kernel/sound_region.h"
 #include "support/exchange.h"
 
 using namespace blossom;
@@ -30,15 +30,15 @@ struct Case {
 Vec2 polar(double radius, double angle) { return radius * Vec2(std::cos(angle), std::sin(angle)); }
 
 Region star(int spikes, double outer, double inner, double turn = 0) {
-  minkowski::Loop loop;
+  planar::Loop loop;
   for (int i = 0; i < 2 * spikes; ++i) loop.push_back(polar(i % 2 == 0 ? outer : inner, turn + pi * i / spikes));
-  return minkowski::toRegion({{loop, {}}});
+  return planar::toRegion({{loop, {}}});
 }
 
 Region regular(int corners, double radius) {
-  minkowski::Loop loop;
+  planar::Loop loop;
   for (int i = 0; i < corners; ++i) loop.push_back(polar(radius, 2 * pi * i / corners));
-  return minkowski::toRegion({{loop, {}}});
+  return planar::toRegion({{loop, {}}});
 }
 
 Region disc(double radius) { return {{Path{{Arc2{Vec2::Zero(), radius, 0, 2 * pi}}, true, {}, {}}}}; }

@@ -16,14 +16,14 @@
 #include <stdexcept>
 
 #include "core/parallel.h"
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/polygon_sum.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/polygon_sum.h"
 #include "support/planar_peer.h"
 #include "support/random.h"
 
 using namespace blossom;
 using namespace blossom::test;
-using minkowski::Loop, minkowski::Polygons;
+using planar::Loop, planar::Polygons;
 using std::numbers::pi;
 
 namespace {
@@ -171,14 +171,14 @@ int main(int argc, char** argv) {
   for (const Pair& pair : pairs()) {
     if (std::string_view(pair.name).find(asked) == std::string_view::npos) continue;
     double area = 0;
-    const double seconds = medianSeconds([&] { area = minkowski::area(minkowski::sum(pair.a, pair.b)); });
+    const double seconds = medianSeconds([&] { area = planar::area(planar::sum(pair.a, pair.b)); });
     const std::optional<PeerRun> peer = runPeer(pair);
     const double times = (peer ? peer->seconds : patience) / seconds;
     fmt::print("  {:<24}{:12.3f} ms   CGAL {}{:12.1f} ms   {:8.1f} times", pair.name, 1e3 * seconds,
                peer ? "     " : "over ", 1e3 * (peer ? peer->seconds : patience), times);
     if (seconds > 0.05) {
       setThreadLimit(1);
-      const double one = medianSeconds([&] { area = minkowski::area(minkowski::sum(pair.a, pair.b)); });
+      const double one = medianSeconds([&] { area = planar::area(planar::sum(pair.a, pair.b)); });
       fmt::print("   {:.2f} times one thread", one / seconds);
       setThreadLimit(0);
     }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "minkowski/kernel/region_sum.h"
+#include "geometry/planar/sums/region_sum.h"
 #include "support/cgal_regions.h"
 #include "support/regions.h"
 #include "support/support.h"
@@ -141,7 +141,7 @@ bool isInDifference(const Parts& a, const Parts& b, const Point& x) {
 Region regionOf(const Operand& a, const Operand& b, bool sum) {
   const std::vector<Region> both{a.region, b.region};
   try {
-    return sum ? minkowski::minkowskiSum(both).region : minkowski::minkowskiDifference(both).region;
+    return sum ? planar::minkowskiSum(both).region : planar::minkowskiDifference(both).region;
   } catch (const Error& error) {
     if (sum || error.code() != ErrorCode::Degenerate) throw;
     return {};
@@ -223,7 +223,7 @@ class MinkowskiCgalTest : public QObject {
       std::uniform_real_distribution<double> size(0.1, 1);
       const Region a = randomRegion(random, 10), b = randomRegion(random, 10 * size(random) * size(random));
       const Parts partsA = partsOf(a), partsB = partsOf(b);
-      const double ours = area(minkowski::minkowskiSum(std::vector{a, b}).region);
+      const double ours = area(planar::minkowskiSum(std::vector{a, b}).region);
       const double reduced = areaOf(sumOf(partsA, partsB, Method::Convolved));
       const double decomposed = areaOf(sumOf(partsA, partsB, Method::Decomposed));
       const double wanted = std::min(reduced, decomposed);

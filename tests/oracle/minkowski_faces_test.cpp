@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "minkowski/kernel/snap_rounding.h"
+#include "geometry/planar/winding/snap_rounding.h"
 #include "support/boundary_distance.h"
 #include "support/planar_peer.h"
 #include "support/random.h"
@@ -10,8 +10,7 @@
 
 using namespace blossom;
 using namespace blossom::test;
-using minkowski::CountedEdge, minkowski::GridLoop, minkowski::GridPoint, minkowski::GridPolygon, minkowski::Inside,
-    minkowski::Polygons;
+using planar::CountedEdge, planar::GridLoop, planar::GridPoint, planar::GridPolygon, planar::Inside, planar::Polygons;
 
 namespace {
 
@@ -25,7 +24,7 @@ GridLoop starOnGrid(Random& random, int corners, std::int64_t reach, std::int64_
       loop.push_back({static_cast<std::int64_t>(std::lround(r * std::cos(angle))) * step,
                       static_cast<std::int64_t>(std::lround(r * std::sin(angle))) * step});
     }
-    loop = minkowski::cleaned(loop);
+    loop = planar::cleaned(loop);
     double doubled = 0;
     for (std::size_t i = 0; i < loop.size(); ++i)
       doubled += static_cast<double>(cross(loop[i], loop[(i + 1) % loop.size()]));
@@ -59,7 +58,7 @@ std::vector<GridPolygon> operand(Random& random, int kind, bool first) {
     case 3: {  // thin: a flat star
       GridLoop loop = starOnGrid(random, corners, fine, 32, 0.4);
       for (GridPoint& p : loop) p.y /= 1 << 20;
-      loop = minkowski::cleaned(loop);
+      loop = planar::cleaned(loop);
       return loop.size() < 3 ? operand(random, 1, first) : std::vector<GridPolygon>{{loop, {}}};
     }
     case 4: {  // parts of a lattice that touch or lie apart
@@ -77,7 +76,7 @@ std::vector<GridPolygon> operand(Random& random, int kind, bool first) {
 
 std::size_t holesIn(const Polygons& polygons) {
   std::size_t holes = 0;
-  for (const minkowski::Polygon& polygon : polygons) holes += polygon.holes.size();
+  for (const planar::Polygon& polygon : polygons) holes += polygon.holes.size();
   return holes;
 }
 
@@ -93,7 +92,7 @@ struct Differences {
       parts += ours.empty() ? 0 : 1;
       return;
     }
-    area = std::max(area, std::abs(minkowski::area(ours) - wanted.area) / (size * length));
+    area = std::max(area, std::abs(planar::area(ours) - wanted.area) / (size * length));
     distance = std::max(distance, distanceBetween(sidesOf(ours), wanted.boundary) / size);
     parts += ours.size() == wanted.parts ? 0 : 1;
     holes += holesIn(ours) == wanted.holes ? 0 : 1;
@@ -113,9 +112,9 @@ class MinkowskiFacesTest : public QObject {
     const int asked = qEnvironmentVariableIntValue("BLOSSOM_PLANAR_SUMS"), pairs = asked > 0 ? asked : 2000;
     Differences all;
     for (int pair = 0; pair < pairs; ++pair) {
-      const std::vector<GridPolygon> a = minkowski::untangled(operand(random, pair, true)),
-                                     b = minkowski::untangled(operand(random, pair / 6, false));
-      const std::vector<CountedEdge> edges = minkowski::convolution(a, b);
+      const std::vector<GridPolygon> a = planar::untangled(operand(random, pair, true)),
+                                     b = planar::untangled(operand(random, pair / 6, false));
+      const std::vector<CountedEdge> edges = planar::convolution(a, b);
       const auto rule = std::array{Inside::Positive, Inside::NonZero, Inside::Hollow}[static_cast<std::size_t>(pair % 3)];
       const Differences before = all;
       all.add(windingFaces(edges, Progress::none(), rule), arrangedFaces(edges, rule));

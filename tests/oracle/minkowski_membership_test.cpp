@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "minkowski/kernel/region_sum.h"
+#include "geometry/planar/sums/region_sum.h"
 #include "support/regions.h"
 #include "support/support.h"
 
@@ -114,7 +114,7 @@ class MinkowskiMembershipTest : public QObject {
     for (int pair = 0; pair < pairs; ++pair) {
       std::uniform_real_distribution<double> size(0.1, 1);
       const Region a = randomRegion(random, 10), b = randomRegion(random, 10 * size(random) * size(random));
-      const Region sum = minkowski::minkowskiSum(std::vector{a, b}).region;
+      const Region sum = planar::minkowskiSum(std::vector{a, b}).region;
       const Rings ringsA = ringsOf(a), ringsB = ringsOf(b), ringsSum = ringsOf(sum);
       holes += holesOf(sum);
       holed += holesOf(a) + holesOf(b) > 0 ? 1 : 0;
@@ -146,7 +146,7 @@ class MinkowskiMembershipTest : public QObject {
     int wrong = 0, asked = 0;
     for (int pair = 0; pair < 40; ++pair) {
       const Region a = randomRegion(random, 10), b = randomRegion(random, 0.4);
-      const Region room = minkowski::minkowskiDifference(std::vector{a, b}).region;
+      const Region room = planar::minkowskiDifference(std::vector{a, b}).region;
       if (room.loops.empty()) continue;
       const Rings ringsA = ringsOf(a), ringsB = ringsOf(b), ringsRoom = ringsOf(room);
       for (int k = 2; k < 150; ++k) {

@@ -4,21 +4,21 @@
 #include <utility>
 #include <vector>
 
-#include "minkowski/kernel/polygons.h"
+#include "geometry/planar/polygons/polygons.h"
 
 /// How far the boundaries of two sets lie apart.
 namespace blossom::test {
 
 using Sides = std::vector<std::pair<Vec2, Vec2>>;
 
-inline Sides sidesOf(const minkowski::Polygons& polygons) {
+inline Sides sidesOf(const planar::Polygons& polygons) {
   Sides sides;
-  const auto add = [&](const minkowski::Loop& loop) {
+  const auto add = [&](const planar::Loop& loop) {
     for (std::size_t i = 0; i < loop.size(); ++i) sides.emplace_back(loop[i], loop[(i + 1) % loop.size()]);
   };
-  for (const minkowski::Polygon& polygon : polygons) {
+  for (const planar::Polygon& polygon : polygons) {
     add(polygon.outer);
-    for (const minkowski::Loop& hole : polygon.holes) add(hole);
+    for (const planar::Loop& hole : polygon.holes) add(hole);
   }
   return sides;
 }

@@ -28,8 +28,8 @@ using Face = Arrangement::Face_handle;
 using Halfedge = Arrangement::Halfedge_handle;
 
 /// Edges on one line, cut where others begin or end and joined: CGAL 5.5's sweep fails on some that lie over one another.
-std::vector<minkowski::CountedEdge> withoutOverlaps(std::span<const minkowski::CountedEdge> edges) {
-  using minkowski::CountedEdge, minkowski::GridPoint, minkowski::Wide;
+std::vector<planar::CountedEdge> withoutOverlaps(std::span<const planar::CountedEdge> edges) {
+  using planar::CountedEdge, planar::GridPoint, planar::Wide;
   using Line = std::pair<GridPoint, Wide>;
   std::map<Line, std::map<GridPoint, int>> lines;  // by how much the count changes at each point
   for (const CountedEdge& edge : edges) {
@@ -80,7 +80,7 @@ void flood(const Face& seed, Within within, Visit visit) {
 }
 
 /// The unbounded face is outside by every rule.
-void wind(Arrangement& arrangement, minkowski::Inside rule) {
+void wind(Arrangement& arrangement, planar::Inside rule) {
   const Face unbounded = arrangement.unbounded_face();
   unbounded->set_data({true, false, 0, -1});
   std::vector<Face> open{unbounded};
@@ -92,9 +92,9 @@ void wind(Arrangement& arrangement, minkowski::Inside rule) {
       if (across->data().reached) return;
       const int count = edge->curve().data();
       const int winding = face->data().winding - (edge->direction() == CGAL::ARR_LEFT_TO_RIGHT ? count : -count);
-      const bool inside = rule == minkowski::Inside::Positive  ? winding > 0
-                          : rule == minkowski::Inside::NonZero ? winding != 0
-                                                               : winding <= 0;
+      const bool inside = rule == planar::Inside::Positive  ? winding > 0
+                          : rule == planar::Inside::NonZero ? winding != 0
+                                                            : winding <= 0;
       across->set_data({true, inside, winding, -1});
       open.push_back(across);
     });
@@ -136,12 +136,12 @@ std::size_t holesOf(std::vector<Face>& faces, int part, std::vector<int>& partOf
 
 }  // namespace
 
-ArrangedFaces arrangedFaces(std::span<const minkowski::CountedEdge> edges, minkowski::Inside rule) {
-  const auto at = [](const minkowski::GridPoint& p) {
+ArrangedFaces arrangedFaces(std::span<const planar::CountedEdge> edges, planar::Inside rule) {
+  const auto at = [](const planar::GridPoint& p) {
     return Kernel::Point_2(static_cast<double>(p.x), static_cast<double>(p.y));
   };
   std::vector<Traits::X_monotone_curve_2> curves;
-  for (const minkowski::CountedEdge& edge : withoutOverlaps(edges))
+  for (const planar::CountedEdge& edge : withoutOverlaps(edges))
     curves.emplace_back(Segments::X_monotone_curve_2(at(edge.from), at(edge.to)), edge.count);
   ArrangedFaces result;
   if (curves.empty()) return result;

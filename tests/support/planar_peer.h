@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/planar/region.h"
-#include "minkowski/kernel/winding/winding_faces.h"
+#include "geometry/planar/winding/winding_faces.h"
 
 /// What CGAL makes of the same planar input: the oracle of minkowski's boundaries and the peer of its speed. It takes most
 /// of a minute to compile, so that is done once.
@@ -20,7 +20,7 @@ struct ArrangedFaces {
   std::size_t holes = 0;                        ///< of each part, what is enclosed by it
   std::vector<std::pair<Vec2, Vec2>> boundary;  ///< with the inside to the left
 };
-ArrangedFaces arrangedFaces(std::span<const minkowski::CountedEdge>, minkowski::Inside);
+ArrangedFaces arrangedFaces(std::span<const planar::CountedEdge>, planar::Inside);
 
 /// CGAL's Minkowski sum of two regions by reduced convolution, of parts united; called, it computes it and returns the area.
 /// @pre straight edges; loops that touch neither themselves nor one another

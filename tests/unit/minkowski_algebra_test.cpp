@@ -1,8 +1,8 @@
 #include <Eigen/LU>
 
-#include "minkowski/kernel/flattening.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/polygon_sum.h"
 #include "minkowski/kernel/morph/repetition.h"
-#include "minkowski/kernel/polygon_sum.h"
 #include "support/boundary_distance.h"
 #include "support/random.h"
 #include "support/regions.h"
@@ -40,7 +40,7 @@ Polygons image(Polygons polygons, bool mirrors, Map map) {
 double apart(const Polygons& a, const Polygons& b) {
   double size = 1e-300;
   for (const auto& [from, to] : sidesOf(a)) size = std::max(size, from.norm());
-  const double areas = std::abs(minkowski::area(a) - minkowski::area(b)) / (size * size);
+  const double areas = std::abs(planar::area(a) - planar::area(b)) / (size * size);
   return std::max(areas, distanceBetween(sidesOf(a), sidesOf(b)) / size);
 }
 
@@ -118,13 +118,13 @@ class MinkowskiAlgebraTest : public QObject {
       const Polygons a = setOf(polygonRegion(spikyPoints(random, {0, 0}, 10, uniformInt(random, 5, 12))));
       const Polygons hull{{hullOf(a), {}}};
       QVERIFY(apart(sum(hull, hull), scaled(hull, 2)) < rounding);
-      double before = minkowski::area(a);
+      double before = planar::area(a);
       for (int copies = 2; copies <= 6; ++copies) {
         Adder adder;
-        const SoundRegion all = repeated({minkowski::toRegion(a), 0}, static_cast<std::size_t>(copies), adder);
+        const SoundRegion all = repeated({planar::toRegion(a), 0}, static_cast<std::size_t>(copies), adder);
         const Polygons shrunk = scaled(toPolygons(all), 1.0 / copies);
-        const double covered = minkowski::area(shrunk);
-        QVERIFY(covered <= minkowski::area(hull) * (1 + rounding));
+        const double covered = planar::area(shrunk);
+        QVERIFY(covered <= planar::area(hull) * (1 + rounding));
         if (copies == 2 || copies == 4) {  // twice as many copies hold at least as much
           QVERIFY(covered >= before * (1 - rounding));
           before = covered;
@@ -149,10 +149,10 @@ class MinkowskiAlgebraTest : public QObject {
       if (!once.empty()) ++left;
       QVERIFY2(apart(once, twice) < 1e-9, qPrintable(QString::number(apart(once, twice))));
       const Polygons opened = sum(less(a, b), b), closed = less(sum(a, b), b);
-      QVERIFY(minkowski::area(opened) <= minkowski::area(a) * (1 + rounding));
-      QVERIFY(minkowski::area(closed) >= minkowski::area(a) * (1 - rounding));
-      if (!opened.empty()) QVERIFY(std::abs(minkowski::area(sum(less(opened, b), b)) - minkowski::area(opened)) < 1e-6);
-      QVERIFY(std::abs(minkowski::area(less(sum(closed, b), b)) - minkowski::area(closed)) < 1e-6);
+      QVERIFY(planar::area(opened) <= planar::area(a) * (1 + rounding));
+      QVERIFY(planar::area(closed) >= planar::area(a) * (1 - rounding));
+      if (!opened.empty()) QVERIFY(std::abs(planar::area(sum(less(opened, b), b)) - planar::area(opened)) < 1e-6);
+      QVERIFY(std::abs(planar::area(less(sum(closed, b), b)) - planar::area(closed)) < 1e-6);
     }
     QVERIFY(left > 20);
   }

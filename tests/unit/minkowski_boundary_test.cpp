@@ -4,16 +4,16 @@
 #include <numbers>
 
 #include "core/parallel.h"
-#include "minkowski/kernel/snap_rounding.h"
-#include "minkowski/kernel/winding/winding_cells.h"
-#include "minkowski/kernel/winding/winding_faces.h"
+#include "geometry/planar/winding/snap_rounding.h"
+#include "geometry/planar/winding/winding_cells.h"
+#include "geometry/planar/winding/winding_faces.h"
 #include "support/boundary_distance.h"
 #include "support/random.h"
 #include "support/support.h"
 
 using namespace blossom;
 using namespace blossom::test;
-using namespace blossom::minkowski;
+using namespace blossom::planar;
 
 namespace {
 
@@ -163,7 +163,7 @@ class MinkowskiBoundaryTest : public QObject {
       joinEqual(edges);
       const Polygons faces = windingFaces(edges);
       QCOMPARE(faces.size(), static_cast<std::size_t>((depth + 1) / 2));
-      COMPARE_NEAR(minkowski::area(faces), expected, 1e-9 * expected);
+      COMPARE_NEAR(planar::area(faces), expected, 1e-9 * expected);
     }
   }
 
@@ -177,7 +177,7 @@ class MinkowskiBoundaryTest : public QObject {
     const Polygons faces = windingFaces(edges);
     QCOMPARE(faces.size(), std::size_t{1});
     QCOMPARE(faces.front().holes.size(), std::size_t{2});
-    QCOMPARE(minkowski::area(faces), 16e6 - 2 * 520e3);
+    QCOMPARE(planar::area(faces), 16e6 - 2 * 520e3);
   }
 
   void everyHoleBelongsToThePartAroundIt_data() {
@@ -205,7 +205,7 @@ class MinkowskiBoundaryTest : public QObject {
     std::size_t found = 0;
     for (const Polygon& part : faces) found += part.holes.size();
     QCOMPARE(found, static_cast<std::size_t>(holes));
-    if (area > 0) COMPARE_NEAR(minkowski::area(faces), area, 1e-9 * area);
+    if (area > 0) COMPARE_NEAR(planar::area(faces), area, 1e-9 * area);
   }
 
   /// A thousandth of the size, in one corner.
@@ -229,7 +229,7 @@ class MinkowskiBoundaryTest : public QObject {
     QCOMPARE(faces.size(), std::size_t{1});
     QCOMPARE(faces.front().holes.size(), std::size_t{1});
     const double whole = static_cast<double>(side) * static_cast<double>(side);
-    COMPARE_NEAR(minkowski::area(faces), whole - starArea, 1e-9 * whole);
+    COMPARE_NEAR(planar::area(faces), whole - starArea, 1e-9 * whole);
   }
 
   void oneThreadGivesTheSame() {

@@ -1,8 +1,8 @@
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/region_sum.h"
 #include "minkowski/kernel/compare/distance_field.h"
 #include "minkowski/kernel/compare/matched_outlines.h"
 #include "minkowski/kernel/compare/morph_comparison.h"
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/region_sum.h"
 #include "support/random.h"
 #include "support/regions.h"
 #include "support/support.h"
@@ -40,7 +40,7 @@ double sideDistance(const Vec2& p, const Vec2& from, const Vec2& to) {
 
 double loopsArea(const std::vector<Loop>& loops) {
   double sum = 0;
-  for (const Loop& loop : loops) sum += minkowski::signedArea(loop);
+  for (const Loop& loop : loops) sum += planar::signedArea(loop);
   return sum;
 }
 
@@ -153,8 +153,8 @@ class MinkowskiCompareTest : public QObject {
       QCOMPARE(from.size(), to.size());
       for (const Vec2& corner : a) QVERIFY(std::find(from.begin(), from.end(), corner) != from.end());
       for (const Vec2& corner : b) QVERIFY(std::find(to.begin(), to.end(), corner) != to.end());
-      COMPARE_NEAR(loopsArea(inBetween(matched, 0)), minkowski::signedArea(a), 1e-6);
-      COMPARE_NEAR(loopsArea(inBetween(matched, 1)), minkowski::signedArea(b), 1e-6);
+      COMPARE_NEAR(loopsArea(inBetween(matched, 0)), planar::signedArea(a), 1e-6);
+      COMPARE_NEAR(loopsArea(inBetween(matched, 1)), planar::signedArea(b), 1e-6);
       const double lengthA = perimeter(a), lengthB = perimeter(b);
       for (std::size_t i = 0; i < from.size(); ++i) {
         const std::size_t next = (i + 1) % from.size();

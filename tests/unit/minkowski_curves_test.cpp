@@ -1,9 +1,9 @@
-#include "minkowski/kernel/curves/curved_sum.h"
-#include "minkowski/kernel/flattening.h"
+#include "geometry/planar/sums/curved_sum.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/polygon_sum.h"
+#include "geometry/planar/sums/region_sum.h"
+#include "geometry/planar/sums/set_operations.h"
 #include "minkowski/kernel/morph/morph.h"
-#include "minkowski/kernel/polygon_sum.h"
-#include "minkowski/kernel/region_sum.h"
-#include "minkowski/kernel/sets/set_operations.h"
 #include "support/curved_regions.h"
 #include "support/random.h"
 #include "support/regions.h"
@@ -138,10 +138,10 @@ class MinkowskiCurvesTest : public QObject {
       const Region sum = curvedSumOf(a, b), finer = curvedSumOf(a, b, 3e-4);
       constexpr double fine = 1e-4;
       Effort unlimited;
-      const Polygons polygons = minkowski::sum(flattened(a, {.tolerance = fine}, "a"),
-                                               flattened(b, {.tolerance = fine}, "b"), Progress::none(), unlimited);
+      const Polygons polygons = planar::sum(flattened(a, {.tolerance = fine}, "a"), flattened(b, {.tolerance = fine}, "b"),
+                                            Progress::none(), unlimited);
       QCOMPARE(sum.loops.size(), toRegion(polygons).loops.size());
-      COMPARE_NEAR(area(sum), minkowski::area(polygons), 2 * fine * wayAround(sum));
+      COMPARE_NEAR(area(sum), planar::area(polygons), 2 * fine * wayAround(sum));
       if (std::abs(area(sum) - area(finer)) <= 1e-10 * area(sum) && largestGap(sum) <= 1e-10) ++exact;
       // Few sides are left where only lines bound the sum.
       if (edgeCount(polygons) > 40) QVERIFY(arcCountOf(sum) > 0);
@@ -202,13 +202,13 @@ class MinkowskiCurvesTest : public QObject {
       const auto polygonsOf = [&](const Region& region, Approximation side) {
         return flattened(region, {.tolerance = fine, .side = side}, "shape");
       };
-      const Polygons safe = minkowski::difference(polygonsOf(a, Approximation::Inside),
-                                                  polygonsOf(b, Approximation::Outside), Progress::none(), unlimited);
-      if (minkowski::area(safe) < 0.5) continue;
+      const Polygons safe = planar::difference(polygonsOf(a, Approximation::Inside), polygonsOf(b, Approximation::Outside),
+                                               Progress::none(), unlimited);
+      if (planar::area(safe) < 0.5) continue;
       ++rooms;
       const Region room = minkowskiDifference(std::vector<Region>{a, b}).region;
-      QVERIFY(area(room) >= minkowski::area(safe) - 0.01 * wayAround(room));
-      COMPARE_NEAR(area(room), minkowski::area(safe), 0.02 * wayAround(room));
+      QVERIFY(area(room) >= planar::area(safe) - 0.01 * wayAround(room));
+      COMPARE_NEAR(area(room), planar::area(safe), 0.02 * wayAround(room));
       QVERIFY(largestGap(room) <= 0.05);
     }
     QVERIFY(rooms > 20);
@@ -241,10 +241,10 @@ class MinkowskiCurvesTest : public QObject {
       const Region sum = curvedSumOf(a, b);
       constexpr double fine = 1e-4;
       Effort unlimited;
-      const Polygons polygons = minkowski::sum(flattened(a, {.tolerance = fine}, "a"),
-                                               flattened(b, {.tolerance = fine}, "b"), Progress::none(), unlimited);
+      const Polygons polygons = planar::sum(flattened(a, {.tolerance = fine}, "a"), flattened(b, {.tolerance = fine}, "b"),
+                                            Progress::none(), unlimited);
       const double tolerance = 4 * (defaultTolerance(a) + defaultTolerance(b));
-      COMPARE_NEAR(area(sum), minkowski::area(polygons), tolerance * wayAround(sum));
+      COMPARE_NEAR(area(sum), planar::area(polygons), tolerance * wayAround(sum));
       QVERIFY(segmentCountOf(sum) <= 60);
       QVERIFY(largestGap(sum) <= tolerance);
     }
@@ -268,9 +268,9 @@ class MinkowskiCurvesTest : public QObject {
     const Region disc = circleRegion(0.1), sum = curvedSumOf({{heart}}, disc);
     constexpr double fine = 1e-5;
     Effort unlimited;
-    const Polygons polygons = minkowski::sum(flattened({{heart}}, {.tolerance = fine}, "heart"),
-                                             flattened(disc, {.tolerance = fine}, "disc"), Progress::none(), unlimited);
-    COMPARE_NEAR(area(sum), minkowski::area(polygons), 2 * fine * wayAround(sum));
+    const Polygons polygons = planar::sum(flattened({{heart}}, {.tolerance = fine}, "heart"),
+                                          flattened(disc, {.tolerance = fine}, "disc"), Progress::none(), unlimited);
+    COMPARE_NEAR(area(sum), planar::area(polygons), 2 * fine * wayAround(sum));
   }
 
   /// A segment without a length in a hollow corner.

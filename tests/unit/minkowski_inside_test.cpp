@@ -1,12 +1,12 @@
-#include "minkowski/kernel/edges_of_sum.h"
+#include "geometry/planar/polygons/polygons.h"
+#include "geometry/planar/polygons/snapped_operands.h"
+#include "geometry/planar/winding/certain_inside.h"
+#include "geometry/planar/winding/edges_of_sum.h"
+#include "geometry/planar/winding/snap_rounding.h"
+#include "geometry/planar/winding/winding_faces.h"
 #include "minkowski/kernel/morph/morph.h"
 #include "minkowski/kernel/morph/thinning.h"
-#include "minkowski/kernel/polygons.h"
 #include "minkowski/kernel/shallow_dents.h"
-#include "minkowski/kernel/snap_rounding.h"
-#include "minkowski/kernel/snapped_operands.h"
-#include "minkowski/kernel/winding/certain_inside.h"
-#include "minkowski/kernel/winding/winding_faces.h"
 #include "support/regions.h"
 #include "support/support.h"
 
@@ -131,8 +131,8 @@ class MinkowskiInsideTest : public QObject {
       leftOut += static_cast<std::size_t>(bounding(all) - bounding(some));
       const Polygons wanted = windingFaces(all), found = windingFaces(some);
       QVERIFY2(countsOf(found) == countsOf(wanted), qPrintable(QString::number(round)));
-      const double area = minkowski::area(wanted);
-      QVERIFY(std::abs(minkowski::area(found) - area) <= 1e-12 * area);
+      const double area = planar::area(wanted);
+      QVERIFY(std::abs(planar::area(found) - area) <= 1e-12 * area);
     }
     QVERIFY(leftOut > 10'000);
   }
@@ -155,7 +155,7 @@ class MinkowskiInsideTest : public QObject {
         QCOMPARE(std::abs(parent.row - run.row), 1);
         QVERIFY(run.door >= std::max(run.first, parent.first) && run.door < std::min(run.last, parent.last));
       }
-      const double area = minkowski::area(sum);
+      const double area = planar::area(sum);
       QVERIFY2(covered > 0.9 * area && covered < area, qPrintable(QString::number(covered / area)));
     }
   }
@@ -167,10 +167,10 @@ class MinkowskiInsideTest : public QObject {
     QVERIFY(inside.has_value());
     const double covered = coveredBy(*inside);
     const std::vector<CountedEdge> all = convolution(on.a, on.b);
-    const double area = minkowski::area(windingFaces(all));
+    const double area = planar::area(windingFaces(all));
     QVERIFY2(covered > 0.93 * area && covered < area, qPrintable(QString::number(covered / area)));
     Effort unlimited;
-    QVERIFY(2 * edgesOfSum(on.a, on.b, Progress::none(), unlimited).size() < all.size());
+    QVERIFY(2 * edgesOfSum(on.a, on.b, Inside::Positive, Progress::none(), unlimited).size() < all.size());
   }
 
   /// Where little of a sum is certain, the whole convolution is made, and its sides name what they come from once.
@@ -186,7 +186,7 @@ class MinkowskiInsideTest : public QObject {
       return numbers;
     };
     PairSources once{numbersOf(on.a), numbersOf(on.b)}, plain = once;
-    const std::vector<CountedEdge> chosen = edgesOfSum(on.a, on.b, Progress::none(), unlimited, &once),
+    const std::vector<CountedEdge> chosen = edgesOfSum(on.a, on.b, Inside::Positive, Progress::none(), unlimited, &once),
                                    all = convolution(on.a, on.b, Progress::none(), unlimited, &plain);
     QCOMPARE(chosen.size(), all.size());
     QCOMPARE(once.all.size(), plain.all.size());
@@ -209,8 +209,8 @@ class MinkowskiInsideTest : public QObject {
     QVERIFY(some.size() < all.size());
     const Polygons wanted = windingFaces(all), found = windingFaces(some);
     QVERIFY(countsOf(found) == countsOf(wanted));
-    const double area = minkowski::area(wanted);
-    QVERIFY(std::abs(minkowski::area(found) - area) <= 1e-12 * area);
+    const double area = planar::area(wanted);
+    QVERIFY(std::abs(planar::area(found) - area) <= 1e-12 * area);
   }
 
   /// A shape lies in the one with its dents filled, and that one in the shape grown by their depth.
@@ -228,7 +228,7 @@ class MinkowskiInsideTest : public QObject {
       const FilledDents filled = withoutShallowDents({rough}, depth);
       QVERIFY(filled.depth > 0 && filled.depth <= depth);
       QVERIFY(edgeCount(filled.shape) < edgeCount({rough}));
-      QVERIFY(minkowski::area(filled.shape) >= minkowski::area({rough}));
+      QVERIFY(planar::area(filled.shape) >= planar::area({rough}));
       const auto distanceTo = [&](const Vec2& p) {
         double nearest = HUGE_VAL;
         for (const Loop* loop : {&rough.outer, &rough.holes.front()})
@@ -255,7 +255,7 @@ class MinkowskiInsideTest : public QObject {
                          {{{4.9, 4.8}, {5.1, 4.8}, {5, 4.95}}, {}}};
     const FilledDents filled = withoutShallowDents(shape, 1);
     QCOMPARE(filled.shape.size(), std::size_t{1});
-    COMPARE_NEAR(minkowski::area(filled.shape), 50.0, 1e-9);
+    COMPARE_NEAR(planar::area(filled.shape), 50.0, 1e-9);
     COMPARE_NEAR(filled.depth, 0.8, 1e-12);
     QCOMPARE(withoutShallowDents(shape, 0.5).shape.size(), std::size_t{2});
   }

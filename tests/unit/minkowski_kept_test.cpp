@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "minkowski/kernel/curves/curved_sum.h"
-#include "minkowski/kernel/flattening.h"
+#include "geometry/planar/sums/curved_sum.h"
+#include "geometry/planar/sums/flattening.h"
 #include "minkowski/kernel/morph/morph.h"
 #include "minkowski/kernel/morph/repetition.h"
 #include "support/curved_regions.h"

@@ -1,15 +1,15 @@
 #include "geometry/bspline/bspline.h"
-#include "minkowski/kernel/bounding_polyline.h"
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/nesting.h"
-#include "minkowski/kernel/snap_rounding.h"
-#include "minkowski/kernel/winding/winding_faces.h"
+#include "geometry/planar/polygons/bounding_polyline.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/winding/nesting.h"
+#include "geometry/planar/winding/snap_rounding.h"
+#include "geometry/planar/winding/winding_faces.h"
 #include "support/regions.h"
 #include "support/support.h"
 
 using namespace blossom;
 using namespace blossom::test;
-using namespace blossom::minkowski;
+using namespace blossom::planar;
 using std::numbers::pi;
 
 /// What is done to outlines before and after a sum: drawn in chords, rounded, nested, cleared of crumbs.
@@ -81,7 +81,7 @@ class MinkowskiLoopsTest : public QObject {
                                             {}}};
     const std::vector<GridPolygon> small{{{{0, 0}, {k / 4, 0}, {k / 4, k / 4}, {0, k / 4}}, {}}};
     const auto areaWith = [&](const std::vector<GridPolygon>& loops) {
-      return minkowski::area(windingFaces(convolution(loops, small))) / (double(k) * double(k));
+      return planar::area(windingFaces(convolution(loops, small))) / (double(k) * double(k));
     };
     QVERIFY(!isClear(tangled));
     const std::vector<GridPolygon> plain = untangled(tangled);
@@ -134,12 +134,12 @@ class MinkowskiLoopsTest : public QObject {
       QCOMPARE(parts.size(), std::size_t{10'001});
       std::size_t holes = 0;
       for (const Polygon& part : parts) {
-        QVERIFY(minkowski::signedArea(part.outer) > 0);
-        for (const Loop& hole : part.holes) QVERIFY(minkowski::signedArea(hole) < 0);
+        QVERIFY(planar::signedArea(part.outer) > 0);
+        for (const Loop& hole : part.holes) QVERIFY(planar::signedArea(hole) < 0);
         holes += part.holes.size();
       }
       QCOMPARE(holes, std::size_t{10'000});
-      COMPARE_NEAR(minkowski::area(parts), 1e6 - 10'000 * (36 - 8) + (touching ? 2 * 10 : 0), 1e-3);
+      COMPARE_NEAR(planar::area(parts), 1e6 - 10'000 * (36 - 8) + (touching ? 2 * 10 : 0), 1e-3);
     }
   }
 

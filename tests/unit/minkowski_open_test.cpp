@@ -1,5 +1,5 @@
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/sets/set_operations.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/set_operations.h"
 #include "support/curved_regions.h"
 #include "support/random.h"
 #include "support/regions.h"
@@ -7,7 +7,7 @@
 
 using namespace blossom;
 using namespace blossom::test;
-using namespace blossom::minkowski;
+using namespace blossom::planar;
 using std::numbers::pi;
 
 namespace {

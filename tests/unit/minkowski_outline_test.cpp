@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/planar/polygons/sound_region.h"
 #include "minkowski/kernel/outline_sweep.h"
-#include "minkowski/kernel/sound_region.h"
 #include "support/random.h"
 #include "support/regions.h"
 #include "support/support.h"

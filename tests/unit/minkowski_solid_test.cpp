@@ -8,8 +8,8 @@
 #include "geometry/measure/measure.h"
 #include "geometry/mesh/mesh_crossing.h"
 #include "geometry/mesh/mesh_topology.h"
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/polygon_sum.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/polygon_sum.h"
 #include "minkowski/kernel/solid/loft.h"
 #include "minkowski/kernel/solid/loft_brep.h"
 #include "support/regions.h"
@@ -53,7 +53,7 @@ Region squareFrame(double outer, double inner) {
 Polygons polygonsOf(const Region& region) { return flattened(region, {}, "shape"); }
 
 double morphArea(const Polygons& a, const Polygons& b, double t) {
-  return minkowski::area(sum(scaled(a, 1 - t), scaled(b, t)));
+  return planar::area(sum(scaled(a, 1 - t), scaled(b, t)));
 }
 
 /// Area of the section of closed triangles, by Green's formula over the pieces that they leave in the plane.
@@ -131,8 +131,8 @@ class MinkowskiSolidTest : public QObject {
       LoftResult result;
       checkLoft(a, b, &result);
       const Polygons lower = polygonsOf(a), upper = polygonsOf(b);
-      const double ofA = minkowski::area(lower), ofB = minkowski::area(upper);
-      const double mixed = (minkowski::area(sum(lower, upper)) - ofA - ofB) / 2;
+      const double ofA = planar::area(lower), ofB = planar::area(upper);
+      const double mixed = (planar::area(sum(lower, upper)) - ofA - ofB) / 2;
       const double volume = height * (ofA + mixed + ofB) / 3;
       COMPARE_NEAR(volumeOf(result), volume, 1e-9 * volume);
       QCOMPARE(genus(result.mesh), 0);

@@ -1,5 +1,5 @@
-#include "minkowski/kernel/curves/convex_hull.h"
-#include "minkowski/kernel/flattening.h"
+#include "geometry/planar/sums/convex_hull.h"
+#include "geometry/planar/sums/flattening.h"
 #include "minkowski/kernel/morph/influence_curves.h"
 #include "minkowski/kernel/morph/sector_shape.h"
 #include "minkowski/kernel/morph/shape_spline.h"

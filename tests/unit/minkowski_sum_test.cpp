@@ -1,15 +1,15 @@
 #include <ctime>
 
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/polygon_sum.h"
-#include "minkowski/kernel/region_sum.h"
-#include "minkowski/kernel/winding/winding_faces.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/polygon_sum.h"
+#include "geometry/planar/sums/region_sum.h"
+#include "geometry/planar/winding/winding_faces.h"
 #include "support/regions.h"
 #include "support/support.h"
 
 using namespace blossom;
 using namespace blossom::test;
-using namespace blossom::minkowski;
+using namespace blossom::planar;
 using std::numbers::pi;
 
 namespace {

@@ -1,13 +1,13 @@
 #include <set>
 
-#include "minkowski/kernel/sets/set_operations.h"
+#include "geometry/planar/sums/set_operations.h"
 #include "support/random.h"
 #include "support/regions.h"
 #include "support/support.h"
 
 using namespace blossom;
 using namespace blossom::test;
-using namespace blossom::minkowski;
+using namespace blossom::planar;
 using std::numbers::pi;
 
 namespace {

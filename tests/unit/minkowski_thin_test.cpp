@@ -3,14 +3,14 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/polygon_sum.h"
-#include "minkowski/kernel/region_sum.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/polygon_sum.h"
+#include "geometry/planar/sums/region_sum.h"
 #include "support/regions.h"
 #include "support/support.h"
 
 using namespace blossom;
-using namespace blossom::minkowski;
+using namespace blossom::planar;
 using namespace blossom::test;
 
 namespace {
@@ -38,10 +38,10 @@ class MinkowskiThinTest : public QObject {
         star.resize(1), star[0].outer.push_back((k % 2 == 0 ? size : size / 3) *
                                                 Vec2(std::cos(2 * pi * k / 10), std::sin(2 * pi * k / 10)));
       const Polygons large{{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}};
-      COMPARE_NEAR(minkowski::area(sum(large, star)), 7, rounding);
+      COMPARE_NEAR(planar::area(sum(large, star)), 7, rounding);
       Polygons both = star;
       both.push_back({{{50, 0}, {60, 0}, {60, 10}, {50, 10}}, {}});
-      COMPARE_NEAR(minkowski::area(sum(large, both)), 7 + 14 * 14 - 3 * 3, 10 * rounding);
+      COMPARE_NEAR(planar::area(sum(large, both)), 7 + 14 * 14 - 3 * 3, 10 * rounding);
     }
   }
 
@@ -52,14 +52,14 @@ class MinkowskiThinTest : public QObject {
     const double thin = 1e-14;
     for (const double length : {5e-9, 1.0, 20.0}) {
       const Polygons strip{{{{0, -thin}, {length, -thin}, {length, thin}, {0, thin}}, {}}};
-      COMPARE_NEAR(minkowski::area(sum(square, strip)), 64 * (64 + length), 1e-7);
+      COMPARE_NEAR(planar::area(sum(square, strip)), 64 * (64 + length), 1e-7);
       Effort unlimited;
-      COMPARE_NEAR(minkowski::area(difference(square, strip, Progress::none(), unlimited)), 64 * (64 - length), 1e-7);
+      COMPARE_NEAR(planar::area(difference(square, strip, Progress::none(), unlimited)), 64 * (64 - length), 1e-7);
       const Polygons upright{{{{-thin, 0}, {thin, 0}, {thin, -length}, {-thin, -length}}, {}}};
-      COMPARE_NEAR(minkowski::area(sum(l, upright)), 7 + 4 * length, 1e-7);
+      COMPARE_NEAR(planar::area(sum(l, upright)), 7 + 4 * length, 1e-7);
     }
     const Polygons hook{{{{0, 0}, {20, 0}, {20, 10}, {20 - thin, 10}, {20 - thin, thin}, {0, thin}}, {}}};
-    COMPARE_NEAR(minkowski::area(sum(square, hook)), 64 * 64 + 64 * 30, 1e-7);
+    COMPARE_NEAR(planar::area(sum(square, hook)), 64 * 64 + 64 * 30, 1e-7);
   }
 
   /// A slot exactly as wide as what enters it, after rounding one unit wider, lies below a hole.
@@ -70,7 +70,7 @@ class MinkowskiThinTest : public QObject {
          {{{-8 - 2 * u, -28}, {-8 - 2 * u, -10}, {8 - u, -10}, {8 - u, -28}}, {{0, -7}, {-19, 12}, {0, 31}, {19, 12}}}}},
         square{{{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}, {}}};
     // The diamond |x| + |y - 12| <= 19 leaves |x| + |y - 12| <= 3.
-    COMPARE_NEAR(minkowski::area(sum(plate, square)), 80 * 80 - 2 * 3 * 3, 1e-6);
+    COMPARE_NEAR(planar::area(sum(plate, square)), 80 * 80 - 2 * 3 * 3, 1e-6);
   }
 
   /// Steiner: area + perimeter r + pi r^2.

@@ -1,5 +1,5 @@
-#include "minkowski/kernel/flattening.h"
-#include "minkowski/kernel/region_sum.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/region_sum.h"
 #include "support/boundary_distance.h"
 #include "support/random.h"
 #include "support/regions.h"
@@ -7,7 +7,7 @@
 
 using namespace blossom;
 using namespace blossom::test;
-using namespace blossom::minkowski;
+using namespace blossom::planar;
 using std::numbers::pi;
 
 namespace {
@@ -62,7 +62,7 @@ class MinkowskiWeightsTest : public QObject {
     for (int round = 0; round < 40; ++round) {
       const Region a = randomRegion(random, 6), b = randomRegion(random, 4);
       const double v = uniform(random, -2, 2), w = uniform(random, 0.2, 2);
-      const Region first = minkowski::toRegion(timesAs(a, v)), second = minkowski::toRegion(timesAs(b, w));
+      const Region first = planar::toRegion(timesAs(a, v)), second = planar::toRegion(timesAs(b, w));
       QVERIFY(between(timesAs(weightedSum({a, b}, {v, w}), 1), timesAs(weightedSum({first, second}, {}), 1)) < 1e-9);
     }
     const Region discs = weightedSum({circleRegion(2, {1, 0}), circleRegion(3, {0, 1})}, {2, -1});

@@ -6,11 +6,14 @@
 #include <queue>
 #include <vector>
 
+#include "geometry/planar/fitting/angles.h"
 #include "geometry/planar/planar.h"
-#include "kernel/curves/angles.h"
-#include "kernel/sound_region.h"
+#include "geometry/planar/polygons/sound_region.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 /// The point of a piece nearest to another one.

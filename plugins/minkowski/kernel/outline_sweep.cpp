@@ -6,11 +6,14 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
-#include "kernel/curves/curved_union.h"
-#include "kernel/flattening.h"
-#include "kernel/nested_paths.h"
+#include "geometry/planar/sums/curved_union.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/winding/nested_paths.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 double toleranceFor(const Region& a, const Region& b, const RegionSumOptions& options) {

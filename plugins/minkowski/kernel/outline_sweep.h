@@ -1,7 +1,9 @@
 #pragma once
-#include "kernel/region_sum.h"
+#include "geometry/planar/sums/region_sum.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// Which loops of a boundary.
 enum class Boundary { All, Outer, Holes };

@@ -7,12 +7,15 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "kernel/curves/convex_hull.h"
-#include "kernel/flattening.h"
+#include "geometry/planar/sums/convex_hull.h"
+#include "geometry/planar/sums/flattening.h"
 #include "kernel/hull_distance.h"
 #include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 constexpr std::size_t largestCount = 1'000'000'000;

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/planar/polygons/effort.h"
 #include "geometry/planar/region.h"
-#include "kernel/effort.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 struct RegionRepeatOptions {
   std::size_t count = 2;                        ///< k, at least 1

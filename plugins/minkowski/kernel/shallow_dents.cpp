@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <optional>
 
-#include "kernel/grid.h"
-#include "kernel/snap_rounding.h"
-#include "kernel/winding/winding_faces.h"
+#include "geometry/planar/polygons/grid.h"
+#include "geometry/planar/winding/snap_rounding.h"
+#include "geometry/planar/winding/winding_faces.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 constexpr std::size_t longestDent = 256;  // edges

@@ -1,8 +1,10 @@
 #pragma once
 #include "core/progress.h"
-#include "kernel/polygons.h"
+#include "geometry/planar/polygons/polygons.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 struct FilledDents {
   Polygons shape;

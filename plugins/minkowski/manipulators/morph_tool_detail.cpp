@@ -4,11 +4,13 @@
 #include <algorithm>
 
 #include "feature/registry.h"
-#include "kernel/flattening.h"
+#include "geometry/planar/sums/flattening.h"
 #include "manipulators/coarse_morph.h"
 #include "manipulators/morph_tool.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// In mm, as coarse as every control shape allows where it is not scaled up.
 double MorphTool::coarseTolerance() const {

@@ -3,11 +3,13 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/polygons.h"
+#include "geometry/planar/polygons/polygons.h"
 
 /// Morphs by distance fields (Cohen-Or, Levin & Solomovici 1998, without their warp), with which the morph by Minkowski sums
 /// is compared.
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// Nodes of a square grid, row by row from the lower left.
 struct FieldGrid {

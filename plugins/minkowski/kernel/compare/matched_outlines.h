@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/polygons.h"
+#include "geometry/planar/polygons/polygons.h"
 
 /// Morphs by vertices: the commonest way, with which the morph by Minkowski sums is compared.
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// Outlines of two shapes with points that belong together, as many in the one as in the other.
 struct MatchedOutlines {

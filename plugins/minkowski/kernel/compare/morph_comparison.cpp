@@ -7,14 +7,17 @@
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/sums/flattening.h"
 #include "kernel/compare/distance_field.h"
 #include "kernel/compare/matched_outlines.h"
-#include "kernel/flattening.h"
 #include "kernel/morph/control_centre.h"
 #include "kernel/morph/control_placement.h"
 #include "kernel/morph/morph.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 constexpr std::size_t fewestCells = 8, mostCells = 1000;

@@ -6,10 +6,12 @@
 
 #include "core/progress.h"
 #include "geometry/numeric/boxes.h"
+#include "geometry/planar/polygons/effort.h"
 #include "geometry/planar/region.h"
-#include "kernel/effort.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 struct ComparisonOptions {
   std::vector<double> times{0, 0.25, 0.5, 0.75, 1};  ///< 0..1, of the in-betweens

@@ -4,11 +4,14 @@
 #include <numbers>
 #include <numeric>
 
-#include "kernel/curves/convex_hull.h"
+#include "geometry/planar/sums/convex_hull.h"
 #include "kernel/hull_distance.h"
 #include "kernel/morph/thinning.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 std::size_t cornersOf(const SoundRegion& shape) {

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/planar/polygons/sound_region.h"
 #include "kernel/morph/evaluation_order.h"
 #include "kernel/morph/repetition.h"
-#include "kernel/sound_region.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 struct InBetween {
   SoundRegion shape;

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "kernel/flattening.h"
+#include "geometry/planar/sums/flattening.h"
 #include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 void checkRungs(std::span<const Region> shapes, std::span<const double> t) {

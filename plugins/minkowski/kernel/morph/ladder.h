@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/planar/polygons/effort.h"
 #include "geometry/planar/region.h"
-#include "kernel/effort.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 struct LadderOptions {
   std::optional<double> tolerance{};            ///< mm, between curves and their polygons; empty: see FlatteningOptions

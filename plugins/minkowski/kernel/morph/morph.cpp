@@ -12,13 +12,16 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "geometry/planar/planar.h"
-#include "kernel/flattening.h"
+#include "geometry/planar/sums/flattening.h"
 #include "kernel/morph/control_centre.h"
 #include "kernel/morph/expansion.h"
 #include "kernel/morph/repetition.h"
 #include "kernel/morph/thinning.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 constexpr std::size_t maximumShapes = 32;

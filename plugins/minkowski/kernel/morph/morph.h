@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/planar/polygons/effort.h"
 #include "geometry/planar/region.h"
-#include "kernel/effort.h"
 #include "kernel/morph/evaluation_order.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 struct MorphOptions {
   EvaluationOrder evaluation = EvaluationOrder::Automatic;

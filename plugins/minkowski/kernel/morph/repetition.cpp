@@ -4,9 +4,11 @@
 #include <bit>
 #include <optional>
 
-#include "kernel/curves/curved_sum.h"
+#include "geometry/planar/sums/curved_sum.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 SoundRegion Adder::operator()(const SoundRegion& a, const SoundRegion& b, const Progress& progress) {
   const std::size_t before = count_++;

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/curves/sampled_pair.h"
-#include "kernel/effort.h"
-#include "kernel/sound_region.h"
+#include "geometry/planar/polygons/effort.h"
+#include "geometry/planar/polygons/sound_region.h"
+#include "geometry/planar/sums/sampled_pair.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// Computes Minkowski sums and counts them, in several threads at once when the work is unlimited.
 class Adder {

@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "core/error.h"
+#include "geometry/planar/fitting/angles.h"
 #include "geometry/planar/planar.h"
-#include "kernel/curves/angles.h"
-#include "kernel/curves/convex_hull.h"
+#include "geometry/planar/sums/convex_hull.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 /// Segments of a convex path with the angles of the normals at their ends, from those of the first segment on.

@@ -2,9 +2,11 @@
 #include <string>
 
 #include "core/progress.h"
-#include "kernel/sound_region.h"
+#include "geometry/planar/polygons/sound_region.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// A range of directions, counter-clockwise, radians. Equal ends: all directions.
 struct Sector {

@@ -5,11 +5,14 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "kernel/flattening.h"
+#include "geometry/planar/sums/flattening.h"
 #include "kernel/morph/evaluation_order.h"
 #include "kernel/morph/repetition.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 /// Where the knots begin and end to count.

@@ -1,8 +1,10 @@
 #pragma once
 #include "core/progress.h"
-#include "kernel/sound_region.h"
+#include "geometry/planar/polygons/sound_region.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// Fills the shallow dents of shapes that are to be added again and have very many corners (see shallow_dents.h). Sums,
 /// multiples and blends of shapes are at most as far from those of the shapes as they were as these are.

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "kernel/winding/wide_products.h"
+#include "geometry/planar/winding/wide_products.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 void LevelEdges::collect(int i, const LoftTime& time) {
   above_ = below_ = -1;

@@ -9,15 +9,18 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "kernel/flattening.h"
-#include "kernel/snap_rounding.h"
-#include "kernel/snapped_operands.h"
+#include "geometry/planar/polygons/snapped_operands.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/winding/snap_rounding.h"
 #include "kernel/solid/facet_neighbours.h"
 #include "kernel/solid/level_edges.h"
 #include "kernel/solid/solid_mesh.h"
 #include "kernel/solid/upright_edges.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 constexpr double nearness = 1e-10;  // of the size, within which corners are one

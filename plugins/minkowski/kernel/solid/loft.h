@@ -4,11 +4,13 @@
 
 #include "core/progress.h"
 #include "geometry/mesh/mesh.h"
+#include "geometry/planar/polygons/effort.h"
+#include "geometry/planar/polygons/polygons.h"
 #include "geometry/planar/region.h"
-#include "kernel/effort.h"
-#include "kernel/polygons.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 struct LoftOptions {
   double height = 1;                            ///< mm, above 0

@@ -6,9 +6,12 @@
 #include <tuple>
 
 #include "core/error.h"
-#include "kernel/convolution.h"
+#include "geometry/planar/winding/convolution.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
+
 namespace {
 
 constexpr std::size_t maximumFacets = 20'000;

@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "core/progress.h"
-#include "kernel/grid.h"
+#include "geometry/planar/polygons/grid.h"
 
 namespace blossom::minkowski {
+
+using namespace planar;
 
 /// A height as weights of the two sets: `first` of the lower one and `second` of the upper one, their sum is positive.
 struct LoftLevel {

@@ -1,0 +1,87 @@
+#include "geometry/planar/fitting/hermite_spline.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace blossom::planar {
+namespace {
+
+using Cubic = std::array<Vec2, 4>;
+
+double turnBetween(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
+
+Cubic cubicBetween(const DirectedPoint& from, const DirectedPoint& to) {
+  const double chord = (to.at - from.at).norm(), cosine = std::cos(turnBetween(from.along, to.along) / 4);
+  const double handle = chord / (3 * cosine * cosine);
+  return {from.at, from.at + handle * from.along, to.at - handle * to.along, to.at};
+}
+
+Vec2 pointAt(const Cubic& c, double t) {
+  const double s = 1 - t;
+  return s * s * s * c[0] + 3 * s * s * t * c[1] + 3 * s * t * t * c[2] + t * t * t * c[3];
+}
+
+Vec2 derivativeAt(const Cubic& c, double t) {
+  const double s = 1 - t;
+  return 3 * (s * s * (c[1] - c[0]) + 2 * s * t * (c[2] - c[1]) + t * t * (c[3] - c[2]));
+}
+
+/// By Newton's method from a share of the chord.
+double distanceFrom(const Cubic& cubic, const Vec2& p) {
+  const Vec2 chord = cubic[3] - cubic[0];
+  double t = std::clamp((p - cubic[0]).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+  for (int i = 0; i < 6; ++i) {
+    const Vec2 derivative = derivativeAt(cubic, t);
+    t = std::clamp(t + (p - pointAt(cubic, t)).dot(derivative) / std::max(derivative.squaredNorm(), 1e-300), 0.0, 1.0);
+  }
+  return (p - pointAt(cubic, t)).norm();
+}
+
+/// Whether one cubic may stand for all points.
+bool passes(std::span<const DirectedPoint> points, double tolerance) {
+  constexpr double widest = 1.2;  // radians
+  double turn = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    turn += std::abs(turnBetween(points[i - 1].along, points[i].along));
+    if (turn > widest) return false;
+  }
+  const Cubic cubic = cubicBetween(points.front(), points.back());
+  return std::all_of(points.begin() + 1, points.end() - 1,
+                     [&](const DirectedPoint& p) { return distanceFrom(cubic, p.at) <= tolerance; });
+}
+
+/// The farthest point that is reached with one cubic, by doubling and halving the step.
+std::size_t farthestFrom(const std::vector<DirectedPoint>& points, std::size_t from, double tolerance) {
+  const std::size_t last = points.size() - 1;
+  const auto reaches = [&](std::size_t to) { return passes(std::span(points).subspan(from, to - from + 1), tolerance); };
+  std::size_t good = from + 1, step = 1;
+  while (good + step <= last && reaches(good + step)) {
+    good += step;
+    step *= 2;
+  }
+  for (; step > 0; step /= 2)
+    if (good + step <= last && reaches(good + step)) good += step;
+  return good;
+}
+
+}  // namespace
+
+Spline2 splineThrough(const std::vector<DirectedPoint>& points, double tolerance) {
+  Spline2 spline{3, {0, 0, 0, 0}, {points.front().at.homogeneous()}};
+  double length = 0;
+  for (std::size_t from = 0; from + 1 < points.size();) {
+    const std::size_t to = farthestFrom(points, from, tolerance);
+    const Cubic cubic = cubicBetween(points[from], points[to]);
+    for (std::size_t k = 1; k < 4; ++k) spline.poles.push_back(cubic[k].homogeneous());
+    length += (points[to].at - points[from].at).norm();
+    spline.knots.insert(spline.knots.end(), 3, length);
+    from = to;
+  }
+  spline.knots.push_back(length);
+  return spline;
+}
+
+}  // namespace blossom::planar

@@ -1,0 +1,113 @@
+#include "geometry/planar/fitting/spline_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/planar_bezier.h"
+
+namespace blossom::planar {
+namespace {
+
+double sizeOf(const BezierPiece& piece) {
+  double size = 0;
+  for (const Vec3& pole : piece) size = std::max(size, (euclidean(pole) - euclidean(piece.front())).norm());
+  return size;
+}
+
+/// One rational Bézier piece and where its points lie.
+class PieceSampler {
+ public:
+  PieceSampler(const BezierPiece& piece, double tolerance, const std::vector<double>& normals)
+      : piece_(piece), size_(sizeOf(piece)), tolerance_(tolerance), normals_(normals) {}
+
+  /// Adds the samples after the start.
+  void run(std::vector<CurveSample>& out) const {
+    constexpr int deepest = 12;
+    if (size_ > 0) halve(0, 1, sampleAt(0), sampleAt(1), deepest, out);
+  }
+
+  [[nodiscard]] CurveSample sampleAt(double t) const {
+    const auto [point, derivative] = evaluate(piece_, t);
+    Vec2 along = derivative;
+    if (along.norm() <= 1e-9 * size_) {  // at the end of a piece whose poles coincide
+      constexpr double step = 1e-4;
+      along = t < 0.5 ? Vec2(evaluate(piece_, t + step).point - point) : Vec2(point - evaluate(piece_, t - step).point);
+    }
+    return {point, std::atan2(-along.x(), along.y())};
+  }
+
+ private:
+  void halve(double from, double to, const CurveSample& first, const CurveSample& last, int depth,
+             std::vector<CurveSample>& out) const {
+    if (depth == 0 || isFlat(from, to, first, last)) {
+      addBetween(from, to, first, last, out);
+      out.push_back(last);
+      return;
+    }
+    const double middle = (from + to) / 2;
+    const CurveSample between = sampleAt(middle);
+    halve(from, middle, first, between, depth - 1, out);
+    halve(middle, to, between, last, depth - 1, out);
+  }
+
+  [[nodiscard]] bool isFlat(double from, double to, const CurveSample& first, const CurveSample& last) const {
+    constexpr double littleTurn = 0.4;  // radians
+    if (std::abs(turnFrom(first.normal, last.normal)) > littleTurn) return false;
+    const Vec2 chord = last.at - first.at;
+    const double reach = chord.norm();
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const CurveSample between = sampleAt(from + share * (to - from));
+      const Vec2 offset = between.at - first.at;
+      const double aside = reach > 0 ? std::abs(cross(chord, offset)) / reach : offset.norm();
+      if (aside > tolerance_ || std::abs(turnFrom(first.normal, between.normal)) > littleTurn) return false;
+    }
+    return true;
+  }
+
+  /// The points with one of the normals, in their order.
+  void addBetween(double from, double to, const CurveSample& first, const CurveSample& last,
+                  std::vector<CurveSample>& out) const {
+    const double turn = turnFrom(first.normal, last.normal);
+    std::vector<double> turns;
+    const double low = std::min(0.0, turn), high = std::max(0.0, turn), start = inOneTurn(first.normal);
+    for (const double whole : {-fullTurn, 0.0, fullTurn}) {
+      const auto begin = std::upper_bound(normals_.begin(), normals_.end(), start + low + sameAngle + whole);
+      for (auto it = begin; it != normals_.end() && *it < start + high - sameAngle + whole; ++it)
+        turns.push_back(*it - whole - start);
+    }
+    std::sort(turns.begin(), turns.end(), [turn](double a, double b) { return turn > 0 ? a < b : a > b; });
+    for (const double each : turns) out.push_back(sampleWithTurn(from, to, first.normal, each, turn > 0));
+  }
+
+  /// By halving: the normal turns from that of `first` by less than a right angle.
+  [[nodiscard]] CurveSample sampleWithTurn(double from, double to, double first, double turn, bool left) const {
+    constexpr int halvings = 50;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = (from + to) / 2;
+      const bool before = (turnFrom(first, sampleAt(middle).normal) < turn) == left;
+      (before ? from : to) = middle;
+    }
+    CurveSample sample = sampleAt((from + to) / 2);
+    sample.normal = first + turn;
+    return sample;
+  }
+
+  const BezierPiece& piece_;
+  double size_, tolerance_;
+  const std::vector<double>& normals_;
+};
+
+}  // namespace
+
+std::vector<CurveSample> samplesOf(const Spline2& spline, double tolerance, const std::vector<double>& normals) {
+  std::vector<CurveSample> samples;
+  for (const BezierPiece& piece : bezierPieces(spline)) {
+    const PieceSampler sampler(piece, tolerance, normals);
+    if (samples.empty()) samples.push_back(sampler.sampleAt(0));
+    sampler.run(samples);
+  }
+  return samples;
+}
+
+}  // namespace blossom::planar

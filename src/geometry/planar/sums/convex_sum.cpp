@@ -1,0 +1,116 @@
+#include "geometry/planar/sums/convex_sum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/planar.h"
+
+namespace blossom::planar {
+namespace {
+
+constexpr double oneDirection = 1e-11;  // radians
+
+/// A range of normals, from one angle to that of the next fan, in which the boundary is an arc; a corner has the radius 0.
+struct Fan {
+  double from = 0;
+  Vec2 centre;
+  double radius = 0;
+};
+
+/// In the order of the boundary, by angles that do not fall and span one turn. Where several fans begin at one angle the
+/// last one has the width.
+class Fans {
+ public:
+  explicit Fans(const Path& path) {
+    for (const Segment& segment : path.segments) {
+      if (const auto* arc = std::get_if<Arc2>(&segment)) {
+        add(arc->start, arc->center, arc->radius);
+        if (path.segments.size() > 1) fans_.push_back({fans_.back().from + arc->sweep, endPoint(segment), 0});
+      } else {
+        const auto& line = std::get<Line2>(segment);
+        const Vec2 along = line.to - line.from;
+        if (!along.isZero()) add(std::atan2(-along.x(), along.y()), line.to, 0);
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Fan>& all() const { return fans_; }
+
+  [[nodiscard]] const Fan& at(double angle) const {
+    const double first = fans_.front().from, inside = first + inOneTurn(angle - first);
+    const auto after =
+        std::upper_bound(fans_.begin(), fans_.end(), inside, [](double value, const Fan& fan) { return value < fan.from; });
+    return after == fans_.begin() ? fans_.back() : *std::prev(after);
+  }
+
+ private:
+  void add(double angle, const Vec2& centre, double radius) {
+    if (fans_.empty()) {
+      fans_.push_back({angle, centre, radius});
+      return;
+    }
+    const double before = fans_.back().from;
+    fans_.push_back({before + std::max(0.0, std::remainder(angle - before, fullTurn)), centre, radius});
+  }
+
+  std::vector<Fan> fans_;
+};
+
+/// Angles at which a fan of either begins; those that are one direction once.
+std::vector<double> startsOf(const Fans& a, const Fans& b) {
+  std::vector<double> starts;
+  for (const auto* fans : {&a, &b})
+    for (const Fan& fan : fans->all()) starts.push_back(inOneTurn(fan.from));
+  std::sort(starts.begin(), starts.end());
+  const auto same = [](double p, double q) { return q - p <= oneDirection; };
+  starts.erase(std::unique(starts.begin(), starts.end(), same), starts.end());
+  while (starts.size() > 1 && same(starts.back(), starts.front() + fullTurn)) starts.pop_back();
+  return starts;
+}
+
+/// Arcs about one centre that follow each other.
+bool continues(const Arc2& arc, const Arc2& next) { return arc.center == next.center && arc.radius == next.radius; }
+
+std::vector<Arc2> arcsBetween(const std::vector<double>& starts, const Fans& a, const Fans& b) {
+  std::vector<Arc2> arcs;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const double width = (i + 1 < starts.size() ? starts[i + 1] : starts.front() + fullTurn) - starts[i];
+    const double middle = inOneTurn(starts[i] + width / 2);
+    const Fan &ofA = a.at(middle), &ofB = b.at(middle);
+    const Arc2 arc{ofA.centre + ofB.centre, ofA.radius + ofB.radius, starts[i], width};
+    if (!arcs.empty() && continues(arcs.back(), arc))
+      arcs.back().sweep += width;
+    else
+      arcs.push_back(arc);
+  }
+  if (arcs.size() > 1 && continues(arcs.back(), arcs.front())) {
+    arcs.front().start = arcs.back().start;
+    arcs.front().sweep += arcs.back().sweep;
+    arcs.pop_back();
+  }
+  return arcs;
+}
+
+}  // namespace
+
+Region convexSum(const Region& a, const Region& b) {
+  const Fans fansA(a.loops.front()), fansB(b.loops.front());
+  const std::vector<Arc2> arcs = arcsBetween(startsOf(fansA, fansB), fansA, fansB);
+  double size = 0;
+  for (const Arc2& arc : arcs) size = std::max(size, arc.center.cwiseAbs().maxCoeff() + arc.radius);
+  const double rounding = 1e-15 * size;
+  Path path;
+  path.closed = true;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Arc2 &arc = arcs[i], &next = arcs[(i + 1) % arcs.size()];
+    if (arc.radius > 0) path.segments.emplace_back(arc);
+    const Vec2 from = arc.center + arc.radius * unitAt(arc.start + arc.sweep),
+               to = next.center + next.radius * unitAt(next.start);
+    if ((to - from).norm() > rounding) path.segments.emplace_back(Line2{from, to});
+  }
+  return {{path}};
+}
+
+}  // namespace blossom::planar

@@ -1,0 +1,367 @@
+#include "geometry/planar/winding/boundary_pieces.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/planar/winding/wide_products.h"
+
+namespace blossom::planar {
+namespace {
+
+using Cell = WindingCells::Cell;
+
+/// Something that meets an edge strictly between its ends.
+struct Meeting {
+  double t = 0;      ///< along the edge, rounded
+  Fraction exact;    ///< the same
+  int left = 0;      ///< by how much the winding number to the left changes
+  int covering = 0;  ///< by how much the edges that lie on this one change
+  int before = 0;    ///< by how much edges on this one change that are reported instead of it
+  std::uint32_t edge = 0;
+  std::optional<GridPoint> end;  ///< the other edge ends here
+};
+
+/// Along an edge: the share of it, exact, where it passes a border or a half-integer.
+struct Anchor {
+  bool vertical = false;    ///< the line is x = value, else y = value
+  std::int64_t twice = 0;   ///< twice the coordinate, an odd number
+  int column = 0, row = 0;  ///< of the corner whose winding number is known
+  Fraction t;
+};
+
+[[noreturn]] void notClosed() {
+  throw Error(ErrorCode::Internal, "The edges of a sum do not close.", "Please report this with the shapes.");
+}
+
+class EdgeWalker {
+ public:
+  EdgeWalker(std::span<const CountedEdge> edges, const WindingCells& cells, WindingRule rule)
+      : edges_(edges), cells_(cells), rule_(rule), seen_(edges.size(), 0) {}
+
+  void walk(std::uint32_t number, std::vector<BoundaryPiece>& out) {
+    number_ = number;
+    edge_ = edges_[number];
+    by_ = edge_.to - edge_.from;
+    run_.clear();
+    bool fromStart = true;
+    Cell previous{};
+    cells_.forEachCell(edge_, [&](const Cell& cell) {
+      if (cells_.certified(cell)) {
+        if (!run_.empty()) finishRun(fromStart, cell, out);
+        run_.clear();
+        fromStart = false;
+      } else {
+        if (run_.empty()) before_ = previous;
+        run_.push_back(cell);
+      }
+      previous = cell;
+    });
+    if (!run_.empty()) finishRun(fromStart, std::nullopt, out);
+  }
+
+ private:
+  void finishRun(bool fromStart, std::optional<Cell> after, std::vector<BoundaryPiece>& out) {
+    const Anchor anchor = fromStart ? anchorAtStart() : anchorBetween(before_, run_.front());
+    // Half a unit beyond a run on either side, which its neighbours certify.
+    const double slack = 0.5 / static_cast<double>(std::max(by_.x, std::abs(by_.y)));
+    const double first = fromStart ? -1 : shareOf(anchor.t) - slack;
+    const double last = after ? shareOf(anchorBetween(run_.back(), *after).t) + slack : 2;
+    gather(first, last);
+    // What lies on the edge at the anchor, and what is to its left just after it.
+    int covering = edge_.count, hidden = 0;
+    for (const Cover& cover : covers_) {
+      if (compare(cover.from, anchor.t) > 0 || compare(cover.to, anchor.t) <= 0) continue;
+      covering += cover.count;
+      hidden += cover.hides;
+    }
+    int left = windingToLeft(anchor, covering);
+    std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
+      constexpr double rounding = 1e-14;
+      if (std::abs(a.t - b.t) > rounding) return a.t < b.t;
+      return compare(a.exact, b.exact) < 0;
+    });
+    std::size_t next = 0;
+    while (next < meetings_.size() && compare(meetings_[next].exact, anchor.t) <= 0) ++next;
+    if (fromStart) {  // back to the start of the edge
+      for (std::size_t i = 0; i < next; ++i) {
+        left -= meetings_[i].left;
+        covering -= meetings_[i].covering;
+        hidden -= meetings_[i].before;
+      }
+      next = 0;
+    }
+    emit(fromStart, !after, next, left, covering, hidden, out);
+  }
+
+  static double shareOf(const Fraction& t) { return static_cast<double>(t.over) / static_cast<double>(t.under); }
+
+  [[nodiscard]] Anchor anchorAt(bool vertical, std::int64_t twice, const Cell& corner) const {
+    const std::int64_t from = vertical ? edge_.from.x : edge_.from.y, along = vertical ? by_.x : by_.y;
+    return {vertical, twice, corner.column, corner.row, fraction(Wide(twice - 2 * from), 2 * Wide(along))};
+  }
+
+  /// Half a unit after the start, in the cell of the start because the edge runs no steeper than that.
+  [[nodiscard]] Anchor anchorAtStart() const {
+    const Cell cell = run_.front();
+    if (by_.x >= std::abs(by_.y)) return anchorAt(true, 2 * edge_.from.x + 1, cell);
+    return anchorAt(false, 2 * edge_.from.y + (by_.y > 0 ? 1 : -1), cell);
+  }
+
+  /// On the border between neighbours.
+  [[nodiscard]] Anchor anchorBetween(const Cell& from, const Cell& to) const {
+    if (from.column != to.column) return anchorAt(true, cells_.borderX(to.column), to);
+    if (to.row > from.row) return anchorAt(false, cells_.borderY(to.row), to);
+    return anchorAt(false, cells_.borderY(from.row), {to.column, from.row});
+  }
+
+  /// The winding number just after the anchor, to the left: from the known corner along a border, then straight to the edge.
+  [[nodiscard]] int windingToLeft(const Anchor& anchor, int covering) const {
+    int winding = cells_.windingBelow(anchor.column, anchor.row);
+    for (const std::uint32_t k : cells_.edgesNear(run_.front()))
+      if (k != number_) winding += anchor.vertical ? passedGoingUp(edges_[k], anchor) : passedGoingRight(edges_[k], anchor);
+    // The way came from the right of an edge that runs right or down.
+    return anchor.vertical || by_.y < 0 ? winding + covering : winding;
+  }
+
+  /// Whether an edge that crosses the level of the corner does so beyond x, just below that level.
+  static bool beyond(const CountedEdge& d, std::int64_t twiceX, std::int64_t twiceY) {
+    const bool up = d.to.y > d.from.y;
+    const int side = sideOf(d.from, d.to, twiceX, twiceY);
+    if (side == 0) return !up;
+    return (side > 0) == up;  // the point is to the left of an edge that goes up
+  }
+
+  /// Along the border below the cell to x = value, then up to the edge.
+  [[nodiscard]] int passedGoingUp(const CountedEdge& d, const Anchor& anchor) const {
+    const std::int64_t x0 = cells_.borderX(anchor.column), y0 = cells_.borderY(anchor.row), value = anchor.twice;
+    const GridPoint along = d.to - d.from;
+    int winding = 0;
+    if (value != x0 && (2 * d.from.y < y0) != (2 * d.to.y < y0) && beyond(d, x0, y0) && !beyond(d, value, y0))
+      winding += along.y > 0 ? -d.count : d.count;
+    if (2 * d.from.x < value && 2 * d.to.x > value && sideOf(d.from, d.to, value, y0) <= 0) {
+      int order = compare(heightOf(d, value), heightOf(edge_, value));
+      if (order == 0) order = signOf(cross(by_, along));
+      if (order < 0) winding += d.count;
+    }
+    return winding;
+  }
+
+  /// Up along the border left of the cell to y = value, then right to the edge; just beyond the value, where the edge goes.
+  [[nodiscard]] int passedGoingRight(const CountedEdge& d, const Anchor& anchor) const {
+    const std::int64_t x0 = cells_.borderX(anchor.column), y0 = cells_.borderY(anchor.row), value = anchor.twice;
+    const GridPoint along = d.to - d.from;
+    const bool up = by_.y > 0;
+    int winding = 0;
+    if (2 * d.from.x < x0 && 2 * d.to.x > x0 && sideOf(d.from, d.to, x0, y0) <= 0) {
+      const int side = sideOf(d.from, d.to, x0, value);  // of the end of the way; d runs to the right
+      if (side > 0 || (side == 0 && up)) winding += d.count;
+    }
+    if ((2 * d.from.y < value) != (2 * d.to.y < value)) {
+      const int corner = sideOf(d.from, d.to, x0, value);
+      const bool right = corner == 0 ? up == (along.y > 0) : (corner > 0) == (along.y > 0);
+      if (right) {
+        int order = compare(reachOf(d, value), reachOf(edge_, value));
+        if (order == 0) order = signOf(cross(along, by_)) * (along.y > 0 ? 1 : -1);
+        // cross / (dy cy) has the sign of the difference of dx/dy, and one turns with the way of the edge
+        if (order < 0) winding += along.y > 0 ? -d.count : d.count;
+      }
+    }
+    return winding;
+  }
+
+  /// y where an edge that is not vertical has this x, from the start of the walked edge on.
+  [[nodiscard]] Fraction heightOf(const CountedEdge& d, std::int64_t twiceX) const {
+    return heightAt(d.from, d.to, twiceX, edge_.from.y);
+  }
+  /// x where an edge that is not level has this y, from the start of the walked edge on.
+  [[nodiscard]] Fraction reachOf(const CountedEdge& d, std::int64_t twiceY) const {
+    const auto turned = [](const GridPoint& p) { return GridPoint{p.y, p.x}; };
+    return heightAt(turned(d.from), turned(d.to), twiceY, edge_.from.x);
+  }
+
+  struct Cover {
+    Fraction from, to;
+    int count = 0, hides = 0;
+    std::uint32_t edge = 0;
+  };
+
+  void gather(double first, double last) {
+    meetings_.clear();
+    covers_.clear();
+    if (++round_ == 0) {
+      std::fill(seen_.begin(), seen_.end(), 0);
+      round_ = 1;
+    }
+    seen_[number_] = round_;
+    for (const Cell& cell : run_)
+      for (const std::uint32_t k : cells_.edgesNear(cell)) {
+        if (seen_[k] == round_) continue;
+        seen_[k] = round_;
+        meet(k, first, last);
+      }
+  }
+
+  void meet(std::uint32_t k, double first, double last) {
+    const CountedEdge& d = edges_[k];
+    const GridPoint toFrom = d.from - edge_.from, along = d.to - d.from;
+    const int from = signOf(cross(by_, toFrom)), to = signOf(cross(by_, d.to - edge_.from));
+    if (from * to > 0) return;
+    if (from == 0 && to == 0) return meetAlong(k, d);
+    const Wide over = cross(toFrom, along), under = cross(by_, along);
+    // The start and the end of this edge lie on different sides of the other: 0 < over / under < 1.
+    if (under > 0 ? over <= 0 || over >= under : over >= 0 || over <= under) return;
+    Meeting m;
+    m.exact = fraction(over, under);
+    m.t = shareOf(m.exact);
+    if (m.t < first || m.t > last) return;
+    if (from > 0) m.left = d.count;
+    if (to > 0) m.left = -d.count;
+    m.edge = k;
+    if (from == 0) m.end = d.from;
+    if (to == 0) m.end = d.to;
+    meetings_.push_back(m);
+  }
+
+  /// The other edge lies on the line of this one, and runs the same way.
+  void meetAlong(std::uint32_t k, const CountedEdge& d) {
+    if (d.to <= edge_.from || edge_.to <= d.from) return;
+    const auto share = [&](const GridPoint& p) {
+      const bool flat = by_.x >= std::abs(by_.y);
+      return flat ? fraction(p.x - edge_.from.x, by_.x) : fraction(p.y - edge_.from.y, by_.y);
+    };
+    const int hides = k < number_ && d.mayBound ? 1 : 0;
+    covers_.push_back({share(d.from), share(d.to), d.count, hides, k});
+    const auto add = [&](const GridPoint& p, int sign) {
+      if (p <= edge_.from || p >= edge_.to) return;
+      Meeting m;
+      m.exact = share(p);
+      m.t = shareOf(m.exact);
+      m.covering = sign * d.count;
+      m.before = sign * hides;
+      m.edge = k;
+      m.end = p;
+      meetings_.push_back(m);
+    };
+    add(d.from, 1);
+    add(d.to, -1);
+  }
+
+  struct Corner {
+    CornerName name;
+    Vec2 at;
+  };
+  static Corner cornerAt(const GridPoint& p) {
+    return {{p.x, p.y, false}, Vec2(static_cast<double>(p.x), static_cast<double>(p.y))};
+  }
+
+  /// Of all that pass one point of the edge: named by an end there, else by the first two edges that are not parallel.
+  [[nodiscard]] Corner cornerOf(std::size_t first, std::size_t last) {
+    through_.assign(1, number_);
+    for (std::size_t i = first; i < last; ++i) {
+      if (meetings_[i].end) return cornerAt(*meetings_[i].end);
+      through_.push_back(meetings_[i].edge);
+    }
+    const Fraction& t = meetings_[first].exact;
+    for (const Cover& cover : covers_)
+      if (compare(cover.from, t) < 0 && compare(t, cover.to) < 0) through_.push_back(cover.edge);
+    const std::uint32_t least = *std::min_element(through_.begin(), through_.end());
+    const GridPoint along = edges_[least].to - edges_[least].from;
+    std::uint32_t second = ~std::uint32_t(0);
+    for (const std::uint32_t k : through_)
+      if (cross(along, edges_[k].to - edges_[k].from) != 0) second = std::min(second, k);
+    const Vec2 from(static_cast<double>(edge_.from.x), static_cast<double>(edge_.from.y)),
+        by(static_cast<double>(by_.x), static_cast<double>(by_.y));
+    return {{least, second, true}, from + meetings_[first].t * by};
+  }
+
+  /// 1: the inside is to the left only; -1: to the right only; 0: no boundary, or another edge that lies here tells it.
+  [[nodiscard]] int statusOf(int left, int covering, int hidden) const {
+    if (hidden > 0) return 0;
+    return int{rule_.inside(left)} - int{rule_.inside(left - covering)};
+  }
+
+  void emit(bool fromStart, bool toEnd, std::size_t next, int left, int covering, int hidden,
+            std::vector<BoundaryPiece>& out) {
+    int status = statusOf(left, covering, hidden);
+    if (status != 0 && !fromStart) notClosed();
+    Corner begin = cornerAt(edge_.from);
+    const auto close = [&](const Corner& corner) {
+      if (status > 0) out.push_back({begin.name, corner.name, begin.at, corner.at, number_, true});
+      if (status < 0) out.push_back({corner.name, begin.name, corner.at, begin.at, number_, false});
+      begin = corner;
+    };
+    while (next < meetings_.size()) {
+      const std::size_t first = next;
+      do {
+        left += meetings_[next].left;
+        covering += meetings_[next].covering;
+        hidden += meetings_[next].before;
+        ++next;
+      } while (next < meetings_.size() && meetings_[next].t - meetings_[first].t < 1e-13 &&
+               compare(meetings_[next].exact, meetings_[first].exact) == 0);
+      const int changed = statusOf(left, covering, hidden);
+      // Also where the boundary runs straight on: others may turn there, and are joined around that corner in order.
+      if (changed == 0 && status == 0) continue;
+      close(cornerOf(first, next));
+      status = changed;
+    }
+    if (status != 0 && !toEnd) notClosed();
+    close(cornerAt(edge_.to));
+  }
+
+  std::span<const CountedEdge> edges_;
+  const WindingCells& cells_;
+  WindingRule rule_;
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t round_ = 0, number_ = 0;
+  CountedEdge edge_;
+  GridPoint by_;
+  Cell before_{};
+  std::vector<Cell> run_;
+  std::vector<Meeting> meetings_;
+  std::vector<Cover> covers_;
+  std::vector<std::uint32_t> through_;
+};
+
+}  // namespace
+
+std::vector<BoundaryPiece> boundaryPieces(std::span<const CountedEdge> edges, const WindingCells& cells, WindingRule rule,
+                                          const Progress& progress) {
+  constexpr std::size_t grain = 64;
+  std::vector<std::vector<BoundaryPiece>> parts((edges.size() + grain - 1) / grain);
+  std::size_t done = 0;
+  std::mutex mutex;
+  std::vector<std::unique_ptr<EdgeWalker>> idle;
+  parallelFor(parts.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+    std::unique_ptr<EdgeWalker> walker;
+    {
+      const std::scoped_lock lock(mutex);
+      if (!idle.empty()) {
+        walker = std::move(idle.back());
+        idle.pop_back();
+      }
+    }
+    if (!walker) walker = std::make_unique<EdgeWalker>(edges, cells, rule);
+    for (std::size_t part = begin; part < end; ++part) {
+      {
+        const std::scoped_lock lock(mutex);  // in order
+        progress.report(static_cast<double>(++done) / static_cast<double>(parts.size()), "Finding the boundary");
+      }
+      for (std::size_t k = part * grain; k < std::min(edges.size(), (part + 1) * grain); ++k) {
+        progress.check();
+        if (edges[k].mayBound) walker->walk(static_cast<std::uint32_t>(k), parts[part]);
+      }
+    }
+    const std::scoped_lock lock(mutex);
+    idle.push_back(std::move(walker));
+  });
+  std::vector<BoundaryPiece> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace blossom::planar

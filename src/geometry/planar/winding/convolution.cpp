@@ -1,0 +1,363 @@
+#include "geometry/planar/winding/convolution.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "geometry/planar/winding/left_out_edges.h"
+
+namespace blossom::planar {
+namespace {
+
+constexpr std::size_t maximumEdges = 3'000'000;
+
+struct Extent {
+  GridPoint low, high;
+};
+
+Extent extentOf(const GridLoop& loop) {
+  Extent box{loop.front(), loop.front()};
+  for (const GridPoint& p : loop) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+/// A corner, turned so that its directions run counter-clockwise from `first` to `last`, by less than half a turn.
+struct Corner {
+  GridPoint at, first, last;
+  int sign = 1;
+  std::uint32_t number = CornerNumbers::unknown;
+};
+
+/// A loop and how its corners and edges are numbered.
+struct NumberedLoop {
+  const GridLoop& loop;
+  const CornerNumbers* numbers = nullptr;  ///< none when nobody asks what edges come from
+  std::span<const std::uint32_t> cornerNumbers{}, sideNumbers{};
+
+  [[nodiscard]] std::uint32_t ofCorner(std::size_t i) const {
+    if (!numbers) return CornerNumbers::unknown;
+    return cornerNumbers.empty() ? numbers->of(loop[i]) : cornerNumbers[i];
+  }
+  [[nodiscard]] std::uint32_t ofEdge(std::size_t i) const {
+    if (!numbers) return CornerNumbers::unknown;
+    return sideNumbers.empty() ? numbers->ofEdge(loop[i], loop[(i + 1) % loop.size()]) : sideNumbers[i];
+  }
+};
+
+std::vector<Corner> cornersOf(const NumberedLoop& numbered) {
+  const GridLoop& loop = numbered.loop;
+  std::vector<Corner> corners;
+  corners.reserve(loop.size());
+  const std::size_t n = loop.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const GridPoint in = loop[i] - loop[(i + n - 1) % n], out = loop[(i + 1) % n] - loop[i];
+    const Wide turn = cross(in, out);
+    // A turn by half a turn is the end of a curve, one of no direction a point.
+    if (turn > 0 || (turn == 0 && dot(in, out) <= 0))
+      corners.push_back({loop[i], in, out, 1, numbered.ofCorner(i)});
+    else
+      corners.push_back({loop[i], out, in, -1});
+  }
+  return corners;
+}
+
+/// Directions by angle from +x, counter-clockwise, exactly.
+bool before(const GridPoint& a, const GridPoint& b) {
+  const auto upper = [](const GridPoint& d) { return d.y > 0 || (d.y == 0 && d.x > 0); };
+  return upper(a) != upper(b) ? upper(a) : cross(a, b) > 0;
+}
+
+struct DirectedEdge {
+  GridPoint from, to;
+  std::uint32_t number = CornerNumbers::unknown;
+  [[nodiscard]] GridPoint direction() const { return to - from; }
+};
+
+std::vector<DirectedEdge> edgesByDirection(const NumberedLoop& numbered) {
+  const GridLoop& loop = numbered.loop;
+  std::vector<DirectedEdge> edges;
+  if (loop.size() == 1) return edges;
+  edges.reserve(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) edges.push_back({loop[i], loop[(i + 1) % loop.size()], numbered.ofEdge(i)});
+  std::sort(edges.begin(), edges.end(),
+            [](const DirectedEdge& a, const DirectedEdge& b) { return before(a.direction(), b.direction()); });
+  return edges;
+}
+
+/// Edges that are joined when they become too many: those of a lattice are few.
+class EdgePile {
+ public:
+  /// @param leftOut takes edges that are not needed; or null
+  EdgePile(const Effort& effort, PairSources* sources, LeftOutEdges* leftOut, const Progress& progress)
+      : effort_(effort), sources_(sources), leftOut_(leftOut), progress_(progress) {}
+
+  /// An edge of the first or the second set moved by a corner of the other.
+  void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
+    CountedEdge moved{edge.from + corner.at, edge.to + corner.at, corner.sign, corner.sign > 0};
+    if (leftOut_ && leftOut_->take(moved)) return;
+    if (corner.sign > 0 && edge.number != CornerNumbers::unknown && corner.number != CornerNumbers::unknown) {
+      moved.source = static_cast<std::uint32_t>(sources_->all.size());
+      sources_->all.push_back({edge.number, corner.number, edgeOfFirst});
+    }
+    add(moved);
+  }
+
+  void add(const CountedEdge& edge) {
+    edges_.push_back(edge);
+    if (edges_.size() < full_) return;
+    joinEqual(edges_, progress_);
+    effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
+    if (edges_.size() > maximumEdges)
+      throw Error(ErrorCode::LimitExceeded, "The sum of these shapes has more than three million edges.",
+                  "Raise the tolerance, so that curves get fewer corners.");
+    full_ = std::max(full_, 2 * edges_.size());
+  }
+  std::vector<CountedEdge> joined() && {
+    if (leftOut_) {
+      const std::vector<CountedEdge> closings = leftOut_->closings();
+      edges_.insert(edges_.end(), closings.begin(), closings.end());
+    }
+    joinEqual(edges_, progress_);
+    effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
+    return std::move(edges_);
+  }
+
+ private:
+  const Effort& effort_;
+  PairSources* sources_;
+  LeftOutEdges* leftOut_;
+  const Progress& progress_;
+  std::vector<CountedEdge> edges_;
+  std::size_t full_ = 100'000;
+};
+
+/// Which end of a corner's range of directions belongs to it: with opposite ends for the two sets, parallel edges pair once.
+/// First: the edges are those of the first set.
+enum class Closed { First, Last };
+
+/// Calls pair(first, last) for ranges of edges that a corner is paired with.
+template <class Pair>
+void forEachRange(const std::vector<DirectedEdge>& edges, const Corner& corner, Closed closed, Pair pair) {
+  if (corner.first == corner.last) return pair(edges.begin(), edges.end());  // a point
+  const auto rangeStart = [&](const GridPoint& direction) {
+    return closed == Closed::First
+               ? std::lower_bound(edges.begin(), edges.end(), direction,
+                                  [](const DirectedEdge& e, const GridPoint& d) { return before(e.direction(), d); })
+               : std::upper_bound(edges.begin(), edges.end(), direction,
+                                  [](const GridPoint& d, const DirectedEdge& e) { return before(d, e.direction()); });
+  };
+  const auto first = rangeStart(corner.first), last = rangeStart(corner.last);
+  if (before(corner.first, corner.last)) return pair(first, last);
+  pair(first, edges.end());  // past +x
+  pair(edges.begin(), last);
+}
+
+template <class Out>
+void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, Out& out,
+              const Progress& progress) {
+  for (const Corner& corner : corners) {
+    progress.check();
+    forEachRange(edges, corner, closed, [&](auto first, auto last) {
+      for (; first != last; ++first) out.add(*first, corner, closed == Closed::First);
+    });
+  }
+}
+
+/// Pairs as they are.
+struct PairList {
+  std::vector<EdgeAtCorner> all;
+  void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
+    all.push_back({edge.from, edge.to, corner.at, edgeOfFirst, corner.sign});
+  }
+};
+
+/// How many there are.
+struct PairTally {
+  double count = 0;
+};
+
+void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, PairTally& tally,
+              const Progress& progress) {
+  for (const Corner& corner : corners) {
+    progress.check();
+    forEachRange(edges, corner, closed,
+                 [&](auto first, auto last) { tally.count += static_cast<double>(std::distance(first, last)); });
+  }
+}
+
+/// A loop with all that pairing asks for.
+struct LoopSides {
+  std::vector<DirectedEdge> edges;
+  std::vector<Corner> corners;
+  GridPoint size;
+};
+
+LoopSides sidesOf(const NumberedLoop& loop) {
+  const Extent extent = extentOf(loop.loop);
+  return {edgesByDirection(loop), cornersOf(loop), extent.high - extent.low};
+}
+
+struct PartSides {
+  LoopSides outer;
+  std::vector<LoopSides> holes;
+};
+
+std::vector<PartSides> partsOf(std::span<const GridPolygon> polygons, const CornerNumbers* numbers,
+                               const Progress& progress) {
+  std::vector<PartSides> parts;
+  parts.reserve(polygons.size());
+  for (const GridPolygon& polygon : polygons) {
+    const NumberedLoop outer{polygon.outer, numbers, polygon.cornerNumbers, polygon.sideNumbers};
+    PartSides& part = parts.emplace_back(PartSides{sidesOf(outer), {}});
+    for (const GridLoop& hole : polygon.holes) {
+      progress.check();
+      part.holes.push_back(sidesOf({hole, numbers}));
+    }
+  }
+  return parts;
+}
+
+/// Strictly larger both ways: only then the other set has room inside without filling it.
+bool hasRoom(const LoopSides& hole, const LoopSides& other) {
+  return hole.size.x > other.size.x && hole.size.y > other.size.y;
+}
+
+template <class Out>
+void pairUp(const LoopSides& a, const LoopSides& b, Out& edges, const Progress& progress) {
+  addPairs(a.edges, b.corners, Closed::First, edges, progress);
+  addPairs(b.edges, a.corners, Closed::Last, edges, progress);
+}
+
+template <class Out>
+void pairUp(const PartSides& a, const PartSides& b, Out& edges, const Progress& progress) {
+  pairUp(a.outer, b.outer, edges, progress);
+  for (const LoopSides& hole : b.holes)
+    if (hasRoom(hole, a.outer)) pairUp(a.outer, hole, edges, progress);
+  for (const LoopSides& hole : a.holes)
+    if (hasRoom(hole, b.outer)) pairUp(hole, b.outer, edges, progress);
+}
+
+}  // namespace
+
+std::size_t CornerNumbers::PointHash::operator()(const GridPoint& p) const {
+  const auto h =
+      static_cast<std::uint64_t>(p.x) * 0x9E3779B97F4A7C15U ^ static_cast<std::uint64_t>(p.y) * 0xC2B2AE3D27D4EB4FU;
+  return static_cast<std::size_t>(h ^ (h >> 29));
+}
+
+void CornerNumbers::add(const GridPoint& at, const GridPoint& next) {
+  const auto [place, isNew] = numbers_.try_emplace(at, static_cast<std::uint32_t>(next_.size()));
+  if (!isNew) place->second = unknown;
+  next_.push_back(next);
+}
+
+std::uint32_t CornerNumbers::of(const GridPoint& corner) const {
+  const auto place = numbers_.find(corner);
+  return place == numbers_.end() ? unknown : place->second;
+}
+
+std::uint32_t CornerNumbers::ofEdge(const GridPoint& from, const GridPoint& to) const {
+  constexpr int mostDropped = 8;
+  std::uint32_t longest = unknown;
+  Wide length = -1;
+  GridPoint at = from;
+  for (int i = 0; i <= mostDropped; ++i) {
+    const std::uint32_t number = of(at);
+    if (number == unknown) return unknown;
+    const GridPoint along = next_[number] - at;
+    if (dot(along, along) > length) {
+      length = dot(along, along);
+      longest = number;
+    }
+    at = next_[number];
+    if (at == to) return longest;
+  }
+  return unknown;
+}
+
+namespace {
+
+/// Sorts quarters at the same time, whatever the number of cores, and merges them.
+void sortByEnds(std::vector<CountedEdge>& edges, const Progress& progress) {
+  const auto before = [](const CountedEdge& a, const CountedEdge& b) {
+    return std::tie(a.from, a.to) != std::tie(b.from, b.to) ? std::tie(a.from, a.to) < std::tie(b.from, b.to)
+                                                            : std::uint32_t{a.source} < std::uint32_t{b.source};
+  };
+  constexpr std::size_t quarters = 4;
+  const auto border = [&](std::size_t i) {
+    return edges.begin() + static_cast<std::ptrdiff_t>(edges.size() * i / quarters);
+  };
+  parallelFor(quarters, 1, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      std::size_t compared = 0;
+      std::sort(border(i), border(i + 1), [&](const CountedEdge& a, const CountedEdge& b) {
+        if (++compared % 65536 == 0) progress.check();
+        return before(a, b);
+      });
+    }
+  });
+  parallelFor(2, 1, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      std::inplace_merge(border(2 * i), border(2 * i + 1), border(2 * i + 2), before);
+  });
+  progress.check();
+  std::inplace_merge(border(0), border(2), border(4), before);
+}
+
+}  // namespace
+
+void joinEqual(std::vector<CountedEdge>& edges, const Progress& progress) {
+  for (CountedEdge& edge : edges)
+    if (edge.to < edge.from) {
+      std::swap(edge.from, edge.to);
+      edge.count = -edge.count;
+    }
+  sortByEnds(edges, progress);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size();) {
+    CountedEdge sum = edges[i];
+    for (++i; i < edges.size() && edges[i].from == sum.from && edges[i].to == sum.to; ++i) {
+      sum.count += edges[i].count;
+      sum.mayBound |= edges[i].mayBound;
+      if (sum.source == 0) sum.source = edges[i].source;
+    }
+    if (sum.count != 0) edges[kept++] = sum;
+  }
+  edges.resize(kept);
+}
+
+std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<const GridPolygon> b,
+                                     const Progress& progress, const Effort& effort, PairSources* sources,
+                                     const CertainInside* inside) {
+  const std::vector<PartSides> partsA = partsOf(a, sources ? &sources->first : nullptr, progress),
+                               partsB = partsOf(b, sources ? &sources->second : nullptr, progress);
+  std::optional<LeftOutEdges> leftOut;
+  if (inside) leftOut.emplace(*inside);
+  EdgePile edges(effort, sources, leftOut ? &*leftOut : nullptr, progress);
+  for (std::size_t i = 0; i < partsA.size(); ++i) {
+    progress.report(static_cast<double>(i) / static_cast<double>(partsA.size()), "Pairing edges");
+    for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);
+  }
+  return std::move(edges).joined();
+}
+
+double pairCount(std::span<const GridPolygon> a, std::span<const GridPolygon> b, const Progress& progress) {
+  const std::vector<PartSides> partsA = partsOf(a, nullptr, progress), partsB = partsOf(b, nullptr, progress);
+  PairTally tally;
+  for (const PartSides& partA : partsA)
+    for (const PartSides& partB : partsB) pairUp(partA, partB, tally, progress);
+  return tally.count;
+}
+
+std::vector<EdgeAtCorner> pairsOf(const GridLoop& a, const GridLoop& b, const Progress& progress) {
+  PairList pairs;
+  pairUp(sidesOf({a}), sidesOf({b}), pairs, progress);
+  return std::move(pairs.all);
+}
+
+}  // namespace blossom::planar

@@ -1,3 +1,8 @@
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
 #include "core/error.h"
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
@@ -25,8 +30,27 @@ ParameterSpec smallLength() {
   return spec;
 }
 
+/// Regions of lines and arcs; nothing where OCCT has to combine them.
+std::optional<Region> combinedRegion(const BooleanParameters& p, std::span<const Shape> shapes, const Progress& progress) {
+  if (p.fuzzy > 0 || !p.simplify) return std::nullopt;
+  std::vector<Region> regions;
+  for (const Shape& shape : shapes) {
+    if (!shape.get<Region>()) return std::nullopt;
+    regions.push_back(*shape.get<Region>());
+  }
+  std::optional<Region> region = combined(regions, p.operation, progress);
+  if (region && region->loops.empty()) refuseNothingLeft(p.operation);
+  return region;
+}
+
 Evaluated booleanOf(const BooleanParameters& p, const Inputs& inputs, const Progress& progress) {
   const auto shapes = inputs.of(0);
+  if (auto region = combinedRegion(p, shapes, progress)) {
+    Evaluated out;
+    out.stats["inputs"] = shapes.size();
+    out.shape = *std::move(region);
+    return out;
+  }
   std::vector<TopoDS_Shape> breps;
   breps.reserve(shapes.size());
   for (const Shape& shape : shapes) {

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "geometry/numeric/union_find.h"
 #include "geometry/occt/occt.h"
+#include "geometry/planar/booleans/region_boolean.h"
 #include "geometry/planar/outline_crossing.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/bounds.h"
@@ -29,7 +30,8 @@ bool cross(const Region& a, const Region& b, const Progress& progress) {
   return false;
 }
 
-Region fused(const std::vector<Region>& regions) {
+Region fused(const std::vector<Region>& regions, const Progress& progress) {
+  if (auto all = combined(regions, BooleanOperation::Union, progress)) return *std::move(all);
   const char* message = "The overlapping parts of the text cannot be united.";
   const char* hint = "Give the glyphs more spacing or take another font.";
   return guarded(message, hint, [&] {
@@ -82,7 +84,7 @@ Region united(std::vector<Region> regions, const Progress& progress) {
   for (auto& group : members) {
     progress.check();
     if (group.empty()) continue;
-    Region one = group.size() == 1 ? std::move(group.front()) : fused(group);
+    Region one = group.size() == 1 ? std::move(group.front()) : fused(group, progress);
     std::move(one.loops.begin(), one.loops.end(), std::back_inserter(all.loops));
   }
   return all;

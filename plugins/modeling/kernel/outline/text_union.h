@@ -6,7 +6,8 @@
 
 namespace blossom::modeling {
 
-/// The union of regions. Disjoint regions are unchanged; overlapping ones are united by OCCT's Boolean operations.
+/// The union of regions. Disjoint regions are unchanged; overlapping ones are united: those of lines and arcs by
+/// booleans/region_boolean.h, others by OCCT.
 /// @throws Error InvalidInput when OCCT fails.
 Region united(std::vector<Region> regions, const Progress& = Progress::none());
 

@@ -85,7 +85,7 @@ class Combiner {
   [[nodiscard]] TopoDS_Shape finished(const TopoDS_Shape& shape) const {
     const TopAbs_ShapeEnum kind = solids_ ? TopAbs_SOLID : TopAbs_FACE;
     const auto parts = subShapesOf(shape, kind);
-    if (parts.empty()) throwNothingLeft();
+    if (parts.empty()) refuseNothingLeft(options_.operation);
     return solids_ ? finishedSolid(compoundOf(parts), complaint()) : finishedSheet(compoundOf(parts), complaint());
   }
 
@@ -96,14 +96,6 @@ class Combiner {
         "Faces that nearly touch are the usual cause: move one shape a little, or set a fuzzy distance such as 0.01 mm."};
   }
   [[noreturn]] void throwFailed() const { throw Error(ErrorCode::Degenerate, complaint().message, complaint().hint); }
-  [[noreturn]] void throwNothingLeft() const {
-    if (options_.operation == BooleanOperation::Difference)
-      throw Error(ErrorCode::Degenerate, "Nothing is left: the other shapes cover the first one completely.",
-                  "The order of the inputs counts: the first one keeps what the others leave of it.");
-    throw Error(ErrorCode::Degenerate, "The shapes have no space in common, so their intersection is empty.",
-                "Move them so that they overlap.");
-  }
-
   const BooleanOptions& options_;
   bool solids_;
 };
@@ -129,6 +121,14 @@ TopoDS_Shape combined(const Combiner& combiner, const std::vector<TopoDS_Shape>&
 }
 
 }  // namespace
+
+void refuseNothingLeft(BooleanOperation operation) {
+  if (operation == BooleanOperation::Difference)
+    throw Error(ErrorCode::Degenerate, "Nothing is left: the other shapes cover the first one completely.",
+                "The order of the inputs counts: the first one keeps what the others leave of it.");
+  throw Error(ErrorCode::Degenerate, "The shapes have no space in common, so their intersection is empty.",
+              "Move them so that they overlap.");
+}
 
 BooleanResult combine(const std::vector<TopoDS_Shape>& shapes, const BooleanOptions& o, const Progress& progress) {
   const bool solids = checkInputs(shapes);

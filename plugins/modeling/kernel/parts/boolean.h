@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "geometry/planar/booleans/region_boolean.h"
 
 namespace blossom::modeling {
-
-enum class BooleanOperation { Union, Difference, Intersection };
 
 struct BooleanOptions {
   BooleanOperation operation = BooleanOperation::Union;
@@ -24,5 +23,8 @@ struct BooleanResult {
 /// faces in a common plane; they are not modified.
 /// @throws Error InvalidInput (fewer than two, not solids), Degenerate (nothing is left, OCCT fails), Cancelled.
 BooleanResult combine(const std::vector<TopoDS_Shape>&, const BooleanOptions&, const Progress& = Progress::none());
+
+/// @throws Error Degenerate: what is said of a difference or an intersection that is empty
+[[noreturn]] void refuseNothingLeft(BooleanOperation);
 
 }  // namespace blossom::modeling

@@ -192,17 +192,18 @@ bool anyBoxesMeet(const std::vector<Shape>& shapes) {
 }
 
 Shape gatheredRegions(const std::vector<Shape>& shapes) {
+  std::vector<Region> regions;
+  regions.reserve(shapes.size());
+  for (const Shape& each : shapes) regions.push_back(*each.get<Region>());
   if (anyBoxesMeet(shapes)) {
+    if (auto all = combined(regions, BooleanOperation::Union)) return *std::move(all);
     std::vector<TopoDS_Shape> faces;
-    faces.reserve(shapes.size());
-    for (const Shape& each : shapes) faces.push_back(toFaces(*each.get<Region>()));
+    faces.reserve(regions.size());
+    for (const Region& each : regions) faces.push_back(toFaces(each));
     return asRegion(combine(faces, {}).shape);
   }
   Region all;
-  for (const Shape& each : shapes) {
-    const auto& loops = each.get<Region>()->loops;
-    all.loops.insert(all.loops.end(), loops.begin(), loops.end());
-  }
+  for (Region& each : regions) std::move(each.loops.begin(), each.loops.end(), std::back_inserter(all.loops));
   return all;
 }
 

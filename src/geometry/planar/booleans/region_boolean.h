@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+#include <span>
+
+#include "core/progress.h"
+#include "geometry/planar/region.h"
+
+namespace blossom {
+
+enum class BooleanOperation { Union, Difference, Intersection };
+
+/// The union of regions of lines and arcs, the first one without all others, or what all have in common; without loops when
+/// nothing is left. Its segments lie on those of the regions, whole where no other one cuts them, and end where two of their
+/// curves meet. Walls and arcs in common, and points within 2^-34 of the size, are one.
+/// Which pieces bound the result is read off winding numbers of polygons through all crossings of the curves (see
+/// winding/winding_faces.h). It counts only if every crossing has become a corner, every corner is where its curves meet,
+/// and nothing crosses; else the polygons become finer, and in the end nothing is returned. So it is where a region has
+/// splines, where its loops cross each other, and where crossings are too flat to tell: ask OCCT then.
+/// O((n + k) log n) for k crossings and each region. @throws Error Cancelled, LimitExceeded
+std::optional<Region> combined(std::span<const Region>, BooleanOperation, const Progress& = Progress::none());
+
+}  // namespace blossom

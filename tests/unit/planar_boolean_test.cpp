@@ -30,7 +30,7 @@ bool shouldLie(BooleanOperation operation, bool inA, bool inB) {
   return operation == BooleanOperation::Intersection ? inA && inB : inA && !inB;
 }
 
-double distanceTo(const Region& region, const Vec2& p) {
+double distanceToBoundary(const Region& region, const Vec2& p) {
   double nearest = 1e300;
   for (const Path& loop : region.loops) {
     const std::vector<Vec2> points = flatten(loop, 1e-4);
@@ -106,7 +106,7 @@ void checkMembers(Random& random, const Region& a, const Region& b, const Vec2& 
     if (!result) continue;
     for (int i = 0; i < 25; ++i) {
       const Vec2 p(uniform(random, low.x(), high.x()), uniform(random, low.y(), high.y()));
-      if (std::min(distanceTo(a, p), distanceTo(b, p)) < 1e-3) continue;
+      if (std::min(distanceToBoundary(a, p), distanceToBoundary(b, p)) < 1e-3) continue;
       QCOMPARE(lies(*result, p), shouldLie(operation, lies(a, p), lies(b, p)));
     }
   }

@@ -14,21 +14,22 @@ PointWelder::Cell PointWelder::cellOf(const Vec2& p) const {
   return {std::llround(p.x() / within_), std::llround(p.y() / within_)};
 }
 
-const Vec2* PointWelder::find(const Vec2& p) const {
+std::optional<std::size_t> PointWelder::numberOf(const Vec2& p) const {
   const Cell cell = cellOf(p);
   for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x)
     for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
       const auto found = cells_.find({x, y});
       if (found == cells_.end()) continue;
-      for (const Vec2& kept : found->second)
-        if ((kept - p).norm() <= within_) return &kept;
+      for (const std::size_t kept : found->second)
+        if ((points_[kept] - p).norm() <= within_) return kept;
     }
-  return nullptr;
+  return std::nullopt;
 }
 
 Vec2 PointWelder::welded(const Vec2& p) {
-  if (const Vec2* kept = find(p)) return *kept;
-  cells_[cellOf(p)].push_back(p);
+  if (const auto kept = numberOf(p)) return points_[*kept];
+  cells_[cellOf(p)].push_back(points_.size());
+  points_.push_back(p);
   return p;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -14,7 +16,8 @@ class PointWelder {
 
   /// The first point that was asked for within the distance of p, or else p, which is kept. O(1) for spread points.
   Vec2 welded(const Vec2& p);
-  [[nodiscard]] bool holds(const Vec2& p) const { return find(p) != nullptr; }
+  /// The number of the point that is kept within the distance of p, counted from 0 in the order they came.
+  [[nodiscard]] std::optional<std::size_t> numberOf(const Vec2& p) const;
 
  private:
   struct Cell {
@@ -25,10 +28,10 @@ class PointWelder {
     std::size_t operator()(const Cell&) const;
   };
   [[nodiscard]] Cell cellOf(const Vec2& p) const;
-  [[nodiscard]] const Vec2* find(const Vec2& p) const;
 
   double within_;
-  std::unordered_map<Cell, std::vector<Vec2>, CellHash> cells_;
+  std::vector<Vec2> points_;
+  std::unordered_map<Cell, std::vector<std::size_t>, CellHash> cells_;
 };
 
 }  // namespace blossom::planar

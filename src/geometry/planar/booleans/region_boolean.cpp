@@ -103,7 +103,8 @@ class Combination {
     const CurveFitting fitting{
         .rounding = within_, .reach = 4 * longest_, .gap = 4 * (deepest_ + within_), .closesGaps = false};
     auto region = fittedCurves(faces, grid_, curveOf, fitting, progress);
-    if (region && !hasAllCorners(*region)) region.reset();
+    if (!region || !hasAllCorners(*region)) return std::nullopt;
+    beginWhereInputsBegin(*region);
     return region;
   }
 
@@ -136,7 +137,23 @@ class Combination {
     PointWelder corners(8 * within_);
     for (const Path& loop : region.loops)
       for (const Segment& segment : loop.segments) corners.welded(startPoint(segment));
-    return std::all_of(cut_.crossings.begin(), cut_.crossings.end(), [&](const Vec2& p) { return corners.holds(p); });
+    return std::all_of(cut_.crossings.begin(), cut_.crossings.end(),
+                       [&](const Vec2& p) { return corners.numberOf(p).has_value(); });
+  }
+
+  /// Every loop begins at the earliest corner of the inputs that it has, so that the order of segments depends on nothing
+  /// else.
+  void beginWhereInputsBegin(Region& region) const {
+    PointWelder corners(8 * within_);
+    for (const std::vector<CutSegment>* side : {&cut_.first, &cut_.second})
+      for (const CutSegment& each : *side) corners.welded(each.cuts.front());
+    for (Path& loop : region.loops) {
+      std::vector<std::size_t> numbers;
+      for (const Segment& segment : loop.segments)
+        numbers.push_back(corners.numberOf(startPoint(segment)).value_or(std::numeric_limits<std::size_t>::max()));
+      const auto first = std::min_element(numbers.begin(), numbers.end()) - numbers.begin();
+      std::rotate(loop.segments.begin(), loop.segments.begin() + first, loop.segments.end());
+    }
   }
 
   const CutBoundaries& cut_;

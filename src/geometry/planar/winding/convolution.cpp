@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "core/error.h"
-#include "core/parallel.h"
+#include "core/parallel_sort.h"
 #include "geometry/planar/winding/left_out_edges.h"
 
 namespace blossom::planar {
@@ -282,31 +282,12 @@ std::uint32_t CornerNumbers::ofEdge(const GridPoint& from, const GridPoint& to) 
 
 namespace {
 
-/// Sorts quarters at the same time, whatever the number of cores, and merges them.
 void sortByEnds(std::vector<CountedEdge>& edges, const Progress& progress) {
   const auto before = [](const CountedEdge& a, const CountedEdge& b) {
     return std::tie(a.from, a.to) != std::tie(b.from, b.to) ? std::tie(a.from, a.to) < std::tie(b.from, b.to)
                                                             : std::uint32_t{a.source} < std::uint32_t{b.source};
   };
-  constexpr std::size_t quarters = 4;
-  const auto border = [&](std::size_t i) {
-    return edges.begin() + static_cast<std::ptrdiff_t>(edges.size() * i / quarters);
-  };
-  parallelFor(quarters, 1, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      std::size_t compared = 0;
-      std::sort(border(i), border(i + 1), [&](const CountedEdge& a, const CountedEdge& b) {
-        if (++compared % 65536 == 0) progress.check();
-        return before(a, b);
-      });
-    }
-  });
-  parallelFor(2, 1, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      std::inplace_merge(border(2 * i), border(2 * i + 1), border(2 * i + 2), before);
-  });
-  progress.check();
-  std::inplace_merge(border(0), border(2), border(4), before);
+  sortInQuarters(edges, before, progress);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/parallel.h"
+
 namespace blossom::planar {
 namespace {
 
@@ -21,35 +23,43 @@ void forEachSide(std::span<const GridPolygon> polygons, Visit visit) {
 
 constexpr double beside = 3;  // units; more than the rounding of what is computed here
 
-/// Clears the cells that a side passes within some units.
-void clearAlong(const GridPoint& p, const GridPoint& q, const CellFrame& frame, BitRaster& cells) {
+/// Some rows of a raster, which one core fills: [first, last).
+struct Band {
+  int first, last;
+};
+
+/// Clears the cells of a band that a side passes within some units.
+void clearAlong(const GridPoint& p, const GridPoint& q, const CellFrame& frame, const Band& band, BitRaster& cells) {
   const double size = std::ldexp(1.0, frame.shift);
   const auto& [from, to] = std::minmax(p, q);  // by x
   const auto xOf = [&](const GridPoint& at) { return static_cast<double>(at.x - frame.low.x); };
   const auto yOf = [&](const GridPoint& at) { return static_cast<double>(at.y - frame.low.y); };
   const double ax = xOf(from), ay = yOf(from), bx = xOf(to), by = yOf(to);
   const double slope = bx > ax ? (by - ay) / (bx - ax) : 0;
-  const auto cellAt = [&](double at, int last) { return std::clamp(static_cast<int>(std::floor(at / size)), 0, last); };
-  const int lastRow = cells.rows() - 1, lastColumn = cells.columns() - 1;
+  const auto cellAt = [&](double at) { return static_cast<int>(std::floor(at / size)); };
+  const auto columnAt = [&](double at) { return std::clamp(cellAt(at), 0, cells.columns() - 1); };
+  const auto firstRow = [&](double low) { return std::max(cellAt(low - beside), band.first); };
+  const auto lastRow = [&](double high) { return std::min(cellAt(high + beside), band.last - 1); };
   const auto clearRows = [&](int first, int last, double y, double z) {
     const auto [low, high] = std::minmax(y, z);
-    for (int r = cellAt(low - beside, lastRow); r <= cellAt(high + beside, lastRow); ++r) cells.set(r, first, last, false);
+    for (int r = firstRow(low), end = lastRow(high); r <= end; ++r) cells.set(r, first, last, false);
   };
-  const int first = cellAt(ax - beside, lastColumn), last = cellAt(bx + beside, lastColumn);
+  const double lowest = std::min(ay, by), highest = std::max(ay, by);
+  if (firstRow(lowest) > lastRow(highest)) return;
   if (std::abs(slope) < 1 && bx > ax) {
-    for (int c = first; c <= last; ++c) {
+    for (int c = columnAt(ax - beside), end = columnAt(bx + beside); c <= end; ++c) {
       const double left = std::clamp(c * size - beside, ax, bx), right = std::clamp((c + 1) * size + beside, ax, bx);
       clearRows(c, c + 1, ay + slope * (left - ax), ay + slope * (right - ax));
     }
     return;
   }
-  for (int r = cellAt(std::min(ay, by) - beside, lastRow); r <= cellAt(std::max(ay, by) + beside, lastRow); ++r) {
+  for (int r = firstRow(lowest), end = lastRow(highest); r <= end; ++r) {
     const auto xAt = [&](double y) {
-      const double along = std::clamp(y, std::min(ay, by), std::max(ay, by));
+      const double along = std::clamp(y, lowest, highest);
       return by == ay ? ax : ax + (bx - ax) * ((along - ay) / (by - ay));
     };
     const auto [left, right] = std::minmax({xAt(r * size - beside), xAt((r + 1) * size + beside)});
-    cells.set(r, cellAt(left - beside, lastColumn), cellAt(right + beside, lastColumn) + 1, false);
+    cells.set(r, columnAt(left - beside), columnAt(right + beside) + 1, false);
   }
 }
 
@@ -59,19 +69,20 @@ struct RowCrossing {
   int change;
 };
 
-/// Where loops cross the middle lines of rows, for each row from left to right.
-std::vector<std::vector<RowCrossing>> crossingsOf(std::span<const GridPolygon> polygons, const CellFrame& frame, int rows) {
-  std::vector<std::vector<RowCrossing>> crossings(static_cast<std::size_t>(rows));
+/// Where loops cross the middle lines of the rows of a band, for each row from left to right.
+std::vector<std::vector<RowCrossing>> crossingsOf(std::span<const GridPolygon> polygons, const CellFrame& frame,
+                                                  const Band& band) {
+  std::vector<std::vector<RowCrossing>> crossings(static_cast<std::size_t>(band.last - band.first));
   const double size = std::ldexp(1.0, frame.shift);
   forEachSide(polygons, [&](const GridPoint& p, const GridPoint& q) {
     const int change = p.y < q.y ? -1 : 1;  // the inside lies to the left of a side
     const auto& [low, high] = p.y < q.y ? std::pair{p, q} : std::pair{q, p};
     const double y = static_cast<double>(low.y - frame.low.y), height = static_cast<double>(high.y - low.y);
     const double x = static_cast<double>(low.x - frame.low.x), width = static_cast<double>(high.x - low.x);
-    for (int r = std::max(frame.row(low.y) - 1, 0); r <= std::min(frame.row(high.y) + 1, rows - 1); ++r) {
+    for (int r = std::max(frame.row(low.y) - 1, band.first); r <= std::min(frame.row(high.y) + 1, band.last - 1); ++r) {
       const double middle = (r + 0.5) * size;
       if (middle >= y && middle < y + height)
-        crossings[static_cast<std::size_t>(r)].push_back({(x + (middle - y) / height * width) / size, change});
+        crossings[static_cast<std::size_t>(r - band.first)].push_back({(x + (middle - y) / height * width) / size, change});
     }
   });
   for (auto& row : crossings)
@@ -79,21 +90,29 @@ std::vector<std::vector<RowCrossing>> crossingsOf(std::span<const GridPolygon> p
   return crossings;
 }
 
+void fillBand(std::span<const GridPolygon> polygons, const CellFrame& frame, const Band& band, BitRaster& cells) {
+  const auto crossings = crossingsOf(polygons, frame, band);
+  for (int r = band.first; r < band.last; ++r) {
+    int winding = 0;
+    const auto& row = crossings[static_cast<std::size_t>(r - band.first)];
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      winding += row[i].change;
+      // Cells with a crossing are cleared below.
+      const int end = std::min(static_cast<int>(row[i + 1].x) + 1, cells.columns());
+      if (winding > 0) cells.set(r, static_cast<int>(row[i].x), end, true);
+    }
+  }
+  forEachSide(polygons, [&](const GridPoint& p, const GridPoint& q) { clearAlong(p, q, frame, band, cells); });
+}
+
 }  // namespace
 
 BitRaster fullCells(std::span<const GridPolygon> polygons, const CellFrame& frame, int columns, int rows) {
   BitRaster cells(columns, rows);
-  const auto crossings = crossingsOf(polygons, frame, rows);
-  for (int r = 0; r < rows; ++r) {
-    int winding = 0;
-    const auto& row = crossings[static_cast<std::size_t>(r)];
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-      winding += row[i].change;
-      // Cells with a crossing are cleared below.
-      if (winding > 0) cells.set(r, static_cast<int>(row[i].x), std::min(static_cast<int>(row[i + 1].x) + 1, columns), true);
-    }
-  }
-  forEachSide(polygons, [&](const GridPoint& p, const GridPoint& q) { clearAlong(p, q, frame, cells); });
+  constexpr std::size_t fewestRows = 256;  // worth a walk along all sides
+  parallelFor(static_cast<std::size_t>(rows), fewestRows, Progress::none(), [&](std::size_t first, std::size_t last) {
+    fillBand(polygons, frame, {static_cast<int>(first), static_cast<int>(last)}, cells);
+  });
   return cells;
 }
 

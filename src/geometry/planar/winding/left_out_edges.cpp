@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/parallel_sort.h"
 
 namespace blossom::planar {
 
@@ -40,7 +41,8 @@ void LeftOutEdges::addEnd(const GridPoint& at, int count) {
 }
 
 void LeftOutEdges::joinEnds() {
-  std::sort(ends_.begin(), ends_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  sortInQuarters(
+      ends_, [](const End& a, const End& b) { return a.first < b.first; }, Progress::none());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < ends_.size();) {
     auto sum = ends_[i];

@@ -1,6 +1,7 @@
 #include "geometry/planar/winding/convolution.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <tuple>
 
@@ -92,23 +93,49 @@ std::vector<DirectedEdge> edgesByDirection(const NumberedLoop& numbered) {
 /// Edges that are joined when they become too many: those of a lattice are few.
 class EdgePile {
  public:
-  /// @param leftOut takes edges that are not needed; or null
-  EdgePile(const Effort& effort, PairSources* sources, LeftOutEdges* leftOut, const Progress& progress)
-      : effort_(effort), sources_(sources), leftOut_(leftOut), progress_(progress) {}
+  /// @param inside edges in there are left out; or null
+  EdgePile(const Effort& effort, const CertainInside* inside, const Progress& progress)
+      : effort_(effort), progress_(progress) {
+    if (inside) leftOut_.emplace(*inside);
+  }
 
   /// An edge of the first or the second set moved by a corner of the other.
   void add(const DirectedEdge& edge, const Corner& corner, bool edgeOfFirst) {
     CountedEdge moved{edge.from + corner.at, edge.to + corner.at, corner.sign, corner.sign > 0};
     if (leftOut_ && leftOut_->take(moved)) return;
     if (corner.sign > 0 && edge.number != CornerNumbers::unknown && corner.number != CornerNumbers::unknown) {
-      moved.source = static_cast<std::uint32_t>(sources_->all.size());
-      sources_->all.push_back({edge.number, corner.number, edgeOfFirst});
+      moved.source = static_cast<std::uint32_t>(sources_.size());
+      sources_.push_back({edge.number, corner.number, edgeOfFirst});
     }
-    add(moved);
+    edges_.push_back(moved);
+    joinIfMany();
   }
 
-  void add(const CountedEdge& edge) {
-    edges_.push_back(edge);
+  /// All of another pile.
+  void add(EdgePile&& other) {
+    const auto first = static_cast<std::uint32_t>(sources_.size() - 1);
+    for (CountedEdge& edge : other.edges_)
+      if (edge.source != 0) edge.source += first;
+    sources_.insert(sources_.end(), other.sources_.begin() + 1, other.sources_.end());
+    edges_.insert(edges_.end(), other.edges_.begin(), other.edges_.end());
+    if (leftOut_) leftOut_->add(*std::move(other.leftOut_));
+    joinIfMany();
+  }
+
+  /// @param sources when given, gets what the edges come from
+  std::vector<CountedEdge> joined(PairSources* sources) && {
+    if (leftOut_) {
+      const std::vector<CountedEdge> closings = leftOut_->closings();
+      edges_.insert(edges_.end(), closings.begin(), closings.end());
+    }
+    joinEqual(edges_, progress_);
+    effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
+    if (sources) sources->all = std::move(sources_);
+    return std::move(edges_);
+  }
+
+ private:
+  void joinIfMany() {
     if (edges_.size() < full_) return;
     joinEqual(edges_, progress_);
     effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
@@ -117,21 +144,11 @@ class EdgePile {
                   "Raise the tolerance, so that curves get fewer corners.");
     full_ = std::max(full_, 2 * edges_.size());
   }
-  std::vector<CountedEdge> joined() && {
-    if (leftOut_) {
-      const std::vector<CountedEdge> closings = leftOut_->closings();
-      edges_.insert(edges_.end(), closings.begin(), closings.end());
-    }
-    joinEqual(edges_, progress_);
-    effort_.foresee(Effort::pairsOfEdge * static_cast<double>(edges_.size()));
-    return std::move(edges_);
-  }
 
- private:
   const Effort& effort_;
-  PairSources* sources_;
-  LeftOutEdges* leftOut_;
   const Progress& progress_;
+  std::optional<LeftOutEdges> leftOut_;
+  std::vector<PairSources::Pair> sources_ = {PairSources::Pair()};  // the first one stands for unknown
   std::vector<CountedEdge> edges_;
   std::size_t full_ = 100'000;
 };
@@ -158,7 +175,7 @@ void forEachRange(const std::vector<DirectedEdge>& edges, const Corner& corner, 
 }
 
 template <class Out>
-void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, Out& out,
+void addPairs(const std::vector<DirectedEdge>& edges, std::span<const Corner> corners, Closed closed, Out& out,
               const Progress& progress) {
   for (const Corner& corner : corners) {
     progress.check();
@@ -181,13 +198,32 @@ struct PairTally {
   double count = 0;
 };
 
-void addPairs(const std::vector<DirectedEdge>& edges, const std::vector<Corner>& corners, Closed closed, PairTally& tally,
+void addPairs(const std::vector<DirectedEdge>& edges, std::span<const Corner> corners, Closed closed, PairTally& tally,
               const Progress& progress) {
   for (const Corner& corner : corners) {
     progress.check();
     forEachRange(edges, corner, closed,
                  [&](auto first, auto last) { tally.count += static_cast<double>(std::distance(first, last)); });
   }
+}
+
+/// Corners of one loop that are to be paired with the edges of another.
+struct Pairing {
+  const std::vector<DirectedEdge>* edges;
+  std::span<const Corner> corners;
+  Closed closed;
+};
+
+/// Of two sets, cut into pieces of so many corners.
+struct PairingList {
+  static constexpr std::size_t most = 256;
+  std::vector<Pairing> all;
+};
+
+void addPairs(const std::vector<DirectedEdge>& edges, std::span<const Corner> corners, Closed closed, PairingList& list,
+              const Progress&) {
+  for (std::size_t i = 0; i < corners.size(); i += PairingList::most)
+    list.all.push_back({&edges, corners.subspan(i, std::min(PairingList::most, corners.size() - i)), closed});
 }
 
 /// A loop with all that pairing asks for.
@@ -240,6 +276,29 @@ void pairUp(const PartSides& a, const PartSides& b, Out& edges, const Progress& 
     if (hasRoom(hole, a.outer)) pairUp(a.outer, hole, edges, progress);
   for (const LoopSides& hole : a.holes)
     if (hasRoom(hole, b.outer)) pairUp(hole, b.outer, edges, progress);
+}
+
+/// Every share of the pairings makes a pile of its own; the shares are the same for any number of cores.
+EdgePile paired(const std::vector<Pairing>& pairings, const Effort& effort, const CertainInside* inside,
+                const Progress& progress) {
+  constexpr std::size_t shares = 8, fewPairings = 4;
+  std::vector<std::optional<EdgePile>> piles(pairings.size() <= fewPairings ? 1 : std::min(shares, pairings.size()));
+  std::atomic<std::size_t> done = 0;
+  parallelFor(piles.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      EdgePile& pile = piles[k].emplace(effort, inside, progress);
+      const std::size_t end = pairings.size() * (k + 1) / piles.size();
+      for (std::size_t i = pairings.size() * k / piles.size(); i < end; ++i) {
+        addPairs(*pairings[i].edges, pairings[i].corners, pairings[i].closed, pile, progress);
+        progress.report(static_cast<double>(++done) / static_cast<double>(pairings.size()), "Pairing edges");
+      }
+    }
+  });
+  for (std::size_t k = 1; k < piles.size(); ++k) {
+    piles[0]->add(*std::move(piles[k]));
+    piles[k].reset();
+  }
+  return *std::move(piles[0]);
 }
 
 }  // namespace
@@ -317,14 +376,10 @@ std::vector<CountedEdge> convolution(std::span<const GridPolygon> a, std::span<c
                                      const CertainInside* inside) {
   const std::vector<PartSides> partsA = partsOf(a, sources ? &sources->first : nullptr, progress),
                                partsB = partsOf(b, sources ? &sources->second : nullptr, progress);
-  std::optional<LeftOutEdges> leftOut;
-  if (inside) leftOut.emplace(*inside);
-  EdgePile edges(effort, sources, leftOut ? &*leftOut : nullptr, progress);
-  for (std::size_t i = 0; i < partsA.size(); ++i) {
-    progress.report(static_cast<double>(i) / static_cast<double>(partsA.size()), "Pairing edges");
-    for (const PartSides& partB : partsB) pairUp(partsA[i], partB, edges, progress);
-  }
-  return std::move(edges).joined();
+  PairingList pairings;
+  for (const PartSides& partA : partsA)
+    for (const PartSides& partB : partsB) pairUp(partA, partB, pairings, progress);
+  return std::move(paired(pairings.all, effort, inside, progress)).joined(sources);
 }
 
 double pairCount(std::span<const GridPolygon> a, std::span<const GridPolygon> b, const Progress& progress) {

@@ -35,8 +35,9 @@ void clearAlong(const GridPoint& p, const GridPoint& q, const CellFrame& frame, 
   const auto xOf = [&](const GridPoint& at) { return static_cast<double>(at.x - frame.low.x); };
   const auto yOf = [&](const GridPoint& at) { return static_cast<double>(at.y - frame.low.y); };
   const double ax = xOf(from), ay = yOf(from), bx = xOf(to), by = yOf(to);
-  const double slope = bx > ax ? (by - ay) / (bx - ax) : 0;
-  const auto cellAt = [&](double at) { return static_cast<int>(std::floor(at / size)); };
+  const double slope = bx > ax ? (by - ay) / (bx - ax) : 0, upright = by != ay ? (bx - ax) / (by - ay) : 0;
+  // All that is asked for lies above -size, where this rounds down, as no call of std::floor does at this speed.
+  const auto cellAt = [&](double at) { return static_cast<int>(at / size + 1) - 1; };
   const auto columnAt = [&](double at) { return std::clamp(cellAt(at), 0, cells.columns() - 1); };
   const auto firstRow = [&](double low) { return std::max(cellAt(low - beside), band.first); };
   const auto lastRow = [&](double high) { return std::min(cellAt(high + beside), band.last - 1); };
@@ -54,10 +55,7 @@ void clearAlong(const GridPoint& p, const GridPoint& q, const CellFrame& frame, 
     return;
   }
   for (int r = firstRow(lowest), end = lastRow(highest); r <= end; ++r) {
-    const auto xAt = [&](double y) {
-      const double along = std::clamp(y, lowest, highest);
-      return by == ay ? ax : ax + (bx - ax) * ((along - ay) / (by - ay));
-    };
+    const auto xAt = [&](double y) { return ax + upright * (std::clamp(y, lowest, highest) - ay); };
     const auto [left, right] = std::minmax({xAt(r * size - beside), xAt((r + 1) * size + beside)});
     cells.set(r, columnAt(left - beside), columnAt(right + beside) + 1, false);
   }

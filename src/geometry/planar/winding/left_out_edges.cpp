@@ -22,6 +22,13 @@ bool LeftOutEdges::take(const CountedEdge& edge) {
   return true;
 }
 
+void LeftOutEdges::add(LeftOutEdges&& others) {
+  any_ = any_ || others.any_;
+  for (std::size_t i = 0; i < heights_.size(); ++i) heights_[i] += others.heights_[i];
+  ends_.insert(ends_.end(), others.ends_.begin(), others.ends_.end());
+  joinIfMany();
+}
+
 void LeftOutEdges::countHeights(const CountedEdge& edge) {
   const auto [low, high] = std::minmax(edge.from.y, edge.to.y);
   heights_[static_cast<std::size_t>(inside_.rowOf(low))] += std::abs(edge.count);
@@ -29,8 +36,17 @@ void LeftOutEdges::countHeights(const CountedEdge& edge) {
 }
 
 void LeftOutEdges::addEnd(const GridPoint& at, int count) {
-  if (inside_.isDeep(at)) return;  // all edges there are left out, and as many begin as end
+  if (inside_.isDeep(at)) return;                    // all edges there are left out, and as many begin as end
+  if (!ends_.empty() && ends_.back().first == at) {  // where one edge of a chain ends and the next one begins
+    ends_.back().second += count;
+    if (ends_.back().second == 0) ends_.pop_back();
+    return;
+  }
   ends_.emplace_back(at, count);
+  joinIfMany();
+}
+
+void LeftOutEdges::joinIfMany() {
   if (ends_.size() < full_) return;
   joinEnds();
   constexpr std::size_t most = 20'000'000;

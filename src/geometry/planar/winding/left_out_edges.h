@@ -17,6 +17,8 @@ class LeftOutEdges {
 
   /// Whether the edge is left out.
   bool take(const CountedEdge&);
+  /// Those that others of the same inside have taken, too.
+  void add(LeftOutEdges&&);
   /// Edges that close the cycles again.
   /// @throws Error LimitExceeded above some hundred million edges at one height
   std::vector<CountedEdge> closings();
@@ -26,6 +28,7 @@ class LeftOutEdges {
 
   void countHeights(const CountedEdge&);
   void addEnd(const GridPoint& at, int count);
+  void joinIfMany();
   void joinEnds();
   std::vector<CountedEdge> paths();
   void addAlong(std::vector<End>&, const GridPoint& door, std::vector<CountedEdge>&);

@@ -2,7 +2,6 @@
 // everything from regions to a region included, and how many times as fast.
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -14,7 +13,7 @@
 #include "geometry/planar/planar.h"
 #include "modeling/kernel/parts/boolean.h"
 #include "modeling/kernel/solid/arrange.h"
-#include "support/regions.h"
+#include "support/lattice_regions.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -27,14 +26,6 @@ struct Operands {
   BooleanOperation operation;
   std::vector<Region> regions;
 };
-
-Region moved(const Region& region, double scale, double angle, const Vec2& by) {
-  Eigen::Matrix<double, 2, 3> map;
-  map << scale * std::cos(angle), -scale * std::sin(angle), by.x(), scale * std::sin(angle), scale * std::cos(angle), by.y();
-  Region result;
-  for (const Path& loop : region.loops) result.loops.push_back(transformed(loop, map));
-  return result;
-}
 
 /// A disc with so many half discs around it.
 Region gear(int teeth, double radius) {

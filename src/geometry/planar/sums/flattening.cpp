@@ -245,8 +245,8 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   const ShapeExtent extent = shapeExtentOf(region);
   const double tolerance = toleranceFor(region, extent, options, name), confusion = confusionOf(extent);
   const std::vector<Loop> all = cornersOf(region, tolerance, confusion, name, progress);
-  refuseCrossings(all, name, progress);  // before nesting, which needs loops that do not cross
   Nesting nesting(all, progress);
+  if (!nesting.clear()) refuseCrossings(all, name, progress);
   if (!nesting.clear() && options.effort)
     options.effort->spend(static_cast<std::size_t>(2 * Effort::pairsOfEdge) * cornerCount(all));
   refuseOverlaps(nesting, confusion, name, progress);

@@ -55,6 +55,13 @@ void checkAreas(const Region& a, const Region& b, int& untold) {
   if (results[1] && results[2]) COMPARE_NEAR((area(*results[1]) + area(*results[2]) - area(a)) / all, 0, 1e-9);
 }
 
+/// The areas of all three, where they are told.
+void checkExpected(const Region& a, const Region& b, const std::array<double, 3>& areas) {
+  for (std::size_t i = 0; i < operations.size(); ++i)
+    if (const auto result = combined(std::array{a, b}, operations[i]))
+      COMPARE_NEAR(area(*result), areas[i], 1e-9 * (area(a) + area(b)));
+}
+
 void checkUntold(int untold, int results, int share) {
   qInfo("%d of %d results are left to others", untold, results);
   QVERIFY(untold <= results / share);
@@ -130,6 +137,48 @@ class PlanarBooleanTest : public QObject {
       const double half = std::acos(1 - depth / 5), segment = 25 * (half - std::sin(half) * std::cos(half));
       COMPARE_NEAR(200 - area(*cut), segment, 1e-10);
       QCOMPARE(cut->loops.front().segments.size(), std::size_t{6});
+    }
+  }
+
+  /// Between an arc and the chord of its first polygon, where the polygons tell the wrong side.
+  void betweenArcAndChord() {
+    const double turn = pi / 32;
+    const Region disc = circleRegion(100), speck = circleRegion(0.1, {99.7 * std::cos(turn), 99.7 * std::sin(turn)});
+    const Region bar = moved(rectangleRegion({90, -0.1}, {99.9, 0.1}), 1, turn, {0, 0});
+    const Region plate{{rectanglePath({-200, -200}, {200, 200}), reversed(disc.loops.front())}};
+    for (const Region& small : {speck, bar}) {
+      checkExpected(disc, small, {area(disc), area(disc) - area(small), area(small)});
+      checkExpected(plate, small, {area(plate) + area(small), area(plate), 0});
+    }
+  }
+
+  /// Ends of segments that are a little apart are refused or joined, and nothing is thrown.
+  void gapsInTheInput() {
+    for (const double gap : {0.0, 1e-10, 2e-9, 1e-7, 1e-5}) {
+      Path path;
+      path.closed = true;
+      path.segments = {Arc2{{0, 0}, 10, -1, 2}, Arc2{{10 * std::cos(1) + gap, 0}, 10 * std::sin(1), pi / 2, pi}};
+      const auto both = combined(std::array{Region{{path}}, circleRegion(1, {8, 0})}, BooleanOperation::Intersection);
+      if (both) COMPARE_NEAR(area(*both), pi, 1e-9);
+      QVERIFY(both || gap > 1e-9);
+    }
+  }
+
+  /// Of two lines that are one the longer one tells the direction.
+  void aShortSideBendsNothing() {
+    const Region a = polygonRegion({{0, 0}, {1e-6, 3e-10}, {10, 0}, {10, 10}, {0, 10}}), b = circleRegion(1, {0, 8});
+    checkExpected(a, b, {100 + pi / 2, 100 - pi / 2, pi / 2});
+  }
+
+  void largeArcs() {
+    for (const double radius : {1e3, 1e4, 1e5, 1e6}) {
+      const double half = std::asin(5 / radius), height = radius * std::cos(half);
+      Path lid;
+      lid.closed = true;
+      lid.segments = {Line2{{-5, -1}, {5, -1}}, Line2{{5, -1}, {5, 0}}, Arc2{{0, -height}, radius, pi / 2 - half, 2 * half},
+                      Line2{{-5, 0}, {-5, -1}}};
+      const Region a{{lid}}, b = circleRegion(0.25, {0, -0.5});
+      checkExpected(a, b, {area(a), area(a) - area(b), area(b)});
     }
   }
 

@@ -49,11 +49,16 @@ TrueCurve curveOf(const Segment& segment) {
   return Circle{arc.center, arc.radius};
 }
 
+/// Each ends where the next one begins.
 std::vector<CutSegment> segmentsOf(const Region& region, double within) {
   std::vector<CutSegment> segments;
-  for (const Path& loop : region.loops)
+  for (const Path& loop : region.loops) {
+    const std::size_t first = segments.size();
     for (const Segment& segment : loop.segments)
-      if (length(segment) > within) segments.push_back({segment, curveOf(segment), {}});
+      if (length(segment) > within) segments.push_back({segment, curveOf(segment), {startPoint(segment)}});
+    for (std::size_t i = first; i < segments.size(); ++i)
+      segments[i].cuts.push_back(segments[i + 1 < segments.size() ? i + 1 : first].cuts.front());
+  }
   return segments;
 }
 
@@ -64,8 +69,10 @@ class Cutter {
 
   std::optional<CutBoundaries> run(const Progress& progress) {
     for (std::vector<CutSegment>* side : {&cut_.first, &cut_.second})
-      for (CutSegment& each : *side)
-        each.cuts = {places_.welded(startPoint(each.segment)), places_.welded(endPoint(each.segment))};
+      for (CutSegment& each : *side) {
+        if (!((each.cuts[1] - endPoint(each.segment)).norm() <= 2 * within_)) return std::nullopt;
+        each.cuts = {places_.welded(each.cuts[0]), places_.welded(each.cuts[1])};
+      }
     bool clear = true;
     const std::size_t count = cut_.first.size();
     forEachNearPair<2>(boxes(), 2 * within_, progress, [&](std::size_t i, std::size_t j) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/planar/booleans/boolean_check.h"
 #include "geometry/planar/booleans/cut_boundaries.h"
 #include "geometry/planar/booleans/point_welder.h"
 #include "geometry/planar/fitting/angles.h"
@@ -100,8 +101,10 @@ class Combination {
     Effort unlimited;
     const auto faces = tracedFaces(edges_, progress, counting.rule, unlimited);
     const auto curveOf = [&](std::uint32_t edge) { return std::optional(curves_[edges_[edge].source]); };
-    const CurveFitting fitting{
-        .rounding = within_, .reach = 4 * longest_, .gap = 4 * (deepest_ + within_), .closesGaps = false};
+    const CurveFitting fitting{.rounding = within_,
+                               .reach = std::max(4 * longest_, 8 * within_),
+                               .gap = 4 * (deepest_ + within_),
+                               .closesGaps = false};
     auto region = fittedCurves(faces, grid_, curveOf, fitting, progress);
     if (!region || !hasAllCorners(*region)) return std::nullopt;
     beginWhereInputsBegin(*region);
@@ -172,20 +175,53 @@ Region combinedApart(const Region& a, const Region& b, BooleanOperation operatio
   return all;
 }
 
+/// Around the segments themselves, and how large their arcs are.
+struct Reach {
+  Box2 box;
+  double radius = 0;
+
+  explicit Reach(const Region& region) {
+    for (const Path& loop : region.loops)
+      for (const Segment& segment : loop.segments) {
+        box.extend(startPoint(segment));
+        box.extend(endPoint(segment));
+        if (const auto* arc = std::get_if<Arc2>(&segment)) extend(*arc);
+      }
+  }
+
+ private:
+  void extend(const Arc2& arc) {
+    radius = std::max(radius, arc.radius);
+    constexpr double quarter = fullTurn / 4;
+    const double first = std::min(arc.start, arc.start + arc.sweep), last = std::max(arc.start, arc.start + arc.sweep);
+    for (double k = std::ceil(first / quarter); k * quarter < last; ++k)
+      box.extend(Vec2(arc.center + arc.radius * unitAt(k * quarter)));
+  }
+};
+
 std::optional<Region> combinedTwo(const Region& a, const Region& b, BooleanOperation operation, const Progress& progress) {
   progress.check();
-  const Box2 boxA = looseBox(a.loops), boxB = looseBox(b.loops);
-  const Box2 box = boxA.merged(boxB);
-  const Grid grid{box.center(), gridUnit(box.sizes())};
-  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  const double within = std::ldexp(box.sizes().maxCoeff(), -34) + 32 * std::numeric_limits<double>::epsilon() * farthest;
-  if (!comeNear(boxA, boxB, 4 * within)) return combinedApart(a, b, operation);
+  const Reach reachA(a), reachB(b);
+  const Box2 box = reachA.box.merged(reachB.box);
+  const double size = box.sizes().maxCoeff(), radius = std::max(reachA.radius, reachB.radius);
+  constexpr double flattest = 1000;  // times the size: flatter arcs meet where rounding says
+  if (!std::isfinite(size) || radius > flattest * size) return std::nullopt;
+  const Grid grid{box.center(), gridUnit(1.5 * box.sizes())};  // chords may pass beside the box
+  const double farthest = std::max({box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff(), radius});
+  const double rounding = std::numeric_limits<double>::epsilon() * farthest;
+  const double within = std::ldexp(size, -34) + 32 * rounding;
+  if (!comeNear(reachA.box, reachB.box, 4 * within)) return combinedApart(a, b, operation);
   const auto cut = cutBoundaries(a, b, within, progress.part(0, 0.3));
   if (!cut) return std::nullopt;
   Combination combination(*cut, within, grid);
   constexpr std::array widest{0.26, 0.065, 0.016};  // radians
-  for (const double each : widest)
-    if (auto region = combination.run(countingOf(operation), each, progress)) return region;
+  constexpr double gap = 1e-9;                      // mm
+  for (const double each : widest) {
+    auto region = combination.run(countingOf(operation), each, progress);
+    if (region && isWellJoined(*region, std::max(gap, 64 * rounding), within) &&
+        boundsAsItShould(*region, {a, b, *cut}, operation, within, progress))
+      return region;
+  }
   return std::nullopt;
 }
 

@@ -120,6 +120,9 @@ class RingFitter {
   static void append(Run& run, const Run& next) {
     run.corners.insert(run.corners.end(), next.corners.begin() + 1, next.corners.end());
     run.sides.insert(run.sides.end(), next.sides.begin(), next.sides.end());
+    const auto *line = std::get_if<StraightCurve>(&run.curve), *longer = std::get_if<StraightCurve>(&next.curve);
+    if (line && longer && (longer->to - longer->from).squaredNorm() > (line->to - line->from).squaredNorm())
+      run.curve = next.curve;  // which knows its direction better
   }
 
   void remove(std::size_t run) {

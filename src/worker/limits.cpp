@@ -8,15 +8,11 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/sanitizers.h"
+
 namespace blossom {
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;  // their shadow memory needs terabytes of address space
-#else
-constexpr bool sanitized = false;
-#endif
 
 using Resource = decltype(RLIMIT_AS);
 
@@ -69,14 +65,14 @@ void applyLimits(const Value& request) {
   const double seconds = request.value("cpu_seconds", 0.0);
   limit(RLIMIT_CPU, seconds > 0 ? static_cast<rlim_t>(std::ceil(secondsComputed() + seconds)) : inheritedSeconds(),
         inheritedSeconds());
-  if (sanitized) return;
+  if (hasShadowMemory) return;
   const rlim_t memory = request.value("memory", rlim_t{0});
   limit(RLIMIT_AS, memory > 0 ? memory : physicalMemory(), inheritedMemory());
 }
 
 bool mayServeAgain() {
   if (inheritedSeconds() != RLIM_INFINITY) return false;  // that of all its calls together would count
-  if (sanitized) return true;
+  if (hasShadowMemory) return true;
   constexpr double most = 128e6;
   if (ownMemory() <= most) return true;
   ::malloc_trim(0);

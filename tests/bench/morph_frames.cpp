@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include "geometry/planar/polygons/sound_region.h"
 #include "minkowski/kernel/morph/morph.h"
 #include "support/exchange.h"
+#include "support/timing.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -67,9 +67,8 @@ int main(int argc, char** argv) {
     std::vector<std::vector<double>> times;
     for (int k = 0; k < each.frames; ++k)
       times.push_back(minkowski::diagonal(each.shapes.size() - 1, static_cast<double>(k) / (each.frames - 1)));
-    const auto start = std::chrono::steady_clock::now();
-    const minkowski::MorphResult result = minkowski::morph(each.shapes, times);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    minkowski::MorphResult result;
+    const double seconds = secondsOf([&] { result = minkowski::morph(each.shapes, times); });
     std::size_t segments = 0;
     for (const Region& region : result.regions)
       for (const Path& loop : region.loops) segments += loop.segments.size();

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <numbers>
@@ -20,6 +19,7 @@
 #include "geometry/planar/sums/polygon_sum.h"
 #include "support/planar_peer.h"
 #include "support/random.h"
+#include "support/timing.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -119,21 +119,6 @@ std::vector<Pair> pairs() {
           {"forks with 600 holes", forkOf(34, 31, false), forkOf(31, 34, true)},
           {"convex 500 and 700", regular(500, 10), regular(700, 7)},
           {"star 5 and 12-gon", star(5, 10, 4), regular(12, 1)}};
-}
-
-double secondsOf(const auto& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Median of up to 9 runs within a second.
-double medianSeconds(const auto& work) {
-  std::vector<double> times;
-  for (double total = 0; times.empty() || (times.size() < 9 && total < 1); total += times.back())
-    times.push_back(secondsOf(work));
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-  return times[times.size() / 2];
 }
 
 struct PeerRun {

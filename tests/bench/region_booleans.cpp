@@ -2,9 +2,7 @@
 // everything from regions to a region included, and how many times as fast.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +12,7 @@
 #include "modeling/kernel/parts/boolean.h"
 #include "modeling/kernel/solid/arrange.h"
 #include "support/lattice_regions.h"
+#include "support/timing.h"
 
 using namespace blossom;
 using namespace blossom::test;
@@ -76,18 +75,6 @@ std::vector<Operands> operands() {
           {"gears far away", Union, {moved(wheel, 1, 0, {1e5, -1e5}), moved(other, 1, 0, {1e5, -1e5})}}};
 }
 
-/// Median of up to 9 runs within two seconds, in milliseconds.
-double milliseconds(const auto& work) {
-  std::vector<double> times;
-  for (double total = 0; times.empty() || (times.size() < 9 && total < 2000); total += times.back()) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-  return times[times.size() / 2];
-}
-
 Region byOcct(const Operands& each) {
   std::vector<TopoDS_Shape> faces;
   for (const Region& region : each.regions) faces.push_back(toFaces(region));
@@ -104,8 +91,8 @@ int main(int argc, char** argv) {
     if (std::string_view(each.name).find(asked) == std::string_view::npos) continue;
     std::optional<Region> ours;
     Region theirs;
-    const double mine = milliseconds([&] { ours = combined(each.regions, each.operation); });
-    const double peer = milliseconds([&] { theirs = byOcct(each); });
+    const double mine = 1e3 * medianSeconds([&] { ours = combined(each.regions, each.operation); });
+    const double peer = 1e3 * medianSeconds([&] { theirs = byOcct(each); });
     fmt::print("  {:<24}{:12.3f} ms   OCCT {:12.1f} ms   {:8.1f} times", each.name, mine, peer, peer / mine);
     if (!ours)
       fmt::print("   NOT TOLD");

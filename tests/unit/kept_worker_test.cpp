@@ -15,6 +15,7 @@
 
 #include "cli/cli.h"
 #include "core/parallel.h"
+#include "core/sanitizers.h"
 #include "document/evaluator.h"
 #include "support/command_line.h"
 #include "support/modeling.h"
@@ -116,9 +117,7 @@ class KeptWorkerTest : public QObject {
   }
   void afterAFailureThereIsANewOne() {
     QFETCH(QString, mode);
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    if (mode == "memory") QSKIP("The address space cannot be limited under a sanitizer.");
-#endif
+    if (hasShadowMemory && mode == "memory") QSKIP("The address space cannot be limited under a sanitizer.");
     const int first = servingPid();
     WorkerOptions options;
     if (mode == "spin") options.cpuSeconds = 1;
@@ -252,9 +251,7 @@ class KeptWorkerTest : public QObject {
   }
 
   void memoryIsLimitedForEachCall() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    QSKIP("The address space cannot be limited under a sanitizer.");
-#endif
+    if (hasShadowMemory) QSKIP("The address space cannot be limited under a sanitizer.");
     constexpr std::uintmax_t limit = std::uintmax_t{1} << 30;
     const Value large{{"mode", "memory"}, {"bytes", limit}};
     const int first = servingPid({.memory = limit});
@@ -263,9 +260,7 @@ class KeptWorkerTest : public QObject {
   }
 
   void oneThatHoldsMuchMemoryIsNotKept() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    QSKIP("The memory of a process says nothing under a sanitizer.");
-#endif
+    if (hasShadowMemory) QSKIP("The memory of a process says nothing under a sanitizer.");
     const int first = selftest({{"mode", "hoard"}, {"bytes", 1e6}}).get<int>();
     QCOMPARE(selftest({{"mode", "hoard"}, {"bytes", 200e6}}).get<int>(), first);
     QVERIFY(!exists(first));

@@ -8,6 +8,7 @@
 #include "geometry/planar/outline_crossing.h"
 #include "support/planar_points.h"
 #include "support/random.h"
+#include "support/regions.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -26,11 +27,10 @@ Path roundLoop(const Vec2& center, double radius, double sweep = 2 * pi) {
   return {{Arc2{center, radius, 0.3, sweep}}, true, {}, {}};
 }
 
-Path polygonPath(const std::vector<Vec2>& points, bool closed = true) {
-  Path path;
-  path.closed = closed;
-  for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
-    path.segments.emplace_back(Line2{points[i], points[(i + 1) % points.size()]});
+Path polylinePath(const std::vector<Vec2>& points) {
+  Path path = polygonPath(points);
+  path.segments.pop_back();
+  path.closed = false;
   return path;
 }
 
@@ -249,7 +249,7 @@ class PlanarTest : public QObject {
     QVERIFY(joined(whole).paths == whole.paths);
   }
   void gapsWiderThanTheJoiningDistanceStay() {
-    const Path open = polygonPath({{0, 0}, {1, 0}, {1, 1}, {2e-4, 2e-4}}, false);
+    const Path open = polylinePath({{0, 0}, {1, 0}, {1, 1}, {2e-4, 2e-4}});
     QVERIFY(!joined({{open}, FillRule::EvenOdd}).paths[0].closed);
     Tolerance wide;
     wide.joining = 1e-3;
@@ -312,7 +312,7 @@ class PlanarTest : public QObject {
     QVERIFY(toRegion(toCurves(region)) == region);
   }
   void openOutlinesAreNamedWithTheirPlace() {
-    const Curves curves{{polygonPath({{12.5, 0}, {20, 0}, {20, 7}, {13, 1}}, false)}, FillRule::EvenOdd};
+    const Curves curves{{polylinePath({{12.5, 0}, {20, 0}, {20, 7}, {13, 1}})}, FillRule::EvenOdd};
     try {
       toRegion(curves);
       QFAIL("an open outline made a region");

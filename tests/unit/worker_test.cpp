@@ -8,6 +8,7 @@
 #include <atomic>
 #include <future>
 
+#include "core/sanitizers.h"
 #include "support/worker.h"
 
 using namespace blossom;
@@ -112,9 +113,7 @@ class WorkerTest : public QObject {
   }
 
   void memoryIsLimited() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    QSKIP("The address space cannot be limited under a sanitizer.");
-#endif
+    if (hasShadowMemory) QSKIP("The address space cannot be limited under a sanitizer.");
     const Error error = failure({{"mode", "memory"}}, Progress::none(), {.memory = std::uintmax_t{2} << 30});
     QCOMPARE(error.code(), ErrorCode::LimitExceeded);
   }

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/planar_bezier.h"
+#include "geometry/planar/segment_point.h"
 
 namespace blossom {
 namespace {
@@ -119,13 +120,17 @@ double extent(const std::vector<Vec2>& polygon) {
 
 }  // namespace
 
+int crossingsToTheRight(const Segment& segment, const Vec2& point) {
+  return std::visit([&](const auto& s) { return crossings(s, point); }, segment);
+}
+
 int windingNumber(const Path& path, const Vec2& point) {
   if (path.segments.empty()) return 0;
   int sum = 0;
   Vec2 last = endPoint(path);
   for (const Segment& segment : path.segments) {
     sum += crossing(last, startPoint(segment), point);  // bridges rounding between segments, else a level could slip through
-    sum += std::visit([&](const auto& s) { return crossings(s, point); }, segment);
+    sum += crossingsToTheRight(segment, point);
     last = endPoint(segment);
   }
   return sum;

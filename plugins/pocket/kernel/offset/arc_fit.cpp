@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_point.h"
 #include "kernel/stroke/stroke.h"
 
 namespace blossom::pocket {
@@ -70,18 +71,6 @@ Segment arcBetween(const Vec2& a, const Vec2& b, double sweep) {
   const Vec2 center = (a + b) / 2 + normal * (0.5 / std::tan(half));
   const Vec2 from = a - center;
   return Arc2{center, from.norm(), std::atan2(from.y(), from.x()), sweep};
-}
-
-double distanceTo(const Segment& segment, const Vec2& x) {
-  if (const auto* line = std::get_if<Line2>(&segment))
-    return (line->from + nearestShare(line->from, line->to, x) * (line->to - line->from) - x).norm();
-  const Arc2& arc = std::get<Arc2>(segment);
-  const Vec2 from = x - arc.center;
-  const double direction = arc.sweep < 0 ? -1 : 1;
-  double angle = std::fmod(direction * (std::atan2(from.y(), from.x()) - arc.start), 2 * std::numbers::pi);
-  if (angle < 0) angle += 2 * std::numbers::pi;
-  if (angle <= std::abs(arc.sweep)) return std::abs(from.norm() - arc.radius);
-  return std::min((startPoint(segment) - x).norm(), (endPoint(segment) - x).norm());
 }
 
 std::vector<Segment> fittedArcs(const std::vector<TangentPoint>& samples, double tolerance) {

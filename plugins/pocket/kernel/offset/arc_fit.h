@@ -18,7 +18,4 @@ Segment arcBetween(const Vec2& a, const Vec2& b, double sweep);
 /// possible (Bolton, "Biarc curves", CAD 7(2), 1975; the joint with equal control lengths). O(n log n).
 std::vector<Segment> fittedArcs(const std::vector<TangentPoint>& samples, double tolerance);
 
-/// Distance of a point from a line or arc.
-double distanceTo(const Segment&, const Vec2&);
-
 }  // namespace blossom::pocket

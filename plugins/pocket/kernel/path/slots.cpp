@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_point.h"
 #include "kernel/offset/arc_fit.h"
 #include "kernel/path/axis_walks.h"
 #include "kernel/stroke/inside_test.h"

@@ -13,7 +13,8 @@ struct BooleanOperands {
 
 /// Whether every piece between two cuts bounds the result exactly if it should, which the winding number of the other
 /// region about its middle tells, without the polygons that made the result. Pieces along the other boundary are left out.
-/// O(n m) for n pieces and m segments. @throws Error Cancelled
+/// O(n log n) for n segments and pieces that are
+/// well spread. @throws Error Cancelled
 bool boundsAsItShould(const Region& result, const BooleanOperands&, BooleanOperation, double within, const Progress&);
 
 /// Whether segments end where the next ones begin, to a distance, and none is shorter than another one.

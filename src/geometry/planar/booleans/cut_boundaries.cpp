@@ -9,7 +9,7 @@
 #include "geometry/planar/booleans/point_welder.h"
 #include "geometry/planar/fitting/angles.h"
 #include "geometry/planar/planar.h"
-#include "geometry/planar/polygons/sound_region.h"
+#include "geometry/planar/segment_box.h"
 
 namespace blossom::planar {
 namespace {
@@ -90,7 +90,7 @@ class Cutter {
   [[nodiscard]] std::vector<Box2> boxes() const {
     std::vector<Box2> boxes;
     for (const std::vector<CutSegment>* side : {&cut_.first, &cut_.second})
-      for (const CutSegment& each : *side) extendLoosely(boxes.emplace_back(), each.segment);
+      for (const CutSegment& each : *side) boxes.push_back(boxAround(each.segment));
     return boxes;
   }
 
@@ -145,6 +145,22 @@ class Cutter {
 };
 
 }  // namespace
+
+double CutSegment::sweepOf(std::size_t piece) const {
+  const auto& arc = std::get<Arc2>(segment);
+  if (pieces() == 1) return arc.sweep;
+  const Vec2 from = cuts[piece] - arc.center, to = cuts[piece + 1] - arc.center;
+  const double turn = inOneTurn(std::atan2(cross(from, to), from.dot(to)));
+  return arc.sweep > 0 ? turn : turn - fullTurn;
+}
+
+Vec2 CutSegment::middleOf(std::size_t piece) const {
+  const Vec2 &from = cuts[piece], &to = cuts[piece + 1];
+  const auto* arc = std::get_if<Arc2>(&segment);
+  if (!arc) return (from + to) / 2;
+  const double start = std::atan2(from.y() - arc->center.y(), from.x() - arc->center.x());
+  return arc->center + arc->radius * unitAt(start + sweepOf(piece) / 2);
+}
 
 std::optional<CutBoundaries> cutBoundaries(const Region& a, const Region& b, double within, const Progress& progress) {
   return Cutter(a, b, within).run(progress);

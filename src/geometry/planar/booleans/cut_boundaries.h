@@ -13,6 +13,13 @@ struct CutSegment {
   Segment segment;
   TrueCurve curve;
   std::vector<Vec2> cuts;  ///< from its start to its end, both included
+
+  /// Piece k lies between cuts k and k + 1.
+  [[nodiscard]] std::size_t pieces() const { return cuts.size() - 1; }
+  /// Radians of a piece of an arc, below 0 when it turns right.
+  [[nodiscard]] double sweepOf(std::size_t piece) const;
+  /// The point of the curve half-way along a piece.
+  [[nodiscard]] Vec2 middleOf(std::size_t piece) const;
 };
 
 struct CutBoundaries {

@@ -11,10 +11,10 @@
 #include "geometry/planar/booleans/boolean_check.h"
 #include "geometry/planar/booleans/cut_boundaries.h"
 #include "geometry/planar/booleans/point_welder.h"
-#include "geometry/planar/fitting/angles.h"
 #include "geometry/planar/fitting/curve_fitting.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/sound_region.h"
+#include "geometry/planar/segment_box.h"
 #include "geometry/planar/winding/winding_faces.h"
 
 namespace blossom {
@@ -46,13 +46,7 @@ void addChords(const CutSegment& cut, std::size_t k, double widest, std::vector<
   out.push_back(from);
   const auto* circle = std::get_if<Circle>(&cut.curve);
   if (!circle) return;
-  const bool whole = cut.cuts.size() == 2;
-  double sweep = std::get<Arc2>(cut.segment).sweep;
-  if (!whole) {
-    const Vec2 a = from - circle->centre, b = to - circle->centre;
-    const double turn = inOneTurn(std::atan2(cross(a, b), a.dot(b)));
-    sweep = sweep > 0 ? turn : turn - fullTurn;
-  }
+  const double sweep = cut.sweepOf(k);
   const double step = std::min(widest, std::abs(sweep) * 0.51);  // a corner at least, off the chord between the cuts
   std::vector<Vec2> between;
   if (isLower(from, to)) {
@@ -116,7 +110,7 @@ class Combination {
     const auto source = static_cast<std::uint32_t>(curves_.size());
     curves_.push_back(each.curve);
     std::vector<Vec2> corners;
-    for (std::size_t k = 0; k + 1 < each.cuts.size(); ++k) addChords(each, k, widest, corners);
+    for (std::size_t k = 0; k < each.pieces(); ++k) addChords(each, k, widest, corners);
     corners.push_back(each.cuts.back());
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const CountedEdge edge{grid_.nearest(corners[i - 1]), grid_.nearest(corners[i]), count, 1, source};
@@ -183,19 +177,9 @@ struct Reach {
   explicit Reach(const Region& region) {
     for (const Path& loop : region.loops)
       for (const Segment& segment : loop.segments) {
-        box.extend(startPoint(segment));
-        box.extend(endPoint(segment));
-        if (const auto* arc = std::get_if<Arc2>(&segment)) extend(*arc);
+        box.extend(boxAround(segment));
+        if (const auto* arc = std::get_if<Arc2>(&segment)) radius = std::max(radius, arc->radius);
       }
-  }
-
- private:
-  void extend(const Arc2& arc) {
-    radius = std::max(radius, arc.radius);
-    constexpr double quarter = fullTurn / 4;
-    const double first = std::min(arc.start, arc.start + arc.sweep), last = std::max(arc.start, arc.start + arc.sweep);
-    for (double k = std::ceil(first / quarter); k * quarter < last; ++k)
-      box.extend(Vec2(arc.center + arc.radius * unitAt(k * quarter)));
   }
 };
 

@@ -8,6 +8,7 @@
 #include "geometry/planar/fitting/angles.h"
 #include "geometry/planar/fitting/true_curve.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_box.h"
 
 namespace blossom::planar {
 namespace {
@@ -19,19 +20,11 @@ struct Stretch {
   Box2 box;
 };
 
-constexpr double quarterTurn = fullTurn / 4;
-
 Stretch stretchOf(const Segment& segment) {
-  if (const auto* line = std::get_if<Line2>(&segment))
-    return {&segment, StraightCurve{line->from, line->to}, {line->from.cwiseMin(line->to), line->from.cwiseMax(line->to)}};
+  const Box2 box = boxAround(segment);
+  if (const auto* line = std::get_if<Line2>(&segment)) return {&segment, StraightCurve{line->from, line->to}, box};
   const auto& arc = std::get<Arc2>(segment);  // splines come here as lines
-  Stretch stretch{&segment, Circle{arc.center, arc.radius}, {}};
-  stretch.box.extend(startPoint(segment));
-  stretch.box.extend(endPoint(segment));
-  const double first = std::min(arc.start, arc.start + arc.sweep), last = std::max(arc.start, arc.start + arc.sweep);
-  for (double quarter = std::ceil(first / quarterTurn); quarter * quarterTurn < last; ++quarter)
-    stretch.box.extend(arc.center + arc.radius * Vec2(std::cos(quarter * quarterTurn), std::sin(quarter * quarterTurn)));
-  return stretch;
+  return {&segment, Circle{arc.center, arc.radius}, box};
 }
 
 /// Whether a point of its curve lies inside of a segment, farther than `touching` from its ends.
@@ -66,10 +59,6 @@ bool crossInside(const Stretch& a, const Stretch& b, double touching) {
   const double slack = points.empty() ? touching : slackOf(a, b, touching);
   return std::any_of(points.begin(), points.end(), [&](const Vec2& p) { return holds(a, p, slack) && holds(b, p, slack); });
 }
-
-}  // namespace
-
-namespace {
 
 /// Splines as lines within `chord`.
 std::vector<Segment> segmentsOf(const Region& region, double chord) {

@@ -166,6 +166,32 @@ class PlanarBooleanTest : public QObject {
     }
   }
 
+  /// A corner hardly above the middle of a side, which is inside on both halves.
+  void aCornerBesideTheMiddleOfASide() {
+    const Vec2 centre(10 * std::sin(0.1), -10 * std::cos(0.1)), mirrored(-centre.x(), centre.y());
+    const Arc2 right{centre, 10, pi / 2 + 0.1 - 2, 2}, left{mirrored, 10, pi / 2 - 0.1, 2};
+    Path path;
+    path.closed = true;
+    path.segments = {right, left, Line2{endPoint(Segment(left)), startPoint(Segment(right))}};
+    const Region a{{path}};
+    for (const double below : {5e-9, 2e-9, 9e-9, 1e-7, 1e-6}) {
+      const Region b = rectangleRegion({-1.2, -1}, {1.2, -below});
+      const auto any = combined(std::array{a, b}, BooleanOperation::Union);
+      if (any) COMPARE_NEAR(area(*any), area(a), 1e-7);
+      const auto both = combined(std::array{a, b}, BooleanOperation::Intersection);
+      if (both) COMPARE_NEAR(area(*both), area(b), 1e-7);
+      QVERIFY(any || both || below < 1e-7);
+    }
+  }
+
+  /// Circles that are one though their numbers are not.
+  void circlesInCommon() {
+    for (const double off : {0.0, 1e-13, 1e-11, 1e-10}) {
+      const Region disc = circleRegion(1, {off, 0}), ring = ringRegion({0, 0}, 2, 1);
+      checkExpected(ring, disc, {4 * pi, 3 * pi, 0});
+    }
+  }
+
   /// Of two lines that are one the longer one tells the direction.
   void aShortSideBendsNothing() {
     const Region a = polygonRegion({{0, 0}, {1e-6, 3e-10}, {10, 0}, {10, 10}, {0, 10}}), b = circleRegion(1, {0, 8});

@@ -11,8 +11,9 @@ struct BooleanOperands {
   const CutBoundaries& cut;
 };
 
-/// Whether every piece between two cuts bounds the result exactly if it should, which the winding number of the other
-/// region about its middle tells, without the polygons that made the result. Pieces along the other boundary are left out.
+/// Whether every piece between two cuts bounds the result exactly if it should, which the winding numbers of the other
+/// region about three points of it tell, without the polygons that made the result. Points along the other boundary are
+/// left out.
 /// O(n log n) for n segments and pieces that are
 /// well spread. @throws Error Cancelled
 bool boundsAsItShould(const Region& result, const BooleanOperands&, BooleanOperation, double within, const Progress&);

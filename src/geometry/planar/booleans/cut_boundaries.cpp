@@ -52,10 +52,10 @@ TrueCurve curveOf(const Segment& segment) {
 /// Each ends where the next one begins.
 std::vector<CutSegment> segmentsOf(const Region& region, double within) {
   std::vector<CutSegment> segments;
-  for (const Path& loop : region.loops) {
+  for (std::size_t k = 0; k < region.loops.size(); ++k) {
     const std::size_t first = segments.size();
-    for (const Segment& segment : loop.segments)
-      if (length(segment) > within) segments.push_back({segment, curveOf(segment), {startPoint(segment)}});
+    for (const Segment& segment : region.loops[k].segments)
+      if (length(segment) > within) segments.push_back({segment, curveOf(segment), {startPoint(segment)}, k});
     for (std::size_t i = first; i < segments.size(); ++i)
       segments[i].cuts.push_back(segments[i + 1 < segments.size() ? i + 1 : first].cuts.front());
   }
@@ -71,8 +71,10 @@ class Cutter {
     for (std::vector<CutSegment>* side : {&cut_.first, &cut_.second})
       for (CutSegment& each : *side) {
         if (!((each.cuts[1] - endPoint(each.segment)).norm() <= 2 * within_)) return std::nullopt;
-        each.cuts = {places_.welded(each.cuts[0]), places_.welded(each.cuts[1])};
+        each.cuts = {places_.welded(each.cuts[0]), each.cuts[1]};
       }
+    endWhereNextBegin(cut_.first);
+    endWhereNextBegin(cut_.second);
     bool clear = true;
     const std::size_t count = cut_.first.size();
     forEachNearPair<2>(boxes(), 2 * within_, progress, [&](std::size_t i, std::size_t j) {
@@ -87,6 +89,16 @@ class Cutter {
   }
 
  private:
+  /// By the starts as they were welded: welded anew, an end might find a nearer point than the start did.
+  static void endWhereNextBegin(std::vector<CutSegment>& side) {
+    for (std::size_t first = 0; first < side.size();) {
+      std::size_t last = first;
+      while (last + 1 < side.size() && side[last + 1].loop == side[first].loop) ++last;
+      for (std::size_t i = first; i <= last; ++i) side[i].cuts[1] = side[i < last ? i + 1 : first].cuts[0];
+      first = last + 1;
+    }
+  }
+
   [[nodiscard]] std::vector<Box2> boxes() const {
     std::vector<Box2> boxes;
     for (const std::vector<CutSegment>* side : {&cut_.first, &cut_.second})
@@ -154,12 +166,12 @@ double CutSegment::sweepOf(std::size_t piece) const {
   return arc.sweep > 0 ? turn : turn - fullTurn;
 }
 
-Vec2 CutSegment::middleOf(std::size_t piece) const {
+Vec2 CutSegment::pointOf(std::size_t piece, double share) const {
   const Vec2 &from = cuts[piece], &to = cuts[piece + 1];
   const auto* arc = std::get_if<Arc2>(&segment);
-  if (!arc) return (from + to) / 2;
+  if (!arc) return from + share * (to - from);
   const double start = std::atan2(from.y() - arc->center.y(), from.x() - arc->center.x());
-  return arc->center + arc->radius * unitAt(start + sweepOf(piece) / 2);
+  return arc->center + arc->radius * unitAt(start + share * sweepOf(piece));
 }
 
 std::optional<CutBoundaries> cutBoundaries(const Region& a, const Region& b, double within, const Progress& progress) {

@@ -13,13 +13,14 @@ struct CutSegment {
   Segment segment;
   TrueCurve curve;
   std::vector<Vec2> cuts;  ///< from its start to its end, both included
+  std::size_t loop = 0;    ///< of its region
 
   /// Piece k lies between cuts k and k + 1.
   [[nodiscard]] std::size_t pieces() const { return cuts.size() - 1; }
   /// Radians of a piece of an arc, below 0 when it turns right.
   [[nodiscard]] double sweepOf(std::size_t piece) const;
-  /// The point of the curve half-way along a piece.
-  [[nodiscard]] Vec2 middleOf(std::size_t piece) const;
+  /// A point of the curve along a piece, at a share from 0 to 1 of it.
+  [[nodiscard]] Vec2 pointOf(std::size_t piece, double share) const;
 };
 
 struct CutBoundaries {

@@ -130,13 +130,15 @@ class RingFitter {
     joinNeighbours();
   }
 
-  /// A ring on one curve: a circle, or a line there and back.
+  /// A ring on one curve: a circle, or a line or an arc there and back.
   [[nodiscard]] std::optional<Path> wholeCurve() const {
     if (isFree(runs_.front().curve)) return wholeFreeCurve();
     const auto* circle = std::get_if<Circle>(&runs_.front().curve);
     if (!circle) return Path{};
     const double sweep = sweepAbout(circle->centre, runs_.front().corners);
-    if (std::abs(std::abs(sweep) - fullTurn) > 0.5) return std::nullopt;
+    constexpr double unsure = 0.5;
+    if (std::abs(sweep) < unsure) return Path{};
+    if (std::abs(std::abs(sweep) - fullTurn) > unsure) return std::nullopt;
     const double start = angleOf(runs_.front().corners.front() - circle->centre);
     return Path{{Arc2{circle->centre, circle->radius, start, sweep > 0 ? fullTurn : -fullTurn}}, true, {}, {}};
   }

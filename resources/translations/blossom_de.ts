@@ -1083,6 +1083,26 @@
         <translation>W: ziehen</translation>
     </message>
     <message>
+        <source>Drag to change the selected edit here; those after it are hidden meanwhile</source>
+        <translation>Ziehen ändert hier die gewählte Bearbeitung; die nach ihr sind solange verborgen</translation>
+    </message>
+    <message>
+        <source>Enter: type its goal</source>
+        <translation>Enter: sein Ziel eingeben</translation>
+    </message>
+    <message>
+        <source>The surface of the selected edit is being prepared</source>
+        <translation>Die Fläche der gewählten Bearbeitung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Let go to twist by %1° in the selected edit</source>
+        <translation>Loslassen verdreht um %1° in der gewählten Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Let go to pull the point here in the selected edit</source>
+        <translation>Loslassen zieht den Punkt in der gewählten Bearbeitung hierher</translation>
+    </message>
+    <message>
         <source>Drag to pull this point further, %1</source>
         <translation>Ziehen bewegt diesen Punkt weiter, %1</translation>
     </message>

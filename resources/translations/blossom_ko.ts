@@ -1083,6 +1083,26 @@
         <translation>W: 당기기</translation>
     </message>
     <message>
+        <source>Drag to change the selected edit here; those after it are hidden meanwhile</source>
+        <translation>끌어서 선택한 편집을 여기서 바꾸기; 그 뒤의 편집은 그동안 숨김</translation>
+    </message>
+    <message>
+        <source>Enter: type its goal</source>
+        <translation>Enter: 목표 입력</translation>
+    </message>
+    <message>
+        <source>The surface of the selected edit is being prepared</source>
+        <translation>선택한 편집의 곡면을 준비하는 중</translation>
+    </message>
+    <message>
+        <source>Let go to twist by %1° in the selected edit</source>
+        <translation>놓으면 선택한 편집에서 %1° 비틀기</translation>
+    </message>
+    <message>
+        <source>Let go to pull the point here in the selected edit</source>
+        <translation>놓으면 선택한 편집에서 점을 여기로 당기기</translation>
+    </message>
+    <message>
         <source>Drag to pull this point further, %1</source>
         <translation>끌어서 이 점을 더 당기기, %1</translation>
     </message>

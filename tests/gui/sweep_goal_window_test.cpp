@@ -24,6 +24,8 @@ class SweepGoalWindowTest : public SweepFixture {
   void whatIsTypedCanBeLeft();
   void aTypedAngleIsThatOfTheTwist();
   void theLastPullIsGivenAnotherTarget();
+  void anEarlierPullIsDraggedAtItsPlace();
+  void anEarlierTwistKeepsItsAxis();
   void placesGoTogetherAndPinsStay();
   void chosenPlacesAreForgotten();
   void aMirroredPullIsMirrored();
@@ -241,6 +243,63 @@ void SweepGoalWindowTest::theLastPullIsGivenAnotherTarget() {
   QCOMPARE(second["u"], first["u"]);
   QCOMPARE(second["v"], first["v"]);
   QCOMPARE(vectorOf(second["to"]), Vec3(16, 3, 22));
+}
+
+/// Though another edit follows, which is computed anew, and in its own way, whatever is chosen for the next one.
+void SweepGoalWindowTest::anEarlierPullIsDraggedAtItsPlace() {
+  openSample("cylinder.json");
+  const QPoint place = onTheSide(), above = place - QPoint(0, 50);
+  drag(place, place + QPoint(30, -5));
+  drag(above, above + QPoint(25, -5));
+  const std::vector<FeatureId> pulls = all("sweep.pull");
+  QCOMPARE(pulls.size(), std::size_t(2));
+  const Value earlier = document().at(pulls[0]).parameters, later = document().at(pulls[1]).parameters;
+  const Value before = earlier["pulls"][0];
+  hover(above);
+  key(Qt::Key_T);
+  window_->tree().select(pulls[0]);
+  const QPoint seen = screenOf(pointOf(pulls[1], before));
+  hover(seen, QStringLiteral("Drag to change the selected edit"));
+  keepPictures("pull-earlier", seen);
+  mouse(QEvent::MouseButtonPress, seen);
+  for (int k = 1; k <= 4; ++k) mouse(QEvent::MouseMove, seen + QPoint(5 * k, 4 * k));
+  QVERIFY2(hint().startsWith(QStringLiteral("Let go to pull the point here in the selected edit")), qPrintable(hint()));
+  keepPictures("pull-earlier-held");
+  mouse(QEvent::MouseButtonRelease, seen + QPoint(20, 16));
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull"), pulls);
+  QCOMPARE(document().at(pulls[1]).parameters, later);
+  Value changed = document().at(pulls[0]).parameters;
+  const Vec3 goal = vectorOf(changed["pulls"][0]["to"]), was = vectorOf(before["to"]);
+  QVERIFY((goal - was).norm() > 0.1);
+  QVERIFY((pointOf(pulls[0], before) - goal).norm() < 1e-11);
+  QVERIFY((screenOf(goal) - screenOf(was) - QPoint(20, 16)).manhattanLength() <= 3);
+  changed["pulls"][0]["to"] = before["to"];
+  QCOMPARE(changed, earlier);  // and nothing else of it
+}
+
+void SweepGoalWindowTest::anEarlierTwistKeepsItsAxis() {
+  openSample("cylinder.json");
+  const QPoint place = onTheSide(), above = place - QPoint(0, 50);
+  hover(place);
+  key(Qt::Key_W);
+  key(Qt::Key_A);
+  drag(place, place + QPoint(30, 0));
+  key(Qt::Key_W);
+  drag(above, above + QPoint(25, -5));
+  const FeatureId twist = only("sweep.twist").id, pull = only("sweep.pull").id;
+  const Value before = document().at(twist).parameters;
+  window_->tree().select(twist);
+  const QPoint seen = screenOf(pointOf(pull, before["places"][0]));
+  hover(seen, QStringLiteral("Drag to change the selected edit"));
+  key(Qt::Key_Return);
+  type(QStringLiteral("33"));
+  key(Qt::Key_Return);
+  waitUntilComputed();
+  Value changed = document().at(twist).parameters;
+  QCOMPARE(changed["angle"].get<double>(), 33.0);
+  changed["angle"] = before["angle"];
+  QCOMPARE(changed, before);
 }
 
 /// Two places along the cylinder go the same way, one between them stays.

@@ -24,11 +24,11 @@ bool sameAxis(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 HeldEdit::HeldEdit(Start start) : start_(std::move(start)), live_(start_.surface, start_.capped) {
-  if (!start_.grip.ofLast || !start_.last) return;
+  if (!start_.grip.of || !start_.changed) return;
   try {
-    lastBase_ = withEditsApplied(*start_.last->base.get<Motion>());
+    base_ = withEditsApplied(*start_.changed->base.get<Motion>());
   } catch (const Error&) {
-    start_.grip.ofLast.reset();  // then one more edit is made
+    start_.grip.of.reset();  // then one more edit is made
   }
 }
 
@@ -39,20 +39,31 @@ void HeldEdit::follow(const ui::ToolEvent& event) {
 
 void HeldEdit::show(const PullMode& mode) { live_.show(base(mode), edit(mode)); }
 
-bool HeldEdit::changesLast(const PullMode& mode) const {
-  if (!start_.grip.ofLast || !start_.last || !lastBase_ || !start_.chosen.empty()) return false;
-  if (const auto* pull = std::get_if<MotionPull>(&start_.last->edit))
+bool HeldEdit::changesOne(const PullMode& mode) const {
+  if (!start_.grip.of || !start_.changed || !base_) return false;
+  if (start_.changed->isFollowed) return true;
+  if (!start_.chosen.empty()) return false;
+  if (const auto* pull = std::get_if<MotionPull>(&start_.changed->edit))
     return !mode.twists() && pull->weights == mode.weights() && pull->symmetry == mode.symmetry() &&
            pull->level == mode.level();
-  const auto& twist = std::get<MotionTwist>(start_.last->edit);
+  const auto& twist = std::get<MotionTwist>(start_.changed->edit);
   return mode.twists() && twist.symmetry == mode.symmetry() && twist.level == mode.level() &&
          sameAxis(twist.axis, twistAxis(before(), start_.grip.hit.at, mode.axis()));
 }
 
-const Motion& HeldEdit::base(const PullMode& mode) const { return changesLast(mode) ? *lastBase_ : before(); }
+bool HeldEdit::twists(const PullMode& mode) const {
+  return changesOne(mode) ? std::holds_alternative<MotionTwist>(start_.changed->edit) : mode.twists();
+}
+
+Vec3 HeldEdit::axis(const PullMode& mode) const {
+  return changesOne(mode) ? Vec3(std::get<MotionTwist>(start_.changed->edit).axis.normalized())
+                          : twistAxis(before(), start_.grip.hit.at, mode.axis());
+}
+
+const Motion& HeldEdit::base(const PullMode& mode) const { return changesOne(mode) ? *base_ : before(); }
 
 MotionEdit HeldEdit::edit(const PullMode& mode) const {
-  if (mode.twists()) return twist(mode);
+  if (twists(mode)) return twist(mode);
   return pull(mode);
 }
 
@@ -64,31 +75,31 @@ std::vector<MotionPlace> HeldEdit::places() const {
   return all;
 }
 
-std::size_t HeldEdit::place() const { return start_.grip.ofLast.value_or(0); }
+std::size_t HeldEdit::place() const { return start_.grip.of ? start_.grip.of->place : 0; }
 
 std::size_t HeldEdit::countOfPlaces(const PullMode& mode) const {
-  return changesLast(mode) ? editedPlaces(start_.last->edit).size() : places().size();
+  return changesOne(mode) ? editedPlaces(start_.changed->edit).size() : places().size();
 }
 
 std::size_t HeldEdit::countOfPins(const PullMode& mode) const {
-  if (!changesLast(mode)) return start_.chosen.pinned.size();
-  return std::visit([](const auto& each) { return each.pins.size(); }, start_.last->edit);
+  if (!changesOne(mode)) return start_.chosen.pinned.size();
+  return std::visit([](const auto& each) { return each.pins.size(); }, start_.changed->edit);
 }
 
 /// What goes along goes the same way as what is held. A goal that was typed is meant exactly.
 MotionPull HeldEdit::pull(const PullMode& mode) const {
-  const bool last = changesLast(mode);
+  const bool changes = changesOne(mode);
   const Vec3 way = goal() - from();
   MotionPull pull{places(), {}, mode.weights()};
   pull.pins = start_.chosen.pinned;
   pull.symmetry = mode.symmetry();
   pull.level = mode.level();
-  if (last) pull = std::get<MotionPull>(start_.last->edit);
+  if (changes) pull = std::get<MotionPull>(start_.changed->edit);
   pull.to.clear();
-  const std::size_t held = last ? place() : 0;
+  const std::size_t held = changes ? place() : 0;
   for (std::size_t k = 0; k < pull.at.size(); ++k) {
     const Vec3 aim = k == held ? goal() : Vec3(placeHit(before(), pull.at[k]).point + way);
-    pull.to.push_back(goal_ ? aim : reachableTarget(base(mode), pull.at[k], mode.weights(), aim));
+    pull.to.push_back(goal_ ? aim : reachableTarget(base(mode), pull.at[k], pull.weights, aim));
   }
   return pull;
 }
@@ -97,7 +108,7 @@ MotionTwist HeldEdit::twist(const PullMode& mode) const {
   MotionTwist twist{places(), twistAxis(before(), start_.grip.hit.at, mode.axis()), 0, start_.chosen.pinned,
                     mode.symmetry()};
   twist.level = mode.level();
-  if (changesLast(mode)) twist = std::get<MotionTwist>(start_.last->edit);
+  if (changesOne(mode)) twist = std::get<MotionTwist>(start_.changed->edit);
   twist.angle = turned_.value_or(std::clamp(twist.angle + mouseAngle(mode), -fullTurn, fullTurn));
   return twist;
 }
@@ -105,20 +116,20 @@ MotionTwist HeldEdit::twist(const PullMode& mode) const {
 double HeldEdit::angle(const PullMode& mode) const { return twist(mode).angle; }
 
 double HeldEdit::turnedBy(const PullMode& mode) const {
-  const double already = changesLast(mode) ? std::get<MotionTwist>(start_.last->edit).angle : 0;
+  const double already = changesOne(mode) ? std::get<MotionTwist>(start_.changed->edit).angle : 0;
   return angle(mode) - already;
 }
 
 double HeldEdit::mouseAngle(const PullMode& mode) const {
   const PlaceHit& held = start_.grip.hit;
-  const Vec3 axis = twistAxis(before(), held.at, mode.axis()), arm = held.point - point(before().trajectory, held.at.v);
+  const Vec3 axis = this->axis(mode), arm = held.point - point(before().trajectory, held.at.v);
   const double degrees =
       draggedAngle(axis, arm, start_.target.now() - from(), start_.target.towards(), shortestRadius * start_.pixel);
   return angleStep * std::round(degrees / angleStep);
 }
 
 bool HeldEdit::changesAnything(const PullMode& mode) const {
-  if (mode.twists()) return turnedBy(mode) != 0;
+  if (twists(mode)) return turnedBy(mode) != 0;
   constexpr double rounding = 1e-9;
   return (goal() - from()).norm() > rounding * (1 + from().norm());
 }

@@ -12,10 +12,10 @@ namespace blossom::sweep {
 class HeldEdit {
  public:
   struct Start {
-    std::shared_ptr<const LiveSurface> surface;
+    std::shared_ptr<const LiveSurface> surface;  ///< of the edit that is changed, or the last one
     PullGrip grip;
     ChosenPlaces chosen;
-    std::optional<LastEdit> last;
+    std::optional<ChangeableEdit> changed;  ///< whose place it is
     DragTarget target;
     double pixel = 1;     ///< mm
     bool capped = false;  ///< the ends are drawn closed
@@ -28,8 +28,11 @@ class HeldEdit {
   void forgetTyped() { goal_.reset(), turned_.reset(); }  ///< the mouse decides again
   void show(const PullMode&);                             ///< brings the surface up to date
 
-  /// Grabbed at a place of the last edit, and in the same way.
-  [[nodiscard]] bool changesLast(const PullMode&) const;
+  /// Grabbed at a place of an edit, and in the same way; one that others follow is changed in its own way always.
+  [[nodiscard]] bool changesOne(const PullMode&) const;
+  [[nodiscard]] bool changesFollowed() const { return start_.grip.of && start_.changed && start_.changed->isFollowed; }
+  [[nodiscard]] bool twists(const PullMode&) const;
+  [[nodiscard]] Vec3 axis(const PullMode&) const;  ///< of the twist, unit length
   [[nodiscard]] MotionEdit edit(const PullMode&) const;
   [[nodiscard]] std::size_t place() const;  ///< which of the edit's places is held
   [[nodiscard]] std::size_t countOfPlaces(const PullMode&) const;
@@ -40,14 +43,15 @@ class HeldEdit {
   /// It arrives, or as near as all of its places can together.
   [[nodiscard]] bool possible() const { return live_.arrived() || live_.nearest(); }
 
+  [[nodiscard]] const ChangeableEdit& changed() const { return *start_.changed; }  ///< @pre changesOne
   [[nodiscard]] const PullGrip& grip() const { return start_.grip; }
   [[nodiscard]] const ChosenPlaces& chosen() const { return start_.chosen; }
   [[nodiscard]] const Vec3& from() const { return start_.grip.hit.point; }
   [[nodiscard]] const Vec3& goal() const { return goal_ ? *goal_ : start_.target.now(); }
   [[nodiscard]] const LiveEdit& live() const { return live_; }
+  [[nodiscard]] const Motion& before() const { return start_.surface->motion(); }  ///< as the surface was when taken
 
  private:
-  [[nodiscard]] const Motion& before() const { return start_.surface->motion(); }
   [[nodiscard]] const Motion& base(const PullMode&) const;
   [[nodiscard]] MotionPull pull(const PullMode&) const;
   [[nodiscard]] MotionTwist twist(const PullMode&) const;
@@ -55,9 +59,9 @@ class HeldEdit {
   [[nodiscard]] double mouseAngle(const PullMode&) const;
 
   Start start_;
-  std::optional<Motion> lastBase_;  ///< before the last edit, when a place of it was taken
-  std::optional<Vec3> goal_;        ///< that was typed
-  std::optional<double> turned_;    ///< likewise the angle
+  std::optional<Motion> base_;    ///< before the edit that is changed
+  std::optional<Vec3> goal_;      ///< that was typed
+  std::optional<double> turned_;  ///< likewise the angle
   LiveEdit live_;
 };
 

@@ -53,6 +53,25 @@ Value parametersOf(const MotionEdit& edit, const std::optional<TypedGoal>& typed
   return parameters;
 }
 
+std::optional<ChangeableEdit> changeable(const ui::ToolHost& host, const FeatureId& id) {
+  const Feature& feature = host.document().at(id);
+  if (!isDirect(feature) || feature.suppressed || feature.inputs.size() != 1 || !motionOf(host, id) ||
+      !motionOf(host, feature.inputs.front()))
+    return std::nullopt;
+  ChangeableEdit made{id, {}, host.result(feature.inputs.front())->evaluated.shape, host.result(id)->evaluated.shape};
+  try {
+    const Value parameters = completed(host.registry().at(feature.type)->parameters, feature.parameters);
+    if (feature.type == pullType)
+      made.edit = pullOf(parameters);
+    else
+      made.edit = twistOf(parameters);
+  } catch (const std::exception&) {
+    return std::nullopt;  // the feature itself says what is wrong with it, or depends on named numbers
+  }
+  const bool any = std::visit([](const auto& each) { return !each.at.empty(); }, made.edit);
+  return any ? std::optional(made) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<EditPlacement> editPlacement(const ui::ToolHost& host, const FeatureId& selected) {
@@ -78,22 +97,16 @@ bool makesSolid(const ui::ToolHost& host, const EditPlacement& placement) {
   return found != parameters.end() && found->is_boolean() && found->get<bool>();
 }
 
-std::optional<LastEdit> lastEdit(const ui::ToolHost& host, const EditPlacement& placement) {
-  const Feature& feature = host.document().at(placement.source);
-  if (!isDirect(feature) || feature.suppressed || feature.inputs.size() != 1 || !motionOf(host, feature.inputs.front()))
-    return std::nullopt;
-  LastEdit last{feature.id, {}, host.result(feature.inputs.front())->evaluated.shape};
-  try {
-    const Value parameters = completed(host.registry().at(feature.type)->parameters, feature.parameters);
-    if (feature.type == pullType)
-      last.edit = pullOf(parameters);
-    else
-      last.edit = twistOf(parameters);
-  } catch (const std::exception&) {
-    return std::nullopt;  // the feature itself says what is wrong with it, or depends on named numbers
-  }
-  const bool any = std::visit([](const auto& each) { return !each.at.empty(); }, last.edit);
-  return any ? std::optional(last) : std::nullopt;
+std::vector<ChangeableEdit> changeableEdits(const ui::ToolHost& host, const EditPlacement& placement,
+                                            const FeatureId& selected) {
+  std::vector<ChangeableEdit> edits;
+  if (selected != placement.source)
+    if (auto earlier = changeable(host, selected)) {
+      earlier->isFollowed = true;
+      edits.push_back(std::move(*earlier));
+    }
+  if (auto last = changeable(host, placement.source)) edits.push_back(std::move(*last));
+  return edits;
 }
 
 Document withEdit(const ui::ToolHost& host, const EditPlacement& placement, const MotionEdit& edit,

@@ -19,13 +19,15 @@ std::optional<EditPlacement> editPlacement(const ui::ToolHost&, const FeatureId&
 /// Whether the first of the sweeps is to be a solid, so that its ends are closed.
 bool makesSolid(const ui::ToolHost&, const EditPlacement&);
 
-/// An edit that the mouse can change: the last one before the sweep.
-struct LastEdit {
+/// An edit that the mouse can change.
+struct ChangeableEdit {
   FeatureId id;
   MotionEdit edit;
-  Shape base;  ///< the motion before it
+  Shape base, made;         ///< the motion before and after it
+  bool isFollowed = false;  ///< by other edits, which are computed anew from what it becomes
 };
-std::optional<LastEdit> lastEdit(const ui::ToolHost&, const EditPlacement&);
+/// The selected edit, and the last one before the sweep.
+std::vector<ChangeableEdit> changeableEdits(const ui::ToolHost&, const EditPlacement&, const FeatureId& selected);
 
 /// What the document is to keep of the goal of an edit that was typed: three coordinates, or an angle.
 struct TypedGoal {

@@ -76,9 +76,13 @@ void SurfacePullTool::keysLost() {
 }
 
 void SurfacePullTool::startTyping() {
-  if (!edit_) hold(DragTarget(under_->hit, towards_), millimetresPerPixel());
+  if (!edit_) {
+    const auto grip = gripToHold();
+    if (!grip) return;
+    hold(*grip, DragTarget(grip->hit, towards_), millimetresPerPixel());
+  }
   refusal_.clear();
-  entry_ = mode_.twists() ? GoalEntry::ofAngle(edit_->angle(mode_)) : GoalEntry::ofPoint(host(), edit_->goal());
+  entry_ = edit_->twists(mode_) ? GoalEntry::ofAngle(edit_->angle(mode_)) : GoalEntry::ofPoint(host(), edit_->goal());
   follow();
 }
 
@@ -120,7 +124,7 @@ void SurfacePullTool::takeTyped() {
     return;
   }
   std::optional<TypedGoal> typed;
-  if (!entry_->unchanged()) typed = TypedGoal{edit_->changesLast(mode_) ? edit_->place() : 0, entry_->goal(host()).written};
+  if (!entry_->unchanged()) typed = TypedGoal{edit_->changesOne(mode_) ? edit_->place() : 0, entry_->goal(host()).written};
   entry_.reset();
   commitEdit(typed);
 }

@@ -19,7 +19,9 @@ void SurfacePullTool::load() {
   placement_ = editPlacement(host(), feature());
   unseen_ = placement_ && placement_->users.empty();
   if (unseen_) placement_.reset();  // a drag would change nothing that is seen
-  last_ = placement_ ? lastEdit(host(), *placement_) : std::nullopt;
+  edits_ = placement_ ? changeableEdits(host(), *placement_, feature()) : std::vector<ChangeableEdit>();
+  const bool earlier = !edits_.empty() && edits_.front().isFollowed;
+  if (selectedLoader_.load(earlier ? edits_.front().made : Shape())) selectedSurface_.reset();
   const Shape motion = placement_ ? host().result(placement_->source)->evaluated.shape : Shape();
   if (loader_.load(motion)) show(nullptr);
 }
@@ -87,24 +89,33 @@ void SurfacePullTool::look(const ui::ToolEvent& event) {
   under_.reset();
   // With Ctrl or Alt the mouse is for the view, so that the surface and its parts can still be selected and turned.
   if (!surface_ || event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) return;
-  under_ = gripUnder(host(), *surface_, chosen_, last_, event);
+  under_ = gripUnder(host(), *surface_, chosen_, edits_, event);
   overSurface_ = under_.has_value();
 }
 
 std::optional<std::size_t> SurfacePullTool::handleUnder(const ui::ToolEvent&) const {
   if (!under_) return std::nullopt;
-  return under_->ofLast ? placeOfLast : anyPlace;
+  return under_->of ? placeOfEdit : anyPlace;
 }
 
 bool SurfacePullTool::take(std::size_t /*handle*/, const ui::ToolEvent& event) {
-  hold(DragTarget(under_->hit, event), event.millimetresPerPixel);
+  const auto grip = gripToHold();
+  if (!grip) return false;
+  hold(*grip, DragTarget(grip->hit, event), event.millimetresPerPixel);
   pressedAt_ = event.at;
   return true;
 }
 
-void SurfacePullTool::hold(const DragTarget& target, double pixel) {
-  edit_ = std::make_unique<HeldEdit>(
-      HeldEdit::Start{surface_, *under_, chosen_, last_, target, pixel, placement_ && makesSolid(host(), *placement_)});
+std::optional<PullGrip> SurfacePullTool::gripToHold() const {
+  if (!under_ || !isFollowed(*under_)) return under_;
+  if (!selectedSurface_) return std::nullopt;
+  return PullGrip{placeHit(selectedSurface_->motion(), under_->hit.at), under_->of};
+}
+
+void SurfacePullTool::hold(const PullGrip& grip, const DragTarget& target, double pixel) {
+  const auto changed = grip.of ? std::optional(edits_[grip.of->edit]) : std::nullopt;
+  edit_ = std::make_unique<HeldEdit>(HeldEdit::Start{isFollowed(grip) ? selectedSurface_ : surface_, grip, chosen_, changed,
+                                                     target, pixel, placement_ && makesSolid(host(), *placement_)});
   dragged_ = false;
 }
 
@@ -130,9 +141,9 @@ void SurfacePullTool::commitEdit(const std::optional<TypedGoal>& typed) {
   std::optional<LingeringPicture> lingering;
   lingering.emplace(host(), ui::StandIn{placement_->users, done->live().mesh().faces(), done->live().mesh().edges()});
   const MotionEdit edit = done->edit(mode_);
-  const QString what = mode_.twists() ? tr("Twist the surface") : tr("Pull the surface");
-  commit(done->changesLast(mode_) ? withChangedEdit(host(), last_->id, edit, typed)
-                                  : withEdit(host(), *placement_, edit, typed),
+  const QString what = done->twists(mode_) ? tr("Twist the surface") : tr("Pull the surface");
+  commit(done->changesOne(mode_) ? withChangedEdit(host(), done->changed().id, edit, typed)
+                                 : withEdit(host(), *placement_, edit, typed),
          what);
   lingering->begin(host());
   if (!lingering->over(host())) lingering_ = std::move(lingering);

@@ -18,7 +18,8 @@ class PullMarks;
 /// Pulls a swept surface by hand while its sweep, or an edit of its motion, is selected: any place of the surface is a
 /// handle. During a drag a shaded grid of the surface stands in for it and follows at once; the end of the drag, or Enter
 /// after the goal was typed, adds a pull or a twist before the sweep, or changes the last one when a place of it was taken,
-/// as one step of undo. Finding places is prepared in the background. Of a motion that nothing sweeps there is no surface to
+/// as one step of undo. So is an earlier one changed that is selected: during the drag the surface is shown as that edit
+/// leaves it. Finding places is prepared in the background. Of a motion that nothing sweeps there is no surface to
 /// take hold of, which the hint says.
 class SurfacePullTool : public ui::HandleTool {
   Q_OBJECT
@@ -41,7 +42,7 @@ class SurfacePullTool : public ui::HandleTool {
 
  private:
   /// What `handleUnder` finds.
-  enum Handle : std::size_t { anyPlace, placeOfLast };
+  enum Handle : std::size_t { anyPlace, placeOfEdit };
 
   void load() override;
   void show(std::shared_ptr<const LiveSurface>);
@@ -53,7 +54,11 @@ class SurfacePullTool : public ui::HandleTool {
 
   void look(const ui::ToolEvent&);
   void lookAgain();
-  void hold(const DragTarget&, double pixel);
+  /// What is under the mouse on the surface that a drag there changes; empty while that is not ready.
+  [[nodiscard]] std::optional<PullGrip> gripToHold() const;
+  /// Whether it is a place of an edit that others follow.
+  [[nodiscard]] bool isFollowed(const PullGrip& grip) const { return grip.of && edits_[grip.of->edit].isFollowed; }
+  void hold(const PullGrip&, const DragTarget&, double pixel);
   void follow();
   void commitEdit(const std::optional<TypedGoal>&);
 
@@ -82,8 +87,9 @@ class SurfacePullTool : public ui::HandleTool {
   PullMode& mode_;  ///< stays in force when something else is selected meanwhile
   std::optional<EditPlacement> placement_;
   bool unseen_ = false;  ///< no sweep takes the motion
-  std::optional<LastEdit> last_;
+  std::vector<ChangeableEdit> edits_;
   std::shared_ptr<const LiveSurface> surface_;
+  std::shared_ptr<const LiveSurface> selectedSurface_;  ///< of a selected edit that others follow
   ChosenPlaces chosen_;
   std::optional<PullGrip> under_;   ///< what is under the mouse
   bool overSurface_ = false;        ///< the mouse was, when it was last looked for
@@ -98,6 +104,8 @@ class SurfacePullTool : public ui::HandleTool {
   bool dragged_ = false;
 
   SurfaceLoader loader_{[this](std::shared_ptr<const LiveSurface> surface) { show(std::move(surface)); }};
+  SurfaceLoader selectedLoader_{
+      [this](std::shared_ptr<const LiveSurface> surface) { selectedSurface_ = std::move(surface); }};
 };
 
 }  // namespace blossom::sweep

@@ -61,17 +61,23 @@ QString SurfacePullTool::heldHint() const {
   if (!live.arrived()) parts << tr("The places cannot all arrive; %1 is left at most").arg(leftText());
   parts << heldText();
   if (const std::size_t pins = edit_->countOfPins(mode_); pins > 0) parts << tr("%1 pinned").arg(pins);
-  if (mode_.twists())
-    parts << tr("A: another axis") << tr("Enter: type the angle");
+  const bool followed = edit_->changesFollowed();  // its own way, whatever is chosen for the next one
+  if (edit_->twists(mode_))
+    parts << (followed ? QString() : tr("A: another axis")) << tr("Enter: type the angle");
   else
     parts << tr("Shift: along the normal") << tr("Enter: type the target");
+  if (followed) return joined(parts << tr("Esc takes it back"));
   if (const QString share = mode_.adjustable(); !share.isEmpty()) parts << tr("wheel: share of %1").arg(share);
   return joined(parts << mode_.symmetryText() << mode_.levelText() << tr("Esc takes it back"));
 }
 
 QString SurfacePullTool::heldText() const {
+  if (edit_->changesFollowed())
+    return edit_->twists(mode_)
+               ? tr("Let go to twist by %1° in the selected edit").arg(QString::number(edit_->angle(mode_), 'f', 1))
+               : tr("Let go to pull the point here in the selected edit");
   const std::size_t places = edit_->countOfPlaces(mode_);
-  if (!mode_.twists())
+  if (!edit_->twists(mode_))
     return places > 1 ? tr("Let go to pull %1 places %2").arg(places).arg(mode_.wayText())
                       : tr("Let go to pull the point here %1").arg(mode_.wayText());
   const QString angle = QString::number(edit_->angle(mode_), 'f', 1);
@@ -81,12 +87,16 @@ QString SurfacePullTool::heldText() const {
 
 QString SurfacePullTool::leftText() const {
   const double left = edit_->live().remainder();
-  if (mode_.twists()) return QStringLiteral("%1°").arg(left, 0, 'g', 2);
+  if (edit_->twists(mode_)) return QStringLiteral("%1°").arg(left, 0, 'g', 2);
   const LengthUnit unit = host().lengthUnit();
   return QStringLiteral("%1 %2").arg(left / unit.millimetres, 0, 'g', 2).arg(QString::fromStdString(unit.name));
 }
 
 QString SurfacePullTool::hoverHint() const {
+  if (isFollowed(*under_))
+    return selectedSurface_ ? joined({tr("Drag to change the selected edit here; those after it are hidden meanwhile"),
+                                      tr("Enter: type its goal")})
+                            : tr("The surface of the selected edit is being prepared");
   std::vector<Vec3> copies;
   if (const QString problem = copiesProblem(surface_->motion(), under_->hit.at, mode_.symmetry(), copies);
       !problem.isEmpty())
@@ -96,8 +106,8 @@ QString SurfacePullTool::hoverHint() const {
   if (mode_.twists())
     parts << tr("Drag to twist the surface here about %1").arg(mode_.axisText());
   else
-    parts << (under_->ofLast ? tr("Drag to pull this point further, %1").arg(mode_.wayText())
-                             : tr("Drag to pull this point %1").arg(mode_.wayText()));
+    parts << (under_->of ? tr("Drag to pull this point further, %1").arg(mode_.wayText())
+                         : tr("Drag to pull this point %1").arg(mode_.wayText()));
   const QString symmetry = mode_.symmetryText(), level = mode_.levelText();
   if (!symmetry.isEmpty()) parts << tr("%1 (1: none)").arg(symmetry);
   if (!level.isEmpty()) parts << tr("%1 (0: as it is)").arg(level);
@@ -151,6 +161,8 @@ std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
     markPlace(marks);
   const Motion& motion = editing ? edit_->live().motion() : surface_->motion();
   marks.chosen(pointsAt(motion, chosen_.moved), pointsAt(motion, chosen_.pinned));
+  if (!editing && !edits_.empty() && edits_.front().isFollowed)
+    marks.copies(pointsAt(motion, editedPlaces(edits_.front().edit)));
   return props;
 }
 
@@ -158,13 +170,14 @@ void SurfacePullTool::markPlace(PullMarks& marks) const {
   const Motion& motion = surface_->motion();
   const PlaceHit& hit = under_->hit;
   // Of lines at one depth the first is seen: the ring before the iso-curves.
-  if (!mode_.twists()) marks.ring(hit.point, mode_);
+  const bool followed = isFollowed(*under_);  // changed in its own way, not in that of the ring
+  if (!mode_.twists() && !followed) marks.ring(hit.point, mode_);
   marks.place(motion, hit, mode_, towards_);
   std::vector<Vec3> copies;
   copiesProblem(motion, hit.at, mode_.symmetry(), copies);
   marks.copies(copies);
   marks.tell(hit.point, placeNumbers(motion, hit.at), !mode_.twists());
-  if (!mode_.twists()) return;
+  if (!mode_.twists() || followed) return;
   const Vec3 centre = point(motion.trajectory, hit.at.v);
   marks.axis(centre, twistAxis(motion, hit.at, mode_.axis()));
 }
@@ -172,15 +185,15 @@ void SurfacePullTool::markPlace(PullMarks& marks) const {
 void SurfacePullTool::markEdit(PullMarks& marks) const {
   const PlaceHit& hit = edit_->grip().hit;
   const Motion& now = edit_->live().motion();
-  const Vec3 end = placeHit(now, hit.at).point, centre = point(surface_->motion().trajectory, hit.at.v);
+  const Vec3 end = placeHit(now, hit.at).point, centre = point(edit_->before().trajectory, hit.at.v);
   if (entry_) marks.entry(end, entry_->text(), entry_->isAngle() ? QStringLiteral("°") : QString());
-  if (mode_.twists()) {
-    const Vec3 axis = twistAxis(surface_->motion(), hit.at, mode_.axis());
+  if (edit_->twists(mode_)) {
+    const Vec3 axis = edit_->axis(mode_);
     marks.axis(centre, axis);
     marks.turn({centre, axis, hit.point - centre, edit_->turnedBy(mode_)},
                entry_ ? QString() : QStringLiteral("%1°").arg(edit_->angle(mode_), 0, 'f', 1));
   } else {
-    marks.ring(end, mode_);
+    if (!edit_->changesFollowed()) marks.ring(end, mode_);
     if (!entry_) marks.tell(end, wayText(), true);
   }
   marks.way(edit_->from(), end);

@@ -18,9 +18,15 @@ double distanceFrom(const Ray& ray, const Vec3& p) {
 /// Takes it out when it is there.
 bool takenOut(std::vector<MotionPlace>& places, const MotionPlace& at) { return std::erase(places, at) > 0; }
 
-/// The nearest of some places to the ray that is within reach.
-std::optional<PullGrip> nearestOf(const std::vector<MotionPlace>& places, const Motion& motion, const ui::ToolEvent& event) {
-  std::optional<PullGrip> best;
+struct NumberedHit {
+  PlaceHit hit;
+  std::size_t number;
+};
+
+/// The nearest of some places to the ray that is within reach, by its number.
+std::optional<NumberedHit> nearestOf(const std::vector<MotionPlace>& places, const Motion& motion,
+                                     const ui::ToolEvent& event) {
+  std::optional<NumberedHit> best;
   double distance = gripReach * event.millimetresPerPixel;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k].v < motion.domainV().first || places[k].v > motion.domainV().second) continue;
@@ -29,7 +35,7 @@ std::optional<PullGrip> nearestOf(const std::vector<MotionPlace>& places, const 
     if (off > distance) continue;
     distance = off;
     hit.distance = (hit.point - event.ray.origin).dot(event.ray.direction);
-    best = PullGrip{hit, k};
+    best = NumberedHit{hit, k};
   }
   return best;
 }
@@ -57,10 +63,12 @@ const std::vector<MotionPlace>& editedPlaces(const MotionEdit& edit) {
 }
 
 std::optional<PullGrip> gripUnder(const ui::ToolHost& host, const LiveSurface& surface, const ChosenPlaces& chosen,
-                                  const std::optional<LastEdit>& last, const ui::ToolEvent& event) {
-  std::optional<PullGrip> grip = nearestOf(chosen.all(), surface.motion(), event);
-  if (grip) grip->ofLast.reset();
-  if (!grip && last) grip = nearestOf(editedPlaces(last->edit), surface.motion(), event);
+                                  const std::vector<ChangeableEdit>& edits, const ui::ToolEvent& event) {
+  std::optional<PullGrip> grip;
+  if (const auto found = nearestOf(chosen.all(), surface.motion(), event)) grip = PullGrip{found->hit, {}};
+  for (std::size_t k = 0; k < edits.size() && !grip; ++k)
+    if (const auto found = nearestOf(editedPlaces(edits[k].edit), surface.motion(), event))
+      grip = PullGrip{found->hit, PullGrip::OfEdit{k, found->number}};
   if (!grip)
     if (const auto hit = surface.finder.find(event.ray)) grip = PullGrip{*hit, {}};
   if (!grip) return std::nullopt;

@@ -22,13 +22,16 @@ struct ChosenPlaces {
 /// Where a surface can be taken hold of.
 struct PullGrip {
   PlaceHit hit;
-  std::optional<std::size_t> ofLast;  ///< which place of the last edit it is
+  struct OfEdit {
+    std::size_t edit, place;
+  };
+  std::optional<OfEdit> of;  ///< which place of a changeable edit it is
 };
 
-/// What is under the mouse: a place that was chosen, or one of the last edit, within reach, even beside the surface, as the
-/// tip of what was pulled out; else the place of the surface. Empty where something else hides it or it is cut away.
+/// What is under the mouse: a place that was chosen, or one of a changeable edit, within reach, even beside the surface, as
+/// the tip of what was pulled out; else the place of the surface. Empty where something else hides it or it is cut away.
 std::optional<PullGrip> gripUnder(const ui::ToolHost&, const LiveSurface&, const ChosenPlaces&,
-                                  const std::optional<LastEdit>&, const ui::ToolEvent&);
+                                  const std::vector<ChangeableEdit>&, const ui::ToolEvent&);
 
 /// The places that an edit moves.
 const std::vector<MotionPlace>& editedPlaces(const MotionEdit&);

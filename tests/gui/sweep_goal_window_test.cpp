@@ -285,8 +285,11 @@ void SweepGoalWindowTest::anEarlierTwistKeepsItsAxis() {
   key(Qt::Key_W);
   key(Qt::Key_A);
   drag(place, place + QPoint(30, 0));
+  hover(above);
   key(Qt::Key_W);
   drag(above, above + QPoint(25, -5));
+  QCOMPARE(all("sweep.twist").size(), std::size_t(1));
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
   const FeatureId twist = only("sweep.twist").id, pull = only("sweep.pull").id;
   const Value before = document().at(twist).parameters;
   window_->tree().select(twist);

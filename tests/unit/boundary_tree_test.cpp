@@ -1,5 +1,7 @@
 #include "geometry/planar/boundary_tree.h"
 
+#include <cmath>
+
 #include "geometry/planar/planar.h"
 #include "geometry/planar/segment_box.h"
 #include "support/curved_regions.h"

@@ -243,7 +243,7 @@ class PlanarBooleanTest : public QObject {
     checkUntold(untold, 3 * pairs, 60);
   }
 
-  /// The same turned, tiny and far away, where nothing falls together to the last bit any more.
+  /// The same turned, tiny and far away, both by one map.
   void turnedAndFarAway() {
     Random random = seededRandom();
     int untold = 0;

@@ -7,8 +7,9 @@
 
 namespace blossom {
 
-/// The boundary of a region in a tree of boxes, for many questions about points: O(n log n) to make, O(log n) a question
-/// where segments are well spread. Immutable, safe to use from several threads.
+/// The boundary of a region in a tree of boxes, for many questions about points: O(n log n) to make. Where segments are well
+/// spread a distance takes O(log n), a winding number O(log n + k) for k segments at the level of the point, to its right.
+/// Immutable, safe to use from several threads.
 class BoundaryTree {
  public:
   /// @throws Error Cancelled

@@ -31,8 +31,7 @@ struct CutBoundaries {
 /// Cuts the boundaries of two regions of lines and arcs where they meet, which is computed from the curves themselves.
 /// Points within a distance of each other become one, and where both run along one curve each is cut at the ends of the
 /// other. Nothing where lines cross at less than 1e-7 radians, so that rounding decides where, and where segments do
-/// not join within twice the distance. O((n + k) log n) for k
-/// meetings. @pre no splines. @throws Error Cancelled
+/// not join within twice the distance. O((n + k) log n) for k meetings. @pre no splines. @throws Error Cancelled
 std::optional<CutBoundaries> cutBoundaries(const Region&, const Region&, double within, const Progress&);
 
 }  // namespace blossom::planar

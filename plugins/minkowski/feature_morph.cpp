@@ -9,6 +9,7 @@
 #include "kernel/morph/morph.h"
 #include "morph_control.h"
 #include "region_inputs.h"
+#include "sector_values.h"
 
 namespace blossom::minkowski {
 namespace {
@@ -51,6 +52,18 @@ void placeShapes(std::vector<Region>& shapes, const MorphParameters& p) {
                   "Give 0 for its z.");
     shapes[i] = placed(shapes[i], placement);
   }
+}
+
+/// In the order of EvaluationOrder.
+std::vector<std::string> evaluationNames() { return {"automatic", "recursive", "bottom-up", "explicit", "convex"}; }
+
+/// Of which a slider shows 0 to 1.
+ParameterSpec ratioAndBeyond() {
+  constexpr double far = 10;
+  ParameterSpec spec = ratio();
+  spec.minimum = -far;
+  spec.maximum = far;
+  return spec;
 }
 
 ParameterSpec positiveNumber() {
@@ -98,7 +111,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
   placeShapes(shapes, p);
-  faceSectors(shapes, p.sectors, toleranceOf(p.tolerance), progress);
+  faceSectors(shapes, sectorsIn(p.sectors), toleranceOf(p.tolerance), progress);
   const std::vector<double> places = placesOf(p), times = timesOf(p, places);
   if (isPiecewise(p, shapes.size())) {
     refuseBesidesKnots(!p.blossom.empty() || !p.path.empty(), p.degreeElevate, p.areaPreserving);
@@ -119,6 +132,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
                              progress);
   Evaluated out;
   out.stats["sums"] = result.sums;
+  if (result.evaluation) out.stats["evaluation"] = evaluationNames()[static_cast<std::size_t>(*result.evaluation)];
   if (result.deviation > 0) out.stats["deviation"] = result.deviation;
   out.stats["degree"] = degree + (p.degreeElevate ? 1 : 0);
   out.warnings = std::move(result.warnings);
@@ -147,15 +161,18 @@ FeatureType morphFeature(std::size_t maximumWork) {
               .maximum = anyNumber,
               .use = InputUse::Control,
               .asks = "a shape to morph"})
-      .parameter("t", &P::t, ratio(), "Position along the morph, from 0 (the first shape) to 1 (the last).")
+      .parameter(
+          "t", &P::t, ratioAndBeyond(),
+          "Position along the morph, from 0 (the first shape) to 1 (the last); beyond them it goes on as far as there "
+          "are shapes that lead through both.")
       .parameter("frames", &P::frames, count(0, 10000), "Number of shapes of a sequence from 0 to 1; 0 makes the one at t.")
       .parameter("keys", &P::keys, frameKeys(), "Frames at which t is given, and how it goes on from there.")
-      .parameter("blossom", &P::blossom, onePer(list(ratio()), "shape", -1, "t"),
+      .parameter("blossom", &P::blossom, onePer(list(ratioAndBeyond()), "shape", -1, "t"),
                  "One number for each control shape after the first, instead of t; all equal, they are t.")
       .parameter("path", &P::path, list(onePer(list(ratio()), "shape", -1, "t")),
                  "Points of blossom numbers that the morph runs through, as long from each to the next. None: t alone.")
       .parameter(
-          "evaluation", &P::evaluation, choice({"automatic", "recursive", "bottom-up", "explicit", "convex"}),
+          "evaluation", &P::evaluation, choice(evaluationNames()),
           "How the in-betweens are computed; the shape is the same. Automatic chooses the fewest sums, and explicit for "
           "more than four shapes; convex requires convex control shapes between the ends.")
       .parameter("degree-elevate", &P::degreeElevate, flag(),

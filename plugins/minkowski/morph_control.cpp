@@ -1,16 +1,8 @@
 #include "morph_control.h"
 
-#include <fmt/format.h>
-
-#include <numbers>
-
 #include "core/error.h"
-#include "geometry/planar/sums/flattening.h"
-#include "kernel/morph/sector_shape.h"
 
 namespace blossom::minkowski {
-
-using namespace planar;
 
 namespace {
 
@@ -21,8 +13,6 @@ ParameterSpec angleNamed(std::string name, std::string help) {
   spec.fallback = 0.0;
   return spec;
 }
-
-double radiansOf(const Value& sector, const char* name) { return sector.value(name, 0.0) * std::numbers::pi / 180; }
 
 }  // namespace
 
@@ -55,20 +45,6 @@ Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots& s
 ParameterSpec sectorsSpec() {
   return list(record({angleNamed("from", "First direction of the sector, counter-clockwise from +x."),
                       angleNamed("to", "Last direction.")}));
-}
-
-void faceSectors(std::vector<Region>& shapes, const std::vector<Value>& sectors, const std::optional<double>& tolerance,
-                 const Progress& progress) {
-  if (sectors.size() > shapes.size())
-    throw Error(ErrorCode::InvalidParameter,
-                fmt::format("{} sectors are given for {} control shapes.", sectors.size(), shapes.size()),
-                "Leave out those too many.");
-  for (std::size_t i = 0; i < sectors.size(); ++i) {
-    const Sector sector{radiansOf(sectors[i], "from"), radiansOf(sectors[i], "to")};
-    if (sector.from == sector.to) continue;
-    const std::string name = fmt::format("control shape {}", i + 1);
-    shapes[i] = facing(soundRegion(shapes[i], {.tolerance = tolerance}, name, progress), sector, name, progress).region;
-  }
 }
 
 }  // namespace blossom::minkowski

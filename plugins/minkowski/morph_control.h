@@ -18,8 +18,5 @@ Evaluated morphedBySpline(const std::vector<Region>& shapes, const ShapeKnots&, 
                           const std::vector<double>& places, const MorphOptions&, const Progress&);
 
 ParameterSpec sectorsSpec();
-/// Puts in place of shapes what of them faces their sectors.
-void faceSectors(std::vector<Region>& shapes, const std::vector<Value>& sectors, const std::optional<double>& tolerance,
-                 const Progress&);
 
 }  // namespace blossom::minkowski

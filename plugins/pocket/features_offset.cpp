@@ -7,6 +7,7 @@
 #include "core/units.h"
 #include "feature_groups.h"
 #include "geometry/planar/planar.h"
+#include "geometry/planar/segment_point.h"
 #include "kernel/offset/offset.h"
 #include "part_input.h"
 
@@ -31,15 +32,6 @@ ParameterSpec distances() {
 }
 
 const char* nameOf(Side side) { return side == Side::Inside ? "inside" : "outside"; }
-
-/// Halfway along a line or an arc.
-Vec2 middleOf(const Segment& segment) {
-  if (const auto* arc = std::get_if<Arc2>(&segment)) {
-    const double angle = arc->start + arc->sweep / 2;
-    return arc->center + arc->radius * Vec2(std::cos(angle), std::sin(angle));
-  }
-  return (startPoint(segment) + endPoint(segment)) / 2;
-}
 
 Error nothingLeft(double distance, double largest) {
   if (distance < largest * (1 + 1e-9))  // the largest disc just fits: what is left is a point or a line

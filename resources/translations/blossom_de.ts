@@ -271,8 +271,8 @@
         <translation>t %1 · Fläche %2</translation>
     </message>
     <message>
-        <source>A morph with knots has no ladder.</source>
-        <translation>Ein Morph mit Knoten hat keine Leiter.</translation>
+        <source>A morph with a degree or knots has no ladder.</source>
+        <translation>Ein Morph mit Grad oder Knoten hat keine Leiter.</translation>
     </message>
     <message>
         <source>Three control shapes or more have a ladder.</source>

@@ -271,8 +271,8 @@
         <translation>t %1 · 넓이 %2</translation>
     </message>
     <message>
-        <source>A morph with knots has no ladder.</source>
-        <translation>매듭이 있는 모프에는 사다리가 없습니다.</translation>
+        <source>A morph with a degree or knots has no ladder.</source>
+        <translation>차수나 매듭이 있는 모프에는 사다리가 없습니다.</translation>
     </message>
     <message>
         <source>Three control shapes or more have a ladder.</source>

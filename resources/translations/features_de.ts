@@ -32,6 +32,10 @@
         <translation>Durchdringt sich</translation>
     </message>
     <message>
+        <source>Crosses itself at</source>
+        <translation>Durchdringt sich bei</translation>
+    </message>
+    <message>
         <source>Curves</source>
         <translation>Kurven</translation>
     </message>
@@ -78,6 +82,10 @@
     <message>
         <source>Entries</source>
         <translation>Eintauchstellen</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>Auswertung</translation>
     </message>
     <message>
         <source>Faces</source>
@@ -204,8 +212,16 @@
         <translation>Kleinstes Gewicht</translation>
     </message>
     <message>
+        <source>Smallest weight at</source>
+        <translation>Kleinstes Gewicht bei</translation>
+    </message>
+    <message>
         <source>Smallest |xu × xv|</source>
         <translation>Kleinstes |xu × xv|</translation>
+    </message>
+    <message>
+        <source>Smallest |xu × xv| at</source>
+        <translation>Kleinstes |xu × xv| bei</translation>
     </message>
     <message>
         <source>Spans in u</source>
@@ -2347,8 +2363,8 @@
         <translation>Position</translation>
     </message>
     <message>
-        <source>Position along the morph, from 0 (the first shape) to 1 (the last).</source>
-        <translation>Stelle im Morph, von 0 (die erste Form) bis 1 (die letzte).</translation>
+        <source>Position along the morph, from 0 (the first shape) to 1 (the last); beyond them it goes on as far as there are shapes that lead through both.</source>
+        <translation>Stelle im Morph, von 0 (die erste Form) bis 1 (die letzte); darüber hinaus geht er weiter, soweit es Formen gibt, die durch beide führen.</translation>
     </message>
     <message>
         <source>Position along the morph, from 0 (the first solid) to 1 (the second).</source>

@@ -102,7 +102,7 @@ void RatioSlider::paintEvent(QPaintEvent* event) {
   painter.setClipPath(frame);
   QColor fill = theme().color("made");
   fill.setAlphaF(0.22F);
-  const double share = maximum_ > minimum_ ? (value_ - minimum_) / (maximum_ - minimum_) : 0;
+  const double share = maximum_ > minimum_ ? std::clamp((value_ - minimum_) / (maximum_ - minimum_), 0.0, 1.0) : 0;
   painter.fillRect(QRectF(1, 1, (width() - 2) * share, height() - 2), fill);
 }
 

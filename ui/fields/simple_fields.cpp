@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QLineEdit>
+#include <algorithm>
 
 #include "ui/controls/document_undo.h"
 #include "ui/controls/ratio_slider.h"
@@ -56,7 +57,8 @@ bool ChoiceField::eventFilter(QObject* object, QEvent* event) {
 
 RatioField::RatioField(const ParameterSpec& given, const Context& context, QWidget* parent)
     : ParameterField(given, context, parent), slider_(new RatioSlider) {
-  slider_->setRange(given.minimum.value_or(0), given.maximum.value_or(1));
+  // What a parameter takes beyond 0 and 1 can be typed.
+  slider_->setRange(std::max(given.minimum.value_or(0), 0.0), std::min(given.maximum.value_or(1), 1.0));
   setEditor(slider_);
   connect(slider_, &RatioSlider::dragged, this, [this](double t) { offer(t, true); });
   connect(slider_, &RatioSlider::chosen, this, [this](double t) { offer(t); });

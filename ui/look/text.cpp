@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -53,7 +54,7 @@ const std::vector<std::pair<QString, MeasureUnit>>& unitSuffixes() {
 }
 
 MeasureUnit unitOfStat(const std::string& name) {
-  if (name == "deviation") return MeasureUnit::Length;
+  if (name == "deviation" || qt(name).endsWith(QLatin1String("_place"))) return MeasureUnit::Length;
   for (const auto& [suffix, unit] : unitSuffixes())
     if (qt(name).endsWith(suffix)) return unit;
   return MeasureUnit::None;
@@ -136,7 +137,10 @@ QString englishLabel(const std::string& name) {
                                                      {"export_deviation", QStringLiteral("Off the motion")},
                                                      {"crosses_itself", QStringLiteral("Crosses itself")},
                                                      {"crossing_depth", QStringLiteral("Depth of the crossing")},
+                                                     {"min_weight_place", QStringLiteral("Smallest weight at")},
+                                                     {"crossing_place", QStringLiteral("Crosses itself at")},
                                                      {"min_normal", QStringLiteral("Smallest |xu × xv|")},
+                                                     {"min_normal_place", QStringLiteral("Smallest |xu × xv| at")},
                                                      {"closed_u", QStringLiteral("Closing in u")},
                                                      {"entities", QStringLiteral("In the file")},
                                                      {"caps", QStringLiteral("Ends")},
@@ -168,15 +172,29 @@ QString statUnit(const std::string& name) {
   return qt(name).endsWith(QLatin1String("_ms")) ? QStringLiteral(" ms") : unitText(unitOfStat(name));
 }
 
+namespace {
+
+/// Without what is nothing beside the largest.
+Value coordinates(const Value& values, double factor) {
+  double largest = 0;
+  for (const Value& each : values) largest = std::max(largest, std::abs(each.get<double>()));
+  Value shown = Value::array();
+  for (const Value& each : values) shown.push_back(factor * withoutNoise(each.get<double>(), largest));
+  return shown;
+}
+
+}  // namespace
+
 Value shownStat(const std::string& name, const Value& value) {
   const double factor = inShownUnit(1, unitOfStat(name));
+  const auto isNumber = [](const Value& each) { return each.is_number(); };
+  if (value.is_array() && std::all_of(value.begin(), value.end(), isNumber)) return coordinates(value, factor);
   return factor != 1 && value.is_number() ? Value(factor * value.get<double>()) : value;
 }
 
 bool worthReading(const std::string& name, const Value& value) {
-  static const std::set<std::string> technical{"min_normal_share",  "min_normal_at",     "min_normal_place",
-                                               "min_weight_at",     "min_weight_place",  "crossing_place",
-                                               "crossing_first_at", "crossing_second_at"};
+  static const std::set<std::string> technical{"min_normal_share", "min_normal_at", "min_weight_at", "crossing_first_at",
+                                               "crossing_second_at"};
   const bool nothing = (value.is_structured() && value.empty()) || value.is_null() ||
                        (name == "refinements" && value.is_number() && value.get<double>() == 0);
   return !nothing && !technical.contains(name);

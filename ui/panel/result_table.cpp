@@ -116,7 +116,7 @@ void ResultTable::addResult(const FeatureView& view, const std::vector<std::stri
       addRow(measureLabel(name), statText(shownStat(name, value)), statUnit(name).trimmed(),
              qt(shownStat(name, value).dump()));
     else
-      addText(measureLabel(name), statText(value) + statUnit(name));
+      addText(measureLabel(name), statText(shownStat(name, value)) + statUnit(name));
   }
   const FeatureResult& result = *view.result;
   if (result.fromCache || result.kernelMs == 0)

@@ -6,7 +6,7 @@
 #include <queue>
 #include <vector>
 
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/polygons/sound_region.h"
 

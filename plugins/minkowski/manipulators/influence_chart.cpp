@@ -41,7 +41,8 @@ void InfluenceChart::setMorph(const ShapeKnots& spline, const std::vector<double
     }
   }
   const bool same = std::adjacent_find(levels.begin(), levels.end(), std::not_equal_to<>()) == levels.end();
-  cursor_ = same && !levels.empty() ? std::optional(levels.front()) : std::nullopt;
+  const bool isOnChart = same && !levels.empty() && levels.front() >= 0 && levels.front() <= 1;
+  cursor_ = isOnChart ? std::optional(levels.front()) : std::nullopt;
   shares_ = cursor_ ? influences(spline_, *cursor_) : sharesOf(levels);
   tellShares();
   update();

@@ -28,8 +28,10 @@ LadderShape drawnShape(const Region& shape) {
 
 /// Without the ends, which are drawn anyway.
 LadderLines linesOf(const LadderQuestion& question, const Progress& progress) {
+  std::vector<Region> shapes = question.shapes;
+  faceSectors(shapes, question.sectors, question.tolerance, progress);
   const LadderResult result =
-      ladder(question.shapes, question.t, {.tolerance = question.tolerance, .maximumWork = workOfSomeSeconds}, progress);
+      ladder(shapes, question.t, {.tolerance = question.tolerance, .maximumWork = workOfSomeSeconds}, progress);
   LadderLines lines;
   lines.complete = result.complete;
   for (std::size_t r = 1; r < result.levels.size() && r + 1 < question.shapes.size(); ++r) {

@@ -6,6 +6,7 @@
 
 #include "core/progress.h"
 #include "geometry/planar/region.h"
+#include "kernel/morph/sector_shape.h"
 #include "ui/thread/background.h"
 #include "ui/thread/mailbox.h"
 
@@ -13,8 +14,9 @@ namespace blossom::minkowski {
 
 /// What a ladder is drawn of.
 struct LadderQuestion {
-  std::vector<Region> shapes;  ///< where they stand
-  std::vector<double> t;       ///< one for each level
+  std::vector<Region> shapes;   ///< where they stand
+  std::vector<Sector> sectors;  ///< of the first ones
+  std::vector<double> t;        ///< one for each level
   std::optional<double> tolerance;
   friend bool operator==(const LadderQuestion&, const LadderQuestion&) = default;
 };

@@ -49,9 +49,9 @@ std::optional<double> placeSeen(const Value& parameters, std::optional<double> s
   return seen.value_or(parameters.at("t").get<double>());
 }
 
-bool hasLadder(const Value& parameters) {
-  const auto knots = parameters.find("knots");
-  return knots == parameters.end() || knots->empty();
+bool hasLadder(const Value& parameters, std::size_t shapes) {
+  const auto degree = parameters.at("degree").get<std::size_t>();
+  return parameters.at("knots").empty() && (degree == 0 || degree + 1 == shapes);
 }
 
 std::vector<std::vector<Vec3>> ladderOfPoints(std::vector<Vec2> points, const std::vector<double>& t) {

@@ -36,8 +36,8 @@ std::vector<double> levelsSeen(const Value& parameters, std::size_t shapes, std:
 /// The place on the path that is seen, or t; nothing where blossom numbers are given.
 std::optional<double> placeSeen(const Value& parameters, std::optional<double> seen);
 
-/// Whether de Casteljau's algorithm makes the morph: one without knots.
-bool hasLadder(const Value& parameters);
+/// Whether de Casteljau's algorithm makes the morph of so many shapes: no B-spline, of knots or of a lower degree.
+bool hasLadder(const Value& parameters, std::size_t shapes);
 
 /// The points of de Casteljau's algorithm from the centres of the control shapes on: the levels 1 to n-1, each a polygon.
 std::vector<std::vector<Vec3>> ladderOfPoints(std::vector<Vec2> points, const std::vector<double>& t);

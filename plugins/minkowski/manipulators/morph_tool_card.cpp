@@ -13,6 +13,7 @@
 #include "manipulators/influence_chart.h"
 #include "manipulators/morph_card.h"
 #include "manipulators/morph_tool.h"
+#include "sector_values.h"
 #include "ui/look/text.h"
 
 namespace blossom::minkowski {
@@ -86,7 +87,7 @@ QString MorphTool::figures(const Region* seen) {
 QString MorphTool::ladderNote(const Value& parameters) const {
   if (habits_.path && shapesKnown() && !hasPath(parameters)) return tr("A morph with a degree or knots has no path.");
   if (!habits_.ladder) return {};
-  if (!hasLadder(parameters)) return tr("A morph with knots has no ladder.");
+  if (!hasLadder(parameters, controls_.size())) return tr("A morph with a degree or knots has no ladder.");
   if (controls_.size() < 3) return tr("Three control shapes or more have a ladder.");
   if (const QString leg = legNote(); !leg.isEmpty()) return leg;
   return ladder_ && !ladder_->complete ? tr("Some of the ladder takes too long to be drawn.") : QString();
@@ -128,7 +129,8 @@ void MorphTool::showInfluences(const Value& parameters) {
 
 void MorphTool::askLadder(const Value& parameters) {
   forgetOldLadder();
-  const bool possible = controls_.size() > 2 && levels_.size() + 1 == controls_.size() && hasLadder(parameters);
+  const bool possible =
+      controls_.size() > 2 && levels_.size() + 1 == controls_.size() && hasLadder(parameters, controls_.size());
   if (!habits_.ladder || !possible) {
     ladder_.reset();
     forgetLostLeg();
@@ -136,6 +138,7 @@ void MorphTool::askLadder(const Value& parameters) {
   }
   LadderQuestion question;
   question.t = levels_;
+  question.sectors = sectorsIn(parameters.at("sectors").get<std::vector<Value>>());
   if (const Value& given = parameters.at("tolerance"); given.is_number()) question.tolerance = given.get<double>();
   try {
     for (std::size_t i = 0; i < controls_.size(); ++i)

@@ -27,11 +27,9 @@ void MorphTool::setPathOpen(bool open) {
 /// All of them: with fewer, a point of the path would seem to have other arguments.
 bool MorphTool::shapesKnown() const { return controls_.size() == host().document().at(feature()).inputs.size(); }
 
-/// A B-spline of shapes takes no path: as many shapes as the degree and one more make no such thing.
+/// A B-spline of shapes takes no path.
 bool MorphTool::hasPath(const Value& parameters) const {
-  const auto degree = parameters.at("degree").get<std::size_t>();
-  return shapesKnown() && controls_.size() > 1 && parameters.at("knots").empty() &&
-         (degree == 0 || degree + 1 == controls_.size());
+  return shapesKnown() && controls_.size() > 1 && hasLadder(parameters, controls_.size());
 }
 
 void MorphTool::refreshPad(const Value& parameters) {

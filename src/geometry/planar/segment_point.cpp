@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "geometry/planar/angles.h"
 #include "geometry/planar/planar.h"
 
 namespace blossom {
@@ -20,16 +20,19 @@ std::optional<double> distanceAcross(const Line2& line, const Vec2& p) {
 
 /// Where the ray from the centre to p crosses the arc.
 std::optional<double> distanceAcross(const Arc2& arc, const Vec2& p) {
-  constexpr double fullTurn = 2 * std::numbers::pi;
-  const Vec2 out = p - arc.center;
-  const double angle = std::atan2(out.y(), out.x());
-  double along = std::fmod(arc.sweep > 0 ? angle - arc.start : arc.start - angle, fullTurn);
-  if (along < 0) along += fullTurn;
-  if (along > std::abs(arc.sweep)) return std::nullopt;
-  return std::abs(out.norm() - arc.radius);
+  if (planar::turnAlong(arc, p) > std::abs(arc.sweep)) return std::nullopt;
+  return std::abs((p - arc.center).norm() - arc.radius);
 }
 
 }  // namespace
+
+Vec2 middleOf(const Segment& segment) {
+  if (const auto* arc = std::get_if<Arc2>(&segment)) {
+    const double angle = arc->start + arc->sweep / 2;
+    return arc->center + arc->radius * Vec2(std::cos(angle), std::sin(angle));
+  }
+  return (startPoint(segment) + endPoint(segment)) / 2;
+}
 
 double distanceTo(const Segment& segment, const Vec2& p) {
   const double toEnds = std::min((startPoint(segment) - p).norm(), (endPoint(segment) - p).norm());

@@ -76,7 +76,7 @@ std::vector<std::map<double, std::size_t>> weightsOf(std::span<const double> t) 
   }
   std::vector<std::map<double, std::size_t>> weights(t.size() + 1);
   for (const Choice& choice : choices)
-    if (choice.weight > 0) weights[choice.levels][choice.weight] += choice.count;
+    if (choice.weight != 0) weights[choice.levels][choice.weight] += choice.count;
   return weights;
 }
 

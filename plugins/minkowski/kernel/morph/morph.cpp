@@ -13,8 +13,10 @@
 #include "core/parallel.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/region_sum.h"
 #include "kernel/morph/control_centre.h"
 #include "kernel/morph/expansion.h"
+#include "kernel/morph/extrapolation.h"
 #include "kernel/morph/repetition.h"
 #include "kernel/morph/thinning.h"
 
@@ -101,10 +103,10 @@ void check(std::span<const Region> shapes, std::span<const Arguments> arguments)
       throw Error(ErrorCode::InvalidParameter,
                   fmt::format("The blossom of {} control shapes takes {} numbers; {} are given.", shapes.size(),
                               shapes.size() - 1, t.size()),
-                  "Give one number of 0 to 1 for each control shape after the first.");
+                  "Give one number for each control shape after the first.");
     for (const double level : t)
-      if (!(level >= 0 && level <= 1))
-        throw Error(ErrorCode::InvalidParameter, fmt::format("Every t must lie between 0 and 1; one is {}.", level));
+      if (!std::isfinite(level))
+        throw Error(ErrorCode::InvalidParameter, fmt::format("Every t must be a finite number; one is {}.", level));
   }
 }
 
@@ -129,25 +131,28 @@ class Morph {
   /// Chooses the order of evaluation when it is automatic, counts its sums and computes what in-betweens share.
   void prepare(std::span<const Arguments> arguments, const Progress& progress) {
     std::vector<Arguments> all;
-    for (const Arguments& t : arguments) all.push_back(elevated(t));
+    for (const Arguments& t : arguments)
+      if (!isBeyond(t) && !isEnd(t)) all.push_back(elevated(t));
     std::vector<bool> convex;
     for (const SoundRegion& shape : shapes_) convex.push_back(isConvex(shape));
     if (options_.evaluation == EvaluationOrder::Automatic) options_.evaluation = quickestWay(all, convex);
+    isUsed_ = !all.empty();
     add_.plan(add_.count() + sumsNeeded(options_.evaluation, all, convex));
     for (SoundRegion& shape : shapes_) add_.keep(shape);
     if (options_.evaluation != EvaluationOrder::Explicit) return;
     refuseManyTerms(all);
-    for (const Arguments& t : all)
-      if (!isEnd(t)) expansion_->repeatFor(t, progress);
+    for (const Arguments& t : all) expansion_->repeatFor(t, progress);
   }
 
   /// @param progress of the whole morph
   Region at(const Arguments& t, const Progress& progress) {
     if (isEnd(t)) return t.front() == 0 ? regions_.front() : regions_.back();
-    auto [shape, deviation] = inBetween(elevated(t), progress);
+    auto [shape, deviation] = isBeyond(t) ? beyond(elevated(t), progress) : inBetween(elevated(t), progress);
     if (options_.areaPreserving) {
       const Vec2 centre = blended(centres_, t);
-      const double wanted = blended(areas_, t), area = blossom::area(shape.region), factor = std::sqrt(wanted / area);
+      const double wanted = blended(areas_, t);
+      if (!(wanted > 0)) refuseArea(wanted);
+      const double area = blossom::area(shape.region), factor = std::sqrt(wanted / area);
       shape = translated(scaled(translated(shape, -centre), factor), centre);
       // The area is right within what lies along the boundary, and so is the factor.
       const double least = area - deviation * lengthOf(shape.region) / factor;
@@ -156,17 +161,22 @@ class Morph {
     }
     const std::scoped_lock lock(mutex_);
     deviation_ = std::max(deviation_, deviation);
+    if (warnings_.empty()) warnOfLines(takesSplines(t), shape.region, options_.tolerance, warnings_);
     return std::move(shape.region);
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
+  [[nodiscard]] std::optional<EvaluationOrder> evaluation() const {
+    return isUsed_ ? std::optional(options_.evaluation) : std::nullopt;
+  }
   [[nodiscard]] double deviation() const { return deviation_; }
   [[nodiscard]] std::vector<std::string> warnings() const {
-    if (!options_.degreeElevate || std::all_of(regionsConvex_.begin(), regionsConvex_.end(), [](bool each) { return each; }))
-      return {};
-    return {
-        "Degree elevation keeps a morph for convex control shapes only; one of these is not convex, so the in-betweens "
-        "differ."};
+    std::vector<std::string> all = warnings_;
+    if (std::find(regionsConvex_.begin(), regionsConvex_.end(), false) != regionsConvex_.end())
+      all.emplace_back(
+          "Degree elevation keeps a morph for convex control shapes only; one of these is not convex, so the in-betweens "
+          "differ.");
+    return all;
   }
 
  private:
@@ -204,6 +214,32 @@ class Morph {
     shapes_ = std::move(more);
   }
 
+  [[noreturn]] static void refuseArea(double area) {
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("Beyond the ends the areas of the shapes blend to {:.4g} mm2, which no shape has.", area),
+                "Give a t nearer to 0..1, or do not preserve areas.");
+  }
+
+  InBetween beyond(const Arguments& t, const Progress& progress) {
+    if (auto shape = continuedTo(t, shapes_, add_, progress)) return std::move(*shape);
+    const bool same = std::adjacent_find(t.begin(), t.end(), std::not_equal_to<>()) == t.end();
+    if (!same)
+      throw Error(ErrorCode::InvalidParameter, "The shapes cannot be continued to these blossom numbers: they fit no shape.",
+                  "Give numbers nearer to 0..1.");
+    const double end = t.front() > 1 ? 1 : 0, works = farthestTowards(t.front(), shapes_, add_, progress);
+    throw Error(
+        ErrorCode::InvalidParameter,
+        fmt::format("The morph cannot be continued to t = {}: no shape there leads through both ends.", t.front()),
+        works == end ? fmt::format("These shapes go no farther than t = {}.", end) : fmt::format("t = {} works.", works));
+  }
+
+  [[nodiscard]] bool takesSplines(const Arguments& t) const {
+    const std::vector<double> shares = sharesOf(t);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      if (shares[i] != 0 && hasSplines(regions_[i])) return true;
+    return false;
+  }
+
   [[nodiscard]] Arguments elevated(const Arguments& t) const {
     return shapes_.size() == regions_.size() ? t : diagonal(shapes_.size() - 1, t.front());
   }
@@ -231,6 +267,7 @@ class Morph {
 
   std::span<const Region> regions_;
   MorphOptions options_;
+  bool isUsed_ = false;  ///< an in-between is computed in the order of evaluation
   Adder add_;
   std::vector<SoundRegion> shapes_;
   double tolerance_ = HUGE_VAL;
@@ -239,7 +276,8 @@ class Morph {
   std::vector<Vec2> centres_;
   std::optional<Expansion> expansion_;
   std::mutex mutex_;
-  double deviation_ = 0;  ///< the largest of all in-betweens
+  double deviation_ = 0;               ///< the largest of all in-betweens
+  std::vector<std::string> warnings_;  ///< of in-betweens
 };
 
 /// Progress is reported in steps of a fiftieth, because the sums of many frames report too often.
@@ -295,6 +333,7 @@ MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<do
     result.regions = atTheSameTime(evaluation, arguments, progress);
   }
   result.sums = evaluation.sums();
+  result.evaluation = evaluation.evaluation();
   result.deviation = evaluation.deviation();
   result.warnings = evaluation.warnings();
   return result;

@@ -25,8 +25,10 @@ struct MorphOptions {
 };
 
 struct MorphResult {
-  std::vector<Region> regions;        ///< one per argument; outer loops counter-clockwise
-  std::size_t sums = 0;               ///< Minkowski sums computed
+  std::vector<Region> regions;  ///< one per argument; outer loops counter-clockwise
+  std::size_t sums = 0;         ///< Minkowski sums computed
+  /// By which in-betweens were computed, the one chosen when it is automatic; none of the ends and beyond them.
+  std::optional<EvaluationOrder> evaluation;
   double deviation = 0;               ///< mm, by which an in-between may differ: hulls, filled dents; see the tolerance
   std::vector<std::string> warnings;  ///< full sentences
 };
@@ -36,12 +38,12 @@ std::vector<double> diagonal(std::size_t degree, double t);
 
 /// In-between shapes of control shapes A0..An by de Casteljau's algorithm with Minkowski sums instead of sums of points
 /// (Lee, Lee, Kim & Kim 2002, section 4.2, equations 4.5 to 4.9; the blossom of section 4.3, equation 4.10). Each argument
-/// consists of one number in 0..1 per level; equal numbers t give C(t). When all are 0 or all are 1, the result is the first
-/// or the last control shape itself. Scaling is about the origin of the document. The blossom is symmetric in its arguments
-/// for all evaluations, also for shapes that are not convex.
-/// @throws Error InvalidParameter (fewer than two shapes, a wrong number of arguments, numbers outside 0..1), InvalidInput
-/// naming the shape and the place (see flattening.h; also a shape that is not convex for Evaluation::Convex), LimitExceeded,
-/// Cancelled; TooMuchWork.
+/// consists of one number per level; equal numbers t give C(t), beyond 0..1 as extrapolation.h has it. When all are 0 or all
+/// are 1, the result is the first or the last control shape itself. Scaling is about the origin of the document. The blossom
+/// is symmetric in its arguments for all evaluations, also for shapes that are not convex.
+/// @throws Error InvalidParameter (fewer than two shapes, a wrong number of arguments, numbers beyond 0..1 to which the
+/// morph does not continue), InvalidInput naming the shape and the place (see flattening.h; also a shape that is not convex
+/// for Evaluation::Convex), LimitExceeded, Cancelled; TooMuchWork.
 MorphResult morph(std::span<const Region> shapes, std::span<const std::vector<double>> arguments, const MorphOptions& = {},
                   const Progress& = Progress::none());
 

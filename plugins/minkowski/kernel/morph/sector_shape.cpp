@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "core/error.h"
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/sums/convex_hull.h"
+#include "geometry/planar/sums/flattening.h"
 
 namespace blossom::minkowski {
 
@@ -88,6 +89,19 @@ SoundRegion facing(const SoundRegion& shape, const Sector& sector, const std::st
   const Vec2 end = endPoint(chain), start = startPoint(chain);
   if (end != start) chain.segments.emplace_back(Line2{end, start});
   return {{{std::move(chain)}}, hull.tolerance, hull.plain};
+}
+
+void faceSectors(std::vector<Region>& shapes, std::span<const Sector> sectors, const std::optional<double>& tolerance,
+                 const Progress& progress) {
+  if (sectors.size() > shapes.size())
+    throw Error(ErrorCode::InvalidParameter,
+                fmt::format("{} sectors are given for {} control shapes.", sectors.size(), shapes.size()),
+                "Leave out those too many.");
+  for (std::size_t i = 0; i < sectors.size(); ++i) {
+    if (sectors[i].from == sectors[i].to) continue;
+    const std::string name = fmt::format("control shape {}", i + 1);
+    shapes[i] = facing(soundRegion(shapes[i], {.tolerance = tolerance}, name, progress), sectors[i], name, progress).region;
+  }
 }
 
 }  // namespace blossom::minkowski

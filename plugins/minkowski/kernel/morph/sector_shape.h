@@ -1,5 +1,8 @@
 #pragma once
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/progress.h"
 #include "geometry/planar/polygons/sound_region.h"
@@ -11,6 +14,7 @@ using namespace planar;
 /// A range of directions, counter-clockwise, radians. Equal ends: all directions.
 struct Sector {
   double from = 0, to = 0;
+  friend bool operator==(const Sector&, const Sector&) = default;
 };
 
 /// The part of a shape that acts in the directions of a sector: the hull of its boundary points with normals there. It
@@ -19,5 +23,10 @@ struct Sector {
 /// free-form parts it is a polygon within the tolerance. O(n log n).
 /// @throws Error InvalidParameter when a corner or a straight side is all that faces the sector.
 SoundRegion facing(const SoundRegion&, const Sector&, const std::string& name, const Progress& = Progress::none());
+
+/// Puts in place of the first shapes of a morph what of them faces their sectors.
+/// @throws Error InvalidParameter also when there are more sectors than shapes; as soundRegion of flattening.h
+void faceSectors(std::vector<Region>& shapes, std::span<const Sector>, const std::optional<double>& tolerance,
+                 const Progress& = Progress::none());
 
 }  // namespace blossom::minkowski

@@ -181,7 +181,8 @@ MorphResult splineMorph(std::span<const Region> shapes, const ShapeKnots& spline
   checkKnots(spline, shapes.size());
   for (const double t : times)
     if (!(t >= 0 && t <= 1))
-      throw Error(ErrorCode::InvalidParameter, fmt::format("Every t must lie between 0 and 1; one is {}.", t));
+      throw Error(ErrorCode::InvalidParameter, fmt::format("Every t must lie between 0 and 1; one is {}.", t),
+                  "A morph with a degree or knots does not go on beyond its ends: give t within them.");
   SplineMorph evaluation(shapes, spline, options, progress);
   evaluation.plan(times.size());
   MorphResult result;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "geometry/numeric/box_tree.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/booleans/point_welder.h"
-#include "geometry/planar/fitting/angles.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/segment_box.h"
 
@@ -16,8 +16,7 @@ namespace {
 
 /// Angle from the start of an arc to a point, in the direction of the arc; a little below 0 just before the start.
 double angleAlong(const Arc2& arc, const Vec2& p, double slack) {
-  const double angle = std::atan2(p.y() - arc.center.y(), p.x() - arc.center.x());
-  const double along = inOneTurn(arc.sweep > 0 ? angle - arc.start : arc.start - angle);
+  const double along = turnAlong(arc, p);
   return along > fullTurn - slack ? along - fullTurn : along;
 }
 
@@ -43,19 +42,13 @@ double sineBetween(const TrueCurve& a, const TrueCurve& b, const Vec2& p) {
   return std::abs(cross(along(a), along(b)));
 }
 
-TrueCurve curveOf(const Segment& segment) {
-  if (const auto* line = std::get_if<Line2>(&segment)) return StraightCurve{line->from, line->to};
-  const auto& arc = std::get<Arc2>(segment);
-  return Circle{arc.center, arc.radius};
-}
-
 /// Each ends where the next one begins.
 std::vector<CutSegment> segmentsOf(const Region& region, double within) {
   std::vector<CutSegment> segments;
   for (std::size_t k = 0; k < region.loops.size(); ++k) {
     const std::size_t first = segments.size();
     for (const Segment& segment : region.loops[k].segments)
-      if (length(segment) > within) segments.push_back({segment, curveOf(segment), {startPoint(segment)}, k});
+      if (length(segment) > within) segments.push_back({segment, trueCurveOf(segment), {startPoint(segment)}, k});
     for (std::size_t i = first; i < segments.size(); ++i)
       segments[i].cuts.push_back(segments[i + 1 < segments.size() ? i + 1 : first].cuts.front());
   }

@@ -38,8 +38,6 @@ void addBetween(const Circle& circle, const Vec2& from, const Vec2& to, double s
   addBetween(circle, middle, to, half, widest, out);
 }
 
-bool isLower(const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
-
 /// The corners of a chain of chords from one cut to the next, without the last one.
 void addChords(const CutSegment& cut, std::size_t k, double widest, std::vector<Vec2>& out) {
   const Vec2 &from = cut.cuts[k], &to = cut.cuts[k + 1];
@@ -49,7 +47,7 @@ void addChords(const CutSegment& cut, std::size_t k, double widest, std::vector<
   const double sweep = cut.sweepOf(k);
   const double step = std::min(widest, std::abs(sweep) * 0.51);  // a corner at least, off the chord between the cuts
   std::vector<Vec2> between;
-  if (isLower(from, to)) {
+  if (fartherLeft(from, to)) {
     addBetween(*circle, from, to, sweep, step, between);
   } else {
     addBetween(*circle, to, from, -sweep, step, between);

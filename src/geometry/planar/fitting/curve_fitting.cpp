@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/hermite_spline.h"
 #include "geometry/planar/fitting/segment_crossing.h"
 #include "geometry/planar/planar.h"
@@ -48,9 +48,10 @@ class RingFitter {
       : grid_(grid), curveOf_(curveOf), fitting_(fitting) {}
 
   /// Nothing when the curves do not fit; a path without segments when the ring is narrower than the rounding.
-  std::optional<Path> run(const TracedLoop& ring) {
+  std::optional<Path> run(const TracedLoop& ring, const Progress& progress) {
     makeRuns(ring);
     for (;;) {
+      progress.check();
       if (runs_.empty()) return Path{};
       if (runs_.size() == 1) return wholeCurve();
       if (!makeJunctions()) return std::nullopt;
@@ -265,8 +266,7 @@ std::optional<Region> fittedCurves(const std::vector<TracedPart>& parts, const G
   RingFitter fitter(grid, curveOf, fitting);
   Region region;
   const auto add = [&](const TracedLoop& ring) {
-    progress.check();
-    std::optional<Path> path = fitter.run(ring);
+    std::optional<Path> path = fitter.run(ring, progress);
     if (!path) return false;
     if (path->segments.empty()) return true;
     if (!enclosesTheSame(*path, ring, grid, fitting.gap)) return false;

@@ -24,7 +24,8 @@ struct CurveFitting {
 
 /// Parts bounded by the curves that the sides of rings stand for: sides of one curve become one segment, and where the curve
 /// changes the corner moves to the point in which both curves meet. Nothing when the curves do not meet near a corner, or
-/// when what comes out crosses itself: then the polygons are too coarse for the curves. O(n log n). @throws Error Cancelled.
+/// when what comes out crosses itself: then the polygons are too coarse for the curves. O(n log n), and O(n) more for every
+/// side that turns out to run backward. @throws Error Cancelled.
 std::optional<Region> fittedCurves(const std::vector<TracedPart>&, const Grid&, const CurveOfEdge&, const CurveFitting&,
                                    const Progress& = Progress::none());
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/sampled_region.h"
 #include "geometry/planar/fitting/spline_samples.h"
 #include "geometry/planar/planar.h"

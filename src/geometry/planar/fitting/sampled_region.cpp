@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/spline_samples.h"
 #include "geometry/planar/planar.h"
 

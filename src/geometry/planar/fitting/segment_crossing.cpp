@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/numeric/box_tree.h"
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/true_curve.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/segment_box.h"
@@ -20,13 +20,6 @@ struct Stretch {
   Box2 box;
 };
 
-Stretch stretchOf(const Segment& segment) {
-  const Box2 box = boxAround(segment);
-  if (const auto* line = std::get_if<Line2>(&segment)) return {&segment, StraightCurve{line->from, line->to}, box};
-  const auto& arc = std::get<Arc2>(segment);  // splines come here as lines
-  return {&segment, Circle{arc.center, arc.radius}, box};
-}
-
 /// Whether a point of its curve lies inside of a segment, farther than `touching` from its ends.
 bool holds(const Stretch& stretch, const Vec2& p, double touching) {
   if ((p - startPoint(*stretch.segment)).norm() <= touching || (p - endPoint(*stretch.segment)).norm() <= touching)
@@ -34,9 +27,7 @@ bool holds(const Stretch& stretch, const Vec2& p, double touching) {
   if (const auto* line = std::get_if<Line2>(stretch.segment))
     return (p - line->from).dot(line->to - line->from) > 0 && (p - line->to).dot(line->to - line->from) < 0;
   const auto& arc = std::get<Arc2>(*stretch.segment);
-  const double angle = std::atan2(p.y() - arc.center.y(), p.x() - arc.center.x());
-  const double along = std::fmod((arc.sweep > 0 ? angle - arc.start : arc.start - angle) + 2 * fullTurn, fullTurn);
-  return along < std::abs(arc.sweep);
+  return turnAlong(arc, p) < std::abs(arc.sweep);
 }
 
 /// Neighbours that are nearly tangent meet near their common end as well, once more, within rounding.
@@ -81,7 +72,7 @@ bool segmentsCross(const Region& region, double touching, double chord, const Pr
   const std::vector<Segment> segments = segmentsOf(region, chord);
   std::vector<Stretch> stretches;
   stretches.reserve(segments.size());
-  for (const Segment& segment : segments) stretches.push_back(stretchOf(segment));
+  for (const Segment& segment : segments) stretches.push_back({&segment, trueCurveOf(segment), boxAround(segment)});
   std::vector<Box2> boxes;
   boxes.reserve(segments.size());
   for (const Stretch& stretch : stretches) boxes.push_back(stretch.box);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/planar_bezier.h"
 
 namespace blossom::planar {

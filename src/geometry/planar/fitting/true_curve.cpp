@@ -84,6 +84,12 @@ Meetings meet(const FreeSide&, const FreeSide&, double) { return {}; }
 
 }  // namespace
 
+TrueCurve trueCurveOf(const Segment& segment) {
+  if (const auto* line = std::get_if<Line2>(&segment)) return StraightCurve{line->from, line->to};
+  const auto& arc = std::get<Arc2>(segment);
+  return Circle{arc.center, arc.radius};
+}
+
 bool isFree(const TrueCurve& curve) { return std::holds_alternative<FreeSide>(curve); }
 
 Vec2 nearestOn(const TrueCurve& curve, const Vec2& p) {

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/vector.h"
+#include "geometry/planar/region.h"
 
 namespace blossom::planar {
 
@@ -34,6 +35,9 @@ struct FreeSide {
 
 /// The curve that an edge of a convolution stands for.
 using TrueCurve = std::variant<StraightCurve, Circle, FreeSide>;
+
+/// On which a line or an arc lies. @pre not a spline
+TrueCurve trueCurveOf(const Segment&);
 
 bool isFree(const TrueCurve&);
 /// The point of the curve nearest to p; of a free side p itself.

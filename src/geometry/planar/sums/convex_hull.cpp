@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/hermite_spline.h"
 #include "geometry/planar/fitting/spline_samples.h"
 #include "geometry/planar/planar.h"

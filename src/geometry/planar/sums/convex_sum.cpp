@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/planar/fitting/angles.h"
+#include "geometry/planar/angles.h"
 #include "geometry/planar/planar.h"
 
 namespace blossom::planar {

@@ -100,7 +100,9 @@ RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOpt
   checkSummands(regions.size(), options);
   Effort effort(options.maximumWork);
   const std::vector<SoundRegion> shapes = weighted(regions, options, effort, progress);
-  return {folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
+  RegionSumResult result{folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
+  warnOfLines(std::any_of(regions.begin(), regions.end(), hasSplines), result.region, options.tolerance, result.warnings);
+  return result;
 }
 
 // Polygons on the safe side of curves that touching loops have made lines.
@@ -131,7 +133,17 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
         fmt::format("The room is hardly wider than the tolerance, {:.2g} mm, by which curves are drawn: it is larger than "
                     "told, and a smaller tolerance shows more of it.",
                     tolerance));
+  warnOfLines(std::any_of(regions.begin(), regions.end(), hasSplines), result.region, tolerance, result.warnings);
   return result;
+}
+
+void warnOfLines(bool hadSplines, const Region& result, const std::optional<double>& tolerance,
+                 std::vector<std::string>& warnings) {
+  if (!hadSplines || result.loops.empty() || hasCurves(result)) return;
+  warnings.push_back(
+      fmt::format("Free-form curves came out as straight lines, within {} of the curves; a smaller tolerance makes "
+                  "them finer.",
+                  tolerance ? fmt::format("{:.2g} mm", *tolerance) : "the tolerance"));
 }
 
 std::string nothingLeft(std::optional<double> toleranceOfCurves) {

@@ -48,4 +48,8 @@ Region roomInside(std::span<const Region>, const RegionSumOptions&, const Progre
 /// What is said of a difference that is empty, "Nothing is left: ..".
 std::string nothingLeft(std::optional<double> toleranceOfCurves);
 
+/// Adds a warning to a result that is of straight lines alone although there were free-form curves among its shapes.
+void warnOfLines(bool hadSplines, const Region& result, const std::optional<double>& tolerance,
+                 std::vector<std::string>& warnings);
+
 }  // namespace blossom::planar

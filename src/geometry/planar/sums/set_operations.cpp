@@ -88,6 +88,11 @@ std::vector<std::string> nearlyClosed(std::span<const PlanarSet> sets) {
   return warnings;
 }
 
+bool haveSplines(std::span<const PlanarSet> sets) {
+  return std::any_of(sets.begin(), sets.end(),
+                     [](const PlanarSet& set) { return hasSplines(set.area) || hasSplines(Region{set.curves}); });
+}
+
 PlanarSet asPlanarSet(const SoundSet& set) { return {set.area.region, set.curves, set.points}; }
 
 void checkFirst(const PlanarSet& first, SetSumResult& result) {
@@ -119,7 +124,9 @@ SetSumResult setSum(std::span<const PlanarSet> sets, const RegionSumOptions& opt
     if (next.empty()) refuseSumWithoutArea(total, summands[i]);
     total = std::move(next);
   }
-  return {asPlanarSet(total), summands.size() - 1, nearlyClosed(sets)};
+  SetSumResult result{asPlanarSet(total), summands.size() - 1, nearlyClosed(sets)};
+  warnOfLines(haveSplines(sets), result.set.area, options.tolerance, result.warnings);
+  return result;
 }
 
 namespace {
@@ -153,6 +160,7 @@ SetSumResult regularDifference(std::span<const PlanarSet> sets, const RegionSumO
   }
   result.set.area = std::move(room.region);
   if (result.set.empty()) result.warnings.push_back(nothingLeft(std::nullopt));
+  warnOfLines(haveSplines(sets), result.set.area, options.tolerance, result.warnings);
   return result;
 }
 

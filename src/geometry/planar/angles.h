@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/vector.h"
+#include "geometry/planar/region.h"
 
 /// Angles in radians.
 namespace blossom::planar {
@@ -19,6 +20,13 @@ inline double turnFrom(double of, double angle) { return std::remainder(angle - 
 inline double inOneTurn(double angle) {
   const double inside = std::fmod(angle, fullTurn);
   return inside < 0 ? inside + fullTurn : inside;
+}
+
+/// From the start of an arc to the angle of a point, in the direction of the arc, 0 to 2 pi.
+inline double turnAlong(const Arc2& arc, const Vec2& point) {
+  const Vec2 out = point - arc.center;
+  const double angle = std::atan2(out.y(), out.x());
+  return inOneTurn(arc.sweep > 0 ? angle - arc.start : arc.start - angle);
 }
 
 /// Angle of the outward normal where an arc has the angle phi: away from its centre when it turns left, else towards it.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "feature/picked_numbers.h"
 #include "feature_groups.h"
 #include "isolate/in_worker.h"
 #include "kernel/parts/boolean.h"

@@ -142,11 +142,4 @@ Shape withoutSplines(const Shape& shape, std::vector<std::string>& warnings) {
   return chords;
 }
 
-std::vector<int> numbersOf(const std::vector<SubShapeValue>& picked) {
-  std::vector<int> numbers;
-  numbers.reserve(picked.size());
-  for (const SubShapeValue& each : picked) numbers.push_back(each.index);
-  return numbers;
-}
-
 }  // namespace blossom::modeling

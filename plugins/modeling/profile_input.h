@@ -19,7 +19,4 @@ TopoDS_Shape profileShape(const Shape&, const SubShapeValue& face, bool fill);
 /// shapes are unchanged.
 Shape withoutSplines(const Shape&, std::vector<std::string>& warnings);
 
-/// The indices of picked sub-shapes of a feature's only input.
-std::vector<int> numbersOf(const std::vector<SubShapeValue>&);
-
 }  // namespace blossom::modeling

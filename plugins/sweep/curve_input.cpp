@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "geometry/occt/occt.h"
+#include "geometry/occt/sub_shape.h"
 #include "geometry/planar/planar.h"
 #include "kernel/begin/curve_chain.h"
 
@@ -44,12 +45,13 @@ Curve curveOfWire(const TopoDS_Wire& wire, const char* what) {
 
 Curve curveOfShape(const TopoDS_Shape& shape, const char* what) {
   if (TopExp_Explorer(shape, TopAbs_FACE).More())
-    refuseCurve(what, "the shape has faces", "Give a drawing, or a file that holds a single curve.");
+    refuseCurve(what, "the shape has faces", "Choose edges of it, or give a drawing or a file that holds a single curve.");
   std::vector<TopoDS_Shape> found;
   for (TopExp_Explorer wires(shape, TopAbs_WIRE); wires.More(); wires.Next()) found.push_back(wires.Current());
   for (TopExp_Explorer edges(shape, TopAbs_EDGE, TopAbs_WIRE); edges.More(); edges.Next()) found.push_back(edges.Current());
   if (found.size() != 1)
-    refuseCurve(what, fmt::format("the shape has {} wires and edges", found.size()), "Keep one of them, or join them.");
+    refuseCurve(what, fmt::format("the shape has {} wires and edges", found.size()),
+                "Choose the edges that are meant, or join them.");
   if (found[0].ShapeType() == TopAbs_WIRE) return curveOfWire(TopoDS::Wire(found[0]), what);
   return partOf(TopoDS::Edge(found[0]), what);
 }
@@ -66,15 +68,38 @@ Curve partOf(const Segment& segment) {
 
 Curve curveOfDrawing(const std::vector<Path>& paths, const char* what) {
   if (paths.size() != 1)
-    refuseCurve(what, fmt::format("the drawing has {}", paths.size()), "Keep one of them in the drawing.");
+    refuseCurve(what, fmt::format("the drawing has {}", paths.size()), "Choose the edges that are meant.");
   std::vector<Curve> parts;
   for (const Segment& segment : paths[0].segments) parts.push_back(partOf(segment));
   return chained(parts, joiningGap());
 }
 
+Curve edgeOfDrawing(const std::vector<Path>& paths, int index) {
+  std::size_t left = static_cast<std::size_t>(index), count = 0;
+  for (const Path& path : paths) {
+    if (left < path.segments.size()) return partOf(path.segments[left]);
+    left -= path.segments.size();
+    count += path.segments.size();
+  }
+  throw Error(ErrorCode::NotFound, fmt::format("The drawing has {} edges; edge {} is not among them.", count, index),
+              "Choose its edges anew.");
+}
+
+Curve partOf(const Shape& shape, const char* what, int edge) {
+  if (const auto* brep = shape.get<Brep>()) return partOf(edgeOf(*brep, edge), what);
+  if (const auto* curves = shape.get<Curves>()) return edgeOfDrawing(curves->paths, edge);
+  if (const auto* region = shape.get<Region>()) return edgeOfDrawing(region->loops, edge);
+  return curveOf(shape, what);
+}
+
 }  // namespace
 
-Curve curveOf(const Shape& shape, const char* what) {
+Curve curveOf(const Shape& shape, const char* what, const std::vector<int>& edges) {
+  if (!edges.empty()) {
+    std::vector<Curve> parts;
+    for (const int edge : edges) parts.push_back(partOf(shape, what, edge));
+    return chained(inOrder(std::move(parts), joiningGap()), joiningGap());
+  }
   if (const auto* curve = shape.get<Curve>()) return *curve;
   if (const auto* brep = shape.get<Brep>()) return curveOfShape(brep->shape(), what);
   if (const auto* curves = shape.get<Curves>()) return curveOfDrawing(joined(*curves).paths, what);

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "curve_input.h"
+#include "feature/picked_numbers.h"
 #include "feature_types.h"
 #include "kernel/begin/motion_from_curve.h"
 
@@ -14,6 +15,7 @@ namespace {
 enum class ProfileCentre { Centroid, Origin };
 
 struct FrameParameters {
+  std::vector<SubShapeValue> edges;
   double radius = 5;
   ProfileCentre centre = ProfileCentre::Centroid;
   double tolerance = 1e-3;
@@ -46,7 +48,7 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
 
 Evaluated evaluateFrame(const FrameParameters& p, const Inputs& inputs, const Progress& progress) {
   progress.report(0.02, "Following the path");
-  const Curve path = curveOf(inputs.of(0)[0], "path");
+  const Curve path = curveOf(inputs.of(0)[0], "path", numbersOf(p.edges));
   CurveMotionOptions options{.radius = p.radius,
                              .profile = {},
                              .tolerance = p.tolerance,
@@ -63,7 +65,7 @@ Evaluated evaluateFrame(const FrameParameters& p, const Inputs& inputs, const Pr
 
 InputSpec pathInput() {
   return {.name = "path",
-          .help = "The curve that the section follows: smooth, open or closed.",
+          .help = "The curve that the section follows: smooth, open or closed. Of a solid, some of its edges.",
           .kinds = curveKinds,
           .use = InputUse::Outline,
           .asks = "the curve to sweep along"};
@@ -89,6 +91,9 @@ FeatureType frameFeature() {
       .produces({ShapeKind::Motion})
       .input(pathInput())
       .input(sectionInput())
+      .parameter(
+          "edges", &P::edges, whenNone(list(subShape("edge")), "the only curve"),
+          "Edges of the path that the section follows, in any order: of a solid, or of a drawing with several curves.")
       .parameter("radius", &P::radius, positiveLength(), "Radius of a round section; unused with a profile.")
       .parameter("centre", &P::centre, choice({"centroid", "origin"}),
                  "Which point of the profile follows the path: the middle of its area or the origin.")
@@ -100,6 +105,7 @@ FeatureType frameFeature() {
                  "Direction that the x axis of the section points to at the start; 0,0,0: up, or along x where the curve "
                  "starts upward.")
       .example("blossom sweep-along path.step --radius 4 -o tube.json")
+      .example("blossom sweep-along block.step --edges path:edge:3 --radius 2 -o bead.json")
       .example("blossom sweep-along path.dxf star.svg --tolerance 0.01 -o rail.json --json")
       .evaluate(evaluateFrame);
 }

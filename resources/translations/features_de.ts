@@ -2971,8 +2971,8 @@
         <translation>Die Kurve, der er folgt.</translation>
     </message>
     <message>
-        <source>The curve that the section follows: smooth, open or closed.</source>
-        <translation>Die Kurve, der der Querschnitt folgt: glatt, offen oder geschlossen.</translation>
+        <source>The curve that the section follows: smooth, open or closed. Of a solid, some of its edges.</source>
+        <translation>Die Kurve, der der Querschnitt folgt: glatt, offen oder geschlossen. Von einem Körper einige seiner Kanten.</translation>
     </message>
     <message>
         <source>the curve to sweep along</source>
@@ -3505,6 +3505,10 @@
 </context>
 <context>
     <name>Warnings</name>
+    <message>
+        <source>Edges of the path that the section follows, in any order: of a solid, or of a drawing with several curves.</source>
+        <translation>Kanten des Weges, denen der Querschnitt folgt, in beliebiger Reihenfolge: eines Körpers oder einer Zeichnung mit mehreren Kurven.</translation>
+    </message>
     <message>
         <source>Nothing is edited yet: there is no place.</source>
         <translation>Noch wird nichts bearbeitet: Es gibt keine Stelle.</translation>

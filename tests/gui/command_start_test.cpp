@@ -17,6 +17,7 @@ class CommandStartTest : public WindowFixture {
   void init() { openNewDocument(); }
   void cleanup() { window_.reset(); }
   void edgesThatArePickedAreRounded();
+  void anEdgeThatIsPickedIsSweptAlong();
   void theSelectModeIsSeenAndTheBackgroundClears();
   void moreEdgesArePickedOnTheInput();
   void whatIsMissingIsAskedForInTheView();
@@ -56,6 +57,24 @@ void CommandStartTest::edgesThatArePickedAreRounded() {
   QCOMPARE(features(), std::size_t{2});
   QCOMPARE(window_->page().document().at(last()).parameters.at("edges").size(), std::size_t{1});
   COMPARE_NEAR(measureOf(last(), "volume"), rounded(1, 60), 1e-3);
+}
+
+void CommandStartTest::anEdgeThatIsPickedIsSweptAlong() {
+  const FeatureId id = box();
+  run("select.edges");
+  selectNothing();
+  clickAt(edgesInSight(id)[0]);
+  run("feature.sweep.frame");
+  waitUntilComputed();
+  const Feature& motion = window_->page().document().at(last());
+  QCOMPARE(motion.type, std::string("sweep.frame"));
+  QCOMPARE(motion.inputs, std::vector<FeatureId>{id});
+  QCOMPARE(motion.parameters.at("edges").size(), std::size_t{1});
+  const Shape* made = window_->session().shape(motion.id);
+  QVERIFY(made && made->get<Motion>());
+  const std::vector<ViewItem> items = window_->page().shownItems();
+  const auto solid = std::find_if(items.begin(), items.end(), [&](const ViewItem& each) { return each.id == id; });
+  QVERIFY(solid != items.end() && solid->presence == Presence::Whole);  // the motion takes nothing but its edge
 }
 
 void CommandStartTest::theSelectModeIsSeenAndTheBackgroundClears() {

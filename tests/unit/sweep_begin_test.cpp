@@ -6,6 +6,8 @@
 
 #include "app/app.h"
 #include "feature/feature_type.h"
+#include "geometry/occt/sub_shape.h"
+#include "geometry/shape/bounds.h"
 #include "geometry/shape/motion.h"
 #include "support/command_line.h"
 #include "support/modeling.h"
@@ -86,6 +88,40 @@ class SweepBeginTest : public QObject {
     QCOMPARE(solid.code, 0);
     const double wanted = 32 * (30 + 10 * std::numbers::pi + 40);
     COMPARE_NEAR(solid.result("volume"), wanted, 1e-3 * wanted);
+  }
+
+  /// The rim of a plate with rounded corners, whose edges are named in any order.
+  void edgesOfASolidCarryTubes() {
+    const Shape outline = made("rectangle", {{"width", 40}, {"height", 30}, {"corner", 8}}).shape;
+    const Shape plate = made("extrude", {{"height", 10}}, {outline}).shape;
+    std::vector<Value> rim, sides;
+    const auto edges = subShapesOf(plate.get<Brep>()->shape(), TopAbs_EDGE);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const Bounds box = bounds(Brep(edges[k]));
+      if (box.low.z() < 9.9) continue;
+      rim.push_back({{"input", "path"}, {"kind", "edge"}, {"index", k}});
+      if ((box.high - box.low).head<2>().minCoeff() < 1e-3) sides.push_back(rim.back());
+    }
+    QCOMPARE(rim.size(), std::size_t{8});
+    QCOMPARE(sides.size(), std::size_t{4});
+    std::mt19937_64 random = seededRandom();
+    std::shuffle(rim.begin(), rim.end(), random);
+    const Evaluated motion = made("sweep-along", {{"radius", 2}, {"edges", rim}}, {plate});
+    QCOMPARE(motion.stats["closed"], Value(true));
+    const Shape bead = made("sweep", {{"solid", true}}, {motion.shape}).shape;
+    const double wanted = 4 * std::numbers::pi * (2 * (24 + 14) + 2 * std::numbers::pi * 8);
+    COMPARE_NEAR(figure(bead, "volume"), wanted, 1e-3 * wanted);
+    VERIFY_REFUSED(refusal("sweep-along", {{"edges", sides}}, {plate}), ErrorCode::InvalidInput, "apart");
+  }
+
+  void edgesOfADrawingCarryTubes() {
+    const Shape outline = made("rectangle", {{"width", 40}, {"height", 30}}).shape;
+    const Value second{{"input", "path"}, {"kind", "edge"}, {"index", 1}},
+        none{{"input", "path"}, {"kind", "edge"}, {"index", 4}};
+    const Evaluated motion = made("sweep-along", {{"radius", 2}, {"edges", {second}}}, {outline});
+    const Shape bar = made("sweep", {{"solid", true}}, {motion.shape}).shape;
+    COMPARE_NEAR(figure(bar, "volume"), 4 * std::numbers::pi * 30, 1e-6 * 400);
+    VERIFY_REFUSED(refusal("sweep-along", {{"edges", {none}}}, {outline}), ErrorCode::NotFound, "4 edges");
   }
 
   void whatIsNoSmoothCurveIsSaid() {

@@ -32,7 +32,51 @@ void appendPart(Curve& chain, const Curve& part, double length) {
   for (std::size_t i = chain.poles.empty() ? 0 : 1; i < part.poles.size(); ++i) chain.poles.push_back(scale * part.poles[i]);
 }
 
+Vec3 startOf(const Curve& curve) { return placeOf(clamped(curve).poles.front()); }
+Vec3 endOf(const Curve& curve) { return placeOf(clamped(curve).poles.back()); }
+
+Curve turnedRound(Curve curve) {
+  std::reverse(curve.poles.begin(), curve.poles.end());
+  std::reverse(curve.knots.begin(), curve.knots.end());
+  const double sum = curve.knots.front() + curve.knots.back();
+  for (double& knot : curve.knots) knot = sum - knot;
+  return curve;
+}
+
+/// Whether no end of another part lies at a place.
+bool isFree(const Vec3& place, std::size_t owner, std::span<const Curve> parts, double gap) {
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (k != owner && ((startOf(parts[k]) - place).norm() <= gap || (endOf(parts[k]) - place).norm() <= gap)) return false;
+  return true;
+}
+
+/// Puts a part with a free end first, with that end at its start.
+void beginAtFreeEnd(std::vector<Curve>& parts, double gap) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const bool atEnd = !isFree(startOf(parts[k]), k, parts, gap);
+    if (atEnd && !isFree(endOf(parts[k]), k, parts, gap)) continue;
+    if (atEnd) parts[k] = turnedRound(std::move(parts[k]));
+    return std::swap(parts.front(), parts[k]);
+  }
+}
+
 }  // namespace
+
+std::vector<Curve> inOrder(std::vector<Curve> parts, double gap) {
+  if (parts.size() < 2) return parts;
+  beginAtFreeEnd(parts, gap);
+  for (std::size_t next = 1; next < parts.size(); ++next) {
+    const Vec3 place = endOf(parts[next - 1]);
+    const auto distance = [&](const Curve& each) {
+      return std::min((startOf(each) - place).norm(), (endOf(each) - place).norm());
+    };
+    const auto rest = parts.begin() + static_cast<std::ptrdiff_t>(next);
+    std::iter_swap(rest, std::min_element(rest, parts.end(),
+                                          [&](const Curve& a, const Curve& b) { return distance(a) < distance(b); }));
+    if ((endOf(*rest) - place).norm() < (startOf(*rest) - place).norm()) *rest = turnedRound(std::move(*rest));
+  }
+  return parts;
+}
 
 Curve chained(std::span<const Curve> parts, double gap) {
   if (parts.empty()) throw Error(ErrorCode::InvalidInput, "There are no parts of a curve to join.");

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <vector>
 
 #include "geometry/bspline/curve.h"
 
@@ -11,5 +12,10 @@ namespace blossom::sweep {
 /// made to meet, those of the whole as well.
 /// @throws Error InvalidInput when two ends lie farther apart, with the place. O(poles).
 Curve chained(std::span<const Curve> parts, double gap);
+
+/// The same curves so that each begins at the end that lies nearest to that of the one before, turned round where needed.
+/// They begin with one that has a free end, more than `gap` mm from all others; without any, with the first one. O(n^2) for
+/// n parts.
+std::vector<Curve> inOrder(std::vector<Curve> parts, double gap);
 
 }  // namespace blossom::sweep

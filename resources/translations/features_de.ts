@@ -1347,6 +1347,10 @@
         <translation>Kanten</translation>
     </message>
     <message>
+        <source>Edges of the path that the section follows, in any order: of a solid, or of a drawing with several curves.</source>
+        <translation>Kanten des Weges, denen der Querschnitt folgt, in beliebiger Reihenfolge: eines Körpers oder einer Zeichnung mit mehreren Kurven.</translation>
+    </message>
+    <message>
         <source>element</source>
         <translation>Element</translation>
     </message>
@@ -3059,6 +3063,10 @@
         <translation>Die Bewegung, die bearbeitet wird; zuvor gelten die Änderungen ihrer Datei.</translation>
     </message>
     <message>
+        <source>the only curve</source>
+        <translation>die einzige Kurve</translation>
+    </message>
+    <message>
         <source>The outline at the bottom, then the one at the top.</source>
         <translation>Der untere Umriss, dann der obere.</translation>
     </message>
@@ -3505,10 +3513,6 @@
 </context>
 <context>
     <name>Warnings</name>
-    <message>
-        <source>Edges of the path that the section follows, in any order: of a solid, or of a drawing with several curves.</source>
-        <translation>Kanten des Weges, denen der Querschnitt folgt, in beliebiger Reihenfolge: eines Körpers oder einer Zeichnung mit mehreren Kurven.</translation>
-    </message>
     <message>
         <source>Nothing is edited yet: there is no place.</source>
         <translation>Noch wird nichts bearbeitet: Es gibt keine Stelle.</translation>

@@ -1190,6 +1190,22 @@
         <source>T, R, S: one way alone (Shift: as well)</source>
         <translation>T, R, S: nur eine Art (Umschalt: zusätzlich)</translation>
     </message>
+    <message>
+        <source>Let go to twist about this axis</source>
+        <translation>Loslassen verdreht um diese Achse</translation>
+    </message>
+    <message>
+        <source>Shift: along x, y, z, the tangent, the arm or across both</source>
+        <translation>Umschalt: längs x, y, z, der Tangente, des Arms oder quer zu beiden</translation>
+    </message>
+    <message>
+        <source>Drag to turn the axis of this twist</source>
+        <translation>Ziehen schwenkt die Achse dieser Verdrehung</translation>
+    </message>
+    <message>
+        <source>Turn the axis of a twist</source>
+        <translation>Achse einer Verdrehung schwenken</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::TurnBall</name>

@@ -1190,6 +1190,22 @@
         <source>T, R, S: one way alone (Shift: as well)</source>
         <translation>T, R, S: 한 방식만 (Shift: 함께)</translation>
     </message>
+    <message>
+        <source>Let go to twist about this axis</source>
+        <translation>놓으면 이 축을 중심으로 비틉니다</translation>
+    </message>
+    <message>
+        <source>Shift: along x, y, z, the tangent, the arm or across both</source>
+        <translation>Shift: x, y, z, 접선, 팔 또는 그 둘에 수직인 방향</translation>
+    </message>
+    <message>
+        <source>Drag to turn the axis of this twist</source>
+        <translation>끌어서 이 비틀기의 축을 돌립니다</translation>
+    </message>
+    <message>
+        <source>Turn the axis of a twist</source>
+        <translation>비틀기의 축 돌리기</translation>
+    </message>
 </context>
 <context>
     <name>blossom::sweep::TurnBall</name>

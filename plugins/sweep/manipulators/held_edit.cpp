@@ -29,19 +29,28 @@ HeldEdit::HeldEdit(Start start) : start_(std::move(start)), live_(start_.surface
     base_ = withEditsApplied(*start_.changed->base.get<Motion>());
   } catch (const Error&) {
     start_.grip.of.reset();  // then one more edit is made
+    start_.ball.reset();
   }
 }
 
 void HeldEdit::follow(const ui::ToolEvent& event) {
   start_.pixel = event.millimetresPerPixel;
   start_.target.follow(event);
+  if (start_.ball) followAxis(event);
+}
+
+/// With Shift, to an axis that has a name.
+void HeldEdit::followAxis(const ui::ToolEvent& event) {
+  Vec3 axis = axisUnder(*start_.ball, event.ray);
+  if (event.modifiers.testFlag(Qt::ShiftModifier)) axis = nearestNamedAxis(axis, before(), start_.grip.hit.at);
+  axis_ = readableAxis(axis);
 }
 
 void HeldEdit::show(const PullMode& mode) { live_.show(base(mode), edit(mode)); }
 
 bool HeldEdit::changesOne(const PullMode& mode) const {
   if (!start_.grip.of || !start_.changed || !base_) return false;
-  if (start_.changed->isFollowed) return true;
+  if (start_.changed->isFollowed || start_.ball) return true;
   if (!start_.chosen.empty()) return false;
   if (const auto* pull = std::get_if<MotionPull>(&start_.changed->edit))
     return !mode.twists() && pull->weights == mode.weights() && pull->symmetry == mode.symmetry() &&
@@ -56,6 +65,7 @@ bool HeldEdit::twists(const PullMode& mode) const {
 }
 
 Vec3 HeldEdit::axis(const PullMode& mode) const {
+  if (axis_) return axis_->normalized();
   return changesOne(mode) ? Vec3(std::get<MotionTwist>(start_.changed->edit).axis.normalized())
                           : twistAxis(before(), start_.grip.hit.at, mode.axis());
 }
@@ -109,6 +119,8 @@ MotionTwist HeldEdit::twist(const PullMode& mode) const {
                     mode.symmetry()};
   twist.level = mode.level();
   if (changesOne(mode)) twist = std::get<MotionTwist>(start_.changed->edit);
+  if (axis_) twist.axis = *axis_;
+  if (!turned_ && start_.ball) return twist;
   twist.angle = turned_.value_or(std::clamp(twist.angle + mouseAngle(mode), -fullTurn, fullTurn));
   return twist;
 }
@@ -129,6 +141,7 @@ double HeldEdit::mouseAngle(const PullMode& mode) const {
 }
 
 bool HeldEdit::changesAnything(const PullMode& mode) const {
+  if (axis_ && !sameAxis(*axis_, std::get<MotionTwist>(start_.changed->edit).axis)) return true;
   if (twists(mode)) return turnedBy(mode) != 0;
   constexpr double rounding = 1e-9;
   return (goal() - from()).norm() > rounding * (1 + from().norm());

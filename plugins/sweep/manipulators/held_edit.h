@@ -3,6 +3,7 @@
 
 #include "manipulators/drag_target.h"
 #include "manipulators/live_edit.h"
+#include "manipulators/marks/axis_ball.h"
 #include "manipulators/marks/pull_grip.h"
 
 namespace blossom::sweep {
@@ -17,8 +18,9 @@ class HeldEdit {
     ChosenPlaces chosen;
     std::optional<ChangeableEdit> changed;  ///< whose place it is
     DragTarget target;
-    double pixel = 1;     ///< mm
-    bool capped = false;  ///< the ends are drawn closed
+    double pixel = 1;                ///< mm
+    bool capped = false;             ///< the ends are drawn closed
+    std::optional<AxisBall> ball{};  ///< of a twist that is changed: its axis is turned, and nothing else
   };
   explicit HeldEdit(Start);
 
@@ -28,9 +30,11 @@ class HeldEdit {
   void forgetTyped() { goal_.reset(), turned_.reset(); }  ///< the mouse decides again
   void show(const PullMode&);                             ///< brings the surface up to date
 
-  /// Grabbed at a place of an edit, and in the same way; one that others follow is changed in its own way always.
+  /// Grabbed at a place of an edit, and in the same way, or at its axis; one that others follow is changed in its own way
+  /// always.
   [[nodiscard]] bool changesOne(const PullMode&) const;
   [[nodiscard]] bool changesFollowed() const { return start_.grip.of && start_.changed && start_.changed->isFollowed; }
+  [[nodiscard]] bool turnsAxis() const { return start_.ball.has_value(); }
   [[nodiscard]] bool twists(const PullMode&) const;
   [[nodiscard]] Vec3 axis(const PullMode&) const;  ///< of the twist, unit length
   [[nodiscard]] MotionEdit edit(const PullMode&) const;
@@ -57,11 +61,13 @@ class HeldEdit {
   [[nodiscard]] MotionTwist twist(const PullMode&) const;
   [[nodiscard]] std::vector<MotionPlace> places() const;
   [[nodiscard]] double mouseAngle(const PullMode&) const;
+  void followAxis(const ui::ToolEvent&);
 
   Start start_;
   std::optional<Motion> base_;    ///< before the edit that is changed
   std::optional<Vec3> goal_;      ///< that was typed
   std::optional<double> turned_;  ///< likewise the angle
+  std::optional<Vec3> axis_;      ///< that the ball was dragged to
   LiveEdit live_;
 };
 

@@ -58,7 +58,7 @@ bool SurfacePullTool::chooseKey(int key) {
     return true;
   }
   if (!under_ || !(hovered() || held())) return false;
-  if (key == Qt::Key_P && !held()) {
+  if (key == Qt::Key_P && !held() && !under_->onAxis) {
     chosen_.togglePinned(under_->hit.at);
     return true;
   }

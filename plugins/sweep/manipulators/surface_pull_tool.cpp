@@ -63,7 +63,7 @@ bool SurfacePullTool::release(const ui::ToolEvent& event) {
   const bool dragged = dragged_, typing = entry_.has_value();
   const bool chooses = held() && !dragged && !typing && event.modifiers.testFlag(Qt::ShiftModifier);
   if (!HandleTool::release(event)) return false;
-  if (chooses && under_) {
+  if (chooses && under_ && !under_->onAxis) {
     chosen_.toggleMoved(under_->hit.at);
     emit changed();
   }
@@ -90,12 +90,14 @@ void SurfacePullTool::look(const ui::ToolEvent& event) {
   under_.reset();
   // With Ctrl or Alt the mouse is for the view, so that the surface and its parts can still be selected and turned.
   if (!surface_ || event.modifiers & (Qt::ControlModifier | Qt::AltModifier)) return;
-  under_ = gripUnder(host(), *surface_, chosen_, edits_, event);
+  under_ = gripUnder(
+      host(), *surface_, chosen_, edits_, [this](const ChangeableEdit& each) { return showsAxis(each); }, event);
   overSurface_ = under_.has_value();
 }
 
 std::optional<std::size_t> SurfacePullTool::handleUnder(const ui::ToolEvent&) const {
   if (!under_) return std::nullopt;
+  if (under_->onAxis) return axisOfEdit;
   return under_->of ? placeOfEdit : anyPlace;
 }
 
@@ -110,13 +112,15 @@ bool SurfacePullTool::take(std::size_t /*handle*/, const ui::ToolEvent& event) {
 std::optional<PullGrip> SurfacePullTool::gripToHold() const {
   if (!under_ || !isFollowed(*under_)) return under_;
   if (!selectedSurface_) return std::nullopt;
-  return PullGrip{placeHit(selectedSurface_->motion(), under_->hit.at), under_->of};
+  return PullGrip{placeHit(selectedSurface_->motion(), under_->hit.at), under_->of, under_->onAxis};
 }
 
 void SurfacePullTool::hold(const PullGrip& grip, const DragTarget& target, double pixel) {
   const auto changed = grip.of ? std::optional(edits_[grip.of->edit]) : std::nullopt;
-  edit_ = std::make_unique<HeldEdit>(HeldEdit::Start{isFollowed(grip) ? selectedSurface_ : surface_, grip, chosen_, changed,
-                                                     target, pixel, placement_ && makesSolid(host(), *placement_)});
+  const std::shared_ptr<const LiveSurface>& surface = isFollowed(grip) ? selectedSurface_ : surface_;
+  const auto ball = grip.onAxis && changed ? axisBall(surface->motion(), changed->edit, pixel) : std::nullopt;
+  edit_ = std::make_unique<HeldEdit>(
+      HeldEdit::Start{surface, grip, chosen_, changed, target, pixel, placement_ && makesSolid(host(), *placement_), ball});
   dragged_ = false;
 }
 
@@ -142,7 +146,9 @@ void SurfacePullTool::commitEdit(const std::optional<TypedGoal>& typed) {
   std::optional<LingeringPicture> lingering;
   lingering.emplace(host(), ui::StandIn{placement_->users, done->live().mesh().faces(), done->live().mesh().edges()});
   const MotionEdit edit = done->edit(mode_);
-  const QString what = done->twists(mode_) ? tr("Twist the surface") : tr("Pull the surface");
+  const QString what = done->turnsAxis()     ? tr("Turn the axis of a twist")
+                       : done->twists(mode_) ? tr("Twist the surface")
+                                             : tr("Pull the surface");
   commit(done->changesOne(mode_) ? withChangedEdit(host(), done->changed().id, edit, typed)
                                  : withEdit(host(), *placement_, edit, typed),
          what);

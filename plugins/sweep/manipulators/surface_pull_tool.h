@@ -42,7 +42,7 @@ class SurfacePullTool : public ui::HandleTool {
 
  private:
   /// What `handleUnder` finds.
-  enum Handle : std::size_t { anyPlace, placeOfEdit };
+  enum Handle : std::size_t { anyPlace, placeOfEdit, axisOfEdit };
 
   void load() override;
   void show(std::shared_ptr<const LiveSurface>);
@@ -57,6 +57,8 @@ class SurfacePullTool : public ui::HandleTool {
   /// What is under the mouse on the surface that a drag there changes; empty while that is not ready.
   [[nodiscard]] std::optional<PullGrip> gripToHold() const;
   /// Whether it is a place of an edit that others follow.
+  /// That of the selected edit, and while places are twisted.
+  [[nodiscard]] bool showsAxis(const ChangeableEdit& edit) const { return mode_.twists() || edit.id == feature(); }
   [[nodiscard]] bool isFollowed(const PullGrip& grip) const { return grip.of && edits_[grip.of->edit].isFollowed; }
   void hold(const PullGrip&, const DragTarget&, double pixel);
   void follow();
@@ -83,6 +85,8 @@ class SurfacePullTool : public ui::HandleTool {
   [[nodiscard]] QString wayText() const;
   void markPlace(PullMarks&) const;
   void markEdit(PullMarks&) const;
+  void markAxes(PullMarks&) const;
+  void markTurnedAxis(PullMarks&, const Vec3& centre, const Vec3& axis) const;
 
   PullMode& mode_;  ///< stays in force when something else is selected meanwhile
   std::optional<EditPlacement> placement_;

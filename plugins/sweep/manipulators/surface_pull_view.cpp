@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
+#include "manipulators/marks/axis_ball.h"
 #include "manipulators/marks/pull_marks.h"
 #include "manipulators/marks/pull_numbers.h"
 #include "manipulators/surface_pull_tool.h"
@@ -55,6 +56,9 @@ QString SurfacePullTool::typingHint() const {
 }
 
 QString SurfacePullTool::heldHint() const {
+  if (edit_->turnsAxis() && edit_->possible())
+    return joined({tr("Let go to twist about this axis"), tr("Shift: along x, y, z, the tangent, the arm or across both"),
+                   tr("Esc takes it back")});
   const LiveEdit& live = edit_->live();
   if (!edit_->possible()) return tr("Nothing will be changed here: %1").arg(live.reason());
   QStringList parts;
@@ -93,6 +97,7 @@ QString SurfacePullTool::leftText() const {
 }
 
 QString SurfacePullTool::hoverHint() const {
+  if (under_->onAxis) return joined({tr("Drag to turn the axis of this twist"), tr("Enter: type the angle")});
   if (isFollowed(*under_))
     return selectedSurface_ ? joined({tr("Drag to change the selected edit here; those after it are hidden meanwhile"),
                                       tr("Enter: type its goal")})
@@ -157,13 +162,20 @@ std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
   const bool editing = edit_ && (held() || entry_);
   if (editing)
     markEdit(marks);
-  else if (hovered() && under_)
+  else if (hovered() && under_ && !under_->onAxis)
     markPlace(marks);
+  if (!editing) markAxes(marks);
   const Motion& motion = editing ? edit_->live().motion() : surface_->motion();
   marks.chosen(pointsAt(motion, chosen_.moved), pointsAt(motion, chosen_.pinned));
   if (!editing && !edits_.empty() && edits_.front().isFollowed)
     marks.copies(pointsAt(motion, editedPlaces(edits_.front().edit)));
   return props;
+}
+
+void SurfacePullTool::markTurnedAxis(PullMarks& marks, const Vec3& centre, const Vec3& axis) const {
+  const Vec3 end = centre + axisPixels * millimetresPerPixel() * axis, read = readableAxis(axis);
+  marks.ball(end, true);
+  if (!entry_) marks.tell(end, QStringLiteral("%1, %2, %3").arg(read.x()).arg(read.y()).arg(read.z()), false);
 }
 
 void SurfacePullTool::markPlace(PullMarks& marks) const {
@@ -182,6 +194,17 @@ void SurfacePullTool::markPlace(PullMarks& marks) const {
   marks.axis(centre, twistAxis(motion, hit.at, mode_.axis()));
 }
 
+/// Of twists that are there, with the balls by which they are turned.
+void SurfacePullTool::markAxes(PullMarks& marks) const {
+  for (std::size_t k = 0; k < edits_.size(); ++k) {
+    if (!showsAxis(edits_[k])) continue;
+    const auto ball = axisBall(surface_->motion(), edits_[k].edit, millimetresPerPixel());
+    if (!ball) continue;
+    marks.axis(ball->centre, ball->axis);
+    marks.ball(ball->at(), hovered() && under_ && under_->onAxis && under_->of->edit == k);
+  }
+}
+
 void SurfacePullTool::markEdit(PullMarks& marks) const {
   const PlaceHit& hit = edit_->grip().hit;
   const Motion& now = edit_->live().motion();
@@ -190,6 +213,7 @@ void SurfacePullTool::markEdit(PullMarks& marks) const {
   if (edit_->twists(mode_)) {
     const Vec3 axis = edit_->axis(mode_);
     marks.axis(centre, axis);
+    if (edit_->turnsAxis()) return markTurnedAxis(marks, centre, axis);
     marks.turn({centre, axis, hit.point - centre, edit_->turnedBy(mode_)},
                entry_ ? QString() : QStringLiteral("%1°").arg(edit_->angle(mode_), 0, 'f', 1));
   } else {

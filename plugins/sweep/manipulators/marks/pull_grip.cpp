@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/edit/motion_symmetry.h"
+#include "manipulators/marks/axis_ball.h"
 
 namespace blossom::sweep {
 
@@ -40,6 +41,14 @@ std::optional<NumberedHit> nearestOf(const std::vector<MotionPlace>& places, con
   return best;
 }
 
+std::optional<PullGrip> axisGrip(const Motion& motion, const MotionEdit& edit, std::size_t number,
+                                 const ui::ToolEvent& event) {
+  const auto ball = axisBall(motion, edit, event.millimetresPerPixel);
+  if (!ball || distanceFrom(event.ray, ball->at()) > gripReach * event.millimetresPerPixel) return std::nullopt;
+  const MotionPlace& at = editedPlaces(edit).front();
+  return PullGrip{placeHit(motion, {insidePeriod(motion, at.u), at.v}), PullGrip::OfEdit{number, 0}, true};
+}
+
 }  // namespace
 
 std::vector<MotionPlace> ChosenPlaces::all() const {
@@ -63,14 +72,18 @@ const std::vector<MotionPlace>& editedPlaces(const MotionEdit& edit) {
 }
 
 std::optional<PullGrip> gripUnder(const ui::ToolHost& host, const LiveSurface& surface, const ChosenPlaces& chosen,
-                                  const std::vector<ChangeableEdit>& edits, const ui::ToolEvent& event) {
+                                  const std::vector<ChangeableEdit>& edits, const ShowsAxis& showsAxis,
+                                  const ui::ToolEvent& event) {
+  for (std::size_t k = 0; k < edits.size(); ++k)
+    if (showsAxis(edits[k]))
+      if (auto grip = axisGrip(surface.motion(), edits[k].edit, k, event)) return grip;  // drawn over what lies before it
   std::optional<PullGrip> grip;
-  if (const auto found = nearestOf(chosen.all(), surface.motion(), event)) grip = PullGrip{found->hit, {}};
+  if (const auto found = nearestOf(chosen.all(), surface.motion(), event)) grip = PullGrip{found->hit, {}, false};
   for (std::size_t k = 0; k < edits.size() && !grip; ++k)
     if (const auto found = nearestOf(editedPlaces(edits[k].edit), surface.motion(), event))
-      grip = PullGrip{found->hit, PullGrip::OfEdit{k, found->number}};
+      grip = PullGrip{found->hit, PullGrip::OfEdit{k, found->number}, false};
   if (!grip)
-    if (const auto hit = surface.finder.find(event.ray)) grip = PullGrip{*hit, {}};
+    if (const auto hit = surface.finder.find(event.ray)) grip = PullGrip{*hit, {}, false};
   if (!grip) return std::nullopt;
   const double slack = gripReach * event.millimetresPerPixel;
   const bool hidden = !event.pick.feature.empty() && event.pick.part.distance < grip->hit.distance - slack;

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,12 +27,17 @@ struct PullGrip {
     std::size_t edit, place;
   };
   std::optional<OfEdit> of;  ///< which place of a changeable edit it is
+  bool onAxis = false;       ///< of a twist, whose axis is turned
 };
 
-/// What is under the mouse: a place that was chosen, or one of a changeable edit, within reach, even beside the surface, as
-/// the tip of what was pulled out; else the place of the surface. Empty where something else hides it or it is cut away.
+/// Whether the axis of an edit, if it has one, is drawn to be turned.
+using ShowsAxis = std::function<bool(const ChangeableEdit&)>;
+
+/// What is under the mouse: the end of the axis of a twist among the edits that show theirs, a place that was chosen, or one
+/// of a changeable edit, within reach, even beside the surface, as the tip of what was pulled out; else the place of the
+/// surface. Empty where something else hides it or it is cut away.
 std::optional<PullGrip> gripUnder(const ui::ToolHost&, const LiveSurface&, const ChosenPlaces&,
-                                  const std::vector<ChangeableEdit>&, const ui::ToolEvent&);
+                                  const std::vector<ChangeableEdit>&, const ShowsAxis&, const ui::ToolEvent&);
 
 /// The places that an edit moves.
 const std::vector<MotionPlace>& editedPlaces(const MotionEdit&);

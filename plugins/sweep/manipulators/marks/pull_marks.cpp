@@ -6,13 +6,14 @@
 #include <cmath>
 
 #include "kernel/edit/motion_symmetry.h"
+#include "manipulators/marks/axis_ball.h"
 
 namespace blossom::sweep {
 
 namespace {
 
-constexpr double axisPixels = 90, twistRadius = 40;  // half the length of an axis; the arc of a point on it
-constexpr double pointPixels = 10, copyPixels = 8, pinPixels = 7;
+constexpr double twistRadius = 40;  // of the arc of a point on the axis
+constexpr double pointPixels = 10, copyPixels = 8, pinPixels = 7, ballPixels = 13;
 constexpr double seamPixels = 1.3;
 constexpr QPointF halfLabel(26, 11);  // logical pixels, of a card with an angle
 constexpr double labelDistance = 16;  // from the end of an arc to the card
@@ -79,6 +80,10 @@ void PullMarks::ring(const Vec3& centre, const PullMode& mode) {
 void PullMarks::axis(const Vec3& centre, const Vec3& axis) {
   const Vec3 half = axisPixels * facing_.pixel * axis;
   seamed({{centre - half, centre + half}}, host_.look().control, 2);
+}
+
+void PullMarks::ball(const Vec3& at, bool active) {
+  points({at}, active ? host_.look().made : host_.look().control, ballPixels);
 }
 
 void PullMarks::turn(const TwistArc& arc, const QString& text) {

@@ -26,6 +26,8 @@ class PullMarks {
   void ring(const Vec3& centre, const PullMode&);
   /// The axis of a twist, through the trajectory.
   void axis(const Vec3& centre, const Vec3& axis);
+  /// By which an axis is turned; warm while it is under the mouse.
+  void ball(const Vec3& at, bool active);
   /// The arc of the arm, with a text beside its end.
   void turn(const TwistArc&, const QString& text);
   /// Of the point that is dragged.

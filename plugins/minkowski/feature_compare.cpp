@@ -50,7 +50,34 @@ Curves emptyPicture() {
 
 constexpr double pitch = 1.2;  // from one in-between to the next, in sizes of the largest
 
-/// A row for each way and a column for each time.
+Path lineThrough(const std::vector<Vec2>& points, const char* layer, const Color& color) {
+  Path line{{}, false, layer, color};
+  for (std::size_t i = 1; i < points.size(); ++i) line.segments.emplace_back(Line2{points[i - 1], points[i]});
+  return line;
+}
+
+/// The area of each way over t, under the columns of the table; the largest one is as high as a row.
+void addAreasOverTime(Curves& picture, const MorphComparison& comparison, std::size_t times, const Vec2& step) {
+  constexpr Color axes{0.45, 0.45, 0.45};
+  const std::vector<ComparedWay> ways = comparedWays(comparison);
+  double largest = 0;
+  for (const ComparedWay& each : ways)
+    for (const double area : each.way->areas) largest = std::max(largest, area);
+  if (!(largest > 0) || times < 2) return;
+  const double height = step.y() / pitch, lastRow = -(static_cast<double>(ways.size()) - 1) * step.y();
+  const double ground = lastRow + comparison.room.min().y() - step.y();
+  const auto place = [&](std::size_t k, double area) {
+    return Vec2(step.x() * static_cast<double>(k), ground + height * area / largest);
+  };
+  picture.paths.push_back(lineThrough({place(0, largest), place(0, 0), place(times - 1, 0)}, "axes", axes));
+  for (const ComparedWay& each : ways) {
+    std::vector<Vec2> curve;
+    for (std::size_t k = 0; k < each.way->areas.size(); ++k) curve.push_back(place(k, each.way->areas[k]));
+    if (curve.size() > 1) picture.paths.push_back(lineThrough(curve, each.layer, each.color));
+  }
+}
+
+/// A row for each way and a column for each time; below them the areas.
 Curves comparisonTable(const MorphComparison& comparison, std::size_t times) {
   const Vec2 step = pitch * comparison.room.sizes();
   Curves picture = emptyPicture();
@@ -60,6 +87,7 @@ Curves comparisonTable(const MorphComparison& comparison, std::size_t times) {
       addOutlines(picture, each, k, {step.x() * static_cast<double>(k), -step.y() * row});
     ++row;
   }
+  addAreasOverTime(picture, comparison, times, step);
   return picture;
 }
 
@@ -143,7 +171,7 @@ FeatureType comparisonFeature(std::size_t maximumWork) {
       .parameter("steps", &P::steps, count(2, 100), "How many in-betweens of each way are in the picture, from t = 0 to 1.")
       .parameter("frames", &P::frames, count(0, 1000),
                  "Number of frames of a sequence, each with the three ways side by side; 0 makes one picture with a row "
-                 "for each way.")
+                 "for each way and their areas over t.")
       .parameter("resolution", &P::resolution, count(8, 1000),
                  "Cells of the distance fields along the longer side of the shapes.")
       .parameter("tolerance", &P::tolerance, toleranceSpec(),

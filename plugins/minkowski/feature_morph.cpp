@@ -114,10 +114,10 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
   faceSectors(shapes, sectorsIn(p.sectors), toleranceOf(p.tolerance), progress);
   const std::vector<double> places = placesOf(p), times = timesOf(p, places);
   if (isPiecewise(p, shapes.size())) {
-    refuseBesidesKnots(!p.blossom.empty() || !p.path.empty(), p.degreeElevate, p.areaPreserving);
-    return morphedBySpline(shapes, knotsFor(shapes.size(), p.degree, p.knots), times,
-                           p.frames > 0 ? places : std::vector<double>(),
-                           {.tolerance = toleranceOf(p.tolerance), .maximumWork = maximumWork}, progress);
+    refuseBesidesKnots(!p.blossom.empty() || !p.path.empty(), p.degreeElevate);
+    return morphedBySpline(
+        shapes, knotsFor(shapes.size(), p.degree, p.knots), times, p.frames > 0 ? places : std::vector<double>(),
+        {.areaPreserving = p.areaPreserving, .tolerance = toleranceOf(p.tolerance), .maximumWork = maximumWork}, progress);
   }
   checkPath(p.path, shapes.size());
   const std::size_t degree = shapes.size() - 1;

@@ -16,10 +16,9 @@ ParameterSpec angleNamed(std::string name, std::string help) {
 
 }  // namespace
 
-void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate, bool areaPreserving) {
-  if (!blossomOrPath && !degreeElevate && !areaPreserving) return;
-  throw Error(ErrorCode::InvalidParameter,
-              "A B-spline of shapes takes no blossom parameters, path, degree elevation or preserved areas.",
+void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate) {
+  if (!blossomOrPath && !degreeElevate) return;
+  throw Error(ErrorCode::InvalidParameter, "A B-spline of shapes takes no blossom parameters, path or degree elevation.",
               "Leave them out, or the degree and the knots.");
 }
 

@@ -9,7 +9,7 @@
 namespace blossom::minkowski {
 
 /// @throws Error InvalidParameter for what a B-spline of shapes has no place for.
-void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate, bool areaPreserving);
+void refuseBesidesKnots(bool blossomOrPath, bool degreeElevate);
 /// @param places when each region is seen
 Shape sequenceOf(std::vector<Region>, std::vector<double> places);
 /// A sequence of a frame for each of the times, or the in-between at the only one.

@@ -31,7 +31,7 @@ double joiningGap() { return 10 * Tolerance{}.joining; }
 Curve partOf(const TopoDS_Edge& edge, const char* what) {
   double first = 0, last = 0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  if (curve.IsNull()) refuseCurve(what, "an edge has no curve in space", "Give another file.");
+  if (curve.IsNull()) refuseCurve(what, "an edge has no curve in space", "Choose another edge, or give another file.");
   const Handle(Geom_BSplineCurve) spline = GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(curve, first, last));
   if (edge.Orientation() == TopAbs_REVERSED) spline->Reverse();
   return fromOcct(spline);

@@ -46,8 +46,17 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
                     made.smallestBend, made.bendAt, made.reach));
 }
 
+void refuseEdgesOfProfile(const std::vector<SubShapeValue>& edges) {
+  for (const SubShapeValue& each : edges)
+    if (!each.input.empty() && each.input != "path")
+      throw Error(ErrorCode::InvalidParameter,
+                  fmt::format("Edge {} is one of the {}, not of the path.", each.index, each.input),
+                  "Choose edges of the path alone.");
+}
+
 Evaluated evaluateFrame(const FrameParameters& p, const Inputs& inputs, const Progress& progress) {
   progress.report(0.02, "Following the path");
+  refuseEdgesOfProfile(p.edges);
   const Curve path = curveOf(inputs.of(0)[0], "path", numbersOf(p.edges));
   CurveMotionOptions options{.radius = p.radius,
                              .profile = {},

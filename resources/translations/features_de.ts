@@ -2115,8 +2115,8 @@
         <translation>Zahl der Kopien in einer Reihe, mit dem Original.</translation>
     </message>
     <message>
-        <source>Number of frames of a sequence, each with the three ways side by side; 0 makes one picture with a row for each way.</source>
-        <translation>Anzahl der Bilder einer Folge, jedes mit den drei Verfahren nebeneinander; 0 ergibt ein Bild mit einer Zeile je Verfahren.</translation>
+        <source>Number of frames of a sequence, each with the three ways side by side; 0 makes one picture with a row for each way and their areas over t.</source>
+        <translation>Anzahl der Bilder einer Folge, jedes mit den drei Verfahren nebeneinander; 0 ergibt ein Bild mit einer Zeile je Verfahren und ihren Flächen über t.</translation>
     </message>
     <message>
         <source>Number of frames, at even times, each the nearest one there is: none is computed anew. 0 keeps the frames and moves their times.</source>

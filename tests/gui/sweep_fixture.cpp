@@ -1,7 +1,6 @@
 #include "sweep_fixture.h"
 
 #include <QDir>
-#include <QMouseEvent>
 #include <cmath>
 
 #include "ui/tree/document_tree.h"
@@ -18,14 +17,6 @@ void SweepFixture::openSample(const char* name) {
   window_->view().fit(false);
   window_->tree().select(sweep_);
   window_->view().setFocus();
-}
-
-void SweepFixture::mouseIn(QWidget* to, QEvent::Type type, const QPointF& at, Qt::KeyboardModifiers modifiers) {
-  const bool moves = type == QEvent::MouseMove;
-  held_ = type == QEvent::MouseButtonPress || (held_ && moves);
-  QMouseEvent event(type, at, to->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
-                    held_ ? Qt::LeftButton : Qt::NoButton, modifiers);
-  QApplication::sendEvent(to, &event);
 }
 
 void SweepFixture::hover(const QPoint& at) {

@@ -13,11 +13,6 @@ class SweepFixture : public WindowFixture {
  protected:
   /// From the file to its sweep, which is selected and seen from a corner.
   void openSample(const char* name);
-  /// Straight to the view: moves by way of the display arrive in their own time.
-  void mouse(QEvent::Type type, const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
-    mouseIn(&window_->view(), type, at, modifiers);
-  }
-  void mouseIn(QWidget*, QEvent::Type, const QPointF& at, Qt::KeyboardModifiers modifiers = {});
   void key(Qt::Key key) { QTest::keyClick(&window_->view(), key); }
   /// Waits until the surface can be taken hold of.
   void hover(const QPoint& at);
@@ -43,7 +38,6 @@ class SweepFixture : public WindowFixture {
   void keepPictures(const char* name, std::optional<QPoint> at = {});
 
   FeatureId source_, sweep_;
-  bool held_ = false;
 };
 
 }  // namespace blossom::ui

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drag_frames.h"
 #include "support/sweep_formulas.h"
 #include "sweep_fixture.h"
 #include "ui/tree/document_tree.h"
@@ -160,34 +161,17 @@ void SweepLiveWindowTest::framesAreMeasured() {
   mouse(QEvent::MouseMove, from + QPoint(10, 0));
   (void)canvas();  // the first picture sends the surface to the graphics card
 
-  std::vector<double> frames;
-  QElapsedTimer since;
-  const auto counting = connect(&window_->view(), &ViewWidget::framePainted, this, [&] {
-    frames.push_back(static_cast<double>(since.nsecsElapsed()) / 1e6);
-    since.restart();
-  });
   constexpr int wantedMoves = 250;
   int moves = 0;
-  QTimer moving;
-  QEventLoop loop;
   const auto move = [&] {
     ++moves;
     mouse(QEvent::MouseMove, from + QPoint(40 + qRound(35 * std::sin(moves * 0.05)), qRound(25 * std::cos(moves * 0.07))));
-    if (moves == wantedMoves) loop.quit();
   };
-  connect(&moving, &QTimer::timeout, &loop, move);
-  moving.setTimerType(Qt::PreciseTimer);
-  since.start();
-  moving.start(8);
-  loop.exec();
-  moving.stop();
-  disconnect(counting);
-  QVERIFY(frames.size() > 5);
-  std::sort(frames.begin(), frames.end());
-  const auto quick = std::count_if(frames.begin(), frames.end(), [](double ms) { return ms < 33; });
-  qInfo("figure pull_frames_measured %zu", frames.size());
-  qInfo("figure pull_frames_quick_percent %.1f", 100.0 * static_cast<double>(quick) / static_cast<double>(frames.size()));
-  qInfo("figure pull_frame_95_ms %.1f", frames[frames.size() * 95 / 100]);
+  const DragFrames frames(window_->view(), wantedMoves, [&](int) { move(); });
+  QVERIFY(frames.count() > 5);
+  qInfo("figure pull_frames_measured %zu", frames.count());
+  qInfo("figure pull_frames_quick_percent %.1f", frames.shareWithin(33));
+  qInfo("figure pull_frame_95_ms %.1f", frames.slowestOf(95));
 
   std::vector<double> detailed, smooth;
   const auto wait = [](const QElapsedTimer& rest, const auto& reached) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drag_frames.h"
 #include "support/sweep_formulas.h"
 #include "sweep_fixture.h"
 #include "ui/thread/stall_watch.h"
@@ -413,21 +414,13 @@ void SweepWindowTest::aLargeMotionIsDraggedLive() {
   qInfo("figure pull_hover_stall_ms %.1f", watch.overall().wall);
   watch.reset();
   mouse(QEvent::MouseButtonPress, from);
-  const int frames = window_->view().framesDrawn();
   QElapsedTimer dragging;
   dragging.start();
-  int moves = 0;
   constexpr int wantedMoves = 90;
-  QTimer moving;
-  QEventLoop loop;
-  connect(&moving, &QTimer::timeout, &loop, [&] {
-    if (++moves > wantedMoves) return loop.quit();
-    mouse(QEvent::MouseMove, from + QPoint(moves / 2, moves / 3));
-  });
-  moving.start(8);
-  loop.exec();
+  const DragFrames frames(window_->view(), wantedMoves,
+                          [&](int k) { mouse(QEvent::MouseMove, from + QPoint(k / 2, k / 3)); });
   const double seconds = static_cast<double>(dragging.elapsed()) / 1000;
-  qInfo("figure pull_frames_per_s %.1f", (window_->view().framesDrawn() - frames) / seconds);
+  qInfo("figure pull_frames_per_s %.1f", static_cast<double>(frames.count()) / seconds);
   qInfo("figure pull_stall_ms %.1f", watch.overall().wall);
   qInfo("figure pull_stall_computing_ms %.1f", watch.overall().busy);
   mouse(QEvent::MouseButtonRelease, from + QPoint(wantedMoves / 2, wantedMoves / 3));

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <limits>
 
 namespace blossom::ui {
@@ -102,6 +103,14 @@ double WindowFixture::measureOf(const FeatureId& id, const char* name) const {
         if (const auto* count = std::get_if<std::int64_t>(&measure.value)) return static_cast<double>(*count);
       }
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+void WindowFixture::mouseIn(QWidget* to, QEvent::Type type, const QPointF& at, Qt::KeyboardModifiers modifiers) {
+  const bool moves = type == QEvent::MouseMove;
+  held_ = type == QEvent::MouseButtonPress || (held_ && moves);
+  QMouseEvent event(type, at, to->mapToGlobal(at), moves ? Qt::NoButton : Qt::LeftButton,
+                    held_ ? Qt::LeftButton : Qt::NoButton, modifiers);
+  QApplication::sendEvent(to, &event);
 }
 
 void WindowFixture::clickAt(const Vec3& p, Qt::KeyboardModifiers modifiers) {

@@ -67,6 +67,11 @@ class WindowFixture : public QObject {
 
   [[nodiscard]] QPoint screenOf(const Vec3& p) const { return window_->view().camera().project(p).toPoint(); }
   void moveTo(const Vec3& p) { test::moveMouse(&window_->view(), screenOf(p)); }
+  /// Straight to the view: moves by way of the display arrive in their own time.
+  void mouse(QEvent::Type type, const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
+    mouseIn(&window_->view(), type, at, modifiers);
+  }
+  void mouseIn(QWidget*, QEvent::Type, const QPointF& at, Qt::KeyboardModifiers modifiers = {});
   void clickAt(const Vec3& p, Qt::KeyboardModifiers modifiers = {});
 
   /// Files dragged onto the window from another program. @returns whether it takes them.
@@ -86,6 +91,7 @@ class WindowFixture : public QObject {
 
   QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;
+  bool held_ = false;  ///< the button, by `mouse`
 };
 
 }  // namespace blossom::ui

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/region_sum.h"
+#include "minkowski/kernel/morph/blossom_path.h"
 #include "minkowski/kernel/morph/morph.h"
 #include "support/boundary_distance.h"
 #include "support/curved_regions.h"
@@ -124,10 +125,85 @@ class MinkowskiBeyondTest : public QObject {
     QVERIFY(std::abs(area(ellipse) - 12.5 * pi) < 1e-3 * 25);
   }
 
+  /// Where the sharp tips move much farther than the sides.
+  void thinFreeFormShapesGoOn() {
+    for (const double height : {0.3, 1.0, 3.0}) {
+      const auto arch = [&](double h) {
+        return Spline2{3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0, 1}, {20, h, 1}, {40, h, 1}, {60, 0, 1}}};
+      };
+      Path lens;
+      lens.closed = true;
+      const Path upper{{arch(height)}, false, {}, {}}, lower{{arch(-height)}, false, {}, {}};
+      lens.segments = {lower.segments.front(), blossom::reversed(upper).segments.front()};
+      const Region region{{lens}};
+      const Region on = at({region, region}, {2});
+      QVERIFY2(std::abs(area(on) - area(region)) < 0.03 * area(region), fmt::format("{} mm", height).c_str());
+    }
+  }
+
+  /// What is added there and taken away again is so large that rounding hides whether there is a shape.
+  void whatCannotBeToldIsRefused() {
+    const auto octagon = [](double cut) {
+      const double r = 5, c = r - cut;
+      return polygonRegion({{-c, -r}, {c, -r}, {r, -c}, {r, c}, {c, r}, {-c, r}, {-r, c}, {-r, -c}});
+    };
+    std::vector<Region> shapes(8, octagon(2));
+    shapes.push_back(octagon(2.00000004));
+    QVERIFY(!refusal(shapes, diagonal(8, 10)).first.empty());
+  }
+
+  /// Squares whose sides grow evenly: the side is 2 + the sum of the numbers.
+  void manyDifferentNumbersTakeNoLonger() {
+    std::vector<Region> squares;
+    std::vector<double> t;
+    double side = 2;
+    for (int i = 0; i < 26; ++i) {
+      const double half = (2.0 + i) / 2;
+      squares.push_back(rectangleRegion({-half, -half}, {half, half}));
+      if (i > 0) side += t.emplace_back(1 + 1e-3 * i);
+    }
+    COMPARE_NEAR(area(at(squares, t)), side * side, 1e-6);
+    std::vector<Region> hollow(26, polygonRegion({{0, 0}, {4, 0}, {1, 1}, {0, 4}}));
+    QVERIFY(refusal(hollow, t).first.find("too many terms") != std::string::npos);
+  }
+
+  void theEndsAndFarPlacesAreMetToRounding() {
+    const std::vector<Region> discs{circleRegion(10), circleRegion(12)};
+    COMPARE_NEAR(area(at(discs, {1 + 1e-12})), 144 * pi, 1e-6);
+    COMPARE_NEAR(area(at(discs, {-1e-12})), 100 * pi, 1e-6);
+    const Vec2 far(1e8, 1e8);
+    const std::vector<Region> squares{rectangleRegion(far, far + Vec2(1, 1)), rectangleRegion(far, far + Vec2(3, 2))};
+    COMPARE_NEAR(area(at(squares, {1.5})), 4 * 2.5, 1e-5);
+  }
+
+  void aPathEndsWhereTheMorphDoes() {
+    const std::vector<std::vector<double>> path{{0, 0}, {0.5, 0}, {1, 1}};
+    VERIFY_ERROR(pointOfPath(path, -0.5), ErrorCode::InvalidParameter);
+    VERIFY_ERROR(pointOfPath(path, 1.5), ErrorCode::InvalidParameter);
+    QVERIFY(pointOfPath(path, 1) == path.back());
+  }
+
+  /// What the refusal says works does.
+  void theAdviceWorksWhereAreasArePreserved() {
+    const std::vector<Region> squares{rectangleRegion({0, 0}, {10, 10}), rectangleRegion({0, 0}, {1, 1})};
+    const std::string hint = refusal(squares, {2}, {.areaPreserving = true}).second;
+    QVERIFY2(hint.starts_with("t = 1.0"), hint.c_str());
+    const double t = std::stod(hint.substr(4));
+    COMPARE_NEAR(area(at(squares, {t}, {.areaPreserving = true})), 100 - 99 * t, 1e-9);
+  }
+
   void areasGoOnWithTheShapes() {
     const std::vector<Region> discs{circleRegion(1), circleRegion(2)};
     QVERIFY(std::abs(area(at(discs, {1.2}, {.areaPreserving = true})) - 4.6 * pi) < 1e-9);
     QVERIFY(refusal(discs, {-0.5}, {.areaPreserving = true}).first.find("areas") != std::string::npos);
+  }
+
+  void linesAreToldOnlyWhereCurvesWereExpected() {
+    const Region blob = ellipseRegion(3, 2), plate = rectangleRegion({0, 0}, {40, 40});
+    QVERIFY(minkowskiDifference(std::vector{plate, blob}).warnings.empty());
+    QVERIFY(minkowskiSum(std::vector{plate, plate, blob}, {.weights = {1, 1, 0}}).warnings.empty());
+    const auto room = minkowskiDifference(std::vector{ellipseRegion(30, 20), circleRegion(1)});
+    QVERIFY(room.warnings.size() == 1 && room.warnings.front().starts_with("Free-form curves came out as straight lines"));
   }
 
   void nothingIsToldOfAnOrderBeyondTheEnds() {

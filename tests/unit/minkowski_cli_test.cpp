@@ -95,7 +95,7 @@ class MinkowskiCliTest : public QObject {
     }
     QCOMPARE(stats["crossings_by_vertices"], Value({0, 0, 0}));
     QCOMPARE(table.json["result"]["kind"], Value("curves"));
-    QCOMPARE(table.json["result"]["curves"], Value(9));
+    QCOMPARE(table.json["result"]["curves"], Value(9 + 4));  // with the areas over t
     QVERIFY(table.json.value("warnings", Value::array()).empty());
     const Answer frames = blossom({"morph-compare", "rectangle:4:4", "circle:2", "--frames", "4", "--resolution", "40"});
     QCOMPARE(frames.json["result"]["kind"], Value("sequence"));
@@ -107,7 +107,26 @@ class MinkowskiCliTest : public QObject {
     QCOMPARE(ring.code, 0);
     QVERIFY(!ring.json["stats"].contains("area_by_vertices"));
     QCOMPARE(ring.json["warnings"].size(), std::size_t{1});
-    QCOMPARE(ring.json["result"]["curves"], Value(6));
+    QCOMPARE(ring.json["result"]["curves"], Value(6 + 3));
+  }
+
+  /// Under the columns, as high as the areas are large: 16, 9, 4.
+  void areasOfComparedWaysAreDrawnOverTime() {
+    const Evaluated compared = made("morph-compare", {{"steps", 3}}, {rectangle(0, 0, 4, 4), rectangle(0, 0, 2, 2)});
+    const Curves& picture = *compared.shape.get<Curves>();
+    const auto isOpen = [](const Path& path) { return !path.closed; };
+    const auto axes = std::ranges::find_if(picture.paths, isOpen);
+    QVERIFY(axes != picture.paths.end() && axes->layer == "axes");
+    const Vec2 origin = startPoint(axes->segments.back()), top = startPoint(axes->segments.front());
+    const auto curve = std::ranges::find_if(
+        picture.paths, [&](const Path& path) { return isOpen(path) && path.layer == "minkowski sums"; });
+    QVERIFY(curve != picture.paths.end());
+    QCOMPARE(curve->segments.size(), std::size_t{2});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 at = (k < 2 ? startPoint(curve->segments[k]) : endPoint(curve->segments[1])) - origin;
+      COMPARE_NEAR(at.y() / (top - origin).y(), std::pow(4.0 - static_cast<double>(k), 2) / 16, 1e-9);
+      COMPARE_NEAR(at.x(), 4.8 * static_cast<double>(k), 1e-9);
+    }
   }
 
   void splinesOfShapesAndSectors() {

@@ -65,6 +65,19 @@ class MinkowskiSplineTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void areasAreBlendedByTheBasisFunctions() {
+    Random random = seededRandom();
+    const std::vector<Region> shapes = poleShapes(random, 6);
+    const ShapeKnots spline = uniformKnots(shapes.size(), 2);
+    for (const double t : {0.1, 0.37, 0.5, 0.81}) {
+      double wanted = 0;
+      const std::vector<double> shares = influences(spline, t);
+      for (std::size_t i = 0; i < shapes.size(); ++i) wanted += shares[i] * area(shapes[i]);
+      const auto made = splineMorph(shapes, spline, std::vector{t}, {.areaPreserving = true});
+      COMPARE_NEAR(area(made.regions.front()), wanted, 1e-9 * wanted);
+    }
+  }
+
   void ofFullDegreeItIsTheBezierMorph() {
     Random random = seededRandom();
     for (int count = 2; count <= 4; ++count) {

@@ -13,15 +13,15 @@ namespace blossom::ui {
 
 namespace {
 
-constexpr int lookMs = 2;                        // between looks whether a frame is there
-constexpr int samplesPerPixel = 4;               // of each pixel, where the graphics are fast
-constexpr double fastMs = 2;                     // a frame without them that takes no longer can have them
-constexpr double fluentMs = 20;                  // a frame with them that takes longer had better not
-constexpr double stutterMs = 30;                 // a frame that takes longer does not look like movement
-constexpr double easyMs = 7;                     // a coarse frame that takes no longer need not be coarse
-constexpr double quickMs = 12;                   // a frame that takes no longer may be begun between two changes
-constexpr int restMs = 40;                       // after the last change
-constexpr int shortRestMs = 10;                  // where frames are quick
+constexpr int lookMs = 2;           // between looks whether a frame is there
+constexpr int samplesPerPixel = 4;  // of each pixel, where the graphics are fast
+constexpr double fastMs = 2;        // a frame without them that takes no longer can have them
+constexpr double fluentMs = 20;     // a frame with them that takes longer had better not
+constexpr double stutterMs = 24;    // a frame that takes longer, and the window beside it, do not look like movement
+constexpr double easyMs = 5;        // a coarse frame that takes no longer need not be coarse
+constexpr double quickMs = 12;      // a frame that takes no longer may be begun between two changes
+constexpr int restMs = 30;          // after the last change
+constexpr int shortRestMs = 10;     // where frames are quick
 constexpr std::chrono::microseconds soon(1500);  // worth waiting for: fast graphics need no second look
 
 }  // namespace

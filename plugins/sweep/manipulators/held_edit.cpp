@@ -17,8 +17,8 @@ constexpr double angleStep = 0.1;      // degrees
 constexpr double fullTurn = 360;
 
 bool sameAxis(const Vec3& a, const Vec3& b) {
-  constexpr double rounding = 1e-9;
-  return (a.normalized() - b.normalized()).norm() < rounding;
+  constexpr double asRead = 1e-3;  // axes are kept with three decimals
+  return (a.normalized() - b.normalized()).norm() < asRead;
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ HeldEdit::HeldEdit(Start start) : start_(std::move(start)), live_(start_.surface
   try {
     base_ = withEditsApplied(*start_.changed->base.get<Motion>());
   } catch (const Error&) {
+    if (start_.ball || start_.changed->isFollowed) throw;
     start_.grip.of.reset();  // then one more edit is made
-    start_.ball.reset();
   }
 }
 
@@ -41,9 +41,9 @@ void HeldEdit::follow(const ui::ToolEvent& event) {
 
 /// With Shift, to an axis that has a name.
 void HeldEdit::followAxis(const ui::ToolEvent& event) {
-  Vec3 axis = axisUnder(*start_.ball, event.ray);
-  if (event.modifiers.testFlag(Qt::ShiftModifier)) axis = nearestNamedAxis(axis, before(), start_.grip.hit.at);
-  axis_ = readableAxis(axis);
+  const Vec3 axis = axisUnder(*start_.ball, event.ray);
+  const bool named = event.modifiers.testFlag(Qt::ShiftModifier);
+  axis_ = named ? nearestNamedAxis(axis, *base_, start_.grip.hit.at) : readableAxis(axis);
 }
 
 void HeldEdit::show(const PullMode& mode) { live_.show(base(mode), edit(mode)); }
@@ -57,7 +57,7 @@ bool HeldEdit::changesOne(const PullMode& mode) const {
            pull->level == mode.level();
   const auto& twist = std::get<MotionTwist>(start_.changed->edit);
   return mode.twists() && twist.symmetry == mode.symmetry() && twist.level == mode.level() &&
-         sameAxis(twist.axis, twistAxis(before(), start_.grip.hit.at, mode.axis()));
+         sameAxis(twist.axis, twistAxis(*base_, start_.grip.hit.at, mode.axis()));
 }
 
 bool HeldEdit::twists(const PullMode& mode) const {
@@ -141,7 +141,7 @@ double HeldEdit::mouseAngle(const PullMode& mode) const {
 }
 
 bool HeldEdit::changesAnything(const PullMode& mode) const {
-  if (axis_ && !sameAxis(*axis_, std::get<MotionTwist>(start_.changed->edit).axis)) return true;
+  if (axis_) return *axis_ != std::get<MotionTwist>(start_.changed->edit).axis;
   if (twists(mode)) return turnedBy(mode) != 0;
   constexpr double rounding = 1e-9;
   return (goal() - from()).norm() > rounding * (1 + from().norm());

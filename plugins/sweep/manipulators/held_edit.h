@@ -22,6 +22,7 @@ class HeldEdit {
     bool capped = false;             ///< the ends are drawn closed
     std::optional<AxisBall> ball{};  ///< of a twist that is changed: its axis is turned, and nothing else
   };
+  /// @throws Error when the motion before an edit that is changed for certain cannot be made
   explicit HeldEdit(Start);
 
   void follow(const ui::ToolEvent&);

@@ -38,7 +38,7 @@ struct TypedGoal {
 /// The document with one more edit between the motion and its sweeps. A last edit of that type that was begun by the menu
 /// and moves nothing yet becomes it.
 Document withEdit(const ui::ToolHost&, const EditPlacement&, const MotionEdit&, const std::optional<TypedGoal>& = {});
-/// The document with an edit that is there changed; pins and what else the mouse does not decide stay.
+/// The document with an edit that is there changed; pins and the axis of a pull, which the mouse does not decide, stay.
 Document withChangedEdit(const ui::ToolHost&, const FeatureId&, const MotionEdit&, const std::optional<TypedGoal>& = {});
 
 }  // namespace blossom::sweep

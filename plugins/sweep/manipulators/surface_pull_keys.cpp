@@ -19,6 +19,7 @@ bool SurfacePullTool::key(const QKeyEvent& event) {
   const bool chooses = held() || !event.modifiers().testFlag(Qt::ShiftModifier);
   if (!(chooses && chooseKey(event.key())) && !(ready && keyOfMode(event))) return false;
   if (!entry_) follow();
+  if (!entry_ && !held()) lookAgain();  // the axis of a twist may have come or gone
   emit changed();
   return true;
 }
@@ -80,6 +81,7 @@ void SurfacePullTool::startTyping() {
     const auto grip = gripToHold();
     if (!grip) return;
     hold(*grip, DragTarget(grip->hit, towards_), millimetresPerPixel());
+    if (!edit_) return;
   }
   refusal_.clear();
   entry_ = edit_->twists(mode_) ? GoalEntry::ofAngle(edit_->angle(mode_)) : GoalEntry::ofPoint(host(), edit_->goal());

@@ -106,7 +106,7 @@ bool SurfacePullTool::take(std::size_t /*handle*/, const ui::ToolEvent& event) {
   if (!grip) return false;
   hold(*grip, DragTarget(grip->hit, event), event.millimetresPerPixel);
   pressedAt_ = event.at;
-  return true;
+  return edit_ != nullptr;
 }
 
 std::optional<PullGrip> SurfacePullTool::gripToHold() const {
@@ -119,8 +119,12 @@ void SurfacePullTool::hold(const PullGrip& grip, const DragTarget& target, doubl
   const auto changed = grip.of ? std::optional(edits_[grip.of->edit]) : std::nullopt;
   const std::shared_ptr<const LiveSurface>& surface = isFollowed(grip) ? selectedSurface_ : surface_;
   const auto ball = grip.onAxis && changed ? axisBall(surface->motion(), changed->edit, pixel) : std::nullopt;
-  edit_ = std::make_unique<HeldEdit>(
-      HeldEdit::Start{surface, grip, chosen_, changed, target, pixel, placement_ && makesSolid(host(), *placement_), ball});
+  try {
+    edit_ = std::make_unique<HeldEdit>(HeldEdit::Start{surface, grip, chosen_, changed, target, pixel,
+                                                       placement_ && makesSolid(host(), *placement_), ball});
+  } catch (const Error&) {
+    edit_.reset();  // the motion that it changes is wrong, which its feature tells
+  }
   dragged_ = false;
 }
 

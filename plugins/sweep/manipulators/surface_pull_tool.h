@@ -56,9 +56,9 @@ class SurfacePullTool : public ui::HandleTool {
   void lookAgain();
   /// What is under the mouse on the surface that a drag there changes; empty while that is not ready.
   [[nodiscard]] std::optional<PullGrip> gripToHold() const;
-  /// Whether it is a place of an edit that others follow.
   /// That of the selected edit, and while places are twisted.
   [[nodiscard]] bool showsAxis(const ChangeableEdit& edit) const { return mode_.twists() || edit.id == feature(); }
+  /// Whether it is a place of an edit that others follow.
   [[nodiscard]] bool isFollowed(const PullGrip& grip) const { return grip.of && edits_[grip.of->edit].isFollowed; }
   void hold(const PullGrip&, const DragTarget&, double pixel);
   void follow();

@@ -173,7 +173,8 @@ std::vector<vtkSmartPointer<vtkProp>> SurfacePullTool::props() const {
 }
 
 void SurfacePullTool::markTurnedAxis(PullMarks& marks, const Vec3& centre, const Vec3& axis) const {
-  const Vec3 end = centre + axisPixels * millimetresPerPixel() * axis, read = readableAxis(axis);
+  const Vec3 end = centre + axisPixels * millimetresPerPixel() * axis;
+  const Vec3 read = readableAxis(std::get<MotionTwist>(edit_->edit(mode_)).axis);
   marks.ball(end, true);
   if (!entry_) marks.tell(end, QStringLiteral("%1, %2, %3").arg(read.x()).arg(read.y()).arg(read.z()), false);
 }

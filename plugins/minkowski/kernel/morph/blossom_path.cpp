@@ -24,6 +24,9 @@ void checkPath(std::span<const Arguments> points, std::size_t shapes) {
 }
 
 Arguments pointOfPath(std::span<const Arguments> points, double u) {
+  if (!(u >= 0 && u <= 1))
+    throw Error(ErrorCode::InvalidParameter, fmt::format("A path goes from t = 0 to 1; {} lies beyond it.", u),
+                "Give a t within them, or leave out the path.");
   const std::size_t ways = points.size() - 1;
   if (ways == 0) return points.front();
   const double along = u * static_cast<double>(ways);

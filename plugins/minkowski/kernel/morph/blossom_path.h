@@ -12,8 +12,8 @@ namespace blossom::minkowski {
 void checkPath(std::span<const Arguments> points, std::size_t shapes);
 
 /// The point at u, 0 at the first and 1 at the last. Points themselves come out as they are, and numbers that are equal at
-/// both ends of a way stay equal along it, so a path on the diagonal gives the ordinary morph. @pre there is a point; 0 <= u
-/// <= 1. O(n)
+/// both ends of a way stay equal along it, so a path on the diagonal gives the ordinary morph. @pre there is a point
+/// @throws Error InvalidParameter for a u outside 0..1. O(n)
 Arguments pointOfPath(std::span<const Arguments> points, double u);
 
 }  // namespace blossom::minkowski

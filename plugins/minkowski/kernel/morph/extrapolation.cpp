@@ -1,8 +1,13 @@
 #include "kernel/morph/extrapolation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
+#include "core/error.h"
 #include "geometry/planar/boundary_tree.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/segment_point.h"
@@ -15,7 +20,8 @@ using namespace planar;
 
 namespace {
 
-constexpr double roundingOfSize = 1e-9;
+constexpr double sameOfSize = 1e-9;
+constexpr double hiddenOfSize = 1e-6;  // of the shape, which the rounding of what it is taken from may not exceed
 
 struct SignedTerms {
   std::optional<SoundRegion> added, taken;
@@ -31,8 +37,13 @@ void include(SignedTerms& terms, const SoundRegion& shape, double weight, Adder&
 /// Weights of a convex shape add up before it is taken.
 SignedTerms termsAt(std::span<const double> t, std::span<const SoundRegion> shapes, Adder& add, const Progress& progress) {
   SignedTerms terms;
-  const auto weights = weightsOf(t);
   const std::vector<double> shares = sharesOf(t);
+  const bool allConvex = std::all_of(shapes.begin(), shapes.end(), [](const SoundRegion& each) { return isConvex(each); });
+  if (!allConvex && choicesOf(t) > mostChoices)
+    throw Error(ErrorCode::LimitExceeded,
+                fmt::format("The morph of {} different blossom numbers beyond its ends has too many terms.", t.size()),
+                "Give equal numbers.");
+  const auto weights = allConvex ? std::vector<std::map<double, std::size_t>>(shapes.size()) : weightsOf(t);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (isConvex(shapes[i])) {
       include(terms, shapes[i], shares[i], add, progress);
@@ -45,6 +56,28 @@ SignedTerms termsAt(std::span<const double> t, std::span<const SoundRegion> shap
 }
 
 double sizeOf(const SoundRegion& shape) { return looseBox(shape.region.loops).sizes().norm(); }
+
+/// Of sums of a shape.
+double roundingOf(const SoundRegion& shape) { return std::ldexp(sizeOf(shape), -35); }
+
+/// Of coordinates far away.
+double roundingOfPlaces(const SoundRegion& shape) {
+  const Box2 box = looseBox(shape.region.loops);
+  return std::ldexp(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()), -44);
+}
+
+/// How far the sharpest corner of polygons moves when their sides move by 1; a hundred at most.
+double leverOf(const Region& polygons) {
+  double lever = 1;
+  for (const Path& loop : polygons.loops)
+    for (std::size_t i = 0; i < loop.segments.size(); ++i) {
+      const Segment &side = loop.segments[i], &next = loop.segments[(i + 1) % loop.segments.size()];
+      const Vec2 in = endPoint(side) - startPoint(side), out = endPoint(next) - startPoint(next);
+      const double turn = std::abs(std::atan2(cross(in, out), in.dot(out)));
+      lever = std::max(lever, 1 / std::max(std::cos(turn / 2), 0.01));
+    }
+  return lever;
+}
 
 /// Of straight lines where there are splines.
 Region comparable(const SoundRegion& shape, Effort& effort, const Progress& progress) {
@@ -85,21 +118,23 @@ std::optional<InBetween> continuedTo(std::span<const double> t, std::span<const 
   if (rest.region.loops.empty()) return std::nullopt;
   const SoundRegion again = add(rest, part, progress);
   if (again.region.loops.size() != whole.region.loops.size()) return std::nullopt;
+  const double rounding = roundingOf(whole), same = sameOfSize * sizeOf(rest) + rounding + roundingOfPlaces(whole);
+  if (rounding > hiddenOfSize * sizeOf(rest)) return std::nullopt;
   const bool freeForm = !whole.plain || !part.plain;
-  const double within = roundingOfSize * sizeOf(whole) + (freeForm ? 2 * (whole.tolerance + part.tolerance) : 0);
+  const double curves = freeForm ? 2 * (whole.tolerance + part.tolerance) : 0;
   const double found = apart(again, whole, add.effort(), progress);
-  if (found > within) return std::nullopt;
-  return InBetween{std::move(rest), freeForm ? found : 0};
+  if (found > same && found > same + curves * leverOf(comparable(whole, add.effort(), progress))) return std::nullopt;
+  return InBetween{std::move(rest), found > same ? found : 0};
 }
 
-double farthestTowards(double t, std::span<const SoundRegion> shapes, Adder& add, const Progress& progress) {
+double farthestTowards(double t, const std::function<bool(double)>& isThere, const Progress& progress) {
   constexpr int halvings = 10;
   double good = t > 1 ? 1 : 0, bad = t;
   for (int k = 0; k < halvings; ++k) {
     progress.check();
     const double middle = std::round((good + bad) / 2 * 1e4) / 1e4;
     if (middle == good || middle == bad) break;
-    (continuedTo(std::vector<double>(shapes.size() - 1, middle), shapes, add, progress) ? good : bad) = middle;
+    (isThere(middle) ? good : bad) = middle;
   }
   return good;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -17,13 +18,16 @@ bool isBeyond(std::span<const double> t);
 /// positive weight and N that of |w| A for the others. Of convex shapes this continues the support functions, so that
 /// C(t) + (t-1) A = t B.
 /// @returns nothing when no shape C has that sum: the largest one inside, P - N, is added to N again, and the outlines are
-/// compared, to 1e-9 of their size, of splines to the tolerances; the deviation is what was found.
-/// @throws as sum and difference of curved_sum.h
+/// compared, to 1e-9 of the size of C and the rounding of P, of splines to what the tolerances move the sharpest corner. The
+/// deviation is what was found, where that is beyond rounding. Nothing either when P is so much larger than C that its
+/// rounding would hide a difference.
+/// @throws Error LimitExceeded for too many different numbers of shapes that are not convex; as sum and difference of
+/// curved_sum.h
 std::optional<InBetween> continuedTo(std::span<const double> t, std::span<const SoundRegion> shapes, Adder&,
                                      const Progress&);
 
-/// The t nearest to the given one, beyond the ends, at which there is a shape, to a thousandth of the way; the end itself
-/// when there is none.
-double farthestTowards(double t, std::span<const SoundRegion> shapes, Adder&, const Progress&);
+/// A t beyond an end, towards the given one, at which there is a shape, found by halving the way ten times; the end itself
+/// when there is none. Of convex shapes it is the farthest one, for theirs form an interval.
+double farthestTowards(double t, const std::function<bool(double)>& isThere, const Progress&);
 
 }  // namespace blossom::minkowski

@@ -14,7 +14,7 @@
 #include "geometry/planar/planar.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/region_sum.h"
-#include "kernel/morph/control_centre.h"
+#include "kernel/morph/blended_area.h"
 #include "kernel/morph/expansion.h"
 #include "kernel/morph/extrapolation.h"
 #include "kernel/morph/repetition.h"
@@ -65,31 +65,7 @@ SoundRegion convexAt(std::span<const SoundRegion> shapes, std::span<const double
   return *total;
 }
 
-/// The blossom of numbers or points.
-template <class T>
-T blended(std::vector<T> values, std::span<const double> t) {
-  for (const double level : t) {
-    for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = (1 - level) * values[i] + level * values[i + 1];
-    values.pop_back();
-  }
-  return values.front();
-}
-
 std::string nameOf(std::size_t i) { return fmt::format("control shape {}", i + 1); }
-
-double lengthOf(const Region& region) {
-  double sum = 0;
-  for (const Path& loop : region.loops) sum += length(loop);
-  return sum;
-}
-
-/// The largest distance of a corner from a point.
-double reachFrom(const Vec2& point, const Region& region) {
-  double reach = 0;
-  for (const Path& loop : region.loops)
-    for (const Segment& segment : loop.segments) reach = std::max(reach, (startPoint(segment) - point).norm());
-  return reach;
-}
 
 void check(std::span<const Region> shapes, std::span<const Arguments> arguments) {
   if (shapes.size() < 2)
@@ -118,10 +94,7 @@ class Morph {
       shapes_.push_back(
           soundRegion(regions[i], {.tolerance = options.tolerance, .effort = &add_.effort()}, nameOf(i), progress));
     if (options.evaluation == EvaluationOrder::Convex) refuseHollows();
-    for (const SoundRegion& shape : shapes_) {
-      areas_.push_back(area(shape.region));
-      centres_.push_back(centroid(shape.region, shape.tolerance));
-    }
+    if (options.areaPreserving) area_.emplace(shapes_);
     if (options.degreeElevate) elevate(progress);
     for (const Region& region : regions)
       tolerance_ = std::min(tolerance_, options.tolerance.value_or(defaultTolerance(region)));
@@ -146,23 +119,13 @@ class Morph {
 
   /// @param progress of the whole morph
   Region at(const Arguments& t, const Progress& progress) {
-    if (isEnd(t)) return t.front() == 0 ? regions_.front() : regions_.back();
-    auto [shape, deviation] = isBeyond(t) ? beyond(elevated(t), progress) : inBetween(elevated(t), progress);
-    if (options_.areaPreserving) {
-      const Vec2 centre = blended(centres_, t);
-      const double wanted = blended(areas_, t);
-      if (!(wanted > 0)) refuseArea(wanted);
-      const double area = blossom::area(shape.region), factor = std::sqrt(wanted / area);
-      shape = translated(scaled(translated(shape, -centre), factor), centre);
-      // The area is right within what lies along the boundary, and so is the factor.
-      const double least = area - deviation * lengthOf(shape.region) / factor;
-      const double more = least > 0 ? std::sqrt(wanted / least) - factor : factor;
-      deviation = deviation * factor + more / factor * reachFrom(centre, shape.region);
-    }
+    if (isEnd(t)) return t.front() < 0.5 ? regions_.front() : regions_.back();
+    InBetween made = isBeyond(t) ? beyond(t, progress) : inBetween(elevated(t), progress);
+    if (area_) made = area_->of(std::move(made), sharesOf(t));
     const std::scoped_lock lock(mutex_);
-    deviation_ = std::max(deviation_, deviation);
-    if (warnings_.empty()) warnOfLines(takesSplines(t), shape.region, options_.tolerance, warnings_);
-    return std::move(shape.region);
+    deviation_ = std::max(deviation_, made.deviation);
+    if (warnings_.empty()) warnOfLines(takesSplines(t), made.shape.region, options_.tolerance, warnings_);
+    return std::move(made.shape.region);
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
@@ -196,10 +159,14 @@ class Morph {
                     "Choose the bottom-up evaluation.");
   }
 
-  /// Whether the in-between is the first or the last shape.
+  /// Whether the in-between is the first or the last shape, to rounding.
   static bool isEnd(const Arguments& t) {
-    return (t.front() == 0 || t.front() == 1) &&
-           std::all_of(t.begin(), t.end(), [&](double level) { return level == t.front(); });
+    constexpr double rounding = 1e-9;
+    const double end = std::round(t.front());
+    const auto isThere = [&](double level) {
+      return level == end || (isBeyond({&level, 1}) && std::abs(level - end) < rounding);
+    };
+    return (end == 0 || end == 1) && std::all_of(t.begin(), t.end(), isThere);
   }
 
   /// A'_i = i/(n+1) A_(i-1) + (1 - i/(n+1)) A_i.
@@ -214,22 +181,25 @@ class Morph {
     shapes_ = std::move(more);
   }
 
-  [[noreturn]] static void refuseArea(double area) {
-    throw Error(ErrorCode::InvalidParameter,
-                fmt::format("Beyond the ends the areas of the shapes blend to {:.4g} mm2, which no shape has.", area),
-                "Give a t nearer to 0..1, or do not preserve areas.");
+  /// Beyond the ends, where there is a shape, of an area above 0 if that is blended.
+  std::optional<InBetween> continued(const Arguments& t, const Progress& progress) {
+    return hasArea(t) ? continuedTo(elevated(t), shapes_, add_, progress) : std::nullopt;
   }
 
+  [[nodiscard]] bool hasArea(const Arguments& t) const { return !area_ || area_->blended(sharesOf(t)) > 0; }
+
   InBetween beyond(const Arguments& t, const Progress& progress) {
-    if (auto shape = continuedTo(t, shapes_, add_, progress)) return std::move(*shape);
-    const bool same = std::adjacent_find(t.begin(), t.end(), std::not_equal_to<>()) == t.end();
-    if (!same)
-      throw Error(ErrorCode::InvalidParameter, "The shapes cannot be continued to these blossom numbers: they fit no shape.",
+    if (auto shape = continued(t, progress)) return std::move(*shape);
+    const char* const why =
+        hasArea(t) ? "no shape there leads through both ends" : "the areas of the shapes blend to none there";
+    if (std::adjacent_find(t.begin(), t.end(), std::not_equal_to<>()) != t.end())
+      throw Error(ErrorCode::InvalidParameter,
+                  fmt::format("The morph cannot be continued to these blossom numbers: {}.", why),
                   "Give numbers nearer to 0..1.");
-    const double end = t.front() > 1 ? 1 : 0, works = farthestTowards(t.front(), shapes_, add_, progress);
+    const auto isThere = [&](double level) { return continued(diagonal(t.size(), level), progress).has_value(); };
+    const double end = t.front() > 1 ? 1 : 0, works = farthestTowards(t.front(), isThere, progress);
     throw Error(
-        ErrorCode::InvalidParameter,
-        fmt::format("The morph cannot be continued to t = {}: no shape there leads through both ends.", t.front()),
+        ErrorCode::InvalidParameter, fmt::format("The morph cannot be continued to t = {}: {}.", t.front(), why),
         works == end ? fmt::format("These shapes go no farther than t = {}.", end) : fmt::format("t = {} works.", works));
   }
 
@@ -272,8 +242,7 @@ class Morph {
   std::vector<SoundRegion> shapes_;
   double tolerance_ = HUGE_VAL;
   std::vector<bool> regionsConvex_;
-  std::vector<double> areas_;
-  std::vector<Vec2> centres_;
+  std::optional<BlendedArea> area_;  ///< that in-betweens are given
   std::optional<Expansion> expansion_;
   std::mutex mutex_;
   double deviation_ = 0;               ///< the largest of all in-betweens

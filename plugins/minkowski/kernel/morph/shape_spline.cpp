@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "geometry/planar/sums/flattening.h"
+#include "kernel/morph/blended_area.h"
 #include "kernel/morph/evaluation_order.h"
 #include "kernel/morph/repetition.h"
 
@@ -57,6 +58,7 @@ class SplineMorph {
                                     fmt::format("control shape {}", i + 1), progress));
       convex_.push_back(isConvex(shapes_.back()));
     }
+    if (options.areaPreserving) area_.emplace(shapes_);
   }
 
   void plan(std::size_t frames) {
@@ -74,7 +76,8 @@ class SplineMorph {
     const bool convex =
         std::all_of(convex_.begin() + static_cast<std::ptrdiff_t>(first),
                     convex_.begin() + static_cast<std::ptrdiff_t>(span.last + 1), [](bool each) { return each; });
-    return convex ? byShares(shares, progress).region : byLevels(span, first, progress).region;
+    SoundRegion made = convex ? byShares(shares, progress) : byLevels(span, first, progress);
+    return area_ ? area_->of({std::move(made)}, shares).shape.region : std::move(made.region);
   }
 
   [[nodiscard]] std::size_t sums() const { return add_.count(); }
@@ -103,6 +106,7 @@ class SplineMorph {
   const ShapeKnots& spline_;
   Adder add_;
   std::vector<SoundRegion> shapes_;
+  std::optional<BlendedArea> area_;  ///< that in-betweens are given
   std::vector<bool> convex_;
 };
 

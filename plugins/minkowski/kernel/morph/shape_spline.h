@@ -41,7 +41,7 @@ std::vector<double> influences(const ShapeKnots&, double t);
 
 /// In-betweens of shapes by de Boor's algorithm with Minkowski sums instead of sums of points. An in-between depends on
 /// degree + 1 shapes. degree (degree + 1) / 2 sums at most; degree when all of these shapes are convex, for their multiples
-/// add up. Evaluation, elevation and area preservation of the options are not used. @throws as morph
+/// add up. Evaluation and elevation of the options are not used. @throws as morph
 MorphResult splineMorph(std::span<const Region> shapes, const ShapeKnots&, std::span<const double> times,
                         const MorphOptions& = {}, const Progress& = Progress::none());
 

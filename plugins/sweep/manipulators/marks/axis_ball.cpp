@@ -35,7 +35,7 @@ Vec3 nearestNamedAxis(const Vec3& axis, const Motion& motion, const MotionPlace&
 
 Vec3 readableAxis(const Vec3& axis) {
   constexpr double steps = 1000;
-  return (steps * axis).array().round().matrix() / steps;
+  return (steps * axis).array().round().matrix() / steps + Vec3::Zero();  // no zero has a sign
 }
 
 }  // namespace blossom::sweep

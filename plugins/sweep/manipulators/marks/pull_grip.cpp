@@ -46,7 +46,10 @@ std::optional<PullGrip> axisGrip(const Motion& motion, const MotionEdit& edit, s
   const auto ball = axisBall(motion, edit, event.millimetresPerPixel);
   if (!ball || distanceFrom(event.ray, ball->at()) > gripReach * event.millimetresPerPixel) return std::nullopt;
   const MotionPlace& at = editedPlaces(edit).front();
-  return PullGrip{placeHit(motion, {insidePeriod(motion, at.u), at.v}), PullGrip::OfEdit{number, 0}, true};
+  if (at.v < motion.domainV().first || at.v > motion.domainV().second) return std::nullopt;
+  PlaceHit hit = placeHit(motion, {insidePeriod(motion, at.u), at.v});
+  hit.distance = (ball->at() - event.ray.origin).dot(event.ray.direction);
+  return PullGrip{hit, PullGrip::OfEdit{number, 0}, true};
 }
 
 }  // namespace

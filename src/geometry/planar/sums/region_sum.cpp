@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "geometry/planar/planar.h"
 #include "geometry/planar/sums/curved_sum.h"
 #include "geometry/planar/sums/flattening.h"
 #include "geometry/planar/sums/polygon_sum.h"
@@ -56,10 +57,6 @@ Operand folded(const std::vector<Operand>& shapes, const Progress& progress, Eff
   return total;
 }
 
-double weightOf(const RegionSumOptions& options, std::size_t i) {
-  return i < options.weights.size() ? options.weights[i] : 1;
-}
-
 /// Those with a weight other than 0, as large as it makes them.
 std::vector<SoundRegion> weighted(std::span<const Region> regions, const RegionSumOptions& options, Effort& effort,
                                   const Progress& progress) {
@@ -82,7 +79,21 @@ double smallestDefault(std::span<const Region> regions) {
   return smallest;
 }
 
+/// Whether free-form curves of the shapes are to bound the room: those of the first, and where that is not convex also those
+/// of the others, which roll over its inner corners.
+bool boundRoom(std::span<const Region> regions) {
+  if (hasSplines(regions.front())) return true;
+  Region first = regions.front();
+  for (Path& loop : first.loops)
+    if (signedArea(loop) < 0) loop = reversed(loop);
+  return !isConvex(SoundRegion{std::move(first)}) && std::any_of(regions.begin() + 1, regions.end(), hasSplines);
+}
+
 }  // namespace
+
+double weightOf(const RegionSumOptions& options, std::size_t i) {
+  return i < options.weights.size() ? options.weights[i] : 1;
+}
 
 void checkSummands(std::size_t shapes, const RegionSumOptions& options) {
   if (shapes < 2) refuseOneShape();
@@ -101,7 +112,10 @@ RegionSumResult minkowskiSum(std::span<const Region> regions, const RegionSumOpt
   Effort effort(options.maximumWork);
   const std::vector<SoundRegion> shapes = weighted(regions, options, effort, progress);
   RegionSumResult result{folded<SoundRegion>(shapes, progress, effort, sum).region, shapes.size() - 1, {}};
-  warnOfLines(std::any_of(regions.begin(), regions.end(), hasSplines), result.region, options.tolerance, result.warnings);
+  bool splines = false;
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    splines = splines || (weightOf(options, i) != 0 && hasSplines(regions[i]));
+  warnOfLines(splines, result.region, options.tolerance, result.warnings);
   return result;
 }
 
@@ -133,13 +147,13 @@ RegionSumResult minkowskiDifference(std::span<const Region> regions, const Regio
         fmt::format("The room is hardly wider than the tolerance, {:.2g} mm, by which curves are drawn: it is larger than "
                     "told, and a smaller tolerance shows more of it.",
                     tolerance));
-  warnOfLines(std::any_of(regions.begin(), regions.end(), hasSplines), result.region, tolerance, result.warnings);
+  warnOfLines(boundRoom(regions), result.region, tolerance, result.warnings);
   return result;
 }
 
-void warnOfLines(bool hadSplines, const Region& result, const std::optional<double>& tolerance,
+void warnOfLines(bool hasCurvesOfShapes, const Region& result, const std::optional<double>& tolerance,
                  std::vector<std::string>& warnings) {
-  if (!hadSplines || result.loops.empty() || hasCurves(result)) return;
+  if (!hasCurvesOfShapes || result.loops.empty() || hasCurves(result)) return;
   warnings.push_back(
       fmt::format("Free-form curves came out as straight lines, within {} of the curves; a smaller tolerance makes "
                   "them finer.",

@@ -48,8 +48,11 @@ Region roomInside(std::span<const Region>, const RegionSumOptions&, const Progre
 /// What is said of a difference that is empty, "Nothing is left: ..".
 std::string nothingLeft(std::optional<double> toleranceOfCurves);
 
-/// Adds a warning to a result that is of straight lines alone although there were free-form curves among its shapes.
-void warnOfLines(bool hadSplines, const Region& result, const std::optional<double>& tolerance,
+/// The factor of shape i in a sum.
+double weightOf(const RegionSumOptions&, std::size_t i);
+
+/// Adds a warning to a result that is of straight lines alone although it should have free-form curves.
+void warnOfLines(bool hasCurvesOfShapes, const Region& result, const std::optional<double>& tolerance,
                  std::vector<std::string>& warnings);
 
 }  // namespace blossom::planar

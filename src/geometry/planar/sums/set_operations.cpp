@@ -32,10 +32,6 @@ SetSumResult asSets(RegionSumResult result) { return {{std::move(result.region)}
 
 std::string shapeName(std::size_t i) { return fmt::format("shape {}", i + 1); }
 
-double weightAt(const RegionSumOptions& options, std::size_t i) {
-  return i < options.weights.size() ? options.weights[i] : 1;
-}
-
 /// Where a sum of two curves begins.
 Vec2 startOf(const SoundSet& set) {
   if (!set.curves.empty()) return startPoint(set.curves.front());
@@ -54,7 +50,7 @@ std::vector<SoundSet> weightedSets(std::span<const PlanarSet> sets, const Region
                                    const Progress& progress) {
   std::vector<SoundSet> result;
   for (std::size_t i = 0; i < sets.size(); ++i) {
-    const double weight = weightAt(options, i);
+    const double weight = weightOf(options, i);
     SoundSet set = soundSet(sets[i],
                             {.tolerance = options.tolerance,
                              .share = 1.0 / (static_cast<double>(sets.size()) * std::max(1.0, std::abs(weight))),
@@ -68,7 +64,7 @@ std::vector<SoundSet> weightedSets(std::span<const PlanarSet> sets, const Region
 /// Adding what is empty leaves nothing.
 std::optional<std::size_t> emptySummand(std::span<const PlanarSet> sets, const RegionSumOptions& options) {
   for (std::size_t i = 0; i < sets.size(); ++i)
-    if (sets[i].empty() && weightAt(options, i) != 0) return i;
+    if (sets[i].empty() && weightOf(options, i) != 0) return i;
   return std::nullopt;
 }
 
@@ -88,10 +84,7 @@ std::vector<std::string> nearlyClosed(std::span<const PlanarSet> sets) {
   return warnings;
 }
 
-bool haveSplines(std::span<const PlanarSet> sets) {
-  return std::any_of(sets.begin(), sets.end(),
-                     [](const PlanarSet& set) { return hasSplines(set.area) || hasSplines(Region{set.curves}); });
-}
+bool drawsSplines(const PlanarSet& set) { return hasSplines(set.area) || hasSplines(Region{set.curves}); }
 
 PlanarSet asPlanarSet(const SoundSet& set) { return {set.area.region, set.curves, set.points}; }
 
@@ -125,7 +118,9 @@ SetSumResult setSum(std::span<const PlanarSet> sets, const RegionSumOptions& opt
     total = std::move(next);
   }
   SetSumResult result{asPlanarSet(total), summands.size() - 1, nearlyClosed(sets)};
-  warnOfLines(haveSplines(sets), result.set.area, options.tolerance, result.warnings);
+  bool splines = false;
+  for (std::size_t i = 0; i < sets.size(); ++i) splines = splines || (weightOf(options, i) != 0 && drawsSplines(sets[i]));
+  warnOfLines(splines, result.set.area, options.tolerance, result.warnings);
   return result;
 }
 
@@ -160,7 +155,7 @@ SetSumResult regularDifference(std::span<const PlanarSet> sets, const RegionSumO
   }
   result.set.area = std::move(room.region);
   if (result.set.empty()) result.warnings.push_back(nothingLeft(std::nullopt));
-  warnOfLines(haveSplines(sets), result.set.area, options.tolerance, result.warnings);
+  warnOfLines(drawsSplines(sets.front()), result.set.area, options.tolerance, result.warnings);
   return result;
 }
 

@@ -66,17 +66,11 @@ double roundingOfPlaces(const SoundRegion& shape) {
   return std::ldexp(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()), -44);
 }
 
-/// How far the sharpest corner of polygons moves when their sides move by 1; a hundred at most.
-double leverOf(const Region& polygons) {
-  double lever = 1;
-  for (const Path& loop : polygons.loops)
-    for (std::size_t i = 0; i < loop.segments.size(); ++i) {
-      const Segment &side = loop.segments[i], &next = loop.segments[(i + 1) % loop.segments.size()];
-      const Vec2 in = endPoint(side) - startPoint(side), out = endPoint(next) - startPoint(next);
-      const double turn = std::abs(std::atan2(cross(in, out), in.dot(out)));
-      lever = std::max(lever, 1 / std::max(std::cos(turn / 2), 0.01));
-    }
-  return lever;
+/// How far the corner where one segment ends and the next begins moves when their sides move by 1; a hundred at most.
+double leverAt(const Segment& side, const Segment& next) {
+  const Vec2 in = endPoint(side) - startPoint(side), out = endPoint(next) - startPoint(next);
+  const double turn = std::atan2(cross(in, out), in.dot(out));
+  return 1 / std::max(std::cos(turn / 2), 0.01);
 }
 
 /// Of straight lines where there are splines.
@@ -85,23 +79,38 @@ Region comparable(const SoundRegion& shape, Effort& effort, const Progress& prog
   return toRegion(polygonsBeside(shape, Approximation::Either, "the morph", progress, effort));
 }
 
-/// The largest distance of a corner or the middle of a segment from the other outline. Lines and arcs that share these three
-/// points are the same, and where the other one has a corner between them, that is asked for from the other side.
+/// Of two outlines: the largest distance, and the largest by which sides have moved if that moved the corners.
+struct OutlineDifference {
+  double distance = 0, sides = 0;
+};
+
+/// Of the corners and the middles of the segments from the other outline. Lines and arcs that share these three points are
+/// the same, and where the other one has a corner between them, that is asked for from the other side.
 /// @pre no splines
-double farthestFrom(const Region& other, const Region& one, const Progress& progress) {
+OutlineDifference differenceFrom(const Region& other, const Region& one, const Progress& progress) {
   const BoundaryTree tree(other, progress);
-  double distance = 0;
-  for (const Path& loop : one.loops)
-    for (const Segment& segment : loop.segments) {
+  OutlineDifference all;
+  const auto add = [&](double distance, double lever) {
+    all = {std::max(all.distance, distance), std::max(all.sides, distance / lever)};
+  };
+  for (const Path& loop : one.loops) {
+    const std::size_t n = loop.segments.size();
+    for (std::size_t i = 0; i < n; ++i) {
       progress.check();
-      distance = std::max({distance, tree.distanceTo(startPoint(segment)), tree.distanceTo(middleOf(segment))});
+      const Segment& segment = loop.segments[i];
+      const double before = leverAt(loop.segments[(i + n - 1) % n], segment),
+                   after = leverAt(segment, loop.segments[(i + 1) % n]);
+      add(tree.distanceTo(startPoint(segment)), before);
+      add(tree.distanceTo(middleOf(segment)), (before + after) / 2);
     }
-  return distance;
+  }
+  return all;
 }
 
-double apart(const SoundRegion& a, const SoundRegion& b, Effort& effort, const Progress& progress) {
+OutlineDifference differenceOf(const SoundRegion& a, const SoundRegion& b, Effort& effort, const Progress& progress) {
   const Region first = comparable(a, effort, progress), second = comparable(b, effort, progress);
-  return std::max(farthestFrom(first, second, progress), farthestFrom(second, first, progress));
+  const OutlineDifference one = differenceFrom(first, second, progress), other = differenceFrom(second, first, progress);
+  return {std::max(one.distance, other.distance), std::max(one.sides, other.sides)};
 }
 
 }  // namespace
@@ -122,9 +131,9 @@ std::optional<InBetween> continuedTo(std::span<const double> t, std::span<const 
   if (rounding > hiddenOfSize * sizeOf(rest)) return std::nullopt;
   const bool freeForm = !whole.plain || !part.plain;
   const double curves = freeForm ? 2 * (whole.tolerance + part.tolerance) : 0;
-  const double found = apart(again, whole, add.effort(), progress);
-  if (found > same && found > same + curves * leverOf(comparable(whole, add.effort(), progress))) return std::nullopt;
-  return InBetween{std::move(rest), found > same ? found : 0};
+  const OutlineDifference found = differenceOf(again, whole, add.effort(), progress);
+  if (found.distance > same && found.sides > curves) return std::nullopt;
+  return InBetween{std::move(rest), found.distance > same ? found.distance : 0};
 }
 
 double farthestTowards(double t, const std::function<bool(double)>& isThere, const Progress& progress) {

@@ -88,6 +88,7 @@ bool isPiecewise(const MorphParameters& p, std::size_t shapes) {
 std::vector<double> placesOf(const MorphParameters& p) {
   if (p.frames < 2) return {p.t};
   std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(p.frames));
   for (int k = 0; k < p.frames; ++k) places.push_back(static_cast<double>(k) / (p.frames - 1));
   return places;
 }
@@ -98,6 +99,7 @@ std::vector<double> timesOf(const MorphParameters& p, const std::vector<double>&
   const std::vector<FrameKey> keys = frameKeysOf(p.keys);
   if (p.frames == 1) return {keyedTime(keys, 0, 1)};
   std::vector<double> times;
+  times.reserve(places.size());
   for (const double place : places) times.push_back(keyedTime(keys, place, p.frames));
   return times;
 }
@@ -122,6 +124,7 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
   checkPath(p.path, shapes.size());
   const std::size_t degree = shapes.size() - 1;
   std::vector<Arguments> arguments;
+  arguments.reserve(times.size());
   for (const double t : times) arguments.push_back(argumentsAt(p, degree, t));
   MorphResult result = morph(shapes, arguments,
                              {.evaluation = p.evaluation,
@@ -145,12 +148,26 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
   return out;
 }
 
+using Builder = FeatureBuilder<MorphParameters>;
+
+/// Where the handles of control shapes take them.
+Builder& addPlacements(Builder& builder) {
+  using P = MorphParameters;
+  return builder
+      .parameter("offsets", &P::offsets, onePer(list(displacement()), "shape"),
+                 "Displacement of each control shape from its drawn position, first to last; others stay.")
+      .parameter("scales", &P::scales, onePer(list(positiveNumber()), "shape"),
+                 "How many times as large each control shape is as drawn, about its centre, first to last; others stay.")
+      .parameter("turns", &P::turns, onePer(list(angle()), "shape"),
+                 "Rotation of each control shape about its centre, counter-clockwise, first to last; others stay.");
+}
+
 }  // namespace
 
 FeatureType morphFeature(std::size_t maximumWork) {
   using P = MorphParameters;
-  return feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.")
-      .command("morph")
+  Builder builder = feature<P>("minkowski.morph", "Morph", "The in-between shapes of two or more control shapes.");
+  builder.command("morph")
       .icon("morph")
       .produces({ShapeKind::Region})
       .playedBy({.parameter = "frames", .keys = "keys"})
@@ -178,13 +195,8 @@ FeatureType morphFeature(std::size_t maximumWork) {
       .parameter("degree-elevate", &P::degreeElevate, flag(),
                  "Elevate the degree by one; the morph stays the same when all shapes are convex.")
       .parameter("area-preserving", &P::areaPreserving, flag(),
-                 "Scale the result so that its area blends those of the shapes.")
-      .parameter("offsets", &P::offsets, onePer(list(displacement()), "shape"),
-                 "Displacement of each control shape from its drawn position, first to last; others stay.")
-      .parameter("scales", &P::scales, onePer(list(positiveNumber()), "shape"),
-                 "How many times as large each control shape is as drawn, about its centre, first to last; others stay.")
-      .parameter("turns", &P::turns, onePer(list(angle()), "shape"),
-                 "Rotation of each control shape about its centre, counter-clockwise, first to last; others stay.")
+                 "Scale the result so that its area blends those of the shapes.");
+  return addPlacements(builder)
       .parameter("tolerance", &P::tolerance, toleranceSpec(),
                  "Largest distance between curves and the polygons that stand for them.")
       .parameter("degree", &P::degree, count(0),

@@ -97,6 +97,7 @@ Curve partOf(const Shape& shape, const char* what, int edge) {
 Curve curveOf(const Shape& shape, const char* what, const std::vector<int>& edges) {
   if (!edges.empty()) {
     std::vector<Curve> parts;
+    parts.reserve(edges.size());
     for (const int edge : edges) parts.push_back(partOf(shape, what, edge));
     return chained(inOrder(std::move(parts), joiningGap()), joiningGap());
   }

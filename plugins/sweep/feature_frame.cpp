@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/units.h"
@@ -46,7 +48,10 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
                     made.smallestBend, made.bendAt, made.reach));
 }
 
-void refuseEdgesOfProfile(const std::vector<SubShapeValue>& edges) {
+void checkEdges(const std::vector<SubShapeValue>& edges) {
+  for (const SubShapeValue& each : edges)
+    if (std::count(edges.begin(), edges.end(), each) > 1)
+      throw Error(ErrorCode::InvalidParameter, fmt::format("Edge {} is named twice.", each.index), "Name it once.");
   for (const SubShapeValue& each : edges)
     if (!each.input.empty() && each.input != "path")
       throw Error(ErrorCode::InvalidParameter,
@@ -56,7 +61,7 @@ void refuseEdgesOfProfile(const std::vector<SubShapeValue>& edges) {
 
 Evaluated evaluateFrame(const FrameParameters& p, const Inputs& inputs, const Progress& progress) {
   progress.report(0.02, "Following the path");
-  refuseEdgesOfProfile(p.edges);
+  checkEdges(p.edges);
   const Curve path = curveOf(inputs.of(0)[0], "path", numbersOf(p.edges));
   CurveMotionOptions options{.radius = p.radius,
                              .profile = {},

@@ -202,8 +202,11 @@ class MinkowskiBeyondTest : public QObject {
     const Region blob = ellipseRegion(3, 2), plate = rectangleRegion({0, 0}, {40, 40});
     QVERIFY(minkowskiDifference(std::vector{plate, blob}).warnings.empty());
     QVERIFY(minkowskiSum(std::vector{plate, plate, blob}, {.weights = {1, 1, 0}}).warnings.empty());
-    const auto room = minkowskiDifference(std::vector{ellipseRegion(30, 20), circleRegion(1)});
-    QVERIFY(room.warnings.size() == 1 && room.warnings.front().starts_with("Free-form curves came out as straight lines"));
+    for (const auto& [around, inside] : {std::pair{ellipseRegion(30, 20), circleRegion(1)}, {circleRegion(30), blob}}) {
+      const auto room = minkowskiDifference(std::vector{around, inside});
+      QVERIFY(room.warnings.size() == 1);
+      QVERIFY(room.warnings.front().starts_with("Free-form curves came out as straight lines"));
+    }
   }
 
   void nothingIsToldOfAnOrderBeyondTheEnds() {

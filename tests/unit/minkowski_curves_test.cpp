@@ -72,6 +72,24 @@ class MinkowskiCurvesTest : public QObject {
   Q_OBJECT
 
  private slots:
+  /// Files end circles of several arcs a rounding beside their beginning, and close them by a line.
+  void aClosingLineWithoutLengthIsNoSide() {
+    for (const double gap : {0.0, 1e-15, 5e-15, -5e-15, 1e-13}) {
+      Region ring;
+      for (const double radius : {20.0, -10.0}) {
+        Path& loop = ring.loops.emplace_back();
+        loop.closed = true;
+        const double third = (radius > 0 ? 2 : -2) * pi / 3;
+        for (int k = 0; k < 3; ++k) loop.segments.emplace_back(Arc2{{0, 0}, std::abs(radius), k * third, third});
+        const Vec2 begin = startPoint(loop.segments.front());
+        loop.segments.emplace_back(Line2{begin + Vec2(0, gap), begin});
+      }
+      const Region sum = minkowskiSum(std::vector{ring, circleRegion(2)}).region;
+      COMPARE_NEAR(area(sum), pi * (22 * 22 - 8 * 8), 1e-9);
+      for (const Path& loop : sum.loops) QCOMPARE(loop.segments.size(), std::size_t{1});
+    }
+  }
+
   void aSquareAndADisc() {
     Random random = seededRandom();
     for (int k = 0; k < 200; ++k) {

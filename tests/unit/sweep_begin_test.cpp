@@ -122,6 +122,7 @@ class SweepBeginTest : public QObject {
     const Shape bar = made("sweep", {{"solid", true}}, {motion.shape}).shape;
     COMPARE_NEAR(figure(bar, "volume"), 4 * std::numbers::pi * 30, 1e-6 * 400);
     VERIFY_REFUSED(refusal("sweep-along", {{"edges", {none}}}, {outline}), ErrorCode::NotFound, "4 edges");
+    VERIFY_REFUSED(refusal("sweep-along", {{"edges", {second, second}}}, {outline}), ErrorCode::InvalidParameter, "twice");
     const Value other{{"input", "profile"}, {"kind", "edge"}, {"index", 1}};
     VERIFY_REFUSED(refusal("sweep-along", {{"edges", {other}}}, {outline, outline}), ErrorCode::InvalidParameter, "profile");
   }

@@ -90,7 +90,7 @@ QString fittingNumber(const QString& text, const std::function<bool(const QStrin
   const double value = match.captured(1).toDouble();
   constexpr int mostDigits = 15;
   for (int digits = mostDigits; digits > 0; --digits)
-    if (const QString shorter = QString::number(value, 'g', digits) + match.captured(2); fits(shorter)) return shorter;
+    if (QString shorter = QString::number(value, 'g', digits) + match.captured(2); fits(shorter)) return shorter;
   return text;
 }
 

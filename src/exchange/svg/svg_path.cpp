@@ -52,7 +52,9 @@ class Builder final : public Geom::PathSink {
     at_ = to;
   }
   void closePath() override {
-    if (at_ != start_) current_.segments.push_back(Line2{at_, start_});
+    // Nearer than the digits of a file tell, no line is meant.
+    constexpr double rounding = 1e-14;
+    if ((at_ - start_).norm() > rounding * start_.cwiseAbs().maxCoeff()) current_.segments.push_back(Line2{at_, start_});
     at_ = start_;
     finish(true);
   }

@@ -38,7 +38,7 @@ double BlendedArea::blended(std::span<const double> shares) const {
   return std::inner_product(shares.begin(), shares.end(), areas_.begin(), 0.0);
 }
 
-InBetween BlendedArea::of(InBetween given, std::span<const double> shares) const {
+InBetween BlendedArea::of(const InBetween& given, std::span<const double> shares) const {
   Vec2 centre = Vec2::Zero();
   for (std::size_t i = 0; i < shares.size(); ++i) centre += shares[i] * centres_[i];
   const double wanted = blended(shares);

@@ -16,7 +16,7 @@ class BlendedArea {
   /// Of shares that add up to 1; beyond the ends it may not be above 0.
   [[nodiscard]] double blended(std::span<const double> shares) const;
   /// Scales about the blend of the centres. @pre the blended area is above 0
-  [[nodiscard]] InBetween of(InBetween, std::span<const double> shares) const;
+  [[nodiscard]] InBetween of(const InBetween&, std::span<const double> shares) const;
 
  private:
   std::vector<double> areas_;

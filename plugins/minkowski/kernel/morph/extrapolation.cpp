@@ -34,6 +34,14 @@ void include(SignedTerms& terms, const SoundRegion& shape, double weight, Adder&
   total = total ? add(*total, term, progress) : term;
 }
 
+/// With a finer tolerance where curves are drawn by it: how far a shape may be off decides whether there is one.
+SoundRegion finer(SoundRegion shape) {
+  constexpr double times = 16;
+  if (!shape.plain) shape.tolerance /= times;
+  shape.kept = 0;  // what is kept of it has the other tolerance
+  return shape;
+}
+
 /// Weights of a convex shape add up before it is taken.
 SignedTerms termsAt(std::span<const double> t, std::span<const SoundRegion> shapes, Adder& add, const Progress& progress) {
   SignedTerms terms;
@@ -121,7 +129,9 @@ bool isBeyond(std::span<const double> t) {
 
 std::optional<InBetween> continuedTo(std::span<const double> t, std::span<const SoundRegion> shapes, Adder& add,
                                      const Progress& progress) {
-  const SignedTerms terms = termsAt(t, shapes, add, progress);
+  std::vector<SoundRegion> fine;
+  for (const SoundRegion& shape : shapes) fine.push_back(finer(shape));
+  const SignedTerms terms = termsAt(t, fine, add, progress);
   const SoundRegion &whole = *terms.added, &part = *terms.taken;
   SoundRegion rest = difference(whole, part, progress, add.effort());
   if (rest.region.loops.empty()) return std::nullopt;

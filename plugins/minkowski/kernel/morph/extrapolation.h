@@ -18,7 +18,8 @@ bool isBeyond(std::span<const double> t);
 /// positive weight and N that of |w| A for the others. Of convex shapes this continues the support functions, so that
 /// C(t) + (t-1) A = t B.
 /// @returns nothing when no shape C has that sum: the largest one inside, P - N, is added to N again, and the outlines are
-/// compared, to 1e-9 of the size of C and the rounding of P, of splines to the tolerances, by which sides may move corners.
+/// compared, to 1e-9 of the size of C and the rounding of P, of splines to an eighth of the
+/// tolerances, by which sides may move corners.
 /// The deviation is what was found, where that is beyond rounding. Nothing either when P is so much larger than C that its
 /// rounding would hide a difference.
 /// @throws Error LimitExceeded for too many different numbers of shapes that are not convex; as sum and difference of

@@ -121,7 +121,7 @@ class Morph {
   Region at(const Arguments& t, const Progress& progress) {
     if (isEnd(t)) return t.front() < 0.5 ? regions_.front() : regions_.back();
     InBetween made = isBeyond(t) ? beyond(t, progress) : inBetween(elevated(t), progress);
-    if (area_) made = area_->of(std::move(made), sharesOf(t));
+    if (area_) made = area_->of(made, sharesOf(t));
     const std::scoped_lock lock(mutex_);
     deviation_ = std::max(deviation_, made.deviation);
     if (warnings_.empty()) warnOfLines(takesSplines(t), made.shape.region, options_.tolerance, warnings_);

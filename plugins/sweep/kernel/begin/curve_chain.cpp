@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/error.h"
 #include "geometry/bspline/bspline.h"
@@ -43,21 +44,33 @@ Curve turnedRound(Curve curve) {
   return curve;
 }
 
-/// Whether no end of another part lies at a place.
-bool isFree(const Vec3& place, std::size_t owner, std::span<const Curve> parts, double gap) {
+/// From a place to the nearest end of another part.
+double distanceToOthers(const Vec3& place, std::size_t owner, std::span<const Curve> parts) {
+  double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < parts.size(); ++k)
-    if (k != owner && ((startOf(parts[k]) - place).norm() <= gap || (endOf(parts[k]) - place).norm() <= gap)) return false;
-  return true;
+    if (k != owner) nearest = std::min({nearest, (startOf(parts[k]) - place).norm(), (endOf(parts[k]) - place).norm()});
+  return nearest;
 }
 
-/// Puts a part with a free end first, with that end at its start.
+/// Puts a part first that begins at a free end, farther than `gap` from all others; of several the one from whose other end
+/// the way goes on most nearly.
 void beginAtFreeEnd(std::vector<Curve>& parts, double gap) {
+  std::size_t first = 0;
+  bool turned = false;
+  double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const bool atEnd = !isFree(startOf(parts[k]), k, parts, gap);
-    if (atEnd && !isFree(endOf(parts[k]), k, parts, gap)) continue;
-    if (atEnd) parts[k] = turnedRound(std::move(parts[k]));
-    return std::swap(parts.front(), parts[k]);
+    const double fromStart = distanceToOthers(startOf(parts[k]), k, parts),
+                 fromEnd = distanceToOthers(endOf(parts[k]), k, parts);
+    for (const bool turns : {false, true}) {
+      const double begin = turns ? fromEnd : fromStart, on = turns ? fromStart : fromEnd;
+      if (begin <= gap || on >= nearest) continue;
+      nearest = on;
+      first = k;
+      turned = turns;
+    }
   }
+  if (turned) parts[first] = turnedRound(std::move(parts[first]));
+  std::swap(parts.front(), parts[first]);
 }
 
 }  // namespace
@@ -96,7 +109,7 @@ Curve chained(std::span<const Curve> parts, double gap) {
         throw Error(ErrorCode::InvalidInput,
                     fmt::format("The parts of the curve lie {:.3g} mm apart at ({:.6g}, {:.6g}, {:.6g}).", distance, end.x(),
                                 end.y(), end.z()),
-                    "Join them first.");
+                    "Join them first; of edges, choose those between as well.");
     }
     appendPart(chain, same, length);
   }

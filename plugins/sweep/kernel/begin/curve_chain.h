@@ -14,7 +14,8 @@ namespace blossom::sweep {
 Curve chained(std::span<const Curve> parts, double gap);
 
 /// The same curves so that each begins at the end that lies nearest to that of the one before, turned round where needed.
-/// They begin with one that has a free end, more than `gap` mm from all others; without any, with the first one. O(n^2) for
+/// They begin with one that has a free end, more than `gap` mm from all others, of several with the one
+/// from which the way goes on most nearly; without any, with the first one. O(n^2) for
 /// n parts.
 std::vector<Curve> inOrder(std::vector<Curve> parts, double gap);
 

@@ -256,12 +256,15 @@ CheckedRegion checkedRegion(const Region& region, const FlatteningOptions& optio
   return {tolerance, std::move(nesting)};
 }
 
-/// Without segments that have no length, and so no direction.
+/// Without segments that have no length beyond the rounding of their coordinates, and so no direction: files end what they
+/// close that near to its beginning.
 Path withoutPoints(Path path) {
-  std::erase_if(path.segments, [](const Segment& segment) {
-    if (const auto* line = std::get_if<Line2>(&segment)) return line->from == line->to;
+  const Box2 box = looseBox({path});
+  const double rounding = std::ldexp(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()), -46);
+  std::erase_if(path.segments, [&](const Segment& segment) {
+    if (const auto* line = std::get_if<Line2>(&segment)) return (line->to - line->from).norm() <= rounding;
     const auto* arc = std::get_if<Arc2>(&segment);
-    return arc && (arc->sweep == 0 || arc->radius == 0);
+    return arc && arc->radius * std::abs(arc->sweep) <= rounding;
   });
   return path;
 }

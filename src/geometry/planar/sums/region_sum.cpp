@@ -79,14 +79,16 @@ double smallestDefault(std::span<const Region> regions) {
   return smallest;
 }
 
-/// Whether free-form curves of the shapes are to bound the room: those of the first, and where that is not convex also those
-/// of the others, which roll over its inner corners.
+/// Whether free-form curves of the shapes are to bound the room: those of the first, and where that is no convex polygon
+/// also those of the others, which roll over its inner corners and along its arcs.
 bool boundRoom(std::span<const Region> regions) {
   if (hasSplines(regions.front())) return true;
+  if (std::none_of(regions.begin() + 1, regions.end(), hasSplines)) return false;
+  if (hasCurves(regions.front())) return true;
   Region first = regions.front();
   for (Path& loop : first.loops)
     if (signedArea(loop) < 0) loop = reversed(loop);
-  return !isConvex(SoundRegion{std::move(first)}) && std::any_of(regions.begin() + 1, regions.end(), hasSplines);
+  return !isConvex(SoundRegion{std::move(first)});
 }
 
 }  // namespace

@@ -27,6 +27,12 @@ for pair in "3 1" "0.02 0.7" "1000 3" "5 1000"; do
 done
 at_most "square and disc: area against s^2 + 4 s r + pi r^2, relative" "$worst" 1e-12
 
+# A ring as files have it: circles in arcs that are closed by a line without length.
+"$bin/blossom" boolean circle:20 circle:10 --operation difference -o "$out/ring.svg" >/dev/null 2>&1
+result=$("$bin/blossom" minkowski-sum "$out/ring.svg" circle:2 --json 2>/dev/null)
+equal "a ring from an SVG file and a disc: lines and arcs" "$(json lines <<<"$result") $(json arcs <<<"$result")" "0 2"
+at_most "  area, relative" "$(awk -v a="$(json area <<<"$result")" 'BEGIN { d = a / (atan2(0, -1) * 420) - 1; printf "%.2e", d < 0 ? -d : d }')" 1e-12
+
 # What is handed on: OpenCASCADE's measure of the face in the STEP file.
 "$bin/blossom" minkowski-sum star:5:20:8 circle:3 -o "$out/rounded-star.step" --json >"$out/rounded-star.json" 2>/dev/null
 equal "a star and a disc as STEP: area in the file" "$("$bin/blossom" info "$out/rounded-star.step" --json | json area | xargs printf '%.9g')" \

@@ -97,11 +97,11 @@ QString SurfacePullTool::leftText() const {
 }
 
 QString SurfacePullTool::hoverHint() const {
+  if (isFollowed(*under_) && !selectedSurface_) return tr("The surface of the selected edit is being prepared");
   if (under_->onAxis) return joined({tr("Drag to turn the axis of this twist"), tr("Enter: type the angle")});
   if (isFollowed(*under_))
-    return selectedSurface_ ? joined({tr("Drag to change the selected edit here; those after it are hidden meanwhile"),
-                                      tr("Enter: type its goal")})
-                            : tr("The surface of the selected edit is being prepared");
+    return joined(
+        {tr("Drag to change the selected edit here; those after it are hidden meanwhile"), tr("Enter: type its goal")});
   std::vector<Vec3> copies;
   if (const QString problem = copiesProblem(surface_->motion(), under_->hit.at, mode_.symmetry(), copies);
       !problem.isEmpty())

@@ -13,7 +13,6 @@ namespace {
 
 struct Sides {
   std::size_t lines = 0, arcs = 0;
-  friend bool operator==(const Sides&, const Sides&) = default;
 };
 
 Sides sidesIn(const Region& region) {
@@ -34,7 +33,8 @@ Region readBack(const Region& region, const char* extension) {
 
 }  // namespace
 
-/// Sums of what was written to a file and read again: formats cut circles, and end outlines a rounding beside their beginning.
+/// Sums of what was written to a file and read again: formats cut circles, and end outlines a rounding beside their
+/// beginning.
 class MinkowskiFilesTest : public QObject {
   Q_OBJECT
 
@@ -55,7 +55,9 @@ class MinkowskiFilesTest : public QObject {
       const std::string what = fmt::format("{}, pair {}: {} + {} and {} + {} lines and arcs", format, k, sidesIn(sum).lines,
                                            sidesIn(sum).arcs, sidesIn(again).lines, sidesIn(again).arcs);
       QVERIFY2(std::abs(area(sum) - area(again)) <= 1e-9 * area(sum), what.c_str());
-      QVERIFY2(sidesIn(sum) == sidesIn(again), what.c_str());
+      QCOMPARE(sidesIn(again).lines, sidesIn(sum).lines);
+      const std::size_t cutInThree = 2 * again.loops.size();  // circles of convex outlines stay as the file cuts them
+      QVERIFY2(sidesIn(again).arcs <= sidesIn(sum).arcs + cutInThree, what.c_str());
     }
   }
 };

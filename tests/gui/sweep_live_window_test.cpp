@@ -8,6 +8,7 @@
 #include "drag_frames.h"
 #include "support/sweep_formulas.h"
 #include "sweep_fixture.h"
+#include "ui/thread/stall_watch.h"
 #include "ui/tree/document_tree.h"
 
 using namespace blossom;
@@ -28,6 +29,7 @@ class SweepLiveWindowTest : public SweepFixture {
   void whatWasLetGoStaysUntilItIsComputed();
   void thePlaceIsShownWhereTheMouseLetGo();
   void framesAreMeasured();
+  void aLargeMotionIsDraggedLive();
 
  private:
   [[nodiscard]] std::optional<StandIn> standIn() const { return window_->page().tool()->standIn(); }
@@ -192,6 +194,30 @@ void SweepLiveWindowTest::framesAreMeasured() {
   QVERIFY(window_->view().sharp());
   mouse(QEvent::MouseButtonRelease, from);
   waitUntilComputed();
+}
+
+/// Prints what a user feels; what is checked is that the surface follows the mouse.
+void SweepLiveWindowTest::aLargeMotionIsDraggedLive() {
+  openSample("propeller.json");
+  const QPoint from = onABlade();
+  StallWatch watch;
+  hover(from);
+  qInfo("figure pull_hover_stall_ms %.1f", watch.overall().wall);
+  watch.reset();
+  mouse(QEvent::MouseButtonPress, from);
+  QElapsedTimer dragging;
+  dragging.start();
+  constexpr int wantedMoves = 90;
+  const DragFrames frames(window_->view(), wantedMoves,
+                          [&](int k) { mouse(QEvent::MouseMove, from + QPoint(k / 2, k / 3)); });
+  const double seconds = static_cast<double>(dragging.elapsed()) / 1000;
+  qInfo("figure pull_frames_per_s %.1f", static_cast<double>(frames.count()) / seconds);
+  qInfo("figure pull_stall_ms %.1f", watch.overall().wall);
+  qInfo("figure pull_stall_computing_ms %.1f", watch.overall().busy);
+  mouse(QEvent::MouseButtonRelease, from + QPoint(wantedMoves / 2, wantedMoves / 3));
+  waitUntilComputed();
+  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
+  QVERIFY(!window_->session().view(sweep_)->result->error);
 }
 
 BLOSSOM_WINDOW_TEST(SweepLiveWindowTest)

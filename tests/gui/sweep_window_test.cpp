@@ -1,14 +1,11 @@
-#include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
-#include "drag_frames.h"
 #include "support/sweep_formulas.h"
 #include "sweep_fixture.h"
-#include "ui/thread/stall_watch.h"
 #include "ui/tools/view_props.h"
 #include "ui/tree/document_tree.h"
 
@@ -28,7 +25,6 @@ class SweepWindowTest : public SweepFixture {
   void eachWayAloneMovesItsPolesByTheFormula();
   void turningAndScalingTogetherArrive();
   void sharesAreSetByShiftAndTheWheel();
-  void aTwistTurnsByTheAngleShown();
   void theSamePlaceIsTheSamePull();
   void thereAndBackChangesNothing();
   void escapeTakesBack();
@@ -39,7 +35,6 @@ class SweepWindowTest : public SweepFixture {
   void whatCannotBeReachedIsSaidAndNotKept();
   void aClickIsForTheView();
   void anOpenSurfaceIsPulledAtAnEditThatIsSelected();
-  void aLargeMotionIsDraggedLive();
   void theHandlesAreSeen();
 };
 
@@ -158,40 +153,6 @@ void SweepWindowTest::sharesAreSetByShiftAndTheWheel() {
   hover(screenOf(target));
   turnWheel(screenOf(target), 1, {});
   QVERIFY(window_->view().camera().millimetresPerPixel() < scale);
-}
-
-void SweepWindowTest::aTwistTurnsByTheAngleShown() {
-  openSample("cylinder.json");
-  const Motion before = motionOf(source_);
-  const QPoint from = onTheSide(), to = from + QPoint(50, 8);
-  hover(from);
-  key(Qt::Key_W);
-  QVERIFY2(hint().startsWith(QStringLiteral("Drag to twist")), qPrintable(hint()));
-  mouse(QEvent::MouseButtonPress, from);
-  mouse(QEvent::MouseMove, to);
-  const QString shown = hint();
-  mouse(QEvent::MouseButtonRelease, to);
-  waitUntilComputed();
-  const Feature& twist = only("sweep.twist");
-  QVERIFY(all("sweep.pull").empty());
-  const double angle = twist.parameters["angle"].get<double>();
-  QVERIFY(std::abs(angle) > 5);
-  QVERIFY2(shown.contains(QString::number(angle, 'f', 1)), qPrintable(shown));
-  const Vec3 axis = vectorOf(twist.parameters["axis"]);
-  QVERIFY((axis - Vec3::UnitZ()).norm() < 1e-12);  // the tangent of the trajectory
-  const Value& place = twist.parameters["places"][0];
-  const PlaceOfMotion at(before, place["u"].get<double>(), place["v"].get<double>());
-  const double off = poleDifference(twistedBy(before, at, axis, angle), motionOf(twist.id));
-  QVERIFY2(off < 1e-12, qPrintable(QString::number(off)));
-
-  // The tool goes on twisting; the same place is the same twist.
-  const QPoint again = screenOf(PlaceOfMotion(motionOf(twist.id), place["u"].get<double>(), at.v).x);
-  drag(again, again - QPoint(30, 0));
-  QCOMPARE(all("sweep.twist").size(), std::size_t(1));
-  QVERIFY(std::abs(only("sweep.twist").parameters["angle"].get<double>() - angle) > 5);
-  hover(again);
-  key(Qt::Key_A);
-  QVERIFY2(hint().contains(QStringLiteral("arm")), qPrintable(hint()));
 }
 
 void SweepWindowTest::theSamePlaceIsTheSamePull() {
@@ -402,30 +363,6 @@ void SweepWindowTest::anOpenSurfaceIsPulledAtAnEditThatIsSelected() {
   QCOMPARE(all("sweep.pull").size(), std::size_t(2));
   const FeatureId last = document().at(sweep_).inputs.front();
   QCOMPARE(document().at(last).inputs, std::vector<FeatureId>{pulled});
-  QVERIFY(!window_->session().view(sweep_)->result->error);
-}
-
-/// Prints what a user feels; what is checked is that the surface follows the mouse.
-void SweepWindowTest::aLargeMotionIsDraggedLive() {
-  openSample("propeller.json");
-  const QPoint from = onABlade();
-  StallWatch watch;
-  hover(from);
-  qInfo("figure pull_hover_stall_ms %.1f", watch.overall().wall);
-  watch.reset();
-  mouse(QEvent::MouseButtonPress, from);
-  QElapsedTimer dragging;
-  dragging.start();
-  constexpr int wantedMoves = 90;
-  const DragFrames frames(window_->view(), wantedMoves,
-                          [&](int k) { mouse(QEvent::MouseMove, from + QPoint(k / 2, k / 3)); });
-  const double seconds = static_cast<double>(dragging.elapsed()) / 1000;
-  qInfo("figure pull_frames_per_s %.1f", static_cast<double>(frames.count()) / seconds);
-  qInfo("figure pull_stall_ms %.1f", watch.overall().wall);
-  qInfo("figure pull_stall_computing_ms %.1f", watch.overall().busy);
-  mouse(QEvent::MouseButtonRelease, from + QPoint(wantedMoves / 2, wantedMoves / 3));
-  waitUntilComputed();
-  QCOMPARE(all("sweep.pull").size(), std::size_t(1));
   QVERIFY(!window_->session().view(sweep_)->result->error);
 }
 

@@ -141,7 +141,7 @@ double HeldEdit::mouseAngle(const PullMode& mode) const {
 }
 
 bool HeldEdit::changesAnything(const PullMode& mode) const {
-  if (axis_) return *axis_ != std::get<MotionTwist>(start_.changed->edit).axis;
+  if (axis_ && *axis_ != std::get<MotionTwist>(start_.changed->edit).axis) return true;
   if (twists(mode)) return turnedBy(mode) != 0;
   constexpr double rounding = 1e-9;
   return (goal() - from()).norm() > rounding * (1 + from().norm());

@@ -150,9 +150,9 @@ void SurfacePullTool::commitEdit(const std::optional<TypedGoal>& typed) {
   std::optional<LingeringPicture> lingering;
   lingering.emplace(host(), ui::StandIn{placement_->users, done->live().mesh().faces(), done->live().mesh().edges()});
   const MotionEdit edit = done->edit(mode_);
-  const QString what = done->turnsAxis()     ? tr("Turn the axis of a twist")
-                       : done->twists(mode_) ? tr("Twist the surface")
-                                             : tr("Pull the surface");
+  const QString what = done->turnsAxis() && !typed ? tr("Turn the axis of a twist")
+                       : done->twists(mode_)       ? tr("Twist the surface")
+                                                   : tr("Pull the surface");
   commit(done->changesOne(mode_) ? withChangedEdit(host(), done->changed().id, edit, typed)
                                  : withEdit(host(), *placement_, edit, typed),
          what);

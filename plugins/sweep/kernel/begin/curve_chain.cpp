@@ -36,14 +36,6 @@ void appendPart(Curve& chain, const Curve& part, double length) {
 Vec3 startOf(const Curve& curve) { return placeOf(clamped(curve).poles.front()); }
 Vec3 endOf(const Curve& curve) { return placeOf(clamped(curve).poles.back()); }
 
-Curve turnedRound(Curve curve) {
-  std::reverse(curve.poles.begin(), curve.poles.end());
-  std::reverse(curve.knots.begin(), curve.knots.end());
-  const double sum = curve.knots.front() + curve.knots.back();
-  for (double& knot : curve.knots) knot = sum - knot;
-  return curve;
-}
-
 /// From a place to the nearest end of another part.
 double distanceToOthers(const Vec3& place, std::size_t owner, std::span<const Curve> parts) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -69,11 +61,20 @@ void beginAtFreeEnd(std::vector<Curve>& parts, double gap) {
       turned = turns;
     }
   }
-  if (turned) parts[first] = turnedRound(std::move(parts[first]));
+  if (turned) parts[first] = turnedRound(parts[first]);
   std::swap(parts.front(), parts[first]);
 }
 
 }  // namespace
+
+Curve turnedRound(const Curve& curve) {
+  Curve result = curve;
+  const auto [from, to] = curve.domain();
+  std::reverse(result.poles.begin(), result.poles.end());
+  for (std::size_t i = 0; i < curve.knots.size(); ++i)
+    result.knots[i] = from + (to - curve.knots[curve.knots.size() - 1 - i]);
+  return result;
+}
 
 std::vector<Curve> inOrder(std::vector<Curve> parts, double gap) {
   if (parts.size() < 2) return parts;
@@ -86,7 +87,7 @@ std::vector<Curve> inOrder(std::vector<Curve> parts, double gap) {
     const auto rest = parts.begin() + static_cast<std::ptrdiff_t>(next);
     std::iter_swap(rest, std::min_element(rest, parts.end(),
                                           [&](const Curve& a, const Curve& b) { return distance(a) < distance(b); }));
-    if ((endOf(*rest) - place).norm() < (startOf(*rest) - place).norm()) *rest = turnedRound(std::move(*rest));
+    if ((endOf(*rest) - place).norm() < (startOf(*rest) - place).norm()) *rest = turnedRound(*rest);
   }
   return parts;
 }

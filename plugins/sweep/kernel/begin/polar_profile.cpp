@@ -10,6 +10,7 @@
 #include "core/angle.h"
 #include "geometry/bspline/bspline.h"
 #include "kernel/begin/bernstein_zero.h"
+#include "kernel/begin/curve_chain.h"
 #include "kernel/begin/profile_plane.h"
 
 namespace blossom::sweep {
@@ -20,15 +21,6 @@ namespace {
 constexpr double largestPieceAngle = fullTurn / 5;
 
 double cross2(const Vec4& a, const Vec4& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-Curve reversedCurve(const Curve& curve) {
-  Curve result = curve;
-  const auto [from, to] = curve.domain();
-  std::reverse(result.poles.begin(), result.poles.end());
-  for (std::size_t i = 0; i < curve.knots.size(); ++i)
-    result.knots[i] = from + (to - curve.knots[curve.knots.size() - 1 - i]);
-  return result;
-}
 
 }  // namespace
 
@@ -42,7 +34,7 @@ PolarProfile::PolarProfile(const Curve& given, const std::optional<Vec3>& centre
   const double x = 2 * moments.y() / (3 * moments.x()), y = 2 * moments.z() / (3 * moments.x());
   centre_ = centre.value_or(plane.origin + x * plane.x + y * plane.y);
   flat = flattened(curve, plane, centre_);
-  if (moments.x() < 0) flat = reversedCurve(flat);
+  if (moments.x() < 0) flat = turnedRound(flat);
   double farthest = 0;
   for (const Vec4& pole : flat.poles) farthest = std::max(farthest, pole.head<2>().norm() / pole.w());
   const Vec4 &first = flat.poles.front(), &last = flat.poles.back();

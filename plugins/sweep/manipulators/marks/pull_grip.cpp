@@ -81,12 +81,12 @@ std::optional<PullGrip> gripUnder(const ui::ToolHost& host, const LiveSurface& s
     if (showsAxis(edits[k]))
       if (auto grip = axisGrip(surface.motion(), edits[k].edit, k, event)) return grip;  // drawn over what lies before it
   std::optional<PullGrip> grip;
-  if (const auto found = nearestOf(chosen.all(), surface.motion(), event)) grip = PullGrip{found->hit, {}, false};
+  if (const auto found = nearestOf(chosen.all(), surface.motion(), event)) grip = PullGrip{found->hit, {}};
   for (std::size_t k = 0; k < edits.size() && !grip; ++k)
     if (const auto found = nearestOf(editedPlaces(edits[k].edit), surface.motion(), event))
-      grip = PullGrip{found->hit, PullGrip::OfEdit{k, found->number}, false};
+      grip = PullGrip{found->hit, PullGrip::OfEdit{k, found->number}};
   if (!grip)
-    if (const auto hit = surface.finder.find(event.ray)) grip = PullGrip{*hit, {}, false};
+    if (const auto hit = surface.finder.find(event.ray)) grip = PullGrip{*hit, {}};
   if (!grip) return std::nullopt;
   const double slack = gripReach * event.millimetresPerPixel;
   const bool hidden = !event.pick.feature.empty() && event.pick.part.distance < grip->hit.distance - slack;

@@ -35,8 +35,7 @@ using ShowsAxis = std::function<bool(const ChangeableEdit&)>;
 
 /// What is under the mouse: the end of the axis of a twist among the edits that show theirs, a place that was chosen, or one
 /// of a changeable edit, within reach, even beside the surface, as the tip of what was pulled out; else the place of the
-/// surface. Places that something else hides or that are
-/// cut away are not found.
+/// surface. Places that something else hides or that are cut away are not found.
 std::optional<PullGrip> gripUnder(const ui::ToolHost&, const LiveSurface&, const ChosenPlaces&,
                                   const std::vector<ChangeableEdit>&, const ShowsAxis&, const ui::ToolEvent&);
 

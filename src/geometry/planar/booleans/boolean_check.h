@@ -13,9 +13,8 @@ struct BooleanOperands {
 
 /// Whether every piece between two cuts bounds the result exactly if it should, which the winding numbers of the other
 /// region about three points of it tell, without the polygons that made the result. Points along the other boundary are
-/// left out.
-/// O(n (log n + k)) for n segments and pieces that
-/// are well spread, k of them at the level of a point. @throws Error Cancelled
+/// left out. O(n (log n + k)) for n segments and pieces that are well spread, k of them at the level of a point.
+/// @throws Error Cancelled
 bool boundsAsItShould(const Region& result, const BooleanOperands&, BooleanOperation, double within, const Progress&);
 
 /// Whether segments end where the next ones begin, to a distance, and none is shorter than another one.

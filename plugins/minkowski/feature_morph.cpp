@@ -109,11 +109,18 @@ Arguments argumentsAt(const MorphParameters& p, std::size_t degree, double t) {
   return p.blossom.empty() ? diagonal(degree, t) : p.blossom;
 }
 
+std::size_t splineShapes(const std::vector<Region>& shapes) {
+  return static_cast<std::size_t>(
+      std::count_if(shapes.begin(), shapes.end(), [](const Region& r) { return hasSplines(r); }));
+}
+
 Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Inputs& inputs, const Progress& progress) {
   refuseTogether(p);
   std::vector<Region> shapes = regionsOf(inputs);
   placeShapes(shapes, p);
+  const std::size_t freeForm = splineShapes(shapes);
   faceSectors(shapes, sectorsIn(p.sectors), toleranceOf(p.tolerance), progress);
+  const bool sectorsOfLines = splineShapes(shapes) < freeForm;
   const std::vector<double> places = placesOf(p), times = timesOf(p, places);
   if (isPiecewise(p, shapes.size())) {
     refuseBesidesKnots(!p.blossom.empty() || !p.path.empty(), p.degreeElevate);
@@ -139,6 +146,10 @@ Evaluated morphed(const MorphParameters& p, std::size_t maximumWork, const Input
   if (result.deviation > 0) out.stats["deviation"] = result.deviation;
   out.stats["degree"] = degree + (p.degreeElevate ? 1 : 0);
   out.warnings = std::move(result.warnings);
+  if (sectorsOfLines)
+    out.warnings.push_back(
+        "What faces the sector of a free-form shape is made of straight lines, within the tolerance; a smaller one makes "
+        "them finer.");
   if (p.frames == 0) {
     out.stats["influences"] = sharesOf(arguments.front());
     out.shape = std::move(result.regions.front());

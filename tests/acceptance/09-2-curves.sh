@@ -33,6 +33,8 @@ result=$("$bin/blossom" minkowski-sum "$out/ring.svg" circle:2 --json 2>/dev/nul
 equal "a ring from an SVG file and a disc: lines and arcs" "$(json lines <<<"$result") $(json arcs <<<"$result")" "0 2"
 at_most "  area, relative" "$(awk -v a="$(json area <<<"$result")" 'BEGIN { d = a / (atan2(0, -1) * 420) - 1; printf "%.2e", d < 0 ? -d : d }')" 1e-12
 
+qtest "loops that touch one another keep their arcs; the room of discs nearly as large" "$tests/minkowski_touching_test"
+
 # What is handed on: OpenCASCADE's measure of the face in the STEP file.
 "$bin/blossom" minkowski-sum star:5:20:8 circle:3 -o "$out/rounded-star.step" --json >"$out/rounded-star.json" 2>/dev/null
 equal "a star and a disc as STEP: area in the file" "$("$bin/blossom" info "$out/rounded-star.step" --json | json area | xargs printf '%.9g')" \

@@ -35,6 +35,15 @@ inline Region circleRegion(double radius, const Vec2& center = Vec2::Zero()) {
   return {{path}};
 }
 
+/// A circle drawn as files do: in several arcs.
+inline Path circleInArcs(double radius, int arcs, const Vec2& center = Vec2::Zero(), double start = 0) {
+  Path path;
+  path.closed = true;
+  const double sweep = 2 * std::numbers::pi / arcs;
+  for (int k = 0; k < arcs; ++k) path.segments.emplace_back(Arc2{center, radius, start + k * sweep, sweep});
+  return path;
+}
+
 inline Region ellipseRegion(double a, double b) {
   Path path;
   path.closed = true;

@@ -89,6 +89,25 @@ class MinkowskiHullTest : public QObject {
     COMPARE_NEAR(area(belt), (a + b) * along + a * a * (pi - half) + b * b * half, 1e-12 * 150);
   }
 
+  void circlesInSeveralArcsLoseNone() {
+    for (const int arcs : {2, 3, 4, 8})
+      for (const double start : {0.0, 0.4}) {
+        const Vec2 at(50, -30);
+        const Region ring{{circleInArcs(10, arcs, at, start), reversed(circleInArcs(5, arcs, at, start))}};
+        const Region hull = regionHull(ring, std::nullopt);
+        QVERIFY2(std::abs(area(hull) - 100 * pi) < 1e-9, fmt::format("{} arcs from {}", arcs, start).c_str());
+        // A slice with the rest of the circle cut out, down to its centre.
+        Path slice = circleInArcs(10, arcs, at, start);
+        slice.segments.pop_back();
+        slice.segments.emplace_back(Line2{endPoint(slice.segments.back()), at});
+        slice.segments.emplace_back(Line2{at, startPoint(slice.segments.front())});
+        const double turn = 2 * pi * (arcs - 1) / arcs, rest = 2 * pi - turn;
+        const double expected = turn < pi + 1e-9 ? 50 * turn : 50 * (turn + std::sin(rest));
+        QVERIFY2(std::abs(area(regionHull({{slice}}, std::nullopt)) - expected) < 1e-9,
+                 fmt::format("{} arcs", arcs).c_str());
+        QVERIFY(std::abs(area(regionRepeat(ring, {.count = 3}).region) - 900 * pi) < 1e-7);
+      }
+  }
   void convexShapesAreTheirHulls() {
     for (const Region& region : {circleRegion(3, {1, 2}), rectangleRegion({0, 0}, {3, 2}), ellipseRegion(10, 4)})
       QVERIFY(regionHull(region, {}) == region);
@@ -179,6 +198,11 @@ class MinkowskiHullTest : public QObject {
     }
   }
 
+  void endlessCopiesAreRefusedBeforehand() {
+    const Region star = polygonRegion({{20, 0}, {4, 3}, {0, 20}, {-3, 4}, {-20, 0}, {-4, -4}, {0, -20}, {5, -3}});
+    VERIFY_ERROR(regionRepeat(star, {.count = 1'000'000'000}), ErrorCode::LimitExceeded);
+    QVERIFY(regionRepeat(star, {.count = 1'000'000'000, .normalised = true}).isHull);
+  }
   void manyCopiesAreTheHull() {
     const Region star = starOf(5, 10, 4);
     const RegionRepeatResult many = regionRepeat(star, {.count = 1'000'000, .normalised = true});

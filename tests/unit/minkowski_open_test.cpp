@@ -218,6 +218,23 @@ class MinkowskiOpenTest : public QObject {
     QVERIFY(segments < 12);
   }
 
+  /// A curve that turns either way: few curves come out, at the tolerance that is chosen by itself, too.
+  void tubesOfCurvesWithInflections() {
+    for (const std::vector<Vec3>& poles : {std::vector<Vec3>{{0, 0, 1}, {10, 20, 1}, {20, -20, 1}, {30, 0, 1}},
+                                           {{0, 0, 1}, {7, 31, 1}, {25, -17, 1}, {40, 11, 1}}}) {
+      Path path;
+      path.segments.emplace_back(Spline2{3, {0, 0, 0, 0, 1, 1, 1, 1}, poles});
+      const double length = blossom::length(path);
+      for (const double radius : {0.1, 1.0}) {
+        const Region tube = areaOfSum(curveSet(path), areaSet(circleRegion(radius)));
+        std::size_t segments = 0;
+        for (const Path& loop : tube.loops) segments += loop.segments.size();
+        QVERIFY2(segments <= 10, qPrintable(QString::number(segments)));
+        COMPARE_NEAR(area(tube), 2 * radius * length + pi * radius * radius,
+                     1e-3 * radius * length);  // Steiner: no side folds
+      }
+    }
+  }
   void roomForCurves() {
     COMPARE_NEAR(area(roomFor(rectangleRegion({0, 0}, {10, 6}), segmentSet({1, 1}, {4, 2}))), 7 * 5, 1e-9);
     const Region lens = roomFor(circleRegion(5), segmentSet({-2, 0}, {2, 0}));

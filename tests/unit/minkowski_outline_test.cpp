@@ -136,6 +136,12 @@ class MinkowskiOutlineTest : public QObject {
     }
   }
 
+  void roomsMayTouchInAPoint() {
+    const Region steps = polygonRegion({{-1, -1}, {2, -1}, {2, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 2}, {-1, 2}});
+    const Region square = rectangleRegion({-1, -1}, {1, 1});
+    const double sum = area(minkowskiSum(std::vector{steps, square}).region);
+    QVERIFY(std::abs(area(outlineSweep(steps, square, Boundary::All, {}).region) - (sum - 2)) < 1e-9);
+  }
   void whatCannotBeFollowedIsRefused() {
     const auto messageOf = [](const Region& a, const Region& b, Boundary boundary) -> std::string {
       try {

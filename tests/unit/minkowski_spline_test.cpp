@@ -214,6 +214,22 @@ class MinkowskiSplineTest : public QObject {
     COMPARE_NEAR(area(facing(square, {-0.1, pi / 2 + 0.1}, "shape").region), 8, 1e-12);
     VERIFY_ERROR(facing(square, {0.1, 1}, "shape"), ErrorCode::InvalidParameter);
     VERIFY_ERROR(facing(square, {-0.1, 1}, "shape"), ErrorCode::InvalidParameter);
+    // Sides that face the ends of a sector belong to it, whatever their last bits are.
+    for (int degrees = 0; degrees < 90; ++degrees) {
+      const double turn = degrees * pi / 180;
+      const auto regular = [&](int sides) {
+        std::vector<Vec2> corners;
+        for (int k = 0; k < sides; ++k) {
+          const double angle = turn + 2 * pi * (k - 0.5) / sides;
+          corners.push_back(10 * Vec2(std::cos(angle), std::sin(angle)));
+        }
+        return SoundRegion{polygonRegion(corners), 1e-3};
+      };
+      COMPARE_NEAR(area(facing(regular(4), {turn, turn + pi / 2}, "shape").region), 100, 1e-9);
+      COMPARE_NEAR(area(facing(regular(6), {turn, turn + 2 * pi / 3}, "shape").region), 75 * std::sqrt(3), 1e-9);
+    }
+    const SoundRegion thirds{{{circleInArcs(4, 3)}}, 1e-3};
+    QCOMPARE(facing(thirds, {-1, 1}, "shape").region.loops.front().segments.size(), std::size_t{2});
     Random random = seededRandom();
     for (int round = 0; round < 60; ++round) {
       Region drops = circleRegion(uniform(random, 1, 3), {0, 0});

@@ -62,7 +62,7 @@ Region sweptAlongAll(const Region& a, const Region& b, const RegionSumOptions& o
   if (room.loops.empty()) return sum;
   std::vector<Path> loops = sum.loops;
   for (const Path& loop : room.loops) loops.push_back(reversed(loop));
-  if (auto region = nestedPaths(loops, tolerance, progress)) return *std::move(region);
+  if (auto region = nestedTouchingPaths(loops, tolerance, progress)) return *std::move(region);
   throw Error(ErrorCode::Degenerate, "Loops of the room inside of shape 1 touch each other.",
               "Make shape 2 a little smaller or larger.");
 }

@@ -25,12 +25,24 @@ double scaleOf(const RegionRepeatOptions& options) {
   return options.normalised ? 1 / static_cast<double>(options.count) : 1;
 }
 
-/// Of every [k]A, k >= 2, from its hull.
-double distanceOfTwo(const SoundRegion& shape, const SoundRegion& hull, double precision, Adder& add,
-                     const Progress& progress) {
-  const SoundRegion two = repeated(shape, 2, add, progress);
-  if (isConvex(two)) return 0;
-  return distanceToHull(two.region, scaled(hull, 2).region, precision, progress).atMost;
+std::size_t segmentsOf(const SoundRegion& shape) {
+  std::size_t count = 0;
+  for (const Path& loop : shape.region.loops) count += loop.segments.size();
+  return count;
+}
+
+/// Each copy adds about as many corners as the second one did.
+void refuseEndlessCopies(const SoundRegion& shape, const SoundRegion& two, std::size_t count) {
+  constexpr double largest = 200'000;
+  const auto first = static_cast<double>(segmentsOf(shape));
+  const double growth = static_cast<double>(segmentsOf(two)) - first;
+  if (!(growth > 0) || first + growth * static_cast<double>(count - 1) <= largest) return;
+  throw Error(
+      ErrorCode::LimitExceeded,
+      fmt::format("{} copies of shape 1 would have about {:.1g} corners.", count,
+                  first + growth * static_cast<double>(count - 1)),
+      fmt::format("Give at most {} copies or a larger tolerance. Normalised, the hull stands for copies without end.",
+                  static_cast<std::size_t>((largest - first) / growth) + 1));
 }
 
 RegionRepeatResult hullInstead(const SoundRegion& hull, RegionRepeatResult result, const RegionRepeatOptions& options,
@@ -66,8 +78,13 @@ RegionRepeatResult regionRepeat(const Region& region, const RegionRepeatOptions&
       convex ? 0 : std::numbers::sqrt2 * scale * circumradius(hull.region, std::min(chord, tolerance), progress);
   result.hullDistance = result.hullBound;
   if (options.count > 2 && !convex) {
-    if (result.hullDistance > tolerance)
-      result.hullDistance = std::min(result.hullBound, scale * distanceOfTwo(shape, hull, chord, add, progress));
+    if (result.hullDistance > tolerance) {
+      // Of every [k]A, k >= 2, from its hull.
+      const SoundRegion two = repeated(shape, 2, add, progress);
+      const double ofTwo = isConvex(two) ? 0 : distanceToHull(two.region, scaled(hull, 2).region, chord, progress).atMost;
+      result.hullDistance = std::min(result.hullBound, scale * ofTwo);
+      if (result.hullDistance > tolerance) refuseEndlessCopies(shape, two, options.count);
+    }
     result.sums = add.count();
     if (result.hullDistance <= tolerance) return hullInstead(hull, std::move(result), options, tolerance);
   }

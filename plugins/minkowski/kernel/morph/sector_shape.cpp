@@ -42,19 +42,29 @@ std::vector<TurningSegment> turningSegments(const Path& convex) {
   return turning;
 }
 
-/// The parts whose normals lie between two angles. Three turns around the path are in the order of the normals.
+/// An arc goes on with that before it where both are parts of one circle, which a file may begin anywhere.
+void addArc(Path& chain, const Arc2& arc) {
+  auto* before = chain.segments.empty() ? nullptr : std::get_if<Arc2>(&chain.segments.back());
+  if (before && before->center == arc.center && before->radius == arc.radius &&
+      std::abs(turnFrom(before->start + before->sweep, arc.start)) <= sameAngle)
+    before->sweep += arc.sweep;
+  else
+    chain.segments.emplace_back(arc);
+}
+
+/// The parts whose normals lie between two angles, less than one turn apart. Three turns around the path are in the order of
+/// the normals. A side that faces one of the two angles, but for rounding, belongs to them.
 Path chainWithin(const Path& convex, double from, double to) {
   const std::vector<TurningSegment> all = turningSegments(convex);
   Path chain;
   for (const double turn : {-fullTurn, 0.0, fullTurn})
     for (const TurningSegment& each : all) {
       const double low = std::max(each.from + turn, from), high = std::min(each.to + turn, to);
-      if (low > high) continue;
       const auto* arc = std::get_if<Arc2>(&each.segment);
-      if (!arc)
+      if (!arc && low <= high + sameAngle)
         chain.segments.push_back(each.segment);
-      else if (high - low > sameAngle)
-        chain.segments.emplace_back(Arc2{arc->center, arc->radius, low, high - low});
+      else if (arc && high - low > sameAngle)
+        addArc(chain, {arc->center, arc->radius, low, high - low});
     }
   return chain;
 }
@@ -73,7 +83,7 @@ Path polygonAround(const Path& convex, double tolerance) {
 SoundRegion facing(const SoundRegion& shape, const Sector& sector, const std::string& name, const Progress& progress) {
   const SoundRegion hull = convexHull(shape, progress);
   const double width = inOneTurn(sector.to - sector.from);
-  if (width <= sameAngle) return hull;
+  if (width <= sameAngle || width >= fullTurn - sameAngle) return hull;
   const Path& around = hull.region.loops.front();
   const double from = inOneTurn(sector.from);
   Path chain = chainWithin(hasSplines(hull.region) ? polygonAround(around, shape.tolerance) : around, from, from + width);

@@ -15,16 +15,53 @@ double sizeOf(const BezierPiece& piece) {
   return size;
 }
 
+/// Positive where a piece of positive weights turns left: de Casteljau's last three points turn as the curve does.
+double bendAt(const BezierPiece& piece, double t) {
+  if (piece.size() < 3) return 0;
+  BezierPiece work = piece;
+  for (std::size_t level = piece.size() - 1; level > 2; --level)
+    for (std::size_t i = 0; i < level; ++i) work[i] += t * (work[i + 1] - work[i]);
+  return work[0].dot(work[1].cross(work[2]));
+}
+
+/// Parameters inside of a piece at which it begins to turn the other way.
+std::vector<double> inflectionsOf(const BezierPiece& piece) {
+  constexpr int places = 32, halvings = 40;
+  std::vector<double> found;
+  double before = 0, beforeAt = 0;
+  for (int k = 0; k <= places; ++k) {
+    const double at = static_cast<double>(k) / places, bend = bendAt(piece, at);
+    if (bend == 0) continue;
+    if (before * bend < 0) {
+      double from = beforeAt, to = at;
+      for (int i = 0; i < halvings; ++i) {
+        const double middle = (from + to) / 2;
+        (bendAt(piece, middle) * before > 0 ? from : to) = middle;
+      }
+      found.push_back((from + to) / 2);
+    }
+    before = bend, beforeAt = at;
+  }
+  return found;
+}
+
 /// One rational Bézier piece and where its points lie.
 class PieceSampler {
  public:
   PieceSampler(const BezierPiece& piece, double tolerance, const std::vector<double>& normals)
       : piece_(piece), size_(sizeOf(piece)), tolerance_(tolerance), normals_(normals) {}
 
-  /// Adds the samples after the start.
+  /// Adds the samples after the start. An inflection is one, for along a chord across it the normal turns there and back.
   void run(std::vector<CurveSample>& out) const {
     constexpr int deepest = 12;
-    if (size_ > 0) halve(0, 1, sampleAt(0), sampleAt(1), deepest, out);
+    if (!(size_ > 0)) return;
+    std::vector<double> ends = inflectionsOf(piece_);
+    ends.push_back(1);
+    double from = 0;
+    for (const double to : ends) {
+      halve(from, to, sampleAt(from), sampleAt(to), deepest, out);
+      from = to;
+    }
   }
 
   [[nodiscard]] CurveSample sampleAt(double t) const {

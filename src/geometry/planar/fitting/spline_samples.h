@@ -11,8 +11,8 @@ struct CurveSample {
   double normal = 0;
 };
 
-/// Points of a spline from its start to its end: chords within the tolerance that turn little, and all points with one of
-/// the normals (0 to 2 pi, sorted) that lie within a chord. O(n log n).
+/// Points of a spline from its start to its end: its inflections, chords within the tolerance that turn little, and all
+/// points with one of the normals (0 to 2 pi, sorted) that lie within a chord. O(n log n).
 std::vector<CurveSample> samplesOf(const Spline2&, double tolerance, const std::vector<double>& normals);
 
 }  // namespace blossom::planar

@@ -116,12 +116,19 @@ Support supportOf(const Arc2& arc) {
   return support;
 }
 
+/// Of two circles one contains the other; a point on a circle lies in it. Neither leaves it by more than rounding.
+bool contains(const Touched& larger, const Touched& smaller) {
+  constexpr double touches = 1e-14;
+  return larger.radius > smaller.radius &&
+         larger.radius - smaller.radius >= (1 - touches) * (larger.centre - smaller.centre).norm();
+}
+
 /// Normals inside of a range at which two supports are equal: those of the lines that touch both.
 std::vector<double> crossingsOf(const Touched& a, const Touched& b, double from, double width) {
+  if (contains(a, b) || contains(b, a)) return {};
   const Vec2 between = a.centre - b.centre;
   const double distance = between.norm(), share = (b.radius - a.radius) / distance;
-  constexpr double touches = 1e-14;  // then neither leaves the other by more than rounding
-  if (!(std::abs(share) < 1 - touches)) return {};
+  if (!(std::abs(share) < 1)) return {};
   const double middle = std::atan2(between.y(), between.x()), half = std::acos(share);
   std::vector<double> normals;
   constexpr double narrow = 1e-13;
@@ -132,7 +139,9 @@ std::vector<double> crossingsOf(const Touched& a, const Touched& b, double from,
   return normals;
 }
 
+/// @pre no normal of the range about `normal` is one of `crossingsOf`
 bool leads(const Touched& a, const Touched& b, double normal) {
+  if (contains(a, b) || contains(b, a)) return a.radius > b.radius;
   const double lead = (a.centre - b.centre).dot(unitAt(normal)) + a.radius - b.radius;
   constexpr double rounding = 1e-14;  // a point that belongs to a spline stays that
   const bool same = a.radius == 0 && b.radius == 0 && std::abs(lead) <= rounding * (a.centre.norm() + b.centre.norm());

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/planar/angles.h"
 #include "geometry/planar/fitting/finer_polygons.h"
 #include "geometry/planar/planar.h"
 #include "geometry/planar/sums/complement.h"
@@ -56,6 +57,36 @@ SoundRegion sumBy(const SampledPair* kept, const SoundRegion& a, const SoundRegi
   return {fittedSum(a, b, {.kept = kept}, progress, effort), tolerance};
 }
 
+/// A whole disc, in however many arcs it is drawn; the first one, going round.
+std::optional<Arc2> discOf(const Region& region) {
+  if (region.loops.size() != 1) return std::nullopt;
+  constexpr double rounding = 1e-14;
+  std::optional<Arc2> disc;
+  for (const Segment& segment : region.loops.front().segments) {
+    const auto* arc = std::get_if<Arc2>(&segment);
+    if (!arc || arc->sweep <= 0) return std::nullopt;
+    if (!disc) disc = *arc;
+    const double within = rounding * (disc->center.norm() + disc->radius);
+    if ((arc->center - disc->center).norm() > within || std::abs(arc->radius - disc->radius) > within) return std::nullopt;
+  }
+  if (disc) disc->sweep = fullTurn;
+  return disc;
+}
+
+/// Where the centre of one disc may be inside of the other, whose polygons would nearly cover each other.
+std::optional<Region> roomOfDisc(const Region& a, const Region& b) {
+  const std::optional<Arc2> around = discOf(a), disc = discOf(b);
+  if (!around || !disc) return std::nullopt;
+  const double radius = around->radius - disc->radius;
+  const Vec2 centre = around->center - disc->center;
+  const double rounding = 1e-15 * (around->radius + around->center.norm() + disc->center.norm());
+  if (radius <= rounding) return Region();
+  Path room;
+  room.closed = true;
+  room.segments = {Arc2{centre, radius, around->start, fullTurn}};
+  return Region{{std::move(room)}};
+}
+
 }  // namespace
 
 SoundRegion sum(const SoundRegion& a, const SoundRegion& b, const Progress& progress, Effort& effort) {
@@ -73,6 +104,7 @@ SoundRegion difference(const SoundRegion& a, const SoundRegion& b, const Progres
   const double tolerance = a.tolerance + b.tolerance;
   if (!hasCurves(a.region) && !hasCurves(b.region))
     return {toRegion(difference(toPolygons(a), toPolygons(b), progress, effort)), tolerance};
+  if (auto room = roomOfDisc(a.region, b.region)) return {*std::move(room), tolerance};
   const bool free = hasSplines(a.region) || hasSplines(b.region);
   if (!free)
     if (const auto around = complement(a, extentOf(b).sizes(), progress))

@@ -303,7 +303,7 @@ Polygons polygonsBeside(const SoundRegion& shape, Approximation side, const std:
 SoundRegion soundRegion(const Region& region, const FlatteningOptions& options, const std::string& name,
                         const Progress& progress) {
   const CheckedRegion checked = checkedRegion(region, options, name, progress);
-  const auto parts = checked.nesting.parts();
+  const auto parts = hasCurves(region) ? checked.nesting.touchingParts(progress) : checked.nesting.parts();
   if (!parts) return {toRegion(checked.nesting.polygons(progress)), checked.tolerance, !hasCurves(region)};
   SoundRegion sound{{}, checked.tolerance, !hasSplines(region)};
   for (const auto& [outer, holes] : *parts) {

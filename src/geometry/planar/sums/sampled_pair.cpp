@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "geometry/planar/angles.h"
 #include "geometry/planar/winding/convolution.h"
 #include "geometry/planar/winding/snap_rounding.h"
 
@@ -134,17 +135,62 @@ SnappedOperands snappedWithCurves(const SampledPair& pair, const Progress& progr
   return {onGrid(pair.a, gridA), onGrid(pair.b, gridB), gridA, gridB, {gridA.origin + gridB.origin, gridA.unit}};
 }
 
+template <class Kind>
+bool draws(const std::vector<Path>& paths) {
+  return std::any_of(paths.begin(), paths.end(), [](const Path& path) {
+    return std::any_of(path.segments.begin(), path.segments.end(),
+                       [](const Segment& segment) { return std::holds_alternative<Kind>(segment); });
+  });
+}
+template <class Kind>
+bool draws(const SoundRegion& shape) {
+  return draws<Kind>(shape.region.loops);
+}
+template <class Kind>
+bool draws(const SoundSet& set) {
+  return draws<Kind>(set.area) || draws<Kind>(set.curves);
+}
+
+/// Splines are no coarser than arcs of the other shape. In a hollow, where sides of arcs are cut away, an arc's corner
+/// between two normals of a spline would leave no point of its sides on the curve; an arc that fits there turns more at each
+/// step.
+template <class Shape>
+double toleranceBeside(const Shape& shape, const Shape& other) {
+  return draws<Spline2>(shape) && draws<Arc2>(other) ? std::min(shape.tolerance, other.tolerance) : shape.tolerance;
+}
+
+std::vector<double> merged(std::vector<double> normals, const std::vector<double>& more) {
+  normals.insert(normals.end(), more.begin(), more.end());
+  std::sort(normals.begin(), normals.end());
+  const auto same = [](double p, double q) { return q - p <= sameAngle; };
+  normals.erase(std::unique(normals.begin(), normals.end(), same), normals.end());
+  return normals;
+}
+
+/// @param itself the shape is cut at its own normals, too: where two parts of it turn through the same directions, the other
+/// shape has the normals of both. That takes many cuts, and is needed in hollows alone.
+template <class Shape>
+SampledPair evenlySampled(const Shape& givenA, const Shape& givenB, double share, Sampling sampling, bool itself,
+                          const Progress& progress) {
+  Shape a = givenA, b = givenB;
+  a.tolerance = toleranceBeside(givenA, givenB);
+  b.tolerance = toleranceBeside(givenB, givenA);
+  std::vector<double> cutsOfA = normalsOf(b, a, share), cutsOfB = normalsOf(a, b, share);
+  if (itself && draws<Spline2>(a)) cutsOfA = merged(std::move(cutsOfA), normalsOf(a, a, share));
+  if (itself && draws<Spline2>(b)) cutsOfB = merged(std::move(cutsOfB), normalsOf(b, b, share));
+  return {sampled(a, share, cutsOfA, sampling, progress), sampled(b, share, cutsOfB, sampling, progress)};
+}
+
 }  // namespace
 
 SampledPair sampledPair(const SoundSet& a, const SoundSet& b, double share, Sampling sampling, const Progress& progress) {
-  return {sampled(a, share, normalsOf(b, a, share), sampling, progress),
-          sampled(b, share, normalsOf(a, b, share), sampling, progress)};
+  return evenlySampled(a, b, share, sampling, true, progress);
 }
 
 SampledPair sampledPair(const SoundRegion& a, const SoundRegion& b, double share, Sampling sampling,
                         const Progress& progress) {
-  return {sampled(a, share, normalsOf(b, a, share), sampling, progress),
-          sampled(b, share, normalsOf(a, b, share), sampling, progress)};
+  const bool again = share < 1;  // curves did not fit
+  return evenlySampled(a, b, share, sampling, again, progress);
 }
 
 void certifyClear(SampledPair& pair, const Progress& progress) {

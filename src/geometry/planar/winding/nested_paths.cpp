@@ -7,11 +7,16 @@
 
 namespace blossom::planar {
 
-std::optional<Region> nestedPaths(const std::vector<Path>& paths, double tolerance, const Progress& progress) {
+namespace {
+
+Nesting nestingOf(const std::vector<Path>& paths, double tolerance, const Progress& progress) {
   std::vector<Loop> loops;
   loops.reserve(paths.size());
   for (const Path& path : paths) loops.push_back(flatten(path, tolerance));
-  const auto parts = Nesting(std::move(loops), progress).parts();
+  return Nesting(std::move(loops), progress);
+}
+
+std::optional<Region> sortedPaths(const std::vector<Path>& paths, const std::optional<std::vector<Nesting::Part>>& parts) {
   if (!parts) return std::nullopt;
   Region region;
   for (const auto& [outer, holes] : *parts) {
@@ -19,6 +24,16 @@ std::optional<Region> nestedPaths(const std::vector<Path>& paths, double toleran
     for (const std::size_t hole : holes) region.loops.push_back(paths[hole]);
   }
   return region;
+}
+
+}  // namespace
+
+std::optional<Region> nestedPaths(const std::vector<Path>& paths, double tolerance, const Progress& progress) {
+  return sortedPaths(paths, nestingOf(paths, tolerance, progress).parts());
+}
+
+std::optional<Region> nestedTouchingPaths(const std::vector<Path>& paths, double tolerance, const Progress& progress) {
+  return sortedPaths(paths, nestingOf(paths, tolerance, progress).touchingParts(progress));
 }
 
 }  // namespace blossom::planar

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "geometry/planar/winding/snap_rounding.h"
+#include "geometry/planar/winding/touching_loops.h"
 #include "geometry/planar/winding/winding_faces.h"
 
 namespace blossom::planar {
@@ -157,15 +158,19 @@ std::optional<std::size_t> Nesting::strayHole() const {
   return std::nullopt;
 }
 
-/// Whether parts and holes alternate from the outside in.
-bool Nesting::isProper() const {
-  for (std::size_t i = 0; i < around_.size(); ++i)
-    if (around_[i] ? turns_[*around_[i]] == turns_[i] : turns_[i] < 0) return false;
-  return true;
+std::optional<std::vector<Nesting::Part>> Nesting::parts() const { return clear_ ? partsBy(around_) : std::nullopt; }
+
+std::optional<std::vector<Nesting::Part>> Nesting::touchingParts(const Progress& progress) const {
+  if (clear_) return parts();
+  std::vector<GridLoop> images;
+  for (const GridPolygon& loop : snapped_) images.push_back(loop.outer);
+  const auto around = touchingLoopsAround(images, progress);
+  return around ? partsBy(*around) : std::nullopt;
 }
 
-std::optional<std::vector<Nesting::Part>> Nesting::parts() const {
-  if (!clear_ || !isProper()) return std::nullopt;
+std::optional<std::vector<Nesting::Part>> Nesting::partsBy(const Around& around) const {
+  for (std::size_t i = 0; i < around.size(); ++i)
+    if (around[i] ? turns_[*around[i]] == turns_[i] : turns_[i] < 0) return std::nullopt;
   std::vector<Part> parts;
   std::vector<std::size_t> partOf(snapped_.size());
   for (std::size_t i = 0; i < snapped_.size(); ++i) {
@@ -174,7 +179,7 @@ std::optional<std::vector<Nesting::Part>> Nesting::parts() const {
     parts.push_back({places_[i], {}});
   }
   for (std::size_t i = 0; i < snapped_.size(); ++i)
-    if (turns_[i] < 0) parts[partOf[*around_[i]]].holes.push_back(places_[i]);
+    if (turns_[i] < 0) parts[partOf[*around[i]]].holes.push_back(places_[i]);
   return parts;
 }
 

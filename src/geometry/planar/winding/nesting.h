@@ -33,11 +33,14 @@ class Nesting {
   };
   /// The loops sorted into parts when they are clear and parts and holes alternate from the outside in; else nothing.
   [[nodiscard]] std::optional<std::vector<Part>> parts() const;
+  /// The same for loops that may touch one another, but neither cross nor run along one another.
+  [[nodiscard]] std::optional<std::vector<Part>> touchingParts(const Progress& = Progress::none()) const;
   /// Parts with their holes. @throws Error LimitExceeded, Cancelled (see windingFaces).
   [[nodiscard]] Polygons polygons(const Progress& = Progress::none()) const;
 
  private:
-  [[nodiscard]] bool isProper() const;
+  using Around = std::vector<std::optional<std::size_t>>;  ///< of each snapped loop the one that it lies in
+  [[nodiscard]] std::optional<std::vector<Part>> partsBy(const Around&) const;
 
   std::vector<Loop> loops_;
   Grid grid_;
@@ -45,7 +48,7 @@ class Nesting {
   std::vector<std::size_t> places_;  ///< which loop a snapped one comes from
   bool clear_ = true;
   std::vector<int> turns_;  ///< of the snapped loops that stay apart
-  std::vector<std::optional<std::size_t>> around_;
+  Around around_;
 };
 
 }  // namespace blossom::planar

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include "geometry/planar/polygons/sound_region.h"
+#include "geometry/planar/sums/flattening.h"
+#include "geometry/planar/sums/region_sum.h"
+#include "geometry/planar/winding/touching_loops.h"
+#include "minkowski/kernel/region_repeat.h"
+#include "support/regions.h"
+#include "support/support.h"
+
+using namespace blossom;
+using namespace blossom::test;
+using namespace blossom::minkowski;
+using std::numbers::pi;
+
+namespace {
+
+std::size_t lineCount(const Region& region) {
+  std::size_t lines = 0;
+  for (const Path& loop : region.loops)
+    for (const Segment& segment : loop.segments) lines += std::holds_alternative<Line2>(segment) ? 1 : 0;
+  return lines;
+}
+
+std::size_t segmentCount(const Region& region) {
+  std::size_t count = 0;
+  for (const Path& loop : region.loops) count += loop.segments.size();
+  return count;
+}
+
+Region turned(const Region& region, double angle) {
+  Eigen::Matrix<double, 2, 3> turn;
+  turn << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0;
+  Region image = region;
+  for (Path& loop : image.loops) loop = transformed(loop, turn);
+  return image;
+}
+
+Region twoDiscs() { return {{circleInArcs(10, 2, {-10, 0}), circleInArcs(10, 2, {10, 0})}}; }
+
+}  // namespace
+
+/// Loops that touch one another in points, and what is nearly the same twice.
+class MinkowskiTouchingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void loopsAreSortedByContainment() {
+    using planar::GridLoop;
+    const auto square = [](std::int64_t x, std::int64_t y, std::int64_t side) {
+      return GridLoop{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+    };
+    const auto diamond = GridLoop{{5, 0}, {10, 5}, {5, 10}, {0, 5}};  // all of its corners on the first square
+    const auto around = planar::touchingLoopsAround({square(0, 0, 10), diamond, square(10, 10, 5), square(4, 4, 2)});
+    QVERIFY(around.has_value());
+    QVERIFY(!(*around)[0] && (*around)[1] == 0u && !(*around)[2] && (*around)[3] == 1u);
+    QVERIFY(!planar::touchingLoopsAround({square(0, 0, 10), square(0, 0, 10)}).has_value());
+  }
+
+  void arcsStayArcs() {
+    const Region disc = circleRegion(1);
+    for (const double angle : {0.0, 0.3, 1.0}) {
+      const Region discs = turned(twoDiscs(), angle);
+      // The union of two discs of 11, 20 apart.
+      const double half = std::acos(10 / 11.0), lens = 121 * (2 * half - std::sin(2 * half));
+      const Region sum = minkowskiSum(std::vector{discs, disc}).region;
+      QVERIFY2(std::abs(area(sum) - (242 * pi - lens)) < 1e-9, fmt::format("{}", area(sum) - (242 * pi - lens)).c_str());
+      QCOMPARE(lineCount(sum), std::size_t{0});
+      QVERIFY(segmentCount(sum) <= 6);
+      const Region hull = regionHull(discs, std::nullopt);
+      QVERIFY(std::abs(area(hull) - (100 * pi + 400)) < 1e-9);
+      QCOMPARE(lineCount(hull), std::size_t{2});
+    }
+  }
+
+  /// Beside the place where a hole touches its outline from within, polygons of both cross; elsewhere arcs stay.
+  void holesMayTouchTheirOutline() {
+    const Region region{{circleInArcs(10, 2), reversed(circleInArcs(4, 2, {6, 0}))}};
+    const Region sum = minkowskiSum(std::vector{region, circleRegion(1)}).region;
+    QVERIFY2(std::abs(area(sum) - (121 - 9) * pi) < 5e-3, fmt::format("{}", area(sum) - 112 * pi).c_str());
+    QVERIFY2(segmentCount(sum) <= 30, fmt::format("{} segments", segmentCount(sum)).c_str());
+  }
+
+  void roomOfDiscsIsADisc() {
+    for (const double size : {1.0, 1e3, 1e5, 1e6}) {
+      const Region a{{circleInArcs(size + 1, 3, {size, 2})}}, b{{circleInArcs(size, 2, {-1, 5}, 0.3)}};
+      const Region room = roomInside(std::vector{a, b}, {}, Progress::none());
+      QVERIFY(std::abs(area(room) - pi) < 1e-8);
+      QVERIFY((std::get<Arc2>(room.loops.front().segments.front()).center - Vec2(size + 1, -3)).norm() < 1e-9);
+    }
+    QVERIFY(roomInside(std::vector{circleRegion(5), circleRegion(5)}, {}, Progress::none()).loops.empty());
+  }
+};
+
+BLOSSOM_TEST(MinkowskiTouchingTest)
+#include "minkowski_touching_test.moc"

@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <BRepTools_WireExplorer.hxx>
-#include <BRep_Tool.hxx>
-#include <GeomConvert.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Wire.hxx>
 
 #include "core/error.h"
+#include "geometry/occt/edge_curve.h"
 #include "geometry/occt/occt.h"
 #include "geometry/occt/sub_shape.h"
 #include "geometry/planar/planar.h"
@@ -29,10 +27,8 @@ namespace {
 double joiningGap() { return 10 * Tolerance{}.joining; }
 
 Curve partOf(const TopoDS_Edge& edge, const char* what) {
-  double first = 0, last = 0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  if (curve.IsNull()) refuseCurve(what, "an edge has no curve in space", "Choose another edge, or give another file.");
-  const Handle(Geom_BSplineCurve) spline = GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(curve, first, last));
+  const Handle(Geom_BSplineCurve) spline = edgeSpline(edge);
+  if (spline.IsNull()) refuseCurve(what, "an edge has no curve in space", "Choose another edge, or give another file.");
   if (edge.Orientation() == TopAbs_REVERSED) spline->Reverse();
   return fromOcct(spline);
 }

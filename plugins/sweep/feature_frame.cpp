@@ -4,10 +4,12 @@
 
 #include "core/angle.h"
 #include "core/error.h"
+#include "core/place_text.h"
 #include "core/units.h"
 #include "curve_input.h"
 #include "feature/picked_numbers.h"
 #include "feature_types.h"
+#include "geometry/bspline/bspline.h"
 #include "kernel/begin/motion_from_curve.h"
 
 namespace blossom::sweep {
@@ -41,6 +43,11 @@ void addFrameStats(const CurveMotionResult& made, Evaluated& out) {
   out.stats["poles_v"] = made.motion.orientation.countV();
   out.stats["min_bend_radius"] = made.smallestBend;
   out.stats["reach"] = made.reach;
+  if (made.cornerAtEnds > 0)
+    out.warnings.push_back(fmt::format(
+        "The path ends where it begins, at {}, with a corner of {:.4g} degrees: the motion stays open, and its ends run "
+        "into each other. Round the corner, or let the path begin and end apart.",
+        placeText(point(made.motion.trajectory, 0)), toDegrees(made.cornerAtEnds)));
   if (made.smallestBend > 0 && made.smallestBend <= made.reach)
     out.warnings.push_back(
         fmt::format("The path bends to a radius of {:.4g} mm near v = {:.4g}, and the section reaches {:.4g} mm: the "

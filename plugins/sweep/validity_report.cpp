@@ -9,8 +9,10 @@
 
 #include "core/error.h"
 #include "core/place_text.h"
+#include "geometry/bspline/bspline.h"
 #include "geometry/crossing/surface_crossing.h"
 #include "kernel/cubic_approximation.h"
+#include "kernel/grid/motion_point.h"
 #include "kernel/validity.h"
 
 namespace blossom::sweep {
@@ -48,16 +50,33 @@ bool addNormal(const Motion& motion, Evaluated& out, const Progress& progress) {
   return validity.fold.has_value();
 }
 
+/// By how much weights differ: the least share of the largest.
+double leastShare(const std::vector<Vec4>& poles) {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Vec4& pole : poles) least = std::min(least, pole[3]), largest = std::max(largest, pole[3]);
+  return least / largest;
+}
+
+/// Of the factors of W = tw |r|^2 sw, that which differs most.
+const char* causeOfSmallWeight(const Motion& motion) {
+  constexpr double much = 0.1;
+  const double ofTrajectory = leastShare(motion.trajectory.poles), ofScaling = leastShare(motion.scaling.poles);
+  if (std::min(ofTrajectory, ofScaling) > much)
+    return "neighbouring quaternions differ much in length or point away from each other there. Bring them to one length, "
+           "or insert rows between them.";
+  return ofTrajectory <= ofScaling ? "weights of the trajectory differ much. Make them more alike."
+                                   : "weights of the scaling differ much. Make them more alike.";
+}
+
 void addWeight(const Motion& motion, const Surface& surface, Evaluated& out) {
   constexpr double small = 1e-6;  // of the largest
   const SmallestWeight smallest = smallestWeightOf(surface, motion);
   out.stats["min_weight_at"] = listOf(Vec2(smallest.u, smallest.v));
   out.stats["min_weight_place"] = listOf(smallest.place);
   if (smallest.weight < small)
-    out.warnings.push_back(fmt::format(
-        "The smallest weight of the surface, {:.3g} of the largest, belongs to {}: neighbouring quaternions differ much in "
-        "length or point away from each other there. Bring them to one length, or insert rows between them.",
-        smallest.weight, parametersText({smallest.u, smallest.v})));
+    out.warnings.push_back(fmt::format("The smallest weight of the surface, {:.3g} of the largest, belongs to {}: {}",
+                                       smallest.weight, parametersText({smallest.u, smallest.v}),
+                                       causeOfSmallWeight(motion)));
 }
 
 void addCrossing(const Motion& motion, const Surface& surface, bool folds, Evaluated& out, const Progress& progress) {
@@ -103,6 +122,27 @@ bool addAllButCrossing(const Motion& motion, const Surface& surface, std::option
 
 }  // namespace
 
+namespace {
+
+/// Whether the path there bends to a radius that the section reaches. A motion that stands or only turns has no path.
+bool bendsTightly(const Motion& motion, const Vec2& at) {
+  constexpr int around = 32;
+  constexpr double margin = 1.5;
+  const auto [low, high] = motion.domainU();
+  const auto [first, last] = motion.domainV();
+  const double aside = 0.01 * (last - first), v = std::clamp(at.y(), first + aside, last - aside);
+  const auto path = [&](double t) -> Vec3 { return point(motion.trajectory, t); };
+  const Vec3 middle = path(v), back = path(v - aside) - middle, on = path(v + aside) - middle;
+  double reach = 0;
+  for (int k = 0; k < around; ++k)
+    reach = std::max(reach, (evaluate(motion, low + (high - low) * k / around, v).point - middle).norm());
+  if (on.norm() + back.norm() < 1e-4 * reach) return true;
+  // The radius of the circle through three places is |on| |back| |on - back| / (2 |on x back|).
+  return on.norm() * back.norm() * (on - back).norm() < 2 * margin * reach * on.cross(back).norm();
+}
+
+}  // namespace
+
 CrossingCause causeOfCrossing(const Motion& motion, const Vec2& first, const Vec2& second) {
   const auto share = [](double a, double b, std::pair<double, double> domain, bool closed) {
     const double d = std::abs(a - b) / (domain.second - domain.first);
@@ -110,11 +150,12 @@ CrossingCause causeOfCrossing(const Motion& motion, const Vec2& first, const Vec
   };
   const double alongU = share(first.x(), second.x(), motion.domainU(), motion.closedU != ClosedU::No);
   const double alongV = share(first.y(), second.y(), motion.domainV(), false);
-  constexpr double same = 0.02;
+  constexpr double same = 0.02, beside = 0.3;
   if (alongV < same)
     return {fmt::format("the section at v = {:.3g} crosses itself.", (first.y() + second.y()) / 2),
             "Even out its scaling and rotation along u."};
-  if (alongU < same || alongV < 0.3)
+  const bool nearBend = alongV < beside || (alongU < same && (bendsTightly(motion, first) || bendsTightly(motion, second)));
+  if (nearBend)
     return {"the motion bends or turns more tightly than its sections are wide.",
             "Make the sections smaller there, or the bend of the trajectory wider."};
   return {"two parts of the motion that are far apart along v pass through each other.",

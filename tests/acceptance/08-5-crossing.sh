@@ -8,6 +8,7 @@ at_least "  clean ones, as near as 1/10,000 of the size" "$(figure modeling_cros
 at_most "  of them flagged" "$(figure modeling_crossing_test clean_flagged)" 2
 at_most "  place and parameters off those of the construction" "$(figure modeling_crossing_test crossing_place_off)" 1e-6
 qtest "what is refused and what stays" "$tests/modeling_sound_test"
+qtest "causes that are told: bends, far parts, corners, weights; double cones, turned rings" "$tests/sweep_warnings_test"
 
 # On the command line: a coil whose layers pass through each other at half its height, and one whose layers do not
 coil() { # radius at the outer end of the upper edge

@@ -1,12 +1,19 @@
 /// What the warnings of a sweep say, and in what order.
+#include <fmt/format.h>
+
+#include <BRep_Builder.hxx>
+#include <TopoDS_Edge.hxx>
 #include <cmath>
 #include <numbers>
 
+#include "geometry/occt/occt.h"
 #include "geometry/shape/motion.h"
 #include "support/modeling.h"
+#include "sweep/kernel/quaternion.h"
 
 using namespace blossom;
 using namespace blossom::test;
+using namespace blossom::sweep;
 
 namespace {
 
@@ -56,6 +63,84 @@ class SweepWarningsTest : public QObject {
     const Evaluated pulled = made("sweep-pull", pull, {pointedCoil(end)});
     QCOMPARE(pulled.warnings.size(), std::size_t{1});
     QVERIFY2(pulled.warnings[0].starts_with("At u = 1.237, v = 0.2059, "), pulled.warnings[0].c_str());
+  }
+
+  /// A thin tube along a loop crosses where the path does, and not because it bends.
+  void whyItCrosses() {
+    const Shape loop = polynomial({{0, 0, 0}, {160, 400, 0}, {-160, 400, 0}, {0, 0, 0.001}});
+    QVERIFY(has(swept({loop}, 0.5), "two parts of the motion that are far apart along v pass through each other"));
+    // A bend of radius 10 in a tube of radius 12.
+    const Evaluated wide = swept({polynomial({{0, -30, 0}, {40, -10, 0}, {40, 10, 0}, {0, 30, 0}})}, 18);
+    QVERIFY2(has(wide, "bends or turns more tightly than its sections are wide"), all(wide).c_str());
+  }
+
+  void aRingWithACornerIsTold() {
+    const Evaluated tube =
+        made("sweep-along", {{"radius", 0.5}}, {polynomial({{0, 0, 0}, {40, 0, 0}, {0, 40, 0}, {0, 0, 0}})});
+    QVERIFY(has(tube, "with a corner of 90 degrees"));
+    QVERIFY(!has(made("sweep-along", {{"radius", 0.5}}, {circle(10)}), "corner"));
+  }
+
+  void theFactorWithSmallWeightsIsNamed() {
+    Motion motion = *made("sweep-along", {{"radius", 2.0}}, {polynomial({{0, 0, 0}, {0, 0, 5}, {0, 0, 10}, {0, 0, 15}})})
+                         .shape.get<Motion>();
+    for (Vec4& pole : motion.trajectory.poles) pole *= &pole == motion.trajectory.poles.data() ? 1 : 1e-8;
+    const Evaluated surface = made("sweep", {}, {motion});
+    QVERIFY2(has(surface, "weights of the trajectory differ much") && !has(surface, "quaternions"), all(surface).c_str());
+  }
+
+  /// The ends are one circle, which begins elsewhere.
+  void aRingTurnedInItselfHasNoWall() {
+    Motion ring = *made("sweep-along", {{"radius", 2.0}}, {circle(10)}).shape.get<Motion>();
+    QVERIFY(isSound(made("sweep", {{"solid", true}}, {ring})));
+    Surface& r = ring.orientation;
+    for (std::size_t k = 0; k < r.poles.size(); ++k) {
+      const double half = std::numbers::pi / 4 * static_cast<double>(k % r.countV()) / static_cast<double>(r.countV() - 1);
+      r.poles[k] = times(r.poles[k], Vec4(std::cos(half), 0, 0, std::sin(half)));
+    }
+    const Error error = refusal("sweep", {{"solid", true}}, {ring});
+    QVERIFY2(error.message().find("turned by 0.25 of") != std::string::npos ||
+                 error.message().find("turned by 0.75 of") != std::string::npos,
+             error.message().c_str());
+  }
+
+  void aDoubleConeDoesNotFold() {
+    Motion cone = *made("sweep-along", {{"radius", 5.0}}, {polynomial({{0, 0, 0}, {0, 0, 5}, {0, 0, 10}, {0, 0, 15}})})
+                       .shape.get<Motion>();
+    Surface& s = cone.scaling;
+    for (std::size_t k = 0; k < s.poles.size(); ++k)
+      s.poles[k][0] *= 1 - 1.9 * static_cast<double>(k % s.countV()) / static_cast<double>(s.countV() - 1);
+    const Evaluated surface = made("sweep", {}, {cone});
+    QVERIFY(!has(surface, "folds over itself"));
+    QVERIFY(std::any_of(surface.figures.begin(), surface.figures.end(),
+                        [](const Measure& each) { return each.name == "crosses_itself"; }));
+  }
+
+  /// Files have ranges that pass the ends of their curves by a rounding.
+  void anEdgeMayPassItsCurve() {
+    const Handle(Geom_BSplineCurve) curve = toOcct(*polynomial({{0, 0, 0}, {0, 0, 5}, {3, 0, 10}, {0, 0, 15}}).get<Curve>());
+    TopoDS_Edge edge;
+    BRep_Builder().MakeEdge(edge, curve, 1e-7);
+    BRep_Builder().Range(edge, curve->FirstParameter(), curve->LastParameter() + 2e-8);
+    const Evaluated tube = made("sweep-along", {{"radius", 1.0}}, {Brep(edge)});
+    QVERIFY(tube.shape.get<Motion>());
+    QCOMPARE(planarCurves(edge).paths.size(), std::size_t{0});
+  }
+
+ private:
+  static std::string all(const Evaluated& result) { return fmt::format("{}", fmt::join(result.warnings, "\n")); }
+  static bool has(const Evaluated& result, const std::string& part) {
+    return std::any_of(result.warnings.begin(), result.warnings.end(),
+                       [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
+  }
+  static Shape polynomial(const std::vector<Vec3>& poles) {
+    Curve curve{3, {0, 0, 0, 0, 1, 1, 1, 1}, {}};
+    for (const Vec3& p : poles) curve.poles.emplace_back(p.x(), p.y(), p.z(), 1);
+    return curve;
+  }
+  static Shape circle(double radius) { return toCurve(ellipticArc({0, 0}, {radius, 0}, 1, 0, 2 * std::numbers::pi)); }
+  static Evaluated swept(const std::vector<Shape>& path, double radius) {
+    return made("sweep", {}, {made("sweep-along", {{"radius", radius}}, path).shape});
   }
 };
 

@@ -12,6 +12,7 @@
 #include "geometry/bspline/bspline.h"
 #include "geometry/bspline/patch_polynomial.h"
 #include "geometry/bspline/product.h"
+#include "kernel/greville.h"
 #include "kernel/vanishing.h"
 
 namespace blossom::sweep {
@@ -218,7 +219,10 @@ ProductResult productSurface(const Motion& motion, const ProductOptions& options
     if (last)
       throw Error(
           ErrorCode::Degenerate,
-          fmt::format("Some weights of the swept surface stay negative after {} knot insertions.", options.refinements),
+          fmt::format(
+              "Some weights of the swept surface stay negative after {} knot insertions, near u = {:.4g}, v = {:.4g}.",
+              options.refinements, greville(result.surface.degreeU, result.surface.knotsU, *weak.rows.begin()),
+              greville(result.surface.degreeV, result.surface.knotsV, *weak.columns.begin())),
           "The orientation turns too fast somewhere; give it more poles there.");
     Motion finer = refinedAt(weak, result.surface, refined);
     if (weak.usable && !fitsMemory(finer)) break;

@@ -21,10 +21,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/error.h"
 #include "core/place_text.h"
+#include "geometry/bspline/bspline.h"
 #include "geometry/crossing/self_crossing.h"
 #include "geometry/crossing/sheet_mesh.h"
 #include "geometry/occt/occt.h"
@@ -167,6 +169,46 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
   return {EndCap::Cone, toFace(cone(surface, poles, origin))};
 }
 
+/// Where on the end section the start section begins, as a share of the way round, when both are one curve.
+std::optional<double> turnOfOneEnd(const Surface& surface, const Progress& progress) {
+  constexpr int coarse = 32, fine = 1024;
+  constexpr double nearby = 1e-4;  // of the section
+  const auto [low, high] = surface.domainU();
+  const auto [first, last] = surface.domainV();
+  const auto at = [&](int k, int of, double v) -> Vec3 {
+    return euclidean(evaluate(surface, low + (high - low) * k / of, v));
+  };
+  std::vector<Vec3> end;
+  Box3 box;
+  for (int k = 0; k < fine; ++k) box.extend(end.emplace_back(at(k, fine, last)));
+  const double near = nearby * box.diagonal().norm();
+  std::optional<double> turn;
+  for (int k = 0; k < coarse; ++k) {
+    progress.check();
+    const Vec3 p = at(k, coarse, first);
+    double least = std::numeric_limits<double>::infinity(), place = 0;
+    for (int i = 0; i < fine; ++i) {
+      const Vec3 &a = end[static_cast<std::size_t>(i)], along = end[static_cast<std::size_t>((i + 1) % fine)] - a;
+      const double t = along.isZero(0) ? 0 : std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      if (const double distance = (p - a - t * along).norm(); distance < least) least = distance, place = i + t;
+    }
+    if (least > near) return std::nullopt;
+    if (k == 0) turn = place / fine;
+  }
+  return turn;
+}
+
+/// Two caps in one place would be a wall inside of the ring.
+void refuseTurnedRing(const Surface& surface, const Progress& progress) {
+  const std::optional<double> turn = turnOfOneEnd(surface, progress);
+  if (!turn) return;
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("The ends of the sweep meet at {}, but turned by {:.3g} of the way round: a wall would stay "
+                          "inside of the ring.",
+                          placeText(euclidean(surface.pole(0, 0))), *turn),
+              "Turn the motion back by as much on the way along v, or leave out --solid.");
+}
+
 /// Joins the faces to one closed shell. Planar caps share the edges of the side already; cones are joined by sewing.
 TopoDS_Shell sew(const std::vector<TopoDS_Face>& faces, double size) {
   BRepBuilderAPI_Sewing sewing(std::max(1e-7, same * size));
@@ -202,6 +244,18 @@ void lengthenIfShort(std::vector<double>& knots) {
   for (double& knot : knots) knot *= factor;
 }
 
+/// Where coordinates leave too few digits to the shape, whatever goes wrong is their doing.
+void refuseFarAway(const Box3& box) {
+  constexpr double digits = 1e-6;
+  const double size = box.diagonal().norm();
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (size >= digits * reach) return;
+  throw Error(ErrorCode::InvalidInput,
+              fmt::format("The sweep lies too far from the origin for a solid of its size: {:.3g} mm away, {:.3g} mm large.",
+                          reach, size),
+              "Move it nearer to the origin.");
+}
+
 SolidResult build(Surface surface, const Progress& progress) {
   lengthenIfShort(surface.knotsU);
   lengthenIfShort(surface.knotsV);
@@ -217,6 +271,7 @@ SolidResult build(Surface surface, const Progress& progress) {
   SolidResult result;
   std::vector<TopoDS_Face> faces{toFace(surface)};
   if (!ring) {
+    refuseTurnedRing(surface, progress);
     const Cap start = makeCap(surface, faces[0], false, near, size, progress),
               end = makeCap(surface, faces[0], true, near, size, progress);
     result.start = start.kind, result.end = end.kind;
@@ -230,9 +285,11 @@ SolidResult build(Surface surface, const Progress& progress) {
   // Its sign alone matters: inside out means that the orientation could not be settled.
   GProp_GProps properties;
   BRepGProp::VolumeProperties(result.solid, properties);
-  if (!BRep_Tool::IsClosed(shell) || !BRepCheck_Analyzer(result.solid).IsValid() || !(properties.Mass() > 0))
+  if (!BRep_Tool::IsClosed(shell) || !BRepCheck_Analyzer(result.solid).IsValid() || !(properties.Mass() > 0)) {
+    refuseFarAway(box);
     throw Error(ErrorCode::Degenerate, "The swept surface and its caps do not make a valid solid.",
                 "Look at the surface without --solid: it may cross itself or fold over at an end.");
+  }
   if (const auto place = selfCrossing(result.solid, progress))
     throw crossingAt(
         *place, size, ".",

@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "kernel/greville.h"
 #include "kernel/grid/motion_grid.h"
 #include "kernel/grid/motion_point.h"
 #include "kernel/grid/span_parameters.h"
@@ -126,6 +126,24 @@ Validity leastAround(const Motion& motion, const NormalSamples& samples, const N
   return result;
 }
 
+/// Whether a whole section is a point, through which the surface goes on as the other half of a double cone.
+bool runsThroughPoint(const Motion& motion, const Vec2& at) {
+  constexpr int around = 16;
+  constexpr double point = 1e-6;  // of the sections beside it
+  const auto [lowU, highU] = motion.domainU();
+  const auto [lowV, highV] = motion.domainV();
+  const auto widthAt = [&](double v) {
+    const Vec3 first = evaluate(motion, lowU, v).point;
+    double width = 0;
+    for (int k = 1; k < around; ++k)
+      width = std::max(width, (evaluate(motion, lowU + (highU - lowU) * k / around, v).point - first).norm());
+    return width;
+  };
+  const double aside = 0.01 * (highV - lowV);
+  return widthAt(at.y()) <=
+         point * std::min(widthAt(std::min(highV, at.y() + aside)), widthAt(std::max(lowV, at.y() - aside)));
+}
+
 /// Whether the normal reverses between two places: on the way it vanishes, or jumps to the opposite. At a sharp edge it
 /// turns, or jumps by less.
 std::optional<Fold> foldBetween(const Motion& motion, Vec2 from, Vec2 to) {
@@ -152,13 +170,8 @@ std::optional<Fold> foldBetween(const Motion& motion, Vec2 from, Vec2 to) {
   const double cosine = a.dot(b) / (a.norm() * b.norm());
   if (!(cosine < (vanishes ? reversed : opposite))) return {};
   const Vec2 at = (from + to) / 2;
+  if (runsThroughPoint(motion, at)) return {};
   return Fold{at.x(), at.y(), evaluate(motion, at.x(), at.y()).point};
-}
-
-/// Mean of the knots inside the support of a pole.
-double greville(int degree, const std::vector<double>& knots, std::size_t pole) {
-  const auto from = knots.begin() + static_cast<std::ptrdiff_t>(pole) + 1;
-  return std::accumulate(from, from + degree, 0.0) / degree;
 }
 
 }  // namespace

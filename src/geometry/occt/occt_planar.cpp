@@ -3,11 +3,9 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GeomConvert.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
-#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -20,6 +18,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "geometry/occt/edge_curve.h"
 #include "geometry/occt/occt.h"
 #include "geometry/planar/planar.h"
 #include "geometry/shape/compound.h"
@@ -134,10 +133,9 @@ Segment ellipse(const gp_Elips& e, double first, double last) {
 }
 
 std::optional<Segment> freeForm(const TopoDS_Edge& edge) {
-  double first = 0, last = 0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  if (curve.IsNull()) return std::nullopt;
-  return toSpline(fromOcct(GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(curve, first, last))));
+  const Handle(Geom_BSplineCurve) spline = edgeSpline(edge);
+  if (spline.IsNull()) return std::nullopt;
+  return toSpline(fromOcct(spline));
 }
 
 /// z of the edge when it lies in a level plane.

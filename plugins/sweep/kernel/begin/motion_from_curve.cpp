@@ -79,6 +79,7 @@ CurveMotionResult motionFromCurve(const Curve& given, const CurveMotionOptions& 
   result.motion.closedU = ClosedU::AntiPeriodic;
   result.motion.point = Vec3::Ones();
   result.closed = curve.closed();
+  if (!result.closed) result.cornerAtEnds = curve.cornerAtEnds();
   result.frameDeviation = frames.deviation;
   result.closing = frames.closing;
   result.deviation = result.reach * 2 * std::sin(frames.deviation / 2) + section.deviation;

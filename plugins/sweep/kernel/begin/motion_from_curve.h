@@ -21,6 +21,7 @@ struct CurveMotionOptions {
 struct CurveMotionResult {
   Motion motion;
   bool closed = false;         ///< the curve closes, and the motion with it
+  double cornerAtEnds = 0;     ///< radians, between the ends of a curve that closes with a corner, whose motion stays open
   double deviation = 0;        ///< mm, measured; see motionFromCurve
   double frameDeviation = 0;   ///< radians, of the orientation from the true frames
   double closing = 0;          ///< radians, of a closed curve; see FrameResult

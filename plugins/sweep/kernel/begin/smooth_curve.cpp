@@ -105,8 +105,10 @@ SmoothCurve::SmoothCurve(const Curve& given) : curve_(overUnitInterval(given)), 
   refuseCusps();
   refuseCorners();
   const CurvePoint start = at(0, 0), end = at(1, pieces_.size() - 1);
-  closed_ = (end.point - start.point).norm() <= 1e-9 * size_ && end.tangent().cross(start.tangent()).norm() <= corner &&
-            end.tangent().dot(start.tangent()) > 0;
+  if (!((end.point - start.point).norm() <= 1e-9 * size_)) return;
+  const Vec3 a = end.tangent(), b = start.tangent();
+  cornerAtEnds_ = std::atan2(a.cross(b).norm(), a.dot(b));
+  closed_ = cornerAtEnds_ <= corner;
 }
 
 void SmoothCurve::refuseCusps() const {

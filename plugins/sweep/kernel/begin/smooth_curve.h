@@ -33,6 +33,8 @@ class SmoothCurve {
   [[nodiscard]] const std::vector<double>& breaks() const { return breaks_; }
   /// Whether its ends meet within 1e-9 of its size, without a corner.
   [[nodiscard]] bool closed() const { return closed_; }
+  /// Radians between its tangents where its ends meet; 0 where they do not.
+  [[nodiscard]] double cornerAtEnds() const { return cornerAtEnds_; }
   /// Diagonal of the box around its poles.
   [[nodiscard]] double size() const { return size_; }
 
@@ -53,6 +55,7 @@ class SmoothCurve {
   std::vector<double> breaks_;
   std::vector<Curve> pieces_;
   bool closed_ = false;
+  double cornerAtEnds_ = 0;
   double size_ = 0;
 };
 

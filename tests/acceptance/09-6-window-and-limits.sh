@@ -7,6 +7,9 @@ for sample in triangle_to_star phi_to_flower figure_4_triangle_to_square figure_
 done
 qtest "morphs beyond their first and last shape" "$tests/minkowski_beyond_test"
 
+qtest "every feature ends soon after it is cancelled" "$tests/minkowski_cancel_test"
+at_most "  at the worst of many places" "$(figure minkowski_cancel_test cancel_everywhere_s)" 0.2 s
+
 # What cannot be morphed is named, with a place and a remedy.
 cd "$out"
 svg() { printf '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100"><path d="%s"/></svg>' "$1"; }

@@ -52,6 +52,7 @@ struct SceneData {
   bool solid = false;                      ///< the faces are closed and face outwards: sections of them are filled
   std::shared_ptr<const PickIndex> picks;  ///< null until it is built
   bool planar = false;                     ///< a drawing: everything lies in z = 0, faces have no normals
+  bool colorsTellKinds = false;            ///< of edges: kept whatever is selected
   /// The faces divided into parts that are uploaded to the GPU one per event turn; empty when `faces` is small enough.
   std::vector<vtkSmartPointer<vtkPolyData>> pieces;
   [[nodiscard]] bool empty() const;

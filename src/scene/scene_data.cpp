@@ -201,6 +201,7 @@ SceneData toSceneData(const Tessellation& t) {
   data.points = makeMarkers(t);
   data.vertices = makeVertices(t);
   data.planar = isPlanar(t);
+  data.colorsTellKinds = t.colorsTellKinds;
   return data;
 }
 

@@ -180,6 +180,33 @@ class TessellateTest : public QObject {
       }
     }
   }
+  /// z = x y: straight along x and along y, and yet its normal turns.
+  void twistedSurfacesKeepTheAngle() {
+    constexpr double half = 2;
+    Surface saddle{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {}};
+    for (const double x : {-half, half})
+      for (const double y : {-half, half}) saddle.poles.emplace_back(x, y, x * y, 1);
+    constexpr int count = 400;
+    double expected = 0;  // of sqrt(1 + x^2 + y^2), by the midpoint rule
+    for (int i = 0; i < count; ++i)
+      for (int k = 0; k < count; ++k)
+        expected += std::hypot(1, 2 * half * (i + 0.5) / count - half, 2 * half * (k + 0.5) / count - half);
+    expected *= 4 * half * half / count / count;
+    for (const double chord : {1.0, 0.05}) {
+      const Tessellation t = tessellate(saddle, {chord, 0.3});
+      double area = 0, turn = 0;
+      for (std::size_t i = 0; i < t.triangles.size(); ++i) {
+        const Vec3 normal = triangleNormal(t, i);
+        area += normal.norm() / 2;
+        for (const int corner : t.triangles[i]) {
+          const Vec3& exact = t.normals[static_cast<std::size_t>(corner)];
+          turn = std::max(turn, std::atan2(normal.cross(exact).norm(), std::abs(normal.dot(exact))));
+        }
+      }
+      QVERIFY2(std::abs(area - expected) < 0.02 * expected, qPrintable(QString("%1, not %2").arg(area).arg(expected)));
+      QVERIFY2(turn < 0.5, qPrintable(QString::number(turn)));
+    }
+  }
   void closedSurfaceMeshesClose() {
     const Mesh mesh = meshOf(torusOfDegree9x12(5, 2), {0.01, 0.5});
     const Measures m = measure(mesh);
@@ -262,6 +289,26 @@ class TessellateTest : public QObject {
     for (std::size_t i = 0; i + 1 < line.edges[0].size(); ++i)
       QVERIFY(((line.edges[0][i] + line.edges[0][i + 1]) / 2).norm() >= 2 - 0.01);
     VERIFY_ERROR(meshOf(ring), ErrorCode::InvalidInput);
+  }
+  void drawingsKeepTheColoursOfTheirOutlines() {
+    const auto ring = [](std::optional<Color> color) {
+      Path path = roundPath({0, 0}, 2, pi);
+      path.segments.emplace_back(Line2{endPoint(path), startPoint(path)});
+      path.color = color;
+      return path;
+    };
+    const auto colorsOf = [](const std::vector<Path>& paths) {
+      return tessellate(Curves{paths, FillRule::EvenOdd}).edgeColors;
+    };
+    const Color red{1, 0, 0}, blue{0, 0, 1}, black{0, 0, 0}, white{1, 1, 1};
+    const std::vector<Color> colors = colorsOf({ring(red), ring(std::nullopt), ring(blue)});
+    QCOMPARE(colors.size(), std::size_t{6});  // one for each segment
+    QVERIFY(colors[0] == red && colors[1] == red && colors[4] == blue && colors[5] == blue);
+    QVERIFY(colors[2].red == colors[3].red && colors[2].red > 0.3 && colors[2].red < 0.7);  // grey, seen on either canvas
+    // Black and white are the ink of a paper, which is here the canvas's own.
+    QVERIFY(colorsOf({ring(black), ring(white), ring(std::nullopt)}).empty());
+    const std::vector<Color> beside = colorsOf({ring(black), ring(red)});
+    QVERIFY(beside.size() == 4 && beside[0].red > 0.3);
   }
   void drawingsAreFinerThanSurfacesByThemselves() {
     const auto worst = [](const Tessellation& t) {

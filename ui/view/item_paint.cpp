@@ -1,7 +1,9 @@
 #include "ui/view/item_paint.h"
 
 #include <vtkActor.h>
+#include <vtkCellData.h>
 #include <vtkMapper.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
 
 #include "scene/scene.h"
@@ -65,6 +67,13 @@ void paintFaces(vtkActor& actor, const ItemPaint& shown) {
   setColor(actor, shown.hovered ? mixed(color, plain ? shown.look.control : Color{1, 1, 1}, 0.2) : color);
 }
 
+/// A drawing has the colours of its outlines while nothing else is to be told by a colour.
+void chooseOwnColors(vtkActor& actor, const ItemPaint& shown) {
+  const bool undisturbed = shown.role == ItemRole::Plain && shown.presence == Presence::Whole && !shown.hovered;
+  const bool own = shown.scene.colorsTellKinds || undisturbed;
+  actor.GetMapper()->SetScalarVisibility(own && shown.scene.edges && shown.scene.edges->GetCellData()->GetScalars());
+}
+
 void paintEdges(vtkActor& actor, const ItemPaint& shown) {
   const bool drawing = isDrawing(shown.scene), plain = shown.role == ItemRole::Plain;
   const Color accent = shown.role == ItemRole::Made ? shown.look.made : shown.look.control;
@@ -95,6 +104,7 @@ void paintActor(vtkActor& actor, const ItemPaint& paint) {
   layer(actor, paint);
   if (part == ActorRole::Faces) paintFaces(actor, paint);
   if (part == ActorRole::Edges) paintEdges(actor, paint);
+  if (part == ActorRole::Edges && isDrawing(paint.scene)) chooseOwnColors(actor, paint);
   if (part == ActorRole::Edges && !paint.scene.faces) fadeByColor(actor, paint.look);
   if (part == ActorRole::IsoCurves) paintIsoCurves(actor, paint);
   if (part == ActorRole::Points) actor.GetProperty()->SetPointSize(static_cast<float>(paint.look.pointSize));

@@ -41,11 +41,15 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
   const auto lift = [](int& steps, double wanted) {
     if (wanted > steps) steps = static_cast<int>(std::ceil(std::min(wanted, 1e4)));
   };
-  const auto raise = [&](int& steps, int& minimum, double span, double bend, double speed) {
-    const double byAngle = speed > 0 ? std::min<double>(maximumByAngle, span * bend / (speed * options.angle)) : 1;
+  // `turn`: of the normal, in radians by the parameter; `byTwist`: steps within which a twist is too small to be seen
+  const auto raise = [&](int& steps, int& minimum, double span, double bend, double turn, double byTwist) {
+    const double byAngle = std::min<double>(maximumByAngle, span * turn / options.angle);
     const double byBend = span * std::sqrt(bend / (8 * options.chord));
-    lift(minimum, std::max(byBend, std::min(byAngle, byBend / std::sqrt(seen))));
+    lift(minimum, std::max(byBend, std::min(byAngle, std::max(byBend / std::sqrt(seen), byTwist))));
     lift(steps, std::max<double>(minimum, byBend * std::sqrt(3)));
+  };
+  const auto turnOf = [](double bend, double speed, double twist, double across) {
+    return std::hypot(speed > 0 ? bend / speed : 0, across > 0 ? twist / across : 0);
   };
   for (std::size_t a = 0; a + 1 < breaksU.size(); ++a) {
     progress.check();
@@ -55,8 +59,11 @@ Fineness estimate(const Surface& surface, const std::vector<double>& breaksU, co
           const double spanU = breaksU[a + 1] - breaksU[a];
           const double spanV = breaksV[b + 1] - breaksV[b];
           const SecondOrder at = secondOrder(surface, breaksU[a] + pu * spanU, breaksV[b] + pv * spanV);
-          raise(fineness.u[a], fineness.minimumU[a], spanU, at.bendUU, at.speedU);
-          raise(fineness.v[b], fineness.minimumV[b], spanV, at.bendVV, at.speedV);
+          const double byTwist = at.bendUV * spanU * spanV / (4 * seen * options.chord);
+          const double turnU = turnOf(at.bendUU, at.speedU, at.bendUV, at.speedV),
+                       turnV = turnOf(at.bendVV, at.speedV, at.bendUV, at.speedU);
+          raise(fineness.u[a], fineness.minimumU[a], spanU, at.bendUU, turnU, byTwist);
+          raise(fineness.v[b], fineness.minimumV[b], spanV, at.bendVV, turnV, byTwist);
           // The twist term h k |Suv| / 4 is shared out to the direction that is still coarse.
           const double twist = at.bendUV * spanU * spanV * 3 / (4 * options.chord);
           const double steps = static_cast<double>(fineness.u[a]) * fineness.v[b];

@@ -19,6 +19,21 @@ std::vector<Vec3> lifted(const std::vector<Vec2>& points) {
   return result;
 }
 
+/// Seen on the dark canvas as on the light one. A drawing's black or white is what its paper asks for.
+std::optional<Color> colorOnCanvas(const Path& path) {
+  if (!path.color) return std::nullopt;
+  const auto [darkest, lightest] = std::minmax({path.color->red, path.color->green, path.color->blue});
+  return lightest < 0.25 || darkest > 0.8 ? std::nullopt : path.color;
+}
+
+/// Beside coloured outlines those without a colour are grey. Where none has one, the canvas decides.
+void addColors(const std::vector<Path>& paths, Tessellation& result) {
+  if (std::none_of(paths.begin(), paths.end(), [](const Path& path) { return colorOnCanvas(path).has_value(); })) return;
+  constexpr Color plain{0.55, 0.60, 0.66};
+  for (const Path& path : paths)
+    result.edgeColors.insert(result.edgeColors.end(), path.segments.size(), colorOnCanvas(path).value_or(plain));
+}
+
 /// A polyline for each segment: segments are what is picked. Their ends are made to meet exactly.
 void addOutlines(const std::vector<Path>& paths, double chord, const Progress& progress, Tessellation& result) {
   for (const Path& path : paths) {
@@ -32,6 +47,7 @@ void addOutlines(const std::vector<Path>& paths, double chord, const Progress& p
     for (std::size_t i = first; i + 1 < result.edges.size(); ++i) result.edges[i].back() = result.edges[i + 1].front();
     if (path.closed && result.edges.size() > first) result.edges.back().back() = result.edges[first].front();
   }
+  addColors(paths, result);
 }
 
 Tessellation tessellateCurves(const Curves& curves, double chord, const Progress& progress) {
@@ -97,6 +113,7 @@ void addStock(const Bounds& stock, Tessellation& result) {
 
 Tessellation tessellateToolpath(const Toolpath& path, double chord, const Progress& progress) {
   Tessellation result;
+  result.colorsTellKinds = true;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     if (i % 1024 == 0) progress.check();
     result.edgeIndices.push_back(static_cast<int>(i));

@@ -33,6 +33,7 @@ struct Tessellation {
   std::vector<std::vector<Vec3>> edges;  ///< edges of a B-rep or curves of a drawing, as polylines
   std::vector<int> edgeIndices;          ///< number of the edge for each of `edges`; -1: none
   std::vector<Color> edgeColors;         ///< per polyline of `edges`; empty when they have no colours of their own
+  bool colorsTellKinds = false;          ///< what an edge is: they stay, whatever is selected
   std::vector<Vec3> vertices;            ///< by number; for picking, not drawn
   std::vector<Vec3> markers;             ///< free points
 };

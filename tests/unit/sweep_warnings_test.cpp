@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <cmath>
 #include <numbers>
 
+#include "exchange/cad/brep_export.h"
+#include "exchange/cad/brep_import.h"
 #include "geometry/occt/occt.h"
 #include "geometry/shape/motion.h"
 #include "support/modeling.h"
@@ -124,6 +128,13 @@ class SweepWarningsTest : public QObject {
     BRep_Builder().Range(edge, curve->FirstParameter(), curve->LastParameter() + 2e-8);
     const Evaluated tube = made("sweep-along", {{"radius", 1.0}}, {Brep(edge)});
     QVERIFY(tube.shape.get<Motion>());
+    const TemporaryFolder folder;
+    const std::string path = (folder.path() / "edge.brep").string();
+    writeBrep(Brep(edge), path, Value::object(), Progress::none());
+    const TopoDS_Shape again = readBrep(path, Progress::none()).brep.shape();
+    double first = 0, last = 0;
+    QVERIFY(!BRep_Tool::Curve(TopoDS::Edge(again), first, last).IsNull());
+    QVERIFY(last == curve->LastParameter());
     QCOMPARE(planarCurves(edge).paths.size(), std::size_t{0});
   }
 

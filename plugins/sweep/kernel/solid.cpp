@@ -246,7 +246,7 @@ void lengthenIfShort(std::vector<double>& knots) {
 
 /// Where coordinates leave too few digits to the shape, whatever goes wrong is their doing.
 void refuseFarAway(const Box3& box) {
-  constexpr double digits = 1e-6;
+  constexpr double digits = 3e-5;
   const double size = box.diagonal().norm();
   const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (size >= digits * reach) return;

@@ -1,6 +1,13 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <BinTools.hxx>
+#include <Geom_Curve.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <algorithm>
 #include <fstream>
 
 #include "exchange/cad/brep_export.h"
@@ -25,6 +32,24 @@ bool isBinary(const std::string& path) {
   std::string head(64, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   return head.find("Open CASCADE Topology V") != std::string::npos;
+}
+
+/// Numbers of 15 digits let ranges of edges pass the ends of their curves by a rounding, which OCCT's algorithms refuse.
+void trimRangesToCurves(const TopoDS_Shape& shape) {
+  constexpr double rounding = 1e-8;  // of the curve
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+    TopLoc_Location place;
+    double first = 0, last = 0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, place, first, last);
+    if (curve.IsNull() || curve->IsPeriodic()) continue;
+    const double low = curve->FirstParameter(), high = curve->LastParameter(), within = rounding * (high - low);
+    const bool passes = first < low || last > high;
+    if (passes && first >= low - within && last <= high + within)
+      BRep_Builder().Range(edge, std::max(first, low), std::min(last, high));
+  }
 }
 
 }  // namespace
@@ -58,6 +83,7 @@ BrepImport readBrep(const std::string& path, const Progress& progress) {
       throwDamaged();
     }
     if (shape.IsNull()) throwDamaged();
+    trimRangesToCurves(shape);
     return BrepImport{Brep(shape), Value::object(), {}};
   });
 }

@@ -13,8 +13,8 @@ void checkPath(std::span<const Arguments> points, std::size_t shapes) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (points[k].size() + 1 != shapes)
       throw Error(ErrorCode::InvalidParameter,
-                  fmt::format("Point {} of the path has {} numbers; with {} control shapes it takes {}.", k + 1,
-                              points[k].size(), shapes, shapes - 1),
+                  fmt::format("Point {} of the path has {} {}; with {} control shapes it takes {}.", k + 1, points[k].size(),
+                              points[k].size() == 1 ? "number" : "numbers", shapes, shapes - 1),
                   "Give one number of 0 to 1 for each control shape after the first.");
     for (const double t : points[k])
       if (!(t >= 0 && t <= 1))

@@ -17,8 +17,8 @@ void checkRungs(std::span<const Region> shapes, std::span<const double> t) {
     throw Error(ErrorCode::InvalidParameter, "A ladder needs at least two control shapes.", "Give another shape.");
   if (t.size() + 1 != shapes.size())
     throw Error(ErrorCode::InvalidParameter,
-                fmt::format("The ladder of {} control shapes takes {} numbers; {} are given.", shapes.size(),
-                            shapes.size() - 1, t.size()),
+                fmt::format("The ladder of {} control shapes takes {} {}, not {}.", shapes.size(), shapes.size() - 1,
+                            shapes.size() == 2 ? "number" : "numbers", t.size()),
                 "Give one number of 0 to 1 for each control shape after the first.");
   for (const double level : t)
     if (!(level >= 0 && level <= 1))

@@ -77,8 +77,8 @@ void check(std::span<const Region> shapes, std::span<const Arguments> arguments)
   for (const Arguments& t : arguments) {
     if (t.size() + 1 != shapes.size())
       throw Error(ErrorCode::InvalidParameter,
-                  fmt::format("The blossom of {} control shapes takes {} numbers; {} are given.", shapes.size(),
-                              shapes.size() - 1, t.size()),
+                  fmt::format("The blossom of {} control shapes takes {} {}, not {}.", shapes.size(), shapes.size() - 1,
+                              shapes.size() == 2 ? "number" : "numbers", t.size()),
                   "Give one number for each control shape after the first.");
     for (const double level : t)
       if (!std::isfinite(level))

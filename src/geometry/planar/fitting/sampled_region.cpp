@@ -44,9 +44,7 @@ class ArcSampler {
 
   /// So many that a chord is within the tolerance.
   [[nodiscard]] int partsOf(const Arc2& arc, double sweep) const {
-    constexpr double widest = std::numbers::pi / 4;
-    const double share = std::clamp(1 - tolerance_ / std::max(std::abs(arc.radius), 1e-300), -1.0, 1.0);
-    const double step = std::clamp(2 * std::acos(share), 1e-6, widest);
+    const double step = arcStep(arc.radius, tolerance_);
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(std::abs(sweep) / step - 1e-9)) | 1U));
   }
 
@@ -255,6 +253,12 @@ FreeSide freeSide(const SampledSide& side, const SampledCorner& by, std::uint32_
 }
 
 }  // namespace
+
+double arcStep(double radius, double tolerance) {
+  constexpr double widest = std::numbers::pi / 4;
+  const double share = std::clamp(1 - tolerance / std::max(std::abs(radius), 1e-300), -1.0, 1.0);
+  return std::clamp(2 * std::acos(share), 1e-6, widest);
+}
 
 SampledRegion sampled(const SoundSet& set, double share, const std::vector<double>& normals, Sampling sampling,
                       const Progress& progress) {

@@ -62,6 +62,9 @@ enum class Sampling {
   Around,  ///< never inside of the region: sides that touch arcs with the material inside, chords of the others
 };
 
+/// How far a chord of an arc turns at most, radians, for all of it to be within the tolerance.
+double arcStep(double radius, double tolerance);
+
 /// Polygons within a share of the tolerance, and curves and points if there are any. Curves are cut at the normals, so that
 /// each chord of an arc belongs to one set of curves of the other region with the same normals, and arcs between them in a
 /// power of two of equal parts, so that chords of arcs with the same normals tend to be parallel. @pre without splines, or

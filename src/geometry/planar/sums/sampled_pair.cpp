@@ -151,14 +151,6 @@ bool draws(const SoundSet& set) {
   return draws<Kind>(set.area) || draws<Kind>(set.curves);
 }
 
-/// Splines are no coarser than arcs of the other shape. In a hollow, where sides of arcs are cut away, an arc's corner
-/// between two normals of a spline would leave no point of its sides on the curve; an arc that fits there turns more at each
-/// step.
-template <class Shape>
-double toleranceBeside(const Shape& shape, const Shape& other) {
-  return draws<Spline2>(shape) && draws<Arc2>(other) ? std::min(shape.tolerance, other.tolerance) : shape.tolerance;
-}
-
 std::vector<double> merged(std::vector<double> normals, const std::vector<double>& more) {
   normals.insert(normals.end(), more.begin(), more.end());
   std::sort(normals.begin(), normals.end());
@@ -167,30 +159,62 @@ std::vector<double> merged(std::vector<double> normals, const std::vector<double
   return normals;
 }
 
-/// @param itself the shape is cut at its own normals, too: where two parts of it turn through the same directions, the other
-/// shape has the normals of both. That takes many cuts, and is needed in hollows alone.
+/// Of all arcs, the one whose chords turn least.
+double largestRadius(const std::vector<Path>& paths) {
+  double largest = 0;
+  for (const Path& path : paths)
+    for (const Segment& segment : path.segments)
+      if (const auto* arc = std::get_if<Arc2>(&segment)) largest = std::max(largest, std::abs(arc->radius));
+  return largest;
+}
+double largestRadius(const SoundRegion& shape) { return largestRadius(shape.region.loops); }
+double largestRadius(const SoundSet& set) { return std::max(largestRadius(set.area), largestRadius(set.curves)); }
+
+/// Directions all around, no farther apart than chords of the arcs turn.
 template <class Shape>
-SampledPair evenlySampled(const Shape& givenA, const Shape& givenB, double share, Sampling sampling, bool itself,
-                          const Progress& progress) {
-  Shape a = givenA, b = givenB;
-  a.tolerance = toleranceBeside(givenA, givenB);
-  b.tolerance = toleranceBeside(givenB, givenA);
+std::vector<double> directionsOfChords(const Shape& arcs, double share) {
+  constexpr double most = 4096;
+  const double step = arcStep(largestRadius(arcs), share * arcs.tolerance);
+  const double count = std::min(most, std::ceil(fullTurn / step));
+  std::vector<double> directions;
+  for (double k = 0; k < count; ++k) directions.push_back(fullTurn * k / count);
+  return directions;
+}
+
+/// @param hollows whether a corner of an arc between two normals of a spline is to be avoided: in a hollow, where the sides
+/// of the arc are cut away, it would leave no point of the spline's sides on the curve. Then splines and arcs are cut in
+/// common directions, those of the shape itself among them: where two parts of it turn through the same ones, the other has
+/// both.
+template <class Shape>
+SampledPair sampledTogether(const Shape& a, const Shape& b, double share, Sampling sampling, bool hollows,
+                            const Progress& progress) {
   std::vector<double> cutsOfA = normalsOf(b, a, share), cutsOfB = normalsOf(a, b, share);
-  if (itself && draws<Spline2>(a)) cutsOfA = merged(std::move(cutsOfA), normalsOf(a, a, share));
-  if (itself && draws<Spline2>(b)) cutsOfB = merged(std::move(cutsOfB), normalsOf(b, b, share));
+  const auto cutInCommon = [&](const Shape& free, const Shape& other, std::vector<double>& cuts,
+                               std::vector<double>& others) {
+    if (!draws<Spline2>(free)) return;
+    cuts = merged(std::move(cuts), normalsOf(free, free, share));
+    if (!draws<Arc2>(other)) return;
+    const std::vector<double> directions = directionsOfChords(other, share);
+    cuts = merged(std::move(cuts), directions);
+    others = merged(std::move(others), directions);
+  };
+  if (hollows) {
+    cutInCommon(a, b, cutsOfA, cutsOfB);
+    cutInCommon(b, a, cutsOfB, cutsOfA);
+  }
   return {sampled(a, share, cutsOfA, sampling, progress), sampled(b, share, cutsOfB, sampling, progress)};
 }
 
 }  // namespace
 
 SampledPair sampledPair(const SoundSet& a, const SoundSet& b, double share, Sampling sampling, const Progress& progress) {
-  return evenlySampled(a, b, share, sampling, true, progress);
+  return sampledTogether(a, b, share, sampling, true, progress);
 }
 
 SampledPair sampledPair(const SoundRegion& a, const SoundRegion& b, double share, Sampling sampling,
                         const Progress& progress) {
   const bool again = share < 1;  // curves did not fit
-  return evenlySampled(a, b, share, sampling, again, progress);
+  return sampledTogether(a, b, share, sampling, again, progress);
 }
 
 void certifyClear(SampledPair& pair, const Progress& progress) {

@@ -181,40 +181,47 @@ std::vector<double> directionsOfChords(const Shape& arcs, double share) {
   return directions;
 }
 
-/// @param hollows whether a corner of an arc between two normals of a spline is to be avoided: in a hollow, where the sides
-/// of the arc are cut away, it would leave no point of the spline's sides on the curve. Then splines and arcs are cut in
-/// common directions, those of the shape itself among them: where two parts of it turn through the same ones, the other has
-/// both.
+/// The directions in which curves are cut. In a hollow the sides of arcs are cut away; where a corner of an arc lies between
+/// two normals of a spline there, it leaves no point of the spline's sides on the curve.
+enum class Cuts {
+  Others,  ///< those of the other shape
+  Own,     ///< splines also in their own: where two parts turn through the same directions, the other shape has both
+  Common,  ///< splines also in their own, and both in directions no farther apart than chords of the arcs turn
+};
+
 template <class Shape>
-SampledPair sampledTogether(const Shape& a, const Shape& b, double share, Sampling sampling, bool hollows,
+SampledPair sampledTogether(const Shape& a, const Shape& b, double share, Sampling sampling, Cuts kind,
                             const Progress& progress) {
   std::vector<double> cutsOfA = normalsOf(b, a, share), cutsOfB = normalsOf(a, b, share);
-  const auto cutInCommon = [&](const Shape& free, const Shape& other, std::vector<double>& cuts,
-                               std::vector<double>& others) {
-    if (!draws<Spline2>(free)) return;
+  const auto addCuts = [&](const Shape& free, const Shape& other, std::vector<double>& cuts, std::vector<double>& others) {
+    if (kind == Cuts::Others || !draws<Spline2>(free)) return;
     cuts = merged(std::move(cuts), normalsOf(free, free, share));
-    if (!draws<Arc2>(other)) return;
+    if (kind == Cuts::Own || !draws<Arc2>(other)) return;
     const std::vector<double> directions = directionsOfChords(other, share);
     cuts = merged(std::move(cuts), directions);
     others = merged(std::move(others), directions);
   };
-  if (hollows) {
-    cutInCommon(a, b, cutsOfA, cutsOfB);
-    cutInCommon(b, a, cutsOfB, cutsOfA);
-  }
+  addCuts(a, b, cutsOfA, cutsOfB);
+  addCuts(b, a, cutsOfB, cutsOfA);
   return {sampled(a, share, cutsOfA, sampling, progress), sampled(b, share, cutsOfB, sampling, progress)};
+}
+
+/// Splines no coarser than arcs of the other set: an arc that fits into a hollow turns more at each step.
+SoundSet fineBeside(SoundSet set, const SoundSet& other) {
+  if (draws<Spline2>(set) && draws<Arc2>(other)) set.tolerance = std::min(set.tolerance, other.tolerance);
+  return set;
 }
 
 }  // namespace
 
 SampledPair sampledPair(const SoundSet& a, const SoundSet& b, double share, Sampling sampling, const Progress& progress) {
-  return sampledTogether(a, b, share, sampling, true, progress);
+  return sampledTogether(fineBeside(a, b), fineBeside(b, a), share, sampling, Cuts::Own, progress);
 }
 
 SampledPair sampledPair(const SoundRegion& a, const SoundRegion& b, double share, Sampling sampling,
                         const Progress& progress) {
   const bool again = share < 1;  // curves did not fit
-  return sampledTogether(a, b, share, sampling, again, progress);
+  return sampledTogether(a, b, share, sampling, again ? Cuts::Common : Cuts::Others, progress);
 }
 
 void certifyClear(SampledPair& pair, const Progress& progress) {

@@ -32,6 +32,7 @@ std::vector<Region> bounded(const Region& sound, Boundary boundary, double toler
     throw Error(ErrorCode::InvalidInput, "Shape 1 has no holes to follow.", "Follow its outer boundary, or all of it.");
   if (auto together = nestedPaths(loops, tolerance, progress)) return {*std::move(together)};
   std::vector<Region> each;
+  each.reserve(loops.size());
   for (const Path& loop : loops) each.push_back({{loop}});
   return each;
 }
@@ -57,7 +58,7 @@ Region turnedAround(const Region& region) {
 /// Along all of the boundary of A. @pre B has one part
 Region sweptAlongAll(const Region& a, const Region& b, const RegionSumOptions& options, double tolerance,
                      const Progress& progress) {
-  const Region sum = minkowskiSum(std::vector{a, b}, options, progress.part(0, 0.5)).region;
+  Region sum = minkowskiSum(std::vector{a, b}, options, progress.part(0, 0.5)).region;
   const Region room = roomInside(std::vector{a, turnedAround(b)}, options, progress.part(0.5, 1));
   if (room.loops.empty()) return sum;
   std::vector<Path> loops = sum.loops;

@@ -173,10 +173,9 @@ Cap makeCap(const Surface& surface, const TopoDS_Face& side, bool atEnd, double 
 std::optional<double> turnOfOneEnd(const Surface& surface, const Progress& progress) {
   constexpr int coarse = 32, fine = 1024;
   constexpr double nearby = 1e-4;  // of the section
-  const auto [low, high] = surface.domainU();
   const auto [first, last] = surface.domainV();
-  const auto at = [&](int k, int of, double v) -> Vec3 {
-    return euclidean(evaluate(surface, low + (high - low) * k / of, v));
+  const auto at = [&surface, u = surface.domainU()](int k, int of, double v) -> Vec3 {
+    return euclidean(evaluate(surface, u.first + (u.second - u.first) * k / of, v));
   };
   std::vector<Vec3> end;
   Box3 box;

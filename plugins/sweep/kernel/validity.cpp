@@ -130,13 +130,12 @@ Validity leastAround(const Motion& motion, const NormalSamples& samples, const N
 bool runsThroughPoint(const Motion& motion, const Vec2& at) {
   constexpr int around = 16;
   constexpr double point = 1e-6;  // of the sections beside it
-  const auto [lowU, highU] = motion.domainU();
   const auto [lowV, highV] = motion.domainV();
-  const auto widthAt = [&](double v) {
-    const Vec3 first = evaluate(motion, lowU, v).point;
+  const auto widthAt = [&motion, u = motion.domainU()](double v) {
+    const Vec3 first = evaluate(motion, u.first, v).point;
     double width = 0;
     for (int k = 1; k < around; ++k)
-      width = std::max(width, (evaluate(motion, lowU + (highU - lowU) * k / around, v).point - first).norm());
+      width = std::max(width, (evaluate(motion, u.first + (u.second - u.first) * k / around, v).point - first).norm());
     return width;
   };
   const double aside = 0.01 * (highV - lowV);

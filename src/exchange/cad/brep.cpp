@@ -36,7 +36,7 @@ bool isBinary(const std::string& path) {
 
 /// Numbers of 15 digits let ranges of edges pass the ends of their curves by a rounding, which OCCT's algorithms refuse.
 void trimRangesToCurves(const TopoDS_Shape& shape) {
-  constexpr double rounding = 1e-8;  // of the curve
+  constexpr double rounding = 1e-7;  // of the curve
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(shape, TopAbs_EDGE, edges);
   for (int i = 1; i <= edges.Extent(); ++i) {

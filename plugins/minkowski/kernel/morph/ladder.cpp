@@ -27,6 +27,7 @@ void checkRungs(std::span<const Region> shapes, std::span<const double> t) {
 
 std::vector<Region> regionsIn(const std::vector<SoundRegion>& shapes) {
   std::vector<Region> regions;
+  regions.reserve(shapes.size());
   for (const SoundRegion& shape : shapes) regions.push_back(shape.region);
   return regions;
 }

@@ -81,7 +81,7 @@ Path polygonAround(const Path& convex, double tolerance) {
 }  // namespace
 
 SoundRegion facing(const SoundRegion& shape, const Sector& sector, const std::string& name, const Progress& progress) {
-  const SoundRegion hull = convexHull(shape, progress);
+  SoundRegion hull = convexHull(shape, progress);
   const double width = inOneTurn(sector.to - sector.from);
   if (width <= sameAngle || width >= fullTurn - sameAngle) return hull;
   const Path& around = hull.region.loops.front();

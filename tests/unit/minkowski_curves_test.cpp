@@ -7,6 +7,7 @@
 #include "support/curved_regions.h"
 #include "support/random.h"
 #include "support/regions.h"
+#include "support/segment_counts.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -26,18 +27,7 @@ std::vector<Vec2> convexCorners(Random& random, double reach) {
   return corners;
 }
 
-int arcCountOf(const Region& region) {
-  int count = 0;
-  for (const Path& loop : region.loops)
-    for (const Segment& segment : loop.segments) count += std::holds_alternative<Arc2>(segment) ? 1 : 0;
-  return count;
-}
-
-std::size_t segmentCountOf(const Region& region) {
-  std::size_t count = 0;
-  for (const Path& loop : region.loops) count += loop.segments.size();
-  return count;
-}
+int arcCountOf(const Region& region) { return static_cast<int>(segmentCountOf<Arc2>(region)); }
 
 double largestGap(const Region& region) {
   double gap = 0;
@@ -99,7 +89,7 @@ class MinkowskiCurvesTest : public QObject {
       const double exact = s * s + 4 * s * r + pi * r * r;
       COMPARE_NEAR(area(sum), exact, 1e-12 * exact);
       QCOMPARE(arcCountOf(sum), 4);
-      QCOMPARE(segmentCountOf(sum), std::size_t{8});
+      QCOMPARE(segmentCount(sum), std::size_t{8});
       QVERIFY(largestGap(sum) <= 1e-13 * (s + r));
     }
   }
@@ -112,7 +102,7 @@ class MinkowskiCurvesTest : public QObject {
       const Region between =
           morph(std::vector<Region>{triangle, circleRegion(r)}, std::vector<std::vector<double>>{{t}}).regions.front();
       QCOMPARE(arcCountOf(between), 3);
-      QCOMPARE(segmentCountOf(between), std::size_t{6});
+      QCOMPARE(segmentCount(between), std::size_t{6});
       const double exact = (1 - t) * (1 - t) * area(triangle) + (1 - t) * t * side * r + t * t * pi * r * r;
       COMPARE_NEAR(area(between), exact, 1e-12 * exact);
     }
@@ -242,7 +232,7 @@ class MinkowskiCurvesTest : public QObject {
       const double tolerance = 2 * (defaultTolerance(ellipse) + defaultTolerance(circleRegion(r)));
       const double exact = area(ellipse) + r * wayAround(ellipse) + pi * r * r;
       COMPARE_NEAR(area(sum), exact, tolerance * wayAround(sum));
-      QCOMPARE(segmentCountOf(sum), std::size_t{1});
+      QCOMPARE(segmentCount(sum), std::size_t{1});
       QVERIFY(std::get<Spline2>(sum.loops.front().segments.front()).poles.size() <= 200);
     }
   }
@@ -263,7 +253,7 @@ class MinkowskiCurvesTest : public QObject {
                                             Progress::none(), unlimited);
       const double tolerance = 4 * (defaultTolerance(a) + defaultTolerance(b));
       COMPARE_NEAR(area(sum), planar::area(polygons), tolerance * wayAround(sum));
-      QVERIFY(segmentCountOf(sum) <= 60);
+      QVERIFY(segmentCount(sum) <= 60);
       QVERIFY(largestGap(sum) <= tolerance);
     }
   }
@@ -310,7 +300,7 @@ class MinkowskiCurvesTest : public QObject {
     COMPARE_NEAR(area(curvedSumOf(bent, disc)), exact, 1e-12);
     const Region coarse = curvedSumOf(bent, disc, 0.01), fine = curvedSumOf(bent, disc, 1e-4);
     COMPARE_NEAR(area(coarse), area(fine), 1e-12);
-    QCOMPARE(segmentCountOf(coarse), std::size_t{11});
+    QCOMPARE(segmentCount(coarse), std::size_t{11});
 
     Path fillets;
     fillets.closed = true;

@@ -6,6 +6,7 @@
 #include "geometry/planar/winding/touching_loops.h"
 #include "minkowski/kernel/region_repeat.h"
 #include "support/regions.h"
+#include "support/segment_counts.h"
 #include "support/support.h"
 
 using namespace blossom;
@@ -14,19 +15,6 @@ using namespace blossom::minkowski;
 using std::numbers::pi;
 
 namespace {
-
-std::size_t lineCount(const Region& region) {
-  std::size_t lines = 0;
-  for (const Path& loop : region.loops)
-    for (const Segment& segment : loop.segments) lines += std::holds_alternative<Line2>(segment) ? 1 : 0;
-  return lines;
-}
-
-std::size_t segmentCount(const Region& region) {
-  std::size_t count = 0;
-  for (const Path& loop : region.loops) count += loop.segments.size();
-  return count;
-}
 
 Region turned(const Region& region, double angle) {
   Eigen::Matrix<double, 2, 3> turn;
@@ -65,11 +53,11 @@ class MinkowskiTouchingTest : public QObject {
       const double half = std::acos(10 / 11.0), lens = 121 * (2 * half - std::sin(2 * half));
       const Region sum = minkowskiSum(std::vector{discs, disc}).region;
       QVERIFY2(std::abs(area(sum) - (242 * pi - lens)) < 1e-9, fmt::format("{}", area(sum) - (242 * pi - lens)).c_str());
-      QCOMPARE(lineCount(sum), std::size_t{0});
+      QCOMPARE(segmentCountOf<Line2>(sum), std::size_t{0});
       QVERIFY(segmentCount(sum) <= 6);
       const Region hull = regionHull(discs, std::nullopt);
       QVERIFY(std::abs(area(hull) - (100 * pi + 400)) < 1e-9);
-      QCOMPARE(lineCount(hull), std::size_t{2});
+      QCOMPARE(segmentCountOf<Line2>(hull), std::size_t{2});
     }
   }
 

@@ -135,21 +135,7 @@ SnappedOperands snappedWithCurves(const SampledPair& pair, const Progress& progr
   return {onGrid(pair.a, gridA), onGrid(pair.b, gridB), gridA, gridB, {gridA.origin + gridB.origin, gridA.unit}};
 }
 
-template <class Kind>
-bool draws(const std::vector<Path>& paths) {
-  return std::any_of(paths.begin(), paths.end(), [](const Path& path) {
-    return std::any_of(path.segments.begin(), path.segments.end(),
-                       [](const Segment& segment) { return std::holds_alternative<Kind>(segment); });
-  });
-}
-template <class Kind>
-bool draws(const SoundRegion& shape) {
-  return draws<Kind>(shape.region.loops);
-}
-template <class Kind>
-bool draws(const SoundSet& set) {
-  return draws<Kind>(set.area) || draws<Kind>(set.curves);
-}
+bool isFreeForm(const SoundRegion& shape) { return hasSplines(shape.region); }
 
 std::vector<double> merged(std::vector<double> normals, const std::vector<double>& more) {
   normals.insert(normals.end(), more.begin(), more.end());
@@ -159,7 +145,7 @@ std::vector<double> merged(std::vector<double> normals, const std::vector<double
   return normals;
 }
 
-/// Of all arcs, the one whose chords turn least.
+/// Of the arc whose chords turn least; 0: there are no arcs.
 double largestRadius(const std::vector<Path>& paths) {
   double largest = 0;
   for (const Path& path : paths)
@@ -194,9 +180,9 @@ SampledPair sampledTogether(const Shape& a, const Shape& b, double share, Sampli
                             const Progress& progress) {
   std::vector<double> cutsOfA = normalsOf(b, a, share), cutsOfB = normalsOf(a, b, share);
   const auto addCuts = [&](const Shape& free, const Shape& other, std::vector<double>& cuts, std::vector<double>& others) {
-    if (kind == Cuts::Others || !draws<Spline2>(free)) return;
+    if (kind == Cuts::Others || !isFreeForm(free)) return;
     cuts = merged(std::move(cuts), normalsOf(free, free, share));
-    if (kind == Cuts::Own || !draws<Arc2>(other)) return;
+    if (kind == Cuts::Own || largestRadius(other) == 0) return;
     const std::vector<double> directions = directionsOfChords(other, share);
     cuts = merged(std::move(cuts), directions);
     others = merged(std::move(others), directions);
@@ -208,7 +194,7 @@ SampledPair sampledTogether(const Shape& a, const Shape& b, double share, Sampli
 
 /// Splines no coarser than arcs of the other set: an arc that fits into a hollow turns more at each step.
 SoundSet fineBeside(SoundSet set, const SoundSet& other) {
-  if (draws<Spline2>(set) && draws<Arc2>(other)) set.tolerance = std::min(set.tolerance, other.tolerance);
+  if (isFreeForm(set) && largestRadius(other) > 0) set.tolerance = std::min(set.tolerance, other.tolerance);
   return set;
 }
 

@@ -8,29 +8,23 @@
 #include <atomic>
 #include <memory>
 
+#include "core/error.h"
+
 namespace blossom {
 
 namespace {
 
-/// Repeats the synchronisation that TBB does itself: a piece runs after everything before the loop and before everything
-/// after it. ThreadSanitizer does not see that of TBB and would report every loop as a race.
-class Order {
+/// Counts what a loop has done, and so repeats the synchronisation that TBB does itself: a piece runs after everything before
+/// the loop and before everything after it. ThreadSanitizer does not see that of TBB and would report every loop as a race.
+class Tally {
  public:
-  class Piece {
-   public:
-    explicit Piece(Order& order) : order_(order) { (void)order_.pieces_.load(std::memory_order_acquire); }
-    ~Piece() { order_.pieces_.fetch_add(1, std::memory_order_release); }
-    Piece(const Piece&) = delete;
-    Piece& operator=(const Piece&) = delete;
-
-   private:
-    Order& order_;
-  };
-  Order() { pieces_.store(0, std::memory_order_release); }
-  void allDone() const { (void)pieces_.load(std::memory_order_acquire); }
+  Tally() { done_.store(0, std::memory_order_release); }
+  void begin() const { (void)done_.load(std::memory_order_acquire); }
+  void add(std::size_t count) { done_.fetch_add(count, std::memory_order_release); }
+  [[nodiscard]] std::size_t done() const { return done_.load(std::memory_order_acquire); }
 
  private:
-  std::atomic<std::size_t> pieces_;
+  std::atomic<std::size_t> done_;
 };
 
 }  // namespace
@@ -38,13 +32,17 @@ class Order {
 void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
                  const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
-  Order order;
+  Tally tally;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, std::max<std::size_t>(grain, 1)), [&](const auto& range) {
-    const Order::Piece piece(order);
+    tally.begin();
     progress.check();
     body(range.begin(), range.end());
+    tally.add(range.size());
   });
-  order.allDone();
+  // When a piece of a loop around this one has thrown, TBB ends this one early and says nothing. What is thrown here is
+  // dropped there: the loop around hands on the first exception.
+  if (tally.done() != count)
+    throw Error(ErrorCode::Cancelled, "The work was cancelled, because another part of it has failed.");
 }
 
 namespace {

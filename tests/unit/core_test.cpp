@@ -151,6 +151,28 @@ class CoreTest : public QObject {
                                throw std::runtime_error("no");
                              }));
   }
+  void aLoopWithinALoopThatFailsIsNotCutShortInSilence() {
+    if (std::thread::hardware_concurrency() < 2) QSKIP("needs two cores");
+    constexpr std::size_t count = 100;
+    const QDeadlineTimer deadline(20'000);
+    std::atomic<bool> begun = false, cutShort = false;
+    const auto body = [&](std::size_t begin, std::size_t) {
+      if (begin == 0) {
+        while (!begun && !deadline.hasExpired()) std::this_thread::yield();
+        throw Error(ErrorCode::Degenerate, "The first piece is bad.");
+      }
+      while (!deadline.hasExpired()) {
+        std::atomic<std::size_t> done = 0;
+        begun = true;
+        parallelFor(count, 1, Progress::none(), [&](std::size_t first, std::size_t last) { done += last - first; });
+        if (done != count) cutShort = true;
+        if (cutShort) return;
+      }
+    };
+    VERIFY_ERROR(parallelFor(2, 1, Progress::none(), body), ErrorCode::Degenerate);
+    QVERIFY(begun);
+    QVERIFY(!cutShort);
+  }
   void parallelForStopsWhenCancelled() {
     for (const int threads : {1, 0}) {
       setThreadLimit(threads);

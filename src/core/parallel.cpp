@@ -14,8 +14,9 @@ namespace blossom {
 
 namespace {
 
-/// Counts what a loop has done, and so repeats the synchronisation that TBB does itself: a piece runs after everything before
-/// the loop and before everything after it. ThreadSanitizer does not see that of TBB and would report every loop as a race.
+/// Counts what a loop has done, and so repeats the synchronisation that TBB does itself: a piece runs after everything
+/// before the loop and before everything after it. ThreadSanitizer does not see that of TBB and would report every loop as a
+/// race.
 class Tally {
  public:
   Tally() { done_.store(0, std::memory_order_release); }
